@@ -94,7 +94,7 @@ bench: prepare peers console ## measure speed and memory; RECORD=1 writes docs/b
 	PATH="$(CURDIR)/$(EZDXF)/bin:$$PATH" target/release/kerf-bench-drawings $(if $(RECORD),--record)
 	@.ci/browser
 	cd console && RECORD=$(RECORD) KERF="$(CURDIR)/target/release/kerf" npm run --silent bench
-	KERF_STOPS=1100 KERF="$(CURDIR)/target/release/kerf" \
+	RECORD=$(RECORD) KERF_STOPS=1100 KERF="$(CURDIR)/target/release/kerf" \
 	  $(CARGO) test --locked --package kerf --test stop_under_load -- --nocapture
 
 # GEOS comes with Python's shapely, kept apart from whatever Python is there.

@@ -17,6 +17,7 @@ function world(problem: "takeLease" | null = null) {
     snapshot: firstSnapshot,
     roundTripMs: 1,
     aheadMs: 0,
+    waitsFor: null,
   });
   const grant = () =>
     shown.update((now) => ({

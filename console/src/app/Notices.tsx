@@ -1,7 +1,8 @@
 import { Button } from "../ui/Button";
 import { useHands, useScreen } from "./context";
-import "./notices.css";
 import { useWords } from "./useWords";
+import { Waits } from "./Waits";
+import "./notices.css";
 
 /** What was just refused, and why. */
 export function Notices() {
@@ -10,6 +11,7 @@ export function Notices() {
   const words = useWords();
   return (
     <div className="notices" role="status" aria-live="polite">
+      <Waits />
       {notices.map(({ id, text }) => (
         <div className="notice" key={id}>
           <p className="notice-words">{words(text)}</p>

@@ -55,7 +55,11 @@ export function EditScreen() {
           {file.name ?? "New file"}
           {changed && <span className="edit-changed"> · not saved</span>}
         </h1>
-        <NotSaved names={others} onShow={(name) => void show(name)} />
+        <NotSaved
+          drafts={others}
+          file={file.name ?? ""}
+          onShow={({ name, page }) => void show(name, page)}
+        />
         <ActionButton action={openFiles}>Open…</ActionButton>
         <Button onPress={() => void show("")} isDisabled={changed && file.name === null}>
           New

@@ -1,20 +1,24 @@
 import { Button } from "../ui/Button";
+import type { TextDraft } from "../wire/messages";
 
 interface NotSavedProps {
-  /** Files whose text is not saved; a new one has an empty name. */
-  names: readonly string[];
-  onShow: (name: string) => void;
+  /** Texts that are not saved; a new file has an empty name. */
+  drafts: readonly TextDraft[];
+  /** The file in the editor: another page may type into it too. */
+  file: string;
+  onShow: (draft: TextDraft) => void;
 }
 
-/** Other files with text that is not saved: one press goes back to it. */
-export function NotSaved({ names, onShow }: NotSavedProps) {
-  if (names.length === 0) return null;
+/** Other texts that are not saved: one press goes to it. */
+export function NotSaved({ drafts, file, onShow }: NotSavedProps) {
+  if (drafts.length === 0) return null;
   return (
     <p className="edit-others">
       Also not saved:
-      {names.map((name) => (
-        <Button key={name} size="small" onPress={() => onShow(name)}>
-          {name || "New file"}
+      {drafts.map((draft) => (
+        <Button key={`${draft.name} ${draft.page}`} size="small" onPress={() => onShow(draft)}>
+          {draft.name || "New file"}
+          {draft.name === file && ", another text"}
         </Button>
       ))}
     </p>

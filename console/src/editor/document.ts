@@ -44,6 +44,8 @@ export const draftOf = ({ name, text, ends, hash }: EditedFile): TextDraft => ({
   ends,
   base: hash,
   changedOnDisk: false,
+  page: "",
+  revision: "",
 });
 
 /** As it is written: its lines end as they did. */

@@ -15,8 +15,22 @@ const patienceMs = 1500;
 /** What may be sent while a page goes has to be short, bytes. */
 const mostAtEnd = 60_000;
 
+/** A page by a name that no other has. */
+const newPage = (): string => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+
+const bothKept = (name: string): string =>
+  `Another page types into ${name || "a new file"} too. Both texts are kept; the other one is listed as not saved.`;
+
 export class DraftKeeper {
   readonly #tell: (text: string) => void;
+  /** As which page each file is typed into: another one after the text of another page was shown. */
+  readonly #pages = new Map<string, string>();
+  /** The draft that was shown of each file, and that this page goes on from. */
+  readonly #shown = new Map<string, TextDraft>();
+  /** Files into which another page types too. */
+  readonly #shared = new Set<string>();
+  /** Called where one more is. */
+  onShared: () => void = () => undefined;
   /** What is still to be done for each file: the draft to be kept, or nothing where it has ended. */
   readonly #wanted = new Map<string, TextDraft | null>();
   #works: Promise<void> | null = null;
@@ -26,7 +40,23 @@ export class DraftKeeper {
     this.#tell = tell;
   }
 
-  keep(draft: TextDraft): void {
+  /** A draft is shown: what is typed from now on goes on from it. */
+  shows(name: string, draft: TextDraft | undefined): void {
+    if (!draft || this.isOwn(draft)) return;
+    this.#pages.delete(name);
+    this.#shown.set(name, draft);
+    this.#shared.delete(name);
+  }
+
+  /** Whether this page typed it. */
+  isOwn(draft: TextDraft): boolean {
+    return draft.page !== "" && this.#pages.get(draft.name) === draft.page;
+  }
+
+  keep(typed: TextDraft): void {
+    const page = this.#pages.get(typed.name) ?? newPage();
+    this.#pages.set(typed.name, page);
+    const draft = { ...typed, page, revision: this.#shown.get(typed.name)?.revision ?? "" };
     this.#wanted.set(draft.name, draft);
     this.#works ??= this.#work(waitMs);
   }
@@ -69,13 +99,32 @@ export class DraftKeeper {
 
   async #send(name: string, draft: TextDraft | null): Promise<boolean> {
     try {
-      await (draft ? keepDraft(draft) : endDraft(name));
+      if (draft) this.#sharing(name, await keepDraft(draft));
+      else await this.#end(name);
       this.#told = false;
       return true;
     } catch (error) {
       if (!this.#told) this.#tell(`What is typed is not kept by the server: ${String(error)}`);
       this.#told = true;
       return false;
+    }
+  }
+
+  /** Ends what this page typed into a file, and what it showed of it. */
+  async #end(name: string): Promise<void> {
+    const [page, shown] = [this.#pages.get(name), this.#shown.get(name)];
+    if (page !== undefined) await endDraft(name, page);
+    if (shown) await endDraft(name, shown.page, shown.revision);
+    this.#shown.delete(name);
+  }
+
+  /** Tells once that another page types into a file too. */
+  #sharing(name: string, shared: boolean): void {
+    if (!shared) this.#shared.delete(name);
+    else if (!this.#shared.has(name)) {
+      this.#shared.add(name);
+      this.#tell(bothKept(name));
+      this.onShared();
     }
   }
 }

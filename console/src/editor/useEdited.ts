@@ -24,10 +24,10 @@ export interface Edited {
   readonly file: EditedFile;
   /** Grows when another text is shown than what is typed. */
   readonly shown: number;
-  /** Files whose text is not saved, the one in the editor left out; a new one has an empty name. */
-  readonly others: readonly string[];
-  /** Shows a file, or its draft; an empty name is a new one. */
-  show(name: string): Promise<void>;
+  /** Texts that are not saved, the one in the editor left out; a new file has an empty name. */
+  readonly others: readonly TextDraft[];
+  /** Shows a file, or its draft; an empty name is a new one. Of several drafts that of a page, or else this page's. */
+  show(name: string, page?: string): Promise<void>;
   change(text: string): void;
   /** Saves under a name; tells whether it was done. */
   save(as: string): Promise<boolean>;
@@ -59,6 +59,7 @@ export function useEdited(): Edited {
   const [file, setFile] = useState<EditedFile>(newFile);
   const [drafts, setDrafts] = useState<readonly TextDraft[]>([]);
   const [shown, setShown] = useState(0);
+  const [shownPage, setShownPage] = useState("");
   const keeper = keeperOf(screen);
   const turn = useRef(0);
 
@@ -68,18 +69,28 @@ export function useEdited(): Edited {
     return () => removeEventListener("pagehide", leave);
   }, [keeper]);
 
+  useEffect(() => {
+    const look = (all: TextDraft[]) => setDrafts(all);
+    keeper.onShared = () => void getJson<TextDraft[]>("/api/texts").then(look, () => undefined);
+    return () => {
+      keeper.onShared = () => undefined;
+    };
+  }, [keeper]);
+
   /** Shows a file; nothing stands for the one that is open, or else the draft of late. */
-  const show = async (wanted: string | null) => {
+  const show = async (wanted: string | null, page?: string) => {
     turn.current += 1;
     const mine = turn.current;
     await keeper.settled();
     try {
       const all = await getJson<TextDraft[]>("/api/texts");
       const chosen = wanted ?? all[0]?.name ?? "";
-      const draft = keeper.waiting(chosen) ?? all.find((one) => one.name === chosen);
+      const draft = chosenDraft(chosen, all, keeper, page);
       const onDisk = await present(chosen, draft);
       if (mine !== turn.current) return;
+      keeper.shows(chosen, draft);
       setDrafts(all);
+      setShownPage(draft?.page ?? "");
       setFile(draft ? drafted(onDisk, draft) : onDisk);
       setShown(mine);
       rememberEdited({ name: chosen, opened: name });
@@ -140,8 +151,21 @@ export function useEdited(): Edited {
     keeper.end(file.name ?? "");
     await show(file.name ?? "");
   };
-  const others = drafts.map((one) => one.name).filter((one) => one !== (file.name ?? ""));
+  const own = (one: TextDraft) => one.page === shownPage || keeper.isOwn(one);
+  const others = drafts.filter((one) => one.name !== (file.name ?? "") || !own(one));
   return { file, shown, others, show, change, save, drop };
+}
+
+/** The draft of a file that is shown: that of a page, or what this page typed, or else the newest. */
+function chosenDraft(
+  name: string,
+  all: readonly TextDraft[],
+  keeper: DraftKeeper,
+  page: string | undefined,
+): TextDraft | undefined {
+  const of = all.filter((one) => one.name === name);
+  if (page !== undefined) return of.find((one) => one.page === page);
+  return keeper.waiting(name) ?? of.find((one) => keeper.isOwn(one)) ?? of[0];
 }
 
 /** What lies on the disk under a name; of a file that has gone only its draft is left. */

@@ -100,15 +100,22 @@ export async function restoreFile(name: string, number: number): Promise<void> {
   await request(`${fileAddress(name)}?restore=${number}`, { method: "POST" });
 }
 
-/** Keeps text that is not saved; the page may go meanwhile when it is short. */
-export async function keepDraft(draft: TextDraft, goes = false): Promise<void> {
-  await request("/api/texts", {
+/**
+ * Keeps text that is not saved; the page may go meanwhile when it is short. Tells whether another page types into the
+ * same file.
+ */
+export async function keepDraft(draft: TextDraft, goes = false): Promise<boolean> {
+  const response = await request("/api/texts", {
     method: "PUT",
     headers: { "content-type": "application/json" },
     body: JSON.stringify(draft),
     keepalive: goes,
   });
+  return response.json() as Promise<boolean>;
 }
 
-export const endDraft = (name: string): Promise<void> =>
-  deleteAt(`/api/texts?name=${encodeURIComponent(name)}`);
+/** Ends the draft of a page; with a revision only where it is that text still. */
+export function endDraft(name: string, page: string, revision?: string): Promise<void> {
+  const of = new URLSearchParams({ name, page, ...(revision ? { revision } : {}) });
+  return deleteAt(`/api/texts?${of}`);
+}

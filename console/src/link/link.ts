@@ -9,6 +9,7 @@
 import { createStore, type Store } from "../app/store";
 import type { Act, Reply, ToPage } from "../wire/messages";
 import { fold } from "./fold";
+import { longWork } from "./longWork";
 import { Requests } from "./requests";
 import { ServerClock } from "./server-clock";
 import { nothingShown, type Shown } from "./shown";
@@ -21,6 +22,8 @@ export interface Link {
   close(): void;
 }
 
+/** A wait that is shorter is not told. */
+const tellsWaitAfterMs = 500;
 const pingEveryMs = 1000;
 const firstRetryMs = 250;
 const lastRetryMs = 4000;
@@ -34,6 +37,7 @@ class SocketLink implements Link {
   #clock = new ServerClock();
   #retryMs = firstRetryMs;
   #closed = false;
+  #waits = 0;
   readonly #pings: ReturnType<typeof setInterval>;
 
   constructor(address: string) {
@@ -47,6 +51,7 @@ class SocketLink implements Link {
     const pressed = onlyStops(act) && this.#stopWay.press(request);
     if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(request));
     else if (!pressed) this.#requests.lost();
+    this.#tellsWait(act, reply);
     return reply;
   }
 
@@ -55,6 +60,22 @@ class SocketLink implements Link {
     clearInterval(this.#pings);
     this.#stopWay.lead(undefined);
     this.#socket?.close();
+  }
+
+  /** Tells that the page waits, where an act may take long and does. */
+  #tellsWait(act: Act, reply: Promise<Reply>): void {
+    const waitsFor = longWork(act);
+    if (waitsFor === null) return;
+    const told = setTimeout(
+      () => this.shown.update((now) => ({ ...now, waitsFor })),
+      tellsWaitAfterMs,
+    );
+    const waits = ++this.#waits;
+    void reply.then(() => {
+      clearTimeout(told);
+      // What was asked for again is waited for still.
+      if (waits === this.#waits) this.shown.update((now) => ({ ...now, waitsFor: null }));
+    });
   }
 
   #open(): void {

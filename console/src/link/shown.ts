@@ -10,6 +10,8 @@ export interface Shown {
   readonly who: Who | null;
   /** Nothing before the first one arrived; the last one while the link is lost. */
   readonly snapshot: Snapshot | null;
+  /** What this page waits for, in words, where that takes longer than a moment. */
+  readonly waitsFor: string | null;
   /** How long the last ping took, milliseconds. */
   readonly roundTripMs: number | null;
   /** How far the server's clock is ahead of this page's, milliseconds. */
@@ -20,6 +22,7 @@ export const nothingShown: Shown = {
   status: "opening",
   who: null,
   snapshot: null,
+  waitsFor: null,
   roundTripMs: null,
   aheadMs: null,
 };

@@ -12,6 +12,7 @@ function shown(driver: number | null, armed: boolean): Shown {
     snapshot: { ...firstSnapshot, lease, machine: { ...firstSnapshot.machine, armed } },
     roundTripMs: 1,
     aheadMs: 0,
+    waitsFor: null,
   };
 }
 

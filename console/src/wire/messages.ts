@@ -13,7 +13,7 @@ force: boolean, } | { "do": "giveLease",
 /** Number of the lease. */
 lease: number, } | { "do": "arm",
 /** Number of the lease. */
-lease: number, } | { "do": "disarm" } | { "do": "open",
+lease: number, } | { "do": "disarm" } | { "do": "giveUp" } | { "do": "open",
 /** Its name below the part folder. */
 name: string,
 /** How it is run. */
@@ -641,7 +641,7 @@ line: number,
 made: number,
 /** How far the job is, 0 … 1 of its planned time. */
 progress: number,
-/** Planned time that is left at the present override, seconds. */
+/** Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster. */
 remaining: number, };
 
 /** A variable. */
@@ -1074,7 +1074,11 @@ ends: string,
 /** SHA-256 of the file as it was read; empty for a new one. */
 base: string,
 /** Whether the file is another by now. */
-changedOnDisk: boolean, };
+changedOnDisk: boolean,
+/** The page that typed it, by a name that it gives itself. */
+page: string,
+/** Which text it is; of one that is to be kept, the draft from which the page went on. Empty for none. */
+revision: string, };
 
 /** Inputs and outputs of a run on the simulated machine, beside its motion. */
 export type Timing = {

@@ -112,3 +112,40 @@ it("goes when it is dropped, and then only", async () => {
   await shows(page, "MX,1");
   expect(await text(page)).not.toContain("MX,2");
 });
+
+it("loses nothing where two pages type into one file, and tells both", async () => {
+  const [one, two] = [await workshop.page(), await workshop.page()];
+  await edit(one, "a.sbp");
+  await edit(two, "a.sbp");
+  await type(one, "MX,2");
+  await new Promise((resolve) => setTimeout(resolve, keptMs));
+  await type(two, "MY,2");
+  const told = (page: Page) =>
+    page.getByText("Another page types into a.sbp too").first().waitFor();
+  await told(two);
+  await type(one, "MX,3");
+  await told(one);
+  await new Promise((resolve) => setTimeout(resolve, keptMs));
+  await one.close();
+  await two.close();
+  const page = await workshop.page();
+  await page.getByRole("link", { name: "Edit" }).click();
+  await shows(page, "MX,3");
+  expect(await text(page)).toBe("MX,1\nMX,2\nMX,3\n");
+  const other = page.getByRole("button", { name: "a.sbp, another text" });
+  await other.click();
+  await shows(page, "MY,2");
+  expect(await text(page)).toBe("MX,1\nMY,2\n");
+  // And back: going from one to the other takes nothing away.
+  await type(page, "MY,3");
+  await new Promise((resolve) => setTimeout(resolve, keptMs));
+  await other.click();
+  await shows(page, "MX,3");
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await until(
+    async () => readFileSync(join(folder, "a.sbp"), "utf8") === "MX,1\nMX,2\nMX,3\n",
+    "the one is saved",
+  );
+  await other.click();
+  await shows(page, "MY,3");
+});

@@ -24,6 +24,7 @@ const link: Link = {
     snapshot: { ...firstSnapshot, ...states[chosen] },
     roundTripMs: 3,
     aheadMs: 0,
+    waitsFor: null,
   }),
   ask: async () => ({ id: 0, problem: null, notes: [] }),
   close: () => undefined,

@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use std::process::Command;
 use std::{fs, thread};
 
-const PAGE: &str = "docs/benchmarks.md";
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/benchmarks.md");
 
 /// When, at which commit and on what something was measured.
 pub fn measured() -> String {

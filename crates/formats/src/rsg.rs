@@ -125,7 +125,12 @@ pub enum Own {
 
 /// Reads an RSG or RSM file with the data of its job, its paths to the letter.
 pub fn read_with(bytes: &[u8]) -> (Imported, Own) {
-    read_as(bytes, true, &|| false)
+    read_with_until(bytes, &|| false)
+}
+
+/// The same, until it is given up: then nothing is read.
+pub fn read_with_until(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Imported, Own) {
+    read_as(bytes, true, given_up)
 }
 
 fn read_as(bytes: &[u8], as_written: bool, given_up: &dyn Fn() -> bool) -> (Imported, Own) {

@@ -65,19 +65,30 @@ impl Outputs {
                 return Ok(Exit::Stopped);
             }
         }
+        // A run that is killed leaves what it wrote: that is Kerf's too. Where it cannot be kept, who writes the file
+        // once more is asked.
+        let begun = |(file, before): (&PathBuf, &Option<Stamp>)| begun(file, *before);
+        drop(self.keep(self.files.iter().zip(&before).map(begun).collect()));
         let done = command();
         let now = self.files.iter().map(|file| stamp(file));
         let files = self.files.iter().zip(now).zip(before);
-        let made = files.filter(|((_, now), before)| now != before);
-        let made: Vec<_> = made.filter_map(|((file, now), _)| Some(line(file, now?))).collect();
-        // Where it cannot be kept, who writes the file once more is asked.
-        drop(self.keep(made));
+        let ended = files.map(|((file, now), before)| match now.filter(|_| now != before) {
+            Some(now) => line(file, now),
+            None => untouched(file),
+        });
+        drop(self.keep(ended.collect()));
         done
     }
 
     /// Whether Kerf wrote a file, and nobody touched it since.
     fn knows(&self, file: &Path, stamp: Stamp) -> bool {
-        self.record().lines().any(|known| known == line(file, stamp))
+        let (record, place) = (self.record(), place(file));
+        let mut of_it = record.lines().filter(|known| known.ends_with(&place));
+        let last = of_it.next_back();
+        // A command that began to write it was killed, and it is another file than before.
+        let cut_short =
+            last.is_some_and(|known| known.starts_with(BEGUN) && known != begun(file, Some(stamp)));
+        cut_short || record.lines().any(|known| known == line(file, stamp))
     }
 
     fn record(&self) -> String {
@@ -106,10 +117,28 @@ fn stamp(file: &Path) -> Option<Stamp> {
     Some(Stamp { bytes: about.len(), written_ns: written.as_nanos() })
 }
 
+/// A line of the record begins with it where a command begins to write a file.
+const BEGUN: &str = "begun ";
+
 /// A file in the record: what it was, and where it lies.
 fn line(file: &Path, stamp: Stamp) -> String {
-    let place = RealDisk.real_path(file);
-    format!("{} {} {}", stamp.bytes, stamp.written_ns, place.display())
+    format!("{} {}{}", stamp.bytes, stamp.written_ns, place(file))
+}
+
+/// The same of one that a command begins to write: what it was before, zeros where there was none.
+fn begun(file: &Path, before: Option<Stamp>) -> String {
+    let Stamp { bytes, written_ns } = before.unwrap_or(Stamp { bytes: 0, written_ns: 0 });
+    format!("{BEGUN}{bytes} {written_ns}{}", place(file))
+}
+
+/// The same of one that a command did not write in the end.
+fn untouched(file: &Path) -> String {
+    format!("untouched{}", place(file))
+}
+
+/// Where a file lies, as lines of the record end.
+fn place(file: &Path) -> String {
+    format!(" {}", RealDisk.real_path(file).display())
 }
 
 /// Asks whether a file may be replaced that Kerf did not make.

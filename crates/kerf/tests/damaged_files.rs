@@ -8,7 +8,7 @@
 mod shop;
 
 use kerf_control::journal::Journal;
-use serde_json::Value;
+use serde_json::{Value, json};
 use shop::console::Console;
 use shop::{Shop, until};
 use std::collections::BTreeMap;
@@ -28,8 +28,19 @@ fn files_of(folder: &Path) -> Files {
     entries.filter_map(file).filter(|(name, _)| !made_anew(name)).collect()
 }
 
-/// Values that are kept, X in inches, the speed of cuts in `machine.toml`, shapes of the drawing that is not saved.
-const WHOLE: (usize, f64, &str, usize) = (60, 2.0, "50", 2);
+/// Values that are kept, X in inches, the speed of cuts in `machine.toml`, shapes of the drawing that is not saved, paired
+/// devices.
+const WHOLE: (usize, f64, &str, usize, usize) = (60, 2.0, "50", 2, 2);
+
+/// A list of so many paired devices, as Kerf writes it.
+fn devices(many: usize) -> Vec<u8> {
+    let hash = |n: usize| format!("{n:064x}");
+    let device = |n| json!({ "number": n, "name": "pad", "role": "operator", "hash": hash(n) });
+    serde_json::to_vec_pretty(&(1..=many).map(device).collect::<Vec<_>>()).unwrap()
+}
+
+/// What is about no machine: who takes it away knows that it is gone.
+const IS_TAKEN_AWAY: [&str; 2] = ["drawing.draft", "devices.json"];
 
 /// A data folder as a kill leaves it, with the newest changes in the write-ahead file; and the same at an earlier time.
 fn folders() -> (Files, Files) {
@@ -53,7 +64,9 @@ fn folders() -> (Files, Files) {
     values(0..30).rest().unwrap();
     shop.kerf("send MX,1 --quiet").exits(0);
     drawn("line 0,0 10,0");
+    shop.write("data/devices.json", &devices(1));
     let older = files_of(&data);
+    shop.write("data/devices.json", &devices(2));
     drawn("line 0,5 10,5");
     shop.kerf("machine set speeds.cut.xy 50").exits(0);
     shop.kerf("send MX,2 --quiet").exits(0);
@@ -69,7 +82,7 @@ struct Start {
     told: Vec<String>,
     verified: bool,
     armed: bool,
-    kept: (usize, f64, String, usize),
+    kept: (usize, f64, String, usize, usize),
 }
 
 impl Start {
@@ -84,6 +97,7 @@ impl Start {
         }
         let state = console.ask("GET /api/state", "");
         let values = console.ask("GET /api/registry", "");
+        let paired = console.ask("GET /api/devices", "").as_array().map_or(0, Vec::len);
         let kept = |it: &&Value| it["value"] == "kept";
         let values = values.as_array().map_or(0, |values| values.iter().filter(kept).count());
         drop(console);
@@ -95,13 +109,13 @@ impl Start {
             told: state["messages"].as_array().unwrap().iter().map(told).collect(),
             verified: state["machine"]["why"].is_null(),
             armed: state["machine"]["armed"] == true,
-            kept: (values, (x * 1000.0).round() / 1000.0, speed.trim().to_owned(), shapes),
+            kept: (values, (x * 1000.0).round() / 1000.0, speed.trim().to_owned(), shapes, paired),
         })
     }
 
     fn is_whole(&self) -> bool {
-        let (values, x, speed, shapes) = WHOLE;
-        self.kept == (values, x, speed.to_owned(), shapes)
+        let (values, x, speed, shapes, paired) = WHOLE;
+        self.kept == (values, x, speed.to_owned(), shapes, paired)
     }
 
     /// Tells of the damage: lines that an undamaged folder does not have.
@@ -122,11 +136,12 @@ impl Start {
     }
 
     fn kept(&self) -> String {
-        let (values, x, speed, shapes) = &self.kept;
+        let (values, x, speed, shapes, paired) = &self.kept;
         if self.is_whole() {
             return "everything".into();
         }
-        format!("{values} of 60 values, X {x}, cut speed {speed}, {shapes} shapes")
+        let devices = if *paired == 2 { String::new() } else { format!(", {paired} of 2 devices") };
+        format!("{values} of 60 values, X {x}, cut speed {speed}, {shapes} shapes{devices}")
     }
 }
 
@@ -197,7 +212,7 @@ fn check(what: &str, start: &Start, usual: &Start) {
     let news = start.news(usual);
     assert!(!start.armed, "{what}");
     assert!(start.is_whole() || !news.is_empty(), "{what}: lost without a word: {start:?}");
-    let (_, x, ref speed, _) = start.kept;
+    let (_, x, ref speed, ..) = start.kept;
     let doubtful = x != WHOLE.1 || speed != WHOLE.2;
     assert!(!doubtful || !start.verified, "{what}: trusted: {start:?}");
 }
@@ -219,16 +234,15 @@ fn flipped(name: &str, files: &Files, older: &Files, usual: &Start) -> String {
     for place in 0..FLIPS {
         let damage = Damage::Flipped(place);
         let Some(files) = damage.does(files, older, name) else { continue };
-        // A drawing is text without check numbers: a digit may become another digit.
-        if let Ok(start) = Start::of(&files)
-            && name != "drawing.draft"
-        {
+        if let Ok(start) = Start::of(&files) {
             check(&format!("{name}, bit {place}"), &start, usual);
         }
     }
     let told = match name {
-        "drawing.draft" => {
-            "where it cannot be read: as when it is halved; where a number became another: nothing"
+        "drawing.draft" => "as when it is halved",
+        "devices.json" => {
+            "where it cannot be read: as when it is halved; where a letter of a name or a digit of a hash became \
+             another: nothing, and a device whose hash it is pairs anew"
         }
         _ if is_log(name) => "nothing",
         _ => "nothing where nothing is lost, else as when it is halved",
@@ -273,7 +287,8 @@ fn nothing_is_lost_without_a_word() {
             let Some(files) = damage.does(&newer, &older, name) else { continue };
             let start = Start::of(&files);
             if let Ok(start) = &start
-                && !(name == "drawing.draft" && matches!(damage, Damage::Gone | Damage::Older))
+                && !(IS_TAKEN_AWAY.contains(&name.as_str())
+                    && matches!(damage, Damage::Gone | Damage::Older))
             {
                 check(&format!("{name} {}", damage.word()), start, &usual);
             }

@@ -48,6 +48,25 @@ fn a_command_that_fails_makes_no_file_its_own() {
     shop.kerf("preview a.sbp -o a.svg").exits(2);
 }
 
+#[cfg(unix)]
+#[test]
+fn the_trace_of_a_killed_run_is_kerfs_own() {
+    let long = "&n=0\nL:\nMX,1\nMX,0\n&n=&n+1\nIF &n<10000000 THEN GOTO L\n";
+    let shop = Shop::new(&[("a.sbp", PART), ("long.sbp", long)]);
+    let args = ["run", "long.sbp", "--quiet", "--trace", "t.jsonl"];
+    let mut run = shop.command().args(args).spawn().unwrap();
+    let written = || std::fs::metadata(shop.file("t.jsonl")).is_ok_and(|file| file.len() > 0);
+    shop::until("the trace", written);
+    run.kill().unwrap();
+    run.wait().unwrap();
+    let next = shop.kerf("run a.sbp --quiet --trace t.jsonl");
+    assert!(!next.err().contains("is there already"), "{}", next.err());
+    // What somebody else puts there afterwards is his own.
+    shop.kerf("preview a.sbp -o t.jsonl --force");
+    shop.write("t.jsonl", b"by hand");
+    shop.kerf("run a.sbp --quiet --trace t.jsonl").exits(2).complains("is there already");
+}
+
 #[test]
 fn what_is_no_file_is_written_to_as_ever() {
     let shop = Shop::new(&[("a.sbp", PART)]);

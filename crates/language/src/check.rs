@@ -7,10 +7,20 @@ use kerf_wire::{Checked, Finding, Level};
 
 /// Reads a text as a part file of this name that is started by itself on a machine in a unit.
 pub fn check(name: &str, text: &str, unit: LinearUnit) -> Checked {
+    check_until(name, text, unit, &|| false)
+}
+
+/// The same, until it is given up: then what was found so far is no answer.
+pub fn check_until(
+    name: &str,
+    text: &str,
+    unit: LinearUnit,
+    given_up: &dyn Fn() -> bool,
+) -> Checked {
     let program = kerf_part::read(name.into(), text.as_bytes());
     let mut found: Vec<Diagnostic> = program.diagnostics.clone();
-    if program.language() != Language::Gcode {
-        found.extend(kerf_sbp::check(&program.sbp, Some(unit)));
+    if program.language() != Language::Gcode && !given_up() {
+        found.extend(kerf_sbp::check_until(&program.sbp, Some(unit), given_up));
     }
     found.sort_by_key(|d| (d.place.line, d.place.column));
     Checked { findings: found.iter().map(finding).collect() }

@@ -24,8 +24,13 @@ impl Context<'_> {
             ExprNode::Number(n) => Ok(Value::Number(*n)),
             ExprNode::Text(t) | ExprNode::Word(t) => Ok(Value::Text(operands[*t].clone())),
             ExprNode::Variable(name) => Ok(self.variable(*name).cloned().unwrap_or_default()),
-            ExprNode::Persistent(name) => Ok(self.persistent(*name)),
+            ExprNode::Persistent(name) => {
+                // Other programs write it too.
+                self.core.changes = true;
+                Ok(self.persistent(*name))
+            }
             ExprNode::System(index) => {
+                self.core.changes = true;
                 let number = self.eval_number(&operands[*index])?;
                 self.system_variable(number, expr.span)
             }
@@ -33,7 +38,10 @@ impl Context<'_> {
             ExprNode::Binary(op, left, right) => {
                 self.binary(*op, &operands[*left], &operands[*right], expr.span)
             }
-            ExprNode::Member(path) => self.member(&operands[*path], expr.span),
+            ExprNode::Member(path) => {
+                self.core.changes = true;
+                self.member(&operands[*path], expr.span)
+            }
             ExprNode::Call(function, argument) => {
                 let argument = argument.map(|id| &operands[id]);
                 self.call(*function, argument, expr.span)
@@ -123,6 +131,7 @@ impl Context<'_> {
     /// Gives a user variable a value.
     pub(crate) fn set_variable(&mut self, name: NameId, value: Value) {
         let slot = self.slot(name);
+        self.core.changes |= self.core.variables.at(slot) != Some(&value);
         self.core.variables.put(slot, value);
     }
 
@@ -308,7 +317,10 @@ impl Context<'_> {
             Function::Asin => n.asin(),
             Function::Acos => n.acos(),
             Function::Pi => std::f64::consts::PI,
-            Function::Rnd => next_random(&mut self.core.random),
+            Function::Rnd => {
+                self.core.changes = true;
+                next_random(&mut self.core.random)
+            }
         };
         self.finite(result, span)
     }

@@ -40,6 +40,7 @@ impl App {
         self.hears_driver(who);
         match act {
             Act::Ping => {}
+            Act::GiveUp => self.works.give_up(who.client),
             Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } => {
                 if let Some(halt) = Halt::of(&act) {
                     halt.press(self, who.client);
@@ -62,7 +63,9 @@ impl App {
             Act::KeepOrigin => self.keep_origin()?,
             Act::SaveJob => self.save_job()?,
             Act::TakeShapeBack => self.take_shape_back()?,
-            Act::Machine { drawing, anew } => return self.machine(drawing.as_deref(), anew),
+            Act::Machine { drawing, anew } => {
+                return self.machine(drawing.as_deref(), anew, &asker.awaited);
+            }
             Act::Folder { name, mask } => self.choose_folder(&name, mask)?,
             Act::Record { line } => self.record(line)?,
             Act::Watch { names } => self.watch(names)?,
@@ -97,7 +100,7 @@ impl App {
             Act::SheetDone => self.sheet_done(),
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
             Act::Acknowledge => self.acknowledge(),
-            Act::Draw { op } => return self.draw(op),
+            Act::Draw { op } => return self.draw(op, &asker.awaited),
             Act::Protect { password, new } => self.protect(who, password.as_deref(), new)?,
             Act::Unlock { password } => self.unlock(who, &password)?,
         }
@@ -297,7 +300,8 @@ impl App {
             return Err(problem(Why::Mistake, format!("{}{hint}", mistake.message)));
         }
         let opened = self.opened(&asker.who, None).is_ok();
-        self.order_of(asker, Order::Command { line, opened })
+        let file = self.file_of_typed(&line);
+        self.order_of(asker, Order::Command { line, opened, file })
     }
 
     fn nudge(&self, asker: &Asker, axis: char, distance: f64) -> Result<(), Problem> {

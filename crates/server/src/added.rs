@@ -2,6 +2,7 @@
 //! its computer, loses none of them. They are there again when the job is opened.
 
 use crate::app::{App, Open, problem};
+use crate::digested::{checked, with_digest};
 use kerf_control::files::{Disk, RealDisk};
 use kerf_control::job_file;
 use kerf_wire::{Problem, Tone, Why};
@@ -101,7 +102,7 @@ impl App {
         if !file.is_file() {
             return Ok(Added::new());
         }
-        Ok(serde_json::from_slice(&RealDisk.read(&file)?)?)
+        Ok(serde_json::from_slice(checked(&RealDisk.read(&file)?)?)?)
     }
 
     fn write_added(&self, name: &str, stack: Option<Vec<String>>) -> io::Result<()> {
@@ -113,7 +114,7 @@ impl App {
         match added.is_empty() {
             true if before.is_none() => Ok(()),
             true => fs::remove_file(self.added_file()),
-            false => RealDisk.write(&self.added_file(), &serde_json::to_vec(&added)?),
+            false => RealDisk.write(&self.added_file(), &with_digest(&serde_json::to_vec(&added)?)),
         }
     }
 }

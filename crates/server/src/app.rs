@@ -1,5 +1,6 @@
 //! Everything that requests share.
 
+use crate::awaited::Works;
 use crate::clock::Clock;
 use crate::desk::Desk;
 use crate::files::PartFolder;
@@ -88,6 +89,8 @@ pub struct App {
     pub memory: Memory,
     /// Room for what is sent.
     pub bodies: Bodies,
+    /// Long work that somebody waits for.
+    pub works: Works,
     previews: AtomicU32,
     leases: AtomicU32,
 }
@@ -192,6 +195,9 @@ impl App {
         let clock = link.clock().clone();
         let (devices, told) = Devices::read(&options.data, clock.clone())?;
         told.into_iter().for_each(|told| hub.say(Tone::Warning, told));
+        if let Err(error) = hub.ran.keep_in(&options.data) {
+            hub.say(Tone::Warning, format!("when files ran last is not known any more: {error}"));
+        }
         let here = options.lan.then(|| Here::of(&options.data)).transpose()?;
         let memory = Memory::default();
         Ok(Self {
@@ -215,6 +221,7 @@ impl App {
             pool: Arc::new(Pool::begin(memory.clone())?),
             memory,
             bodies: Bodies::default(),
+            works: Works::default(),
             previews: AtomicU32::new(0),
             leases: AtomicU32::new(0),
             orders: Mutex::new(orders),

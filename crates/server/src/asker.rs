@@ -7,6 +7,7 @@
 //! ```
 
 use crate::app::{App, lock, problem};
+use crate::awaited::Awaited;
 use crate::gate::{self, Way};
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, Stops};
@@ -17,14 +18,23 @@ use kerf_wire::{Change, Machine, Problem, Snapshot, State, Who, Why};
 pub struct Asker {
     /// Who.
     pub who: Who,
+    /// What is asked for, as long as somebody waits for it.
+    pub awaited: Awaited,
     /// Stops that had come when it arrived.
     stops: Stops,
+}
+
+impl Asker {
+    /// The same, who waits for what is asked for until it is given up.
+    pub fn awaiting(self, awaited: Awaited) -> Self {
+        Self { awaited, ..self }
+    }
 }
 
 impl App {
     /// Somebody asks for something, which has arrived this moment.
     pub fn hears(&self, who: &Who) -> Asker {
-        Asker { who: who.clone(), stops: self.link.stops() }
+        Asker { who: who.clone(), awaited: Awaited::default(), stops: self.link.stops() }
     }
 
     /// The same somebody as the one who drives, where that is a page or a script of the same device. What it may do
@@ -34,7 +44,7 @@ impl App {
         let driver = self.hub.read(|now| now.lease.as_ref().map(|lease| lease.client));
         let same = driver.filter(|driver| own.is_some() && self.pages.device_of(*driver) == own);
         let client = same.unwrap_or(asker.who.client);
-        Asker { who: Who { client, ..asker.who.clone() }, stops: asker.stops }
+        Asker { who: Who { client, ..asker.who.clone() }, ..asker.clone() }
     }
 
     /// Gives the machine something to do that does not move it, when it has nothing to do.
@@ -146,7 +156,7 @@ mod tests {
     use std::sync::mpsc::{Sender, channel};
 
     fn command() -> Order {
-        Order::Command { line: "MX,1".into(), opened: false }
+        Order::Command { line: "MX,1".into(), opened: false, file: None }
     }
 
     /// Every order that moves the machine.

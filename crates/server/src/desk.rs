@@ -2,6 +2,7 @@
 
 use crate::acts::Done;
 use crate::app::{App, hash, lock, problem};
+use crate::awaited::Awaited;
 use crate::reading;
 use crate::saving::Leave;
 use kerf_drawing::{Drawing, Editor, Operation, script};
@@ -12,7 +13,7 @@ use kerf_machine::Configuration;
 use kerf_program::Printer;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Printing, SbpPrinter};
-use kerf_toolpath::{Heights, Job, Shaping, shaped_job};
+use kerf_toolpath::{Heights, Job, JobError, Shaping, shaped_job_until};
 use kerf_wire::{Change, Op, Problem, Why};
 use std::sync::Arc;
 
@@ -53,14 +54,14 @@ impl App {
     ///
     /// # Errors
     /// Why it stays as it was.
-    pub fn draw(self: &Arc<Self>, op: Op) -> Done {
+    pub fn draw(self: &Arc<Self>, op: Op, awaited: &Awaited) -> Done {
         match op {
             Op::Open { name } => {
-                let opened = self.read_to_open(&name)?;
+                let opened = self.read_to_open(&name, awaited)?;
                 self.on_desk(|desk| Ok(self.open_drawing(desk, name, opened)))
             }
             Op::Do { clauses } => {
-                let operations = self.operations(&clauses)?;
+                let operations = self.operations(&clauses, awaited)?;
                 self.on_desk(|desk| self.carry_out(desk, &operations))
             }
             Op::New => {
@@ -74,7 +75,7 @@ impl App {
             Op::Finish { at } => self.on_desk(|desk| desk.finish_at(at)),
             Op::Program { name, replaces } => {
                 let leave = Leave::of(replaces.as_deref());
-                self.on_desk(|desk| self.write_program(desk, &name, &leave))
+                self.on_desk(|desk| self.write_program(desk, &name, &leave, awaited))
             }
         }
     }
@@ -134,15 +135,17 @@ impl App {
     }
 
     /// Reads a drawing that is to be opened; one that is still being read is given up.
-    fn read_to_open(&self, name: &str) -> Result<Read, Problem> {
+    fn read_to_open(&self, name: &str, awaited: &Awaited) -> Result<Read, Problem> {
         let (reading, bytes) = (self.reading.begin(), self.parts.read(name)?);
-        let job = (extension(name) == "rsm").then(|| kerf_toolpath::read(&bytes));
+        let given_up = || reading.is_given_up() || awaited.is_given_up();
+        let job = (extension(name) == "rsm").then(|| kerf_toolpath::read_until(&bytes, &given_up));
         let (job, imported) = match job {
             Some((job, read)) => {
+                let read = reading::whole(name, read)?;
                 let imported = Imported { drawing: job.as_drawing(), ..read };
                 (Some(job), imported)
             }
-            None => (None, drawing_until(name, &bytes, &|| reading.is_given_up())?),
+            None => (None, drawing_until(name, &bytes, &given_up)?),
         };
         // What was imported is not what the file holds: who writes over that is asked.
         let kept = ["rsg", "rsm"].contains(&extension(name).as_str()).then(|| hash(&bytes));
@@ -160,18 +163,22 @@ impl App {
         notes
     }
 
-    pub(crate) fn read_drawing(&self, name: &str) -> Result<Imported, Problem> {
-        drawing_in(name, &self.parts.read(name)?)
+    pub(crate) fn read_drawing(&self, name: &str, awaited: &Awaited) -> Result<Imported, Problem> {
+        drawing_until(name, &self.parts.read(name)?, &|| awaited.is_given_up())
     }
 
     /// The operations of clauses, with what the files of the part folder hold that they name.
-    fn operations(&self, clauses: &str) -> Result<Vec<(usize, Operation)>, Problem> {
+    fn operations(
+        &self,
+        clauses: &str,
+        awaited: &Awaited,
+    ) -> Result<Vec<(usize, Operation)>, Problem> {
         let read = script(clauses).map_err(|error| problem(Why::Mistake, error.to_string()))?;
         let with_file = |(number, operation): (usize, Operation)| {
             let Some(file) = operation.file().map(str::to_owned) else {
                 return Ok((number, operation));
             };
-            let Imported { drawing, .. } = self.read_drawing(&file)?;
+            let Imported { drawing, .. } = self.read_drawing(&file, awaited)?;
             Ok((number, operation.with_file(drawing)))
         };
         read.into_iter().map(with_file).collect()
@@ -197,12 +204,18 @@ impl App {
     }
 
     /// Writes the part program of the drawing's tool paths, and opens it.
-    fn write_program(self: &Arc<Self>, desk: &Desk, name: &str, leave: &Leave) -> Done {
+    fn write_program(
+        self: &Arc<Self>,
+        desk: &Desk,
+        name: &str,
+        leave: &Leave,
+        awaited: &Awaited,
+    ) -> Done {
         self.nothing_unsaved()?;
         let (job, warnings) = match desk.job {
             // Tool paths are cut as they are.
             Some(_) => (desk.edited_job()?, Vec::new()),
-            None => job(&desk.editor.drawing, self.shaping())?,
+            None => job(&desk.editor.drawing, self.shaping(), awaited)?,
         };
         let job = Job { finish: desk.finish, ..job };
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));
@@ -293,7 +306,7 @@ fn drawing_until(
             dxf::read_until(bytes, &options, given_up)
         }
         "rsg" => rsg::read_until(bytes, given_up),
-        "rsm" => rsg::read_with(bytes).0,
+        "rsm" => rsg::read_with_until(bytes, given_up).0,
         "svg" => svg::read_until(bytes, given_up),
         _ => return Err(problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm")),
     };
@@ -309,10 +322,17 @@ fn unkept(name: &str, drawing: &Drawing) -> Option<&'static str> {
 /// The job of a drawing, and what was noticed.
 ///
 /// # Errors
-/// Its arrays are out of all bounds.
-pub(crate) fn job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<String>), Problem> {
-    let made = shaped_job(drawing, shaping);
-    let (job, warnings) = made.map_err(|error| problem(Why::Mistake, error.to_string()))?;
+/// Its arrays are out of all bounds, or nobody waits for it any more.
+pub(crate) fn job(
+    drawing: &Drawing,
+    shaping: Shaping,
+    awaited: &Awaited,
+) -> Result<(Job, Vec<String>), Problem> {
+    let made = shaped_job_until(drawing, shaping, &|| awaited.is_given_up());
+    let (job, warnings) = made.map_err(|error| {
+        let why = if error == JobError::GivenUp { Why::State } else { Why::Mistake };
+        problem(why, error.to_string())
+    })?;
     Ok((job, warnings.iter().map(ToString::to_string).collect()))
 }
 

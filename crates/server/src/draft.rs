@@ -3,6 +3,7 @@
 
 use crate::app::{App, hash, lock};
 use crate::desk::{Desk, drawing_in};
+use crate::digested::{checked, with_digest};
 use crate::priority::Yields;
 use kerf_control::files::{Disk, RealDisk};
 use kerf_formats::rsg;
@@ -21,8 +22,8 @@ use std::time::Duration;
 /// It lies under this name in the data folder.
 const FILE: &str = "drawing.draft";
 
-/// It is written at once, and then not again for so long.
-const REST: Duration = Duration::from_millis(500);
+/// It is written at once, and then not again for so long: with the way to the disk that stays below half a second.
+const REST: Duration = Duration::from_millis(400);
 
 /// What is told of it on the sheet.
 const AGAIN: &str = "It was not saved when Kerf ended: here it is again.";
@@ -90,7 +91,7 @@ impl App {
         let draft = lock(&self.desk).draft();
         let file = self.draft_file();
         match draft {
-            Some(draft) => RealDisk.write(&file, &serde_json::to_vec(&draft)?),
+            Some(draft) => RealDisk.write(&file, &with_digest(&serde_json::to_vec(&draft)?)),
             None if file.is_file() => fs::remove_file(&file),
             None => Ok(()),
         }
@@ -105,7 +106,8 @@ impl App {
         if !file.is_file() {
             return;
         }
-        let read = RealDisk.read(&file).and_then(|bytes| Ok(serde_json::from_slice(&bytes)?));
+        let read =
+            RealDisk.read(&file).and_then(|bytes| Ok(serde_json::from_slice(checked(&bytes)?)?));
         let Draft { name, finish, drawing, kept, job } = match read {
             Ok(draft) => draft,
             Err(error) => {

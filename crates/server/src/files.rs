@@ -176,15 +176,21 @@ fn place_is_there(place: &Path) -> bool {
 }
 
 fn problem(name: &str, error: &io::Error) -> Problem {
+    if why(error) == Why::Server {
+        return Problem { why: Why::File, text: format!("{name}: {error}") };
+    }
+    let text = format!(
+        "{name} is not written, it is as it was before: the disk is full; make room ({error})"
+    );
+    Problem { why: Why::Full, text }
+}
+
+/// The sort of reason for which a disk refuses to write: it is full, or something else.
+pub fn why(error: &io::Error) -> Why {
     use io::ErrorKind::{FileTooLarge, QuotaExceeded, StorageFull};
     match error.kind() {
-        StorageFull | FileTooLarge | QuotaExceeded => {
-            let text = format!(
-                "{name} is not written, it is as it was before: the disk is full; make room ({error})"
-            );
-            Problem { why: Why::Full, text }
-        }
-        _ => Problem { why: Why::File, text: format!("{name}: {error}") },
+        StorageFull | FileTooLarge | QuotaExceeded => Why::Full,
+        _ => Why::Server,
     }
 }
 

@@ -108,7 +108,7 @@ fn needs(now: &Snapshot, way: Way<'_>) -> Result<Need, Problem> {
 fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
     Ok(match act {
         Act::Key { key: STOP_KEY, .. } => need(Role::Observer),
-        Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } | Act::Ping => {
+        Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } | Act::Ping | Act::GiveUp => {
             need(Role::Observer)
         }
         Act::Answer { question, answer } => return needs_of_answer(now, Some(*question), answer),
@@ -290,6 +290,7 @@ const fn is_of_drawings(act: &Act) -> bool {
     matches!(
         act,
         Act::Ping
+            | Act::GiveUp
             | Act::Stop
             | Act::Hold
             | Act::Disarm

@@ -133,6 +133,10 @@ impl Hub {
             changes.push(Change::Job { job: Some(job) });
             changes
         });
+        if let Err(error) = self.ran.keep() {
+            let text = format!("when files ran last is only known until Kerf ends: {error}");
+            self.say(Tone::Warning, text);
+        }
     }
 
     /// A line for the message area.

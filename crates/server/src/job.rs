@@ -2,6 +2,7 @@
 
 use crate::acts::Done;
 use crate::app::{App, Open, hash, lock, problem};
+use crate::awaited::Awaited;
 use crate::desk::{extension, job};
 use crate::saving::Leave;
 use kerf_control::Work;
@@ -164,10 +165,10 @@ impl App {
     /// Makes the job of a drawing, writes it beside the drawing and opens it.
     ///
     /// # Errors
-    /// There is nothing to cut, or the file of the job was changed by hand.
-    pub fn machine(self: &Arc<Self>, drawing: Option<&str>, anew: bool) -> Done {
+    /// There is nothing to cut, the file of the job was changed by hand, or nobody waits for it any more.
+    pub fn machine(self: &Arc<Self>, drawing: Option<&str>, anew: bool, awaited: &Awaited) -> Done {
         self.nothing_unsaved()?;
-        let (name, drawing, finish) = self.drawing_to_machine(drawing)?;
+        let (name, drawing, finish) = self.drawing_to_machine(drawing, awaited)?;
         if kind_of(&name) == FileKind::Job {
             let text = format!("{name} has tool paths already: save it, and open it as a job");
             return Err(problem(Why::State, text));
@@ -178,12 +179,13 @@ impl App {
                 format!("{name}: its paths were changed by hand; making them anew loses that");
             return Err(problem(Why::Changed, text));
         }
-        let (made, warnings) = job(&drawing, self.shaping())?;
+        let (made, warnings) = job(&drawing, self.shaping(), awaited)?;
         if made.paths.is_empty() {
             return Err(problem(Why::Mistake, "nothing is drawn that could be cut"));
         }
-        let made = Job { finish, ..made };
-        self.saves.make(&self.parts, &name, kerf_toolpath::write(&made).as_bytes(), anew)?;
+        let text = kerf_toolpath::write(&Job { finish, ..made });
+        awaited.goes_on()?;
+        self.saves.make(&self.parts, &name, text.as_bytes(), anew)?;
         self.files_changed();
         self.open_file(&name)?;
         Ok(warnings)
@@ -193,9 +195,10 @@ impl App {
     fn drawing_to_machine(
         &self,
         drawing: Option<&str>,
+        awaited: &Awaited,
     ) -> Result<(String, Drawing, Option<Point2>), Problem> {
         if let Some(name) = drawing {
-            return Ok((name.into(), self.read_drawing(name)?.drawing, None));
+            return Ok((name.into(), self.read_drawing(name, awaited)?.drawing, None));
         }
         let desk = lock(&self.desk);
         let name = desk.name.clone().unwrap_or_else(|| "drawing".into());

@@ -22,6 +22,7 @@ impl Lanes for Act {
             | Self::Disarm
             | Self::JogStop { .. }
             | Self::Ping
+            | Self::GiveUp
             | Self::Resume { .. }
             | Self::Answer { .. }
             | Self::TakeLease { .. }

@@ -19,12 +19,14 @@ mod acts;
 mod added;
 mod app;
 mod asker;
+mod awaited;
 #[cfg(test)]
 mod bench;
 mod clock;
 mod configure;
 mod descriptors;
 mod desk;
+mod digested;
 mod digitized;
 mod draft;
 mod files;

@@ -1,6 +1,7 @@
 //! What pages show of a drawing: its state, its shapes, the paths of the tool.
 
 use crate::app::{App, lock};
+use crate::awaited::Awaited;
 use crate::desk::{Desk, job};
 use kerf_drawing::{Drawing, Group, Height, Lead, Shape};
 use kerf_program::job::{Depth, Depths, Heights};
@@ -22,7 +23,7 @@ impl App {
     }
 
     /// What the drawing becomes when it is machined. Where there are no paths, the notes say why.
-    pub fn tool_paths(&self) -> ToolPaths {
+    pub fn tool_paths(&self, awaited: &Awaited) -> ToolPaths {
         let shaping = self.shaping();
         // On a copy, which shares the shapes: hands need not wait for paths.
         let (drawing, revision) = {
@@ -30,7 +31,7 @@ impl App {
             (desk.editor.drawing.clone(), desk.revision)
         };
         let (smoothed, filtered) = as_machined(&drawing, shaping);
-        let (paths, notes) = match job(&drawing, shaping) {
+        let (paths, notes) = match job(&drawing, shaping, awaited) {
             Ok((job, notes)) => (job.paths.iter().map(cut_shape).collect(), notes),
             Err(why) => (Vec::new(), vec![why.text]),
         };

@@ -1,21 +1,58 @@
-//! The last run of each file since Kerf began.
+//! The last run of each file, also of those before Kerf began: they are kept in the data folder.
 
+use crate::digested::{checked, with_digest};
+use kerf_control::files::{Disk, RealDisk};
 use kerf_wire::LastRun;
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// So many files are remembered; the one whose run is the oldest goes first.
 const MOST: usize = 1000;
 
+/// They lie under this name in the data folder.
+const FILE: &str = "ran";
+
 /// Remembers how the last run of each file ended, by what the file was run by.
 #[derive(Debug, Default)]
-pub struct Ran(Mutex<BTreeMap<String, LastRun>>);
+pub struct Ran {
+    runs: Mutex<BTreeMap<String, LastRun>>,
+    /// Where they are kept; nowhere in a hub of a test.
+    file: OnceLock<PathBuf>,
+}
 
 impl Ran {
+    /// Keeps them in a data folder from now on, and knows those that are kept there.
+    ///
+    /// # Errors
+    /// They cannot be read: none is known then.
+    pub fn keep_in(&self, data: &Path) -> io::Result<()> {
+        let file = self.file.get_or_init(|| data.join(FILE));
+        if !file.is_file() {
+            return Ok(());
+        }
+        let known =
+            RealDisk.read(file).and_then(|bytes| Ok(serde_json::from_slice(checked(&bytes)?)?));
+        *self.runs.lock().unwrap_or_else(PoisonError::into_inner) = known?;
+        Ok(())
+    }
+
+    /// Writes them to the disk.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn keep(&self) -> io::Result<()> {
+        let Some(file) = self.file.get() else { return Ok(()) };
+        let runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        RealDisk.make_folder(file.parent().unwrap_or(Path::new("")))?;
+        RealDisk.write(file, &with_digest(&serde_json::to_vec(&runs)?))
+    }
+
     /// A run is over.
     pub fn put(&self, hash: &str, last: LastRun) {
-        let mut runs = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut runs = self.runs.lock().unwrap_or_else(PoisonError::into_inner);
         runs.insert(hash.to_owned(), last);
         if runs.len() > MOST {
             let oldest = runs.iter().min_by_key(|(_, last)| last.at);
@@ -26,7 +63,7 @@ impl Ran {
 
     /// The last run of a file.
     pub fn of(&self, hash: &str) -> Option<LastRun> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(hash).cloned()
+        self.runs.lock().unwrap_or_else(PoisonError::into_inner).get(hash).cloned()
     }
 }
 
@@ -36,8 +73,23 @@ pub fn now_s() -> u64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn runs_are_known_after_a_restart() {
+        let data = tempfile::tempdir().unwrap();
+        let (ran, last) = (Ran::default(), LastRun { ended: "ok".into(), at: 3, line: 2 });
+        ran.keep_in(data.path()).unwrap();
+        ran.put("a", last.clone());
+        ran.keep().unwrap();
+        let again = Ran::default();
+        again.keep_in(data.path()).unwrap();
+        assert_eq!(again.of("a"), Some(last));
+        std::fs::write(data.path().join(FILE), "{\"a\":").unwrap();
+        assert!(Ran::default().keep_in(data.path()).is_err());
+    }
 
     #[test]
     fn the_oldest_run_is_forgotten() {

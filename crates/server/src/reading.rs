@@ -39,8 +39,9 @@ pub fn whole(name: &str, read: Imported) -> Result<Imported, Problem> {
     match read.ended {
         None => Ok(read),
         Some(Ended::GivenUp) => {
-            let text =
-                format!("{name} was not read to its end, as another drawing was opened meanwhile");
+            let text = format!(
+                "{name} was not read to its end: it was given up, or another drawing was opened meanwhile"
+            );
             Err(problem(Why::State, text))
         }
         Some(Ended::TooMuch) => {

@@ -6,7 +6,7 @@
 //! ```
 
 use crate::app::{hash, lock, problem};
-use crate::files::PartFolder;
+use crate::files::{self, PartFolder};
 use crate::job::kind_of;
 use kerf_control::versions::Versions;
 use kerf_wire::{FileAbout, FileKind, FileVersion, Problem, Why};
@@ -90,7 +90,7 @@ impl Saves {
                     "{name} stays as it is: its present version cannot be kept in the data folder \
                      ({error}); make room there, or save under another name"
                 );
-                problem(Why::Server, text)
+                problem(files::why(&error), text)
             })?;
         }
         parts.write(name, bytes)?;

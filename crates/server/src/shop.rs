@@ -1,10 +1,10 @@
 //! What pages ask for besides driving: how a file is run, the folder it comes from, the recorder, what is
 //! watched, switches of the simulated machine.
 
-use crate::app::{App, lock, problem};
+use crate::app::{App, hash, lock, problem};
 use crate::asker::Asker;
 use crate::gate::Way;
-use crate::machine::Order;
+use crate::machine::{Order, Planned};
 use kerf_control::Press;
 use kerf_program::settings::LINES;
 use kerf_wire::{Act, FileParameters, Problem, Why};
@@ -51,7 +51,32 @@ pub fn parameters(given: &FileParameters) -> kerf_sbp::FileParameters {
     }
 }
 
+/// The file that a typed line runs, where it does nothing else: FP with a name and no parameters.
+fn runs_only(line: &str) -> Option<String> {
+    let program = kerf_sbp::read_typed("command".into(), &format!("{}\n", line.trim()));
+    let is_plain = line.trim().lines().count() == 1 && line.matches(',').count() <= 1;
+    let fp = line.trim().get(..2).is_some_and(|letters| letters.eq_ignore_ascii_case("FP"));
+    let named = program.named_files().into_iter().next()?;
+    (is_plain && fp).then_some(named.request.name)
+}
+
 impl App {
+    /// The file of the part folder that a typed line runs, by its hash, and the plan of the one that is open: how it ran
+    /// is how that file stands.
+    pub fn file_of_typed(&self, line: &str) -> Option<(String, Planned)> {
+        let name = runs_only(line)?;
+        let folder = self.hub.read(|now| now.folder.name.clone());
+        let name = if folder.is_empty() { name } else { format!("{folder}/{name}") };
+        let bytes = self.parts.read(&name).ok()?;
+        let open = lock(&self.open).clone();
+        let is_open = open.name == name && open.is_of(&bytes);
+        if is_open && open.parameters == FileParameters::default() {
+            let planned = open.preview.map(|preview| preview.planned.clone());
+            return Some((open.hash, planned.unwrap_or_default()));
+        }
+        Some((hash(&bytes), Planned::default()))
+    }
+
     /// Chooses the part folder, below the one that the server was given.
     pub fn choose_folder(&self, name: &str, mask: Option<String>) -> Result<(), Problem> {
         let path = match name {
@@ -96,5 +121,24 @@ impl App {
         let act = Act::Input { lease, number, on };
         self.want_of(asker, Way::Act(&act), |wanted| wanted.presses.push_back(press))?;
         self.send(Order::Switches)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::runs_only;
+
+    #[test]
+    fn a_line_that_runs_a_file_and_nothing_else_is_that_file() {
+        for (line, file) in [
+            ("FP,a.sbp", Some("a.sbp")),
+            (" fp, a.sbp ", Some("a.sbp")),
+            ("FP,a.sbp,2", None),
+            ("FP,a.sbp\nMX,1", None),
+            ("IF 1=1 THEN FP,a.sbp", None),
+            ("MX,1", None),
+        ] {
+            assert_eq!(runs_only(line).as_deref(), file, "{line}");
+        }
     }
 }

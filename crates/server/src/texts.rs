@@ -1,8 +1,14 @@
 //! Text of the editor that is not saved, kept in the data folder: change of screen, reload and the end of the
-//! server lose what was typed in the last half second. A file a draft, so that two are never mixed.
+//! server lose what was typed in the last half second.
+//!
+//! ```text
+//!  a page keeps a draft ──► it kept one of this file before, or went on from the one there? ──► that one is replaced
+//!                             └─ no: another page types into the file too ──────────────────► both are kept
+//! ```
 
 use crate::app::{App, hash, lock, problem};
-use crate::files::PartFolder;
+use crate::digested::{checked, with_digest};
+use crate::files::{self, PartFolder};
 use kerf_control::files::{Disk, RealDisk};
 use kerf_wire::{Problem, TextDraft, Tone, Why};
 use std::fs;
@@ -30,29 +36,44 @@ impl Texts {
         Self { folder: data.join("texts"), turn: Mutex::default() }
     }
 
-    /// Keeps a draft in the place of an earlier one of the same file.
+    /// Keeps a draft in the place of the one that its page kept before, or went on from. Tells whether another page
+    /// types into the same file.
     ///
     /// # Errors
     /// The disk refuses.
-    pub fn keep(&self, draft: &TextDraft) -> Result<(), Problem> {
+    pub fn keep(&self, draft: &TextDraft) -> Result<bool, Problem> {
         let _turn = lock(&self.turn);
         let written = || {
             fs::create_dir_all(&self.folder)?;
-            RealDisk.write(&self.place(&draft.name), &serde_json::to_vec(draft)?)
+            let (adopted, other): (Vec<_>, Vec<_>) = self
+                .others_of(draft)?
+                .into_iter()
+                .partition(|(_, other)| revision(&other.text) == draft.revision);
+            let place = self.place(&draft.name, &draft.page);
+            RealDisk.write(&place, &with_digest(&serde_json::to_vec(draft)?))?;
+            // What a page went on from is in its own draft now.
+            adopted.iter().try_for_each(|(file, _)| fs::remove_file(file))?;
+            Ok(!other.is_empty())
         };
         written().map_err(|error: io::Error| {
             let text = format!("what is typed is not kept as a draft: {error}; save it");
-            problem(Why::Server, text)
+            problem(files::why(&error), text)
         })
     }
 
-    /// Ends a draft: it was saved, or dropped.
+    /// Ends the draft of a page: it was saved, or dropped. Those of other pages stay, and so does one that is another
+    /// text by now than whoever ends it has seen.
     ///
     /// # Errors
     /// The disk refuses.
-    pub fn end(&self, name: &str) -> Result<(), Problem> {
+    pub fn end(&self, name: &str, page: &str, seen: Option<&str>) -> Result<(), Problem> {
         let _turn = lock(&self.turn);
-        match fs::remove_file(self.place(name)) {
+        let place = self.place(name, page);
+        let is_seen = |seen| read(&place).is_ok_and(|draft| revision(&draft.text) == seen);
+        if seen.is_some_and(|seen| !is_seen(seen)) {
+            return Ok(());
+        }
+        match fs::remove_file(place) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
                 Err(problem(Why::Server, format!("the draft of {name} stays: {error}")))
             }
@@ -93,8 +114,20 @@ impl Texts {
         Ok(files.filter(|file| file.extension().is_some_and(|it| it == DRAFT)).collect())
     }
 
-    fn place(&self, name: &str) -> PathBuf {
-        self.folder.join(hash(name.as_bytes())).with_extension(DRAFT)
+    /// Drafts of the same file that other pages keep.
+    fn others_of(&self, draft: &TextDraft) -> io::Result<Vec<(PathBuf, TextDraft)>> {
+        let read =
+            self.files()?.into_iter().filter_map(|file| Some((file.clone(), read(&file).ok()?)));
+        let of = |(_, other): &(PathBuf, TextDraft)| {
+            other.name == draft.name && other.page != draft.page
+        };
+        Ok(read.filter(of).collect())
+    }
+
+    fn place(&self, name: &str, page: &str) -> PathBuf {
+        // Those of before know no page.
+        let of = if page.is_empty() { name.to_owned() } else { format!("{name}\n{page}") };
+        self.folder.join(hash(of.as_bytes())).with_extension(DRAFT)
     }
 }
 
@@ -115,14 +148,19 @@ impl App {
 }
 
 fn read(file: &Path) -> io::Result<TextDraft> {
-    Ok(serde_json::from_slice(&RealDisk.read(file)?)?)
+    Ok(serde_json::from_slice(checked(&RealDisk.read(file)?)?)?)
 }
 
 /// A draft that knows whether its file is another by now.
 fn compared(draft: TextDraft, parts: &PartFolder) -> TextDraft {
     let present = parts.present(&draft.name).ok().flatten().map(|bytes| hash(&bytes));
     let changed_on_disk = !draft.name.is_empty() && present.unwrap_or_default() != draft.base;
-    TextDraft { changed_on_disk, ..draft }
+    TextDraft { changed_on_disk, revision: revision(&draft.text), ..draft }
+}
+
+/// Which text a draft is.
+fn revision(text: &str) -> String {
+    hash(text.as_bytes())
 }
 
 #[cfg(test)]
@@ -150,7 +188,38 @@ mod tests {
             ends: "\n".into(),
             base: hash(of.as_bytes()),
             changed_on_disk: false,
+            page: String::new(),
+            revision: String::new(),
         }
+    }
+
+    /// What a page types into a file, having seen a text of it.
+    fn typed(texts: &Texts, page: &str, text: &str, seen: &str) -> bool {
+        let seen = if seen.is_empty() { String::new() } else { revision(seen) };
+        let typed = TextDraft { page: page.into(), revision: seen, ..draft("a.sbp", text, "") };
+        texts.keep(&typed).unwrap()
+    }
+
+    #[test]
+    fn two_pages_that_type_into_one_file_lose_nothing() {
+        let Desk { parts, texts, .. } = &desk();
+        let kept = || {
+            let mut all: Vec<_> =
+                texts.list(parts).unwrap().into_iter().map(|draft| draft.text).collect();
+            all.sort();
+            all
+        };
+        assert!(!typed(texts, "1", "MX,1", ""));
+        assert!(!typed(texts, "1", "MX,12", ""), "its own is replaced");
+        assert!(typed(texts, "2", "MY,1", ""), "another page types too");
+        assert!(typed(texts, "1", "MX,123", "") && typed(texts, "2", "MY,12", ""));
+        assert_eq!(kept(), ["MX,123", "MY,12"]);
+        texts.end("a.sbp", "2", Some(&revision("MY,1"))).unwrap();
+        assert_eq!(kept().len(), 2, "it is another text by now");
+        texts.end("a.sbp", "1", Some(&revision("MX,123"))).unwrap();
+        assert_eq!(kept(), ["MY,12"]);
+        assert!(!typed(texts, "3", "MY,123", "MY,12"), "it went on from the one there");
+        assert_eq!(kept(), ["MY,123"]);
     }
 
     #[test]
@@ -163,8 +232,8 @@ mod tests {
             texts.list(parts).unwrap().into_iter().map(|d| (d.name, d.text)).collect();
         kept.sort();
         assert_eq!(kept, [("a.sbp", "MX,1"), ("b.sbp", "MY,1")].map(|(n, t)| (n.into(), t.into())));
-        texts.end("a.sbp").unwrap();
-        texts.end("a.sbp").unwrap();
+        texts.end("a.sbp", "", None).unwrap();
+        texts.end("a.sbp", "", None).unwrap();
         assert_eq!(texts.list(parts).unwrap().len(), 1);
     }
 

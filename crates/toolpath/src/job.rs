@@ -77,6 +77,9 @@ pub enum JobError {
     /// Arrays whose copies lie on each other.
     #[error(transparent)]
     Gap(#[from] GapError),
+    /// Nobody waits for it any more.
+    #[error("the tool paths were given up before they were made: ask for them again")]
+    GivenUp,
 }
 
 /// Where the copies of a shape come from and go.
@@ -126,8 +129,20 @@ impl Default for Shaping {
 /// # Errors
 /// As [`job`].
 pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warning>), JobError> {
+    shaped_job_until(drawing, shaping, &|| false)
+}
+
+/// The same, until it is given up: that is asked shape by shape.
+///
+/// # Errors
+/// As [`job`]; or it was given up.
+pub fn shaped_job_until(
+    drawing: &Drawing,
+    shaping: Shaping,
+    given_up: &dyn Fn() -> bool,
+) -> Result<(Job, Vec<Warning>), JobError> {
     let mut warnings = Vec::new();
-    let block = block(drawing, shaping, &mut warnings);
+    let block = block(drawing, shaping, given_up, &mut warnings)?;
     let warnings = warnings.into_iter().map(|told: Warning| told.placed(&drawing.shapes)).collect();
     let copies = drawing.arrays.count();
     fits(copies, &block)?;
@@ -158,15 +173,23 @@ fn fits(copies: u64, block: &[CutPath]) -> Result<(), JobError> {
 }
 
 /// The paths of the basic block.
-fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Vec<CutPath> {
+fn block(
+    drawing: &Drawing,
+    shaping: Shaping,
+    given_up: &dyn Fn() -> bool,
+    warnings: &mut Vec<Warning>,
+) -> Result<Vec<CutPath>, JobError> {
     let contours = Contours::of(drawing);
     let around = Surroundings::of(drawing, &contours);
     let twins = twice::twins(drawing);
     twice::told(&twins, warnings);
-    overlap::crossing(drawing, &twins, warnings);
+    overlap::crossing(drawing, &twins, given_up, warnings);
     let (mut block, offsetter) = (Vec::new(), Offsetter::default());
     for (n, shape) in drawing.shapes.iter().enumerate() {
         let settings = drawing.settings(shape.group);
+        if given_up() {
+            return Err(JobError::GivenUp);
+        }
         if !settings.on {
             continue;
         }
@@ -189,8 +212,8 @@ fn block(drawing: &Drawing, shaping: Shaping, warnings: &mut Vec<Warning>) -> Ve
             block.push(CutPath { shape: Arc::new(cut), from: number, pass: path.pass, room_mm });
         }
     }
-    neighbours::check(drawing, &block, &contours, warnings);
-    block
+    neighbours::check(drawing, &block, &contours, given_up, warnings);
+    if given_up() { Err(JobError::GivenUp) } else { Ok(block) }
 }
 
 /// A flat shape as it is machined: without vertices that lie too near, with curves for its short lines.

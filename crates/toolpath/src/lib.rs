@@ -41,13 +41,14 @@ pub use depth::{Depths, Heights, LowError};
 pub use entry::too_flat;
 pub use filter::{filtered, too_near};
 pub use job::{
-    CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, smoothed_job, too_deep,
+    CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, shaped_job_until,
+    smoothed_job, too_deep,
 };
 pub use lead::{Side, lead_in, lead_out};
 pub use lift::{lifted, lowest_mm};
 pub use program::print;
 pub use relief::{Relief, print_relief};
-pub use rsm::{Damaged, read, read_whole, write};
+pub use rsm::{Damaged, read, read_until, read_whole, write};
 pub use shape_paths::Pass;
 pub use table::off_table;
 pub use warning::Warning;

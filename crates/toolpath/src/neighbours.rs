@@ -29,6 +29,7 @@ pub(crate) fn check(
     drawing: &Drawing,
     block: &[CutPath],
     contours: &Contours,
+    given_up: &dyn Fn() -> bool,
     warnings: &mut Vec<Warning>,
 ) {
     let Some(bounds) = drawing.bounds() else { return };
@@ -38,6 +39,9 @@ pub(crate) fn check(
     let mut hit = BTreeMap::new();
     for step in steps(&drawing.arrays, bounds.size(), near) {
         for path in block.iter().filter(|path| path.pass != Pass::Traversal) {
+            if given_up() {
+                return;
+            }
             for by in [-step, step] {
                 let radius = drawing.settings(path.shape.group).offset_mm.abs();
                 let to = Transform2::moved(by);

@@ -45,7 +45,12 @@ pub(crate) fn check(
 
 /// Warns of closed shapes that cross each other, both of them cut. What is drawn again is told as
 /// that, and looked at once: a heap of copies has pairs without number.
-pub(crate) fn crossing(drawing: &Drawing, twins: &[Option<usize>], warnings: &mut Vec<Warning>) {
+pub(crate) fn crossing(
+    drawing: &Drawing,
+    twins: &[Option<usize>],
+    given_up: &dyn Fn() -> bool,
+    warnings: &mut Vec<Warning>,
+) {
     let part = |n: &usize| {
         let shape = &drawing.shapes[*n];
         let settings = drawing.settings(shape.group);
@@ -56,7 +61,7 @@ pub(crate) fn crossing(drawing: &Drawing, twins: &[Option<usize>], warnings: &mu
     let parts: Vec<usize> = BoxTree::order(&boxes).into_iter().map(|place| parts[place]).collect();
     let path = |n: usize| &drawing.shapes[parts[n]].path;
     let paths: Vec<&Polyarc> = (0..parts.len()).map(path).collect();
-    let (across, is_all) = pairs_across(&paths);
+    let (across, is_all) = pairs_across(&paths, given_up);
     let number = |(a, b): (usize, usize)| (parts[a].min(parts[b]) + 1, parts[a].max(parts[b]) + 1);
     let mut crossed: Vec<_> = across.into_iter().map(number).collect();
     crossed.sort_unstable();
@@ -84,8 +89,12 @@ const PIECE_RAD: f64 = std::f64::consts::PI / 16.0;
 
 /// Pairs of paths, the lower number first, that cross each other; and whether these are all. The boxes of the paths
 /// say little: those of a thousand frames within each other are half a million pairs, of which none is near.
-fn pairs_across(paths: &[&Polyarc]) -> (Vec<(usize, usize)>, bool) {
+fn pairs_across(paths: &[&Polyarc], given_up: &dyn Fn() -> bool) -> (Vec<(usize, usize)>, bool) {
     let of = |(n, path): (usize, &&Polyarc)| -> Vec<(usize, Segment)> {
+        // What is given up is looked for no further: its outcome is thrown away.
+        if given_up() {
+            return Vec::new();
+        }
         path.segments().flat_map(pieces).map(|piece| (n, piece)).collect()
     };
     let pieces: Vec<(usize, Segment)> = paths.iter().enumerate().flat_map(of).collect();
@@ -101,7 +110,7 @@ fn pairs_across(paths: &[&Polyarc]) -> (Vec<(usize, usize)>, bool) {
         if is_near && near.insert(pair) && crosses(paths[pair.0], paths[pair.1]) {
             across.push(pair);
         }
-        across.len() < MOST_CROSSED && near.len() < MOST_NEAR
+        across.len() < MOST_CROSSED && near.len() < MOST_NEAR && !given_up()
     });
     (across, is_all)
 }
@@ -121,9 +130,9 @@ mod tests {
     fn check(within: impl Fn(f64) -> Polyarc, across: &Polyarc) {
         let all: Vec<Polyarc> = (1..200).map(|n| within(f64::from(n))).collect();
         let mut paths: Vec<&Polyarc> = all.iter().collect();
-        assert_eq!(pairs_across(&paths), (Vec::new(), true));
+        assert_eq!(pairs_across(&paths, &|| false), (Vec::new(), true));
         paths.push(across);
-        let (pairs, is_all) = pairs_across(&paths);
+        let (pairs, is_all) = pairs_across(&paths, &|| false);
         assert!(is_all && !pairs.is_empty() && pairs.iter().all(|(_, b)| *b == 199), "{pairs:?}");
     }
 
@@ -143,7 +152,7 @@ mod tests {
         let ring = |n: u32| Polyarc::circle(Point2::new(f64::from(n) * 1e-2, 0.0), 5.0);
         let all: Vec<Polyarc> = (0..300).map(ring).collect();
         let paths: Vec<&Polyarc> = all.iter().collect();
-        let (pairs, is_all) = pairs_across(&paths);
+        let (pairs, is_all) = pairs_across(&paths, &|| false);
         assert_eq!((pairs.len(), is_all), (MOST_CROSSED, false));
     }
 }

@@ -81,7 +81,7 @@ pub struct Damaged(String);
 /// # Errors
 /// Kerf wrote it, and it is not what it was.
 pub fn read_whole(bytes: &[u8]) -> Result<(Job, Imported), Damaged> {
-    match read_with_damage(bytes) {
+    match read_with_damage(bytes, &|| false) {
         (job, read, None) => Ok((job, read)),
         (.., Some(why)) => Err(Damaged(why)),
     }
@@ -89,12 +89,17 @@ pub fn read_whole(bytes: &[u8]) -> Result<(Job, Imported), Damaged> {
 
 /// The same, and of a damaged one what is left of it.
 pub fn read(bytes: &[u8]) -> (Job, Imported) {
-    let (job, read, _) = read_with_damage(bytes);
+    read_until(bytes, &|| false)
+}
+
+/// The same, until it is given up: then nothing is read, and what was read says so.
+pub fn read_until(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Job, Imported) {
+    let (job, read, _) = read_with_damage(bytes, given_up);
     (job, read)
 }
 
-fn read_with_damage(bytes: &[u8]) -> (Job, Imported, Option<String>) {
-    let (mut read, own) = rsg::read_with(bytes);
+fn read_with_damage(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Job, Imported, Option<String>) {
+    let (mut read, own) = rsg::read_with_until(bytes, given_up);
     let (head, damage) = head(own, &read.drawing);
     let shapes = std::mem::take(&mut read.drawing.shapes);
     let origins = head.paths.iter().copied();

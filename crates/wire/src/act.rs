@@ -53,6 +53,8 @@ pub enum Act {
     },
     /// Forbids motion; what moves is stopped.
     Disarm,
+    /// Gives up what this page has asked for and what is not done yet: tool paths, a drawing that is read.
+    GiveUp,
     /// Opens a file of the part folder: reads it and makes its preview.
     Open {
         /// Its name below the part folder.

@@ -51,4 +51,10 @@ pub struct TextDraft {
     /// Whether the file is another by now.
     #[serde(default)]
     pub changed_on_disk: bool,
+    /// The page that typed it, by a name that it gives itself.
+    #[serde(default)]
+    pub page: String,
+    /// Which text it is; of one that is to be kept, the draft from which the page went on. Empty for none.
+    #[serde(default)]
+    pub revision: String,
 }

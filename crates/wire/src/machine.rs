@@ -73,7 +73,7 @@ pub struct Motion {
     pub made: u32,
     /// How far the job is, 0 … 1 of its planned time.
     pub progress: f64,
-    /// Planned time that is left at the present override, seconds.
+    /// Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster.
     pub remaining: f64,
 }
 

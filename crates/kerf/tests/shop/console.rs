@@ -10,19 +10,33 @@ pub struct Console {
 
 impl Console {
     pub fn begin(shop: &Shop, options: &[&str]) -> Self {
+        Self::begin_with(shop, options, |command| command)
+    }
+
+    /// The same, started in another way.
+    pub fn begin_with(
+        shop: &Shop,
+        options: &[&str],
+        started: impl FnOnce(std::process::Command) -> std::process::Command,
+    ) -> Self {
         use std::io::{BufRead, BufReader};
         let mut command = shop.command();
         command.args(["serve", "--rate", "50"]).args(options);
         if !options.contains(&"--listen") {
             command.args(["--listen", "127.0.0.1:0"]);
         }
-        let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
+        let mut child = started(command).stdout(std::process::Stdio::piped()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
         Self { child, url: line.trim().rsplit(' ').next().unwrap().to_owned() }
     }
 
     pub fn ask(&self, request: &str, body: &str) -> serde_json::Value {
+        self.answer(request, body).1
+    }
+
+    /// The status of an answer, and what it says.
+    pub fn answer(&self, request: &str, body: &str) -> (u16, serde_json::Value) {
         use std::io::{Read, Write};
         let address = self.url.strip_prefix("http://").unwrap();
         let mut stream = std::net::TcpStream::connect(address).unwrap();
@@ -34,8 +48,9 @@ impl Console {
         stream.write_all(text.as_bytes()).unwrap();
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
-        let (_, body) = answer.split_once("\r\n\r\n").unwrap();
-        serde_json::from_str(body).unwrap_or_default()
+        let (head, body) = answer.split_once("\r\n\r\n").unwrap();
+        let status = head.split(' ').nth(1).and_then(|status| status.parse().ok());
+        (status.unwrap_or(0), serde_json::from_str(body).unwrap_or_default())
     }
 
     /// Arms the machine and has a line carried out.

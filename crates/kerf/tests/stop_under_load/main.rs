@@ -14,6 +14,8 @@
 mod driver;
 mod host;
 mod loads;
+#[path = "../../../bench/src/page.rs"]
+mod page;
 mod shop;
 mod table;
 
@@ -85,13 +87,29 @@ fn stop_is_heard_under_every_load() {
     let host = Host::watched();
     let rows: Vec<Row> = loads.iter().map(|(name, begin)| row(name, *begin, each, &host)).collect();
     host.leave();
-    table::print(&rows);
+    let table = table::markdown(&rows);
+    println!("{table}");
+    record(&table);
     for row in &rows {
         let usual = if row.load == "none" { ALONE } else { USUAL };
         assert!(row.late == 0, "{}: {} stops were not heard", row.load, row.late);
         assert!(row.share(0.99) <= usual, "{}: p99 {:?}", row.load, row.share(0.99));
         assert!(row.share(1.0) <= BOUND, "{}: at most {:?}", row.load, row.share(1.0));
         assert!(row.peak <= MEMORY, "{}: {} MB", row.load, row.peak >> 20);
+    }
+}
+
+/// Where the page of benchmarks has the table.
+const BEGIN: &str = "<!-- make bench RECORD=1 writes STOP from here -->";
+const END: &str = "<!-- STOP to here -->";
+
+/// Writes the table into the page of benchmarks where RECORD asks for it.
+fn record(table: &str) {
+    if std::env::var("RECORD").is_ok_and(|wanted| !wanted.is_empty()) {
+        let command =
+            "Command: `make bench`. Milliseconds from the press of STOP to the machine's thread";
+        let text = format!("{} {command}{}.\n\n{table}", page::measured(), page::load());
+        page::put(BEGIN, END, &text).unwrap();
     }
 }
 

@@ -43,26 +43,30 @@ fn nth(sorted: &[Duration], share: f64) -> Duration {
     sorted.get(place.max(1) - 1).copied().unwrap_or_default()
 }
 
-/// Prints every row.
-pub fn print(rows: &[Row]) {
-    println!(
-        "| load | stops | heard p50 / p99 / max, ms | as measured p99 / max | host stood still at most | memory | took |"
-    );
-    println!("|---|---|---|---|---|---|---|");
-    for row in rows {
-        let ms = |time: Duration| format!("{:.1}", time.as_secs_f64() * 1000.0);
-        println!(
-            "| {} | {} | {} / {} / {} | {} / {} | {} | {} MB | {:.1} s |",
-            row.load,
-            row.heard.len(),
-            ms(row.share(0.5)),
-            ms(row.share(0.99)),
-            ms(row.share(1.0)),
-            ms(nth(&row.raw, 0.99)),
-            ms(nth(&row.raw, 1.0)),
-            ms(row.stall),
-            row.peak >> 20,
-            row.took.as_secs_f64(),
-        );
-    }
+/// Every row, as a table of Markdown.
+pub fn markdown(rows: &[Row]) -> String {
+    let head = "| load | stops | heard p50 / p99 / max, ms | as measured p99 / max | host stood still at most | memory | took |";
+    let lines = rows.iter().map(line);
+    [head.to_owned(), "|---|---|---|---|---|---|---|".to_owned()]
+        .into_iter()
+        .chain(lines)
+        .map(|line| line + "\n")
+        .collect()
+}
+
+fn line(row: &Row) -> String {
+    let ms = |time: Duration| format!("{:.1}", time.as_secs_f64() * 1000.0);
+    format!(
+        "| {} | {} | {} / {} / {} | {} / {} | {} | {} MB | {:.1} s |",
+        row.load,
+        row.heard.len(),
+        ms(row.share(0.5)),
+        ms(row.share(0.99)),
+        ms(row.share(1.0)),
+        ms(nth(&row.raw, 0.99)),
+        ms(nth(&row.raw, 1.0)),
+        ms(row.stall),
+        row.peak >> 20,
+        row.took.as_secs_f64(),
+    )
 }

@@ -43,9 +43,18 @@ const RULES_ALONE: &[Rule] =
 ///
 /// Gives warnings and notes in order of lines; what reading found is not repeated.
 pub fn check(program: &Program, alone: Option<LinearUnit>) -> Vec<Diagnostic> {
+    check_until(program, alone, &|| false)
+}
+
+/// The same, until it is given up: that is asked before each rule, and those that are left find nothing.
+pub fn check_until(
+    program: &Program,
+    alone: Option<LinearUnit>,
+    given_up: &dyn Fn() -> bool,
+) -> Vec<Diagnostic> {
     let facts = Facts::new(program, alone.unwrap_or_default());
     let more = if alone.is_some() { RULES_ALONE } else { &[] };
-    let rules = RULES.iter().chain(more);
+    let rules = RULES.iter().chain(more).take_while(|_| !given_up());
     let mut found: Vec<Diagnostic> = rules.flat_map(|rule| rule(&facts)).collect();
     found.sort_by_key(|d| (d.place.line, d.place.column));
     found

@@ -65,6 +65,12 @@ pub struct Core {
     pub(crate) settled: bool,
     /// Lines executed.
     pub(crate) lines: u64,
+    /// Lines executed one after the other that left everything as it was.
+    #[serde(skip)]
+    pub(crate) idle: u64,
+    /// The present line changes something, or looks at what may change by itself.
+    #[serde(skip)]
+    pub(crate) changes: bool,
     /// Clock angle of the last XY motion, degrees.
     pub(crate) heading: Option<f64>,
     /// I and J of the last CG, mm.
@@ -205,6 +211,8 @@ impl Core {
             independent: session.independent,
             adrift: AxisSet::EMPTY,
             before_preview: session.before_preview,
+            idle: 0,
+            changes: false,
             told_many_variables: false,
             gcode_line: None,
             scale: [1.0; AXES],

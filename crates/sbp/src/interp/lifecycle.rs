@@ -44,6 +44,23 @@ pub(super) fn too_many_lines(
     Step::Done(Status::Limit, Some(Box::new(diagnostic)))
 }
 
+/// A loop was found in which nothing changes.
+pub(super) fn endless(
+    core: &mut Core,
+    host: &mut dyn Host,
+    out: &mut Vec<Sourced>,
+    at: At,
+) -> Step {
+    let program = &core.program(at.file);
+    let context = Context { core, program, host, out, at, span: Span::default() };
+    let message = "endless loop: this line comes again and again, and nothing has changed since";
+    let diagnostic = context.diagnostic(Span::default(), Code::LineLimit, message).hint(
+        "let the loop move, wait with PAUSE, change a variable, or leave it with IF ... THEN GOTO",
+    );
+    finish(core, host, out);
+    Step::Done(Status::Limit, Some(Box::new(diagnostic)))
+}
+
 /// A file of G-code was started where nobody runs it.
 pub(super) fn no_gcode(
     core: &mut Core,

@@ -18,6 +18,14 @@ const FORGOTTEN_GOSUBS: usize = 1_000;
 impl Context<'_> {
     /// Executes a statement.
     pub(crate) fn statement(&mut self, statement: &Statement) -> Result<(), Stop> {
+        // An assignment changes something where the value is another; a condition by what it looks at.
+        self.core.changes |= !matches!(
+            statement,
+            Statement::Goto(_)
+                | Statement::If { .. }
+                | Statement::Mention(_)
+                | Statement::Assign { persistent: false, .. }
+        );
         match statement {
             Statement::Command { spec, args, span } => {
                 self.span = *span;

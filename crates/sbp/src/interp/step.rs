@@ -74,6 +74,9 @@ fn execute(
 ) -> Step {
     let before = Before::of(core, out);
     go_on_at(core, at.line);
+    let given = out.len();
+    core.changes =
+        !matches!(line, Node::Blank | Node::Comment | Node::Label(_) | Node::Statement(_));
     let mut context = Context { core, program, host, out, at, span: Span::LINE };
     let typed = context.core.options.typed && context.core.levels.len() == 1;
     let outcome = node(&mut context, program, line);
@@ -86,7 +89,22 @@ fn execute(
     }
     core.lines += 1;
     core.granted = false;
+    // Comments are told again in each round.
+    let tells_only = |given: &[Sourced]| {
+        given.iter().all(|given| matches!(given.command, Command::Message { .. }))
+    };
+    let idles = !core.changes && out.get(given..).is_none_or(tells_only);
+    core.idle = if idles { core.idle + 1 } else { 0 };
+    if outcome.is_ok() && goes_round(core, program) {
+        return lifecycle::endless(core, host, out, at);
+    }
     lifecycle::after(core, host, out, outcome)
+}
+
+/// Whether a line came again and nothing has changed since: more lines were executed one after the other than the file
+/// has, and each left everything as it was. Inputs may still end a loop while somebody watches them.
+fn goes_round(core: &Core, program: &Program) -> bool {
+    core.idle > program.lines.len() as u64 && core.watches.is_empty()
 }
 
 /// Chooses the line (by index) that the innermost file goes on at.
@@ -257,6 +275,7 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
         core.heading = Some(kerf_geom::vec_to_clock(kerf_geom::Vec2::new(x, y)));
     }
     core.position = position;
+    core.idle = 0;
     core.lines += (next - start) as u64;
     core.motions += (out.len() - before) as u64;
     core.settled &= out.len() == before;

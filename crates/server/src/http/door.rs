@@ -4,9 +4,13 @@
 //!  accept ─► Door: places of strangers, of an address ─► guard: known? ─► places of a device
 //!             └─ the stranger who has waited longest makes room
 //! ```
+//!
+//! Until its first request has come, a connection of a paired device is one of a stranger too. So that strangers can never
+//! take all places, this computer has places of its own, and so have the addresses from which paired devices came before.
 
 use super::guard::Peer;
 use crate::app::lock;
+use crate::descriptors;
 use axum::Router;
 use axum::extract::connect_info::ConnectInfo;
 use hyper::body::Incoming;
@@ -16,9 +20,9 @@ use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use std::collections::{BTreeMap, VecDeque};
 use std::net::IpAddr;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::Notify;
 
@@ -27,12 +31,21 @@ const HEAD: Duration = Duration::from_secs(5);
 /// A wait where the system has no descriptor for a connection.
 const FULL: Duration = Duration::from_millis(50);
 
-/// Connections that have not shown yet whose they are.
+/// Connections that have not shown yet whose they are, of addresses that nobody knows; and as many of those from which
+/// paired devices came before.
 const STRANGERS: usize = 32;
 /// Those of one address: a browser opens six.
 const AN_ADDRESS: usize = 8;
 /// Those of this computer itself.
 const HERE: usize = 16;
+/// Addresses from which paired devices came and that are remembered: the newest.
+const ACQUAINTED: usize = 64;
+/// A stranger whose request is answered for longer makes room as one does who has not asked yet.
+const SLOW: Duration = Duration::from_secs(1);
+/// Descriptors that no connection takes: files, listeners, the journal.
+const OF_FILES: usize = 64;
+/// Descriptors that paired devices leave to strangers and to this computer.
+const OF_OTHERS: usize = 2 * STRANGERS + HERE + A_DEVICE;
 /// Connections of one paired device.
 const A_DEVICE: usize = 24;
 /// Connections at the machine itself.
@@ -42,8 +55,12 @@ const AT_THE_MACHINE: usize = 200;
 const NOBODY: u32 = u32::MAX;
 
 /// Counts connections.
-#[derive(Debug, Default)]
-pub struct Door(Mutex<Places>);
+#[derive(Debug)]
+pub struct Door {
+    places: Mutex<Places>,
+    /// The most of all paired devices together.
+    of_devices: usize,
+}
 
 #[derive(Debug, Default)]
 struct Places {
@@ -51,6 +68,25 @@ struct Places {
     strangers: VecDeque<Arc<Visitor>>,
     /// How many each device has.
     known: BTreeMap<u32, usize>,
+    /// From where paired devices came, the newest last.
+    acquainted: VecDeque<IpAddr>,
+}
+
+/// Strangers by where they come from: those of one sort take no place of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sort {
+    Here,
+    Acquainted,
+    Unknown,
+}
+
+impl Sort {
+    fn of(address: IpAddr, acquainted: &VecDeque<IpAddr>) -> Self {
+        if address.is_loopback() {
+            return Self::Here;
+        }
+        if acquainted.contains(&address) { Self::Acquainted } else { Self::Unknown }
+    }
 }
 
 /// A connection.
@@ -59,15 +95,20 @@ pub struct Visitor {
     address: IpAddr,
     /// The device, by its number; 0 at the machine itself.
     whose: AtomicU32,
-    /// A request of it is being answered.
-    served: AtomicBool,
+    /// Since when a request of it is being answered.
+    served: Mutex<Option<Instant>>,
     leaves: Notify,
 }
 
 impl Visitor {
     fn stranger(address: IpAddr) -> Self {
-        let (whose, served) = (AtomicU32::new(NOBODY), AtomicBool::new(false));
+        let (whose, served) = (AtomicU32::new(NOBODY), Mutex::default());
         Self { address, whose, served, leaves: Notify::new() }
+    }
+
+    /// Whether a request of it is being answered, and has not been for long.
+    fn is_served(&self) -> bool {
+        lock(&self.served).is_some_and(|since| since.elapsed() < SLOW)
     }
 }
 
@@ -95,16 +136,22 @@ impl Drop for Held {
 }
 
 impl Door {
+    /// A door of a process that may have so many descriptors open.
+    fn of(descriptors: usize) -> Arc<Self> {
+        let of_devices = descriptors.saturating_sub(OF_FILES + OF_OTHERS).max(A_DEVICE);
+        Arc::new(Self { places: Mutex::default(), of_devices })
+    }
+
     /// A connection comes in; nothing where there is no room for it.
     fn enter(self: &Arc<Self>, address: IpAddr) -> Option<Place> {
-        let mut places = lock(&self.0);
-        let most = if address.is_loopback() { HERE } else { AN_ADDRESS };
-        let of_it = |stranger: &Arc<Visitor>| stranger.address == address;
-        let full = places.strangers.iter().filter(|it| of_it(it)).count() >= most;
-        if full && !places.show_out(of_it) {
-            return None;
-        }
-        if places.strangers.len() >= STRANGERS && !places.show_out(|_| true) {
+        let mut places = lock(&self.places);
+        let sort = Sort::of(address, &places.acquainted);
+        let most = if sort == Sort::Here { HERE } else { AN_ADDRESS };
+        let all = if sort == Sort::Here { HERE } else { STRANGERS };
+        let acquainted = places.acquainted.clone();
+        if !places.make_room(most, |it| it == address)
+            || !places.make_room(all, |it| Sort::of(it, &acquainted) == sort)
+        {
             return None;
         }
         let visitor = Arc::new(Visitor::stranger(address));
@@ -114,13 +161,19 @@ impl Door {
     }
 
     fn know(&self, visitor: &Arc<Visitor>, device: u32) -> bool {
-        let mut places = lock(&self.0);
+        let mut places = lock(&self.places);
         if visitor.whose.load(Ordering::Relaxed) == device {
             return true;
         }
         let most = if device == 0 { AT_THE_MACHINE } else { A_DEVICE };
         if places.known.get(&device).is_some_and(|number| *number >= most) {
             return false;
+        }
+        if device != 0 {
+            if places.of_devices() >= self.of_devices {
+                return false;
+            }
+            places.meets(visitor.address);
         }
         places.forget(visitor);
         *places.known.entry(device).or_default() += 1;
@@ -129,14 +182,37 @@ impl Door {
     }
 
     fn leave(&self, visitor: &Arc<Visitor>) {
-        lock(&self.0).forget(visitor);
+        lock(&self.places).forget(visitor);
     }
 }
 
 impl Places {
+    /// A paired device came from an address.
+    fn meets(&mut self, address: IpAddr) {
+        if address.is_loopback() {
+            return;
+        }
+        self.acquainted.retain(|known| *known != address);
+        self.acquainted.push_back(address);
+        if self.acquainted.len() > ACQUAINTED {
+            self.acquainted.pop_front();
+        }
+    }
+
+    /// Connections of all paired devices.
+    fn of_devices(&self) -> usize {
+        self.known.iter().filter(|(device, _)| **device != 0).map(|(_, number)| number).sum()
+    }
+
+    /// Whether there is room for one more where so many strangers of some addresses are let in.
+    fn make_room(&mut self, most: usize, which: impl Fn(IpAddr) -> bool) -> bool {
+        let count = self.strangers.iter().filter(|it| which(it.address)).count();
+        count < most || self.show_out(|it| which(it.address))
+    }
+
     /// The stranger who has waited longest makes room, if one is there who is not being served.
     fn show_out(&mut self, which: impl Fn(&Arc<Visitor>) -> bool) -> bool {
-        let idle = |it: &Arc<Visitor>| which(it) && !it.served.load(Ordering::Relaxed);
+        let idle = |it: &Arc<Visitor>| which(it) && !it.is_served();
         let place = self.strangers.iter().position(idle);
         let shown = place.and_then(|place| self.strangers.remove(place));
         shown.inspect(|visitor| visitor.leaves.notify_one()).is_some()
@@ -156,7 +232,7 @@ impl Places {
 
 /// Lets connections in for as long as the task lives.
 pub async fn serve(listener: TcpListener, router: Router) {
-    let door = Arc::<Door>::default();
+    let door = Door::of(descriptors::limit());
     loop {
         let Ok((stream, remote)) = listener.accept().await else {
             tokio::time::sleep(FULL).await;
@@ -178,10 +254,10 @@ async fn converse(stream: TcpStream, peer: Peer, place: Place, router: Router) {
         request.extensions_mut().insert(ConnectInfo(peer));
         request.extensions_mut().insert(place.clone());
         let (answer, visitor) = (routes.call(request), place.0.visitor.clone());
-        visitor.served.store(true, Ordering::Relaxed);
+        *lock(&visitor.served) = Some(Instant::now());
         async move {
             let answer = answer.await;
-            visitor.served.store(false, Ordering::Relaxed);
+            *lock(&visitor.served) = None;
             answer
         }
     });
@@ -205,12 +281,12 @@ mod tests {
     }
 
     fn strangers(door: &Door) -> usize {
-        lock(&door.0).strangers.len()
+        lock(&door.places).strangers.len()
     }
 
     #[test]
     fn strangers_of_one_address_make_room_for_each_other() {
-        let door = Arc::<Door>::default();
+        let door = Door::of(1024);
         let places: Vec<Place> = (0..100).map(|_| door.enter(from(1)).unwrap()).collect();
         assert_eq!(strangers(&door), AN_ADDRESS);
         assert!(door.enter(from(2)).is_some(), "another address has its own");
@@ -220,7 +296,7 @@ mod tests {
 
     #[test]
     fn strangers_of_all_addresses_are_bounded_and_the_newest_comes_in() {
-        let door = Arc::<Door>::default();
+        let door = Door::of(1024);
         let places: Vec<Place> = (0..100).map(|n| door.enter(from(n)).unwrap()).collect();
         assert_eq!(strangers(&door), STRANGERS);
         let newest = places.last().unwrap();
@@ -230,16 +306,49 @@ mod tests {
 
     #[test]
     fn who_is_being_served_is_not_shown_out() {
-        let door = Arc::<Door>::default();
-        let serve = |place: &Place| place.0.visitor.served.store(true, Ordering::Relaxed);
+        let door = Door::of(1024);
         let places: Vec<Place> = (0..AN_ADDRESS).map(|_| door.enter(from(1)).unwrap()).collect();
-        places.iter().for_each(serve);
+        serve(&places, Duration::ZERO);
         assert!(door.enter(from(1)).is_none());
+        // But for one whose request does not come to its end.
+        serve(&places, SLOW);
+        assert!(door.enter(from(1)).is_some());
+    }
+
+    /// Requests of theirs are being answered for so long.
+    fn serve(places: &[Place], since: Duration) {
+        let began = Instant::now().checked_sub(since);
+        places.iter().for_each(|place| *lock(&place.0.visitor.served) = began);
+    }
+
+    #[test]
+    fn strangers_take_no_place_of_this_computer_and_of_paired_devices() {
+        let door = Door::of(1024);
+        let device = door.enter(from(200)).unwrap();
+        assert!(device.is_of(3));
+        let strangers: Vec<Place> = (0..100).filter_map(|n| door.enter(from(n))).collect();
+        serve(&strangers, Duration::ZERO);
+        assert!(door.enter(from(201)).is_none(), "strangers have used up theirs");
+        let here: Vec<Place> =
+            (0..HERE).map(|_| door.enter([127, 0, 0, 1].into()).unwrap()).collect();
+        let again: Vec<Place> = (0..AN_ADDRESS).map(|_| door.enter(from(200)).unwrap()).collect();
+        assert!(
+            here.iter().all(|place| place.is_of(0)) && again.iter().all(|place| place.is_of(3))
+        );
+    }
+
+    #[test]
+    fn devices_leave_descriptors_to_others() {
+        let door = Door::of(OF_FILES + OF_OTHERS + 2 * A_DEVICE);
+        let places: Vec<Place> = (0..3 * A_DEVICE).map(|_| door.enter(from(1)).unwrap()).collect();
+        let of = |(n, place): (usize, &Place)| place.is_of(1 + (n / A_DEVICE) as u32);
+        assert_eq!(places.iter().enumerate().map(of).filter(|known| *known).count(), 2 * A_DEVICE);
+        assert!(door.enter([127, 0, 0, 1].into()).is_some_and(|place| place.is_of(0)));
     }
 
     #[test]
     fn a_device_has_so_many_connections_and_gets_them_back() {
-        let door = Arc::<Door>::default();
+        let door = Door::of(1024);
         let mut places: Vec<Place> = (0..A_DEVICE).map(|_| door.enter(from(1)).unwrap()).collect();
         assert!(places.iter().all(|place| place.is_of(4)));
         let more = door.enter(from(1)).unwrap();

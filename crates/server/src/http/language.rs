@@ -2,6 +2,7 @@
 
 use super::{Refused, aside};
 use crate::app::{App, lock, problem};
+use crate::awaited::Awaited;
 use crate::machine::bits;
 use crate::{configure, told};
 use axum::Json;
@@ -54,7 +55,13 @@ pub async fn check(
     Json(edited): Json<Text>,
 ) -> Result<Json<Checked>, Refused> {
     let unit = lock(&app.left).session.memory.settings.linear_unit;
-    let checked = move || Ok(kerf_language::check(&edited.name, &edited.text, unit));
+    let awaited = Awaited::default();
+    let _asked = awaited.while_asked();
+    let checked = move || {
+        let given_up = || awaited.is_given_up();
+        let Text { name, text } = edited;
+        Ok(kerf_language::check_until(&name, &text, unit, &given_up))
+    };
     Ok(Json(aside(checked).await?))
 }
 

@@ -4,6 +4,7 @@ use super::guard::Caller;
 use super::{Refused, aside, soon};
 use crate::app::{App, problem};
 use crate::asker::Asker;
+use crate::awaited::Awaited;
 use crate::lanes::Lanes;
 use crate::people::script;
 use crate::pool::Lane;
@@ -51,6 +52,8 @@ async fn done(
 ) -> Result<Json<Reply>, Refused> {
     let act = read(name, body)?;
     let lane = act.lane().unwrap_or(Lane::Short);
+    // Whoever breaks off waits for nothing any more.
+    let _asked = asker.awaited.while_asked();
     let work = move || app.act(&asker, act);
     let notes = if lane == Lane::Long { aside(work).await? } else { soon(work).await? };
     Ok(Json(Reply { id: 0, problem: None, notes, clock_ms: None }))
@@ -129,7 +132,9 @@ pub async fn shapes(State(app): State<Arc<App>>) -> Result<Json<ShapeList>, Refu
 
 /// What the drawing becomes when it is machined.
 pub async fn tool_paths(State(app): State<Arc<App>>) -> Result<Json<ToolPaths>, Refused> {
-    Ok(Json(aside(move || Ok(app.tool_paths())).await?))
+    let awaited = Awaited::default();
+    let _asked = awaited.while_asked();
+    Ok(Json(aside(move || Ok(app.tool_paths(&awaited))).await?))
 }
 
 /// The job that is open.

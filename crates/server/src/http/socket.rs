@@ -81,6 +81,7 @@ impl Drop for Here {
     fn drop(&mut self) {
         self.app.pages.remove(self.client);
         self.app.unlocked.remove(self.client);
+        self.app.works.give_up(self.client);
         self.app.gone(self.client);
         self.app.tell_clients();
     }
@@ -175,6 +176,8 @@ impl Page {
             return;
         };
         let (app, id) = (self.app.clone(), request.id);
+        let awaited = app.works.begin(self.who.client, &request.act);
+        let asker = asker.awaiting(awaited);
         let work = move || drop(owed.send(Owed::Reply(answer(&app, &asker, request))));
         if let Err(problem) = self.app.pool.give(lane, self.customer, work) {
             self.tell(Owed::Reply(refused(id, problem)));

@@ -16,6 +16,11 @@ use std::sync::Arc;
 pub struct Of {
     /// Its name below the part folder; empty for a new one.
     name: String,
+    /// The page whose draft it is.
+    #[serde(default)]
+    page: String,
+    /// The text that it was when whoever ends it saw it.
+    revision: Option<String>,
 }
 
 /// Every draft, the newest first.
@@ -23,12 +28,12 @@ pub async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<TextDraft>>, R
     Ok(Json(aside(move || app.texts.list(&app.parts)).await?))
 }
 
-/// Keeps a draft.
+/// Keeps a draft; tells whether another page types into the same file.
 pub async fn keep(
     State(app): State<Arc<App>>,
     Extension(caller): Extension<Caller>,
     draft: Result<Json<TextDraft>, JsonRejection>,
-) -> Result<Json<()>, Refused> {
+) -> Result<Json<bool>, Refused> {
     demand(&caller, Role::Operator)?;
     let Json(draft) = draft.map_err(|error| problem(Why::Malformed, error.body_text()))?;
     Ok(Json(aside(move || app.texts.keep(&draft)).await?))
@@ -41,6 +46,7 @@ pub async fn end(
     of: Result<Query<Of>, QueryRejection>,
 ) -> Result<Json<()>, Refused> {
     demand(&caller, Role::Operator)?;
-    let Query(Of { name }) = of.map_err(|error| problem(Why::Malformed, error.body_text()))?;
-    Ok(Json(aside(move || app.texts.end(&name)).await?))
+    let Query(Of { name, page, revision }) =
+        of.map_err(|error| problem(Why::Malformed, error.body_text()))?;
+    Ok(Json(aside(move || app.texts.end(&name, &page, revision.as_deref())).await?))
 }

@@ -59,6 +59,8 @@ pub struct Board {
     in_force: Option<InForce>,
     /// Share of the speed asked for.
     pub feed: f64,
+    /// Seconds of machine time in a second of whoever waits.
+    rate: f64,
 }
 
 impl Board {
@@ -69,6 +71,7 @@ impl Board {
         planned: Planned,
         machine: Configuration,
         parts: PartFolder,
+        rate: f64,
     ) -> Self {
         let (units, speeds, io) = hub.read(|now| (now.units.clone(), now.speeds, now.io.clone()));
         let motion = hub.read(|now| Motion { at: now.motion.at, ..Motion::default() });
@@ -97,6 +100,7 @@ impl Board {
             in_force: None,
             is_job: false,
             feed: 1.0,
+            rate,
         }
     }
 
@@ -129,7 +133,7 @@ impl Board {
             self.tool_is_in(doing, made.at);
         }
         let progress = self.course.progress();
-        let remaining = self.course.remaining_s(self.feed);
+        let remaining = self.course.remaining_s(self.feed) / self.rate;
         self.motion =
             Motion { at, speed_mm_s, t: t_s, cutting, progress, remaining, ..self.motion };
     }
@@ -249,7 +253,7 @@ impl Board {
     pub fn ends(&mut self) {
         self.goes_on();
         self.motion.progress = self.course.progress();
-        self.motion.remaining = self.course.remaining_s(self.feed);
+        self.motion.remaining = self.course.remaining_s(self.feed) / self.rate;
         self.tell();
     }
 

@@ -57,6 +57,8 @@ pub enum Order {
         line: String,
         /// They may change settings.
         opened: bool,
+        /// The file that they run and nothing else, by its hash, and its plan.
+        file: Option<(String, Planned)>,
     },
     /// Carry out what whoever started Kerf wrote into the start-up line, one after the other, unless a stop comes.
     StartUp {
@@ -213,7 +215,7 @@ impl Owner {
                     order
                 }
                 Err(TryRecvError::Empty) => match self.passed_in() {
-                    Some(line) => Order::Command { line, opened: false },
+                    Some(line) => Order::Command { line, opened: false, file: None },
                     None => {
                         self.catch_up();
                         self.rest_journal();
@@ -233,7 +235,7 @@ impl Owner {
                     self.run(*work, options, job, planned);
                 }
                 Order::TakeUp { hash, planned } => self.take_up(hash, planned),
-                Order::Command { line, opened } => self.command(&line, opened),
+                Order::Command { line, opened, file } => self.command(&line, opened, file),
                 Order::StartUp { lines, since } => self.start_up(&lines, since),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
@@ -347,7 +349,8 @@ impl Owner {
         runs: impl FnOnce(&mut Workshop, Company<'_>) -> Result<Summary, JournalError>,
     ) -> Result<Summary, JournalError> {
         let machine = self.workshop.session.configuration();
-        let board = Board::new(self.hub.clone(), self.run, planned, machine, self.parts.clone());
+        let board =
+            Board::new(self.hub.clone(), self.run, planned, machine, self.parts.clone(), self.rate);
         let board = Rc::new(RefCell::new(board));
         let shared = Shared {
             board: board.clone(),
@@ -436,12 +439,13 @@ impl Owner {
         });
     }
 
-    pub(super) fn command(&mut self, line: &str, opened: bool) {
+    pub(super) fn command(&mut self, line: &str, opened: bool, file: Option<(String, Planned)>) {
         let program = kerf_sbp::read_typed("command".into(), &format!("{line}\n"));
         let mut options = RunOptions { opened, ..self.options() };
         options.program.typed = true;
-        let job = Job { command: Some(line.into()), ..Job::default() };
-        self.run(program.into(), options, job, Planned::default());
+        let (hash, planned) = file.unzip();
+        let job = Job { command: Some(line.into()), hash, ..Job::default() };
+        self.run(program.into(), options, job, planned.unwrap_or_default());
     }
 
     /// Moves for as long as somebody holds a key, as far as the axes go.

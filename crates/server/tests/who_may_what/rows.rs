@@ -31,6 +31,7 @@ fn every() -> Vec<Act> {
     let lease = 0;
     vec![
         Act::Ping,
+        Act::GiveUp,
         Act::Stop,
         Act::Hold,
         Act::Disarm,

@@ -46,6 +46,28 @@ fn a_line_that_jumps_to_itself_loops() {
     run("MX,1 ⏎ A: ⏎ GOTO A ⏎ MX,9").ended(Status::Limit).ends_at(1.0, 0.0, 0.0);
 }
 
+/// A loop in which nothing changes is told as that, long before the bound of lines.
+#[test]
+fn a_loop_in_which_nothing_changes_is_endless() {
+    let endless = |text: &str| {
+        let ran = run(text);
+        ran.error.is_some_and(|error| error.message.contains("endless loop"))
+    };
+    assert!(endless("A: ⏎ GOTO A"));
+    assert!(endless("MX,1 ⏎ A: ⏎ ' round ⏎ &x = 5 ⏎ IF &x > 3 THEN GOTO A"));
+    assert!(endless("A: ⏎ GOTO B ⏎ B: ⏎ IF 1 = 2 THEN MX,1 ⏎ GOTO A"));
+    for changes in ["MX,1 ⏎ MX,0", "&x = &x + 1", "&x = RND(1)", "&x = %(1)", "PRINT 1", "$x = 1"]
+    {
+        assert!(!endless(&format!("&x = 0 ⏎ A: ⏎ {changes} ⏎ GOTO A")), "{changes}");
+    }
+    assert!(!endless("ON INPUT(3,1) GOTO Hit ⏎ A: ⏎ GOTO A ⏎ Hit:"), "an input ends it");
+    // As many lines may do nothing as a file has.
+    let blank = " ⏎ ".repeat(300);
+    run(&format!("&n = 0 ⏎ A: ⏎ {blank} &n = &n + 1 ⏎ IF &n < 3 THEN GOTO A ⏎ MX,&n"))
+        .ended(Status::Ok)
+        .ends_at(3.0, 0.0, 0.0);
+}
+
 #[test]
 fn sbp_flow_goto_colon() {
     run("GOTO Out: ⏎ MX,9 ⏎ Out: ⏎ MX,1").ended(Status::Ok).ends_at(1.0, 0.0, 0.0);

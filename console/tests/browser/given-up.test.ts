@@ -1,0 +1,60 @@
+/** A wait is told, and what is waited for can be given up. */
+
+import { existsSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { afterEach, beforeEach, expect, it } from "vitest";
+import { openWorkshop, stateOf, tabTo, until, type Workshop } from "./workshop";
+
+let workshop: Workshop;
+
+beforeEach(async () => {
+  workshop = await openWorkshop({ rate: 100 });
+});
+afterEach(() => workshop?.close());
+
+/** So many circles that lie apart, as a DXF. */
+function circles(number: number): string {
+  const circle = (_: unknown, n: number) =>
+    `0\nCIRCLE\n8\n0\n10\n${(n % 500) * 3}\n20\n${Math.floor(n / 500) * 3}\n40\n1\n`;
+  const all = Array.from({ length: number }, circle).join("");
+  return `0\nSECTION\n2\nENTITIES\n${all}0\nENDSEC\n0\nEOF\n`;
+}
+
+it("gives up a drawing that is being read, with the mouse", async () => {
+  writeFileSync(join(workshop.parts, "heavy.dxf"), circles(200_000));
+  const page = await workshop.page();
+  await page.getByRole("link", { name: "Draw" }).click();
+  await page.getByRole("button", { name: "Open…" }).click();
+  await page.getByLabel("Name").fill("heavy.dxf");
+  await page.getByRole("button", { name: "Open", exact: true }).click();
+  await page.getByText("heavy.dxf is being read.").waitFor();
+  await page.screenshot({ path: process.env.KERF_SHOT ?? "/dev/null", type: "png" });
+  await page.getByRole("button", { name: "Give up" }).click();
+  await page
+    .getByText(/it was given up/)
+    .first()
+    .waitFor();
+  expect(await page.getByText("heavy.dxf is being read.").count()).toBe(0);
+  expect((await stateOf(workshop)).drawing?.name ?? null).toBeNull();
+});
+
+it("gives up a tool path that is being made, with the keyboard", async () => {
+  writeFileSync(join(workshop.parts, "heavy.dxf"), circles(200_000));
+  const page = await workshop.page();
+  const headers = { ...workshop.shows, "content-type": "application/json" };
+  const body = JSON.stringify({ name: "heavy.dxf" });
+  await fetch(`${workshop.address}/api/do/open`, { method: "POST", headers, body });
+  await until(async () => (await stateOf(workshop)).opened?.name === "heavy.dxf", "it is open");
+  await page.getByRole("link", { name: "Job" }).click();
+  await tabTo(page, /^Make the tool path/);
+  await page.keyboard.press("Enter");
+  await page.getByText("The tool path is being made.").waitFor();
+  await tabTo(page, "Give up");
+  await page.keyboard.press("Enter");
+  await page.getByText("The tool path is being made.").waitFor({ state: "detached" });
+  await page
+    .getByText(/given up/)
+    .first()
+    .waitFor();
+  expect(existsSync(join(workshop.parts, "heavy.rsm"))).toBe(false);
+});

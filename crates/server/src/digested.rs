@@ -1,0 +1,68 @@
+//! Files of the data folder that hold text of a person: they carry a digest, so that one that is torn, or of which a bit
+//! became another, is seen.
+//!
+//! ```text
+//!  digest 9f86d081…          the digest of what follows
+//!  {"name":"door.rsg", …
+//! ```
+
+use crate::app::hash;
+use std::io;
+
+/// The first line begins with this word.
+const MARK: &str = "digest ";
+
+/// Bytes with their digest before them.
+pub fn with_digest(bytes: &[u8]) -> Vec<u8> {
+    [format!("{MARK}{}\n", hash(bytes)).as_bytes(), bytes].concat()
+}
+
+/// The bytes behind a digest. A file of an earlier version has none, and begins as JSON does.
+///
+/// # Errors
+/// They are not those that were written.
+pub fn checked(file: &[u8]) -> io::Result<&[u8]> {
+    if file.starts_with(b"{") {
+        return Ok(file);
+    }
+    let damaged = |why: &str| io::Error::new(io::ErrorKind::InvalidData, why);
+    let body = file.strip_prefix(MARK.as_bytes());
+    let end = body.and_then(|body| body.iter().position(|byte| *byte == b'\n'));
+    let (Some(body), Some(end)) = (body, end) else {
+        return Err(damaged(if file.is_empty() {
+            "it is empty"
+        } else {
+            "its first line is damaged"
+        }));
+    };
+    let (digest, bytes) = (&body[..end], &body[end + 1..]);
+    if digest == hash(bytes).as_bytes() {
+        Ok(bytes)
+    } else {
+        Err(damaged("it is not as Kerf wrote it"))
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_bit_counts() {
+        let bytes = br#"{"name":"a.rsg","drawing":"0 1 2"}"#;
+        let file = with_digest(bytes);
+        assert_eq!(checked(&file).unwrap(), bytes);
+        for (at, bit) in (0..file.len()).flat_map(|at| (0..8).map(move |bit| (at, bit))) {
+            let mut hurt = file.clone();
+            hurt[at] ^= 1 << bit;
+            assert!(checked(&hurt).is_err(), "byte {at}, bit {bit}");
+        }
+        assert!((0..file.len()).all(|length| checked(&file[..length]).is_err()));
+    }
+
+    #[test]
+    fn files_of_before_have_none() {
+        assert_eq!(checked(b"{}").unwrap(), b"{}");
+    }
+}

@@ -1,0 +1,71 @@
+//! How a file ran last, and how long what runs takes yet.
+
+#![allow(clippy::unwrap_used)]
+
+mod support;
+
+use serde_json::json;
+use support::{Page, kept, shop};
+
+const PART: &str = "SA\nMS,10\nMX,1\nMX,2\nEND\n";
+
+/// The open file has run to its end.
+fn has_run(page: &mut Page) {
+    page.until("the end of the run", |page| page.shown["opened"]["ran"]["ended"] == "ok");
+    page.until_state("idle");
+}
+
+#[test]
+fn when_a_file_ran_is_known_after_a_restart() {
+    let shop = kept(tempfile::tempdir().unwrap());
+    shop.write("a.sbp", PART.as_bytes());
+    let mut page = shop.driver();
+    page.open_file("a.sbp");
+    assert_eq!(page.run(), None);
+    has_run(&mut page);
+    let ran = page.shown["opened"]["ran"].clone();
+    drop(page);
+    let support::Shop { server, dir } = shop;
+    drop(server);
+    let shop = kept(dir);
+    let mut page = shop.page();
+    page.open_file("a.sbp");
+    assert_eq!(page.shown["opened"]["ran"], ran);
+    // Another text under the name has not run.
+    shop.write("a.sbp", b"SA\nMX,5\n");
+    page.open_file("a.sbp");
+    assert!(page.shown["opened"]["ran"].is_null());
+}
+
+#[test]
+fn a_file_that_a_typed_line_runs_has_run() {
+    let shop = shop(50.0, &[("a.sbp", PART), ("b.sbp", "SA\nMX,3\n")]);
+    let mut page = shop.driver();
+    page.open_file("a.sbp");
+    page.command("FP,b.sbp");
+    assert!(page.shown["opened"]["ran"].is_null(), "that was another file");
+    page.command("FP,a.sbp");
+    has_run(&mut page);
+    assert_eq!(page.shown["job"]["hash"], page.shown["opened"]["hash"]);
+    page.open_file("b.sbp");
+    has_run(&mut page);
+}
+
+/// A simulated machine that is four times as fast leaves a quarter of the time.
+#[test]
+fn time_that_is_left_is_that_of_whoever_waits() {
+    let shop = shop(4.0, &[("long.sbp", "SA\nMS,1\nMX,40\nEND\n")]);
+    let mut page = shop.driver();
+    page.open_file("long.sbp");
+    let planned = page.shown["opened"]["seconds"].as_f64().unwrap();
+    assert!(planned > 20.0, "{planned}");
+    assert_eq!(page.run(), None);
+    page.until("motion", |page| page.shown["motion"]["progress"].as_f64() > Some(0.02));
+    let part = page.shown["motion"]["progress"].as_f64().unwrap();
+    let left = page.shown["motion"]["remaining"].as_f64().unwrap();
+    assert!(
+        (left - (1.0 - part) * planned / 4.0).abs() < 0.1 * planned / 4.0,
+        "{left} of {planned}"
+    );
+    assert_eq!(page.act(json!({ "do": "stop" })), None);
+}
