@@ -71,7 +71,9 @@ impl Gathered {
         );
         for letter in [b'F', b'S', b'T', b'D', b'H', b'L'] {
             let h_unset = letter == b'H' && self.or_zero(letter) == -1.0;
-            if self.get(letter).is_some_and(|v| v < 0.0) && !h_unset {
+            // A diameter below zero is the other side.
+            let other_side = letter == b'D' && matches!(self.g[COMPENSATION], Some(411 | 421));
+            if self.get(letter).is_some_and(|v| v < 0.0) && !h_unset && !other_side {
                 let message = format!("{} may not be negative", letter as char);
                 fault(Fault::new(Code::OutOfRange, span, message).hint("write 0 or more"));
             }

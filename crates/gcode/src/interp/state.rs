@@ -131,6 +131,27 @@ pub struct CoordinateSystem {
     pub rotation_deg: f64,
 }
 
+impl CoordinateSystem {
+    /// A displacement of this system as one of the machine frame.
+    pub(super) fn turn(&self, place: Axes) -> Axes {
+        turned(place, self.rotation_deg)
+    }
+
+    /// A displacement of the machine frame as one of this system.
+    pub(super) fn unturn(&self, place: Axes) -> Axes {
+        turned(place, -self.rotation_deg)
+    }
+}
+
+fn turned(mut place: Axes, degrees: f64) -> Axes {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let [x, y, ..] = place.0;
+    if degrees != 0.0 {
+        (place.0[0], place.0[1]) = (x * cos - y * sin, x * sin + y * cos);
+    }
+    place
+}
+
 /// A tool of the tool table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tool {

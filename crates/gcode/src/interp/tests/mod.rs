@@ -1,6 +1,7 @@
 //! What programs do, as data: a program and its motion, or what it tells.
 #![allow(clippy::unwrap_used)]
 
+mod beside;
 mod cycles;
 mod motion;
 mod placed;
