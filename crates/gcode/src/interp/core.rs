@@ -6,8 +6,8 @@ use super::state::Modal;
 use super::stepping::Stepping;
 use super::{Dialect, Options, Session, State};
 use crate::Program;
-use kerf_program::settings::LinearUnit;
-use kerf_program::{AXES, Answer, Axes, Frame, Settings, Turn};
+use kerf_program::settings::{AxisUnit, LinearUnit};
+use kerf_program::{AXES, Answer, Axes, Axis, Frame, Settings, Turn};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -271,12 +271,20 @@ impl Core {
             let (sin, cos) = system.rotation_deg.to_radians().sin_cos();
             [sin, cos]
         });
-        let unit = self.state.modal.unit.mm();
-        self.scale = [1.0; AXES];
+        self.scale = Axis::ALL.map(|axis| self.unit_of(axis));
         self.zero = self.working_zero();
         for i in 0..3 {
-            self.scale[i] = unit * self.options.proportion[i];
+            self.scale[i] *= self.options.proportion[i];
             self.zero.0[i] += self.options.temporary_zero_mm[i];
+        }
+    }
+
+    /// Millimetres or degrees of one unit in the file, without the proportions of FP. A, B and C that the
+    /// machine has as linear axes are measured like X.
+    pub(super) fn unit_of(&self, axis: Axis) -> f64 {
+        match self.settings.axis_unit(axis) {
+            AxisUnit::Linear(_) => self.state.modal.unit.mm(),
+            AxisUnit::Degrees => 1.0,
         }
     }
 

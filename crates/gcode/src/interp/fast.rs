@@ -158,7 +158,7 @@ impl Road {
         let (kind, feed) = if jog {
             (MoveKind::Jog, Feed::Axis)
         } else {
-            (MoveKind::Cut, feed::along(rates?, self.position, to))
+            (MoveKind::Cut, feed::along(rates?, &self.settings, self.position, to))
         };
         Some((Command::Line(Line { kind, to, feed }), rates))
     }

@@ -100,8 +100,7 @@ impl Context<'_> {
         let mut to = self.core.position;
         for axis in Axis::ALL {
             if let Some(value) = g.get(axis.letter() as u8) {
-                let unit = if axis.index() < 3 { self.core.state.modal.unit.mm() } else { 1.0 };
-                to[axis] = value * unit;
+                to[axis] = value * self.core.unit_of(axis);
             }
         }
         Ok(to)

@@ -41,7 +41,7 @@ impl Context<'_> {
             Some(431) => {
                 let mut offset = self.core.state.tool_offset;
                 for (axis, value) in self.given(g) {
-                    offset[axis] = value * self.unit_of(axis);
+                    offset[axis] = value * self.core.unit_of(axis);
                 }
                 offset
             }
@@ -69,11 +69,6 @@ impl Context<'_> {
     /// The axis words of a block.
     fn given(&self, g: &Gathered) -> Vec<(Axis, f64)> {
         Axis::ALL.into_iter().filter_map(|a| Some((a, g.get(a.letter() as u8)?))).collect()
-    }
-
-    /// Millimetres or degrees of one unit, without the proportions of FP.
-    fn unit_of(&self, axis: Axis) -> f64 {
-        if axis.index() < 3 { self.core.state.modal.unit.mm() } else { 1.0 }
     }
 
     /// Millimetres or degrees of one unit as the words of a move count it: with the proportions of FP.
@@ -170,7 +165,7 @@ impl Context<'_> {
             self.read_here(g, &mut system);
         } else {
             for (axis, value) in self.given(g) {
-                system.offset[axis] = value * self.unit_of(axis);
+                system.offset[axis] = value * self.core.unit_of(axis);
             }
         }
         self.core.state.systems[index.min(8)] = system;
@@ -224,7 +219,7 @@ impl Context<'_> {
         for (axis, value) in self.given(g) {
             let reading = value * self.scale_of(axis);
             tool.offset[axis] = match how {
-                Measured::Given => value * self.unit_of(axis),
+                Measured::Given => value * self.core.unit_of(axis),
                 Measured::Here => self.core.state.tool_offset[axis] + place[axis] - reading,
                 Measured::InLastSystem => fixture[axis] - reading,
             };
