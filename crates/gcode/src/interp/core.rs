@@ -55,6 +55,9 @@ pub(super) struct Core {
     /// The block at hand was carried out, and holds the program with these words.
     #[serde(default)]
     pub(super) holding: Option<String>,
+    /// The hole of G88 whose retract comes when somebody has answered, and how the spindle turns then.
+    #[serde(default)]
+    pub(super) retracting: Option<(super::cycles::Hole, Turn)>,
     /// Answers given in the present block, which begins again for each question; how many of them the
     /// present attempt has taken.
     #[serde(default)]
@@ -87,6 +90,10 @@ pub(super) struct Told {
     pub(super) units: bool,
     pub(super) feed: bool,
     pub(super) console: bool,
+    #[serde(default)]
+    pub(super) behind_cycle: bool,
+    #[serde(default)]
+    pub(super) fan: bool,
     /// A line with a mistake was passed: which motion is in force is not known until one is named.
     pub(super) motion_lost: bool,
 }
@@ -155,6 +162,7 @@ impl Core {
             probing: None,
             changing: false,
             holding: None,
+            retracting: None,
             asked: Vec::new(),
             taken: 0,
             motions: 0,

@@ -4,7 +4,7 @@
 use super::Dialect;
 use super::context::{Context, Stop};
 use crate::codes::{
-    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, IO, MOTION, ONCE, PATH, PLANE, RETURN,
+    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, IO, MOTION, NOTHING, ONCE, PATH, PLANE, RETURN,
     SPINDLE, STATE, STOP, SYSTEM, TOOL, TOOL_LENGTH, UNITS, g_name,
 };
 use crate::gathered::{AXIS_WORDS, Gathered, letters};
@@ -44,7 +44,10 @@ impl Context<'_> {
 
     fn carry_out(&mut self, g: &Gathered) -> Result<(), Stop> {
         self.need_dialect(g)?;
-        let motion = self.motion_of(g);
+        let motion = match self.motion_of(g) {
+            None => self.behind_a_cycle(g),
+            motion => motion,
+        };
         self.need_use(g, motion)?;
         self.need_axes(g)?;
         self.feed_mode(g);
@@ -97,6 +100,22 @@ impl Context<'_> {
         if wanted { modal } else { None }
     }
 
+    /// The motion of a place alone behind G80: that before the cycle, as on Fanuc and Mach3.
+    fn behind_a_cycle(&mut self, g: &Gathered) -> Option<i32> {
+        let alone = g.has_any(AXIS_WORDS) && !g.axes_taken() && g.g[MOTION].is_none();
+        if !alone || self.core.options.dialect != Dialect::Generic {
+            return None;
+        }
+        let motion = self.core.state.modal.before_cycle?;
+        if !std::mem::replace(&mut self.core.told.behind_cycle, true) {
+            let code = g_name(motion);
+            let message = format!("a place behind G80 without a motion: {code} of before the cycle");
+            let hint = format!("so do Fanuc and Mach3; LinuxCNC and grbl refuse it: write {code} before the place");
+            self.warn(Code::Unusual, message, hint);
+        }
+        Some(motion)
+    }
+
     fn need_use(&mut self, g: &Gathered, motion: Option<i32>) -> Result<(), Stop> {
         let Some(letter) = g.unused(motion) else { return Ok(()) };
         let still = matches!(motion, None | Some(800));
@@ -116,7 +135,8 @@ impl Context<'_> {
                 "is a code missing, or the letter wrong?",
             )
         };
-        if self.core.options.dialect == Dialect::Generic && !axes {
+        let no_axis = matches!(letter, 'U' | 'V' | 'W');
+        if self.core.options.dialect == Dialect::Generic && !axes && !no_axis {
             self.warn(Code::UnusedWord, message, hint);
             return Ok(());
         }
@@ -136,8 +156,20 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// What grbl does not have.
-    fn need_dialect(&self, g: &Gathered) -> Result<(), Stop> {
+    /// What a controller does not have.
+    fn need_dialect(&mut self, g: &Gathered) -> Result<(), Stop> {
+        self.need_fan(g);
+        let dialect = self.core.options.dialect;
+        if let Some(code) = g.cancels.filter(|_| dialect != Dialect::Generic) {
+            let message = format!("{} has no {}", dialect.name(), g_name(code));
+            let hint = "it switches off what is never on: leave it out, or run the file with --dialect generic";
+            return Err(self.fail(Code::NotInDialect, message, hint));
+        }
+        if dialect == Dialect::LinuxCnc && g.g[MOTION].is_some_and(|m| m != 800) && g.goes_home() {
+            let message = "G28 and G30 beside a motion need the axis words both";
+            let hint = "write the motion on a line of its own; --dialect generic reads it as Fanuc does";
+            return Err(self.fail(Code::ModalConflict, message, hint));
+        }
         if self.core.options.dialect != Dialect::Grbl {
             return Ok(());
         }
@@ -168,6 +200,17 @@ impl Context<'_> {
             format!("grbl has no {code}"),
             "run it with --dialect linuxcnc",
         ))
+    }
+
+    /// M106 and M107 switch the fan of a printer's board, where a laser or a relay may hang: told once.
+    fn need_fan(&mut self, g: &Gathered) {
+        let Some(code) = g.m[NOTHING].filter(|m| matches!(m, 106 | 107)) else { return };
+        if !std::mem::replace(&mut self.core.told.fan, true) {
+            let message = format!("M{code} switches nothing here");
+            let hint = "it is the fan of a printer's board; a laser or a relay on it is switched by M3 and M5, or M64 P0 and \
+                        M65 P0";
+            self.warn(Code::Unusual, message, hint);
+        }
     }
 
     fn distance(&mut self, g: &Gathered) {

@@ -83,6 +83,8 @@ struct Road {
     line: u32,
     position: Axes,
     motion: Option<i32>,
+    /// The last of them that was straight.
+    straight: Option<i32>,
     rates: Option<Rates>,
     rpm: f64,
     motions: u64,
@@ -104,6 +106,7 @@ impl Road {
             line,
             position: core.position,
             motion: modal.motion,
+            straight: modal.before_cycle,
             rates: modal.feed,
             rpm: modal.rpm,
             motions: 0,
@@ -125,6 +128,9 @@ impl Road {
             _ => return None,
         };
         (self.rates, self.motion) = (rates, Some(motion));
+        if motion <= 10 {
+            self.straight = Some(motion);
+        }
         self.line += 1;
         let at = At { file: self.file, line: self.line };
         if let Some(rpm) = plain.value(S).filter(|rpm| *rpm != self.rpm) {
@@ -196,6 +202,7 @@ impl Road {
         core.position = self.position;
         let modal = &mut core.state.modal;
         (modal.motion, modal.feed, modal.rpm) = (self.motion, self.rates, self.rpm);
+        modal.before_cycle = self.straight;
         core.lines += u64::from(self.line - first);
         core.motions += self.motions;
         core.settled &= silent;

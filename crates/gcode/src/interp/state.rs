@@ -64,6 +64,9 @@ pub struct Rates {
 pub struct Modal {
     /// The motion that a place alone makes, as ten times its G number; `None` after G80.
     pub motion: Option<i32>,
+    /// G0 or G1, whichever was in force before a cycle: on many controls it goes on behind G80.
+    #[serde(default)]
+    pub before_cycle: Option<i32>,
     /// The plane.
     pub plane: Plane,
     /// G91.
@@ -102,6 +105,7 @@ impl Default for Modal {
     fn default() -> Self {
         Self {
             motion: None,
+            before_cycle: None,
             plane: Plane::Xy,
             relative: false,
             arc_absolute: false,

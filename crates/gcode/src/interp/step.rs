@@ -80,6 +80,7 @@ impl Core {
         self.beside = None;
         self.probing = None;
         self.holding = None;
+        self.retracting = None;
         self.over = true;
     }
 }
@@ -101,7 +102,7 @@ impl Context<'_> {
         self.core.lines += 1;
         self.go_on_at(self.at.line);
         let outcome = match self.core.holding.clone() {
-            Some(text) => self.hold(&text),
+            Some(text) => self.hold(&text).and_then(|()| self.retract_by_hand()),
             None => self.node(program, node),
         };
         // A block that holds the program is the one at hand until somebody has answered.

@@ -5,6 +5,7 @@ mod beside;
 mod cycles;
 mod motion;
 mod placed;
+mod posts;
 mod programs;
 mod state;
 
