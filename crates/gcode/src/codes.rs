@@ -84,9 +84,7 @@ pub const fn g_elsewhere(code: i32) -> Option<&'static str> {
         432 => "additional tool offsets are not supported",
         171 | 181 | 191 => "planes of U, V and W are not supported",
         960 => "constant surface speed is for lathes",
-        680 => {
-            "G10 L2 P0 R30 turns the coordinate system in force by 30 degrees, R0 turns it back"
-        }
+        680 => "G10 L2 P0 R30 turns the coordinate system in force by 30 degrees, R0 turns it back",
         510 | 511 => "the proportions of FP scale and mirror a file",
         650 | 660 | 661 | 670 => {
             "a subroutine is called by O<name> call [1] [2], its values are #1, #2"

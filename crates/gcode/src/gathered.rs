@@ -34,6 +34,8 @@ pub(crate) struct Gathered {
     pub(crate) g: [Option<i32>; G_GROUPS],
     /// A code that switches off what is never on.
     pub(crate) cancels: Option<i32>,
+    /// G80 stands beside another motion.
+    pub(crate) beside_g80: bool,
     /// M codes, by group.
     pub(crate) m: [Option<i32>; M_GROUPS],
     values: [f64; LETTERS],
@@ -76,7 +78,14 @@ pub(crate) const PLACE_WORDS: u32 = AXIS_WORDS | letters(b"@^");
 
 impl Default for Gathered {
     fn default() -> Self {
-        Self { g: [None; G_GROUPS], cancels: None, m: [None; M_GROUPS], values: [0.0; LETTERS], given: 0 }
+        Self {
+            g: [None; G_GROUPS],
+            cancels: None,
+            beside_g80: false,
+            m: [None; M_GROUPS],
+            values: [0.0; LETTERS],
+            given: 0,
+        }
     }
 }
 
@@ -141,9 +150,13 @@ impl Gathered {
         };
         match self.g[group].replace(code) {
             // G80 ends a cycle; another motion beside it does so too.
-            Some(800) => Ok(()),
+            Some(800) => {
+                self.beside_g80 |= code != 800;
+                Ok(())
+            }
             Some(other) if code == 800 => {
                 self.g[group] = Some(other);
+                self.beside_g80 = true;
                 Ok(())
             }
             Some(other) if other != code => Err(conflict(&g_name(other), &g_name(code), span)),

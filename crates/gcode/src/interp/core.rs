@@ -4,7 +4,7 @@ use super::compensation::Compensator;
 use super::probe::Probe;
 use super::state::Modal;
 use super::stepping::Stepping;
-use super::{Dialect, Options, Session, State};
+use super::{Options, Session, State};
 use crate::Program;
 use kerf_program::settings::{AxisUnit, LinearUnit};
 use kerf_program::{AXES, Answer, Axes, Axis, Frame, Settings, Turn};
@@ -184,13 +184,15 @@ impl Core {
         if self.options.keep_modes {
             return;
         }
-        let unit = match self.options.dialect {
-            Dialect::Grbl => LinearUnit::Mm,
-            _ => self.settings.linear_unit,
+        let grbl = self.options.dialect.is_of_grbl();
+        let unit = match grbl {
+            true => LinearUnit::Mm,
+            false => self.settings.linear_unit,
         };
-        let unit_said = self.options.dialect == Dialect::Grbl;
         let turn = self.state.modal.turn;
-        self.state.modal = Modal { unit, unit_said, turn, ..Modal::default() };
+        // grbl wakes up with G21 and G0.
+        let (unit_said, motion) = (grbl, grbl.then_some(0));
+        self.state.modal = Modal { unit, unit_said, turn, motion, ..Modal::default() };
     }
 
     /// Another language may have moved the working zero: the system in force follows.

@@ -2,7 +2,6 @@
 //!
 //! A cycle is a list of moves along the drilling axis, made at each place.
 
-use super::Dialect;
 use super::context::{Context, Stop};
 use super::state::{FeedMode, Plane};
 use crate::codes::g_name;
@@ -127,7 +126,6 @@ impl Context<'_> {
     /// The heights of a hole.
     fn hole(&self, code: i32, cycle: &Cycle) -> Result<Hole, Stop> {
         let modal = &self.core.state.modal;
-        let modal_dialect = self.core.options.dialect;
         let axes = modal.plane.axes();
         let scale = self.core.scale[axes[2]];
         let letter = ['X', 'Y', 'Z'][axes[2]];
@@ -149,7 +147,7 @@ impl Context<'_> {
             return Err(self.fail(Code::OutOfRange, message, "a cycle drills down from R"));
         }
         let peck = cycle.q.unwrap_or_default() * self.core.state.modal.unit.mm();
-        let one_peck = cycle.q == Some(0.0) && modal_dialect == Dialect::Generic;
+        let one_peck = cycle.q == Some(0.0) && self.core.options.dialect.is_lenient();
         if matches!(code, 730 | 830) && peck <= 0.0 && !one_peck {
             let name = g_name(code);
             let message = match cycle.q {
@@ -301,7 +299,7 @@ impl Context<'_> {
 
     fn spindle_turn(&self, hole: &Hole) -> Result<Turn, Stop> {
         let turn = self.core.state.modal.turn;
-        if turn != Turn::Off || self.core.options.dialect == Dialect::Generic {
+        if turn != Turn::Off || self.core.options.dialect.is_lenient() {
             return Ok(turn);
         }
         let message = format!("{} while the spindle stands", g_name(hole.code));

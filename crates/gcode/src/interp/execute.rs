@@ -1,11 +1,11 @@
 //! One block, in the order that RS274/NGC lays down (section 3.8, table 8), with LinuxCNC's
 //! additions at the places LinuxCNC gives them.
 
-use super::Dialect;
+use super::Plane;
 use super::context::{Context, Stop};
+use super::controllers;
 use crate::codes::{
-    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, IO, MOTION, NOTHING, ONCE, PATH, PLANE, RETURN,
-    SPINDLE, STATE, STOP, SYSTEM, TOOL, TOOL_LENGTH, UNITS, g_name,
+    ARC_DISTANCE, DISTANCE, IO, MOTION, NOTHING, ONCE, PLANE, RETURN, SPINDLE, TOOL, g_name,
 };
 use crate::gathered::{AXIS_WORDS, Gathered, letters};
 use kerf_diag::Code;
@@ -43,11 +43,11 @@ impl Context<'_> {
     }
 
     fn carry_out(&mut self, g: &Gathered) -> Result<(), Stop> {
-        self.need_dialect(g)?;
         let motion = match self.motion_of(g) {
             None => self.behind_a_cycle(g),
             motion => motion,
         };
+        self.need_dialect(g, motion)?;
         self.need_use(g, motion)?;
         self.need_axes(g)?;
         self.feed_mode(g);
@@ -103,14 +103,17 @@ impl Context<'_> {
     /// The motion of a place alone behind G80: that before the cycle, as on Fanuc and Mach3.
     fn behind_a_cycle(&mut self, g: &Gathered) -> Option<i32> {
         let alone = g.has_any(AXIS_WORDS) && !g.axes_taken() && g.g[MOTION].is_none();
-        if !alone || self.core.options.dialect != Dialect::Generic {
+        if !alone || !self.core.options.dialect.is_lenient() {
             return None;
         }
         let motion = self.core.state.modal.before_cycle?;
         if !std::mem::replace(&mut self.core.told.behind_cycle, true) {
             let code = g_name(motion);
-            let message = format!("a place behind G80 without a motion: {code} of before the cycle");
-            let hint = format!("so do Fanuc and Mach3; LinuxCNC and grbl refuse it: write {code} before the place");
+            let message =
+                format!("a place behind G80 without a motion: {code} of before the cycle");
+            let hint = format!(
+                "so do Fanuc and Mach3; LinuxCNC and grbl refuse it: write {code} before the place"
+            );
             self.warn(Code::Unusual, message, hint);
         }
         Some(motion)
@@ -136,7 +139,7 @@ impl Context<'_> {
             )
         };
         let no_axis = matches!(letter, 'U' | 'V' | 'W');
-        if self.core.options.dialect == Dialect::Generic && !axes && !no_axis {
+        if self.core.options.dialect.is_lenient() && !axes && !no_axis {
             self.warn(Code::UnusedWord, message, hint);
             return Ok(());
         }
@@ -156,50 +159,17 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// What a controller does not have.
-    fn need_dialect(&mut self, g: &Gathered) -> Result<(), Stop> {
+    /// Refuses what the controller of the dialect refuses.
+    fn need_dialect(&mut self, g: &Gathered, motion: Option<i32>) -> Result<(), Stop> {
         self.need_fan(g);
-        let dialect = self.core.options.dialect;
-        if let Some(code) = g.cancels.filter(|_| dialect != Dialect::Generic) {
-            let message = format!("{} has no {}", dialect.name(), g_name(code));
-            let hint = "it switches off what is never on: leave it out, or run the file with --dialect generic";
-            return Err(self.fail(Code::NotInDialect, message, hint));
+        let plane = match g.g[PLANE] {
+            Some(code) => Plane::of_code(code),
+            None => self.core.state.modal.plane,
+        };
+        match controllers::refuses(self.core.options.dialect, g, motion, plane) {
+            Some(refused) => Err(self.fail(refused.code, refused.what, refused.mend)),
+            None => Ok(()),
         }
-        if dialect == Dialect::LinuxCnc && g.g[MOTION].is_some_and(|m| m != 800) && g.goes_home() {
-            let message = "G28 and G30 beside a motion need the axis words both";
-            let hint = "write the motion on a line of its own; --dialect generic reads it as Fanuc does";
-            return Err(self.fail(Code::ModalConflict, message, hint));
-        }
-        if self.core.options.dialect != Dialect::Grbl {
-            return Ok(());
-        }
-        let lacking = [
-            (MOTION, g.g[MOTION].filter(|m| matches!(m, 50..=53 | 730 | 810..=890))),
-            (ONCE, g.g[ONCE].filter(|m| matches!(m, 520 | 922 | 923))),
-            (COMPENSATION, g.g[COMPENSATION].filter(|c| *c != 400)),
-            (TOOL_LENGTH, g.g[TOOL_LENGTH].filter(|c| *c == 430)),
-            (SYSTEM, g.g[SYSTEM].filter(|c| *c > 590)),
-            (PATH, g.g[PATH].filter(|c| *c != 610)),
-            (RETURN, g.g[RETURN]),
-            (FEED_MODE, g.g[FEED_MODE].filter(|c| *c == 950)),
-            (ARC_DISTANCE, g.g[ARC_DISTANCE].filter(|c| *c == 901)),
-            (UNITS, g.g[UNITS].filter(|c| *c > 210)),
-        ];
-        let g_code = lacking.into_iter().find_map(|(_, code)| code).map(g_name);
-        let m_code = [
-            g.m[STOP].filter(|c| matches!(c, 60 | 98 | 99)),
-            g.m[IO],
-            g.m[TOOL],
-            g.m[SPINDLE].filter(|c| *c == 19),
-            g.m[STATE],
-        ];
-        let m_code = m_code.into_iter().flatten().next().map(|m| format!("M{m}"));
-        let Some(code) = g_code.or(m_code) else { return Ok(()) };
-        Err(self.fail(
-            Code::NotInDialect,
-            format!("grbl has no {code}"),
-            "run it with --dialect linuxcnc",
-        ))
     }
 
     /// M106 and M107 switch the fan of a printer's board, where a laser or a relay may hang: told once.
@@ -227,13 +197,8 @@ impl Context<'_> {
     }
 
     fn plane(&mut self, g: &Gathered) -> Result<(), Stop> {
-        use super::Plane;
         let Some(code) = g.g[PLANE] else { return Ok(()) };
-        let plane = match code {
-            170 => Plane::Xy,
-            180 => Plane::Zx,
-            _ => Plane::Yz,
-        };
+        let plane = Plane::of_code(code);
         if self.core.compensator.is_some() && plane != Plane::Xy {
             return Err(self.not_compensated("another plane"));
         }

@@ -15,6 +15,8 @@ use std::sync::Arc;
 
 /// Bits of [`PlainMove::LETTERS`].
 const AXIS_WORDS: u16 = 0b0000_0011_1111;
+const XY: u16 = 0b11;
+const ABC: u16 = 0b11_1000;
 const IJ: u16 = 1 << I | 1 << J;
 const KR: u16 = 1 << 8 | 1 << 9;
 /// Places in [`PlainMove::LETTERS`].
@@ -77,6 +79,8 @@ struct Road {
     arc_absolute: bool,
     /// Axes that are not switched on.
     idle: u16,
+    /// grbl refuses some moves, which the careful road tells.
+    grbl: bool,
     /// Millimetres of a unit.
     unit: f64,
     /// How many lines of the file lie behind.
@@ -102,6 +106,7 @@ impl Road {
             relative: modal.relative,
             arc_absolute: modal.arc_absolute,
             idle: AXIS_WORDS & u16::MAX.checked_shl(active).unwrap_or(0),
+            grbl: core.options.dialect.is_of_grbl(),
             unit: modal.unit.mm(),
             line,
             position: core.position,
@@ -118,7 +123,8 @@ impl Road {
         let named = plain.motion < PlainMove::MODAL;
         let motion = if named { i32::from(plain.motion) * 10 } else { self.motion? };
         let given = plain.given;
-        if given & self.idle != 0 || given & AXIS_WORDS == 0 {
+        let doubtful = self.grbl && (given & ABC != 0 || motion > 10 && given & XY == 0);
+        if doubtful || given & self.idle != 0 || given & AXIS_WORDS == 0 {
             return None;
         }
         let to = self.target(plain);

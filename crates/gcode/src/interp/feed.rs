@@ -45,7 +45,9 @@ impl Context<'_> {
             FeedMode::PerMinute => Ok(along(rates, &self.core.settings, from, to)),
             FeedMode::Inverse => Ok(Feed::Time(60.0 / rates.rotary)),
             FeedMode::PerTurn if modal.rpm > 0.0 => {
-                let Feed::Path(per_turn) = along(rates, &self.core.settings, from, to) else { return Ok(Feed::Axis) };
+                let Feed::Path(per_turn) = along(rates, &self.core.settings, from, to) else {
+                    return Ok(Feed::Axis);
+                };
                 Ok(Feed::Path(per_turn * modal.rpm))
             }
             FeedMode::PerTurn => {

@@ -73,7 +73,7 @@ impl Context<'_> {
     fn arc_without_words(&mut self, motion: i32) -> Result<(), Stop> {
         let message = format!("{} without a place or a centre", g_name(motion));
         let hint = "an arc names its end and I, J or R, as in G2 X10 Y0 I5";
-        if self.core.options.dialect != Dialect::Generic {
+        if !self.core.options.dialect.is_lenient() {
             return Err(self.fail(Code::MissingWord, message, hint));
         }
         self.warn(Code::Unusual, message, hint);

@@ -19,6 +19,15 @@ pub enum Plane {
 }
 
 impl Plane {
+    /// The plane of G17, G18 or G19, in tenths.
+    pub(super) const fn of_code(code: i32) -> Self {
+        match code {
+            180 => Self::Zx,
+            190 => Self::Yz,
+            _ => Self::Xy,
+        }
+    }
+
     /// Indices of the first, second and third axis: the third is the one that drills, and turning
     /// from the first to the second is counter-clockwise.
     pub const fn axes(self) -> [usize; 3] {

@@ -11,7 +11,9 @@ pub fn looks_like_fanuc(line: &str) -> bool {
         let rest = line.strip_prefix(word).unwrap_or_default();
         rest.starts_with(|c: char| c.is_ascii_digit())
     };
-    line.starts_with("IF[") || line.starts_with("WHILE[") || ["GOTO", "END", "DO"].into_iter().any(numbered)
+    line.starts_with("IF[")
+        || line.starts_with("WHILE[")
+        || ["GOTO", "END", "DO"].into_iter().any(numbered)
 }
 
 /// Whether a line is OpenSBP and surely no G-code: a command with commas, a comment behind an

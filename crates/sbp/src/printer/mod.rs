@@ -18,8 +18,8 @@ mod tests;
 use crate::table::settings_lines;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
-    At, Axes, AxisSet, ChangeWords, Changing, Command, Frame, Hold, Lost, PathControl, Printer, Settings,
-    Sourced, ToolPathStart, Written,
+    At, Axes, AxisSet, ChangeWords, Changing, Command, Frame, Hold, Lost, PathControl, Printer,
+    Settings, Sourced, ToolPathStart, Written,
 };
 use places::Places;
 use std::sync::Arc;

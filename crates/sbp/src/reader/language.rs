@@ -191,7 +191,9 @@ pub(super) fn is_opensbp(line: &str, commands: &CommandIndex) -> bool {
     let separated = rest.is_empty() || rest.starts_with([',', ' ', '\t']);
     // Fanuc's IF [#1 LT 5] GOTO 10 is refused as what it is.
     let fanuc = rest.trim_matches(text::blank);
-    if fanuc.starts_with('[') || word.eq_ignore_ascii_case("GOTO") && fanuc.starts_with(|c: char| c.is_ascii_digit()) {
+    if fanuc.starts_with('[')
+        || word.eq_ignore_ascii_case("GOTO") && fanuc.starts_with(|c: char| c.is_ascii_digit())
+    {
         return false;
     }
     Keyword::find(word).is_some()

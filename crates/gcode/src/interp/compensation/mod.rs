@@ -124,7 +124,9 @@ impl Context<'_> {
         let number = g.tool(b'D').filter(|d| *d > 0).unwrap_or(spindle);
         if g.tool(b'D') == Some(0) {
             let message = "D0 is no tool";
-            let hint = format!("the one in the spindle counts: tool {spindle}; leave D out, or name the tool");
+            let hint = format!(
+                "the one in the spindle counts: tool {spindle}; leave D out, or name the tool"
+            );
             self.warn(Code::Unusual, message, hint);
         }
         if number == 0 {

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod beside;
+mod controllers;
 mod cycles;
 mod motion;
 mod placed;

@@ -45,7 +45,7 @@ fn a_retract_of_fanuc_goes_home() {
 #[test]
 fn codes_that_cancel_what_is_never_on_do_nothing() {
     takes("G0 G49 G40 G17 G80 G50 G90⏎G69 G15⏎G49.1 G13.1 G50.1 G40.1⏎X1", "J1,0,0", "");
-    refuses("G69", Dialect::LinuxCnc, "linuxcnc has no G69");
+    refuses("G69", Dialect::LinuxCnc, "LinuxCNC has no G69");
     refuses("G68", Dialect::Generic, "G68 cannot be carried out");
 }
 
@@ -80,7 +80,11 @@ fn q0_is_one_peck_and_no_q_is_told_apart() {
 #[test]
 fn macros_of_fanuc_are_told_as_that() {
     for line in ["IF [#1 LT 5] GOTO 10", "WHILE [#1 LT 3] DO1", "END1", "GOTO 10"] {
-        refuses(line, Dialect::Generic, "this is Fanuc's macro language | Kerf knows LinuxCNC's: O100 while");
+        refuses(
+            line,
+            Dialect::Generic,
+            "this is Fanuc's macro language | Kerf knows LinuxCNC's: O100 while",
+        );
     }
     refuses("#1=#1+1", Dialect::Generic, "calculations stand in brackets");
 }
