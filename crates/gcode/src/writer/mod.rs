@@ -308,7 +308,7 @@ impl<'a> Writer<'a> {
                 let text = format!("G64{}{}", word('P', tolerance_mm), word('Q', merge));
                 self.line(&text);
             }
-            PathControl::Blend { .. } if !self.is_grbl() => self.line("G64"),
+            PathControl::Blend { .. } if !self.writing.dialect.is_of_grbl() => self.line("G64"),
             PathControl::Blend { tolerance_mm: None, .. } => {}
             PathControl::ExactStop | PathControl::Blend { .. } => {
                 self.unsaid("how closely the path is followed");

@@ -90,6 +90,11 @@ impl Writer<'_> {
         self.line(format!("{code}{words}").trim_start());
     }
 
+    /// Whether an arc names its end; grbl wants that of a whole turn too.
+    fn names_end(&self, is_turn: bool) -> bool {
+        !is_turn || self.is_grbl()
+    }
+
     /// The block of an arc; the plane is written when it changes.
     fn arc_block(&mut self, plane: &'static str, motion: &'static str, words: &str) {
         let changed = std::mem::replace(&mut self.plane, plane) != plane;
@@ -140,7 +145,7 @@ impl Writer<'_> {
         let length = Point2::new(from.0[0], from.0[1])
             .distance(Point2::new(arc.centre[0], arc.centre[1]))
             * sweep.abs();
-        let place = self.place(arc.to, (!is_turn).then_some([0, 1]));
+        let place = self.place(arc.to, self.names_end(is_turn).then_some([0, 1]));
         let feed = match arc.feed {
             Feed::Time(s) => Feed::Time(s * length / whole_length.max(1e-9)),
             feed => feed,
@@ -170,7 +175,7 @@ impl Writer<'_> {
         }
         let offset = [0, 1].map(|n| arc.centre[n] - from.0[arc.axes[n]]);
         let length = offset[0].hypot(offset[1]) * arc.sweep_rad.abs();
-        let place = self.place(arc.to, (!closed).then_some(arc.axes));
+        let place = self.place(arc.to, self.names_end(closed).then_some(arc.axes));
         let [a, b] = [(u, offset[0]), (v, offset[1])].map(|(axis, offset)| {
             let letter = char::from(b"IJK"[axis]);
             (axis, format!(" {letter}{}", self.value(axis, offset)))
