@@ -13,7 +13,8 @@ pub fn told_once(diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut first: BTreeMap<Key, usize> = BTreeMap::new();
     let (mut told, mut more): (Vec<Diagnostic>, Vec<(usize, u32)>) = (Vec::new(), Vec::new());
     for diagnostic in diagnostics {
-        let known = if diagnostic.is_error() { None } else { first.get(&key(&diagnostic)).copied() };
+        let known =
+            if diagnostic.is_error() { None } else { first.get(&key(&diagnostic)).copied() };
         if let Some(at) = known {
             more[at] = (more[at].0 + 1, diagnostic.place.line);
             continue;
@@ -26,7 +27,8 @@ pub fn told_once(diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
     }
     for (diagnostic, (again, last)) in told.iter_mut().zip(more) {
         if again > 0 {
-            let message = format!("{} ({again} more like it, the last in line {last})", diagnostic.message);
+            let message =
+                format!("{} ({again} more like it, the last in line {last})", diagnostic.message);
             diagnostic.message = message;
         }
     }

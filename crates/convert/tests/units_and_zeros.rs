@@ -73,9 +73,13 @@ fn a_warning_is_told_once_with_a_count() {
     let slow: String = (1..=200).map(|n| format!("G1 X{n} F{}\n", n % 70 + 1)).collect();
     let text = format!("G21 G90\nG0 X0\nM4 S9\n{slow}M5\nM4\nG1 X0\nM2\n");
     let made = converted("part.nc", text.as_bytes(), &plain(GENERIC, SBP, Mm), ".".into());
-    let told: Vec<_> = made.diagnostics.iter().map(|d| (d.place.line, d.message.as_str())).collect();
+    let told: Vec<_> =
+        made.diagnostics.iter().map(|d| (d.place.line, d.message.as_str())).collect();
     assert_eq!(told.len(), 2, "{told:?}");
-    assert!(told[0].0 == 3 && told[0].1.ends_with("(1 more like it, the last in line 205)"), "{told:?}");
+    assert!(
+        told[0].0 == 3 && told[0].1.ends_with("(1 more like it, the last in line 205)"),
+        "{told:?}"
+    );
     assert!(told[1].1.contains("VS begins at 1.27 (199 more like it"), "{told:?}");
     // The text says it at each place.
     let part = made.text.unwrap();
