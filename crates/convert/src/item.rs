@@ -2,7 +2,7 @@
 
 use kerf_diag::Diagnostic;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{At, Axes, Axis, Command, Hold, Lost, Settings, Sourced, Status};
+use kerf_program::{At, Axes, Axis, AxisSet, Command, Hold, Lost, Settings, Sourced, Status};
 use std::sync::Arc;
 
 /// A thing to write.
@@ -33,6 +33,9 @@ pub struct Passage {
     pub diagnostics: Vec<Diagnostic>,
     /// Names of the files that places speak of.
     pub files: Vec<Arc<str>>,
+    /// Of each change of zero, in order, its line and the axes whose zero comes to lie at a place of the machine while the
+    /// program has not said yet where the tool is.
+    pub zeros: Vec<(At, AxisSet)>,
     /// The unit and the settings in force where it first moved.
     pub at_motion: Option<(LinearUnit, Arc<Settings>)>,
 }

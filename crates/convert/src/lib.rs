@@ -17,6 +17,7 @@
 //! gives.
 
 mod compare;
+mod counted;
 mod follow;
 mod host;
 mod item;
@@ -122,5 +123,6 @@ pub fn path(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>, start: 
 
 /// Converts a program.
 pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> Converted {
-    resolved::convert(source, how, hosts)
+    let made = resolved::convert(source, how, hosts);
+    Converted { diagnostics: counted::told_once(made.diagnostics), ..made }
 }

@@ -4,13 +4,13 @@ use crate::compare::{Comparing, SAME_MM, same_motion};
 use crate::follow::follow;
 use crate::item::{Item, Passage};
 use crate::kept::{self, KEPT_MM, Unkept};
-use crate::start::{ODD, says_its_height, says_its_places};
+use crate::start::{ODD, says_its_height, says_its_places, zeros_in_machine};
 use crate::times::{cutting_s, switched};
 use crate::{Conversion, Converted, Hosts, Language, Source};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_gcode::{Writer, Writing};
-use kerf_program::settings::{AxisUnit, LinearUnit};
-use kerf_program::{At, Axes, Axis, Lost, Printer, Settings, Status, Written};
+use kerf_program::settings::LinearUnit;
+use kerf_program::{At, Axes, Axis, Command, Lost, Printer, Settings, Status, Written};
 use kerf_sbp::{Printing, SbpPrinter};
 use std::sync::Arc;
 
@@ -65,7 +65,8 @@ fn with_heights(
     if start == Axes::default() || says_its_height(&passage) {
         return (passage, start);
     }
-    (run(source, how, hosts, Axes::default(), false), Axes::default())
+    let zeros = passage.zeros;
+    (Passage { zeros, ..run(source, how, hosts, Axes::default(), false) }, Axes::default())
 }
 
 /// The program as the moves it makes.
@@ -124,7 +125,11 @@ fn passage(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> (Pass
         return (odd, ODD);
     }
     let zero = run(source, how, hosts, Axes::default(), false);
-    if says_its_places(&odd, &zero) { (odd, ODD) } else { (zero, Axes::default()) }
+    let zeros = zeros_in_machine(&odd, &zero);
+    if says_its_places(&odd, &zero) {
+        return (Passage { zeros, ..odd }, ODD);
+    }
+    (Passage { zeros, ..zero }, Axes::default())
 }
 
 pub(crate) fn run(
@@ -190,18 +195,15 @@ fn ended_well(passage: &Passage) -> bool {
     ended && !passage.diagnostics.iter().any(Diagnostic::is_error)
 }
 
-/// The unit and the settings that the written file begins with. G-code measures turning axes in degrees; a part
-/// file has to say so.
+/// The unit and the settings that the written file begins with.
 fn settings_for(how: &Conversion, passage: &Passage) -> (LinearUnit, Settings) {
     let unit = passage.at_motion.as_ref().map_or(how.settings.linear_unit, |(unit, _)| *unit);
     let mut settings = how.settings.clone();
     settings.use_linear_unit(unit);
     if let Some(axis) = passage.last_axis().filter(|axis| axis.index() >= 3) {
         settings.axis_count = settings.axis_count.max(axis.index() as u8 + 1);
-        match (&passage.at_motion, how.from) {
-            (_, Language::Gcode(_)) => settings.rotary_units = [AxisUnit::Degrees; 3],
-            (Some((_, there)), Language::OpenSbp) => settings.rotary_units = there.rotary_units,
-            (None, Language::OpenSbp) => {}
+        if let (Some((_, there)), Language::OpenSbp) = (&passage.at_motion, how.from) {
+            settings.rotary_units = there.rotary_units;
         }
     }
     (unit, settings)
@@ -251,9 +253,18 @@ fn write(
 }
 
 fn fill(mut printer: Box<dyn Printer + '_>, passage: &Passage) -> Written {
+    let mut zeros = passage.zeros.iter();
     for item in &passage.items {
         match item {
-            Item::Command(sourced) => printer.command(sourced),
+            Item::Command(sourced) => {
+                if let Command::Location { frame, .. } = &sourced.command
+                    && let Some((at, axes)) = zeros.find(|(at, _)| *at == sourced.at)
+                    && !axes.is_empty()
+                {
+                    printer.zero_at(*at, frame, *axes);
+                }
+                printer.command(sourced);
+            }
             Item::Beside(text) => printer.comment_beside(text),
             Item::Hold(hold) => printer.hold(hold),
             Item::NextTool(name) => printer.next_tool(name),
@@ -303,9 +314,10 @@ fn read_back(
 ) -> Result<Passage, Diagnostic> {
     let name: Arc<str> = Arc::from("converted file");
     let again = Source { name, bytes: text.as_bytes(), language: how.to };
-    // A turning axis has its unit already, so that naming it does not move it.
+    // The machine has the axes that it has, whatever the file says. One that turns has its unit already, so that
+    // naming it does not move it.
     let reading = Conversion {
-        settings: Settings { axis_count: 3, ..settings.clone() },
+        settings: Settings { axis_count: how.settings.axis_count, ..settings.clone() },
         sbp: kerf_sbp::Options::default(),
         ..how.clone()
     };

@@ -8,7 +8,7 @@
 //! followed from zero, and that is told.
 
 use crate::item::{Item, Passage};
-use kerf_program::{AXES, Axes, Axis, Command, Sourced};
+use kerf_program::{AXES, At, Axes, Axis, AxisSet, Command, Sourced};
 
 /// A place a hair beside zero, mm and degrees.
 pub const ODD: Axes =
@@ -31,6 +31,36 @@ pub fn says_its_places(odd: &Passage, zero: &Passage) -> bool {
         here = to;
     }
     plain.next().is_none() && others(odd) == others(zero)
+}
+
+/// Of each change of zero, in order, its line and the axes whose zero comes to lie at the same place of the
+/// machine wherever the program begins (G10 L2), while it has not said where the tool is: no place of the tool
+/// tells it.
+pub fn zeros_in_machine(odd: &Passage, zero: &Passage) -> Vec<(At, AxisSet)> {
+    let mut others = zero.commands().filter_map(moved_zero).peekable();
+    let (mut here, mut other, mut found) = (ODD, Axes::default(), Vec::new());
+    for sourced in odd.commands() {
+        if sourced.command.is_motion() {
+            here = end(&sourced.command);
+        }
+        let Some((at, there, axes)) = moved_zero(sourced) else { continue };
+        // From zero, what makes the present place zero changes nothing.
+        if let Some((_, zero, _)) = others.next_if(|(line, ..)| *line == at) {
+            other = zero;
+        }
+        let fixed = |axis: &Axis| here[*axis] == ODD[*axis] && there[*axis] == other[*axis];
+        found.push((at, axes.iter().filter(fixed).fold(AxisSet::EMPTY, AxisSet::with)));
+    }
+    found
+}
+
+const fn moved_zero(sourced: &Sourced) -> Option<(At, Axes, AxisSet)> {
+    match &sourced.command {
+        Command::Location { frame, working, .. } => {
+            Some((sourced.at, frame.working_zero, *working))
+        }
+        _ => None,
+    }
 }
 
 /// Whether its height is said before it matters: a change of tools leaves the tool higher than it was, and

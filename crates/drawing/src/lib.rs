@@ -24,6 +24,7 @@ mod op;
 mod selection;
 mod settings;
 mod shape;
+mod space;
 mod travel;
 
 pub use array::{ArrayLevel, Arrays, Corner, GapError, Level, Order};
@@ -38,4 +39,5 @@ pub use op::{
 pub use selection::Choice;
 pub use settings::{GroupSettings, Height, Lead, Plunge, SettingsError};
 pub use shape::{Kind, Shape};
+pub use space::{Heightened, heighten};
 pub use travel::{EXACT_STOPS, Rapids, Search, Travelled, travelled};

@@ -21,7 +21,19 @@ pub use effort::{Ended, MOST_PLACED, MOST_PLACED_VERTICES};
 pub use finding::{Finding, Weight};
 pub use unkept::unkept;
 
-use kerf_drawing::Drawing;
+use kerf_drawing::{Drawing, Heightened};
+
+impl Imported {
+    /// Gives groups with 3D shapes the height 3D, and notes it.
+    pub fn heighten(&mut self) {
+        let all = 0..self.drawing.shapes.len();
+        for made in kerf_drawing::heighten(&mut self.drawing, all) {
+            let weight =
+                if matches!(made, Heightened::Flat(_)) { Weight::Warning } else { Weight::Note };
+            self.findings.push(Finding::of_file(weight, made.to_string()));
+        }
+    }
+}
 
 /// A drawing that was read, and what was noticed.
 #[derive(Clone, Debug, Default, PartialEq)]

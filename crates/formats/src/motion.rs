@@ -22,13 +22,10 @@ pub fn read<'a>(commands: impl IntoIterator<Item = &'a Sourced>, start: Axes) ->
     for z in drawing.levels.iter().take(MOST_TOLD) {
         findings.note("height", 0, format!("cut at Z {z} mm"));
     }
-    Imported {
-        drawing: Drawing::of(drawing.shapes),
-        findings: findings.finish(),
-        layers: Vec::new(),
-        skipped: None,
-        ended: None,
-    }
+    let drawing = Drawing::of(drawing.shapes);
+    let mut read = Imported { drawing, findings: findings.finish(), ..Imported::default() };
+    read.heighten();
+    read
 }
 
 /// Heights that are told.

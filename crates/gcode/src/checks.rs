@@ -22,8 +22,21 @@ impl Gathered {
             || self.g[TOOL_LENGTH] == Some(431)
     }
 
+    /// Whether a block names places for G28 or G30.
+    pub(crate) fn goes_home(&self) -> bool {
+        matches!(self.g[ONCE], Some(280 | 300)) && self.has_any(PLACE_WORDS)
+    }
+
     /// What is missing or out of range whatever the state is. Values may be unknown (not a number).
     pub(crate) fn needs(&self, span: Span, fault: &mut dyn FnMut(Fault)) {
+        if self.g[ONCE] == Some(40) && [b'P', b'X', b'S'].iter().any(|l| self.or_zero(*l) < 0.0) {
+            let fault_at = Fault::new(Code::OutOfRange, span, "G4 with a time below zero");
+            fault(fault_at.hint("G4 P1.5 waits for one and a half seconds"));
+        }
+        if self.m[IO] == Some(66) && self.has(b'P') && self.has(b'E') {
+            let both = Fault::new(Code::ModalConflict, span, "M66 with P and E");
+            fault(both.hint("P is a switch and E an analog input: one M66 reads one of them"));
+        }
         let mut need = |holds: bool, what: &str, hint: &str| {
             if holds {
                 fault(Fault::new(Code::MissingWord, span, what).hint(hint));
@@ -71,7 +84,9 @@ impl Gathered {
         );
         for letter in [b'F', b'S', b'T', b'D', b'H', b'L'] {
             let h_unset = letter == b'H' && self.or_zero(letter) == -1.0;
-            if self.get(letter).is_some_and(|v| v < 0.0) && !h_unset {
+            // A diameter below zero is the other side.
+            let other_side = letter == b'D' && matches!(self.g[COMPENSATION], Some(411 | 421));
+            if self.get(letter).is_some_and(|v| v < 0.0) && !h_unset && !other_side {
                 let message = format!("{} may not be negative", letter as char);
                 fault(Fault::new(Code::OutOfRange, span, message).hint("write 0 or more"));
             }
@@ -83,9 +98,11 @@ impl Gathered {
                 fault(Fault::new(Code::OutOfRange, span, message).hint(hint));
             }
         }
+        let home = matches!(self.g[ONCE], Some(280 | 300));
+        let free = |motion: i32| motion == 800 || home && matches!(motion, 0 | 10);
         if self.axes_taken()
             && self.has_any(PLACE_WORDS)
-            && self.g[MOTION].is_some_and(|m| m != 800)
+            && self.g[MOTION].is_some_and(|motion| !free(motion))
         {
             let message = "two codes of the block need the axis words";
             let hint = "write the motion on a line of its own";
@@ -145,7 +162,7 @@ impl Gathered {
             used |= letters(b"DRPQ");
         }
         if self.m[codes::NOTHING].is_some() {
-            used |= letters(b"PQRE");
+            used |= letters(b"PQRES");
         }
         if self.m[codes::SPINDLE].is_some() || self.has(b'S') {
             used |= letters(b"$");

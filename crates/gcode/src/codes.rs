@@ -71,6 +71,11 @@ pub const fn g_group(code: i32) -> Option<usize> {
     })
 }
 
+/// Codes that switch off what is never on here, as the safe first line of many posts has them.
+pub const fn g_cancels(code: i32) -> bool {
+    matches!(code, 690 | 150 | 500 | 501 | 131 | 401 | 491)
+}
+
 /// G codes of other machines that a router cannot carry out, and why.
 pub const fn g_elsewhere(code: i32) -> Option<&'static str> {
     Some(match code {
@@ -79,14 +84,12 @@ pub const fn g_elsewhere(code: i32) -> Option<&'static str> {
         432 => "additional tool offsets are not supported",
         171 | 181 | 191 => "planes of U, V and W are not supported",
         960 => "constant surface speed is for lathes",
-        680 | 690 => {
-            "G10 L2 P0 R30 turns the coordinate system in force by 30 degrees, R0 turns it back"
-        }
-        500 | 510 | 501 | 511 => "the proportions of FP scale and mirror a file",
+        680 => "G10 L2 P0 R30 turns the coordinate system in force by 30 degrees, R0 turns it back",
+        510 | 511 => "the proportions of FP scale and mirror a file",
         650 | 660 | 661 | 670 => {
             "a subroutine is called by O<name> call [1] [2], its values are #1, #2"
         }
-        150 | 160 => "@ and ^ are polar places: @10 ^45 is 10 from zero at 45 degrees",
+        160 => "@ and ^ are polar places: @10 ^45 is 10 from zero at 45 degrees",
         _ => return None,
     })
 }
@@ -121,8 +124,8 @@ pub const fn m_group(code: i32) -> Option<usize> {
         7 => MIST,
         48..=53 => OVERRIDE,
         70..=73 => STATE,
-        // Clamps and such (M10, M11), which other machines have.
-        10..=13 | 56 => NOTHING,
+        // Clamps and such (M10, M11), which other machines have; the fan of a printer's board (M106, M107).
+        10..=13 | 56 | 106 | 107 => NOTHING,
         _ => return None,
     })
 }

@@ -32,6 +32,10 @@ const LETTERS: usize = 29;
 pub(crate) struct Gathered {
     /// G codes in tenths, by group.
     pub(crate) g: [Option<i32>; G_GROUPS],
+    /// A code that switches off what is never on.
+    pub(crate) cancels: Option<i32>,
+    /// G80 stands beside another motion.
+    pub(crate) beside_g80: bool,
     /// M codes, by group.
     pub(crate) m: [Option<i32>; M_GROUPS],
     values: [f64; LETTERS],
@@ -74,7 +78,14 @@ pub(crate) const PLACE_WORDS: u32 = AXIS_WORDS | letters(b"@^");
 
 impl Default for Gathered {
     fn default() -> Self {
-        Self { g: [None; G_GROUPS], m: [None; M_GROUPS], values: [0.0; LETTERS], given: 0 }
+        Self {
+            g: [None; G_GROUPS],
+            cancels: None,
+            beside_g80: false,
+            m: [None; M_GROUPS],
+            values: [0.0; LETTERS],
+            given: 0,
+        }
     }
 }
 
@@ -130,14 +141,22 @@ impl Gathered {
         let code = (value * 10.0).round();
         let known = (code / 10.0 - value).abs() < 1e-4 && (0.0..1000.0).contains(&code);
         let code = code as i32;
+        if known && codes::g_cancels(code) {
+            self.cancels = Some(code);
+            return Ok(());
+        }
         let Some(group) = known.then(|| g_group(code)).flatten() else {
             return Err(unknown_g(value, code, known, span));
         };
         match self.g[group].replace(code) {
             // G80 ends a cycle; another motion beside it does so too.
-            Some(800) => Ok(()),
+            Some(800) => {
+                self.beside_g80 |= code != 800;
+                Ok(())
+            }
             Some(other) if code == 800 => {
                 self.g[group] = Some(other);
+                self.beside_g80 = true;
                 Ok(())
             }
             Some(other) if other != code => Err(conflict(&g_name(other), &g_name(code), span)),

@@ -167,7 +167,7 @@ proptest! {
         lines in 1u64..40,
     ) {
         let text = format!("G21 F100\n{}", pieces.join(" "));
-        for dialect in [Dialect::LinuxCnc, Dialect::Generic] {
+        for dialect in [Dialect::LinuxCnc, Dialect::Generic, Dialect::Mach3] {
             for keep_going in [false, true] {
                 let options = Options { dialect, keep_going, ..Options::default() };
                 let whole = run(read("p".into(), text.as_bytes()), options.clone(), u64::MAX);

@@ -57,7 +57,8 @@ pub struct Dialects {
     pub gcode: kerf_gcode::Dialect,
 }
 
-/// `sb3`, `fabmo` or `strict` for OpenSBP; `generic`, `linuxcnc` or `grbl` for G-code. What is to
+/// `sb3`, `fabmo` or `strict` for OpenSBP; `generic`, `linuxcnc`, `grbl`, `grblhal` or
+/// `mach3` for G-code. What is to
 /// the letter in one language is so in the other.
 pub fn dialect(text: &str) -> Result<Dialects, String> {
     use kerf_gcode::Dialect as Gcode;
@@ -67,7 +68,11 @@ pub fn dialect(text: &str) -> Result<Dialects, String> {
         "strict" => (Dialect::Strict, Gcode::LinuxCnc),
         "linuxcnc" => (Dialect::Sb3, Gcode::LinuxCnc),
         "grbl" => (Dialect::Sb3, Gcode::Grbl),
-        _ => return Err("give sb3, fabmo, strict, generic, linuxcnc or grbl".into()),
+        "grblhal" => (Dialect::Sb3, Gcode::GrblHal),
+        "mach3" => (Dialect::Sb3, Gcode::Mach3),
+        _ => {
+            return Err("give sb3, fabmo, strict, generic, linuxcnc, grbl, grblhal or mach3".into());
+        }
     };
     Ok(Dialects { sbp, gcode })
 }

@@ -9,7 +9,7 @@ use anyhow::{Result, bail};
 use kerf_control::event::{ArcEvent, MoveEvent, Place};
 use kerf_control::{Company, Event, Repetitions, Session, Sink, Summary, ToolPathTime, Work};
 use kerf_diag::Severity;
-use kerf_preview::{Finding, Options, Scene, Segment, Shape, TableView, ToolPath};
+use kerf_preview::{Finding, Options, Scene, Segment, Shape, TableView, ToolPath, Trail};
 use kerf_program::settings::{AxisUnit, MM_PER_INCH};
 use kerf_program::{Axis, Settings};
 use std::path::Path;
@@ -42,10 +42,10 @@ impl Format {
 #[derive(Debug)]
 pub struct Picture {
     scene: Scene,
+    /// Its motion.
+    trail: Trail,
     /// Millimetres in the user's unit.
     mm: f64,
-    /// Segments that were cleared away.
-    cleared: usize,
     /// Findings that come again and again.
     again: Repetitions,
 }
@@ -57,7 +57,7 @@ impl Picture {
         Self {
             scene: Scene { title, ..Scene::default() },
             mm: MM_PER_INCH,
-            cleared: 0,
+            trail: Trail::default(),
             again: Repetitions::default(),
         }
     }
@@ -101,18 +101,33 @@ impl Picture {
         let rotary = memory.settings.axis_count > 4
             && memory.settings.axis_unit(Axis::B) == AxisUnit::Degrees;
         if !rotary {
-            self.scene.turns_deg.clear();
+            self.trail.turns_deg.clear();
         }
+        self.tell_thinned();
         self.scene.duration_s = summary.seconds;
         (self.scene.cut_mm, self.scene.jog_mm) = (tally.cut_mm, tally.jog_mm);
         self.scene.bounds = tally.bounds;
         self.scene.lines_executed = summary.lines;
         self.scene.toolpaths = tally.toolpaths.iter().map(|path| self.toolpath(path)).collect();
-        self.scene
+        let Trail { segments, times_s, turns_deg, .. } = self.trail;
+        Scene { segments, times_s, turns_deg, ..self.scene }
+    }
+
+    /// A long program is drawn without its smallest bends.
+    fn tell_thinned(&mut self) {
+        let off_mm = self.trail.tolerance_mm();
+        if off_mm == 0.0 {
+            return;
+        }
+        let (made, drawn) = (self.trail.moves(), self.trail.segments.len());
+        let text = format!(
+            "{made} moves are drawn as {drawn}: bends below {off_mm:.3} mm are left out of the picture"
+        );
+        self.scene.findings.push(Finding { severity: Severity::Note, text, line: 0 });
     }
 
     fn toolpath(&self, path: &ToolPathTime) -> ToolPath {
-        let first_segment = (path.first_move as usize).saturating_sub(self.cleared);
+        let first_segment = self.trail.segment_of(path.first_move as u32);
         let (name, tool) = (path.name.to_string(), path.tool.to_string());
         ToolPath { name, tool, seconds: path.seconds, first_segment }
     }
@@ -120,9 +135,8 @@ impl Picture {
     fn segment(&mut self, made: &MoveEvent, shape: Shape) {
         let point = |p: Place| [p.x * self.mm, p.y * self.mm, p.z * self.mm];
         let (from, to) = (point(made.from), point(made.to));
-        self.scene.segments.push(Segment { kind: made.kind, from, to, shape, line: made.line });
-        self.scene.times_s.push(made.t1 as f32);
-        self.scene.turns_deg.push([made.from.b as f32, made.to.b as f32]);
+        let segment = Segment { kind: made.kind, from, to, shape, line: made.line };
+        self.trail.push(segment, made.t1 as f32, [made.from.b as f32, made.to.b as f32]);
     }
 
     fn arc(&mut self, arc: &ArcEvent) {
@@ -150,12 +164,7 @@ impl Sink for Picture {
             }
             Event::Move(made) => self.segment(made, Shape::Line),
             Event::Arc(arc) => self.arc(arc),
-            Event::Clear { .. } => {
-                self.cleared += self.scene.segments.len();
-                self.scene.segments.clear();
-                self.scene.times_s.clear();
-                self.scene.turns_deg.clear();
-            }
+            Event::Clear { .. } => self.trail.clear(),
             Event::Diag(d) if d.severity != Severity::Note && self.again.is_new(d) => {
                 self.scene.findings.push(Finding {
                     severity: d.severity,

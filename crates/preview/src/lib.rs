@@ -36,11 +36,13 @@ mod scene;
 mod sheet;
 mod svg;
 pub mod timing;
+mod trail;
 
 pub use font::file as font_file;
 pub use options::Options;
 pub use png::PngError;
 pub use scene::{Coloured, FARTHEST_MM, Finding, Scene, Segment, Shape, TableView, ToolPath, Unit};
+pub use trail::Trail;
 
 /// The picture as SVG, one user unit a millimetre.
 pub fn svg(scene: &Scene, options: &Options) -> String {

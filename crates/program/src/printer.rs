@@ -5,7 +5,7 @@
 //! out in silence: it becomes a comment in the text and a [`Lost`] beside it.
 
 use crate::settings::LinearUnit;
-use crate::{At, Sourced};
+use crate::{At, AxisSet, Frame, Sourced};
 
 /// Something that a language has no words for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,6 +42,9 @@ pub struct Hold {
 pub trait Printer {
     /// Writes a command.
     fn command(&mut self, sourced: &Sourced);
+
+    /// Writes where the zero of some axes comes to lie in the machine, wherever the tool stands.
+    fn zero_at(&mut self, at: At, frame: &Frame, axes: AxisSet);
 
     /// Writes a comment into a line of its own.
     fn comment(&mut self, text: &str);

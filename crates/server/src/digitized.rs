@@ -116,6 +116,7 @@ fn with_shape(job: Job, shape: Arc<Shape>) -> (Arc<[u8]>, usize) {
     let mut drawing = job.as_drawing();
     drawing.shapes.push(shape);
     let count = drawing.shapes.len();
+    kerf_drawing::heighten(&mut drawing, count - 1..count);
     let text = kerf_toolpath::write(&job.edited(&drawing));
     (text.into_bytes().into(), count)
 }

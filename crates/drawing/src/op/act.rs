@@ -38,7 +38,9 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
         O::Polyarc { vertices, closed } => {
             outcome.warnings = draw::polyarc(draft, vertices, *closed)?;
         }
-        O::SpaceLine { places, closed } => draw::space_line(draft, places, *closed)?,
+        O::SpaceLine { places, closed } => {
+            outcome.notes = draw::space_line(draft, places, *closed)?;
+        }
         O::Reverse => path::reverse(draft)?,
         O::Directions => outcome.warnings = path::directions(draft),
         O::Start { shape, at } => path::start(draft, *shape, *at)?,

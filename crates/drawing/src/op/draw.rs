@@ -2,7 +2,7 @@
 
 use super::edit::above_zero;
 use super::{OpError, spot};
-use crate::{Editor, Shape};
+use crate::{Editor, Shape, heighten};
 use kerf_geom::{Point2, Polyarc, Vertex};
 
 pub(super) fn circle(draft: &mut Editor, centre: Point2, radius: f64) -> Result<(), OpError> {
@@ -56,24 +56,26 @@ pub(super) fn polyarc(
     Ok(repeated(vertices).map(told).collect())
 }
 
-/// Straight lines with heights. A way straight down is one; the same place again is none.
+/// Straight lines with heights; a single place is a place to drill to its height. A way straight down is one; the same place again is none.
 pub(super) fn space_line(
     draft: &mut Editor,
     places: &[[f64; 3]],
     closed: bool,
-) -> Result<(), OpError> {
-    let mut places = places.to_vec();
+) -> Result<Vec<String>, OpError> {
+    let (given, mut places) = (places.len(), places.to_vec());
     places.dedup();
     if closed && places.len() > 2 && places.first() == places.last() {
         places.pop();
     }
-    if places.len() < 2 {
+    if places.len() < 2 && given > 1 {
         return Err(OpError::SamePlace("all points of the line"));
     }
     let path = Polyarc::lines(places.iter().map(|[x, y, _]| Point2::new(*x, *y)), closed);
     let z_mm = places.iter().map(|[_, _, z]| *z).collect();
+    let number = draft.drawing.shapes.len();
     draft.drawing.add(Shape::with_heights(path, z_mm));
-    Ok(())
+    let made = heighten(&mut draft.drawing, number..number + 1);
+    Ok(made.iter().map(ToString::to_string).collect())
 }
 
 /// Places that are drawn again at once; the last one again says that the line ends there.

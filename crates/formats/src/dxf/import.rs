@@ -55,7 +55,9 @@ pub fn read(bytes: &[u8], options: &Options) -> Imported {
 
 /// The same, until it is given up: then nothing is read.
 pub fn read_until(bytes: &[u8], options: &Options, given_up: &dyn Fn() -> bool) -> Imported {
-    read_with_notes(bytes, options, given_up).0
+    let mut read = read_with_notes(bytes, options, given_up).0;
+    read.heighten();
+    read
 }
 
 /// Reads a DXF file with the comments at its head and in its entities.

@@ -4,10 +4,10 @@ use super::compensation::Compensator;
 use super::probe::Probe;
 use super::state::Modal;
 use super::stepping::Stepping;
-use super::{Dialect, Options, Session, State};
+use super::{Options, Session, State};
 use crate::Program;
-use kerf_program::settings::LinearUnit;
-use kerf_program::{AXES, Answer, Axes, Frame, Settings, Turn};
+use kerf_program::settings::{AxisUnit, LinearUnit};
+use kerf_program::{AXES, Answer, Axes, Axis, Frame, Settings, Turn};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -55,6 +55,9 @@ pub(super) struct Core {
     /// The block at hand was carried out, and holds the program with these words.
     #[serde(default)]
     pub(super) holding: Option<String>,
+    /// The hole of G88 whose retract comes when somebody has answered, and how the spindle turns then.
+    #[serde(default)]
+    pub(super) retracting: Option<(super::cycles::Hole, Turn)>,
     /// Answers given in the present block, which begins again for each question; how many of them the
     /// present attempt has taken.
     #[serde(default)]
@@ -87,6 +90,10 @@ pub(super) struct Told {
     pub(super) units: bool,
     pub(super) feed: bool,
     pub(super) console: bool,
+    #[serde(default)]
+    pub(super) behind_cycle: bool,
+    #[serde(default)]
+    pub(super) fan: bool,
     /// A line with a mistake was passed: which motion is in force is not known until one is named.
     pub(super) motion_lost: bool,
 }
@@ -155,6 +162,7 @@ impl Core {
             probing: None,
             changing: false,
             holding: None,
+            retracting: None,
             asked: Vec::new(),
             taken: 0,
             motions: 0,
@@ -176,13 +184,15 @@ impl Core {
         if self.options.keep_modes {
             return;
         }
-        let unit = match self.options.dialect {
-            Dialect::Grbl => LinearUnit::Mm,
-            _ => self.settings.linear_unit,
+        let grbl = self.options.dialect.is_of_grbl();
+        let unit = match grbl {
+            true => LinearUnit::Mm,
+            false => self.settings.linear_unit,
         };
-        let unit_said = self.options.dialect == Dialect::Grbl;
         let turn = self.state.modal.turn;
-        self.state.modal = Modal { unit, unit_said, turn, ..Modal::default() };
+        // grbl wakes up with G21 and G0.
+        let (unit_said, motion) = (grbl, grbl.then_some(0));
+        self.state.modal = Modal { unit, unit_said, turn, motion, ..Modal::default() };
     }
 
     /// Another language may have moved the working zero: the system in force follows.
@@ -271,12 +281,20 @@ impl Core {
             let (sin, cos) = system.rotation_deg.to_radians().sin_cos();
             [sin, cos]
         });
-        let unit = self.state.modal.unit.mm();
-        self.scale = [1.0; AXES];
+        self.scale = Axis::ALL.map(|axis| self.unit_of(axis));
         self.zero = self.working_zero();
         for i in 0..3 {
-            self.scale[i] = unit * self.options.proportion[i];
+            self.scale[i] *= self.options.proportion[i];
             self.zero.0[i] += self.options.temporary_zero_mm[i];
+        }
+    }
+
+    /// Millimetres or degrees of one unit in the file, without the proportions of FP. A, B and C that the
+    /// machine has as linear axes are measured like X.
+    pub(super) fn unit_of(&self, axis: Axis) -> f64 {
+        match self.settings.axis_unit(axis) {
+            AxisUnit::Linear(_) => self.state.modal.unit.mm(),
+            AxisUnit::Degrees => 1.0,
         }
     }
 

@@ -2,7 +2,6 @@
 //!
 //! A cycle is a list of moves along the drilling axis, made at each place.
 
-use super::Dialect;
 use super::context::{Context, Stop};
 use super::state::{FeedMode, Plane};
 use crate::codes::g_name;
@@ -42,8 +41,8 @@ const fn usual_axis() -> usize {
 }
 
 /// One hole.
-#[derive(Clone, Copy, Debug)]
-struct Hole {
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(super) struct Hole {
     code: i32,
     /// Axes of the plane, the drilling one last.
     axes: [usize; 3],
@@ -116,6 +115,11 @@ impl Context<'_> {
             let message = format!("L of a cycle is how often it is made, not {times}");
             return Err(self.fail(Code::OutOfRange, message, "L is a whole number from 1"));
         }
+        if code == 880 && times > 1.0 {
+            let message = "G88 is repeated by L";
+            let hint = "it asks at each hole: write each hole on a line of its own";
+            return Err(self.fail(Code::OutOfRange, message, hint));
+        }
         self.repeat_hole(g, &hole, times as u32, cycle.initial)
     }
 
@@ -143,9 +147,15 @@ impl Context<'_> {
             return Err(self.fail(Code::OutOfRange, message, "a cycle drills down from R"));
         }
         let peck = cycle.q.unwrap_or_default() * self.core.state.modal.unit.mm();
-        if matches!(code, 730 | 830) && peck <= 0.0 {
-            let message = format!("{} without Q", g_name(code));
-            return Err(self.fail(Code::MissingWord, message, "Q is the depth of one peck"));
+        let one_peck = cycle.q == Some(0.0) && self.core.options.dialect.is_lenient();
+        if matches!(code, 730 | 830) && peck <= 0.0 && !one_peck {
+            let name = g_name(code);
+            let message = match cycle.q {
+                None => format!("{name} without Q"),
+                Some(q) => format!("{name} with a Q of {q}"),
+            };
+            let hint = "Q is the depth of one peck, above 0; Q0 is one peck with --dialect generic";
+            return Err(self.fail(Code::MissingWord, message, hint));
         }
         if peck > 0.0 && (r - bottom).abs() / peck > MOST_PECKS {
             return Err(self.fail(
@@ -262,13 +272,17 @@ impl Context<'_> {
                 self.along(hole, MoveKind::Cut, hole.r)?;
                 self.along(hole, MoveKind::Jog, hole.clear)
             }
-            860 | 880 => self.retract_stopped(hole),
+            860 => self.retract_stopped(hole),
+            880 => self.ask_to_retract(hole),
             _ => self.along(hole, MoveKind::Jog, hole.clear),
         }
     }
 
     /// G73 breaks the chip, G83 brings it out.
     fn peck(&mut self, hole: &Hole) -> Result<(), Stop> {
+        if hole.peck <= 0.0 {
+            return self.along(hole, MoveKind::Cut, hole.bottom);
+        }
         let mut depth = hole.below(hole.r, hole.peck);
         while hole.is_above(depth, hole.bottom) {
             self.along(hole, MoveKind::Cut, depth)?;
@@ -285,7 +299,7 @@ impl Context<'_> {
 
     fn spindle_turn(&self, hole: &Hole) -> Result<Turn, Stop> {
         let turn = self.core.state.modal.turn;
-        if turn != Turn::Off || self.core.options.dialect == Dialect::Generic {
+        if turn != Turn::Off || self.core.options.dialect.is_lenient() {
             return Ok(turn);
         }
         let message = format!("{} while the spindle stands", g_name(hole.code));
@@ -305,13 +319,27 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// G86, G88: out with the spindle at rest.
+    /// G88: the spindle stands, and the operator retracts; what is left of the way comes with the answer.
+    fn ask_to_retract(&mut self, hole: &Hole) -> Result<(), Stop> {
+        let turn = self.spindle_turn(hole)?;
+        self.core.retracting = Some((*hole, turn));
+        self.turn_spindle(Turn::Off);
+        self.core.holding = Some("G88: retract by hand, then go on".into());
+        Ok(())
+    }
+
+    /// Behind the answer: what is left of the way out, and the spindle turns again.
+    pub(super) fn retract_by_hand(&mut self) -> Result<(), Stop> {
+        let Some((hole, turn)) = self.core.retracting.take() else { return Ok(()) };
+        self.along(&hole, MoveKind::Jog, hole.clear)?;
+        self.turn_spindle(turn);
+        Ok(())
+    }
+
+    /// G86: out with the spindle at rest.
     fn retract_stopped(&mut self, hole: &Hole) -> Result<(), Stop> {
         let turn = self.spindle_turn(hole)?;
         self.turn_spindle(Turn::Off);
-        if hole.code == 880 {
-            self.emit(Command::Message { text: "G88: retract by hand, then go on".into() });
-        }
         self.along(hole, MoveKind::Jog, hole.clear)?;
         self.turn_spindle(turn);
         Ok(())

@@ -1,11 +1,11 @@
 //! One block, in the order that RS274/NGC lays down (section 3.8, table 8), with LinuxCNC's
 //! additions at the places LinuxCNC gives them.
 
-use super::Dialect;
+use super::Plane;
 use super::context::{Context, Stop};
+use super::controllers;
 use crate::codes::{
-    ARC_DISTANCE, COMPENSATION, DISTANCE, FEED_MODE, IO, MOTION, ONCE, PATH, PLANE, RETURN,
-    SPINDLE, STATE, STOP, SYSTEM, TOOL, TOOL_LENGTH, UNITS, g_name,
+    ARC_DISTANCE, DISTANCE, IO, MOTION, NOTHING, ONCE, PLANE, RETURN, SPINDLE, TOOL, g_name,
 };
 use crate::gathered::{AXIS_WORDS, Gathered, letters};
 use kerf_diag::Code;
@@ -43,8 +43,11 @@ impl Context<'_> {
     }
 
     fn carry_out(&mut self, g: &Gathered) -> Result<(), Stop> {
-        self.need_dialect(g)?;
-        let motion = self.motion_of(g);
+        let motion = match self.motion_of(g) {
+            None => self.behind_a_cycle(g),
+            motion => motion,
+        };
+        self.need_dialect(g, motion)?;
         self.need_use(g, motion)?;
         self.need_axes(g)?;
         self.feed_mode(g);
@@ -97,6 +100,25 @@ impl Context<'_> {
         if wanted { modal } else { None }
     }
 
+    /// The motion of a place alone behind G80: that before the cycle, as on Fanuc and Mach3.
+    fn behind_a_cycle(&mut self, g: &Gathered) -> Option<i32> {
+        let alone = g.has_any(AXIS_WORDS) && !g.axes_taken() && g.g[MOTION].is_none();
+        if !alone || !self.core.options.dialect.is_lenient() {
+            return None;
+        }
+        let motion = self.core.state.modal.before_cycle?;
+        if !std::mem::replace(&mut self.core.told.behind_cycle, true) {
+            let code = g_name(motion);
+            let message =
+                format!("a place behind G80 without a motion: {code} of before the cycle");
+            let hint = format!(
+                "so do Fanuc and Mach3; LinuxCNC and grbl refuse it: write {code} before the place"
+            );
+            self.warn(Code::Unusual, message, hint);
+        }
+        Some(motion)
+    }
+
     fn need_use(&mut self, g: &Gathered, motion: Option<i32>) -> Result<(), Stop> {
         let Some(letter) = g.unused(motion) else { return Ok(()) };
         let still = matches!(motion, None | Some(800));
@@ -116,7 +138,8 @@ impl Context<'_> {
                 "is a code missing, or the letter wrong?",
             )
         };
-        if self.core.options.dialect == Dialect::Generic && !axes {
+        let no_axis = matches!(letter, 'U' | 'V' | 'W');
+        if self.core.options.dialect.is_lenient() && !axes && !no_axis {
             self.warn(Code::UnusedWord, message, hint);
             return Ok(());
         }
@@ -136,38 +159,28 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// What grbl does not have.
-    fn need_dialect(&self, g: &Gathered) -> Result<(), Stop> {
-        if self.core.options.dialect != Dialect::Grbl {
-            return Ok(());
+    /// Refuses what the controller of the dialect refuses.
+    fn need_dialect(&mut self, g: &Gathered, motion: Option<i32>) -> Result<(), Stop> {
+        self.need_fan(g);
+        let plane = match g.g[PLANE] {
+            Some(code) => Plane::of_code(code),
+            None => self.core.state.modal.plane,
+        };
+        match controllers::refuses(self.core.options.dialect, g, motion, plane) {
+            Some(refused) => Err(self.fail(refused.code, refused.what, refused.mend)),
+            None => Ok(()),
         }
-        let lacking = [
-            (MOTION, g.g[MOTION].filter(|m| matches!(m, 50..=53 | 730 | 810..=890))),
-            (ONCE, g.g[ONCE].filter(|m| matches!(m, 520 | 922 | 923))),
-            (COMPENSATION, g.g[COMPENSATION].filter(|c| *c != 400)),
-            (TOOL_LENGTH, g.g[TOOL_LENGTH].filter(|c| *c == 430)),
-            (SYSTEM, g.g[SYSTEM].filter(|c| *c > 590)),
-            (PATH, g.g[PATH].filter(|c| *c != 610)),
-            (RETURN, g.g[RETURN]),
-            (FEED_MODE, g.g[FEED_MODE].filter(|c| *c == 950)),
-            (ARC_DISTANCE, g.g[ARC_DISTANCE].filter(|c| *c == 901)),
-            (UNITS, g.g[UNITS].filter(|c| *c > 210)),
-        ];
-        let g_code = lacking.into_iter().find_map(|(_, code)| code).map(g_name);
-        let m_code = [
-            g.m[STOP].filter(|c| matches!(c, 60 | 98 | 99)),
-            g.m[IO],
-            g.m[TOOL],
-            g.m[SPINDLE].filter(|c| *c == 19),
-            g.m[STATE],
-        ];
-        let m_code = m_code.into_iter().flatten().next().map(|m| format!("M{m}"));
-        let Some(code) = g_code.or(m_code) else { return Ok(()) };
-        Err(self.fail(
-            Code::NotInDialect,
-            format!("grbl has no {code}"),
-            "run it with --dialect linuxcnc",
-        ))
+    }
+
+    /// M106 and M107 switch the fan of a printer's board, where a laser or a relay may hang: told once.
+    fn need_fan(&mut self, g: &Gathered) {
+        let Some(code) = g.m[NOTHING].filter(|m| matches!(m, 106 | 107)) else { return };
+        if !std::mem::replace(&mut self.core.told.fan, true) {
+            let message = format!("M{code} switches nothing here");
+            let hint = "it is the fan of a printer's board; a laser or a relay on it is switched by M3 and M5, or M64 P0 and \
+                        M65 P0";
+            self.warn(Code::Unusual, message, hint);
+        }
     }
 
     fn distance(&mut self, g: &Gathered) {
@@ -184,13 +197,8 @@ impl Context<'_> {
     }
 
     fn plane(&mut self, g: &Gathered) -> Result<(), Stop> {
-        use super::Plane;
         let Some(code) = g.g[PLANE] else { return Ok(()) };
-        let plane = match code {
-            170 => Plane::Xy,
-            180 => Plane::Zx,
-            _ => Plane::Yz,
-        };
+        let plane = Plane::of_code(code);
         if self.core.compensator.is_some() && plane != Plane::Xy {
             return Err(self.not_compensated("another plane"));
         }

@@ -15,6 +15,8 @@ use std::sync::Arc;
 
 /// Bits of [`PlainMove::LETTERS`].
 const AXIS_WORDS: u16 = 0b0000_0011_1111;
+const XY: u16 = 0b11;
+const ABC: u16 = 0b11_1000;
 const IJ: u16 = 1 << I | 1 << J;
 const KR: u16 = 1 << 8 | 1 << 9;
 /// Places in [`PlainMove::LETTERS`].
@@ -77,12 +79,16 @@ struct Road {
     arc_absolute: bool,
     /// Axes that are not switched on.
     idle: u16,
+    /// grbl refuses some moves, which the careful road tells.
+    grbl: bool,
     /// Millimetres of a unit.
     unit: f64,
     /// How many lines of the file lie behind.
     line: u32,
     position: Axes,
     motion: Option<i32>,
+    /// The last of them that was straight.
+    straight: Option<i32>,
     rates: Option<Rates>,
     rpm: f64,
     motions: u64,
@@ -100,10 +106,12 @@ impl Road {
             relative: modal.relative,
             arc_absolute: modal.arc_absolute,
             idle: AXIS_WORDS & u16::MAX.checked_shl(active).unwrap_or(0),
+            grbl: core.options.dialect.is_of_grbl(),
             unit: modal.unit.mm(),
             line,
             position: core.position,
             motion: modal.motion,
+            straight: modal.before_cycle,
             rates: modal.feed,
             rpm: modal.rpm,
             motions: 0,
@@ -115,7 +123,8 @@ impl Road {
         let named = plain.motion < PlainMove::MODAL;
         let motion = if named { i32::from(plain.motion) * 10 } else { self.motion? };
         let given = plain.given;
-        if given & self.idle != 0 || given & AXIS_WORDS == 0 {
+        let doubtful = self.grbl && (given & ABC != 0 || motion > 10 && given & XY == 0);
+        if doubtful || given & self.idle != 0 || given & AXIS_WORDS == 0 {
             return None;
         }
         let to = self.target(plain);
@@ -125,6 +134,9 @@ impl Road {
             _ => return None,
         };
         (self.rates, self.motion) = (rates, Some(motion));
+        if motion <= 10 {
+            self.straight = Some(motion);
+        }
         self.line += 1;
         let at = At { file: self.file, line: self.line };
         if let Some(rpm) = plain.value(S).filter(|rpm| *rpm != self.rpm) {
@@ -158,7 +170,7 @@ impl Road {
         let (kind, feed) = if jog {
             (MoveKind::Jog, Feed::Axis)
         } else {
-            (MoveKind::Cut, feed::along(rates?, self.position, to))
+            (MoveKind::Cut, feed::along(rates?, &self.settings, self.position, to))
         };
         Some((Command::Line(Line { kind, to, feed }), rates))
     }
@@ -196,6 +208,7 @@ impl Road {
         core.position = self.position;
         let modal = &mut core.state.modal;
         (modal.motion, modal.feed, modal.rpm) = (self.motion, self.rates, self.rpm);
+        modal.before_cycle = self.straight;
         core.lines += u64::from(self.line - first);
         core.motions += self.motions;
         core.settled &= silent;

@@ -4,7 +4,8 @@ use super::context::{Context, Stop};
 use super::state::{FeedMode, Rates};
 use crate::gathered::Gathered;
 use kerf_diag::Code;
-use kerf_program::{Axes, Feed};
+use kerf_program::settings::AxisUnit;
+use kerf_program::{Axes, Axis, Feed, Settings};
 
 impl Rates {
     /// The rates of an F word; `None` for F0.
@@ -13,10 +14,12 @@ impl Rates {
     }
 }
 
-/// The feed of a straight move: F counts along X, Y, Z, or along rotary axes when only they move.
-pub(super) fn along(rates: Rates, from: Axes, to: Axes) -> Feed {
-    let space = (0..3).any(|i| from.0[i] != to.0[i]);
-    Feed::Path(if space { rates.linear } else { rates.rotary } / 60.0)
+/// The feed of a straight move: F counts along X, Y, Z and other linear axes, or along rotary axes when only
+/// they move.
+pub(super) fn along(rates: Rates, settings: &Settings, from: Axes, to: Axes) -> Feed {
+    let is_linear = |axis: Axis| settings.axis_unit(axis) != AxisUnit::Degrees;
+    let linear = Axis::ALL.into_iter().any(|axis| from[axis] != to[axis] && is_linear(axis));
+    Feed::Path(if linear { rates.linear } else { rates.rotary } / 60.0)
 }
 
 impl Context<'_> {
@@ -39,10 +42,12 @@ impl Context<'_> {
         let modal = &self.core.state.modal;
         let Some(rates) = modal.feed else { return self.no_feed() };
         match modal.feed_mode {
-            FeedMode::PerMinute => Ok(along(rates, from, to)),
+            FeedMode::PerMinute => Ok(along(rates, &self.core.settings, from, to)),
             FeedMode::Inverse => Ok(Feed::Time(60.0 / rates.rotary)),
             FeedMode::PerTurn if modal.rpm > 0.0 => {
-                let Feed::Path(per_turn) = along(rates, from, to) else { return Ok(Feed::Axis) };
+                let Feed::Path(per_turn) = along(rates, &self.core.settings, from, to) else {
+                    return Ok(Feed::Axis);
+                };
                 Ok(Feed::Path(per_turn * modal.rpm))
             }
             FeedMode::PerTurn => {

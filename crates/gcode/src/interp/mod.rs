@@ -18,6 +18,7 @@ mod arc;
 mod comments;
 mod compensation;
 mod context;
+mod controllers;
 mod core;
 mod cycles;
 mod execute;

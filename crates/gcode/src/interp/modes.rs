@@ -1,6 +1,5 @@
 //! Codes that set a mode: unit, feed mode, spindle, coolant, overrides, path control, kept modes.
 
-use super::Dialect;
 use super::context::{Context, Stop};
 use super::state::FeedMode;
 use crate::codes::{COOLANT, FEED_MODE, MIST, OVERRIDE, PATH, SPINDLE, STATE, UNITS};
@@ -224,7 +223,7 @@ impl Context<'_> {
             return;
         }
         let options = &self.core.options;
-        if options.dialect == Dialect::Grbl || options.keep_modes || options.unit_known {
+        if options.dialect.is_of_grbl() || options.keep_modes || options.unit_known {
             return;
         }
         let (name, code, other) = match self.core.state.modal.unit {

@@ -24,7 +24,11 @@ impl Context<'_> {
             return Err(self.fail(Code::MissingWord, "G5.2 without G5.3", "G5.3 ends the curve"));
         }
         self.core.told.motion_lost = false;
-        self.core.state.modal.motion = (motion != 800).then_some(motion);
+        let modal = &mut self.core.state.modal;
+        modal.motion = (motion != 800).then_some(motion);
+        if matches!(motion, 0 | 10) {
+            modal.before_cycle = Some(motion);
+        }
         let place = letters(b"@^") | AXIS_WORDS;
         let goes = g.has_any(place) && !g.axes_taken();
         if goes || matches!(motion, 20 | 30) {
@@ -50,6 +54,9 @@ impl Context<'_> {
         match motion {
             0 if goes => self.straight(g, MoveKind::Jog),
             10 if goes => self.straight(g, MoveKind::Cut),
+            20 | 30 if g.g[MOTION].is_some() && !goes && !g.has_any(letters(b"IJKR")) => {
+                self.arc_without_words(motion)
+            }
             20 | 30 if goes || g.has_any(letters(b"IJKR")) => {
                 self.arc(&ArcWords::of(g, motion == 20), g)
             }
@@ -60,6 +67,17 @@ impl Context<'_> {
             730 | 810..=890 => self.cycle(g, motion),
             _ => Ok(()),
         }
+    }
+
+    /// A bare G2 or G3: only the mode is set, if anything.
+    fn arc_without_words(&mut self, motion: i32) -> Result<(), Stop> {
+        let message = format!("{} without a place or a centre", g_name(motion));
+        let hint = "an arc names its end and I, J or R, as in G2 X10 Y0 I5";
+        if !self.core.options.dialect.is_lenient() {
+            return Err(self.fail(Code::MissingWord, message, hint));
+        }
+        self.warn(Code::Unusual, message, hint);
+        Ok(())
     }
 
     fn straight(&mut self, g: &Gathered, kind: MoveKind) -> Result<(), Stop> {
@@ -100,8 +118,7 @@ impl Context<'_> {
         let mut to = self.core.position;
         for axis in Axis::ALL {
             if let Some(value) = g.get(axis.letter() as u8) {
-                let unit = if axis.index() < 3 { self.core.state.modal.unit.mm() } else { 1.0 };
-                to[axis] = value * unit;
+                to[axis] = value * self.core.unit_of(axis);
             }
         }
         Ok(to)

@@ -1,11 +1,22 @@
 //! Where zero is: G10, G28, G30, G43, G49, G52 … G59.3, G92.
 
 use super::context::{Context, Stop};
-use super::state::Tool;
+use super::state::{CoordinateSystem, Tool};
 use crate::codes::{ONCE, SYSTEM, TOOL_LENGTH};
 use crate::gathered::{AXIS_WORDS, Gathered};
 use kerf_diag::Code;
 use kerf_program::{Axes, Axis, MoveKind};
+
+/// The way the offset of a tool is told.
+#[derive(Clone, Copy, Debug)]
+enum Measured {
+    /// L1: the offset itself.
+    Given,
+    /// L10: the present place reads the values with this tool.
+    Here,
+    /// L11: the present place reads them in G59.3 without G92, where a fixture measures tools.
+    InLastSystem,
+}
 
 impl Context<'_> {
     /// G54 … G59.3.
@@ -30,7 +41,7 @@ impl Context<'_> {
             Some(431) => {
                 let mut offset = self.core.state.tool_offset;
                 for (axis, value) in self.given(g) {
-                    offset[axis] = value * self.unit_of(axis);
+                    offset[axis] = value * self.core.unit_of(axis);
                 }
                 offset
             }
@@ -58,11 +69,6 @@ impl Context<'_> {
     /// The axis words of a block.
     fn given(&self, g: &Gathered) -> Vec<(Axis, f64)> {
         Axis::ALL.into_iter().filter_map(|a| Some((a, g.get(a.letter() as u8)?))).collect()
-    }
-
-    /// Millimetres or degrees of one unit, without the proportions of FP.
-    fn unit_of(&self, axis: Axis) -> f64 {
-        if axis.index() < 3 { self.core.state.modal.unit.mm() } else { 1.0 }
     }
 
     /// Millimetres or degrees of one unit as the words of a move count it: with the proportions of FP.
@@ -126,8 +132,9 @@ impl Context<'_> {
         match g.or_zero(b'L') {
             2.0 => self.set_system(g, false),
             20.0 => self.set_system(g, true),
-            1.0 => self.set_tool(g, false),
-            10.0 | 11.0 => self.set_tool(g, true),
+            1.0 => self.set_tool(g, Measured::Given),
+            10.0 => self.set_tool(g, Measured::Here),
+            11.0 => self.set_tool(g, Measured::InLastSystem),
             other => {
                 let message = format!("G10 L{other} is not known");
                 Err(self.fail(
@@ -155,34 +162,45 @@ impl Context<'_> {
             system.rotation_deg = self.core.turn_of(rotation);
         }
         if present {
-            // The offset at which the present place reads the values.
-            let (sin, cos) = system.rotation_deg.to_radians().sin_cos();
-            let state = &self.core.state;
-            let mut reading = self.core.place_of(self.core.position);
-            for (axis, value) in self.given(g) {
-                reading[axis] = value * self.scale_of(axis);
-            }
-            let local = reading.plus(state.shift);
-            let mut turned = local;
-            turned.0[0] = local.0[0] * cos - local.0[1] * sin;
-            turned.0[1] = local.0[0] * sin + local.0[1] * cos;
-            // Where FP lays the file is no part of the system.
-            let [x, y, z] = self.core.options.temporary_zero_mm;
-            let wanted = self.core.position.minus(turned).minus(state.tool_offset);
-            let wanted = wanted.minus(Axes::xyz(x, y, z));
-            for (axis, _) in self.given(g) {
-                system.offset[axis] = wanted[axis];
-            }
+            self.read_here(g, &mut system);
         } else {
             for (axis, value) in self.given(g) {
-                system.offset[axis] = value * self.unit_of(axis);
+                system.offset[axis] = value * self.core.unit_of(axis);
             }
         }
         self.core.state.systems[index.min(8)] = system;
         Ok(())
     }
 
-    fn set_tool(&mut self, g: &Gathered, present: bool) -> Result<(), Stop> {
+    /// Moves a system so that the present place reads the values given. In a turned one X and Y of its zero go
+    /// together: what is not given reads as before.
+    fn read_here(&self, g: &Gathered, system: &mut CoordinateSystem) {
+        let state = &self.core.state;
+        // Where FP lays the file is no part of the system.
+        let [x, y, z] = self.core.options.temporary_zero_mm;
+        let place = self.core.position.minus(state.tool_offset).minus(Axes::xyz(x, y, z));
+        let mut local = system.unturn(place.minus(system.offset));
+        let given = self.given(g);
+        for (axis, value) in &given {
+            local[*axis] = value * self.scale_of(*axis) + state.shift[*axis];
+        }
+        let wanted = place.minus(system.turn(local));
+        let turned = system.rotation_deg != 0.0 && given.iter().any(|(axis, _)| axis.index() < 2);
+        for axis in Axis::ALL {
+            if given.iter().any(|(a, _)| *a == axis) || turned && axis.index() < 2 {
+                system.offset[axis] = wanted[axis];
+            }
+        }
+    }
+
+    /// The present place as G59.3 reads it, without tool and G92: a tool is measured there with G10 L11.
+    fn place_of_last_system(&self) -> Axes {
+        let system = self.core.state.systems[8];
+        let [x, y, z] = self.core.options.temporary_zero_mm;
+        system.unturn(self.core.position.minus(system.offset).minus(Axes::xyz(x, y, z)))
+    }
+
+    fn set_tool(&mut self, g: &Gathered, how: Measured) -> Result<(), Stop> {
         let p = g.or_zero(b'P');
         if p.fract() != 0.0 || !(1.0..1e6).contains(&p) {
             let message = "G10 L1 and L10 need the number of a tool";
@@ -197,11 +215,13 @@ impl Context<'_> {
             offset: Axes::default(),
         });
         let place = self.core.place_of(self.core.position);
+        let fixture = self.place_of_last_system();
         for (axis, value) in self.given(g) {
-            tool.offset[axis] = if present {
-                self.core.state.tool_offset[axis] + place[axis] - value * self.scale_of(axis)
-            } else {
-                value * self.unit_of(axis)
+            let reading = value * self.scale_of(axis);
+            tool.offset[axis] = match how {
+                Measured::Given => value * self.core.unit_of(axis),
+                Measured::Here => self.core.state.tool_offset[axis] + place[axis] - reading,
+                Measured::InLastSystem => fixture[axis] - reading,
             };
         }
         if let Some(radius) = g.get(b'R') {

@@ -11,18 +11,45 @@ pub enum Dialect {
     /// LinuxCNC: everything.
     #[default]
     LinuxCnc,
-    /// grbl: millimetres unless said otherwise, no cycles, no compensation, lines with `$`.
+    /// grbl 1.1: millimetres unless said otherwise, no cycles, no compensation, lines with `$`.
     Grbl,
+    /// grblHAL: grbl with cycles, expressions, O-words, tools, more axes.
+    GrblHal,
+    /// Mach3: doubtful blocks only give warnings; no O-words, no named parameters.
+    Mach3,
     /// Any router: everything, and doubtful blocks only give warnings.
     Generic,
 }
 
 impl Dialect {
-    /// The name people use.
+    /// Whether doubtful blocks only give warnings.
+    pub const fn is_lenient(self) -> bool {
+        matches!(self, Self::Generic | Self::Mach3)
+    }
+
+    /// Whether it reads as grbl and its descendants do: millimetres, G0 at the start, lines with `$`.
+    pub const fn is_of_grbl(self) -> bool {
+        matches!(self, Self::Grbl | Self::GrblHal)
+    }
+
+    /// The controller's name as its makers write it.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::LinuxCnc => "LinuxCNC",
+            Self::Grbl => "grbl",
+            Self::GrblHal => "grblHAL",
+            Self::Mach3 => "Mach3",
+            Self::Generic => "a router",
+        }
+    }
+
+    /// The name in options.
     pub const fn name(self) -> &'static str {
         match self {
             Self::LinuxCnc => "linuxcnc",
             Self::Grbl => "grbl",
+            Self::GrblHal => "grblhal",
+            Self::Mach3 => "mach3",
             Self::Generic => "generic",
         }
     }

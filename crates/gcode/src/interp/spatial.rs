@@ -4,7 +4,6 @@
 //! G17, G18 or G19 fits (Profiler notes, 6). The arc turns about the normal of the plane through
 //! start, centre and end, taken so that it looks the same way as the axis of the plane in force.
 
-use super::Dialect;
 use super::arc::{ArcWords, chords_within};
 use super::context::{Context, Stop};
 use kerf_diag::Code;
@@ -90,7 +89,7 @@ impl Context<'_> {
     /// The arc in space that words mean which are none in the plane in force; nothing when they may be.
     pub(super) fn spatial(&self, words: &ArcWords, to: Axes) -> Result<Option<Spatial>, Stop> {
         let Some(offsets) = words.all_offsets() else { return Ok(None) };
-        if self.core.options.dialect != Dialect::Generic || self.core.compensator.is_some() {
+        if !self.core.options.dialect.is_lenient() || self.core.compensator.is_some() {
             return Ok(None);
         }
         let proportion = self.core.options.proportion;

@@ -19,6 +19,15 @@ pub enum Plane {
 }
 
 impl Plane {
+    /// The plane of G17, G18 or G19, in tenths.
+    pub(super) const fn of_code(code: i32) -> Self {
+        match code {
+            180 => Self::Zx,
+            190 => Self::Yz,
+            _ => Self::Xy,
+        }
+    }
+
     /// Indices of the first, second and third axis: the third is the one that drills, and turning
     /// from the first to the second is counter-clockwise.
     pub const fn axes(self) -> [usize; 3] {
@@ -64,6 +73,9 @@ pub struct Rates {
 pub struct Modal {
     /// The motion that a place alone makes, as ten times its G number; `None` after G80.
     pub motion: Option<i32>,
+    /// G0 or G1, whichever was in force before a cycle: on many controls it goes on behind G80.
+    #[serde(default)]
+    pub before_cycle: Option<i32>,
     /// The plane.
     pub plane: Plane,
     /// G91.
@@ -102,6 +114,7 @@ impl Default for Modal {
     fn default() -> Self {
         Self {
             motion: None,
+            before_cycle: None,
             plane: Plane::Xy,
             relative: false,
             arc_absolute: false,
@@ -129,6 +142,27 @@ pub struct CoordinateSystem {
     pub offset: Axes,
     /// How far it is turned about Z, degrees.
     pub rotation_deg: f64,
+}
+
+impl CoordinateSystem {
+    /// A displacement of this system as one of the machine frame.
+    pub(super) fn turn(&self, place: Axes) -> Axes {
+        turned(place, self.rotation_deg)
+    }
+
+    /// A displacement of the machine frame as one of this system.
+    pub(super) fn unturn(&self, place: Axes) -> Axes {
+        turned(place, -self.rotation_deg)
+    }
+}
+
+fn turned(mut place: Axes, degrees: f64) -> Axes {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let [x, y, ..] = place.0;
+    if degrees != 0.0 {
+        (place.0[0], place.0[1]) = (x * cos - y * sin, x * sin + y * cos);
+    }
+    place
 }
 
 /// A tool of the tool table.

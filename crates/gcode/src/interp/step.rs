@@ -1,10 +1,11 @@
 //! One line at a time.
 
 use super::context::{Context, Stop};
+use super::controllers;
 use super::core::{Call, CallKind};
 use super::{Core, Dialect};
 use crate::gathered::{Fault, Gathered};
-use crate::tree::{Block, Node, Program, Span, Value};
+use crate::tree::{Block, Node, Program, Setting, Span, Target, Value};
 use kerf_diag::Code;
 use kerf_program::{At, Command, Host, Sourced, Status, Step};
 use std::sync::Arc;
@@ -80,6 +81,7 @@ impl Core {
         self.beside = None;
         self.probing = None;
         self.holding = None;
+        self.retracting = None;
         self.over = true;
     }
 }
@@ -101,7 +103,7 @@ impl Context<'_> {
         self.core.lines += 1;
         self.go_on_at(self.at.line);
         let outcome = match self.core.holding.clone() {
-            Some(text) => self.hold(&text),
+            Some(text) => self.hold(&text).and_then(|()| self.retract_by_hand()),
             None => self.node(program, node),
         };
         // A block that holds the program is the one at hand until somebody has answered.
@@ -147,15 +149,18 @@ impl Context<'_> {
         self.span = whole_line(program, self.at.line);
         let extra = program.extra_of(&block);
         if let Some(flow) = extra.and_then(|e| e.flow.as_ref()) {
-            self.need_words("O-words")?;
+            self.need_words(controllers::O_WORDS)?;
             self.comments(program, extra)?;
             return self.flow(program, flow);
         }
         let gathered = self.gather(program, &block)?;
         self.begin_tool_change(&gathered)?;
         let settings = match extra {
-            Some(extra) => self.evaluate_settings(program, &extra.settings)?,
-            None => Vec::new(),
+            Some(extra) if !extra.settings.is_empty() => {
+                self.need_words(kind_of(&extra.settings))?;
+                self.evaluate_settings(program, &extra.settings)?
+            }
+            _ => Vec::new(),
         };
         let told = self.out.len();
         self.comments(program, extra)?;
@@ -182,7 +187,7 @@ impl Context<'_> {
             };
             return Ok(Gathered::of(words, value, |_| {}));
         }
-        self.need_words("expressions")?;
+        self.need_words(controllers::EXPRESSIONS)?;
         let mut first = None;
         let gathered = {
             let (core, span) = (&*self.core, self.span);
@@ -207,16 +212,14 @@ impl Context<'_> {
         }
     }
 
-    /// grbl itself has no expressions and no O-words.
+    /// grbl itself has no expressions and no O-words, Mach3 no O-words.
     fn need_words(&self, what: &str) -> Result<(), Stop> {
-        if self.core.options.dialect != Dialect::Grbl {
+        let dialect = self.core.options.dialect;
+        if !controllers::lacks_words(dialect, what) {
             return Ok(());
         }
-        Err(self.fail(
-            Code::NotInDialect,
-            format!("grbl has no {what}"),
-            "run it with --dialect linuxcnc",
-        ))
+        let message = format!("{} has no {what}", dialect.title());
+        Err(self.fail(Code::NotInDialect, message, "run it with --dialect linuxcnc"))
     }
 
     /// `%`: the first line of a file, or its end.
@@ -268,6 +271,12 @@ fn is_comment(program: &Program, node: Node) -> bool {
         b.words.0 == b.words.1
             && program.extra_of(b).is_none_or(|e| e.settings.is_empty() && e.flow.is_none())
     })
+}
+
+/// The kind of parameters that a line sets.
+fn kind_of(settings: &[Setting]) -> &'static str {
+    let named = settings.iter().any(|setting| matches!(setting.target, Target::Named(_)));
+    if named { controllers::NAMED } else { controllers::NUMBERED }
 }
 
 /// The code of a line, blanks around it left out.

@@ -3,7 +3,7 @@
 use super::compact::Compact;
 use super::expression::Reader;
 use super::file::File;
-use super::foreign::looks_like_opensbp;
+use super::foreign::{looks_like_fanuc, looks_like_opensbp};
 use crate::gathered::{Fault, Gathered};
 use crate::tree::{Block, Extra, Node, Setting, Span, Target, Value, Word};
 use kerf_diag::{Code, Severity};
@@ -25,7 +25,11 @@ impl File {
     }
 
     fn bad(&mut self, mut fault: Fault, text: &str) -> Node {
-        if looks_like_opensbp(text) {
+        let fanuc = looks_like_fanuc(text.trim_start_matches(['/', ' ', '\t']));
+        if fanuc {
+            fault.message = "this is Fanuc's macro language".into();
+            fault.hint = "Kerf knows LinuxCNC's: O100 while [#1 LT 5] … O100 endwhile, O101 if [#1 EQ 2] … O101 endif".into();
+        } else if looks_like_opensbp(text) {
             self.is_foreign();
             fault.hint = "this looks like a line of OpenSBP; part files end in .sbp".into();
         }
@@ -186,6 +190,10 @@ impl Reader<'_> {
         }
         self.at += 1;
         let value = self.expect_primary(0)?;
+        if !self.is_at_end() && matches!(self.peek(), b'+' | b'-' | b'*' | b'/') {
+            let fault = self.fault_from(start, Code::BadBlock, "a calculation without brackets");
+            return Err(fault.hint("calculations stand in brackets: #1 = [#1 + 1]"));
+        }
         Ok(Setting { target, value, span: self.compact.span(start, self.at) })
     }
 }

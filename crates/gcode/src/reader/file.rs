@@ -1,7 +1,7 @@
 //! What is gathered while a file is read.
 
 use super::compact::Compact;
-use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, foreign, is_blank, link, moves};
+use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, ends, foreign, is_blank, link, moves};
 use crate::expr::Expr;
 use crate::gathered::Fault;
 use crate::lines::Lines;
@@ -83,6 +83,8 @@ impl File {
         match first {
             b'%' => return self.percent(text),
             b'$' => return Node::Console,
+            // Senders ask a controller for its state by these, and stop and start it.
+            b'?' | b'!' | b'~' if text.trim().len() == 1 => return Node::Console,
             _ => {}
         }
         let mut compact = std::mem::take(&mut self.compact);
@@ -191,7 +193,11 @@ impl File {
             subs: BTreeMap::new(),
             diagnostics: Vec::new(),
         };
-        program.diagnostics = characters(&program, self.diagnostics);
+        let found = match ends::last_line(&program) {
+            Some(end) => ends::never_reached(self.diagnostics, end),
+            None => self.diagnostics,
+        };
+        program.diagnostics = characters(&program, found);
         link::link(&mut program);
         foreign::judge(&mut program, foreign);
         program

@@ -3,10 +3,26 @@
 use crate::tree::{Node, Program};
 use kerf_diag::{Code, Diagnostic, Place};
 
+/// Whether a line is one of Fanuc's macro language: a condition in brackets, a jump to a line's number.
+pub fn looks_like_fanuc(line: &str) -> bool {
+    let line: String = line.chars().filter(|c| !c.is_whitespace()).take(40).collect();
+    let line = line.to_ascii_uppercase();
+    let numbered = |word: &str| {
+        let rest = line.strip_prefix(word).unwrap_or_default();
+        rest.starts_with(|c: char| c.is_ascii_digit())
+    };
+    line.starts_with("IF[")
+        || line.starts_with("WHILE[")
+        || ["GOTO", "END", "DO"].into_iter().any(numbered)
+}
+
 /// Whether a line is OpenSBP and surely no G-code: a command with commas, a comment behind an
 /// apostrophe, a variable, a statement.
 pub fn looks_like_opensbp(line: &str) -> bool {
     let line = line.trim();
+    if looks_like_fanuc(line) {
+        return false;
+    }
     let bytes = line.as_bytes();
     match bytes {
         [b'\'' | b'&', ..] => return true,

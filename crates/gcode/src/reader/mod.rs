@@ -12,6 +12,7 @@
 
 mod block;
 mod compact;
+mod ends;
 mod expression;
 mod file;
 mod flow;

@@ -97,6 +97,8 @@ pub struct Writer<'a> {
     settings: Arc<Settings>,
     frame: Frame,
     position: Axes,
+    /// The zero of G54, machine frame; what the working zero is off it is the shift of G92.
+    system: Axes,
     /// The place as it was last written, so that no word is repeated.
     written: [Option<String>; kerf_program::AXES],
     /// The motion word in force.
@@ -127,6 +129,7 @@ impl<'a> Writer<'a> {
             settings: writing.settings.clone(),
             frame: writing.frame,
             position: writing.position,
+            system: writing.frame.working_zero,
             written: Default::default(),
             motion: "",
             plane: "G17",
@@ -273,6 +276,25 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// G10 L2: the system's zero, so that the shift of G92 above it stays.
+    fn locate_in_machine(&mut self, frame: &Frame, axes: AxisSet) {
+        let mut text = String::from("G10 L2 P1");
+        for axis in axes.iter() {
+            if self.lacks(axis.index()) {
+                continue;
+            }
+            let moved = frame.working_zero[axis] - self.frame.working_zero[axis];
+            self.system[axis] += moved;
+            self.frame.working_zero[axis] = frame.working_zero[axis];
+            let word = self.value(axis.index(), self.system[axis]);
+            let _ = write!(text, " {}{word}", axis.letter());
+            self.written[axis.index()] = None;
+        }
+        if text != "G10 L2 P1" {
+            self.line(&text);
+        }
+    }
+
     fn path_control(&mut self, path: PathControl) {
         let unit = self.writing.unit.mm();
         let word = |letter: char, mm: Option<f64>| {
@@ -286,7 +308,7 @@ impl<'a> Writer<'a> {
                 let text = format!("G64{}{}", word('P', tolerance_mm), word('Q', merge));
                 self.line(&text);
             }
-            PathControl::Blend { .. } if !self.is_grbl() => self.line("G64"),
+            PathControl::Blend { .. } if !self.writing.dialect.is_of_grbl() => self.line("G64"),
             PathControl::Blend { tolerance_mm: None, .. } => {}
             PathControl::ExactStop | PathControl::Blend { .. } => {
                 self.unsaid("how closely the path is followed");
@@ -334,6 +356,11 @@ impl Printer for Writer<'_> {
             self.change(words);
         }
         self.write(&sourced.command);
+    }
+
+    fn zero_at(&mut self, at: At, frame: &Frame, axes: AxisSet) {
+        self.at = at;
+        self.locate_in_machine(frame, axes);
     }
 
     fn comment(&mut self, text: &str) {

@@ -2,14 +2,14 @@
 
 use super::Writer;
 use kerf_geom::{Arc2, Point2};
-use kerf_program::settings::{AxisUnit, PerGroup};
+use kerf_program::settings::{AxisUnit, LinearUnit, PerGroup};
 use kerf_program::{AXES, Arc, Axes, Axis, Chorded, Feed, Line, MoveKind, decimal, length_places};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
 impl Writer<'_> {
-    fn value(&self, axis: usize, internal: f64) -> String {
-        let unit = if axis < 3 { self.writing.unit.mm() } else { 1.0 };
+    pub(super) fn value(&self, axis: usize, internal: f64) -> String {
+        let unit = if self.is_linear(Axis::ALL[axis]) { self.writing.unit.mm() } else { 1.0 };
         decimal(internal / unit, length_places(self.writing.unit))
     }
 
@@ -24,12 +24,20 @@ impl Writer<'_> {
         self.is_grbl() && axis >= 3
     }
 
-    /// G-code measures A, B and C in degrees.
+    fn is_linear(&self, axis: Axis) -> bool {
+        self.settings.axis_unit(axis) != AxisUnit::Degrees
+    }
+
+    /// Most controllers take A, B and C for degrees.
     fn doubt_unit(&mut self, axis: Axis) {
-        let linear = axis.index() >= 3 && self.settings.axis_unit(axis) != AxisUnit::Degrees;
+        let linear = axis.index() >= 3 && self.is_linear(axis);
         if linear && !std::mem::replace(&mut self.linear_told, true) {
+            let unit = match self.writing.unit {
+                LinearUnit::Inch => "inches",
+                LinearUnit::Mm => "millimetres",
+            };
             let letter = axis.letter();
-            self.unsaid(format!("that {letter} is a linear axis: its words are millimetres"));
+            self.unsaid(format!("that {letter} is a linear axis: its words are {unit}"));
         }
     }
 
@@ -82,6 +90,11 @@ impl Writer<'_> {
         self.line(format!("{code}{words}").trim_start());
     }
 
+    /// Whether an arc names its end; grbl wants that of a whole turn too.
+    fn names_end(&self, is_turn: bool) -> bool {
+        !is_turn || self.is_grbl()
+    }
+
     /// The block of an arc; the plane is written when it changes.
     fn arc_block(&mut self, plane: &'static str, motion: &'static str, words: &str) {
         let changed = std::mem::replace(&mut self.plane, plane) != plane;
@@ -132,7 +145,7 @@ impl Writer<'_> {
         let length = Point2::new(from.0[0], from.0[1])
             .distance(Point2::new(arc.centre[0], arc.centre[1]))
             * sweep.abs();
-        let place = self.place(arc.to, (!is_turn).then_some([0, 1]));
+        let place = self.place(arc.to, self.names_end(is_turn).then_some([0, 1]));
         let feed = match arc.feed {
             Feed::Time(s) => Feed::Time(s * length / whole_length.max(1e-9)),
             feed => feed,
@@ -162,7 +175,7 @@ impl Writer<'_> {
         }
         let offset = [0, 1].map(|n| arc.centre[n] - from.0[arc.axes[n]]);
         let length = offset[0].hypot(offset[1]) * arc.sweep_rad.abs();
-        let place = self.place(arc.to, (!closed).then_some(arc.axes));
+        let place = self.place(arc.to, self.names_end(closed).then_some(arc.axes));
         let [a, b] = [(u, offset[0]), (v, offset[1])].map(|(axis, offset)| {
             let letter = char::from(b"IJK"[axis]);
             (axis, format!(" {letter}{}", self.value(axis, offset)))
@@ -194,7 +207,8 @@ impl Writer<'_> {
     fn feed(&mut self, feed: Feed, kind: MoveKind, xy: f64, delta: Axes) -> String {
         let space = xy.hypot(delta.0[2]);
         let turned = delta.0[3].hypot(delta.0[4]).hypot(delta.0[5]);
-        let unit = if space > 0.0 { self.writing.unit.mm() } else { 1.0 };
+        let linear = Axis::ALL.into_iter().any(|a| delta[a] != 0.0 && self.is_linear(a));
+        let unit = if xy > 0.0 || linear { self.writing.unit.mm() } else { 1.0 };
         let speed = match feed {
             Feed::Time(seconds) => return self.inverse(seconds),
             Feed::Path(speed) => speed,

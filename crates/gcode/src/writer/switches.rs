@@ -71,7 +71,12 @@ impl Writer<'_> {
             self.line("M9");
         }
         for (i, word) in ["M7", "M8"].into_iter().enumerate() {
-            if wanted[i] && (ends || !before[i]) {
+            if !wanted[i] || before[i] && !ends {
+                continue;
+            }
+            if word == "M7" && self.is_grbl() {
+                self.unsaid("mist (M7): grbl has it only where it was built with it; --to grblhal writes it");
+            } else {
                 self.line(word);
             }
         }

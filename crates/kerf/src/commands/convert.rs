@@ -128,6 +128,10 @@ enum Controller {
     Linuxcnc,
     /// grbl 1.1
     Grbl,
+    /// grblHAL
+    Grblhal,
+    /// Mach3
+    Mach3,
     /// Any router: only what all agree on
     Generic,
 }
@@ -137,6 +141,8 @@ impl Controller {
         match self {
             Self::Linuxcnc => Dialect::LinuxCnc,
             Self::Grbl => Dialect::Grbl,
+            Self::Grblhal => Dialect::GrblHal,
+            Self::Mach3 => Dialect::Mach3,
             Self::Generic => Dialect::Generic,
         }
     }

@@ -46,7 +46,11 @@ pub fn open(files: &[impl AsRef<Path>], reading: &Reading) -> Result<Drawing> {
         let read = read(file.as_ref(), reading)?;
         match &mut all {
             None => all = Some(read),
-            Some(first) => first.shapes.extend(read.shapes),
+            Some(first) => {
+                let before = first.shapes.len();
+                first.shapes.extend(read.shapes);
+                tell_heights(file.as_ref(), first, before);
+            }
         }
     }
     Ok(all.unwrap_or_default())
@@ -71,12 +75,22 @@ fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
     };
     tell(file, &read);
     if reading.layers {
+        read.drawing.groups = Drawing::default().groups;
         group_by_layer(file, &mut read);
+        tell_heights(file, &mut read.drawing, 0);
     }
     if read.drawing.shapes.is_empty() {
         nothing_read(file, &read.findings)?;
     }
     Ok(read.drawing)
+}
+
+/// Shapes from a place on that have heights of their own get a group that is 3D, and it is told.
+fn tell_heights(file: &Path, drawing: &mut Drawing, from: usize) {
+    let all = from..drawing.shapes.len();
+    for made in kerf_drawing::heighten(drawing, all) {
+        eprintln!("{}: note: {made}", file.display());
+    }
 }
 
 /// Refuses a file of which nothing is left, where that is not as it should be.

@@ -18,8 +18,8 @@ mod tests;
 use crate::table::settings_lines;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
-    At, Axes, ChangeWords, Changing, Command, Frame, Hold, Lost, PathControl, Printer, Settings,
-    Sourced, ToolPathStart, Written,
+    At, Axes, AxisSet, ChangeWords, Changing, Command, Frame, Hold, Lost, PathControl, Printer,
+    Settings, Sourced, ToolPathStart, Written,
 };
 use places::Places;
 use std::sync::Arc;
@@ -284,6 +284,12 @@ impl Printer for SbpPrinter<'_> {
         if !matches!(sourced.command, Command::ToolPath(_)) {
             self.named = None;
         }
+    }
+
+    fn zero_at(&mut self, at: At, frame: &Frame, axes: AxisSet) {
+        self.at = at;
+        self.write_settings();
+        self.locate_in_machine(frame, axes);
     }
 
     fn comment(&mut self, text: &str) {

@@ -70,6 +70,20 @@ impl SbpPrinter<'_> {
         let text = fields("VA", &named[..5]);
         self.line(&text);
     }
+
+    /// The present place is called by what it is in the table base coordinates, which the program does not move:
+    /// `%(1)+%(6)` is where the tool stands in them.
+    pub(super) fn locate_in_machine(&mut self, frame: &Frame, axes: AxisSet) {
+        self.lower();
+        let mut named: [Option<String>; AXES] = Default::default();
+        for axis in axes.iter().filter(|axis| axis.index() < 5) {
+            let ahead = self.places.zero_at(axis, frame);
+            let number = axis.index() + 1;
+            named[axis.index()] = Some(format!("%({number})+%({}){ahead}", number + 5));
+        }
+        let text = fields("VA", &named[..5]);
+        self.line(&text);
+    }
 }
 
 /// A move of the axes that have values: MX for one, M2 … M6 for several.

@@ -1,6 +1,7 @@
 //! Where the machine is, and which values of it were written.
 
 use super::Printing;
+use kerf_program::settings::AxisUnit;
 use kerf_program::{AXES, Axes, Axis, Command, Frame, Settings, decimal, length_places};
 use std::sync::Arc;
 
@@ -44,7 +45,11 @@ impl Places {
         if axis.index() < 3 {
             return self.length(internal);
         }
-        decimal(internal / self.settings.axis_scale(axis), DEGREE_PLACES)
+        let places = match self.settings.axis_unit(axis) {
+            AxisUnit::Linear(unit) => length_places(unit),
+            AxisUnit::Degrees => DEGREE_PLACES,
+        };
+        decimal(internal / self.settings.axis_scale(axis), places)
     }
 
     /// A place as working values.
@@ -71,6 +76,14 @@ impl Places {
     /// Counts values as written.
     pub(super) fn wrote(&mut self, axis: Axis, value: String) {
         self.written[axis.index()] = Some(value);
+    }
+
+    /// Moves the zero of an axis, and tells how far table base is ahead of it, with its sign.
+    pub(super) fn zero_at(&mut self, axis: Axis, frame: &Frame) -> String {
+        self.frame.working_zero[axis] = frame.working_zero[axis];
+        self.written[axis.index()] = None;
+        let ahead = self.value(axis, self.frame.base_zero[axis] - frame.working_zero[axis]);
+        if ahead.starts_with('-') { ahead } else { format!("+{ahead}") }
     }
 
     /// The owner's file ran: the tool may be at its safe height.

@@ -189,6 +189,13 @@ pub(super) fn is_opensbp(line: &str, commands: &CommandIndex) -> bool {
     let end = line.bytes().position(|b| !(b.is_ascii_alphanumeric() || b == b'_'));
     let (word, rest) = line.split_at(end.unwrap_or(line.len()));
     let separated = rest.is_empty() || rest.starts_with([',', ' ', '\t']);
+    // Fanuc's IF [#1 LT 5] GOTO 10 is refused as what it is.
+    let fanuc = rest.trim_matches(text::blank);
+    if fanuc.starts_with('[')
+        || word.eq_ignore_ascii_case("GOTO") && fanuc.starts_with(|c: char| c.is_ascii_digit())
+    {
+        return false;
+    }
     Keyword::find(word).is_some()
         || separated && commands.find(word).is_some()
         || word.eq_ignore_ascii_case("CN") && rest.starts_with(',')

@@ -21,13 +21,17 @@ use kerf_geom::{Arc2, Point2, Vec2};
 use kerf_program::{Axes, Command, Feed, Line, MoveKind, Sourced};
 use piece::{Piece, Shape, TINY_MM, crossing, with_xy, xy};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::{PI, TAU};
 
 /// Corners that turn by less are no corners, radians (LinuxCNC's tolerance). The tool cuts them by
 /// at most 0.03% of its radius.
 const STRAIGHT_RAD: f64 = 0.05;
-/// Paths that turn round by this much less than half a turn go back over themselves, radians: there is
-/// no inside, and the tool goes round the end. A guess; rounding is far below it.
+/// Straight paths that turn round by this much less than half a turn go back over themselves, radians: there
+/// is no inside, and the tool goes round the end. A guess; rounding is far below it.
 const REVERSAL_RAD: f64 = 1e-6;
+/// Arcs that meet within this of half a turn may be a cusp, radians (the angle at which LinuxCNC takes a corner
+/// for one).
+const CUSP_RAD: f64 = 0.05;
 
 /// Compensation that is on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -116,21 +120,30 @@ impl Context<'_> {
             };
             return Ok(d * self.core.state.modal.unit.mm() / 2.0);
         }
-        let number = g.tool(b'D').unwrap_or(self.core.state.tool);
+        let spindle = self.core.state.tool;
+        let number = g.tool(b'D').filter(|d| *d > 0).unwrap_or(spindle);
+        if g.tool(b'D') == Some(0) {
+            let message = "D0 is no tool";
+            let hint = format!(
+                "the one in the spindle counts: tool {spindle}; leave D out, or name the tool"
+            );
+            self.warn(Code::Unusual, message, hint);
+        }
         if number == 0 {
-            return Ok(0.0);
+            return Ok(self.cutter_of_settings("no tool is in the spindle".into()));
         }
         if let Some(tool) = self.core.state.tools.get(&number) {
             return Ok(tool.diameter_mm / 2.0);
         }
+        Ok(self.cutter_of_settings(format!("the diameter of tool {number} is not known")))
+    }
+
+    /// The radius of the cutter of the settings, for want of a better one: none at all would cut too large.
+    fn cutter_of_settings(&mut self, why: String) -> f64 {
         let diameter = self.core.settings.cutter.diameter_mm;
-        let message = format!("the diameter of tool {number} is not known");
-        self.warn(
-            Code::Unusual,
-            message,
-            format!("the cutter of the settings is taken: {diameter:.3} mm"),
-        );
-        Ok(diameter / 2.0)
+        let hint = format!("the cutter of the settings is taken: {diameter:.3} mm");
+        self.warn(Code::Unusual, why, hint);
+        diameter / 2.0
     }
 
     /// What compensation does not allow.
@@ -212,6 +225,7 @@ impl Context<'_> {
             to: with_xy(to, xy(to) + beside),
             shape: Shape::Line,
             heading: [heading, heading],
+            bend: 0.0,
         };
         if compensator.first {
             if way.length() <= compensator.radius {
@@ -256,6 +270,7 @@ impl Context<'_> {
             to: with_xy(to, end),
             shape: Shape::Arc { centre, sweep },
             heading: [programmed.direction(0.0), programmed.direction(1.0)],
+            bend: sweep.signum() / programmed.start.distance(centre),
         };
         if compensator.first {
             self.enter_by_arc(piece, xy(compensator.tool), centre, sweep)?;
@@ -291,7 +306,7 @@ impl Context<'_> {
         let (a, b) = (tool - middle, end - middle);
         let mut angle = a.cross(b).atan2(a.dot(b));
         if angle * sweep < 0.0 {
-            angle += std::f64::consts::TAU.copysign(sweep);
+            angle += TAU.copysign(sweep);
         }
         piece.from = tool;
         piece.shape = Shape::Arc { centre: middle, sweep: angle };
@@ -329,19 +344,23 @@ impl Context<'_> {
     /// Joins the next move to the one held back, at a corner of the programmed path.
     fn join(&mut self, next: Piece, corner: Point2) -> Result<(), Stop> {
         let Some(compensator) = &self.core.compensator else { return Ok(()) };
-        let (side, held) = (compensator.side, compensator.held);
+        let (side, radius, held) = (compensator.side, compensator.radius, compensator.held);
         let Some(before) = held else {
             self.hold_back(next);
             return Ok(());
         };
         let (d, e) = (before.heading[1], next.heading[0]);
         let angle = d.cross(e).atan2(d.dot(e));
-        let reversal = angle.abs() > std::f64::consts::PI - REVERSAL_RAD;
+        let outside = match turns_back(angle, side * (before.bend + next.bend), radius) {
+            Some(outside) => outside,
+            None => angle * side < 0.0,
+        };
         if angle.abs() < STRAIGHT_RAD {
             let next = Piece { from: before.end(), ..next };
             self.hold_back(next);
-        } else if angle * side < 0.0 || reversal {
-            let angle = if reversal { -std::f64::consts::PI * side } else { angle };
+        } else if outside {
+            // Round the end of a path that turns back, whichever way rounding has it turn.
+            let angle = if angle * side < 0.0 { angle } else { angle - TAU * side };
             self.round_corner(&before, &next, corner, angle);
             self.hold_back(next);
         } else {
@@ -368,6 +387,7 @@ impl Context<'_> {
             to: with_xy(level, next.from),
             shape: Shape::Arc { centre: corner, sweep: angle },
             heading: [before.heading[1], next.heading[0]],
+            bend: 0.0,
         };
         self.hold_back(around);
     }
@@ -390,4 +410,20 @@ impl Context<'_> {
         self.hold_back(next);
         Ok(())
     }
+}
+
+/// Whether a path that turns back on itself has its corner outside; `None` where it does not turn back, and the
+/// angle decides. `bend` is how much the two ways together bend towards the tool's side, 1/mm: with half a turn
+/// between them the way back lies beyond the way there when it is above zero, between the tool and it when below.
+///
+/// ```text
+///      ╲_   tool   _╱          both arcs fall away from the tool: inside
+///        ╲________╱  ◄ cusp
+/// ```
+///
+/// Ways that leave each other at a small angle and cross again within a radius of the tool are a cusp too.
+fn turns_back(angle: f64, bend: f64, radius: f64) -> Option<bool> {
+    let short = PI - angle.abs();
+    let cusp = short <= (bend.abs() * radius / 2.0).min(CUSP_RAD);
+    (cusp || short < REVERSAL_RAD).then_some(bend >= 0.0)
 }

@@ -19,6 +19,9 @@ pub(in crate::interp) struct Piece {
     pub(super) shape: Shape,
     /// Direction of the programmed path at its start and its end.
     pub(super) heading: [Vec2; 2],
+    /// How much the programmed path bends, 1/mm: above zero to the left.
+    #[serde(default)]
+    pub(super) bend: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -100,6 +103,22 @@ impl Piece {
         Some(self)
     }
 
+    /// Whether an arc would have to go on beyond its end to reach a place.
+    fn ends_before(&self, p: Point2) -> bool {
+        match self.shape {
+            Shape::Line => false,
+            Shape::Arc { centre, sweep } => turn(p - centre, self.end() - centre, sweep) < -TINY_MM,
+        }
+    }
+
+    /// Whether an arc would have to begin before its start to reach a place.
+    fn begins_behind(&self, p: Point2) -> bool {
+        match self.shape {
+            Shape::Line => false,
+            Shape::Arc { centre, sweep } => turn(self.from - centre, p - centre, sweep) < -TINY_MM,
+        }
+    }
+
     pub(super) fn command(&self, core: &Core, from: Axes) -> Option<Command> {
         let Self { kind, to, feed, .. } = *self;
         Some(match self.shape {
@@ -121,7 +140,8 @@ fn turn(a: Vec2, b: Vec2, sweep: f64) -> f64 {
     a.cross(b).atan2(a.dot(b)) * sweep.signum()
 }
 
-/// Where two paths cross, nearest to a place.
+/// The place where two paths cross: one that shortens both before one that lengthens an arc, as happens where both
+/// places are as far from the corner, then the nearest to a place.
 pub(super) fn crossing(a: &Piece, b: &Piece, near: Point2) -> Option<Point2> {
     let candidates = match (a.shape, b.shape) {
         (Shape::Line, Shape::Line) => {
@@ -141,9 +161,13 @@ pub(super) fn crossing(a: &Piece, b: &Piece, near: Point2) -> Option<Point2> {
             circles(c1, a.radius(c1), c2, b.radius(c2))
         }
     };
-    let mut found = candidates.into_iter().flatten();
-    let first = found.next()?;
-    Some(found.fold(first, |best, p| if p.distance(near) < best.distance(near) { p } else { best }))
+    let lengthened = |p: Point2| u8::from(a.ends_before(p)) + u8::from(b.begins_behind(p));
+    let rank = |p: &Point2| (lengthened(*p), p.distance(near));
+    let by_rank = |p: &Point2, q: &Point2| {
+        let (p, q) = (rank(p), rank(q));
+        p.0.cmp(&q.0).then(p.1.total_cmp(&q.1))
+    };
+    candidates.into_iter().flatten().min_by(by_rank)
 }
 
 fn line_circle(p: Point2, d: Vec2, centre: Point2, radius: f64) -> [Option<Point2>; 2] {

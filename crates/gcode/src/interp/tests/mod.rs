@@ -1,9 +1,12 @@
 //! What programs do, as data: a program and its motion, or what it tells.
 #![allow(clippy::unwrap_used)]
 
+mod beside;
+mod controllers;
 mod cycles;
 mod motion;
 mod placed;
+mod posts;
 mod programs;
 mod state;
 
