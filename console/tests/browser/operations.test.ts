@@ -45,8 +45,8 @@ const special: Record<string, Record<string, string>> = {
   fillet: { Radius: "5mm" },
   chamfer: { Length: "5mm" },
   offset: { Distance: "2mm" },
-  engrave: { Tool: "5mm", Overlap: "0.5mm" },
-  pocket: { Tool: "5mm", Overlap: "0.5mm", Finish: "0.2mm" },
+  engrave: { Tool: "5mm", Depth: "2mm", Overlap: "0.5mm" },
+  pocket: { Tool: "5mm", Depth: "2mm", Overlap: "0.5mm", Finish: "0.2mm" },
 };
 
 /** Done before an operation that needs more than shapes. */

@@ -41,6 +41,9 @@ pub struct Drawing {
     /// How far the drawing was moved since it was read (Left Justify, Change Origin), so that its
     /// own origin can be given back.
     pub moved: Vec2,
+    /// A person set the order of the shapes: it is not changed when they are cut.
+    #[serde(default)]
+    pub ordered_by_hand: bool,
     comments: Vec<String>,
 }
 

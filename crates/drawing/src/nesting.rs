@@ -72,7 +72,7 @@ impl Nesting {
 }
 
 /// The nodes below `root`, children before parents, without recursion: nests may be deep.
-fn post_order(children: &[Vec<usize>], root: usize) -> Vec<usize> {
+pub fn post_order(children: &[Vec<usize>], root: usize) -> Vec<usize> {
     let mut order = Vec::with_capacity(children.len());
     let mut open = vec![root];
     while let Some(node) = open.pop() {

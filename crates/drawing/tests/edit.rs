@@ -377,14 +377,14 @@ fn only_shapes_that_are_cut_are_told_to_be_cut_too_early() {
 
 #[test]
 fn a_group_that_gets_another_cutter_is_told() {
-    let two =
-        "rect 0,0 60,40; rect 100,0 160,40; select 1; pocket tool=6 overlap=2 group=red; select 2";
+    let two = "rect 0,0 60,40; rect 100,0 160,40; select 1; pocket tool=6 overlap=2 group=red depth=2; select 2";
     let told = "group red was cut by a cutter of 6 mm, now of 3 mm";
     for op in ["pocket tool=3 overlap=1 group=red", "engrave tool=3 overlap=1 group=red"] {
-        assert_eq!(notes(&format!("{two}; {op}")), [told], "{op}");
+        assert_eq!(notes(&format!("{two}; {op} cut-outlines")), [told], "{op}");
     }
-    assert_eq!(notes(&format!("{two}; pocket tool=6 overlap=1 group=red")), Vec::<String>::new());
-    assert_eq!(notes(&format!("{two}; pocket tool=3 overlap=1 group=blue")), Vec::<String>::new());
+    let none = Vec::<String>::new();
+    assert_eq!(notes(&format!("{two}; pocket tool=6 group=red cut-outlines")), none);
+    assert_eq!(notes(&format!("{two}; pocket tool=3 group=blue depth=1 cut-outlines")), none);
 }
 
 #[test]

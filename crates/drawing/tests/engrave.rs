@@ -6,12 +6,12 @@
 mod check;
 
 use check::look;
-use kerf_drawing::{Editor, Group, Shape, script};
+use kerf_drawing::{Editor, Group, Height, Shape, script};
 use kerf_geom::{Bounds2, Point2, Polyarc};
 use std::f64::consts::PI;
 
 const PLATE: &str = "line 0,0 100,0 100,60 0,60 close";
-const ENGRAVE: &str = "engrave all tool=5 overlap=0.1";
+const ENGRAVE: &str = "engrave all tool=5 overlap=0.1 depth=2";
 
 fn run(editor: &mut Editor, text: &str) -> Vec<String> {
     let ops = script(text).unwrap();
@@ -76,7 +76,7 @@ fn pro_engrave_all() {
 #[test]
 fn pro_engrave_selected() {
     let two = format!("{PLATE}; line 200,0 300,0 300,60 200,60 close");
-    let paths = engraved(&two, "select 1; engrave tool=5 overlap=0.1");
+    let paths = engraved(&two, "select 1; engrave tool=5 overlap=0.1 depth=2");
     assert_eq!(paths.iter().map(|path| rings(path).len()).collect::<Vec<_>>(), [6]);
     assert!(paths.iter().all(|path| path.bounds().max.x < 100.0));
     assert!(refused(PLATE, "engrave tool=5").contains("no shapes selected"));
@@ -157,7 +157,7 @@ fn pro_engrave_reversal() {
 #[test]
 fn what_bounds_no_area_is_told() {
     let mut editor = after(&format!("{PLATE}; line 10,10 20,20; point 5,5; circle 200,0 1"));
-    let told = run(&mut editor, "engrave all tool=5 overlap=0.1 group=red");
+    let told = run(&mut editor, "engrave all tool=5 overlap=0.1 depth=2 group=red");
     let left_out = "only closed flat shapes bound an area; it is left out";
     let expected = [
         format!("shape 2 at 10,10: {left_out}"),
@@ -165,6 +165,84 @@ fn what_bounds_no_area_is_told() {
         "shape 4: a tool of 5 mm does not fit into it".into(),
     ];
     assert_eq!(told, expected);
+}
+
+/// What is told of an engraving of shapes, and the drawing.
+fn told(text: &str) -> (Vec<String>, Editor) {
+    let (before, last) = text.rsplit_once("; ").unwrap();
+    let mut editor = after(before);
+    let outcome = editor.apply(&script(last).unwrap()[0].1).unwrap();
+    ([outcome.warnings, outcome.notes].concat(), editor)
+}
+
+/// What is cut, each with its group and height.
+fn cut(editor: &Editor) -> Vec<(Group, Height)> {
+    let drawing = &editor.drawing;
+    let of = |shape: &std::sync::Arc<Shape>| (shape.group, *drawing.settings(shape.group));
+    let on = drawing.shapes.iter().map(of).filter(|(_, settings)| settings.on);
+    on.map(|(group, settings)| (group, settings.height)).collect()
+}
+
+#[test]
+fn outlines_of_what_is_cleared_are_not_cut_unless_asked() {
+    let deep = Height::Mm(-2.0);
+    for op in ["engrave all tool=5 depth=2 group=red", "pocket all tool=5 depth=2 group=red"] {
+        let (told_of, mut editor) = told(&format!("{PLATE}; {op}"));
+        assert_eq!(cut(&editor), [(Group::Red, deep)], "{op}");
+        let expected = "outline 1 is in group white now, which is off: only the area is cut; cut-outlines cuts them too";
+        assert_eq!(told_of, [expected]);
+        editor.undo().unwrap();
+        assert_eq!(cut(&editor), [(Group::Black, Height::Thru)]);
+        let (told_of, editor) = told(&format!("{PLATE}; {op} cut-outlines"));
+        assert_eq!(cut(&editor), [(Group::Black, Height::Thru), (Group::Red, deep)]);
+        assert_eq!(told_of, Vec::<String>::new());
+    }
+    // A group that is off already takes them; what is too narrow keeps its outline.
+    let two = format!("{PLATE}; circle 200,0 1; set green on=off");
+    let (told_of, editor) = told(&format!("{two}; engrave all tool=5 depth=2"));
+    let groups: Vec<Group> = editor.drawing.shapes.iter().map(|shape| shape.group).collect();
+    assert_eq!(groups, [Group::Green, Group::Black, Group::Blue]);
+    assert!(told_of[1].starts_with("outline 1 is in group green now"), "{told_of:?}");
+    // What is drawn twice is not cut a second time either.
+    let (_, editor) = told("circle 0,0 20; circle 0,0 20; engrave all tool=5 depth=2");
+    assert_eq!(cut(&editor), [(Group::Blue, deep)]);
+}
+
+#[test]
+fn nothing_is_cleared_through_the_sheet_unless_said() {
+    let height = |words: &str| {
+        let (told_of, editor) = told(&format!("{PLATE}; engrave all tool=5{words}"));
+        let deep = cut(&editor).iter().map(|(_, height)| *height).collect::<Vec<_>>();
+        (deep, told_of.len())
+    };
+    assert_eq!(height(" depth=2"), (vec![Height::Mm(-2.0)], 1));
+    assert_eq!(height(" depth=thru"), (vec![Height::Thru], 1));
+    assert_eq!(height(""), (vec![Height::Mm(0.0)], 2));
+    let (told_of, _) = told(&format!("{PLATE}; engrave all tool=5"));
+    assert!(told_of[0].starts_with("how deep is not said: the paths of group blue only touch"));
+    let set = format!("{PLATE}; set red height=-3 pass=1");
+    let (_, editor) = told(&format!("{set}; engrave all tool=5 group=red"));
+    assert_eq!(cut(&editor), [(Group::Red, Height::Mm(-3.0))]);
+    let (_, editor) = told(&format!("{set}; engrave all tool=5 group=red depth=thru"));
+    assert_eq!(editor.drawing.settings(Group::Red).check(), Ok(()));
+    // Shapes of a group keep their depth.
+    let red = "circle 200,0 20; select 1; group red; line 0,0 100,0 100,60 0,60 close; select 2";
+    let why = refused(red, "engrave tool=5 group=red");
+    assert!(why.starts_with("group red has shapes that are cut through the sheet"), "{why}");
+    let why = refused(red, "engrave tool=5 group=red depth=2");
+    assert!(why.starts_with("group red has shapes of another height"), "{why}");
+    let words = script("engrave all tool=5 depth=-2").unwrap_err().to_string();
+    assert!(words.contains("depth=2 (millimetres below ZSurface)"), "{words}");
+}
+
+#[test]
+fn outlines_need_a_group_that_is_off() {
+    let groups = ["blue", "green", "cyan", "red", "magenta", "brown", "white"];
+    let in_group = |(n, name)| format!("point 0,0; select {n}; group {name}");
+    let points: Vec<String> = (1..).zip(groups).map(in_group).collect();
+    let full = format!("{}; {PLATE}; set blue height=-1; select 8", points.join("; "));
+    let why = refused(&full, "engrave tool=5 group=blue");
+    assert!(why.starts_with("all eight groups have shapes and are on"), "{why}");
 }
 
 #[test]
@@ -181,7 +259,7 @@ fn what_cannot_be_engraved_is_refused() {
 fn cleared(shapes: &str) -> (f64, Vec<String>) {
     let mut editor = after(shapes);
     let first = editor.drawing.shapes.len();
-    let told = run(&mut editor, "engrave all tool=1 overlap=0.2");
+    let told = run(&mut editor, "engrave all tool=1 overlap=0.2 depth=2");
     let paths: Vec<Polyarc> =
         editor.drawing.shapes[first..].iter().map(|s| s.path.clone()).collect();
     let whole = [Polyarc::rectangle(Point2::new(-50.0, -50.0), Point2::new(50.0, 50.0))];
@@ -220,7 +298,7 @@ fn a_hole_may_touch_its_shape() {
 
 fn pocket(words: &str) -> Vec<Polyarc> {
     let shapes = "line 0,0 60,0 60,40 0,40 close; circle 30,20 8; directions auto";
-    let paths = engraved(shapes, &format!("pocket all tool=5 {words}"));
+    let paths = engraved(shapes, &format!("pocket all tool=5 depth=2 {words}"));
     let region: Vec<Polyarc> =
         after(shapes).drawing.shapes.iter().map(|shape| shape.path.clone()).collect();
     let seen = look(&region, &paths, 2.5, 300);

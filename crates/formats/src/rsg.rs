@@ -28,6 +28,8 @@ struct Head {
     groups: [GroupSettings; 8],
     arrays: Arrays,
     moved: Vec2,
+    #[serde(default, skip_serializing_if = "is_false")]
+    ordered_by_hand: bool,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     comments: Vec<String>,
     /// What a job has besides.
@@ -68,6 +70,7 @@ pub fn write_with(drawing: &Drawing, job: Option<serde_json::Value>) -> String {
         groups: drawing.groups,
         arrays: drawing.arrays,
         moved: drawing.moved,
+        ordered_by_hand: drawing.ordered_by_hand,
         comments: drawing.comments().to_vec(),
         job,
     };
@@ -174,6 +177,7 @@ fn restore(read: &mut Imported, head: Head, notes: &[String]) {
     drawing.groups = head.groups;
     drawing.arrays = head.arrays;
     drawing.moved = head.moved;
+    drawing.ordered_by_hand = head.ordered_by_hand;
     let (mut without, mut notes) = (Vec::new(), notes.iter());
     for (number, shape) in (1..).zip(&mut drawing.shapes) {
         let own = notes.next().and_then(|note| note.strip_prefix(MARK));

@@ -7,8 +7,7 @@ mod shop;
 use serde_json::Value;
 use shop::{Did, Shop};
 
-const PLATE: &str = "line 0,0 100,0 100,60 0,60 close; engrave all tool=5 overlap=0.1 group=red; \
-                     set black on=off; ";
+const PLATE: &str = "line 0,0 100,0 100,60 0,60 close; engrave all tool=5 overlap=0.1 group=red; ";
 
 /// Where the simulated machine has the surface of the material.
 const SURFACE: f64 = -20.0;
@@ -46,7 +45,7 @@ fn pro_engrave_connect() {
     assert_eq!((plunges(&one), raises), (1, 1));
     // Two chambers with a neck that is too narrow for the tool.
     let chambers = "line 0,0 40,0 40,18 60,18 60,0 100,0 100,40 60,40 60,22 40,22 40,40 0,40 close; \
-                    engrave all tool=5 overlap=0.1 group=red; set black on=off; set red height=-2";
+                    engrave all tool=5 overlap=0.1 depth=2 group=red";
     assert_eq!(plunges(&moves(chambers)), 2);
 }
 

@@ -279,7 +279,8 @@ impl Desk {
         })?;
         self.open = true;
         self.revision += u32::from(self.editor.drawing != before);
-        Ok(outcomes.into_iter().flat_map(|outcome| outcome.warnings).collect())
+        let told = outcomes.into_iter().flat_map(|outcome| [outcome.warnings, outcome.notes]);
+        Ok(told.flatten().collect())
     }
 
     fn step(&mut self, step: fn(&mut Editor) -> Result<(), kerf_drawing::OpError>) -> Done {

@@ -1,11 +1,13 @@
 //! Everything that is cut, in order.
 
+use crate::bridge::Bridges;
 use crate::depth::{Depths, Heights, depth};
 use crate::entry::{self, Surroundings};
 use crate::filter::filtered;
 use crate::gouge::{self, Contours};
 use crate::neighbours;
 use crate::neutral::plunge;
+use crate::order::cutting_order;
 use crate::overlap;
 use crate::shape_paths::{Pass, paths};
 use crate::twice;
@@ -92,7 +94,8 @@ pub(crate) struct Origin {
 }
 
 /// Makes the job of a drawing: the paths of every shape of the groups that are on, in the drawing's
-/// sequence, block after block, smoothed as is usual.
+/// sequence, block after block, smoothed as is usual. What lies inside a shape is cut before it, unless the
+/// sequence was set by hand.
 ///
 /// # Errors
 /// Arrays that make more than [`MOST_PATHS`], or whose copies lie on each other.
@@ -185,7 +188,9 @@ fn block(
     twice::told(&twins, warnings);
     overlap::crossing(drawing, &twins, given_up, warnings);
     let (mut block, offsetter) = (Vec::new(), Offsetter::default());
-    for (n, shape) in drawing.shapes.iter().enumerate() {
+    let mut bridges = [Bridges::default(); 8];
+    for n in cutting_order(drawing, warnings) {
+        let shape = &drawing.shapes[n];
         let settings = drawing.settings(shape.group);
         if given_up() {
             return Err(JobError::GivenUp);
@@ -197,6 +202,9 @@ fn block(
         entry::straight_down(number, settings, warnings);
         let found = paths(number, &shaped(shape, shaping), settings, &offsetter, warnings);
         overlap::check(number, &found, &contours, &twins, warnings);
+        if shape.is_closed() {
+            bridges[shape.group.index()].look(number, &found, settings);
+        }
         // The machine halts before the shape, not before each of its paths.
         let mut pause = shape.pause;
         for path in found {
@@ -212,6 +220,8 @@ fn block(
             block.push(CutPath { shape: Arc::new(cut), from: number, pass: path.pass, room_mm });
         }
     }
+    let of_group = |group: Group| bridges[group.index()].told(drawing.settings(group));
+    warnings.extend(Group::ALL.into_iter().flat_map(of_group));
     neighbours::check(drawing, &block, &contours, given_up, warnings);
     if given_up() { Err(JobError::GivenUp) } else { Ok(block) }
 }

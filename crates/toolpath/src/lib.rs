@@ -14,6 +14,7 @@
 
 mod beside;
 mod beside_loop;
+mod bridge;
 mod depth;
 mod entry;
 #[cfg(test)]
@@ -26,6 +27,7 @@ mod lead;
 mod lift;
 mod neighbours;
 mod neutral;
+mod order;
 mod overlap;
 mod program;
 mod relief;

@@ -21,10 +21,11 @@ fn made(text: &str) -> (Job, Vec<Warning>) {
     job(&drawing(text)).unwrap()
 }
 
-/// The paths of a drawing about which there is nothing to say.
+/// The paths of a drawing about which there is nothing to say but what its tags leave.
 fn paths(text: &str) -> Vec<CutPath> {
     let (job, warnings) = made(text);
-    assert_eq!(warnings, []);
+    let others = warnings.iter().filter(|told| !told.text.starts_with("its tag of"));
+    assert_eq!(others.collect::<Vec<_>>(), Vec::<&Warning>::new());
     job.paths
 }
 

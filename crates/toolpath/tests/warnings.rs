@@ -72,13 +72,15 @@ fn what_leaves_the_table_is_told_once() {
     assert_eq!(right, ["shape 1 at 60,0: leaves the table: 10.000 mm at the right"]);
 }
 
-/// What is told of the helices of a drawing, and how the tool goes down to its first path.
+/// What is told of the helices of a drawing, and how the tool goes down to the path of its first shape.
 fn check_helix(words: &str, expected: &[&str], plunge: Plunge) {
     check(words, expected);
     let (job, _) = job(&drawn(words)).unwrap();
     let written = kerf_toolpath::read(kerf_toolpath::write(&job).as_bytes()).0;
     for job in [job, written] {
-        assert_eq!(job.neutral("a job".into()).shapes[0].plunge, plunge, "{words}");
+        let paths = job.paths.iter().enumerate();
+        let (first, _) = paths.min_by_key(|(place, path)| (path.from, *place)).unwrap();
+        assert_eq!(job.neutral("a job".into()).shapes[first].plunge, plunge, "{words}");
     }
 }
 

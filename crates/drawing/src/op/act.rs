@@ -48,10 +48,8 @@ pub(crate) fn act(draft: &mut Editor, operation: &Operation) -> Result<Outcome, 
         O::Group { group } => grouping::put(draft, *group)?,
         O::CopyToGroup { group } => grouping::copy(draft, *group)?,
         O::Set { group, changes } => grouping::set(draft, *group, changes)?,
-        O::Pocket { clearing, pattern } => {
-            outcome.warnings = clear::pocket(draft, clearing, pattern)?;
-        }
-        O::Engrave(clearing) => outcome.warnings = clear::engrave(draft, clearing)?,
+        O::Pocket { clearing, pattern } => outcome = clear::pocket(draft, clearing, pattern)?,
+        O::Engrave(clearing) => outcome = clear::engrave(draft, clearing)?,
         O::Pick { picking } => outcome.notes = picks::pick(draft, picking)?,
         O::Sequence { order } => outcome = sequence::order(draft, order)?,
         O::Array { level, array } => arrays::set(draft, *level, *array)?,

@@ -95,7 +95,7 @@ mod tests {
         pass=4 offset=3 rough=0.5 double=on tag=2 lead-in=5,90 lead-out=0,0; \
         set red speed=max height=thru pass=off; set red height=3d; set red plunge=straight; \
         set red plunge=ramp,3 plunge=helix,4,2.5; set red cutter=6; set red cutter=auto; \
-        engrave all tool=5 overlap=0.1 group=red; engrave tool=3 overlap=0; pocket all tool=5 overlap=1 climb outward; \
+        engrave all tool=5 overlap=0.1 group=red; engrave tool=3 overlap=0 depth=2.5 group=red cut-outlines; engrave tool=3 overlap=0 depth=thru; pocket all tool=5 overlap=1 climb outward; \
         pocket tool=5 overlap=1 group=blue climb zigzag=45 finish=0.2; pocket tool=5 overlap=1; sequence 3,1,2; \
         sequence groups red,black; pick 3,1; pick groups red,black; pick remove 2; pick none; sequence picked; \
         sequence reverse; sequence auto -1000,0; sequence level 2,1; \

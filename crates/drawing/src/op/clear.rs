@@ -1,12 +1,14 @@
 //! Areas cleared: engraving and pockets (Profiler reference, "Engraving").
 //!
 //! Each outer shape with the holes directly in it is a region; what lies in a hole is a region of its own.
-//! The paths that clear them are new shapes in a group without an offset, the shapes themselves stay.
+//! The paths that clear them are new shapes in a group without an offset. The shapes themselves stay, in a group
+//! that is off: cut as well, they would take the ground out of what was engraved.
 
+use super::clear_group::{outlines_put_away, prepared_group};
 use super::region::regions;
 use super::words::{WordError, Words, number};
-use super::{OpError, Operation};
-use crate::{Drawing, Editor, Group, GroupSettings, Lead, Shape};
+use super::{OpError, Operation, Outcome};
+use crate::{Editor, Group, Height, Shape};
 use kerf_geom::{GeomError, Offsetter, Polyarc};
 use kerf_pocket::{Cleared, Cutter, PocketError, Way, Zigzag};
 use serde::{Deserialize, Serialize};
@@ -25,6 +27,12 @@ pub struct Clearing {
     /// The group of the paths; `None` is the first one that has no shapes.
     #[serde(default)]
     pub group: Option<Group>,
+    /// How deep they are cut; `None` leaves it to the group, which must not be one that cuts through.
+    #[serde(default)]
+    pub depth: Option<Height>,
+    /// The outlines stay in their group and are cut as well.
+    #[serde(default)]
+    pub outlines_cut: bool,
 }
 
 /// How the paths of a pocket run.
@@ -41,7 +49,11 @@ pub enum Pattern {
 pub(super) fn read_engrave(w: &mut Words) -> Result<Operation, WordError> {
     let mut clearing = Clearing { all: w.takes("all"), ..Clearing::default() };
     while w.peek().is_some() {
-        w.read("a setting", CLEARING, |word| clearing_word(word, &mut clearing))?;
+        if w.takes("cut-outlines") {
+            clearing.outlines_cut = true;
+        } else {
+            w.read("a setting", CLEARING, |word| clearing_word(word, &mut clearing))?;
+        }
     }
     complete(&clearing)?;
     Ok(Operation::Engrave(clearing))
@@ -56,6 +68,8 @@ pub(super) fn read_pocket(w: &mut Words) -> Result<Operation, WordError> {
             pocket.climb = true;
         } else if w.takes("outward") {
             pocket.outward = true;
+        } else if w.takes("cut-outlines") {
+            clearing.outlines_cut = true;
         } else {
             w.read("a setting", POCKET, |word| {
                 pocket.word(word).or_else(|| clearing_word(word, &mut clearing))
@@ -103,9 +117,10 @@ impl PocketWords {
     }
 }
 
-const CLEARING: &str = "tool=, overlap= or group= with its value, such as tool=5";
-const POCKET: &str =
-    "climb, outward, or tool=, overlap=, zigzag=, finish= or group= with its value, such as tool=5";
+const CLEARING: &str = "cut-outlines, or tool=, depth=, overlap= or group= with its value, such as tool=5, depth=2 \
+                        (millimetres below ZSurface) or depth=thru";
+const POCKET: &str = "climb, outward, cut-outlines, or tool=, depth=, overlap=, zigzag=, finish= or group= with its \
+                      value, such as tool=5, depth=2 (millimetres below ZSurface) or depth=thru";
 
 fn clearing_word(word: &str, clearing: &mut Clearing) -> Option<()> {
     let (key, value) = word.split_once('=')?;
@@ -113,9 +128,19 @@ fn clearing_word(word: &str, clearing: &mut Clearing) -> Option<()> {
         "tool" => clearing.tool_mm = number(value)?,
         "overlap" => clearing.overlap_mm = number(value)?,
         "group" => clearing.group = Some(Group::named(value)?),
+        "depth" => clearing.depth = Some(depth(value)?),
         _ => return None,
     }
     Some(())
+}
+
+/// `thru`, or how far below ZSurface.
+fn depth(word: &str) -> Option<Height> {
+    if word.eq_ignore_ascii_case("thru") {
+        return Some(Height::Thru);
+    }
+    let below_mm = number(word).filter(|below_mm| *below_mm >= 0.0)?;
+    Some(Height::Mm(0.0 - below_mm))
 }
 
 fn complete(clearing: &Clearing) -> Result<(), WordError> {
@@ -130,7 +155,13 @@ impl Display for Clearing {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         let all = if self.all { "all " } else { "" };
         write!(f, "{all}tool={} overlap={}", self.tool_mm, self.overlap_mm)?;
-        self.group.map_or(Ok(()), |group| write!(f, " group={group}"))
+        match self.depth {
+            Some(Height::Mm(depth_mm)) => write!(f, " depth={}", -depth_mm + 0.0)?,
+            Some(_) => f.write_str(" depth=thru")?,
+            None => {}
+        }
+        self.group.map_or(Ok(()), |group| write!(f, " group={group}"))?;
+        f.write_str(if self.outlines_cut { " cut-outlines" } else { "" })
     }
 }
 
@@ -154,7 +185,7 @@ pub(super) fn pocket(
     draft: &mut Editor,
     clearing: &Clearing,
     pattern: &Pattern,
-) -> Result<Vec<String>, OpError> {
+) -> Result<Outcome, OpError> {
     clear(draft, clearing, |region, cutter, offsetter| match pattern {
         Pattern::Rings(way) => kerf_pocket::rings(region, cutter, *way, offsetter),
         Pattern::Zigzag(lines) => kerf_pocket::zigzag(region, cutter, lines, offsetter),
@@ -163,7 +194,7 @@ pub(super) fn pocket(
 
 /// Rings from the wall to the middle, with the directions of the shapes reversed (Profiler notes, 32 to
 /// 34).
-pub(super) fn engrave(draft: &mut Editor, clearing: &Clearing) -> Result<Vec<String>, OpError> {
+pub(super) fn engrave(draft: &mut Editor, clearing: &Clearing) -> Result<Outcome, OpError> {
     clear(draft, clearing, |region, cutter, offsetter| {
         kerf_pocket::rings(region, cutter, Way::default(), offsetter)
     })
@@ -175,14 +206,14 @@ fn clear(
     draft: &mut Editor,
     clearing: &Clearing,
     paths: impl Fn(&[Polyarc], &Cutter, &Offsetter) -> Found,
-) -> Result<Vec<String>, OpError> {
+) -> Result<Outcome, OpError> {
     let cutter = Cutter::new(clearing.tool_mm, clearing.overlap_mm).map_err(OpError::Clearing)?;
     let chosen = if clearing.all { every(draft)? } else { draft.selected()? };
-    let (group, other_cutter) = prepared_group(&mut draft.drawing, clearing)?;
+    let (group, of_group) = prepared_group(&mut draft.drawing, clearing)?;
     let (regions, mut warnings) = regions(&draft.drawing, &chosen)?;
-    warnings.extend(other_cutter);
+    warnings.extend(of_group);
     let first = draft.drawing.shapes.len();
-    let offsetter = Offsetter::default();
+    let (mut outlines, offsetter) = (Vec::new(), Offsetter::default());
     for region in regions {
         let found = match paths(&region.contours, &cutter, &offsetter) {
             // Contours may touch each other; then their outline is one contour.
@@ -197,49 +228,21 @@ fn clear(
         if found.paths.is_empty() {
             let tool = clearing.tool_mm;
             warnings.push(format!("shape {number}: a tool of {tool} mm does not fit into it"));
+        } else {
+            outlines.extend(region.shapes);
         }
         let shapes = found.paths.into_iter().map(|path| Shape::flat(path).in_group(group));
         shapes.for_each(|shape| draft.drawing.add(shape));
     }
     draft.selection = (first..draft.drawing.shapes.len()).collect();
-    Ok(warnings)
+    let notes = match clearing.outlines_cut {
+        true => Vec::new(),
+        false => outlines_put_away(&mut draft.drawing, outlines, group)?.into_iter().collect(),
+    };
+    Ok(Outcome { warnings, notes })
 }
 
 fn every(draft: &Editor) -> Result<Vec<usize>, OpError> {
     let count = draft.drawing.shapes.len();
     if count == 0 { Err(OpError::NothingSelected) } else { Ok((0..count).collect()) }
-}
-
-/// A group in which paths are cut as they are, by the cutter that clears; what is to be told when its
-/// shapes had another one.
-fn prepared_group(
-    drawing: &mut Drawing,
-    clearing: &Clearing,
-) -> Result<(Group, Option<String>), OpError> {
-    let used = |group: &Group| drawing.shapes.iter().any(|shape| shape.group == *group);
-    let free = || Group::ALL.into_iter().find(|group| !used(group));
-    let group = clearing.group.or_else(free).ok_or(OpError::NoFreeGroup)?;
-    let plain = as_drawn(drawing.settings(group));
-    if used(&group) && plain != *drawing.settings(group) {
-        return Err(OpError::NotAsDrawn { group });
-    }
-    let tool = clearing.tool_mm;
-    let other = plain.cutter_mm.filter(|before| used(&group) && *before != tool);
-    *drawing.settings_mut(group) = GroupSettings { cutter_mm: Some(tool), ..plain };
-    let told =
-        |before| format!("group {group} was cut by a cutter of {before} mm, now of {tool} mm");
-    Ok((group, other.map(told)))
-}
-
-/// The same settings, but the path is the shape.
-fn as_drawn(settings: &GroupSettings) -> GroupSettings {
-    GroupSettings {
-        offset_mm: 0.0,
-        rough_mm: 0.0,
-        double_line: false,
-        tag_mm: 0.0,
-        lead_in: Lead::default(),
-        lead_out: Lead::default(),
-        ..*settings
-    }
 }

@@ -209,15 +209,17 @@ pub const ENTRIES: &[Entry] = &[
     ),
     entry(
         "engrave",
-        "engrave [all] tool=D [overlap=MM] [group=COLOUR]",
+        "engrave [all] tool=D depth=MM|thru [overlap=MM] [group=COLOUR] [cut-outlines]",
         "adds paths that clear the areas of the selected or all shapes with a tool of that diameter, \
-         holes left out; the paths go to a group that cuts them as they are",
+         holes left out, so far below ZSurface; the paths go to a group that cuts them as they are, the outlines to \
+         one that is off, unless they are to be cut too",
         clear::read_engrave,
     ),
     entry(
         "pocket",
-        "pocket [all] tool=D [overlap=MM] [group=COLOUR] [climb] [outward] | \
-         pocket [all] tool=D [overlap=MM] [group=COLOUR] [climb] zigzag=ANGLE [finish=MM]",
+        "pocket [all] tool=D depth=MM|thru [overlap=MM] [group=COLOUR] [cut-outlines] [climb] [outward] | \
+         pocket [all] tool=D depth=MM|thru [overlap=MM] [group=COLOUR] [cut-outlines] [climb] zigzag=ANGLE \
+         [finish=MM]",
         "as engrave, the other way round with climb, from the middle to the wall with outward; with zigzag \
          in lines at an angle, and then along the walls, where they leave so much to finish",
         clear::read_pocket,

@@ -99,6 +99,30 @@ pub enum OpError {
         /// The group.
         group: crate::Group,
     },
+    /// A group that would clear an area through the sheet though nobody said so.
+    #[error(
+        "group {group} has shapes that are cut through the sheet: say depth=thru where the area is to fall out, or \
+         choose another group with group= and say how deep with depth=2"
+    )]
+    DepthNotSaid {
+        /// The group.
+        group: crate::Group,
+    },
+    /// A depth that is not that of the group's other shapes.
+    #[error(
+        "group {group} has shapes of another height: choose another group with group=, or change the height of all \
+         its shapes first"
+    )]
+    OtherDepth {
+        /// The group.
+        group: crate::Group,
+    },
+    /// No group can keep the outlines of what is cleared from being cut.
+    #[error(
+        "all eight groups have shapes and are on: none is left for the outlines, which are not to be cut; say \
+         cut-outlines to cut them too, or switch a group off"
+    )]
+    NoGroupOff,
     /// An array whose copies lie on each other.
     #[error(transparent)]
     Gap(#[from] GapError),

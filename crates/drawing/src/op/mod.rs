@@ -8,6 +8,7 @@ mod act;
 mod arrays;
 mod clause;
 mod clear;
+mod clear_group;
 mod clipboard;
 mod copies;
 mod draw;

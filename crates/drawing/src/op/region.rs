@@ -11,7 +11,7 @@ use std::sync::Arc;
 pub(super) struct Region {
     /// Outer ones counter-clockwise, holes clockwise.
     pub contours: Vec<Polyarc>,
-    /// The shapes they are or come from, as places in the drawing.
+    /// The shapes they are or come from, as places in the drawing; then those that lie on one of them.
     pub shapes: Vec<usize>,
 }
 
@@ -62,28 +62,35 @@ pub(super) fn regions(
     };
     let mut warnings: Vec<String> = others.iter().map(left_out).collect();
     let shape = |place: &usize| drawing.shapes[*place].clone();
-    let closed = without_doubles(closed, &shape, &mut warnings);
+    let (closed, doubles) = without_doubles(closed, &shape, &mut warnings);
     let layout = Layout::of(closed.clone(), closed.iter().map(shape).collect())?;
     layout.crossings(&mut warnings);
-    Ok((layout.regions()?, warnings))
+    let mut regions = layout.regions()?;
+    for (first, double) in doubles {
+        let region = regions.iter_mut().find(|region| region.shapes.contains(&first));
+        region.into_iter().for_each(|region| region.shapes.push(double));
+    }
+    Ok((regions, warnings))
 }
 
-/// A shape drawn twice bounds one area.
+/// A shape drawn twice bounds one area. Those left out come with the one they lie on.
 fn without_doubles(
     closed: Vec<usize>,
     shape: &impl Fn(&usize) -> Arc<Shape>,
     warnings: &mut Vec<String>,
-) -> Vec<usize> {
+) -> (Vec<usize>, Vec<(usize, usize)>) {
     let shapes: Vec<Arc<Shape>> = closed.iter().map(shape).collect();
     let nesting = Nesting::of(&shapes);
-    let mut double = vec![false; closed.len()];
+    let (mut double, mut pairs) = (vec![false; closed.len()], Vec::new());
     for (first, second) in nesting.same() {
         let (a, b) = (closed[*first] + 1, closed[*second] + 1);
         if !std::mem::replace(&mut double[*second], true) {
             warnings.push(format!("shape {b} lies on shape {a}: it is left out"));
+            pairs.push((closed[*first], closed[*second]));
         }
     }
-    closed.into_iter().zip(double).filter(|(_, double)| !double).map(|(place, _)| place).collect()
+    let kept = closed.into_iter().zip(double).filter(|(_, double)| !double);
+    (kept.map(|(place, _)| place).collect(), pairs)
 }
 
 fn bounds_an_area(shape: &Shape) -> bool {

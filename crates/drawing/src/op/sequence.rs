@@ -45,6 +45,7 @@ pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Outco
         Sequencing::Level(numbers) => within_level(draft, numbers)?,
     };
     reorder(draft, &order);
+    draft.drawing.ordered_by_hand = true;
     if *sequencing == Sequencing::Picked {
         draft.picks = Picks::default();
     }
