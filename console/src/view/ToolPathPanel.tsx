@@ -19,10 +19,12 @@ import { placeAt, timeOfMoves } from "./place";
 import { stretches } from "./progress";
 import { ToolPathView } from "./ToolPathView";
 import type { ToolPath } from "./toolPath";
+import { around, typedBounds } from "./typed";
 import { useCamera } from "./useCamera";
 import { usePlayback } from "./usePlayback";
 import { useSize } from "./useSize";
 import { useToolPath } from "./useToolPath";
+import { type TypedView, useTyped } from "./useTyped";
 import "./tool-path-panel.css";
 
 const aspectWords: readonly { value: Aspect; words: string }[] = [
@@ -44,14 +46,16 @@ export function ToolPathPanel() {
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
   const { camera, aspect, chosen: aimed, look, zoomBy, handlers } = useCamera(size);
-  const bounds = useMemo(() => path && boundsOf(path.info), [path]);
+  const typed = useTyped();
+  const bounds = useMemo(() => boundsOfAll(path, typed), [path, typed]);
   const fitted = useRef<PreviewInfo>(undefined);
+  const reach = JSON.stringify(bounds);
   // biome-ignore lint/correctness/useExhaustiveDependencies: fits a new path, and again in other room
   useEffect(() => {
     if (!bounds || size.width === 0) return;
     if (fitted.current !== path?.info || !aimed.current) look(aspect, bounds, size);
     fitted.current = path?.info;
-  }, [path?.info, size.width, size.height]);
+  }, [path?.info, reach, size.width, size.height]);
   const seconds = path?.info.seconds ?? 0;
   const [playback, setPlayback] = usePlayback(seconds);
   const [chosen, setStock] = useState<boolean | null>(null);
@@ -62,8 +66,8 @@ export function ToolPathPanel() {
   const previews = useShown((shown) => shown.snapshot?.machine.mode === "preview");
   const film = playback.at !== null && path ? placeAt(path.coarse, playback.at)?.at : undefined;
   const marks = useMemo(
-    () => marksOf(path, motion, moves, units ?? { mm: 1, linear: "mm" }, film),
-    [path, motion, moves, units, film],
+    () => marksOf(path, typed, motion, moves, units ?? { mm: 1, linear: "mm" }, film),
+    [path, typed, motion, moves, units, film],
   );
   const now = playback.at ?? (path ? timeOfMoves(path.coarse, moves) : 0);
   return (
@@ -121,7 +125,7 @@ export function ToolPathPanel() {
           marks={marks}
           stock={stock}
         />
-        <PathWords path={path} opened={opened} />
+        <PathWords path={path} typed={typed} opened={opened} />
       </div>
       {path && units && !opened?.broken && <PathFacts info={path.info} units={units} />}
       {path && !opened?.broken && (
@@ -133,17 +137,23 @@ export function ToolPathPanel() {
 
 interface PathWordsProps {
   path: ToolPath | null;
+  typed: TypedView;
   opened: Opened | null | undefined;
 }
 
 /** What is said where there is no picture yet. */
-function PathWords({ path, opened }: PathWordsProps) {
+function PathWords({ path, typed, opened }: PathWordsProps) {
   const inUnits = useWords();
-  const words = wordsFor(path, opened);
+  const words = wordsFor(path, typed, opened);
   return words === undefined ? null : <p className="path-words">{inUnits(words)}</p>;
 }
 
-function wordsFor(path: ToolPath | null, opened: PathWordsProps["opened"]): string | undefined {
+function wordsFor(
+  path: ToolPath | null,
+  typed: TypedView,
+  opened: PathWordsProps["opened"],
+): string | undefined {
+  if (typed.path.segments > 0 && (!opened || opened.cleared)) return undefined;
   if (!opened) return "Choose a file to see its tool path.";
   if (opened.preview.state === "failed") return opened.preview.why;
   if (opened.broken) return `No tool path: ${mistakesText(opened)}.`;
@@ -151,13 +161,26 @@ function wordsFor(path: ToolPath | null, opened: PathWordsProps["opened"]): stri
   return path === null ? "Reading…" : undefined;
 }
 
+/** What is to be in the picture of the open file and of what was typed. */
+function boundsOfAll(path: ToolPath | null, { path: typed }: TypedView): Bounds | undefined {
+  const origin = originOf(path);
+  const bounds = typedBounds(typed);
+  const drawn = bounds && { min: minus(bounds.min, origin), max: minus(bounds.max, origin) };
+  return around(path ? boundsOf(path.info) : undefined, drawn);
+}
+
+/** What places of the picture are relative to; the machine's zero without a tool path. */
+const originOf = (path: ToolPath | null): Vec3 => path?.info.origin ?? [0, 0, 0];
+
+const minus = (place: readonly number[], origin: Vec3): Vec3 => [
+  (place[0] ?? 0) - origin[0],
+  (place[1] ?? 0) - origin[1],
+  (place[2] ?? 0) - origin[2],
+];
+
 /** What is to be in the picture: the cuts, else the table. Relative to the preview's origin. */
 function boundsOf(info: PreviewInfo): Bounds {
-  const relative = (place: readonly number[]): Vec3 => [
-    (place[0] ?? 0) - info.origin[0],
-    (place[1] ?? 0) - info.origin[1],
-    (place[2] ?? 0) - info.origin[2],
-  ];
+  const relative = (place: readonly number[]): Vec3 => minus(place, info.origin);
   if (info.bounds) return { min: relative(info.bounds[0]), max: relative(info.bounds[1]) };
   const [x, y] = info.table;
   const z = info.zero[2];
@@ -169,24 +192,29 @@ function boundsOf(info: PreviewInfo): Bounds {
 
 function marksOf(
   path: ToolPath | null,
+  typed: TypedView,
   motion: Motion | undefined,
   moves: number,
   units: { mm: number; linear: string },
   film: Vec3 | undefined,
 ): Marks {
   const unit = { mm: units.mm, name: units.linear };
-  if (!path) return { tool: undefined, zero: undefined, made: undefined, cutter: 0, unit };
-  const { origin, zero, cutter } = path.info;
-  const from = (place: readonly number[]): Vec3 => [
-    (place[0] ?? 0) - origin[0],
-    (place[1] ?? 0) - origin[1],
-    (place[2] ?? 0) - origin[2],
-  ];
-  const tool = motion && from(motion.at.machine);
+  const origin = originOf(path);
+  const drawn = { ...typed, origin };
+  const tool = motion && minus(motion.at.machine, origin);
+  if (!path) {
+    const shows = typed.path.segments > 0 || typed.live.length > 0;
+    const zero = motion && minus(motion.at.machine, placeOf(motion.at.working));
+    const marks = shows ? { tool, zero } : { tool: undefined, zero: undefined };
+    return { ...marks, made: undefined, typed: drawn, cutter: 0, unit };
+  }
+  const { zero, cutter } = path.info;
   // A film shows the plan: how far the machine has come belongs to the run.
   const made = film || !tool ? undefined : madeOf(path, moves, tool);
-  return { tool: film ?? tool, zero: from(zero), made, cutter, unit };
+  return { tool: film ?? tool, zero: minus(zero, origin), made, typed: drawn, cutter, unit };
 }
+
+const placeOf = (place: readonly number[]): Vec3 => minus(place, [0, 0, 0]);
 
 const madeOf = (path: ToolPath, made: number, tool: Vec3) =>
   stretches(path.coarse, timeOfMoves(path.coarse, made), tool).find((stretch) => stretch.made);

@@ -48,9 +48,9 @@ export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPath
         data-pictures={told.pictures}
         data-bared={told.bared ? baredWords(told.bared) : ""}
         role="img"
-        aria-label={describe(path, units)}
+        aria-label={describe(path, marks.typed.path.segments, units)}
       />
-      <canvas ref={above} className="path-marks" />
+      <canvas ref={above} className="path-marks" data-typed={marks.typed.path.segments} />
     </>
   );
 }
@@ -77,8 +77,8 @@ const baredWords = ({ area, min, max }: Bared): string =>
   [area, max[0] - min[0], max[1] - min[1]].map((mm) => mm.toFixed(2)).join(" ");
 
 /** What somebody who does not see the picture is told of it. */
-function describe(path: ToolPath | null, units: Units | undefined): string {
-  if (!path) return "No tool path";
+function describe(path: ToolPath | null, typed: number, units: Units | undefined): string {
+  if (!path) return typed > 0 ? "What was typed" : "No tool path";
   const { moves, cut } = path.info;
   const long = units ? `, ${lengthText(cut, units, 0)} of cuts` : "";
   return `Tool path of ${moves} moves${long}`;

@@ -2,6 +2,7 @@
 
 import { type Camera, project, type Size, type Vec3 } from "./camera";
 import type { Palette } from "./scene/palette";
+import { paintTyped, type TypedMarks } from "./typedInk";
 
 export interface Marks {
   /** Tip of the tool, mm from the origin of the preview. */
@@ -9,6 +10,8 @@ export interface Marks {
   readonly zero: Vec3 | undefined;
   /** The part of the present cut that is made. */
   readonly made: { readonly from: Vec3; readonly to: Vec3 } | undefined;
+  /** What was typed. */
+  readonly typed: TypedMarks;
   /** Diameter of the cutter, mm. */
   readonly cutter: number;
   /** Millimetres in the unit that the scale is labelled with, and its name. */
@@ -29,6 +32,7 @@ export function paintMarks(
   canvas.height = size.height * ratio;
   context.scale(ratio, ratio);
   paintScale(context, size, camera, marks.unit, palette);
+  paintTyped(context, size, camera, marks.typed, palette);
   if (marks.made) paintMade(context, size, camera, marks.made, palette);
   if (marks.zero) paintZero(context, project(camera, marks.zero, size), palette);
   if (marks.tool) paintTool(context, size, camera, marks.tool, marks.cutter, palette);

@@ -166,7 +166,7 @@ file: string,
 line: number, };
 
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, } | { "change": "handConsole", handConsole: HandConsole, } | { "change": "digitized", digitized: Digitized | null, } | { "change": "looked", looked: Looked | null, };
+export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "typed", typed: TypedPath, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, } | { "change": "handConsole", handConsole: HandConsole, } | { "change": "digitized", digitized: Digitized | null, } | { "change": "looked", looked: Looked | null, };
 
 /** What a text that is being edited is like. */
 export type Checked = {
@@ -985,6 +985,8 @@ io: Io,
 opened: Opened | null,
 /** What runs, or ran last. */
 job: Job | null,
+/** The path of what was typed. */
+typed: TypedPath,
 /** A run that can be taken up where it was cut short. */
 interrupted: Interrupted | null,
 /** How Kerf was started, where a start-up line says what pages show. */
@@ -1144,6 +1146,13 @@ smoothed: Array<ShapePath>,
 filtered: Array<number>,
 /** What was noticed while they were made, or why there are none. */
 notes: Array<string>, };
+
+/** The path of what was typed, so far. */
+export type TypedPath = {
+/** Changes when it begins anew. */
+key: number,
+/** How many segments it has: they can be asked for as `/api/typed/KEY/FROM`. */
+segments: number, };
 
 /** What a person reads lengths in. */
 export type Units = {

@@ -90,6 +90,7 @@ export const firstSnapshot: Snapshot = {
     cleared: false,
   },
   job: null,
+  typed: { key: 0, segments: 0 },
   interrupted: null,
   pause: null,
   sound: null,

@@ -219,7 +219,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     pub(crate) fn tell_standing(&mut self, flags: u8) {
         let interpreter = &self.interpreter;
-        self.world.tell_standing(flags, &|| interpreter.call_stack(), &|| interpreter.variables());
+        let called = |at: At| (at, interpreter.file_call(at.file));
+        let files = || interpreter.call_stack().into_iter().map(called).collect();
+        self.world.tell_standing(flags, &files, &|| interpreter.variables());
     }
 
     fn lost(&self, why: &str) -> Over {

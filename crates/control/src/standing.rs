@@ -1,5 +1,6 @@
 //! Where a run stands: what a console shows at any time.
 
+use kerf_program::FileCall;
 use std::sync::Arc;
 
 /// Flags of the status byte, as other software reads them (programming handbook, external control).
@@ -19,7 +20,7 @@ pub mod flag {
 }
 
 /// Where a run stands.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Standing {
     /// The sum of [`flag`]s.
     pub status: u8,
@@ -30,11 +31,13 @@ pub struct Standing {
 }
 
 /// A file that is open.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct OpenFile {
     /// Its name.
     pub file: Arc<str>,
     /// The line that is read next, counted from 1; in a file that called another, the one behind the
     /// call. The line that is being made is that of the last move told.
     pub line: u32,
+    /// How it was called; nothing of the outermost.
+    pub call: Option<FileCall>,
 }

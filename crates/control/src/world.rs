@@ -19,8 +19,8 @@ use kerf_machine::settings::laser::Laser;
 use kerf_program::job::{Heights, InForce};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
-    Answer, At, Axes, Axis, AxisSet, Button, Command, Frame, Independent, OutputReason, Question,
-    QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
+    Answer, At, Axes, Axis, AxisSet, Button, Command, FileCall, Frame, Independent, OutputReason,
+    Question, QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
 use kerf_sim::{Happening, Machine, What};
 use std::collections::BTreeSet;
@@ -140,26 +140,30 @@ impl<'a> World<'a> {
     }
 
     /// Tells where the run stands, when anybody looks: its flags besides those of running and
-    /// previewing, and the lines that are read next.
+    /// previewing, and the files that are open, each at the line that is read next.
     pub fn tell_standing(
         &mut self,
         flags: u8,
-        lines: &dyn Fn() -> Vec<At>,
+        files: &dyn Fn() -> Vec<(At, Option<FileCall>)>,
         variables: &dyn Fn() -> Vec<(String, String)>,
     ) {
         let preview = if self.previews || self.machine.draws() { flag::PREVIEW } else { 0 };
-        let lines = lines();
+        let files = files();
         // A file that was read to its end still moves.
-        if !lines.is_empty() {
-            self.file_runs = lines.len() > self.typed_files;
+        if !files.is_empty() {
+            self.file_runs = files.len() > self.typed_files;
         }
         let file = if self.file_runs { flag::FILE_RUNNING } else { 0 };
         self.shelf.tape.stands(flags | preview | file);
         if self.silent || !self.sink.looks_at_standing() {
             return;
         }
-        let open = |at: At| OpenFile { file: self.file(at), line: at.line };
-        let files: Vec<OpenFile> = lines.into_iter().map(open).collect();
+        let open = |(at, call): (At, Option<FileCall>)| OpenFile {
+            file: self.file(at),
+            line: at.line,
+            call,
+        };
+        let files: Vec<OpenFile> = files.into_iter().map(open).collect();
         let running = if files.is_empty() { 0 } else { flag::FILE_RUNNING };
         let watched = self.watched(variables);
         self.sink.standing(&Standing { status: flags | running | preview, files, watched });

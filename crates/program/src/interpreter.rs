@@ -102,6 +102,15 @@ pub struct FileCall {
     pub offset: u8,
     /// How often the file runs.
     pub repetitions: u32,
+    /// Change of Z before each repetition, mm.
+    #[serde(default)]
+    pub plunge_mm: f64,
+    /// Tabs are left on the last repetition.
+    #[serde(default)]
+    pub tabs: bool,
+    /// Plunges start from Z 0.
+    #[serde(default)]
+    pub plunge_from_zero: bool,
 }
 
 /// A program being run.

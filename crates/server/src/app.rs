@@ -115,6 +115,8 @@ pub struct Open {
     pub key: String,
     /// The preview, when it is ready.
     pub preview: Option<Arc<Preview>>,
+    /// The run of a typed line that it runs in.
+    pub run: Option<u32>,
     /// Ends the making of the preview.
     given_up: Arc<AtomicBool>,
 }
@@ -255,13 +257,35 @@ impl App {
         name: &str,
         parameters: FileParameters,
     ) -> Result<(), Problem> {
+        self.open_for(name, parameters, None)
+    }
+
+    /// The same of a file that a typed line runs.
+    ///
+    /// # Errors
+    /// The file cannot be read.
+    pub fn open_called(
+        self: &Arc<Self>,
+        name: &str,
+        parameters: FileParameters,
+        run: u32,
+    ) -> Result<(), Problem> {
+        self.open_for(name, parameters, Some(run))
+    }
+
+    fn open_for(
+        self: &Arc<Self>,
+        name: &str,
+        parameters: FileParameters,
+        run: Option<u32>,
+    ) -> Result<(), Problem> {
         shop::check(&parameters)?;
         let bytes: Arc<[u8]> = self.parts.read(name)?.into();
         if kind_of(name) == FileKind::Job {
             let damaged = kerf_toolpath::read_whole(&bytes).err();
             damaged.map_or(Ok(()), |why| Err(problem(Why::Mistake, format!("{name}: {why}"))))?;
         }
-        let mut open = Open { name: name.into(), bytes, parameters, ..Open::default() };
+        let mut open = Open { name: name.into(), bytes, parameters, run, ..Open::default() };
         if kind_of(name) == FileKind::Job {
             open = self.with_added(open)?;
         }
@@ -280,7 +304,14 @@ impl App {
             return Err(problem(Why::State, "no file is open"));
         }
         let hash = hash_of(&open.bytes, &parameters, &open.choice);
-        self.show(Open { hash, parameters, preview: None, given_up: Arc::default(), ..open })
+        self.show(Open {
+            hash,
+            parameters,
+            preview: None,
+            run: None,
+            given_up: Arc::default(),
+            ..open
+        })
     }
 
     /// Cuts the open job otherwise.
@@ -298,9 +329,8 @@ impl App {
         if !open.name.is_empty() {
             let before = Some(open.key.clone());
             // Where too much is being done the file is opened anew by hand.
-            drop(
-                self.show_instead(before, Open { preview: None, given_up: Arc::default(), ..open }),
-            );
+            let anew = Open { preview: None, run: None, given_up: Arc::default(), ..open };
+            drop(self.show_instead(before, anew));
         }
     }
 
@@ -314,6 +344,7 @@ impl App {
     }
 
     fn show(self: &Arc<Self>, open: Open) -> Result<(), Problem> {
+        self.hub.moves_on();
         self.show_instead(None, open)
     }
 
@@ -442,7 +473,8 @@ impl App {
             let own = hash_of(&present.bytes, &present.parameters, &present.choice);
             present.hash = job_hash(own, &preview.called);
         }
-        let job = present.hash.clone();
+        let hash = present.hash.clone();
+        let job = hash.clone();
         self.hub.changing(|now| {
             let Some(opened) = now.opened.clone() else { return Vec::new() };
             let opened = match &made {
@@ -458,6 +490,9 @@ impl App {
             };
             vec![Change::Opened { opened: Some(opened) }]
         });
+        if let (Some(run), Ok(preview)) = (open.run, made) {
+            self.follow(run, hash, &preview);
+        }
     }
 
     /// A run is over. A file that a tool made is opened; a preview that no longer begins where the machine stands is made again.

@@ -1,9 +1,10 @@
 //! What every page shows, and who is told when it changes.
 
+use crate::preview::Typed;
 use crate::problems::ProblemLog;
 use crate::ran::{Ran, now_s};
 use axum::extract::ws::Utf8Bytes;
-use kerf_wire::{Change, Job, LastRun, Message, Opened, Snapshot, ToPage, Tone};
+use kerf_wire::{Change, Job, LastRun, Message, Mode, Opened, Snapshot, ToPage, Tone};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 use tokio::sync::broadcast;
 
@@ -18,6 +19,7 @@ pub struct Hub {
     problems: OnceLock<ProblemLog>,
     /// How files ran.
     pub ran: Ran,
+    typed: Mutex<Typed>,
 }
 
 /// A message for every page. Its text is made once, by whoever sends it first, and never while others wait to change
@@ -43,6 +45,7 @@ impl Hub {
             pages: broadcast::channel(BEHIND).0,
             problems: OnceLock::new(),
             ran: Ran::default(),
+            typed: Mutex::default(),
         }
     }
 
@@ -118,9 +121,35 @@ impl Hub {
         });
     }
 
-    /// A run is over: it is the last one of its file.
+    /// What was typed, as it is drawn.
+    pub fn typed(&self) -> MutexGuard<'_, Typed> {
+        self.typed.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What was typed until now is not drawn any more.
+    pub fn draws_typed_anew(&self) {
+        self.changing(|now| {
+            let mut typed = self.typed();
+            typed.clear();
+            let begun = now.typed.segments > 0;
+            begun.then(|| Change::Typed { typed: typed.told() }).into_iter().collect()
+        });
+    }
+
+    /// Another file is on the screen, or it runs: what was typed before is over, but for a preview, which draws all.
+    pub fn moves_on(&self) {
+        if self.read(|now| now.machine.mode != Mode::Preview) {
+            self.draws_typed_anew();
+        }
+    }
+
+    /// A run is over: it is the last one of its file. A file that was called by a typed line is known by now.
     pub fn ended(&self, job: Job) {
         self.changing(|now| {
+            let same = now.job.as_ref().filter(|now| now.run == job.run && job.hash.is_none());
+            let (hash, seconds) =
+                same.map_or((job.hash.clone(), job.seconds), |now| (now.hash.clone(), now.seconds));
+            let job = Job { hash, seconds, ..job };
             let mut changes = Vec::new();
             if let (Some(hash), Some(ended)) = (&job.hash, &job.ended) {
                 let line = now.motion.line;

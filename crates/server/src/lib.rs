@@ -22,6 +22,7 @@ mod asker;
 mod awaited;
 #[cfg(test)]
 mod bench;
+mod called;
 mod clock;
 mod configure;
 mod descriptors;
@@ -71,7 +72,7 @@ use app::{App, Parts, problem};
 use files::PartFolder;
 use hub::Hub;
 use kerf_wire::{Problem, Request, Snapshot, Who, Why};
-use machine::{Left, Link, Order, Owner};
+use machine::{Left, Link, Order, Owner, Screen};
 use pool::{KERF, Lane};
 use priority::Yields;
 use problems::ProblemLog;
@@ -247,6 +248,15 @@ fn machine_and_app(
             }
         }
     };
+    let screen = {
+        let app = app.clone();
+        Screen(Arc::new(move |called| {
+            let Some(app) = app.get().and_then(Weak::upgrade) else { return };
+            let (later, file) = (app.clone(), called);
+            // Where too much is being done the picture stays what it was: the machine goes on.
+            drop(app.pool.give(Lane::Short, KERF, move || later.show_called(file)));
+        }))
+    };
     let parts = PartFolder::new(&options.parts)?;
     let (ready, started) = channel();
     let (owned, build) = ((hub.clone(), link.clone(), left.clone()), builders.workshop.clone());
@@ -270,6 +280,7 @@ fn machine_and_app(
             left,
             rate,
             done,
+            screen,
             closing,
             asked: 0,
             run: 0,

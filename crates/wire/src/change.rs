@@ -1,5 +1,6 @@
 //! What the server tells without being asked.
 
+use crate::preview::TypedPath;
 use crate::{
     Asked, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease,
     Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup,
@@ -37,6 +38,10 @@ pub enum Change {
     },
     Job {
         job: Option<Job>,
+    },
+    /// More was drawn of what is typed, or it begins anew.
+    Typed {
+        typed: TypedPath,
     },
     Interrupted {
         interrupted: Option<Interrupted>,

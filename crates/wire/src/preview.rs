@@ -15,6 +15,9 @@
 //! The first vertex of a piece is the last of the one before.
 //!
 //! `GET /api/preview/KEY/timing` gives a [`Timing`].
+//!
+//! What is typed is drawn as it is made: `GET /api/typed/KEY/FROM` gives its segments from there on in the same form,
+//! with vertices from the machine's zero.
 
 use crate::Finding;
 use schemars::JsonSchema;
@@ -29,6 +32,16 @@ pub const CUT: u8 = 1;
 pub const GAP: u8 = 2;
 /// Most segments in a piece.
 pub const PIECE: usize = 1 << 16;
+
+/// The path of what was typed, so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct TypedPath {
+    /// Changes when it begins anew.
+    pub key: u32,
+    /// How many segments it has: they can be asked for as `/api/typed/KEY/FROM`.
+    pub segments: u32,
+}
 
 /// What a page knows before it asks for pieces.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]

@@ -1,5 +1,6 @@
 //! Everything a page shows, at one moment.
 
+use crate::preview::TypedPath;
 use crate::{
     Asked, Change, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job,
     Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup,
@@ -57,6 +58,8 @@ pub struct Snapshot {
     pub opened: Option<Opened>,
     /// What runs, or ran last.
     pub job: Option<Job>,
+    /// The path of what was typed.
+    pub typed: TypedPath,
     /// A run that can be taken up where it was cut short.
     pub interrupted: Option<Interrupted>,
     /// How Kerf was started, where a start-up line says what pages show.
@@ -113,6 +116,7 @@ impl Default for Snapshot {
             io: Io::default(),
             opened: None,
             job: None,
+            typed: TypedPath::default(),
             interrupted: None,
             start: None,
             asked: None,
@@ -149,6 +153,7 @@ impl Snapshot {
             Change::Io { io } => self.io = io,
             Change::Opened { opened } => self.opened = opened,
             Change::Job { job } => self.job = job,
+            Change::Typed { typed } => self.typed = typed,
             Change::Interrupted { interrupted } => self.interrupted = interrupted,
             Change::Start { start } => self.start = start,
             Change::Asked { asked } => self.asked = asked,

@@ -81,10 +81,10 @@ pub struct FileParameters {
 }
 
 impl FileParameters {
-    /// What the log of the file tells of them.
+    /// What is told of them to whoever looks at the run.
     pub const fn call(&self) -> FileCall {
-        let Self { proportion, offset, repetitions, .. } = *self;
-        FileCall { proportion, offset, repetitions }
+        let Self { proportion, offset, repetitions, plunge_mm, tabs, plunge_from_zero, .. } = *self;
+        FileCall { proportion, offset, repetitions, plunge_mm, tabs, plunge_from_zero }
     }
 }
 

@@ -46,6 +46,16 @@ pub async fn piece(
     Ok((headers, bytes.await?))
 }
 
+/// What was typed, from a segment on.
+pub async fn typed(
+    State(app): State<Arc<App>>,
+    Path((key, from)): Path<(u32, usize)>,
+) -> Result<impl IntoResponse, Refused> {
+    let bytes = app.hub.typed().piece(key, from);
+    let gone = || problem(Why::File, "nothing more was typed, or it is drawn anew");
+    Ok(([(header::CONTENT_TYPE, "application/octet-stream")], bytes.ok_or_else(gone)?))
+}
+
 /// What a timing chart is asked with.
 #[derive(Deserialize)]
 pub struct Wanted {

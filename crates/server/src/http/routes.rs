@@ -57,6 +57,7 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/preview/{key}", get(preview::info)),
         ("/api/preview/{key}/timing", get(preview::timing)),
         ("/api/preview/{key}/{level}/{piece}", get(preview::piece)),
+        ("/api/typed/{key}/{from}", get(preview::typed)),
         ("/api/job", get(rest::job)),
         ("/api/job/start", post(rest::start)),
         ("/api/drawing/shapes", get(rest::shapes)),
@@ -179,6 +180,11 @@ fn routes() -> Vec<Route> {
             Some(schema::<Timing>),
         ),
         looks("/api/preview/{key}/{level}/{piece}", "A piece of its path, binary", None),
+        looks(
+            "/api/typed/{key}/{from}",
+            "The path of what was typed, from a segment on, binary",
+            None,
+        ),
         looks("/api/job", "The paths of the open job, and how it is cut", Some(schema::<JobView>)),
         Route {
             path: "/api/job/start",

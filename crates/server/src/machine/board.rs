@@ -3,10 +3,11 @@
 
 use super::planned::{Course, Planned};
 use super::ports;
+use super::typing::Typing;
 use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
-use kerf_control::{Doing, Made};
+use kerf_control::{Doing, Made, OpenFile};
 use kerf_machine::Configuration;
 use kerf_program::{At, Axes, MoveKind};
 use kerf_sim::Machine;
@@ -57,6 +58,8 @@ pub struct Board {
     heights: Option<[f64; 3]>,
     /// What else a pause has changed of it.
     in_force: Option<InForce>,
+    /// The typed line that runs, where one does.
+    typing: Option<Typing>,
     /// Share of the speed asked for.
     pub feed: f64,
     /// Seconds of machine time in a second of whoever waits.
@@ -99,9 +102,25 @@ impl Board {
             heights: None,
             in_force: None,
             is_job: false,
+            typing: None,
             feed: 1.0,
             rate,
         }
+    }
+
+    /// Number of the run.
+    pub const fn run(&self) -> u32 {
+        self.run
+    }
+
+    /// What runs is a typed line.
+    pub fn typed(&mut self, typing: Option<Typing>) {
+        self.typing = typing;
+    }
+
+    /// The plan of what runs is known by now.
+    pub fn plans(&mut self, planned: Planned) {
+        self.course.plan(planned);
     }
 
     /// Where the machine is at a moment, and what else can be seen of it.
@@ -178,6 +197,9 @@ impl Board {
     pub fn made(&mut self, made: &Made<'_>) {
         self.course.made(made);
         self.motion.made = self.course.moves();
+        if self.typing.as_ref().is_some_and(|typing| typing.draws(made)) {
+            self.hub.typed().follow(made);
+        }
     }
 
     /// A move was made before the run was cut short that is taken up.
@@ -258,8 +280,12 @@ impl Board {
     }
 
     /// Where the run is in its files.
-    pub fn stands(&mut self, calls: Vec<Call>) {
-        self.calls = Some(calls);
+    pub fn stands(&mut self, files: &[OpenFile]) {
+        let call = |open: &OpenFile| Call { file: self.parts.name_of(&open.file), line: open.line };
+        self.calls = Some(files.iter().map(call).collect());
+        if let Some(typing) = &mut self.typing {
+            typing.stands(files, &self.parts);
+        }
     }
 
     /// What the variables are that somebody wants to see.
@@ -300,6 +326,8 @@ impl Board {
             let job = Some(job);
             put(now.job != job, Change::Job { job });
         }
+        let typed = self.hub.typed().told();
+        put(now.typed != typed, Change::Typed { typed });
         let pause = self.pause.clone();
         put(now.pause != pause, Change::Pause { pause });
         if let Some(name) = self.sound.take() {

@@ -264,7 +264,7 @@ mod tests {
     use super::*;
     use crate::files::PartFolder;
     use crate::hub::Hub;
-    use crate::machine::{Link, Order};
+    use crate::machine::{Link, Order, Screen};
     use kerf_control::files::{Folders, RealDisk};
     use kerf_control::stored::Stored;
     use kerf_control::{Company, Press, RunOptions, Session, Shelf};
@@ -290,6 +290,7 @@ mod tests {
             left: Arc::default(),
             rate: 1.0,
             done: Box::new(drop),
+            screen: Screen(Arc::new(drop)),
             closing: None,
             asked: 0,
             run: 0,

@@ -8,11 +8,9 @@ use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
 use kerf_control::answers::{self, Operator};
-use kerf_control::{
-    Doing, Event, Jog, LIFT, Made, OpenFile, Pace, Sink, Standing, Wish, WorldClock,
-};
+use kerf_control::{Doing, Event, Jog, LIFT, Made, Pace, Sink, Standing, Wish, WorldClock};
 use kerf_program::{Question, QuestionKind};
-use kerf_wire::{Asked, Call, Change, InForce, Machine, State, Tone};
+use kerf_wire::{Asked, Change, InForce, Machine, State, Tone};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
@@ -142,6 +140,9 @@ impl Pace for Clock {
             }
             drop(wanted);
             let mut board = shared.board.borrow_mut();
+            if let Some(planned) = shared.link.plan_of(board.run()) {
+                board.plans(planned);
+            }
             board.see(doing, now_s);
             board.tell_sometimes();
             drop(board);
@@ -360,6 +361,12 @@ impl Sink for Teller {
             Event::Clear { .. } => {
                 drop(board);
                 self.shared.hub.cleared(true);
+                self.shared.hub.draws_typed_anew();
+                return;
+            }
+            Event::Mode { .. } => {
+                drop(board);
+                self.shared.hub.draws_typed_anew();
                 return;
             }
             Event::Override { percent, .. } => {
@@ -387,11 +394,8 @@ impl Sink for Teller {
     }
 
     fn standing(&mut self, standing: &Standing) {
-        let parts = &self.shared.parts;
-        let call = |open: &OpenFile| Call { file: parts.name_of(&open.file), line: open.line };
-        let calls = standing.files.iter().map(call).collect();
         let mut board = self.shared.board.borrow_mut();
-        board.stands(calls);
+        board.stands(&standing.files);
         board.watches(told::named(standing.watched.clone()));
     }
 

@@ -5,6 +5,7 @@
 
 use super::arrived::{Arrived, Stops};
 use crate::clock::Clock;
+use super::planned::Planned;
 use crate::people::Grip;
 use kerf_control::{Press, Wish};
 use std::collections::VecDeque;
@@ -25,6 +26,8 @@ pub struct Link {
     waits: OnceLock<Thread>,
     /// Variables that are shown while programs run.
     watched: Mutex<Vec<String>>,
+    /// The plan of a run that began without one, with its number.
+    plan: Mutex<Option<(u32, Planned)>>,
 }
 
 /// What pages want.
@@ -187,7 +190,7 @@ impl Default for Link {
         let wanted =
             Wanted { arrived: arrived.clone(), clock: clock.clone(), ..Wanted::default() };
         let (wanted, waits, watched) = (Mutex::new(wanted), OnceLock::new(), Mutex::default());
-        Self { arrived, clock, wanted, waits, watched }
+        Self { arrived, clock, wanted, waits, watched, plan: Mutex::default() }
     }
 }
 
@@ -235,6 +238,17 @@ impl Link {
     /// Shows other variables from now on.
     pub fn watch(&self, names: Vec<String>) {
         *self.watched.lock().unwrap_or_else(PoisonError::into_inner) = names;
+    }
+
+    /// The plan of a run is known by now.
+    pub fn plans(&self, run: u32, planned: Planned) {
+        *self.plan.lock().unwrap_or_else(PoisonError::into_inner) = Some((run, planned));
+    }
+
+    /// The plan that a run got since it began.
+    pub fn plan_of(&self, run: u32) -> Option<Planned> {
+        let mut plan = self.plan.lock().unwrap_or_else(PoisonError::into_inner);
+        plan.take_if(|(of, _)| *of == run).map(|(_, planned)| planned)
     }
 
     /// Waits until something is wanted, or a time has passed.

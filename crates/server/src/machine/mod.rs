@@ -16,6 +16,7 @@ mod owner;
 mod planned;
 mod ports;
 mod reach;
+mod typing;
 
 pub use arrived::Stops;
 pub use left::Left;
@@ -24,3 +25,4 @@ pub use owner::{Order, Owner};
 pub use planned::{Planned, Planning};
 pub use ports::{bits, ports};
 pub use reach::reach;
+pub use typing::{CalledFile, Screen};

@@ -6,6 +6,7 @@ use super::company::{Clock, Pages, Shared, Teller};
 use super::left::Left;
 use super::link::Link;
 use super::planned::Planned;
+use super::typing::{Screen, Typing};
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
@@ -164,6 +165,8 @@ pub struct Owner {
     pub rate: f64,
     /// Told after each order, with the file that a tool made.
     pub done: Box<dyn Fn(Option<String>) + Send>,
+    /// Where a file gets that a typed line runs.
+    pub screen: Screen,
     /// Told when a part file closes Kerf (EXIT SHOPBOT), where it may.
     pub closing: Option<Sender<()>>,
     /// Questions that were asked so far.
@@ -283,7 +286,9 @@ impl Owner {
     /// Runs something that pages see as a job.
     fn run(&mut self, work: Work, options: RunOptions, job: Job, planned: Planned) {
         let job = self.tell_begun(job, &planned);
-        let driven = self.drive(work, options, planned);
+        let line = job.command.as_deref();
+        let typing = line.map(|line| Typing::of(line, self.run, self.screen.clone()));
+        let driven = self.drive(work, options, planned, typing);
         self.tell_ended(job, driven);
     }
 
@@ -296,7 +301,7 @@ impl Owner {
         };
         let file = self.parts.name_of(cut.file());
         let job = self.tell_begun(Job { file, hash, ..Job::default() }, &planned);
-        let driven = self.accompanied(planned, |workshop, company| {
+        let driven = self.accompanied(planned, None, |workshop, company| {
             workshop.session.resume(&cut, &mut workshop.shelf, company)
         });
         self.tell_ended(job, driven);
@@ -307,6 +312,7 @@ impl Owner {
         let job = Job { run: self.run, seconds: planned.seconds(), ..job };
         if job.command.is_none() {
             self.hub.cleared(false);
+            self.hub.moves_on();
         }
         self.hub.change(vec![
             Change::Job { job: Some(job.clone()) },
@@ -332,8 +338,9 @@ impl Owner {
         work: impl Into<Work>,
         options: RunOptions,
         planned: Planned,
+        typing: Option<Typing>,
     ) -> Result<Summary, JournalError> {
-        self.accompanied(planned, |workshop, company| {
+        self.accompanied(planned, typing, |workshop, company| {
             let Workshop { session, shelf, kept, .. } = workshop;
             match kept {
                 true => session.run_on_record(work, options, None, shelf, company),
@@ -346,11 +353,13 @@ impl Owner {
     fn accompanied(
         &mut self,
         planned: Planned,
+        typing: Option<Typing>,
         runs: impl FnOnce(&mut Workshop, Company<'_>) -> Result<Summary, JournalError>,
     ) -> Result<Summary, JournalError> {
         let machine = self.workshop.session.configuration();
-        let board =
+        let mut board =
             Board::new(self.hub.clone(), self.run, planned, machine, self.parts.clone(), self.rate);
+        board.typed(typing);
         let board = Rc::new(RefCell::new(board));
         let shared = Shared {
             board: board.clone(),
@@ -368,6 +377,10 @@ impl Owner {
         self.asked = pages.asked();
         self.link.lock().close();
         board.borrow_mut().ends();
+        if let Some(planned) = self.link.plan_of(self.run) {
+            board.borrow_mut().plans(planned);
+            board.borrow_mut().ends();
+        }
         summary
     }
 
@@ -459,7 +472,7 @@ impl Owner {
 
     /// Moves for as long as somebody holds a key.
     fn held(&mut self, work: Work) -> Result<Summary, JournalError> {
-        self.drive(work, self.options(), Planned::default())
+        self.drive(work, self.options(), Planned::default(), None)
     }
 
     /// Does an errand, and tells how it ended. Whoever waits for that knows it before anybody sees that the
@@ -476,7 +489,7 @@ impl Owner {
         }
         let job = Job { command: Some(name.into()), ..Job::default() };
         let job = self.tell_begun(job, &Planned::default());
-        let driven = self.drive(work, self.options(), Planned::default());
+        let driven = self.drive(work, self.options(), Planned::default(), None);
         tell(&driven);
         self.tell_ended(job, driven);
     }

@@ -30,6 +30,12 @@ impl Planned {
         self.times.last().copied().map_or(0.0, f64::from)
     }
 
+    /// The share of it that is over when so many moves are made.
+    pub fn share(&self, made: u32) -> f64 {
+        let course = Course { planned: self.clone(), made, left_s: None };
+        course.progress()
+    }
+
     /// How many of the moves are made behind one that ends there, when so many were before. What a pause
     /// adds to a job is not in its plan.
     fn behind(&self, before: u32, (path, [x, y]): PathEnd) -> u32 {
@@ -109,6 +115,11 @@ impl Course {
     /// The beginning of a plan.
     pub const fn new(planned: Planned) -> Self {
         Self { planned, made: 0, left_s: None }
+    }
+
+    /// The plan is known by now.
+    pub fn plan(&mut self, planned: Planned) {
+        self.planned = planned;
     }
 
     /// Moves that were made.

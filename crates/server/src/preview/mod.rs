@@ -10,11 +10,14 @@
 mod charts;
 mod collect;
 mod path;
+mod pen;
 mod timing;
+mod typed;
 
 pub use charts::{Answer, Asked, Chart, Charts};
 pub use path::Path;
 pub use timing::timing;
+pub use typed::Typed;
 
 use crate::app::lock;
 use crate::machine::Planned;
@@ -170,7 +173,7 @@ fn finish(
 ) -> Preview {
     sink.tell_rest();
     let mut info = info(&sink, summary, &start);
-    let paths = details(sink.path);
+    let paths = details(sink.pen.path);
     info.details = paths.iter().map(Path::detail).collect();
     Preview {
         info,
@@ -214,12 +217,12 @@ fn info(sink: &Collector, summary: &Summary, (settings, frame): &(Settings, Fram
         first_move: path.first_move as u32,
     };
     PreviewInfo {
-        origin: sink.path.origin(),
+        origin: sink.pen.path.origin(),
         zero: frame.working_zero.first3(),
         table: [low(Axis::X), low(Axis::Y)],
         table_size: [view.table_mm[0], view.table_mm[1]],
         grid: view.grid_mm,
-        bounds: sink.path.cut_bounds(),
+        bounds: sink.pen.path.cut_bounds(),
         cutter: settings.cutter.diameter_mm,
         seconds: summary.seconds,
         cut: tally.cut_mm,

@@ -90,7 +90,18 @@ impl Path {
     /// A piece as it goes over HTTP (see [`kerf_wire::preview`]); nothing when there is no such piece.
     pub fn piece(&self, number: usize) -> Option<Vec<u8>> {
         let from = number.checked_mul(PIECE)?;
-        let to = (from + PIECE).min(self.len());
+        self.bytes(from, (from + PIECE).min(self.len()))
+    }
+
+    /// Leaves out all but its last segments.
+    pub fn keep_last(&mut self, segments: usize) {
+        let gone = self.len().saturating_sub(segments);
+        self.segments.drain(..gone);
+        self.vertices.drain(..gone);
+    }
+
+    /// Segments from one to before another as they go over HTTP; nothing when there are none.
+    pub fn bytes(&self, from: usize, to: usize) -> Option<Vec<u8>> {
         let segments = self.segments.get(from..to).filter(|s| !s.is_empty())?;
         let mut bytes = Vec::with_capacity(20 + segments.len() * 25);
         bytes.extend((segments.len() as u32).to_le_bytes());
@@ -161,6 +172,14 @@ mod tests {
         assert_eq!(second[8..20], first[8 + 12 * PIECE..8 + 12 * (PIECE + 1)]);
         assert_eq!(path.piece(2), None);
         assert_eq!(path.piece(usize::MAX), None);
+    }
+
+    #[test]
+    fn the_last_segments_stay_where_they_were() {
+        let mut path = row(9);
+        path.keep_last(4);
+        assert_eq!(path.bytes(0, 4), row(9).bytes(6, 10));
+        assert_eq!((path.len(), path.bytes(4, 4)), (4, None));
     }
 
     #[test]
