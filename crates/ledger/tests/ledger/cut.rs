@@ -128,8 +128,7 @@ fn sbp_cut_check_limits() {
     run.status("limit").stands_at([9.0, 5.0]);
     let asked: Vec<_> = run.events("ask").map(|ask| &ask["kind"]).collect();
     assert_eq!(asked, ["limit"], "{run}");
-    // It ends where it began: what counts is the path. The whole circle fits at X 8, and so do the
-    // three quarters of it that do not reach X 11.
+    // It ends where it began: what counts is the path, which at X 8 reaches just to the limit.
     at([8.0, 5.0], "VL,0,10,0,10 ⏎ SF,1 ⏎ CC,4").is_ok();
 }
 
