@@ -286,7 +286,8 @@ fn sbp_tool_td() {
         assert!(radii[0] <= 0.125 && radii.windows(2).all(|r| r[1] - r[0] < 0.25), "{radii:?}");
     }
     // The same in millimetres; a machine that is set to inches runs nothing of it.
-    let events = made(&mut shop, "units=mm, holes=50 75 25, bit=6, thickness=12, blank_x=600, blank_y=300");
+    let events =
+        made(&mut shop, "units=mm, holes=50 75 25, bit=6, thickness=12, blank_x=600, blank_y=300");
     assert_eq!((circles(&events), straight(&events, MoveKind::Cut)), (vec![], vec![]));
     shop.does("VD,,,1");
     let events = shop.does("FP,drilled.sbp");
@@ -303,9 +304,7 @@ fn sbp_tool_tf() {
     };
     // Four of them, evenly placed: each to and fro between the edge distances, half as deep the first
     // time. A ball of .5 makes a flute of .5 at the depth of its radius.
-    let flute = |y: f64| {
-        [[0.25, y, -0.125], [9.75, y, -0.125], [9.75, y, -0.25], [0.25, y, -0.25]]
-    };
+    let flute = |y: f64| [[0.25, y, -0.125], [9.75, y, -0.125], [9.75, y, -0.25], [0.25, y, -0.25]];
     let expected: Vec<_> = [0.5, 1.5, 2.5, 3.5].into_iter().flat_map(flute).collect();
     assert_eq!(cuts(&mut shop, "width=.5, passes=2"), expected);
     // In one pass, with a V bit of 60°: .2 wide is .1 · √3 deep.
@@ -317,7 +316,8 @@ fn sbp_tool_tf() {
     let first: Vec<_> = cuts(&mut shop, more).into_iter().take(2).collect();
     assert_eq!(first, [[3.5, 1.25, -0.3], [3.5, 10.75, -0.3]]);
     // In millimetres it is nothing for a machine that is set to inches.
-    let metric = "units=mm, width=10, bit=10, spacing=20, edge=10, blank_width=100, blank_length=200";
+    let metric =
+        "units=mm, width=10, bit=10, spacing=20, edge=10, blank_width=100, blank_length=200";
     shop.does(&format!("TF, {metric}, table_x=2000, table_y=1000"));
     assert_eq!(straight(&shop.does("FP,flutes.sbp"), MoveKind::Cut), [[0.0; 3]; 0]);
     // What does not lie on the table is not made.
