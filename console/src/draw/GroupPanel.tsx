@@ -40,6 +40,15 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
             >
               put here
             </button>
+            <button
+              type="button"
+              className="link-button"
+              disabled={!some}
+              onClick={() => desk.send(`copy-to ${name}`)}
+              aria-label={`copy: the selection into ${name}`}
+            >
+              copy
+            </button>
             <label className="group-on">
               <input
                 type="checkbox"

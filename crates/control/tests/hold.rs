@@ -298,6 +298,21 @@ impl Shop {
         (summary, events)
     }
 
+    /// Lines typed at the command line, and what is told.
+    fn types(&mut self, lines: &str) -> String {
+        let mut options = RunOptions::default();
+        options.program.typed = true;
+        let mut events: Vec<Event> = Vec::new();
+        let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+        let typed = kerf_sbp::read_typed("command".into(), lines);
+        self.session.run(typed, options, &mut self.shelf, company);
+        let told = events.iter().filter_map(|event| match event {
+            Event::Message { text, .. } => Some(&**text),
+            _ => None,
+        });
+        told.collect::<Vec<_>>().join("\n")
+    }
+
     fn lost(&self) -> &str {
         self.shelf.stored.get(POSITION_LOST).unwrap_or_default()
     }
@@ -337,14 +352,19 @@ fn sbp_lim_estop_rezero() {
     let mut shop = estop();
     let (summary, events) = shop.run("MX,1\n", None, "location=Continue");
     assert_eq!((summary.status, shop.lost(), asked(&events).len()), (Status::Ok, "", 1));
-    // It is set.
+    // It is set, and then nobody says any more that it is not verified; an axis alone leaves the others.
     let mut shop = estop();
-    let mut options = RunOptions::default();
-    options.program.typed = true;
-    let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
-    let typed = kerf_sbp::read_typed("command".into(), "ZX\nZY\nZZ\n");
-    shop.session.run(typed, options, &mut shop.shelf, company);
-    assert!(asked(&shop.run("MX,1\n", None, "").1).is_empty());
+    assert!(shop.types("UD\n").contains("not verified: X Y Z"));
+    shop.types("ZX\n");
+    assert_eq!(shop.lost(), "YZ");
+    assert!(shop.types("UD\n").contains("not verified: Y Z"));
+    assert!(asked(&shop.run("MX,1\n", None, "").1)[0].contains("Position unverified: y, z"));
+    shop.types("ZY\nZZ\n");
+    assert_eq!(shop.lost(), "");
+    let told = shop.types("UD\n");
+    assert!(!told.is_empty() && !told.contains("verified"), "{told}");
+    let (summary, events) = shop.run("MX,1\n", None, "");
+    assert_eq!((summary.status, asked(&events).len()), (Status::Ok, 0));
 }
 
 #[test]

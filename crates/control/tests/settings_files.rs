@@ -5,6 +5,7 @@
 use kerf_control::files::{Folders, MACHINES, MemoryDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{Company, Event, RunOptions, Session, Shelf, Summary};
+use kerf_program::MoveKind;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Status;
 use std::path::PathBuf;
@@ -223,44 +224,105 @@ fn sbp_tool_tt() {
     }
 }
 
+/// The circles of a part file: centre, radius and depth of each, in order.
+fn circles(events: &[Event]) -> Vec<[f64; 4]> {
+    let circle = |event: &Event| match event {
+        Event::Arc(arc) => {
+            let (x, y, to) = (arc.centre.x, arc.centre.y, arc.made.to);
+            let places = [x, y, (to.x - x).hypot(to.y - y), to.z];
+            Some(places.map(|place| (place * 1e4).round() / 1e4 + 0.0))
+        }
+        _ => None,
+    };
+    let mut found: Vec<_> = events.iter().filter_map(circle).collect();
+    found.dedup();
+    found
+}
+
+/// Ends of the straight moves of a kind.
+fn straight(events: &[Event], kind: MoveKind) -> Vec<[f64; 3]> {
+    let end = |event: &Event| match event {
+        Event::Move(made) if made.kind == kind => {
+            let to = [made.to.x, made.to.y, made.to.z];
+            Some(to.map(|place| (place * 1e4).round() / 1e4 + 0.0))
+        }
+        _ => None,
+    };
+    events.iter().filter_map(end).collect()
+}
+
 #[test]
 fn sbp_tool_td() {
     let mut shop = Shop::new(&[]);
-    shop.does("TD, holes=2 3 1; 6 3 .25 .5, bit=.25, passes=2, thickness=.5, file=drilled");
-    let text = shop.shelf.text("drilled.sbp").unwrap();
-    assert!(text.contains("CP,1,2,3,I"), "{text}");
+    let made = |shop: &mut Shop, more: &str| {
+        shop.does(&format!("TD, bit=.25, passes=2, thickness=.5, file=drilled, {more}"));
+        shop.does("FP,drilled.sbp")
+    };
+    // The cutter goes round on .375 about 2,3 for a hole of 1, and to the bottom in two passes; a
+    // hole of the bit's own diameter is drilled, as deep as is said and in two passes as well.
+    let events = made(&mut shop, "holes=2 3 1; 6 3 .25 .3, safe_z=.4");
+    assert!(shop.shelf.text("drilled.sbp").unwrap().contains("CP,1,2,3,I"));
+    assert_eq!(circles(&events), [[2.0, 3.0, 0.375, -0.25], [2.0, 3.0, 0.375, -0.5]]);
+    let cuts = straight(&events, MoveKind::Cut);
+    let drilled: Vec<_> = cuts.iter().filter(|at| at[0] == 6.0 && at[2] < 0.0).collect();
+    assert_eq!(drilled, [&[6.0, 3.0, -0.15], &[6.0, 3.0, -0.3]], "{cuts:?}");
+    let highest = |events: &[Event]| {
+        straight(events, MoveKind::Jog).iter().map(|at| at[2]).fold(f64::MIN, f64::max)
+    };
+    assert_eq!(highest(&events), 0.4);
+    // With zero at the table everything stands higher by the thickness.
+    let events = made(&mut shop, "holes=2 3 1, safe_z=.4, zero=table");
+    assert_eq!(circles(&events), [[2.0, 3.0, 0.375, 0.25], [2.0, 3.0, 0.375, 0.0]]);
+    assert_eq!(highest(&events), 0.9);
+    // A pocket leaves nothing standing and grows from its middle: nothing comes loose.
+    let events = made(&mut shop, "holes=2 3 1, pocket=yes");
+    let rings = circles(&events);
+    for depth in [-0.25, -0.5] {
+        let radii: Vec<f64> =
+            rings.iter().filter(|ring| ring[3] == depth).map(|ring| ring[2]).collect();
+        assert!(radii.len() > 1 && radii.is_sorted(), "{rings:?}");
+        assert_eq!(radii.last(), Some(&0.375), "{rings:?}");
+        // The cutter's edge reaches the middle, and the rings overlap.
+        assert!(radii[0] <= 0.125 && radii.windows(2).all(|r| r[1] - r[0] < 0.25), "{radii:?}");
+    }
+    // The same in millimetres; a machine that is set to inches runs nothing of it.
+    let events =
+        made(&mut shop, "units=mm, holes=50 75 25, bit=6, thickness=12, blank_x=600, blank_y=300");
+    assert_eq!((circles(&events), straight(&events, MoveKind::Cut)), (vec![], vec![]));
+    shop.does("VD,,,1");
     let events = shop.does("FP,drilled.sbp");
-    // The cutter goes round on .375 about 2,3 for a hole of 1, and to the bottom in two passes.
-    let arcs: Vec<_> = events
-        .iter()
-        .filter_map(|event| match event {
-            Event::Arc(arc) => Some((arc.centre.x, arc.made.to.z)),
-            _ => None,
-        })
-        .collect();
-    assert!(arcs.iter().all(|(x, _)| (x - 2.0).abs() < 1e-6), "{arcs:?}");
-    let lowest = events.iter().fold(0.0_f64, |low, event| match event {
-        Event::Move(made) => low.min(made.to.z),
-        Event::Arc(arc) => low.min(arc.made.to.z),
-        _ => low,
-    });
-    assert!((lowest + 0.5).abs() < 1e-6, "{lowest}");
+    let expected: [[f64; 4]; 2] = [[50.0, 75.0, 9.5, -6.0], [50.0, 75.0, 9.5, -12.0]];
+    assert_eq!(circles(&events), expected);
 }
 
 #[test]
 fn sbp_tool_tf() {
     let mut shop = Shop::new(&[]);
-    shop.does("TF, blank_width=4, blank_length=10, spacing=1, width=.5, edge=.25, passes=2");
-    let events = shop.does("FP,flutes.sbp");
-    let mut rows: Vec<i64> = events
-        .iter()
-        .filter_map(|event| match event {
-            Event::Move(made) if made.to.z < -0.01 => Some((made.to.y * 1000.0).round() as i64),
-            _ => None,
-        })
-        .collect();
-    rows.dedup();
-    assert_eq!(rows, [500, 1500, 2500, 3500], "parallel, and evenly placed");
+    let cuts = |shop: &mut Shop, more: &str| {
+        shop.does(&format!("TF, blank_width=4, blank_length=10, spacing=1, edge=.25, {more}"));
+        straight(&shop.does("FP,flutes.sbp"), MoveKind::Cut)
+    };
+    // Four of them, evenly placed: each to and fro between the edge distances, half as deep the first
+    // time. A ball of .5 makes a flute of .5 at the depth of its radius.
+    let flute = |y: f64| [[0.25, y, -0.125], [9.75, y, -0.125], [9.75, y, -0.25], [0.25, y, -0.25]];
+    let expected: Vec<_> = [0.5, 1.5, 2.5, 3.5].into_iter().flat_map(flute).collect();
+    assert_eq!(cuts(&mut shop, "width=.5, passes=2"), expected);
+    // In one pass, with a V bit of 60°: .2 wide is .1 · √3 deep.
+    let of_v = cuts(&mut shop, "width=.2, bit_type=v, v_angle=60");
+    assert_eq!(of_v.len(), 8);
+    assert!(of_v.iter().all(|at| (at[2] + 0.1 * 3f64.sqrt()).abs() < 1e-4), "{of_v:?}");
+    // A flat bit goes as deep as is said, and across: 2 wide, on a blank that lies elsewhere.
+    let more = "bit_type=flat, depth=.3, width=.5, direction=y, blank_x=3, blank_y=1";
+    let first: Vec<_> = cuts(&mut shop, more).into_iter().take(2).collect();
+    assert_eq!(first, [[3.5, 1.25, -0.3], [3.5, 10.75, -0.3]]);
+    // In millimetres it is nothing for a machine that is set to inches.
+    let metric =
+        "units=mm, width=10, bit=10, spacing=20, edge=10, blank_width=100, blank_length=200";
+    shop.does(&format!("TF, {metric}, table_x=2000, table_y=1000"));
+    assert_eq!(straight(&shop.does("FP,flutes.sbp"), MoveKind::Cut), [[0.0; 3]; 0]);
+    // What does not lie on the table is not made.
+    let (summary, _) = shop.types("TF, blank_x=90, blank_length=10");
+    assert!(summary.error.unwrap().message.contains("the blank does not lie on the table"));
 }
 
 #[test]

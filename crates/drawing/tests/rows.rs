@@ -427,6 +427,12 @@ const FOUR: &str = "point 1,0; point 2,0; point 3,0; point 4,0; select 2,4; grou
 #[test]
 fn pro_sequence_group() {
     assert_eq!(order(&after(&format!("{FOUR}; sequence groups red,black"))), "2 4 1 3");
+    // By any shape of each group: D, then A. Another of the same group changes nothing.
+    for picked in ["4,1", "2,3", "4,2,1", "4"] {
+        assert_eq!(order(&after(&format!("{FOUR}; sequence groups of {picked}"))), "2 4 1 3");
+    }
+    assert_eq!(order(&after(&format!("{FOUR}; sequence groups of 3,4"))), "1 3 2 4");
+    assert!(refused(FOUR, "sequence groups of 5").contains("no shape 5"));
 }
 
 #[test]
@@ -507,6 +513,9 @@ fn pro_sequence_level() {
     assert_eq!(order(&editor), "10 30 50 55 0 210 230 200");
     let moved = after(&format!("{text}; sequence level 3,1,2"));
     assert_eq!(order(&moved), "50 55 10 30 0 210 230 200");
+    // The plates are a level of their own: each goes with all that lies in it.
+    let plates = after(&format!("{text}; sequence level 8,5"));
+    assert_eq!(order(&plates), "210 230 200 10 30 50 55 0");
     assert!(refused(text, "sequence level 1,6").contains("does not lie in the same shape"));
 }
 

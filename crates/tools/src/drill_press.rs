@@ -42,7 +42,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
     let top = if entries.is("zero", "table") { entries.number("thickness") } else { 0.0 };
     let safe = top + entries.number("safe_z");
     let (passes, bit) = (entries.number("passes"), entries.number("bit"));
-    let feature = if entries.is("pocket", "yes") { 2 } else { 0 };
+    let pocket = entries.is("pocket", "yes");
     let mut lines = head("Holes, made by the Drill Press", entries);
     lines.push(format!("'Bit: {}", number(bit)));
     lines.push(format!("VC,{}", number(bit)));
@@ -61,15 +61,27 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
             }
         } else {
             lines.push(format!("MZ,{}", number(top)));
-            let diameter = number(*diameter);
-            let step = number(-step);
-            lines.push(format!("CP,{diameter},{x},{y},I,-1,,,{step},{passes},,,{feature}"));
+            let inner = if pocket { rings(*diameter, bit) } else { Vec::new() };
+            for diameter in inner.iter().chain([diameter]) {
+                let (diameter, step) = (number(*diameter), number(-step));
+                lines.push(format!("CP,{diameter},{x},{y},I,-1,,,{step},{passes}"));
+            }
             lines.push(format!("JZ,{}", number(safe)));
         }
     }
     lines.push("C7".into());
     lines.extend(foot());
     Ok(Made::part(entries.text("file"), lines, Vec::new()))
+}
+
+/// Diameters of the circles that clear a hole before its wall is cut, from the inside out: nothing is
+/// left in its middle that could come loose.
+fn rings(diameter: f64, bit: f64) -> Vec<f64> {
+    // From one to the next a tenth of the bit overlaps; the innermost reaches over the centre.
+    let (step, innermost) = (1.8 * bit, 1.9 * bit);
+    let count = ((diameter - innermost) / step - 1e-9).ceil().max(0.0);
+    let between = (diameter - innermost) / count;
+    (0..count as u32).map(|n| innermost + f64::from(n) * between).collect()
 }
 
 fn holes(entries: &Entries<'_>) -> Result<Vec<Hole>, Vec<Mistake>> {
@@ -124,9 +136,21 @@ mod tests {
 
     #[test]
     fn a_larger_hole_is_a_circle_of_its_size() {
-        let text = made('D', "holes=2 3 1;6 3 .5 .25,pocket=yes");
-        assert!(text.contains("CP,1,2,3,I,-1,,,-0.375,2,,,2"), "{text}");
-        assert!(text.contains("CP,0.5,6,3,I,-1,,,-0.125,2,,,2"), "{text}");
+        let text = made('D', "holes=2 3 1;6 3 .5 .25");
+        assert!(text.contains("CP,1,2,3,I,-1,,,-0.375,2\n"), "{text}");
+        assert!(text.contains("CP,0.5,6,3,I,-1,,,-0.125,2\n"), "{text}");
+    }
+
+    #[test]
+    fn a_pocket_grows_from_the_middle() {
+        let circles = |holes: &str| {
+            let text = made('D', &format!("holes={holes},pocket=yes"));
+            let circles = text.lines().filter_map(|line| line.strip_prefix("CP,"));
+            circles.map(|line| line.split(',').next().unwrap().to_owned()).collect::<Vec<_>>()
+        };
+        assert_eq!(circles("2 3 1"), ["0.475", "0.7375", "1"]);
+        assert_eq!(circles("2 3 .5"), ["0.475", "0.5"]);
+        assert_eq!(circles("2 3 .4"), ["0.4"], "no larger than what the bit clears at once");
     }
 
     #[test]

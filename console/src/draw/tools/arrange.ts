@@ -2,7 +2,17 @@
 
 import { distance, minus } from "../geometry/vec";
 import { after, grown, mirrored, shifted, spun } from "./matrix";
-import { amountOf, noGhost, num, numbersOf, placeOf, select, type Tool, xy } from "./tool";
+import {
+  type Answer,
+  amountOf,
+  noGhost,
+  num,
+  numbersOf,
+  placeOf,
+  select,
+  type Tool,
+  xy,
+} from "./tool";
 import { wrapped } from "./turn";
 
 const shapes = { ask: "shapes", prompt: "Shapes" } as const;
@@ -101,6 +111,71 @@ const scale: Tool = {
   },
 };
 
+const basisFrom = { ask: "place", prompt: "Start of the base line" } as const;
+const basisTo = { ask: "place", prompt: "Its end" } as const;
+
+/** The base line that was given: its ends, and the words that name them. */
+function basis(from: Answer | undefined, to: Answer | undefined) {
+  const [a, b] = [placeOf(from), placeOf(to)];
+  return { a, b, words: `from ${xy(a)} ${xy(b)}` };
+}
+
+const rotateTo: Tool = {
+  id: "rotate-to",
+  title: "Rotate to",
+  doc: "Turns the shapes so that a line of theirs gets an angle, by the mouse or typed.",
+  menu: "arrange",
+  asks: [
+    shapes,
+    basisFrom,
+    basisTo,
+    {
+      ask: "number",
+      prompt: "Angle it gets",
+      kind: "angle",
+      usual: 90,
+      from: (at, [, from]) => angleTo(placeOf(from), at),
+    },
+  ],
+  clauses: ([picked, from, to, angle]) =>
+    `${select(numbersOf(picked))}; rotate to ${num(amountOf(angle))} ${basis(from, to).words}`,
+  ghost: ([picked, from, to], at) => {
+    if (!from || !to) return noGhost;
+    const { a, b } = basis(from, to);
+    const by = spun(a, angleTo(a, at) - angleTo(a, b));
+    return { kind: "moved", numbers: numbersOf(picked), by };
+  },
+};
+
+const scaleTo: Tool = {
+  id: "scale-to",
+  title: "Scale to",
+  doc: "Makes the shapes larger so that a line of theirs gets a length, by the mouse or typed.",
+  menu: "arrange",
+  asks: [
+    shapes,
+    basisFrom,
+    basisTo,
+    {
+      ask: "number",
+      prompt: "Length it gets",
+      kind: "length",
+      usual: 100,
+      accepts: (value) => (value > 0 ? undefined : "has to be greater than 0"),
+      from: (at, [, from]) => distance(placeOf(from), at),
+    },
+  ],
+  clauses: ([picked, from, to, length]) =>
+    `${select(numbersOf(picked))}; scale to ${num(amountOf(length))} ${basis(from, to).words}`,
+  ghost: ([picked, from, to], at) => {
+    if (!from || !to) return noGhost;
+    const { a, b } = basis(from, to);
+    if (distance(a, b) === 0) return noGhost;
+    const by = grown(a, distance(a, at) / distance(a, b));
+    return { kind: "moved", numbers: numbersOf(picked), by };
+  },
+};
+
 const mirror: Tool = {
   id: "mirror",
   title: "Mirror",
@@ -172,6 +247,15 @@ const paste: Tool = {
   clauses: ([to], turned) => `paste ${xy(placeOf(to))}${turning(turned, xy(placeOf(to)))}`,
 };
 
+const pasteAbsolute: Tool = {
+  id: "paste-absolute",
+  title: "Paste absolute",
+  doc: "The clipboard's shapes as far from a place as they were from their own origin.",
+  menu: "arrange",
+  asks: [{ ask: "place", prompt: "Their origin" }],
+  clauses: ([to]) => `paste absolute ${xy(placeOf(to))}`,
+};
+
 const origin: Tool = {
   id: "origin",
   title: "Origin",
@@ -185,11 +269,14 @@ export const arrangeTools: readonly Tool[] = [
   move,
   copy,
   rotate,
+  rotateTo,
   scale,
+  scaleTo,
   mirror,
   arrayInRows,
   arrayRound,
   clip,
   paste,
+  pasteAbsolute,
   origin,
 ];

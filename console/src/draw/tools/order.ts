@@ -45,6 +45,24 @@ const inOrder: Tool = {
   clauses: ([picked]) => `sequence ${numbersOf(picked).join(",")}`,
 };
 
+const byGroups: Tool = {
+  id: "sequence-groups",
+  title: "Order of groups",
+  doc: "Pick a shape of each group in the order of cutting.",
+  menu: "sequence",
+  asks: [{ ask: "shapes", prompt: "A shape of each group", numbered: true }],
+  clauses: ([picked]) => `sequence groups of ${numbersOf(picked).join(",")}`,
+};
+
+const inLevel: Tool = {
+  id: "sequence-level",
+  title: "Order of a level",
+  doc: "Pick shapes that lie in the same shape in the order of cutting; what lies in them goes along.",
+  menu: "sequence",
+  asks: [{ ask: "shapes", prompt: "Shapes of one level", numbered: true }],
+  clauses: ([picked]) => `sequence level ${numbersOf(picked).join(",")}`,
+};
+
 const fromPlace: Tool = {
   id: "sequence-auto",
   title: "Order from a place",
@@ -70,6 +88,8 @@ export const orderTools: readonly Tool[] = [
   onShapes("pause", "Pause before", "The machine halts before the shapes.", "pause on"),
   onShapes("no-pause", "No pause", "The machine does not halt before the shapes.", "pause off"),
   inOrder,
+  byGroups,
+  inLevel,
   fromPlace,
   reversed,
 ];

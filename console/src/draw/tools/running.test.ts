@@ -78,6 +78,26 @@ describe("tools make operations of clicks", () => {
     ["erase", [{ shape: 1 }, { shape: 2 }, { shape: 1 }, "right"], "select 2; erase"],
     ["start", [{ shape: 4, on: [50, 0] }], "start 4 50,0"],
     ["sequence", [{ shape: 3 }, { shape: 1 }, "right"], "sequence 3,1"],
+    ["sequence-level", [{ shape: 3 }, { shape: 1 }, "right"], "sequence level 3,1"],
+    ["sequence-groups", [{ shape: 4 }, { shape: 1 }, "right"], "sequence groups of 4,1"],
+    ["paste-absolute", [{ at: [100, 0] }], "paste absolute 100,0"],
+    [
+      "rotate-to",
+      [{ shape: 2 }, "right", { at: [0, 0] }, { at: [100, 100] }, { number: 90 }],
+      "select 2; rotate to 90 from 0,0 100,100",
+    ],
+    // The mouse points in the direction, or at the length.
+    [
+      "rotate-to",
+      [{ shape: 2 }, "right", { at: [5, 0] }, { at: [9, 9] }, { at: [2, 0] }],
+      "select 2; rotate to 180 from 5,0 9,9",
+    ],
+    [
+      "scale-to",
+      [{ shape: 2 }, "right", { at: [1, 1] }, { at: [51, 1] }, { at: [31, 41] }],
+      "select 2; scale to 50 from 1,1 51,1",
+    ],
+    ["scale-to", [{ shape: 2 }, "right", { at: [0, 0] }, { at: [9, 0] }, { number: -2 }], null],
     ["directions", [], "directions auto"],
     ["fillet", [{ number: 3 }, { shape: 2, on: [9, 9] }], "select 2; fillet 3 at 9,9"],
   ])("%s %j → %s", (id, inputs, clauses) => {

@@ -97,7 +97,7 @@ mod tests {
         set red plunge=ramp,3 plunge=helix,4,2.5; set red cutter=6; set red cutter=auto; \
         engrave all tool=5 overlap=0.1 group=red; engrave tool=3 overlap=0 depth=2.5 group=red cut-outlines; engrave tool=3 overlap=0 depth=thru; pocket all tool=5 overlap=1 climb outward; \
         pocket tool=5 overlap=1 group=blue climb zigzag=45 finish=0.2; pocket tool=5 overlap=1; sequence 3,1,2; \
-        sequence groups red,black; pick 3,1; pick groups red,black; pick remove 2; pick none; sequence picked; \
+        sequence groups red,black; sequence groups of 4,1; pick 3,1; pick groups red,black; pick remove 2; pick none; sequence picked; \
         sequence reverse; sequence auto -1000,0; sequence level 2,1; \
         sequence travel from 0,-5 starts speed=200 accel=0 lift=2 tool-change=30 tries=9; \
         sequence travel from 0,0 speed=150 accel=500 lift=1 tool-change=60; \

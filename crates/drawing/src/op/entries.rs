@@ -226,7 +226,7 @@ pub const ENTRIES: &[Entry] = &[
     ),
     entry(
         "sequence",
-        "sequence SHAPES | sequence groups COLOURS | sequence picked | sequence reverse | sequence auto X,Y | \
+        "sequence SHAPES | sequence groups COLOURS | sequence groups of SHAPES | sequence picked | sequence reverse | sequence auto X,Y | \
          sequence level SHAPES | sequence travel [from X,Y] [starts] [speed=MM/S] [accel=MM/S2] \
          [lift=S] [tool-change=S] [tries=N]",
         "changes the order in which shapes are cut; travel seeks the least time between the cuts, and with \

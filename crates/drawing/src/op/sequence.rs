@@ -17,6 +17,8 @@ pub enum Sequencing {
     Full(Vec<usize>),
     /// Groups in this order.
     Groups(Vec<Group>),
+    /// The groups of these shapes in this order, by number.
+    GroupsOf(Vec<usize>),
     /// What was picked, in the order in which it was; then nothing is picked any more.
     Picked,
     /// The old order backwards.
@@ -39,6 +41,7 @@ pub(super) fn order(draft: &mut Editor, sequencing: &Sequencing) -> Result<Outco
         Sequencing::Travel(search) => by_travel(draft, search, &mut notes)?,
         Sequencing::Full(numbers) => named_first(draft, numbers)?,
         Sequencing::Groups(groups) => by_group(drawing, groups),
+        Sequencing::GroupsOf(numbers) => by_group(drawing, &groups_of(draft, numbers)?),
         Sequencing::Picked => by_picks(draft)?,
         Sequencing::Reverse => (0..drawing.shapes.len()).rev().collect(),
         Sequencing::Auto(from) => by_distance(&drawing.shapes, *from),
@@ -111,6 +114,12 @@ fn by_group(drawing: &Drawing, groups: &[Group]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..drawing.shapes.len()).collect();
     order.sort_by_key(rank);
     order
+}
+
+/// The groups of shapes, in their order; a second shape of a group changes nothing.
+fn groups_of(draft: &Editor, numbers: &[usize]) -> Result<Vec<Group>, OpError> {
+    let group = |number: &usize| Ok(draft.drawing.shapes[draft.shape(*number)?.0].group);
+    numbers.iter().map(group).collect()
 }
 
 /// Tells groups that are named but have no shapes.
@@ -191,11 +200,20 @@ pub(super) fn read(w: &mut Words) -> Result<Operation, WordError> {
         () if w.takes("auto") => Sequencing::Auto(w.point("the place to begin near")?),
         () if w.takes("level") => Sequencing::Level(numbers(w)?),
         () if w.takes("travel") => Sequencing::Travel(search(w)?),
-        () if w.takes("groups") => Sequencing::Groups(groups(w)?),
+        () if w.takes("groups") => by_groups(w)?,
         () if w.takes("picked") => Sequencing::Picked,
         () => Sequencing::Full(numbers(w)?),
     };
     Ok(Operation::Sequence { order })
+}
+
+/// `red,black`, or `of 4,1`.
+fn by_groups(w: &mut Words) -> Result<Sequencing, WordError> {
+    if w.takes("of") {
+        Ok(Sequencing::GroupsOf(numbers(w)?))
+    } else {
+        Ok(Sequencing::Groups(groups(w)?))
+    }
 }
 
 /// `red,black`.

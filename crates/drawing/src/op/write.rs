@@ -176,6 +176,10 @@ impl Display for Sequencing {
                 f.write_str("groups ")?;
                 list(f, groups)
             }
+            Self::GroupsOf(numbers) => {
+                f.write_str("groups of ")?;
+                list(f, numbers)
+            }
             Self::Picked => f.write_str("picked"),
             Self::Reverse => f.write_str("reverse"),
             Self::Auto(from) => write!(f, "auto {}", P(*from)),

@@ -195,7 +195,13 @@ fn output3(mode: u8) -> String {
 fn sbp_val_vn_outmode2() {
     let program = &format!("{} ⏎ SO,3,1 ⏎ MX,10", output3(2));
     run(program).switches(3, &[(true, "program"), (false, "end")]);
-    sbp(program).stopped_at(1.0).run().switches(3, &[(true, "program"), (false, "stop")]);
+    let stopped = || sbp(program).stopped_at(1.0);
+    stopped().run().switches(3, &[(true, "program"), (false, "stop")]);
+    let resumed = [(true, "program"), (false, "stop"), (true, "mode"), (false, "end")];
+    stopped().answers(&["hold=Resume"]).run().ends_at([10.0]).switches(3, &resumed);
+    // One that was off stays off.
+    let off = &format!("{} ⏎ MX,10", output3(2));
+    sbp(off).stopped_at(1.0).answers(&["hold=Resume"]).run().ends_at([10.0]).switches(3, &[]);
 }
 
 #[test]
@@ -211,6 +217,9 @@ fn sbp_val_vn_outmode5() {
     // A stop switches it off before the end of the file would.
     let at_start = sbp("MX,10").after(set).stopped_at(1.0).run();
     at_start.switches(3, &[(true, "mode"), (false, "stop")]);
+    let resumed = sbp("MX,10").after(set).stopped_at(1.0).answers(&["hold=Resume"]).run();
+    let switched = [(true, "mode"), (false, "stop"), (true, "mode"), (false, "end")];
+    resumed.ends_at([10.0]).switches(3, &switched);
 }
 
 #[test]

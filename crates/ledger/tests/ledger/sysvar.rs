@@ -87,11 +87,19 @@ fn sbp_sys_031_035() {
 #[test]
 fn sbp_sys_036_040() {
     reads("MX,0", &[(36, "X"), (37, "Y"), (38, "Z"), (39, "A"), (40, "B")]);
+    // Each channel has its own number, the fifth behind the speed of the connection.
+    let swapped = [(36, "Z"), (37, "Y"), (38, "X"), (39, "B"), (40, "A")];
+    reads("VI,,,,,Z,Y,X,B,,A", &swapped);
+    reads("VI,,,,,Z,Y,X,B,,A ⏎ VI,,,,,,,,A", &[(36, "Z"), (39, "A"), (40, "A")]);
 }
 
 #[test]
 fn sbp_sys_041_044() {
     reads("MX,0", &[(41, "0.1"), (42, "4"), (43, "1"), (44, "0.5")]);
+    reads("VB,.2,6,1.5,.75", &[(41, "0.2"), (42, "6"), (43, "1.5"), (44, "0.75")]);
+    // They are lengths.
+    reads("VD,,,1", &[(41, "2.54"), (42, "101.6"), (43, "25.4"), (44, "12.7")]);
+    reads("VD,,,1 ⏎ VB,3,,,9", &[(41, "3"), (42, "101.6"), (43, "25.4"), (44, "9")]);
 }
 
 #[test]
@@ -160,6 +168,10 @@ fn sbp_sys_081_085() {
 fn sbp_sys_086_090() {
     let expected: Vec<(u32, &str)> = (86..=90).map(|n| (n, "0.4")).collect();
     reads("MX,0", &expected);
+    // Fields 5 to 8 of VR; those of moves, before them, are other variables.
+    let jogs = [(86, "0.5"), (87, "0.5"), (88, "0.6"), (89, "0.7"), (90, "0.8")];
+    reads("VR,.3,.3,.3,.3,.5,.6,.7,.8", &jogs);
+    reads("VR,,,,,.5,.6,.7,.8", &[(81, "0.4"), (83, "0.4"), (84, "0.4"), (85, "0.4")]);
 }
 
 #[test]

@@ -96,6 +96,19 @@ fn sbp_val_vc_safea() {
 fn sbp_val_vc_trigger_on() {
     let run = run("VC,,,,,,,,1,.05,.1,Z,8 ⏎ JZ,.5 ⏎ MZ,-.3 ⏎ MZ,.5");
     run.is_ok().switches(8, &[(true, "trigger"), (false, "trigger")]);
+    // Z ramps from .4 to 1 in/s at 14 in/s², in .03 in and .042857 s; on at .05, .45 below the
+    // start, and off at .1, .4 above the start.
+    let ramp_s = 0.6 / 14.0;
+    let expected = [ramp_s + 0.42, ramp_s + 0.37];
+    let starts = run.events("move").filter(|made| made["kind"] == "cut");
+    let starts: Vec<f64> = starts.map(|made| made["t0"].as_f64().unwrap()).collect();
+    let switches = run.events("output").filter(|event| event["n"] == 8);
+    let switched = switches.map(|event| event["t"].as_f64().unwrap());
+    let after: Vec<f64> = switched.zip(&starts).map(|(at, from)| at - from).collect();
+    assert_eq!(after.len(), 2, "{run}");
+    for (after, expected) in after.iter().zip(expected) {
+        assert!((after - expected).abs() < 1e-4, "{after} {expected}\n{run}");
+    }
 }
 
 #[test]
@@ -214,7 +227,16 @@ fn sbp_val_vn_outmode1() {
 
 #[test]
 fn sbp_val_vn_outmode4() {
-    run("VN,,,,,,,,,,,,,,,,,4 ⏎ SO,3,1 ⏎ MX,1").switches(3, &[(true, "program")]);
+    // Nothing but its mode switches it on, before anything moves, and nothing switches it off.
+    let on = &[(true, "mode")];
+    let run = sbp("MX,10").after("VN,,,,,,,,,,,,,,,,,4").run();
+    run.is_ok().switches(3, on);
+    assert_eq!(run.events("output").next().unwrap()["t"], 0.0, "{run}");
+    let stopped = || sbp("MX,10").after("VN,,,,,,,,,,,,,,,,,4").stopped_at(1.0);
+    stopped().run().status("stopped").switches(3, on);
+    stopped().answers(&["hold=Resume"]).run().ends_at([10.0]).switches(3, on);
+    // Output 4 is none of its business.
+    sbp("MX,10").after("VN,,,,,,,,,,,,,,,,,4").run().switches(2, &[]);
 }
 
 #[test]
@@ -333,30 +355,67 @@ fn sbp_val_vb_centre() {
     assert!((standing(&run, 0.5, -0.4) - 0.5).abs() < 0.003);
 }
 
-/// Time of a program that must succeed, seconds.
-fn seconds(program: &str) -> f64 {
-    run(program).is_ok().seconds()
+/// VR with one value, by its place.
+fn vr(place: usize, value: &str) -> String {
+    format!("VR{}{value}", ",".repeat(place))
+}
+
+/// Time over a path in one go that speeds up from .4 in/s and slows down to it at 14 in/s², seconds; inches.
+fn unbroken_s(length: f64, speed: f64) -> f64 {
+    (length - (speed * speed - 0.16) / 14.0) / speed + 2.0 * (speed - 0.4) / 14.0
+}
+
+/// Time that is lost where a machine slows down to a speed and speeds up again, seconds.
+fn dip_s(speed: f64, slow: f64) -> f64 {
+    2.0 * (speed - slow) / 14.0 - (speed * speed - slow * slow) / 14.0 / speed
 }
 
 #[test]
 fn sbp_val_vr_3d() {
-    // A steep change of Z on the way is ramped; with twice the threshold it may be twice as steep.
-    let zigzag = "VS,2,4 ⏎ M3,2,0,-.2 ⏎ M3,4,0,.2 ⏎ M3,6,0,-.2";
-    let with = |percent: u32| seconds(&format!("VR{}{percent} ⏎ {zigzag}", ",".repeat(11)));
-    assert!(with(200) < with(100) && with(100) < with(50), "{} {}", with(200), with(100));
+    // While XY runs at 4 in/s Z runs at 2 and then at 1.3: .7 is more than its ramp speed of .4, so
+    // that XY slows down until the change is just that; twice the threshold allows .8, half of it .2.
+    let steep = "VS,4,9 ⏎ M3,8,0,-4 ⏎ M3,16,0,-6.6";
+    let with = |percent: &str, expected: f64| {
+        run(&format!("{} ⏎ {steep}", vr(11, percent))).is_ok().lasts(expected);
+    };
+    let plain = unbroken_s(16.0, 4.0);
+    with("200", plain);
+    with("100", plain + dip_s(4.0, 4.0 * 0.4 / 0.7));
+    with("50", plain + dip_s(4.0, 4.0 * 0.2 / 0.7));
+    run(steep).lasts(plain + dip_s(4.0, 4.0 * 0.4 / 0.7));
 }
 
 #[test]
 fn sbp_val_vr_mindist() {
-    // Two gentle turns count as one sharp one only when the check reaches over both.
-    let turns = "M2,2,0 ⏎ M2,2.094,.034 ⏎ M2,2.171,.098 ⏎ M2,4,2";
-    let with = |distance: &str| seconds(&format!("VR{}{distance} ⏎ {turns}", ",".repeat(12)));
-    assert!(with(".05") < with(".15"), "{} {}", with(".05"), with(".15"));
+    // Two turns of 18° each, .1 in apart, at 5.5 in/s: alone each is too slight to slow down for, but
+    // together they are 36°, which is taken at (43 - 36) / 19 of the way from .4 to 65 %.
+    let ((up, along), (high, far)) = (18f64.to_radians().sin_cos(), 36f64.to_radians().sin_cos());
+    let (x, y) = (6.0 + 0.1 * along, 0.1 * up);
+    let (to_x, to_y) = (x + 6.0 * far, y + 6.0 * high);
+    let turns = format!("VS,5.5 ⏎ M2,6,0 ⏎ M2,{x:.9},{y:.9} ⏎ M2,{to_x:.9},{to_y:.9}");
+    let with = |distance: &str| run(&format!("{} ⏎ {turns}", vr(12, distance)));
+    with(".05").is_ok().lasts(unbroken_s(12.1, 5.5));
+    let slow = 0.4 + 7.0 / 19.0 * (0.65 * 5.5 - 0.4);
+    // As much is lost on the two long moves as in one dip; the short one between begins and ends slow.
+    let short_s = 2.0 * ((slow * slow + 1.4f64).sqrt() - slow) / 14.0;
+    let expected = unbroken_s(12.0, 5.5) + dip_s(5.5, slow) + short_s;
+    with(".15").is_ok().lasts(expected);
+    run(&turns).lasts(expected);
 }
 
 #[test]
 fn sbp_val_vr_corner() {
-    let corner = "VS,5.5 ⏎ M2,9,0 ⏎ M2,17.2,3.7";
-    let with = |percent: u32| seconds(&format!("VR{}{percent} ⏎ {corner}", ",".repeat(13)));
-    assert!(with(90) < with(65) && with(65) < with(30), "{} {}", with(90), with(65));
+    // At 5.5 in/s a corner counts from 24° on: there it is taken at the slow corner speed, and from
+    // there down to ramp speed at 43°.
+    let (up, along) = 24.1f64.to_radians().sin_cos();
+    let corner = format!("VS,5.5 ⏎ M2,9,0 ⏎ M2,{:.9},{:.9}", 9.0 + 9.0 * along, 9.0 * up);
+    let plain = unbroken_s(18.0, 5.5);
+    let with = |percent: &str, share: f64| {
+        let slow = 5.5 * share - 0.1 / 19.0 * (5.5 * share - 0.4);
+        run(&format!("{percent} ⏎ {corner}")).is_ok().lasts(plain + dip_s(5.5, slow));
+    };
+    with("MX,0", 0.65);
+    with(&vr(13, "30"), 0.3);
+    with(&vr(13, "90"), 0.9);
+    run(&corner.replace("VS,5.5", "VS,5")).is_ok().lasts(unbroken_s(18.0, 5.0));
 }
