@@ -3,6 +3,7 @@
 
 use crate::journal::{Journal, JournalError, Live};
 use crate::part_log::LAST_SHAPE;
+use crate::preview_mode::PREVIEW;
 use crate::stopping::CONFIRM;
 use crate::switches::SWITCHES;
 use kerf_sbp::{EDITOR, LAST_ERROR, PART_FILE, POSITION_LOST, RECORDED, RECORDING, SPINDLE_STATUS};
@@ -15,8 +16,17 @@ const FACTS: [&str; 4] = [SPINDLE_STATUS, POSITION_LOST, CONFIRM, SWITCHES];
 const CONTROLLER: &str = "Controller";
 
 /// Keys that Kerf writes for itself; those of folders have no value of their own.
-const OWN: [&str; 8] =
-    [PART_FILE, EDITOR, LAST_ERROR, LAST_SHAPE, RECORDED, RECORDING, "uAppPath", "uUsrPath"];
+const OWN: [&str; 9] = [
+    PART_FILE,
+    EDITOR,
+    LAST_ERROR,
+    LAST_SHAPE,
+    PREVIEW,
+    RECORDED,
+    RECORDING,
+    "uAppPath",
+    "uUsrPath",
+];
 
 /// Whether the machine alone writes a key: its value is a fact of safety, or tells what the machine does.
 pub fn is_fact(key: &str) -> bool {

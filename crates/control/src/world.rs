@@ -457,6 +457,7 @@ impl<'a> World<'a> {
         let given = self.hear_answer(question, at)?;
         let scripted = given.is_some();
         let answer = match given {
+            None if self.previews => answers::previewed_answer(question),
             None => answers::unattended_answer(question),
             Some(words) => answers::meaning(question, &words)
                 .ok_or_else(|| Unanswered::NoButton(self.fits_nothing(question, &words)))?,
@@ -539,13 +540,15 @@ impl<'a> World<'a> {
     }
 
     fn told_question(&mut self, question: &Question, answer: &Answer, scripted: bool, at: At) {
+        let default = answers::words(&answers::default_answer(question));
+        let nothing_typed = answers::takes_text(question.kind) && *answer == Answer::Button(Button::OK);
         let event = Event::Ask(AskEvent {
             kind: question.kind,
             text: question.text.clone(),
             title: question.title.clone(),
             buttons: question.buttons.iter().map(|b| b.word()).collect(),
-            default: answers::words(&answers::default_answer(question)),
-            answer: answers::words(answer),
+            answer: if nothing_typed { default.clone() } else { answers::words(answer) },
+            default,
             scripted,
             t: self.now(),
             file: self.file(at),
