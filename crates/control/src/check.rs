@@ -44,6 +44,7 @@ pub fn check(
         let mut session = session.clone();
         let company = Company { sink: &mut findings, operator, pace: &mut () };
         let mut options = RunOptions { limits: LimitPolicy::List, ..options };
+        options.program.preview = true;
         // What of a block of G-code is wrong shows only when it is carried out: the next ones are
         // tried all the same.
         options.gcode.keep_going = true;

@@ -219,6 +219,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     }
 
     pub(crate) fn tell_standing(&mut self, flags: u8) {
+        let moves = |s: &Sourced| s.command.is_motion() && self.is_of_file(s.at);
+        self.world.file_moves = self.stack.moves_file() || self.out.iter().any(moves);
         let interpreter = &self.interpreter;
         self.world.tell_standing(flags, &|| interpreter.call_stack(), &|| interpreter.variables());
     }
@@ -422,7 +424,16 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     }
 
     fn stack_up(&mut self, made: Move, number: u64) {
+        let of_file = self.is_of_file(made.at);
         self.stack.push(made.at_feed(self.feed), self.watching.then_some(number));
+        if of_file {
+            self.stack.came_from_file();
+        }
+    }
+
+    /// Whether a line stands in a file, and was not typed.
+    const fn is_of_file(&self, at: At) -> bool {
+        at.file as usize >= self.world.typed_files
     }
 
     /// Whether the stack takes no more moves.

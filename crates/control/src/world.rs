@@ -65,6 +65,8 @@ pub(crate) struct World<'a> {
     pub previews: bool,
     /// A part file runs, for those who look from outside.
     pub file_runs: bool,
+    /// Moves of a part file are still to be made, or being made.
+    pub file_moves: bool,
     /// Files that are open and are none: one, where lines were typed.
     pub typed_files: usize,
     /// Nothing is told: what happens has happened before.
@@ -110,6 +112,7 @@ impl<'a> World<'a> {
             told: BTreeSet::new(),
             previews: false,
             file_runs: false,
+            file_moves: false,
             typed_files: 0,
             silent: false,
             stays: None,
@@ -151,7 +154,7 @@ impl<'a> World<'a> {
         let lines = lines();
         // A file that was read to its end still moves.
         if !lines.is_empty() {
-            self.file_runs = lines.len() > self.typed_files;
+            self.file_runs = self.file_moves || lines.len() > self.typed_files;
         }
         let file = if self.file_runs { flag::FILE_RUNNING } else { 0 };
         self.shelf.tape.stands(flags | preview | file);
