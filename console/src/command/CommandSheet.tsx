@@ -1,4 +1,4 @@
-import { type KeyboardEvent, useRef, useState } from "react";
+import { type KeyboardEvent, useEffect, useRef, useState } from "react";
 import { drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
@@ -7,6 +7,7 @@ import type { CommandEntry } from "../wire/messages";
 import "./command-sheet.css";
 import { FileButtons } from "./FileButtons";
 import { FileHeader } from "./FileHeader";
+import { asNamed, lastFile, runsFile } from "./lastFile";
 import { ParameterField } from "./ParameterField";
 import { isShown, lastEntries, rememberEntries, setShown } from "./preferences";
 import {
@@ -24,20 +25,14 @@ import { findCommand, useCommands } from "./table";
 export function CommandSheet({ letters, given }: { letters: string; given: readonly string[] }) {
   const entry = findCommand(useCommands(true), letters);
   const current = useCurrentFile();
-  const named = letters === "FP" && !given[0] ? [current, ...given.slice(1)] : given;
+  const named = runsFile(letters) && !given[0] ? [current, ...given.slice(1)] : given;
   return entry ? <FilledSheet key={letters} entry={entry} given={named} /> : null;
 }
 
-/** The current part file as FP names it: below the folder that part files are chosen from. */
+/** The current part file as FP names it. */
 function useCurrentFile(): string {
-  const folder = useSnapshot("folder")?.name ?? "";
-  const name = useSnapshot("opened")?.name ?? "";
-  if (folder === "") return name;
-  return name.startsWith(`${folder}/`) ? name.slice(folder.length + 1) : "";
+  return asNamed(useSnapshot("folder")?.name ?? "", useSnapshot("opened")?.name ?? "");
 }
-
-/** Commands whose sheet is about a part file. */
-const takesFile = ["FP", "FG"];
 
 function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly string[] }) {
   const hands = useHands();
@@ -49,6 +44,11 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
   const close = () => hands.screen.open(null);
   const reset = () => setEntries(resetEntries(entry));
   const form = useRef<HTMLFormElement>(null);
+  useLastFile(entry.letters, entries[0] ?? "", (name) => {
+    // Who has begun to type names another.
+    setEntries((now) => (now[0] ? now : withEntry(now, 0, name)));
+    requestAnimationFrame(() => form.current?.querySelector("input")?.select());
+  });
   /** A comma goes on to the next field, as on the command line. */
   const type = (n: number, text: string) => {
     const { kept, goesOn } = parted(text, n === 0);
@@ -89,7 +89,7 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
       }
     >
       <p className="sheet-doc">{entry.doc}</p>
-      {takesFile.includes(entry.letters) && <FileHeader name={entries[0] ?? ""} />}
+      {runsFile(entry.letters) && <FileHeader name={entries[0] ?? ""} />}
       <div className="sheet-tools">
         <Button size="small" onPress={reset} aria-keyshortcuts="Alt+R">
           Reset <kbd>Alt R</kbd>
@@ -122,6 +122,17 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
       </form>
     </Sheet>
   );
+}
+
+/** Offers the file that ran last where the sheet is about one and none is open. */
+function useLastFile(letters: string, named: string, offer: (name: string) => void): void {
+  const hands = useHands();
+  const wanted = useRef(runsFile(letters) && named === "");
+  useEffect(() => {
+    if (!wanted.current) return;
+    wanted.current = false;
+    void lastFile(worldOf(hands)).then((name) => name && offer(name));
+  });
 }
 
 /** Parameters in the order of the sheet, with their places in the line; those of the past are left out. */

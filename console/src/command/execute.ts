@@ -7,20 +7,17 @@ import { evaluate, isExpression, resultText } from "../app/expression";
 import type { Sheet } from "../app/screen";
 import { getJson } from "../link/http";
 import type { Values } from "../wire/messages";
+import { lastFile, runsFile } from "./lastFile";
 import { argumentsOf, lettersOf } from "./line";
 
 /** Commands that open something on the page. */
 const opens: Record<string, Sheet> = {
   MN: { kind: "nudge" },
-  FP: { kind: "files" },
   SI: { kind: "scratch" },
   UV: { kind: "values", which: "settings" },
   UL: { kind: "values", which: "variables" },
   UD: { kind: "values", which: "diagnostics" },
 };
-
-/** Commands that lead to the editor. */
-const edits = ["FG"];
 
 /** Commands that open a page of the help. */
 const explains = /^H[A-Z]$/;
@@ -35,8 +32,15 @@ export function execute(world: World, text: string): void {
   else if (explains.test(letters)) world.screen.explain(letters);
   else if (letters === "FN") world.screen.edit("");
   else if (letters === "FE") void edit(world, given[0]);
-  else if (edits.includes(letters) && given.length === 0) world.screen.go("/edit");
+  else if (runsFile(letters) && given.length === 0) void offerLast(world, letters);
   else carryOut(world, text, given);
+}
+
+/** FP and FG without a name: the sheet with the file that was last, which Enter runs; else the files there are. */
+async function offerLast(world: World, letters: string): Promise<void> {
+  const name = await lastFile(world);
+  if (name) world.screen.open({ kind: "command", letters, given: [name] });
+  else world.screen.open({ kind: "files" });
 }
 
 /** Opens a file in the editor: without a name the one that ran or was open last, else an empty page. */

@@ -279,6 +279,14 @@ pub fn unattended_answer(question: &Question) -> Answer {
     }
 }
 
+/// The answer of a preview that nobody answers: a value that is asked for is not typed but left to the program.
+pub fn previewed_answer(question: &Question) -> Answer {
+    match question.kind {
+        QuestionKind::Input => Answer::Button(Button::OK),
+        _ => unattended_answer(question),
+    }
+}
+
 /// The words of an answer, as the trace shows them.
 pub fn words(answer: &Answer) -> String {
     match answer {

@@ -44,6 +44,7 @@ pub fn check(
         let mut session = session.clone();
         let company = Company { sink: &mut findings, operator, pace: &mut () };
         let mut options = RunOptions { limits: LimitPolicy::List, ..options };
+        options.program.preview = true;
         // What of a block of G-code is wrong shows only when it is carried out: the next ones are
         // tried all the same.
         options.gcode.keep_going = true;
@@ -71,6 +72,8 @@ struct Findings {
     files: Vec<Arc<str>>,
     /// Findings of the dry run that come again and again.
     again: Repetitions,
+    /// 0 stands for an answer since.
+    sampled: bool,
 }
 
 impl Findings {
@@ -138,6 +141,15 @@ impl Findings {
         self.list.push(new.clone());
     }
 
+    /// What fails behind an answer that nobody gave may well run with the operator's.
+    fn doubted(&self, found: &Diagnostic) -> Diagnostic {
+        if !self.sampled || !found.is_error() {
+            return found.clone();
+        }
+        let message = format!("{} (with 0 for what the operator answers)", found.message);
+        Diagnostic { message, ..found.clone() }.severity(Severity::Warning)
+    }
+
     fn sorted(mut self) -> Vec<Diagnostic> {
         let files = self.files;
         self.list.sort_by_key(|d| {
@@ -153,7 +165,8 @@ impl Sink for Findings {
         if let Event::Diag(diagnostic) = event
             && self.again.is_new(diagnostic)
         {
-            self.add(diagnostic);
+            self.sampled |= diagnostic.code == Code::SampleAnswer;
+            self.add(&self.doubted(diagnostic));
         }
     }
 
@@ -219,6 +232,33 @@ mod tests {
     fn every_move_outside_the_limits_is_told() {
         let text = "VL,0,10\nSF,1\nMX,12\nMX,5\nMX,-1\n";
         check_text(&[("a.sbp", text)], &["a.sbp:3 M001 Error", "a.sbp:5 M001 Error"]);
+    }
+
+    #[test]
+    fn sbp_file_check__a_program_that_asks() {
+        check_text(&[("a.sbp", "INPUT \"How deep?\" &d\nMZ,-&d\n")], &["a.sbp:1 W023 Note"]);
+        check_text(&[("a.sbp", "INPUT \"xy\" &x,&y\nM2,&x,&y\n")], &["a.sbp:1 W023 Note"]);
+        check_text(&[("a.sbp", "INPUT \"How deep?\":.5,&d\nMZ,-&d\n")], &[]);
+        check_text(
+            &[("a.sbp", "INPUT \"Passes?\" &n\nMZ,-1/&n\n")],
+            &["a.sbp:1 W023 Note", "a.sbp:2 R003 Warning"],
+        );
+        let other = "&a=0\nMZ,1/&a\nINPUT \"?\" &n\n";
+        check_text(&[("a.sbp", other)], &["a.sbp:2 R003 Error"]);
+    }
+
+    #[test]
+    fn sbp_file_check__answers_beside_the_file() {
+        let files: [(&str, &[u8]); 2] = [("a.sbp", b""), ("a.sbp.answers", b"# depth\n.5\n")];
+        let shelf = Shelf::in_memory(MemoryDisk::new(files));
+        let mut answers = shelf.answers_beside("a.sbp");
+        let text = b"INPUT \"How deep?\" &d\nMZ,-&d\n";
+        let program = kerf_part::read("a.sbp".into(), text);
+        let mut shelf = Shelf::in_memory(MemoryDisk::new(files));
+        let options = RunOptions::default();
+        let found = check(&Session::default(), program, options, &mut shelf, &mut answers);
+        assert!(found.diagnostics.is_empty(), "{:?}", found.diagnostics);
+        assert_eq!(found.summary.map(|s| s.tally.cut_mm.round()), Some(13.0));
     }
 
     #[test]

@@ -50,6 +50,7 @@ pub mod parts;
 pub mod password;
 mod pendant;
 mod press;
+mod preview_mode;
 mod reentry;
 mod repetitions;
 mod runner;

@@ -21,6 +21,7 @@ use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_motion::{Move, Mover};
 use kerf_program::{
     At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step, StoppedBy,
+    Watch,
 };
 use kerf_sbp::LAST_ERROR;
 use kerf_sim::Watched;
@@ -218,6 +219,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     }
 
     pub(crate) fn tell_standing(&mut self, flags: u8) {
+        let moves = |s: &Sourced| s.command.is_motion() && self.is_of_file(s.at);
+        self.world.file_moves = self.stack.moves_file() || self.out.iter().any(moves);
         let interpreter = &self.interpreter;
         let called = |at: At| (at, interpreter.file_call(at.file));
         let files = || interpreter.call_stack().into_iter().map(called).collect();
@@ -423,7 +426,16 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     }
 
     fn stack_up(&mut self, made: Move, number: u64) {
+        let of_file = self.is_of_file(made.at);
         self.stack.push(made.at_feed(self.feed), self.watching.then_some(number));
+        if of_file {
+            self.stack.came_from_file();
+        }
+    }
+
+    /// Whether a line stands in a file, and was not typed.
+    const fn is_of_file(&self, at: At) -> bool {
+        at.file as usize >= self.world.typed_files
     }
 
     /// Whether the stack takes no more moves.
@@ -537,19 +549,30 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     pub(crate) fn halted(&mut self, halted: Halted) -> Flow {
         match halted {
-            Halted::Watch { index, at } => self.interrupt(index, &at),
+            Halted::Watch { index, changed_s, at } => self.interrupt(index, changed_s, &at),
             Halted::Taken { by, at } => self.taken(by, &at),
             Halted::Over(over) => Flow::Over(over),
         }
     }
 
-    /// A watched input stopped the machine: the program's handler comes next.
-    pub(crate) fn interrupt(&mut self, index: usize, at: &kerf_program::Halted) -> Flow {
+    /// A watched input stopped the machine: the program's handler comes next, and those of inputs that changed in the
+    /// same moment or until the machine stood.
+    pub(crate) fn interrupt(
+        &mut self,
+        index: usize,
+        changed_s: f64,
+        at: &kerf_program::Halted,
+    ) -> Flow {
         self.world.machine.land_torch();
         let position = self.world.machine.position();
         let Some(watch) = self.interpreter.watches().get(index).cloned() else { return Flow::On };
         self.interpreter.fired(at);
         self.interpreter.interrupt(&watch, at.motion, position);
+        let changed = self.world.machine.changed_since(changed_s);
+        let fires = |w: &Watch| w.level_after_s.is_none() && changed.contains(&(w.input, w.on));
+        for other in self.interpreter.watches().into_iter().filter(fires) {
+            self.interpreter.interrupt(&other, None, position);
+        }
         self.begin_anew(position);
         Flow::Interrupted
     }

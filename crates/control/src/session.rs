@@ -274,9 +274,6 @@ impl Session {
     /// Has the settings again that it had before a run.
     fn give_back(&mut self, began: &Settings) {
         password::give_back(began, &mut self.memory.settings);
-        if let Some(before) = &mut self.memory.before_preview {
-            password::give_back(began, Arc::make_mut(&mut before.settings));
-        }
     }
 
     /// The system log tells of a file that was not even begun.

@@ -1,6 +1,7 @@
 //! Everything of a run that lies on a disk: part files, custom cuts, files that programs read and
 //! write, stored values, external programs.
 
+use crate::answers::Answers;
 use crate::files::{
     self, Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name,
 };
@@ -110,6 +111,13 @@ impl Shelf {
     /// name. What a program wrote itself is not among them.
     pub fn take_called(&mut self) -> BTreeMap<PathBuf, Arc<[u8]>> {
         self.called.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    /// The answers that stand beside a part file for whoever only looks at it; none where there is no such file.
+    pub fn answers_beside(&self, file: &str) -> Answers {
+        let beside = PathBuf::from(format!("{file}.answers"));
+        let bytes = if self.disk.is_file(&beside) { self.disk.read(&beside).ok() } else { None };
+        bytes.map_or_else(Answers::default, |bytes| Answers::read(&String::from_utf8_lossy(&bytes)))
     }
 
     /// The same, for a machine whose controller has firmware that can be loaded.
@@ -432,10 +440,13 @@ impl Shelf {
         name: &str,
         mode: FileMode,
     ) -> Result<String, HostError> {
-        let purpose = if mode == FileMode::Input { Purpose::Read } else { Purpose::Write };
-        let (disk, folders) = (&*self.disk, &self.folders);
+        let purpose = if mode == FileMode::Input { Purpose::Read } else { Purpose::Make };
+        let (disk, folders) = (&mut *self.disk, &self.folders);
         let (path, bytes) = self.tape.hear_file(Kind::Open, || {
             let path = folders.find(disk, Folder::Parts, name, purpose)?;
+            if mode != FileMode::Input {
+                files::make_way(disk, &path)?;
+            }
             let bytes = files::to_open(disk, &path, mode)?;
             Ok((path.display().to_string(), bytes))
         })?;

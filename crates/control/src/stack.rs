@@ -32,6 +32,8 @@ pub(crate) struct Stack {
     /// How many moves were read, and made.
     read: u64,
     made: u64,
+    /// How many moves were read when the last one of a file was.
+    files_until: u64,
     /// What is done before a move starts: how many are read before it.
     marks: VecDeque<(u64, Sourced)>,
 }
@@ -90,6 +92,16 @@ impl Stack {
             Some(running) => running.waiting.push_back(made),
             None => self.waiting.push_back(made),
         }
+    }
+
+    /// The move that was added last is one of a file, not of what was typed.
+    pub const fn came_from_file(&mut self) {
+        self.files_until = self.read;
+    }
+
+    /// Whether a move of a file is still to be made, or is being made.
+    pub const fn moves_file(&self) -> bool {
+        self.made < self.files_until
     }
 
     /// Adds a command that does not end motion.

@@ -4,12 +4,22 @@
 use crate::facts::{Fact, is_fact};
 use crate::journal::{Journal, JournalError};
 use crate::part_log::LAST_SHAPE;
+use crate::preview_mode::PREVIEW;
 use kerf_sbp::{EDITOR, LAST_ERROR, PART_FILE, RECORDED, RECORDING};
 use std::collections::BTreeMap;
 
 /// Keys that Kerf writes for itself; those of folders have no value of their own.
-const OWN: [&str; 8] =
-    [PART_FILE, EDITOR, LAST_ERROR, LAST_SHAPE, RECORDED, RECORDING, "uAppPath", "uUsrPath"];
+const OWN: [&str; 9] = [
+    PART_FILE,
+    EDITOR,
+    LAST_ERROR,
+    LAST_SHAPE,
+    PREVIEW,
+    RECORDED,
+    RECORDING,
+    "uAppPath",
+    "uUsrPath",
+];
 
 /// Whether Kerf writes a key for itself, so that nobody writes it over the network. Values of the user, variables of
 /// programs and names that other software made up are free.

@@ -15,7 +15,7 @@ use kerf_motion::Move;
 use kerf_program::{
     Answer, At, Button, Halted, Interpreter, Question, QuestionKind, Status, StoppedBy,
 };
-use kerf_sim::{Change, HaltCause};
+use kerf_sim::{Change, Halt, HaltCause};
 
 /// How often it is written down how far a move has come, seconds.
 const RECORDED_EVERY_S: f64 = 0.02;
@@ -76,22 +76,22 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             (Some((_, wish)), _) if self.is_passed_over(wish) => Flow::On,
             (Some((_, wish)), _) => self.stands(wish).map_or_else(Flow::Over, |()| Flow::On),
-            (None, Some(halt)) => self.input_halts(halt.cause),
+            (None, Some(halt)) => self.input_halts(halt),
             (None, None) => return None,
         };
         Some((stood_s, flow))
     }
 
     /// An input changed while time passed and nothing moved.
-    fn input_halts(&mut self, cause: HaltCause) -> Flow {
-        match cause {
+    fn input_halts(&mut self, halt: Halt) -> Flow {
+        match halt.cause {
             HaltCause::Watch(index) if self.is_emergency(index) => {
                 self.heed_press().map_or_else(Flow::Over, |()| Flow::On)
             }
             HaltCause::Watch(index) => {
                 self.drop_outputs(self.world.now(), index);
                 self.world.tell_log();
-                self.interrupt(index, &self.stood())
+                self.interrupt(index, halt.t_s, &self.stood())
             }
             cause => match self.halted_by(cause, self.stood()) {
                 Ok(()) => Flow::On,

@@ -65,6 +65,8 @@ pub(crate) struct World<'a> {
     pub previews: bool,
     /// A part file runs, for those who look from outside.
     pub file_runs: bool,
+    /// Moves of a part file are still to be made, or being made.
+    pub file_moves: bool,
     /// Files that are open and are none: one, where lines were typed.
     pub typed_files: usize,
     /// Nothing is told: what happens has happened before.
@@ -110,6 +112,7 @@ impl<'a> World<'a> {
             told: BTreeSet::new(),
             previews: false,
             file_runs: false,
+            file_moves: false,
             typed_files: 0,
             silent: false,
             stays: None,
@@ -151,7 +154,7 @@ impl<'a> World<'a> {
         let files = files();
         // A file that was read to its end still moves.
         if !files.is_empty() {
-            self.file_runs = files.len() > self.typed_files;
+            self.file_runs = self.file_moves || files.len() > self.typed_files;
         }
         let file = if self.file_runs { flag::FILE_RUNNING } else { 0 };
         self.shelf.tape.stands(flags | preview | file);
@@ -461,6 +464,7 @@ impl<'a> World<'a> {
         let given = self.hear_answer(question, at)?;
         let scripted = given.is_some();
         let answer = match given {
+            None if self.previews => answers::previewed_answer(question),
             None => answers::unattended_answer(question),
             Some(words) => answers::meaning(question, &words)
                 .ok_or_else(|| Unanswered::NoButton(self.fits_nothing(question, &words)))?,
@@ -543,13 +547,15 @@ impl<'a> World<'a> {
     }
 
     fn told_question(&mut self, question: &Question, answer: &Answer, scripted: bool, at: At) {
+        let default = answers::words(&answers::default_answer(question));
+        let nothing_typed = answers::takes_text(question.kind) && *answer == Answer::Button(Button::OK);
         let event = Event::Ask(AskEvent {
             kind: question.kind,
             text: question.text.clone(),
             title: question.title.clone(),
             buttons: question.buttons.iter().map(|b| b.word()).collect(),
-            default: answers::words(&answers::default_answer(question)),
-            answer: answers::words(answer),
+            answer: if nothing_typed { default.clone() } else { answers::words(answer) },
+            default,
             scripted,
             t: self.now(),
             file: self.file(at),

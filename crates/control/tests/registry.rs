@@ -58,6 +58,22 @@ impl Pace for Onlooker {
 
 /// What is seen of a program.
 fn seen(folder: &TempDir, program: &str, typed: bool, stop_s: f64) -> Vec<(String, Live)> {
+    seen_of(folder, program, typed.then_some("FP,a.sbp\n"), stop_s)
+}
+
+/// The status while something that was typed moves.
+fn seen_typed(folder: &TempDir, typed: &str, file: &str) -> Vec<u8> {
+    let seen = seen_of(folder, file, Some(typed), f64::INFINITY);
+    let moving = seen.into_iter().filter(|(_, live)| live.status & 32 != 0);
+    moving.map(|(_, live)| live.status).collect()
+}
+
+fn seen_of(
+    folder: &TempDir,
+    program: &str,
+    typed: Option<&str>,
+    stop_s: f64,
+) -> Vec<(String, Live)> {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let disk = MemoryDisk::new([("a.sbp", program.as_bytes())]);
     let folders = Folders::new("".into(), Vec::new(), Vec::new());
@@ -67,7 +83,7 @@ fn seen(folder: &TempDir, program: &str, typed: bool, stop_s: f64) -> Vec<(Strin
     let all = Seen::default();
     let mut operator = Onlooker { journal: looks(), seen: all.clone(), stop_s: f64::INFINITY };
     let mut pace = Onlooker { journal: looks(), seen: all.clone(), stop_s };
-    let text = if typed { "FP,a.sbp\n" } else { program };
+    let text = typed.unwrap_or(program);
     let read = kerf_part::read("a.sbp".into(), text.as_bytes());
     let mut options = RunOptions {
         inputs: vec![
@@ -77,7 +93,7 @@ fn seen(folder: &TempDir, program: &str, typed: bool, stop_s: f64) -> Vec<(Strin
         ],
         ..RunOptions::default()
     };
-    options.program.typed = typed;
+    options.program.typed = typed.is_some();
     let company = Company { sink: &mut (), operator: &mut operator, pace: &mut pace };
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
@@ -105,12 +121,49 @@ fn sbp_ctl_reg_bit1() {
     let folder = tempfile::tempdir().unwrap();
     let typed = seen(&folder, "MSGBOX(In a file)\n", true, f64::INFINITY);
     assert_eq!(typed[0].1.status & 1, 1, "a file that a typed line runs");
+    // One stack, as most files are: it was read to its end long before it is made.
+    for program in ["MX,2\nMX,3\nMX,1\n", "MSGBOX(Go?)\nMX,2\nMX,3\n", "JX,3\n"] {
+        let folder = tempfile::tempdir().unwrap();
+        let moving = seen(&folder, program, true, f64::INFINITY);
+        let passing: Vec<u8> =
+            moving.iter().filter(|(at, _)| at == "passing").map(|(_, live)| live.status).collect();
+        assert!(!passing.is_empty(), "{program}");
+        assert!(passing.iter().all(|status| status & 33 == 33), "{program}: {passing:?}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let held = seen(&folder, "MX,5\nMX,0\n", true, 1.0);
+    let held = held.iter().find(|(at, _)| at.starts_with("Stopped")).expect("a hold");
+    assert_eq!(held.1.status & 17, 17, "also while it is held");
+}
+
+/// What is typed is no file, also behind one.
+#[test]
+fn sbp_ctl_reg_bit1__typed_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let alone = seen_typed(&folder, "MX,2\n", "");
+    assert!(alone.iter().all(|status| status & 1 == 0), "{alone:?}");
+    let behind = seen_typed(&folder, "FP,a.sbp\nPAUSE .1\nMX,9\n", "MX,1\n");
+    assert_eq!([behind[0] & 1, behind[behind.len() - 1] & 1], [1, 0], "{behind:?}");
 }
 
 #[test]
 fn sbp_ctl_reg_bit2() {
     assert_eq!(status("SP\nMX,1\nMSGBOX(Drawn)\nSM\n", "Drawn"), 1 + 2 + 8);
     assert_eq!(status("MX,1\nMSGBOX(Made)\n", "Made"), 1 + 8);
+}
+
+#[test]
+fn sbp_ctl_reg_bit2__at_rest() {
+    let mut session = Session::default();
+    let mut type_line = |line: &str| {
+        let mut options = RunOptions::default();
+        options.program.typed = true;
+        let mut shelf = Shelf::in_memory(MemoryDisk::default());
+        let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
+        session.run(kerf_part::read("typed".into(), line.as_bytes()), options, &mut shelf, company);
+        session.look(Live::at_rest).status
+    };
+    assert_eq!(["SP\n", "MX,3\n", "SM\n", "MX,1\n"].map(&mut type_line), [2, 2, 0, 0]);
 }
 
 #[test]

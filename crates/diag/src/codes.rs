@@ -117,6 +117,8 @@ codes! {
         "The machine's settings are protected by a password (`kerf machine password`). A part file runs with the values that it sets; when it ends they are what they were, also after SV, unless the password was given with the run.";
     EmptyFile "W022" Warning "the file is empty"
         "Nothing stands in the file, so nothing is done. A disk that was full, or a program that was ended while it saved, leaves files without a byte: save it again where it was made.";
+    SampleAnswer "W023" Note "0 stands for an answer"
+        "The program asks for a value, and whatever only looks at it (check, preview, time, the picture in the console) has nobody to ask: 0 is taken. Sample answers for a file stand beside it: `box.sbp.answers` for `box.sbp`, written as for --answers, which comes before it. A run asks the operator all the same.";
 
     UndefinedVariable "R001" Error "variable has no value"
         "A variable must be assigned before it is used as a number. As text it reads as empty.";

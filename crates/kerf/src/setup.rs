@@ -62,6 +62,9 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
         read_program(file, args.dialect.sbp)?.into()
     };
     let mut job = job_of(work, shelf(parts, &args.place, preview)?, args, preview)?;
+    if preview && args.answers.is_none() {
+        job.answers = job.shelf.answers_beside(&job.work.name());
+    }
     job.visit.opening.file = true;
     job.drawing = drawing;
     Ok(job)

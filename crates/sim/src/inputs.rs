@@ -220,6 +220,21 @@ impl Inputs {
         None
     }
 
+    /// Inputs that changed from a moment on, up to now, and what they read.
+    pub(crate) fn changed_since(&self, from_s: f64, modes: &IoModes) -> Vec<(u8, bool)> {
+        let past = self.script.get(..self.done).unwrap_or_default();
+        let before = past.partition_point(|change| change.at_s < from_s);
+        let (earlier, late) = past.split_at(before);
+        let differs = |change: &&Change| {
+            let last = earlier.iter().rev().find(|other| other.input == change.input);
+            last.is_none_or(|last| last.on != change.on)
+        };
+        let changed = late.iter().filter(differs).map(|change| change.input);
+        let mut changed: Vec<u8> = changed.collect();
+        changed.dedup();
+        changed.into_iter().map(|number| (number, self.reads(number, modes))).collect()
+    }
+
     /// Takes the next change, of the script or foreseen, not later than a time.
     fn next_until(&mut self, until_s: f64) -> Option<Change> {
         let scripted = self.script.get(self.done).copied();

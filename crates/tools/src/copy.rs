@@ -205,6 +205,12 @@ impl Copy<'_> {
 
     /// Writes the point &x, &y, &z.
     fn record(&self) -> Vec<String> {
+        // What is next to zero would be written with an exponent, which no drawing and few programs read.
+        let rounded = ["x", "y", "z"].map(|it| format!("&{it} = INT(&{it} * 10000 + 0.5) / 10000"));
+        [rounded.to_vec(), self.record_rounded()].concat()
+    }
+
+    fn record_rounded(&self) -> Vec<String> {
         match (self.drawing, self.polyline()) {
             (true, false) => [write(&["0", "POINT", "8", "COPY"]), coordinates()].concat(),
             (true, true) => {
@@ -266,6 +272,19 @@ mod tests {
         let text = made('C', "probe=normally closed,input=3");
         assert!(text.contains("IF %(53) = 0 THEN GOTO TOUCHES"), "{text}");
         assert!(text.contains("ON INPUT(3,0) GOTO HIT"), "{text}");
+    }
+
+    #[test]
+    fn points_are_rounded_before_they_are_written() {
+        for pattern in ["pattern=2D", "pattern=3D", "output=dxf"] {
+            let text = made('C', pattern);
+            for axis in ["x", "y", "z"] {
+                let rounded = format!("&{axis} = INT(&{axis} * 10000 + 0.5) / 10000");
+                let (at, writes) = (text.find(&rounded), text.rfind(&format!("; &{axis}")));
+                assert!(at.is_some(), "{pattern}: {text}");
+                assert!(writes.is_none_or(|writes| at < Some(writes)), "{pattern}: {text}");
+            }
+        }
     }
 
     #[test]

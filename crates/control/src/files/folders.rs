@@ -1,7 +1,8 @@
 //! From names in part files to paths on a disk.
 //!
-//! Part files come from Windows: any case, `\` or `/`, drives. `C:\SbParts` stands for the part
-//! folder, wherever that is; other drives are looked for in the folders that were allowed besides.
+//! Part files come from Windows: any case, `\` or `/`, drives. `C:\SbParts` and `C:\ShopBot\Parts` stand for the part
+//! folder, wherever that is; everything else on a drive is looked for in the folders that were allowed besides, each of
+//! which may be meant itself (`D:\Jobs\a.sbp` with `/srv/jobs`) or stand for the whole drive.
 
 use super::Disk;
 use kerf_program::{Folder, HostError};
@@ -9,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
 
 /// What Windows installations call the folder of part files.
-const WINDOWS_PARTS: &str = "sbparts";
+const WINDOWS_PARTS: [&[&str]; 2] = [&["sbparts"], &["shopbot", "parts"]];
 
 /// What they call the folder of custom cuts in it.
 const CUSTOM: &str = "custom";
@@ -34,6 +35,8 @@ pub enum Purpose {
     Read,
     /// Its folder has to be there.
     Write,
+    /// The same, but a folder below the part folder may still have to be made.
+    Make,
     /// It has to be a folder.
     Enter,
 }
@@ -96,12 +99,28 @@ impl Folders {
                 return Ok(path);
             }
         }
+        if purpose == Purpose::Make
+            && let Some(path) = self.to_be_made(disk, &places)
+        {
+            return Ok(path);
+        }
         Err(match (refused, places.first()) {
             (Some(path), _) if path.as_os_str().is_empty() => outside(name.trim()),
             (Some(path), _) => outside(&path.display().to_string()),
             (None, Some((base, _))) => missing(name.trim(), base, purpose),
             (None, None) => outside(name.trim()),
         })
+    }
+
+    /// A file whose folder is not there yet, below the part folder.
+    fn to_be_made(&self, disk: &dyn Disk, places: &[(PathBuf, String)]) -> Option<PathBuf> {
+        let below = |path: &PathBuf| {
+            let [real, start] = [path, &self.start].map(|path| disk.real_path(path));
+            self.is_allowed(disk, path) && real != start && real.starts_with(start)
+        };
+        let free = |path: &PathBuf| path.ancestors().all(|above| !disk.is_file(above));
+        let paths = places.iter().map(|(base, rest)| walk(disk, base, rest));
+        paths.filter(|path| !disk.is_folder(path)).find(|path| below(path) && free(path))
     }
 
     /// Where a name may lie: base folders and the rest of the name.
@@ -130,7 +149,7 @@ impl Folders {
 
     fn on_drive(&self, disk: &dyn Disk, rest: &str) -> Vec<(PathBuf, String)> {
         let mut places = Vec::new();
-        if let Some(inside) = strip_folder(rest, WINDOWS_PARTS) {
+        if let Some(inside) = inside_parts(rest) {
             places.push((self.start.clone(), inside.to_owned()));
             let own = disk.is_folder(&walk(disk, &self.start, CUSTOM));
             if let (false, Some(inside)) = (own, strip_folder(inside, CUSTOM)) {
@@ -138,7 +157,10 @@ impl Folders {
                 custom.for_each(|folder| places.insert(0, (folder.clone(), inside.to_owned())));
             }
         }
-        places.extend(self.allowed.iter().map(|folder| (folder.clone(), rest.to_owned())));
+        for folder in &self.allowed {
+            places.extend(behind_folder(rest, folder).map(|inside| (folder.clone(), inside)));
+            places.push((folder.clone(), rest.to_owned()));
+        }
         places
     }
 
@@ -154,7 +176,7 @@ fn fits(disk: &dyn Disk, path: &Path, purpose: Purpose) -> bool {
     match purpose {
         Purpose::Read => disk.is_file(path),
         Purpose::Enter => disk.is_folder(path),
-        Purpose::Write => {
+        Purpose::Write | Purpose::Make => {
             !disk.is_folder(path) && disk.is_folder(path.parent().unwrap_or(Path::new("")))
         }
     }
@@ -163,7 +185,7 @@ fn fits(disk: &dyn Disk, path: &Path, purpose: Purpose) -> bool {
 /// The name of a custom cut that is written with the folder it has on Windows.
 pub fn custom_name(name: &str) -> Option<String> {
     let name = clean(name);
-    let inside = strip_folder(after_drive(&name)?, WINDOWS_PARTS)?;
+    let inside = inside_parts(after_drive(&name)?)?;
     strip_folder(inside, CUSTOM).map(str::to_owned)
 }
 
@@ -177,6 +199,21 @@ fn after_drive(name: &str) -> Option<&str> {
     let mut letters = name.chars();
     let drive = letters.next()?.is_ascii_alphabetic() && letters.next()? == ':';
     drive.then(|| letters.as_str().trim_start_matches('/'))
+}
+
+/// What follows the folder of part files, as Windows installations call it.
+fn inside_parts(path: &str) -> Option<&str> {
+    WINDOWS_PARTS.iter().find_map(|folders| {
+        folders.iter().try_fold(path, |rest, folder| strip_folder(rest, folder))
+    })
+}
+
+/// What follows a folder of the same name as this one.
+fn behind_folder(path: &str, folder: &Path) -> Option<String> {
+    let name = folder.file_name()?.to_str()?;
+    let mut parts = path.split('/');
+    parts.find(|part| part.eq_ignore_ascii_case(name))?;
+    Some(parts.collect::<Vec<_>>().join("/"))
 }
 
 /// What follows a first folder of this name, in any case.
@@ -229,7 +266,7 @@ fn outside(what: &str) -> HostError {
 fn missing(name: &str, base: &Path, purpose: Purpose) -> HostError {
     let folder = if base.as_os_str().is_empty() { Path::new(".") } else { base }.display();
     HostError::NotFound(match purpose {
-        Purpose::Write => format!("cannot write {name}: no such folder below {folder}"),
+        Purpose::Write | Purpose::Make => format!("cannot write {name}: no such folder below {folder}"),
         Purpose::Enter => format!("folder {name} not found below {folder}"),
         Purpose::Read => format!("{name} not found in {folder}"),
     })
@@ -279,12 +316,31 @@ mod tests {
         check("doors", Purpose::Enter, Ok("parts/doors"));
         check("c:/sbparts/doors/new.txt", Purpose::Write, Ok("parts/doors/new.txt"));
         check("nowhere/new.txt", Purpose::Write, Err("not found"));
+        check(r"C:\ShopBot\Parts\box.sbp", Purpose::Read, Ok("parts/Box.sbp"));
+        check(r"C:\SHOPBOT\PARTS", Purpose::Enter, Ok("parts"));
+        check(r"C:\ShopBot\box.sbp", Purpose::Read, Err("not found"));
+    }
+
+    #[test]
+    fn a_folder_below_the_part_folder_may_still_have_to_be_made() {
+        check("nowhere/new.txt", Purpose::Make, Ok("parts/nowhere/new.txt"));
+        check(r"C:\SbParts\Tools\Now\new.txt", Purpose::Make, Ok("parts/Tools/Now/new.txt"));
+        check(r"C:\SbParts\Custom\new.txt", Purpose::Make, Ok("custom/new.txt"));
+        let fresh = Folders::new("parts".into(), vec!["none".into()], Vec::new());
+        let found = fresh.find(&disk(), Folder::Parts, r"C:\SbParts\Custom\x.txt", Purpose::Make);
+        assert_eq!(found.as_deref().ok(), Some(Path::new("parts/Custom/x.txt")));
+        check(r"D:\Tools\new.txt", Purpose::Make, Err("not found"));
+        check("../elsewhere/new.txt", Purpose::Make, Err("not allowed"));
+        check("Box.sbp/new.txt", Purpose::Make, Err("not found"));
+        check("doors", Purpose::Make, Err("not found"));
     }
 
     #[test]
     fn drives_are_looked_for_in_the_allowed_folders() {
         check(r"C:\C\JOB.TXT", Purpose::Read, Ok("shop/C/job.txt"));
         check(r"D:\key.txt", Purpose::Read, Err("not found"));
+        check(r"D:\Shop\C\job.txt", Purpose::Read, Ok("shop/C/job.txt"));
+        check(r"D:\Work\SHOP\c\job.txt", Purpose::Read, Ok("shop/C/job.txt"));
         let closed = Folders::new("parts".into(), Vec::new(), Vec::new());
         let found = closed.find(&disk(), Folder::Parts, r"C:\a.txt", Purpose::Write);
         assert!(matches!(found, Err(HostError::NotAllowed(_))), "{found:?}");

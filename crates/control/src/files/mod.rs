@@ -23,7 +23,7 @@ pub use disk::Disk;
 pub use folders::{Folders, Purpose, custom_name};
 pub use leftovers::sweep;
 pub use memory::MemoryDisk;
-pub use open::{OpenFiles, to_open};
+pub use open::{OpenFiles, make_way, to_open};
 pub use real::{RealDisk, write_private};
 pub use scratch::Scratch;
 pub use shipped::{MACHINES, SAMPLES, SHIPPED, Shipped};

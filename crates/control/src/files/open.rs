@@ -79,6 +79,16 @@ pub fn to_open(disk: &dyn Disk, path: &Path, mode: FileMode) -> Result<Vec<u8>, 
     Ok(Vec::new())
 }
 
+/// Makes the folder of a file that is opened for writing, where it is not there yet.
+pub fn make_way(disk: &mut dyn Disk, path: &Path) -> Result<(), HostError> {
+    match path.parent() {
+        Some(folder) if !disk.is_folder(folder) => {
+            disk.make_folder(folder).map_err(|e| refused("make the folder", folder, &e))
+        }
+        _ => Ok(()),
+    }
+}
+
 fn refused(what: &str, path: &Path, error: &io::Error) -> HostError {
     HostError::Refused(format!("cannot {what} {}: {error}", path.display()))
 }
@@ -97,6 +107,16 @@ mod tests {
         assert_eq!(files.write(1, "new\n"), Ok(()));
         assert_eq!(files.take(1), Some(("a.txt".into(), "old\nnew\n".into())));
         assert!(files.write(1, "x").is_err() && files.take(1).is_none());
+    }
+
+    #[test]
+    fn a_folder_is_made_for_a_file_that_is_written() -> std::io::Result<()> {
+        let folder = tempfile::tempdir()?;
+        let path = folder.path().join("Tools/Now/new.txt");
+        assert_eq!(make_way(&mut super::super::RealDisk, &path), Ok(()));
+        assert!(path.parent().is_some_and(Path::is_dir) && !path.exists());
+        assert_eq!(make_way(&mut super::super::RealDisk, &path), Ok(()), "it is there already");
+        Ok(())
     }
 
     #[test]

@@ -33,8 +33,12 @@ impl<D: Disk> Disk for Scratch<D> {
     }
 
     fn names(&self, folder: &Path) -> io::Result<Vec<String>> {
-        let mut names = self.below.names(folder)?;
-        names.extend(self.written.names(folder)?);
+        let mut names = self.written.names(folder)?;
+        match self.below.names(folder) {
+            Ok(below) => names.extend(below),
+            Err(error) if names.is_empty() => return Err(error),
+            Err(_) => {}
+        }
         names.sort();
         names.dedup();
         Ok(names)
@@ -45,7 +49,7 @@ impl<D: Disk> Disk for Scratch<D> {
     }
 
     fn is_folder(&self, path: &Path) -> bool {
-        self.below.is_folder(path)
+        self.below.is_folder(path) || self.written.is_folder(path)
     }
 
     fn real_path(&self, path: &Path) -> PathBuf {

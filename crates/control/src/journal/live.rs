@@ -33,7 +33,8 @@ impl Live {
         };
         let inputs = sum(&|number| machine.input(number));
         let outputs = sum(&|number| machine.outputs().is_on(number));
-        Self { status: 0, inputs, outputs }
+        let status = if machine.draws() { flag::PREVIEW } else { 0 };
+        Self { status, inputs, outputs }
     }
 
     /// Whether the machine tells the value of a key, so that nobody sets it.

@@ -111,7 +111,7 @@ impl Journal {
         memory: &kerf_sbp::Session,
         gcode: &kerf_gcode::State,
     ) -> Result<(), JournalError> {
-        self.keep_settings(None, settings_of(memory))?;
+        self.keep_settings(None, &memory.settings)?;
         self.write(|rows| remember(rows, memory, gcode))
     }
 
@@ -174,11 +174,6 @@ pub(super) fn remember_homed(rows: &Rows<'_>, session: &Session) -> rows::Result
         Some(machine) => rows.put(Table::Fact, TRUTH, &json(&machine.truth())?),
         None => Ok(()),
     }
-}
-
-/// The settings that stay: of a preview that was not left, those before it.
-pub(super) fn settings_of(memory: &kerf_sbp::Session) -> &Settings {
-    memory.before_preview.as_ref().map_or(&memory.settings, |before| &before.settings)
 }
 
 /// Of a preview that was not left, what was before it is kept.

@@ -70,7 +70,7 @@ fn what_g_code_remembers_comes_back() {
 }
 
 #[test]
-fn of_a_preview_what_was_before_it_is_kept() {
+fn of_a_preview_the_place_before_it_is_kept_and_what_was_set() {
     let folder = tempdir().unwrap();
     let (journal, _) = opened(&folder);
     let kept = |program: &str| {
@@ -78,7 +78,7 @@ fn of_a_preview_what_was_before_it_is_kept() {
         journal.remember(&session.memory, &session.gcode).unwrap();
         journal.remembered().unwrap().unwrap().memory
     };
-    assert_eq!(kept("MX,1\nSP\nMX,5\nVC,2"), kept("MX,1"));
+    assert_eq!(kept("MX,1\nSP\nMX,5\nZX\nVC,2"), kept("MX,1\nVC,2"));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::history::{self, Past};
 use super::kept_work::{KeptWork, WorkKind};
 use super::progress::{PROGRESS, Progress, Reached};
-use super::remembered::{remember, remember_homed, settings_of};
+use super::remembered::{remember, remember_homed};
 use super::rows::{self, Rows, Table};
 use super::tape::{Step, Tape};
 use super::{Journal, JournalError, Live, Placed, json, mirror};
@@ -194,8 +194,7 @@ impl Journal {
         let kept = match run.settings {
             Some(_) => Ok(()),
             None => {
-                let [began, ended] = [&run.session.sbp, &session.memory].map(settings_of);
-                self.keep_settings(Some(began), ended)
+                self.keep_settings(Some(&run.session.sbp.settings), &session.memory.settings)
             }
         };
         self.write(|rows| {

@@ -369,7 +369,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     }
     let takes = work.takes_origin(session.memory.position);
     let takes = takes.filter(|_| kept && args.driver.is_none() && run.place.config.is_none());
-    let mut moved = false;
+    let (mut moved, typed) = (false, options.program.typed);
     let exit = attended(args, run, show, answers, controller.clone(), |company| {
         let shelf = &mut shelf;
         let (summary, unkept) = over(match kept {
@@ -382,12 +382,23 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     if let Some(at) = takes.filter(|_| moved) {
         keep_origin(at, &session, &run.place)?;
     }
+    if kept && typed {
+        tell_preview(&session, &mut shelf, args.quiet());
+    }
     if let Some((name, shared)) = args.driver.as_ref().zip(controller) {
         controller::leaves(name, &shared, &mut shelf);
     }
     match kept {
         true => closes(exit, &visit, (&mut session, &mut shelf), args, run),
         false => Ok(exit),
+    }
+}
+
+/// Preview mode holds for what is typed next, and whoever types knows.
+fn tell_preview(session: &Session, shelf: &mut Shelf, quiet: bool) {
+    session.keep_preview(shelf);
+    if session.is_in_preview() && !quiet {
+        eprintln!("kerf: in preview: what is sent is only drawn, until `kerf send SM`");
     }
 }
 

@@ -133,6 +133,9 @@ fn typed(
         job.options.opened = true;
     }
     job.options.program.typed = true;
+    if job.kept {
+        job.session.go_on_in_preview(&job.shelf);
+    }
     on_machine(job, machine, run, Talk::all())
 }
 

@@ -117,6 +117,29 @@ fn sbp_flow_oninput_many() {
 }
 
 #[test]
+fn sbp_flow_oninput_many__at_the_same_instant() {
+    let armed = "ON INPUT(3,1) &a=1 ⏎ ON INPUT(5,1) &b=2";
+    let check = |program: &str, expected: &str| {
+        let program = format!("&a=0 ⏎ &b=0 ⏎ {armed} ⏎ {program} ⏎ PRINT &a;&b");
+        sbp(&program).input(3, 2.0, true).input(5, 2.0, true).run().prints(&[expected]);
+    };
+    check("MX,10", "12");
+    check("PAUSE 5", "12");
+    check("ON INPUT(3,1) ⏎ MX,10", "02");
+    // The second one changes while the machine slows down for the first.
+    let ramped = "&a=0 ⏎ &b=0 ⏎ ON INPUT(3,3) &a=1 ⏎ ON INPUT(5,1) &b=2 ⏎ MX,10 ⏎ PRINT &a;&b";
+    sbp(ramped).input(3, 2.0, true).input(5, 2.02, true).run().prints(&["12"]);
+    // One that had changed before is not told again.
+    let before = "&b=0 ⏎ MX,5 ⏎ ON INPUT(3,1) &a=1 ⏎ ON INPUT(5,1) &b=2 ⏎ MX,10 ⏎ PRINT &a;&b";
+    sbp(before).input(5, 1.0, true).input(3, 4.0, true).run().prints(&["10"]);
+    let subs = "ON INPUT(3,1) GOSUB A ⏎ ON INPUT(5,1) GOSUB B ⏎ MX,10 ⏎ PRINT &t ⏎ END ⏎ \
+        A: ⏎ &t = &t & \"a\" ⏎ RETURN ⏎ B: ⏎ &t = &t & \"b\" ⏎ RETURN";
+    let both = sbp(&format!("&t = \"\" ⏎ {subs}")).input(3, 2.0, true).input(5, 2.0, true).run();
+    let printed: Vec<_> = both.events("print").map(|told| told["text"].clone()).collect();
+    assert!(["ab", "ba"].iter().any(|order| printed == [*order]), "{both}");
+}
+
+#[test]
 fn sbp_flow_oninput_abbrev() {
     pressed_at_x4(3, "&t=3 ⏎ ON INP(&t,1) GOTO Hit ⏎ MX,10 ⏎ END ⏎ Hit: ⏎ MY,1")
         .ends_at([4.0, 1.0]);

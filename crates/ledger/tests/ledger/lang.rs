@@ -397,6 +397,25 @@ fn sbp_lang_move_preview_same() {
     assert_eq!(places(&program.clone().run()), places(&program.preview()));
 }
 
+/// Every sample file that comes with Kerf makes the same path as a preview, in Preview mode and on the machine.
+#[test]
+fn sbp_lang_move_preview_same__each_sample() {
+    let path = |run: &kerf_ledger::Run| -> Vec<serde_json::Value> {
+        let moved = run.events("move").chain(run.events("arc"));
+        moved.map(|e| serde_json::json!([e["line"], e["kind"], e["to"]])).collect()
+    };
+    let mut moved = 0;
+    for sample in kerf_control::files::SAMPLES {
+        let program = sbp(sample.text);
+        let made = path(&program.clone().run());
+        moved += made.len();
+        assert_eq!(made, path(&program.clone().preview()), "{} as a preview", sample.name);
+        let drawn = sbp("SP ⏎ FP,sample.sbp ⏎ SM").file("sample.sbp", sample.text).run();
+        assert_eq!(made, path(&drawn), "{} in Preview mode", sample.name);
+    }
+    assert!(moved > 100, "{moved} moves are no samples");
+}
+
 #[test]
 fn sbp_lang_first_example() {
     run(

@@ -48,6 +48,8 @@ impl<'a> Code<'a> {
             }
             Statement::Pause { seconds: Some(seconds) } => {
                 self.push_words(&["PAUSE", self.slice(seconds.span)], out);
+                let rest = self.from(seconds.span.end as usize).text();
+                push_rest(rest.trim_start_matches(|c| c == ',' || blank(c)), out);
             }
             Statement::ExitShopbot | Statement::WarningOff => self.push_two_words(out),
             Statement::End | Statement::EndAll | Statement::Return | Statement::Pause { .. } => {

@@ -83,8 +83,12 @@ pub struct Core {
     pub(crate) independent: AxisSet,
     /// Axes that moved by themselves: where they are only the machine knows.
     pub(crate) adrift: AxisSet,
+    /// SC,0 of FabMo's dialect: the zero of the working locations, which SC,1 brings back.
+    pub(crate) working_aside: Option<Axes>,
     /// In preview mode: what SM returns to.
     pub(crate) before_preview: Option<Box<BeforePreview>>,
+    /// In preview mode, while a file runs: the settings that it began with.
+    pub(crate) looked_at: Option<Arc<Settings>>,
     /// State of the random sequence.
     pub(crate) random: u64,
     /// Variables made beyond the hundredth were told of.
@@ -213,6 +217,8 @@ impl Core {
             before_preview: session.before_preview,
             idle: 0,
             changes: false,
+            looked_at: None,
+            working_aside: None,
             told_many_variables: false,
             gcode_line: None,
             scale: [1.0; AXES],

@@ -11,7 +11,7 @@ impl Context<'_> {
         let Input { text, default, variables, .. } = input;
         let text = text.as_ref().map_or(Ok(String::new()), |t| self.eval_text(t))?;
         let prefill = default.as_ref().map_or(Ok(Value::Empty), |d| self.eval(d))?.display();
-        let typed = self.typed(&self.entry(text, prefill))?;
+        let typed = self.values_typed(&self.entry(text, prefill), variables.len())?;
         for (name, value) in variables.iter().zip(self.typed_values(&typed, variables.len())?) {
             self.set_variable(*name, value);
         }

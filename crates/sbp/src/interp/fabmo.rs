@@ -5,7 +5,7 @@ use super::{Context, Stop, fields};
 use crate::tree::Dialog;
 use crate::{Expr, Value};
 use kerf_diag::Code;
-use kerf_program::{Axes, Button, Command, Feed, MoveKind, Question, QuestionKind, Watch};
+use kerf_program::{Axes, AxisSet, Button, Command, Feed, MoveKind, Question, QuestionKind, Watch};
 
 impl Context<'_> {
     /// Moves until an input goes on. What follows waits until the move is over; that the target was
@@ -41,7 +41,8 @@ impl Context<'_> {
             return self.confirm(&question);
         };
         let prefill = self.variable(name).map(Value::display).unwrap_or_default();
-        let typed = self.typed(&Question { title, ..self.entry(text, prefill) })?;
+        let question = Question { title, ..self.entry(text, prefill) };
+        let typed = self.values_typed(&question, 1)?;
         self.set_variable(name, fields::value(&typed).typed());
         Ok(())
     }
@@ -60,6 +61,22 @@ impl Context<'_> {
             }
         }
         Ok(text)
+    }
+
+    /// SC,0: locations are those of the table base until SC,1 or the end of the run. What is set meanwhile as a working
+    /// location is one of the working locations that come back.
+    pub(crate) fn use_table_base(&mut self) {
+        let frame = &mut self.core.frame;
+        self.core.working_aside.get_or_insert(frame.working_zero);
+        frame.working_zero = frame.base_zero;
+        self.location_changed(AxisSet::first(6), AxisSet::EMPTY);
+    }
+
+    /// SC,1: locations are the working ones again.
+    pub(crate) fn use_working_locations(&mut self) {
+        let Some(zero) = self.core.working_aside.take() else { return };
+        self.core.frame.working_zero = zero;
+        self.location_changed(AxisSet::first(6), AxisSet::EMPTY);
     }
 
     /// FAIL: the program gives up.

@@ -103,6 +103,9 @@ impl Context<'_> {
             2 => [place[0], place[1], offset[2]],
             _ => offset,
         };
+        if self.core.levels.len() == self.files_begin_at() && self.core.before_preview.is_some() {
+            self.core.looked_at = Some(self.core.settings.clone());
+        }
         let start_z = self.plunge_start(&parameters);
         let file = self.core.load(program);
         self.core.calls.insert(file, parameters.call());
@@ -221,8 +224,16 @@ impl Context<'_> {
                 self.emit(Command::ToolChange { begin: false });
             }
         }
+        if depth <= self.files_begin_at() {
+            self.end_look();
+        }
         self.core.refresh_scale();
         self.refresh_tabs();
+    }
+
+    /// How many levels are open before a file is: that of what was typed.
+    fn files_begin_at(&self) -> usize {
+        usize::from(self.core.options.typed)
     }
 
     /// Starts or ends tabs after VB, a file or a repetition changed whether they hold.

@@ -128,6 +128,7 @@ pub(super) fn finish(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced
     context.core.watches.clear();
     context.core.fired.clear();
     context.core.pausing = false;
+    context.use_working_locations();
     if !context.core.options.typed {
         context.restore_temporary();
     }

@@ -122,7 +122,10 @@ impl Context<'_> {
     /// Calls the present place of an axis so, in working locations.
     pub(crate) fn set_working(&mut self, axis: Axis, value: f64) {
         let position = self.real_position(axis);
-        self.core.frame.set_working(axis, position, value);
+        match &mut self.core.working_aside {
+            Some(zero) => zero[axis] = position[axis] - value,
+            None => self.core.frame.set_working(axis, position, value),
+        }
     }
 
     /// Gives the present place of an axis the base coordinate that programs read.
@@ -130,6 +133,9 @@ impl Context<'_> {
         let location = value + self.core.base_ahead(axis);
         let position = self.real_position(axis);
         self.core.frame.set_base(axis, position, location);
+        if self.core.working_aside.is_some() {
+            self.core.frame.working_zero[axis] = self.core.frame.base_zero[axis];
+        }
     }
 
     /// Working and base locations of these axes were set: tells it, and ends the zero that the

@@ -1,8 +1,7 @@
 //! SP and SM: commands that are only drawn, and the way back.
 //!
-//! A preview works on the state as it is and changes nothing of it: SM brings back the settings, the
-//! frames and the place. (The notes would keep settings changed in preview, A-127; the readings
-//! above them do not.)
+//! A preview moves nothing: SM brings back the frames and the place. What was set meanwhile stays, as whoever sets up a
+//! machine in preview wants it (notes A-127); a file that is only looked at sets nothing.
 
 use super::{BeforePreview, Context};
 use kerf_program::settings::Mode;
@@ -13,8 +12,6 @@ impl Context<'_> {
     pub(crate) fn enter_preview(&mut self) {
         let core = &mut *self.core;
         core.before_preview = Some(Box::new(BeforePreview {
-            settings: core.settings.clone(),
-            kept: core.kept.clone(),
             frame: core.frame,
             position: core.position,
             offset_applied: core.offset_applied,
@@ -36,11 +33,16 @@ impl Context<'_> {
         self.core.frame = before.frame;
         self.core.position = before.position;
         self.core.offset_applied = before.offset_applied;
-        self.core.kept = before.kept;
-        self.core.settings = before.settings;
+        self.change_settings(|s| s.mode = Mode::Move);
         self.core.refresh_scale();
-        let settings = self.core.settings.clone();
-        self.emit(Command::Settings(settings));
         self.location_changed(AxisSet::first(6), AxisSet::first(6));
+    }
+    /// The file that the operator looks at is over: what it set is not the machine's.
+    pub(crate) fn end_look(&mut self) {
+        let Some(settings) = self.core.looked_at.take() else { return };
+        if self.core.before_preview.is_some() && self.core.settings != settings {
+            self.core.settings = settings.clone();
+            self.emit(Command::Settings(settings));
+        }
     }
 }

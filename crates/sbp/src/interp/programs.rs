@@ -82,9 +82,13 @@ impl Context<'_> {
     /// The file of a custom cut; FabMo has macros instead, where there is one.
     fn custom_file(&mut self, n: i64) -> FileRequest {
         let file = |name| FileRequest { folder: Folder::Custom, name };
-        let own = file(format!("macro_{n}.sbp"));
-        if self.core.options.dialect == Dialect::Fabmo && self.host.source(&own).is_ok() {
-            return own;
+        if self.core.options.dialect == Dialect::Fabmo {
+            // A profile of FabMo has them in a folder of their own.
+            let names = ["", "macros/"].map(|folder| format!("{folder}macro_{n}.sbp"));
+            let own = names.map(file).into_iter().find(|own| self.host.source(own).is_ok());
+            if let Some(own) = own {
+                return own;
+            }
         }
         file(format!("Custom{n}.sbc"))
     }

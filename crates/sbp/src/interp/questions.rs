@@ -41,10 +41,35 @@ impl Context<'_> {
 
     /// Asks for text that a person types; Cancel ends the run.
     pub(crate) fn typed(&mut self, question: &Question) -> Result<String, Stop> {
-        match self.ask(question)? {
+        let answer = self.ask(question)?;
+        self.text_of(answer, question)
+    }
+
+    fn text_of(&mut self, answer: Answer, question: &Question) -> Result<String, Stop> {
+        match answer {
             Answer::Text(typed) => Ok(typed),
             Answer::Button(Button::Cancel) => Err(self.terminated()),
             Answer::Button(_) => Ok(question.prefill.clone()),
+        }
+    }
+
+    /// The text that a person types for so many values; Cancel ends the run. A preview that nobody answers takes 0 for
+    /// each, and says so.
+    pub(crate) fn values_typed(
+        &mut self,
+        question: &Question,
+        values: usize,
+    ) -> Result<String, Stop> {
+        match self.ask(question)? {
+            Answer::Button(Button::OK) if self.core.options.preview && question.prefill.is_empty() => {
+                self.note(
+                    Code::SampleAnswer,
+                    format!("nobody answers '{}' here: 0 is taken", question.text),
+                    "answers for a look at this file: --answers FILE, or a file of its name with .answers behind it",
+                );
+                Ok(vec!["0"; values.max(1)].join(","))
+            }
+            answer => self.text_of(answer, question),
         }
     }
 

@@ -3,7 +3,6 @@
 use super::Variables;
 use kerf_program::{Axes, AxisSet, FileCall, Frame, GoTo, Settings};
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
 
 /// Which reading of the language holds where programs differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -42,13 +41,9 @@ pub struct Session {
     pub before_preview: Option<Box<BeforePreview>>,
 }
 
-/// The machine as it was when SP was given. Preview changes nothing of it.
+/// Where the machine was when SP was given: a preview moves nothing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BeforePreview {
-    /// The settings.
-    pub settings: Arc<Settings>,
-    /// What temporary values return to.
-    pub kept: Arc<Settings>,
     /// The frames.
     pub frame: Frame,
     /// Where the machine really is, machine frame.

@@ -5,8 +5,6 @@
 use super::setting::real;
 use super::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
 use crate::interp::{Arguments, Context, Stop};
-use crate::tree::Span;
-use kerf_diag::Code;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, AxisSet};
 
@@ -81,7 +79,7 @@ pub static SPECS: [CommandSpec; 14] = [
         "SU",
         "Set unit",
         Group::Settings,
-        &[ParamSpec::required("Unit", Kind::OneOf(&[0, 1])).about("0 inches, 1 millimetres.")],
+        &[ParamSpec::required("Unit", Kind::Word(&UNITS)).about("0, in or inches; 1 or mm.")],
         Stack::Ends,
         "The unit of the lines that follow, up to the end of the run. FabMo.",
         unit,
@@ -92,11 +90,10 @@ pub static SPECS: [CommandSpec; 14] = [
         Group::Settings,
         &[ParamSpec::required("System", Kind::OneOf(&[0, 1])).about("0 table base, 1 working.")],
         Stack::Ends,
-        "Changes between two coordinate systems that FabMo keeps side by side. Not carried out here.",
-        |c, _| {
-            let hint = "ST makes the working locations those of the table base";
-            let message = "the coordinate systems of SC are not carried out here";
-            Err(c.fail_at(Span::LINE, Code::NotSupported, message, hint))
+        "Locations of the table base (0) up to the end of the run or SC,1, which brings the working ones back. FabMo.",
+        |c, a| {
+            if a.flag(0) == Some(true) { c.use_working_locations() } else { c.use_table_base() }
+            Ok(())
         },
     ),
     CommandSpec::new(
@@ -119,6 +116,13 @@ pub static SPECS: [CommandSpec; 14] = [
         |c, a| super::values::set_speeds(c, a, &SPEEDS),
     ),
 ];
+
+/// What SU takes for inches.
+const INCHES: [&str; 4] = ["0", "IN", "INCH", "INCHES"];
+
+/// What SU takes.
+static UNITS: [&str; 8] =
+    ["0", "IN", "INCH", "INCHES", "1", "MM", "MILLIMETER", "MILLIMETERS"];
 
 static LOCATIONS: [ParamSpec; 12] = [
     axis!("X location", X),
@@ -169,7 +173,8 @@ fn probe(c: &mut Context<'_>, a: &Arguments, first: usize) -> Result<(), Stop> {
 }
 
 fn unit(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
-    let unit = if a.flag(0) == Some(true) { LinearUnit::Mm } else { LinearUnit::Inch };
+    let inches = a.text(0).is_some_and(|word| INCHES.contains(&&*word));
+    let unit = if inches { LinearUnit::Inch } else { LinearUnit::Mm };
     c.change_settings(|s| s.use_linear_unit(unit));
     Ok(())
 }

@@ -46,6 +46,7 @@ pub(super) static SPECS: [CommandSpec; 13] = [
         "Makes all working locations and all table base coordinates zero.",
         |c, _| {
             c.core.frame.working_zero = c.core.position;
+            c.core.working_aside = c.core.working_aside.and(Some(c.core.position));
             c.core.frame.base_zero = c.core.position;
             c.location_set(AxisSet::first(6), AxisSet::first(6));
             Ok(())

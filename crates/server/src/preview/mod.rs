@@ -142,7 +142,7 @@ fn options(parameters: FileParameters) -> RunOptions {
     options
 }
 
-/// Runs on a copy of a session, answers as they are by default; nothing when it was given up.
+/// Runs on a copy of a session, with the answers beside its file, else by default; nothing when it was given up.
 fn silently(
     work: Work,
     options: RunOptions,
@@ -151,7 +151,8 @@ fn silently(
     given_up: &AtomicBool,
     sink: &mut dyn Sink,
 ) -> Option<Summary> {
-    let company = Company { sink, operator: &mut (), pace: &mut Until(given_up) };
+    let mut answers = shelf.answers_beside(&work.name());
+    let company = Company { sink, operator: &mut answers, pace: &mut Until(given_up) };
     let summary = session.run(work, options, shelf, company);
     (!given_up.load(Ordering::Relaxed)).then_some(summary)
 }

@@ -53,6 +53,11 @@ impl Machine {
         self.inputs.when(number, on, rests_s, modes)
     }
 
+    /// Inputs that changed from a moment on, up to now, and what they read.
+    pub fn changed_since(&self, from_s: f64) -> Vec<(u8, bool)> {
+        self.inputs.changed_since(from_s, &self.settings.io)
+    }
+
     /// The first change of an input up to a time that stops motion, or a program that waits.
     pub fn first_halt(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
         if self.draws() {

@@ -4,7 +4,7 @@ use super::rig::Rig;
 use super::{press, typed};
 use crate::testing::{FakeHost, Ran, run_as};
 use crate::{Dialect, Interpreter, Options, Session, Status, read_as};
-use kerf_program::{Answer, Button, Command, Feed, Sourced};
+use kerf_program::{Answer, Axis, Button, Command, Feed, Sourced};
 
 fn options() -> Options {
     Options { dialect: Dialect::Fabmo, ..Options::default() }
@@ -103,4 +103,36 @@ fn values_stand_in_another_order() {
     fabmo("VS,1,2,3,4,5,6,7⏎MX,%(71)").ends_at(1.0, 0.0, 0.0);
     fabmo("VA,,,1,,,,,,3⏎MX,%(3)⏎MY,%(9)").ends_at(1.0, 3.0, 1.0);
     fabmo("MX,%(106)").fails_with("not known here");
+}
+
+#[test]
+fn sc_0_speaks_of_the_table_base_until_sc_1() {
+    let before = "MX,2 ⏎ ZX ⏎ SC,0 ⏎ &a=%(1) ⏎ MX,3";
+    let ran = fabmo(&format!("{before} ⏎ SC,1 ⏎ &b=%(1) ⏎ MX,-1"));
+    assert_eq!([ran.variable("a"), ran.variable("b")], ["2", "1"]);
+    assert_eq!(ran.session.position[Axis::X], 25.4);
+    let kept = fabmo(before).session;
+    assert_eq!(kept.position[Axis::X], 3.0 * 25.4);
+    assert_eq!(kept.frame.working_zero[Axis::X], 50.8, "the run is over");
+    let ran = fabmo("MX,2 ⏎ SC,0 ⏎ VA,5 ⏎ &a=%(1) ⏎ MX,3 ⏎ SC,1 ⏎ &b=%(1)");
+    assert_eq!([ran.variable("a"), ran.variable("b")], ["2", "6"]);
+    fabmo("MX,2 ⏎ ZX ⏎ SC,0 ⏎ SC,0 ⏎ SC,1 ⏎ MX,0 ⏎ &b=%(1)").ends_at(0.0, 0.0, 0.0);
+}
+
+#[test]
+fn su_takes_its_unit_as_a_word() {
+    for unit in ["mm", "1", "\"MM\"", "millimeters"] {
+        fabmo(&format!("SU,{unit} ⏎ MX,25.4")).ends_at(1.0, 0.0, 0.0);
+    }
+    for unit in ["in", "0", "Inches"] {
+        fabmo(&format!("SU,mm ⏎ SU,{unit} ⏎ MX,2")).ends_at(2.0, 0.0, 0.0);
+    }
+    fabmo("SU,feet").fails_at(1, "one of 0, IN");
+}
+
+#[test]
+fn macros_lie_in_the_folder_of_the_profile_too() {
+    let files = [("macros/macro_75.sbp", "MX,2"), ("Custom75.sbc", "MX,9")];
+    let host = FakeHost { files: files.map(|(n, t)| (n.into(), t.into())).into(), ..FakeHost::default() };
+    run_as("C75", host, Session::default(), options()).ends_at(2.0, 0.0, 0.0);
 }

@@ -170,6 +170,13 @@ fn sbp_flow_if_arrow() {
     let program = crate::read("t".into(), b"IF &a => &b THEN MX,1");
     assert_eq!(program.diagnostics.len(), 1);
     assert!(!program.has_errors() && program.diagnostics[0].hint.contains(">="));
+    // The dialect of the manuals refuses it, as they do.
+    for condition in ["&a => &b", "&a =< &b"] {
+        let text = format!("&a=2\n&b=1\nIF {condition} THEN MX,1");
+        let strict = crate::read_as("t".into(), text.as_bytes(), crate::Dialect::Strict);
+        let errors: Vec<_> = strict.diagnostics.iter().filter(|d| d.is_error()).collect();
+        assert_eq!(errors.iter().map(|d| d.place.line).collect::<Vec<_>>(), [3], "{condition}");
+    }
 }
 
 #[test]

@@ -134,6 +134,10 @@ fn sbp_lang_sep_space() {
 fn sbp_lang_sep_missing() {
     refuses("M23, 4.2", "unknown command");
     assert_eq!(warnings("MX,1 ⏎ M23, 4.2"), [(Code::UnknownCommand, 2)]);
+    for line in ["M2;3;4", "M3;1,2,3", "M4;1", "M5;", "M6:1,2", "J2.5", "MX;1", "CC;4"] {
+        refuses(line, "separator");
+        assert_eq!(warnings(&format!("MX,1 ⏎ {line}")), [(Code::UnknownCommand, 2)], "{line}");
+    }
 }
 
 #[test]
@@ -219,6 +223,10 @@ fn sbp_lang_expr_funcs() {
         ("RND>=0 AND RND<1", "-1"),
     ]);
     refuses("MX,FOO(1)", "FOO");
+    refuses("&a=FOO(1)", "FOO");
+    refuses("&a=2*FOO(1)", "FOO");
+    refuses("IF FOO(1) = 1 THEN MX,1", "FOO");
+    refuses("&a=5*x", "x");
 }
 
 #[test]

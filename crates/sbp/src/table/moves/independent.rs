@@ -5,7 +5,7 @@ use crate::interp::{Arguments, Context, Stop};
 use crate::table::{Bound, CommandSpec, Group, Kind, ParamSpec, Stack, Unit};
 use kerf_diag::Code;
 use kerf_program::settings::to_user;
-use kerf_program::{Axis, AxisSet, Command, Independent};
+use kerf_program::{Axis, AxisSet, Command, Independent, Settings};
 
 const NUMBER: Kind = Kind::Number(Unit::None);
 
@@ -95,6 +95,17 @@ fn motion(c: &mut Context<'_>, a: &Arguments, axis: Axis) -> Result<Independent,
     }
 }
 
+/// Where nobody says how fast an axis is, so many times its jog speed is taken for impossible. A guess.
+const IMPOSSIBLE: f64 = 10.0;
+
+/// How fast an axis can move, as far as the configuration tells that.
+fn fastest_known(settings: &Settings, axis: Axis) -> f64 {
+    match settings.dynamics {
+        Some(dynamics) => dynamics.speed_mm_s[axis],
+        None => IMPOSSIBLE * settings.speeds.jog.of(axis),
+    }
+}
+
 /// Nothing is asked for that the axis cannot do, as far as the configuration tells that.
 fn refuse_too_fast(
     c: &Context<'_>,
@@ -107,7 +118,6 @@ fn refuse_too_fast(
         let message = "not supported by this controller";
         return Err(c.fail_at(a.span(0), Code::NotSupported, message, hint));
     }
-    let Some(dynamics) = c.settings().dynamics else { return Ok(()) };
     let (fastest, value) = match motion {
         Independent::Off => return Ok(()),
         Independent::Rotate(speed) => (speed.abs(), 2),
@@ -116,14 +126,14 @@ fn refuse_too_fast(
             (std::f64::consts::PI * frequency_hz * distance, 3)
         }
     };
-    let most = dynamics.speed_mm_s[axis];
+    let most = fastest_known(c.settings(), axis);
     if fastest <= most * (1.0 + 1e-9) {
         return Ok(());
     }
     let most = format_number(to_user(most, c.settings().axis_scale(axis)));
     let letter = axis.letter();
     let message = format!("{letter} axis moves {most} units a second at most");
-    let hint = "the greatest speeds of the axes stand in the machine's configuration";
+    let hint = "dynamics.speed_mm_s of the machine's configuration says how fast each axis is";
     Err(c.fail_at(a.span(value), Code::OutOfRange, message, hint))
 }
 

@@ -185,6 +185,9 @@ fn sbp_cmd_mi_limits() {
     let b = Some("B axis moves 90 units a second at most".to_owned());
     assert_eq!((refuses("MI,B,1,91"), refuses("MI,B,-1,91")), (b.clone(), b));
     assert_eq!(refuses("MI,B,1,90"), None);
+    let unknown = |text: &str| run(&format!("VD,,5⏎{text}"));
+    unknown("MI,B,1,99999").fails_with("B axis moves 600 units a second at most");
+    assert!(unknown("MI,B,1,600").error.is_none());
     let z = Some("Z axis moves 1.968504 units a second at most".to_owned());
     assert_eq!((refuses("MI,Z,,,2,.32"), refuses("MI,Z,,,2,.31")), (z, None));
 }

@@ -66,6 +66,7 @@ pub(super) static ST: CommandSpec = plain(
     "Makes the working locations equal to the table base coordinates. Nothing moves.",
     |c, _| {
         c.core.frame.working_zero = c.core.frame.base_zero;
+        c.core.working_aside = c.core.working_aside.and(Some(c.core.frame.base_zero));
         c.location_set(AxisSet::first(6), AxisSet::EMPTY);
         Ok(())
     },

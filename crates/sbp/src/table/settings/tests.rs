@@ -16,7 +16,7 @@ rows! {
     sbp_cmd_sc_other: "SC,1" => "error only SC,2 is defined", "SC" => "error only SC,2 is defined";
     leaving_preview_without_entering_it: "SM⏎MX,1" => "22=0; at 1,0,0";
     sbp_cmd_sp_track: "M2,1,1⏎SP⏎M2,5,5⏎&x=%(1)⏎&mode=%(22)⏎SM" => "&x=5; &mode=1; at 1,1,0; 1=1; 2=1; 22=0";
-    sbp_cmd_sp_noeffect__in_the_language: "MX,1⏎SP⏎ZX⏎MX,4⏎VC,.5⏎VA,,9⏎SR⏎SM" => "at 1,0,0; base 1,0,0; 23=0.25; 21=0; 22=0";
+    sbp_cmd_sp_noeffect__in_the_language: "MX,1⏎SP⏎ZX⏎MX,4⏎VC,.5⏎VA,,9⏎SR⏎SM" => "at 1,0,0; base 1,0,0; 23=0.5; 21=1; 22=0";
     sbp_cmd_sp_start__in_the_language: "M3,1,1,2⏎VP,,,,,,,0⏎SP⏎&x=%(1)⏎&y=%(2)⏎&z=%(3)⏎SM" => "&x=0; &y=0; &z=2; at 1,1,2",
         "M2,1,1⏎SP⏎&x=%(1)" => "&x=1";
     sw_takes_seconds: "SW,-1" => "error 0 or greater", "SW,.5" => "no warning";
@@ -63,6 +63,21 @@ fn preview_is_told_with_its_mode() {
 fn a_run_that_ends_in_preview_can_return_later() {
     let first = run("M2,1,1⏎SP⏎M2,5,5").ends_at(5.0, 5.0, 0.0).session.clone();
     run_with("SM", FakeHost::default(), first).ends_at(1.0, 1.0, 0.0);
+}
+
+#[test]
+fn sbp_cmd_sp_track__what_is_typed_stays_and_what_a_file_sets_does_not() {
+    let typed = Options { typed: true, ..Options::default() };
+    let files = [("a.sbp".into(), "VC,.75⏎VP,1⏎MX,3".replace('⏎', "\n"))].into();
+    let host = FakeHost { files, ..FakeHost::default() };
+    let text = "M2,1,1⏎SP⏎VC,.5⏎SR⏎ZX⏎VS,3⏎FP,a.sbp⏎&cutter=%(23)⏎SM";
+    let ran = run_as(text, host, Session::default(), typed);
+    ran.ends_at(1.0, 1.0, 0.0);
+    assert_eq!(ran.variable("cutter"), "0.5");
+    let session = ran.session.clone();
+    assert_eq!(session.frame, Session::default().frame, "only locations return");
+    let [cutter, distances, speed] = [23, 21, 71].map(|number| then(session.clone(), number));
+    assert_eq!([cutter, distances, speed], ["0.5", "1", "3"]);
 }
 
 fn after(text: &str, options: Options) -> Session {
