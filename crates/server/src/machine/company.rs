@@ -254,9 +254,14 @@ impl Operator for Pages {
     fn answer_in(&mut self, question: &Question, file: &str, line: u32) -> Option<String> {
         // A question that is asked again after a jog, or after a switch was moved, is the same.
         let pressed = std::mem::take(&mut self.pressed);
-        self.asked += u32::from(!std::mem::take(&mut self.jogged) && !pressed);
+        let again = std::mem::take(&mut self.jogged) || pressed;
+        self.asked += u32::from(!again);
         let mut wanted = self.shared.link.lock();
         wanted.ask(self.asked);
+        if !again && stands(question) {
+            // What stopped the machine came before this stop, which wants no more than that.
+            wanted.hear_stop();
+        }
         if !pressed {
             wanted.jog = None;
         }
