@@ -435,7 +435,10 @@ mod tests {
         bench.app.clock.forward(Duration::from_secs(3600));
         until(&bench, "a question", |now| now.machine.state == State::Stopped);
         let told = bench.app.hub.read(|now| now.messages.clone());
-        assert!(told.iter().any(|it| it.text.starts_with("the computer slept for 3600 s")), "{told:?}");
+        assert!(
+            told.iter().any(|it| it.text.starts_with("the computer slept for 3600 s")),
+            "{told:?}"
+        );
         let stopped = bench.app.hub.read(|now| now.motion.at.machine[0]);
         assert!(stopped < 40.0 * 25.4, "an hour of the move was not made: {stopped}");
         bench.app.link.leave();
