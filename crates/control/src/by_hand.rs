@@ -210,8 +210,10 @@ impl<I: Interpreter> Runner<'_, I> {
                 Some((t_s, wish)) => {
                     // A stop may be told until the machine stands.
                     let again = wish == Wish::Stop && driven == Some(Driven::Wish(wish));
-                    if !again && matches!(wish, Wish::Stop | Wish::Hold) {
-                        self.put_off((t_s, wish));
+                    match (wish, driven) {
+                        (Wish::Stop | Wish::Hold, Some(Driven::StopInput(_))) => self.forgo(),
+                        (Wish::Stop | Wish::Hold, _) if !again => self.put_off((t_s, wish)),
+                        _ => {}
                     }
                     return None;
                 }

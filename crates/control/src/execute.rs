@@ -243,8 +243,11 @@ impl<I: Interpreter> Runner<'_, I> {
         // A stop may be told until the machine stands.
         let again =
             |wish: &(f64, Wish)| wish.1 == Wish::Stop && matches!(turn, Turn::Operator(Wish::Stop));
-        if let Some(wish) = wish.filter(|wish| !again(wish)) {
-            self.put_off(wish);
+        let asks = matches!(turn, Turn::Input(Halt { cause: HaltCause::Stop(_), .. }));
+        match wish.filter(|wish| !again(wish)) {
+            Some((_, Wish::Stop | Wish::Hold)) if asks => self.forgo(),
+            Some(wish) => self.put_off(wish),
+            None => {}
         }
     }
 

@@ -254,6 +254,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell(&Event::Message { text: text.into(), t });
         match self.pass(t, t + RELEASE_S, None) {
             Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
+            Some((_, Wish::Stop | Wish::Hold)) => self.forgo(),
             wish => wish.into_iter().for_each(|wish| self.put_off(wish)),
         }
         self.stand_until(t + RELEASE_S);

@@ -245,6 +245,13 @@ impl<I: Interpreter> Runner<'_, I> {
         self.postpone(wish);
     }
 
+    /// Nothing comes of a stop that was told just now: an input has stopped the machine already, or it slows down for one,
+    /// and asks when it stands.
+    pub(crate) fn forgo(&mut self) {
+        self.world.shelf.tape.unhear_wish();
+        self.pace.heard();
+    }
+
     /// Keeps a wish that cannot be fulfilled now.
     pub(crate) fn postpone(&mut self, wish: (f64, Wish)) {
         if !self.wishes.iter().any(|(_, other)| *other == wish.1) {

@@ -164,6 +164,39 @@ fn a_stop_input_stops_the_lift_and_the_way_back() {
     }
 }
 
+/// A run that an input stops, with a wish of the operator a moment later: what comes of it.
+fn stopped_by_both(input: u8, by_hand: Wish, answers: &str) -> (Summary, Vec<Event>) {
+    let mut events = Vec::new();
+    let mut session = Session::default();
+    session.memory.settings.warning_s = 0.0;
+    // Input 7 stops too, with a ramp; input 4 stops at once, and is closed until then.
+    session.memory.settings.io.inputs[6] = 3;
+    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    let mut operator = Answers::read(answers);
+    let mut pace = Script::new(vec![(2.01, by_hand)], Vec::new());
+    let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
+    let pressed = |at_s, stops: bool| Change { input, at_s, on: stops == (input != 4) };
+    let inputs = vec![pressed(2.0, true), pressed(9.0, false)];
+    let options = RunOptions { inputs, ..RunOptions::default() };
+    let program = kerf_sbp::read("a.sbp".into(), b"MS,4,4\nMX,20\n");
+    let summary = session.run(program, options, &mut shelf, company);
+    (summary, events)
+}
+
+#[test]
+fn a_stop_of_the_operator_that_comes_with_one_of_an_input_is_the_same() {
+    for (input, by_hand) in [(4, Wish::Stop), (7, Wish::Stop), (4, Wish::Hold), (7, Wish::Hold)] {
+        let (summary, events) = stopped_by_both(input, by_hand, "hold=Resume");
+        assert_eq!(summary.status, Status::Ok, "{input} {by_hand:?}");
+        let stops = |event: &&Event| matches!(event, Event::Stop { .. } | Event::Hold { .. });
+        assert_eq!(events.iter().filter(stops).count(), 1, "{input} {by_hand:?}: {events:?}");
+        assert_eq!(moves(&events).last().unwrap().2, xyz(20.0, 0.0, 0.0), "{input} {by_hand:?}");
+        let (given_up, events) = stopped_by_both(input, by_hand, "hold=Quit");
+        assert_eq!(given_up.status, Status::Stopped, "{input} {by_hand:?}");
+        assert!(moves(&events).last().unwrap().1 < 5.0, "{input} {by_hand:?}");
+    }
+}
+
 #[test]
 fn a_lost_link_ends_the_lift_and_the_way_back() {
     for at_s in lift_and_way_back() {

@@ -91,7 +91,8 @@ impl App {
             }
             Act::Key { seq, key, clock_ms, .. } => {
                 let stamp = clock_ms.filter(|_| key != STOP_KEY);
-                let grip = stamp.map_or(Ok(Grip { seq, at: self.clock.now() }), |ms| self.grip(who, seq, ms))?;
+                let grip = stamp
+                    .map_or(Ok(Grip { seq, at: self.clock.now() }), |ms| self.grip(who, seq, ms))?;
                 self.press_key(asker, grip, key)?;
             }
             Act::Lift { question, .. } => self.lift(asker, question)?,

@@ -107,7 +107,7 @@ mod tests {
     use super::*;
     use crate::bench::{Bench, bench};
     use crate::people::script;
-    use kerf_wire::{Act, Role};
+    use kerf_wire::{Act, Role, Why};
 
     /// A script drives, with the machine armed.
     fn scripted() -> (Bench, Who) {
@@ -165,6 +165,59 @@ mod tests {
         bench.does(&who, Act::Arm { lease: bench.lease() });
         bench.app.clock.forward(SILENCE * 2);
         assert!(!drives(&bench));
+    }
+
+    /// Two pages of one device, of which the first drives the armed machine.
+    fn two_pages() -> (Bench, Who, Who) {
+        let bench = bench();
+        let [first, second] =
+            [(); 2].map(|()| bench.app.pages.enter(Role::Setter, "tablet".into(), 7).unwrap().0);
+        bench.does(&first, Act::TakeLease { force: true });
+        bench.does(&first, Act::Arm { lease: bench.lease() });
+        (bench, first, second)
+    }
+
+    #[test]
+    fn a_turn_and_a_password_belong_to_a_page_and_not_to_its_device() {
+        let (bench, first, second) = two_pages();
+        let asks = |who: &Who, act| {
+            bench.app.act(&bench.app.hears(who), act).map_err(|problem| problem.why)
+        };
+        let moves = || Act::Command { lease: bench.lease(), line: "MX,1".into() };
+        assert_eq!(asks(&second, moves()), Err(Why::Lease), "the other page of the tablet");
+        assert_eq!(asks(&second, Act::Arm { lease: bench.lease() }), Err(Why::Lease));
+        bench.app.unlocked.add(first.client);
+        assert!(!bench.app.unlocked.has(second.client));
+        bench.app.gone(second.client);
+        assert!(drives(&bench), "the page that drives is there");
+        assert!(asks(&first, moves()).is_ok());
+    }
+
+    #[test]
+    fn the_other_page_of_a_device_stops_disarms_and_does_not_take_the_turn_over() {
+        let (bench, first, second) = two_pages();
+        bench.does(&second, Act::Stop);
+        assert!(drives(&bench), "a stop disarms nothing");
+        bench.does(&second, Act::Disarm);
+        assert!(!drives(&bench));
+        bench.does(&first, Act::Arm { lease: bench.lease() });
+        bench.app.gone(first.client);
+        assert!(!drives(&bench), "nobody drives: the other page does not step in");
+        assert_eq!(bench.app.hub.read(|now| now.lease.clone()), None);
+    }
+
+    #[test]
+    fn a_device_that_is_revoked_loses_the_turn_of_each_of_its_pages() {
+        for drives_at in [0, 1] {
+            let (bench, first, second) = two_pages();
+            let driver = [first, second][drives_at].clone();
+            bench.does(&driver, Act::TakeLease { force: true });
+            bench.does(&driver, Act::Arm { lease: bench.lease() });
+            bench.app.unlocked.add(driver.client);
+            bench.app.revoke(7).unwrap();
+            assert!(!drives(&bench) && !bench.app.unlocked.has(driver.client));
+            assert_eq!(bench.app.hub.read(|now| now.lease.clone()), None);
+        }
     }
 
     #[test]

@@ -136,7 +136,12 @@ fn questions() -> Vec<Row> {
 }
 
 /// What somebody is told who asks for that.
-fn told(bench: &Bench, row: &Row, (_, role, drives): (&str, Role, bool), at: (State, bool)) -> String {
+fn told(
+    bench: &Bench,
+    row: &Row,
+    (_, role, drives): (&str, Role, bool),
+    at: (State, bool),
+) -> String {
     let (app, (state, armed)) = (&bench.app, at);
     let who = Who { client: if drives { 1 } else { 2 }, role, device: String::new() };
     let open = matches!(state, State::Stopped | State::Asking);

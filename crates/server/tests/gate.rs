@@ -273,3 +273,38 @@ fn a_workpiece_is_nudged_while_the_question_after_a_stop_is_open() {
     let foreign = json!({ "do": "nudge", "lease": page.lease, "axis": "Y", "distance": 2.5 });
     assert_eq!(shop.page().act(foreign), because("lease"));
 }
+
+/// A cut that a stop input ends, with a STOP while the tool slows down for it: the page, and its question.
+fn stopped_twice() -> (Shop, Page, u64) {
+    let settings = |settings: &mut kerf_program::Settings| settings.io.inputs[6] = 3;
+    let files = vec![("cut.sbp", "MS,4,4\nMX,2.5\n")];
+    // A tenth of the world's time: the ramp is long enough for a finger.
+    let shop = start(Wanted { rate: 0.1, files, settings, ..Wanted::default() });
+    let mut page = shop.driver();
+    page.open_file("cut.sbp");
+    assert_eq!(page.run(), None);
+    page.until("full speed", |page| at(page)[0] > 20.0);
+    let pressed = json!({ "do": "input", "lease": page.lease, "number": 7, "on": true });
+    page.send(pressed);
+    page.until("the input", |page| page.shown["io"]["inputs"][6]["on"] == true);
+    page.send(json!({ "do": "stop" }));
+    let question = page.asked("hold");
+    (shop, page, question)
+}
+
+#[test]
+fn a_stop_while_the_tool_slows_down_for_an_input_asks_once() {
+    let (_shop, mut page, question) = stopped_twice();
+    let text = page.shown["asked"]["text"].as_str().unwrap().to_owned();
+    assert!(text.starts_with("stopped by stop input 7"), "{text}");
+    let stood = at(&page);
+    let released = json!({ "do": "input", "lease": page.lease, "number": 7, "on": false });
+    assert_eq!(page.act(released), None);
+    stands(&mut page);
+    assert_eq!((at(&page)[0], page.asked("hold")), (stood[0], question), "it waits for Resume");
+    assert_eq!(page.act(answer(question, "Resume")), None);
+    page.until("it goes on", |page| at(page)[0] > stood[0] + 5.0);
+    assert_eq!(page.shown["asked"], Value::Null);
+    page.until_state("idle");
+    assert!((at(&page)[0] - 2.5 * 25.4).abs() < 1e-6, "{:?}", at(&page));
+}

@@ -255,9 +255,14 @@ impl Operator for Pages {
     fn answer_in(&mut self, question: &Question, file: &str, line: u32) -> Option<String> {
         // A question that is asked again after a jog, or after a switch was moved, is the same.
         let pressed = std::mem::take(&mut self.pressed);
-        self.asked += u32::from(!std::mem::take(&mut self.jogged) && !pressed);
+        let again = std::mem::take(&mut self.jogged) || pressed;
+        self.asked += u32::from(!again);
         let mut wanted = self.shared.link.lock();
         wanted.ask(self.asked);
+        if !again && stands(question) {
+            // What stopped the machine came before this stop, which wants no more than that.
+            wanted.hear_stop();
+        }
         if !pressed {
             wanted.jog = None;
         }
@@ -434,7 +439,10 @@ mod tests {
         bench.app.clock.forward(Duration::from_secs(3600));
         until(&bench, "a question", |now| now.machine.state == State::Stopped);
         let told = bench.app.hub.read(|now| now.messages.clone());
-        assert!(told.iter().any(|it| it.text.starts_with("the computer slept for 3600 s")), "{told:?}");
+        assert!(
+            told.iter().any(|it| it.text.starts_with("the computer slept for 3600 s")),
+            "{told:?}"
+        );
         let stopped = bench.app.hub.read(|now| now.motion.at.machine[0]);
         assert!(stopped < 40.0 * 25.4, "an hour of the move was not made: {stopped}");
         bench.app.link.leave();

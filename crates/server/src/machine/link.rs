@@ -187,8 +187,7 @@ impl Wanted {
 impl Default for Link {
     fn default() -> Self {
         let (arrived, clock) = (Arc::<Arrived>::default(), Clock::default());
-        let wanted =
-            Wanted { arrived: arrived.clone(), clock: clock.clone(), ..Wanted::default() };
+        let wanted = Wanted { arrived: arrived.clone(), clock: clock.clone(), ..Wanted::default() };
         let (wanted, waits, watched) = (Mutex::new(wanted), OnceLock::new(), Mutex::default());
         Self { arrived, clock, wanted, waits, watched, plan: Mutex::default() }
     }

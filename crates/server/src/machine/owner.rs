@@ -272,7 +272,10 @@ impl Owner {
             // Behind the order: what was stopped before it is off before it begins.
             self.stop_at_rest();
             let left = most.saturating_sub(begun.elapsed());
-            if !matches!(order, Err(TryRecvError::Empty)) || left.is_zero() || self.link.lock().leaves {
+            if !matches!(order, Err(TryRecvError::Empty))
+                || left.is_zero()
+                || self.link.lock().leaves
+            {
                 return order;
             }
             thread::park_timeout(left);

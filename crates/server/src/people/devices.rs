@@ -4,8 +4,8 @@
 //! in constant time. Whoever tries a wrong code waits before the next one counts; the code stays good for others.
 
 use super::Tries;
-use crate::clock::Clock;
 use crate::app::{hash, hex, lock};
+use crate::clock::Clock;
 use kerf_control::files::{Disk, RealDisk, write_private};
 use kerf_wire::Role;
 use serde::{Deserialize, Serialize};

@@ -179,7 +179,11 @@ mod tests {
         pages.jog_over(other, 1);
         assert_eq!(pages.jog_begins(other, grip(other)), Err(GripError::Over));
         pages.remove(one);
-        assert_eq!(pages.grip(one, 2, 5.0, Duration::from_millis(5)), Err(GripError::Over), "nobody");
+        assert_eq!(
+            pages.grip(one, 2, 5.0, Duration::from_millis(5)),
+            Err(GripError::Over),
+            "nobody"
+        );
     }
 
     #[test]

@@ -157,7 +157,9 @@ impl Workshop {
         let bearer = &self.device(caller).bearer;
         let headers: &[_] = match caller {
             Caller::NoToken => &[ELSEWHERE],
-            Caller::ForeignHost => &[ELSEWHERE, ("authorization", bearer), ("host", "evil.example")],
+            Caller::ForeignHost => {
+                &[ELSEWHERE, ("authorization", bearer), ("host", "evil.example")]
+            }
             Caller::ForeignOrigin => {
                 &[ELSEWHERE, ("authorization", bearer), ("origin", "http://evil.example")]
             }
