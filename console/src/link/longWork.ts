@@ -8,7 +8,7 @@ export function longWork(act: Act): string | null {
     case "machine":
       return "The tool path is being made.";
     case "draw":
-      return act.op.op === "open" ? `${act.op.name} is being read.` : null;
+      return act.op.op === "open" ? `The drawing ${act.op.name} is being read.` : null;
     default:
       return null;
   }

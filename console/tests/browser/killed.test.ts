@@ -30,7 +30,11 @@ async function round(folder: string): Promise<Lost> {
   const state = { goes: true };
   const writes = async () => {
     while (state.goes) {
-      await page.keyboard.type("X");
+      const done = await page.keyboard.type("X").then(
+        () => true,
+        () => false,
+      );
+      if (!done) return;
       typed.push(performance.now());
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
@@ -52,7 +56,7 @@ async function round(folder: string): Promise<Lost> {
   state.goes = false;
   const before = (moments: readonly number[]) => moments.filter((moment) => moment <= killed);
   const [text, shapes] = [before(typed), before(drawn)];
-  await work.catch(() => undefined);
+  await work;
   const next = await openWorkshop({ folder });
   const kept = await left(next);
   await next.close();

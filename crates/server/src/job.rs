@@ -183,6 +183,7 @@ impl App {
         if made.paths.is_empty() {
             return Err(problem(Why::Mistake, "nothing is drawn that could be cut"));
         }
+        awaited.goes_on()?;
         let text = kerf_toolpath::write(&Job { finish, ..made });
         awaited.goes_on()?;
         self.saves.make(&self.parts, &name, text.as_bytes(), anew)?;

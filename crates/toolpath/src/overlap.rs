@@ -99,6 +99,9 @@ fn pairs_across(paths: &[&Polyarc], given_up: &dyn Fn() -> bool) -> (Vec<(usize,
     };
     let pieces: Vec<(usize, Segment)> = paths.iter().enumerate().flat_map(of).collect();
     let boxes: Vec<_> = pieces.iter().map(|(_, piece)| piece.bounds().grown(NEAR_MM)).collect();
+    if given_up() {
+        return (Vec::new(), true);
+    }
     let order = BoxTree::order(&boxes);
     let tree = BoxTree::new(order.iter().map(|place| boxes[*place]));
     let (mut near, mut across) = (BTreeSet::new(), Vec::new());

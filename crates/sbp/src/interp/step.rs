@@ -95,16 +95,19 @@ fn execute(
     };
     let idles = !core.changes && out.get(given..).is_none_or(tells_only);
     core.idle = if idles { core.idle + 1 } else { 0 };
-    if outcome.is_ok() && goes_round(core, program) {
+    if outcome.is_ok() && goes_round(core, at, program) {
         return lifecycle::endless(core, host, out, at);
     }
     lifecycle::after(core, host, out, outcome)
 }
 
-/// Whether a line came again and nothing has changed since: more lines were executed one after the other than the file
+/// Tells that a line came again and nothing has changed since: more lines were executed one after the other than the file
 /// has, and each left everything as it was. Inputs may still end a loop while somebody watches them.
-fn goes_round(core: &Core, program: &Program) -> bool {
-    core.idle > program.lines.len() as u64 && core.watches.is_empty()
+/// It is told at a line that jumps back.
+fn goes_round(core: &Core, at: At, program: &Program) -> bool {
+    core.idle > program.lines.len() as u64
+        && core.watches.is_empty()
+        && core.levels.last().is_some_and(|level| level.next < at.line)
 }
 
 /// Chooses the line (by index) that the innermost file goes on at.

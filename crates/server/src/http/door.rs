@@ -106,7 +106,7 @@ impl Visitor {
         Self { address, whose, served, leaves: Notify::new() }
     }
 
-    /// Whether a request of it is being answered, and has not been for long.
+    /// A request of it is being answered, and has not been for long.
     fn is_served(&self) -> bool {
         lock(&self.served).is_some_and(|since| since.elapsed() < SLOW)
     }
@@ -204,7 +204,7 @@ impl Places {
         self.known.iter().filter(|(device, _)| **device != 0).map(|(_, number)| number).sum()
     }
 
-    /// Whether there is room for one more where so many strangers of some addresses are let in.
+    /// Has room for one more where so many strangers of some addresses are let in.
     fn make_room(&mut self, most: usize, which: impl Fn(IpAddr) -> bool) -> bool {
         let count = self.strangers.iter().filter(|it| which(it.address)).count();
         count < most || self.show_out(|it| which(it.address))
