@@ -17,15 +17,7 @@ const CONTROLLER: &str = "Controller";
 
 /// Keys that Kerf writes for itself; those of folders have no value of their own.
 const OWN: [&str; 9] = [
-    PART_FILE,
-    EDITOR,
-    LAST_ERROR,
-    LAST_SHAPE,
-    PREVIEW,
-    RECORDED,
-    RECORDING,
-    "uAppPath",
-    "uUsrPath",
+    PART_FILE, EDITOR, LAST_ERROR, LAST_SHAPE, PREVIEW, RECORDED, RECORDING, "uAppPath", "uUsrPath",
 ];
 
 /// Whether the machine alone writes a key: its value is a fact of safety, or tells what the machine does.
