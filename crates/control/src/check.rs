@@ -184,6 +184,7 @@ fn find(shelf: &mut Shelf, request: &FileRequest) -> Result<SourceFile, HostErro
 }
 
 #[cfg(test)]
+#[allow(non_snake_case)] // rows and their variants
 mod tests {
     use super::*;
     use crate::files::MemoryDisk;

@@ -14,8 +14,8 @@ use kerf_sim::{Halt, HaltCause};
 /// Why a stack did not run to its end.
 #[derive(Debug)]
 pub(crate) enum Halted {
-    /// A watched input; its index among the watches, when it changed, and the motion that was interrupted.
-    Watch { index: usize, changed_s: f64, at: kerf_program::Halted },
+    /// A watched input; its index among the watches, and the motion that was interrupted.
+    Watch { index: usize, at: kerf_program::Halted },
     /// The machine was stopped, and the program says what follows.
     Taken { by: StoppedBy, at: kerf_program::Halted },
     /// The run is over.
@@ -346,7 +346,8 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             HaltCause::Watch(index) => {
                 let at = kerf_program::Halted { motion: number, ..*at };
-                Err(Halted::Watch { index, changed_s: halt.t_s, at })
+                self.changed_s = halt.t_s;
+                Err(Halted::Watch { index, at })
             }
             cause => self.halted_by(cause, *at),
         }

@@ -50,6 +50,8 @@ pub(crate) struct Runner<'a, I> {
     lines: u64,
     /// An input may interrupt: moves need their numbers.
     watching: bool,
+    /// When the watched input changed that stopped the machine last, seconds of machine time.
+    pub(crate) changed_s: f64,
     /// Saves and restores the program's state before each look.
     pub restore: Option<Restore<I>>,
     pub limits: LimitPolicy,
@@ -116,6 +118,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             lines,
             limits,
             watching: false,
+            changed_s: 0.0,
             nudged: None,
             restore: None,
             last_move: At::default(),
@@ -549,7 +552,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     pub(crate) fn halted(&mut self, halted: Halted) -> Flow {
         match halted {
-            Halted::Watch { index, changed_s, at } => self.interrupt(index, changed_s, &at),
+            Halted::Watch { index, at } => self.interrupt(index, &at),
             Halted::Taken { by, at } => self.taken(by, &at),
             Halted::Over(over) => Flow::Over(over),
         }
@@ -557,18 +560,13 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// A watched input stopped the machine: the program's handler comes next, and those of inputs that changed in the
     /// same moment or until the machine stood.
-    pub(crate) fn interrupt(
-        &mut self,
-        index: usize,
-        changed_s: f64,
-        at: &kerf_program::Halted,
-    ) -> Flow {
+    pub(crate) fn interrupt(&mut self, index: usize, at: &kerf_program::Halted) -> Flow {
         self.world.machine.land_torch();
         let position = self.world.machine.position();
         let Some(watch) = self.interpreter.watches().get(index).cloned() else { return Flow::On };
         self.interpreter.fired(at);
         self.interpreter.interrupt(&watch, at.motion, position);
-        let changed = self.world.machine.changed_since(changed_s);
+        let changed = self.world.machine.changed_since(self.changed_s);
         let fires = |w: &Watch| w.level_after_s.is_none() && changed.contains(&(w.input, w.on));
         for other in self.interpreter.watches().into_iter().filter(fires) {
             self.interpreter.interrupt(&other, None, position);

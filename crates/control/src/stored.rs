@@ -10,15 +10,7 @@ use std::collections::BTreeMap;
 
 /// Keys that Kerf writes for itself; those of folders have no value of their own.
 const OWN: [&str; 9] = [
-    PART_FILE,
-    EDITOR,
-    LAST_ERROR,
-    LAST_SHAPE,
-    PREVIEW,
-    RECORDED,
-    RECORDING,
-    "uAppPath",
-    "uUsrPath",
+    PART_FILE, EDITOR, LAST_ERROR, LAST_SHAPE, PREVIEW, RECORDED, RECORDING, "uAppPath", "uUsrPath",
 ];
 
 /// Whether Kerf writes a key for itself, so that nobody writes it over the network. Values of the user, variables of

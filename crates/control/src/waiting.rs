@@ -91,7 +91,8 @@ impl<I: Interpreter> Runner<'_, I> {
             HaltCause::Watch(index) => {
                 self.drop_outputs(self.world.now(), index);
                 self.world.tell_log();
-                self.interrupt(index, halt.t_s, &self.stood())
+                self.changed_s = halt.t_s;
+                self.interrupt(index, &self.stood())
             }
             cause => match self.halted_by(cause, self.stood()) {
                 Ok(()) => Flow::On,

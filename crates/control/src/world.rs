@@ -548,7 +548,8 @@ impl<'a> World<'a> {
 
     fn told_question(&mut self, question: &Question, answer: &Answer, scripted: bool, at: At) {
         let default = answers::words(&answers::default_answer(question));
-        let nothing_typed = answers::takes_text(question.kind) && *answer == Answer::Button(Button::OK);
+        let nothing_typed =
+            answers::takes_text(question.kind) && *answer == Answer::Button(Button::OK);
         let event = Event::Ask(AskEvent {
             kind: question.kind,
             text: question.text.clone(),

@@ -266,7 +266,9 @@ fn outside(what: &str) -> HostError {
 fn missing(name: &str, base: &Path, purpose: Purpose) -> HostError {
     let folder = if base.as_os_str().is_empty() { Path::new(".") } else { base }.display();
     HostError::NotFound(match purpose {
-        Purpose::Write | Purpose::Make => format!("cannot write {name}: no such folder below {folder}"),
+        Purpose::Write | Purpose::Make => {
+            format!("cannot write {name}: no such folder below {folder}")
+        }
         Purpose::Enter => format!("folder {name} not found below {folder}"),
         Purpose::Read => format!("{name} not found in {folder}"),
     })

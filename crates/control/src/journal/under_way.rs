@@ -193,9 +193,7 @@ impl Journal {
         // What options say holds for this run; what the run itself changed stays.
         let kept = match run.settings {
             Some(_) => Ok(()),
-            None => {
-                self.keep_settings(Some(&run.session.sbp.settings), &session.memory.settings)
-            }
+            None => self.keep_settings(Some(&run.session.sbp.settings), &session.memory.settings),
         };
         self.write(|rows| {
             remember(rows, &session.memory, &session.gcode)?;

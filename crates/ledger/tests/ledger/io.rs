@@ -31,7 +31,13 @@ fn sbp_io_open_relative() {
     };
     assert_eq!(open('\\').file("sub/out.txt"), "A\n");
     assert_eq!(open('/').file("sub/out.txt"), "A\n");
-    run("OPEN \"none\\out.txt\" FOR OUTPUT AS #1").status("failed");
+    // A folder that is not there yet is made, as the tool changers of real machines need it; read is none.
+    let made = run("OPEN \"none\\now\\out.txt\" FOR OUTPUT AS #1 ⏎ WRITE #1; \"A\"");
+    assert_eq!(made.file("none/now/out.txt"), "A\n");
+    let named = run("OPEN \"C:\\SbParts\\Now\\x.txt\" FOR APPEND AS #1 ⏎ WRITE #1; \"A\"");
+    assert_eq!(named.file("Now/x.txt"), "A\n");
+    run("OPEN \"none\\out.txt\" FOR INPUT AS #1").status("failed");
+    run("OPEN \"..\\none\\out.txt\" FOR OUTPUT AS #1").status("failed");
 }
 
 #[test]

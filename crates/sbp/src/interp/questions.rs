@@ -61,7 +61,9 @@ impl Context<'_> {
         values: usize,
     ) -> Result<String, Stop> {
         match self.ask(question)? {
-            Answer::Button(Button::OK) if self.core.options.preview && question.prefill.is_empty() => {
+            Answer::Button(Button::OK)
+                if self.core.options.preview && question.prefill.is_empty() =>
+            {
                 self.note(
                     Code::SampleAnswer,
                     format!("nobody answers '{}' here: 0 is taken", question.text),

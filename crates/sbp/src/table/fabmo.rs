@@ -92,7 +92,11 @@ pub static SPECS: [CommandSpec; 14] = [
         Stack::Ends,
         "Locations of the table base (0) up to the end of the run or SC,1, which brings the working ones back. FabMo.",
         |c, a| {
-            if a.flag(0) == Some(true) { c.use_working_locations() } else { c.use_table_base() }
+            if a.flag(0) == Some(true) {
+                c.use_working_locations()
+            } else {
+                c.use_table_base()
+            }
             Ok(())
         },
     ),
@@ -121,8 +125,7 @@ pub static SPECS: [CommandSpec; 14] = [
 const INCHES: [&str; 4] = ["0", "IN", "INCH", "INCHES"];
 
 /// What SU takes.
-static UNITS: [&str; 8] =
-    ["0", "IN", "INCH", "INCHES", "1", "MM", "MILLIMETER", "MILLIMETERS"];
+static UNITS: [&str; 8] = ["0", "IN", "INCH", "INCHES", "1", "MM", "MILLIMETER", "MILLIMETERS"];
 
 static LOCATIONS: [ParamSpec; 12] = [
     axis!("X location", X),

@@ -133,6 +133,7 @@ fn su_takes_its_unit_as_a_word() {
 #[test]
 fn macros_lie_in_the_folder_of_the_profile_too() {
     let files = [("macros/macro_75.sbp", "MX,2"), ("Custom75.sbc", "MX,9")];
-    let host = FakeHost { files: files.map(|(n, t)| (n.into(), t.into())).into(), ..FakeHost::default() };
+    let host =
+        FakeHost { files: files.map(|(n, t)| (n.into(), t.into())).into(), ..FakeHost::default() };
     run_as("C75", host, Session::default(), options()).ends_at(2.0, 0.0, 0.0);
 }
