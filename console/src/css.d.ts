@@ -6,3 +6,10 @@ declare module "react" {
     [property: `--${string}`]: string | number;
   }
 }
+
+/** Text files as they are. */
+declare module "*?raw" {
+  const text: string;
+  // biome-ignore lint/style/noDefaultExport: that is how Vite gives them
+  export default text;
+}

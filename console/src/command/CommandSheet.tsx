@@ -72,6 +72,14 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
     event.preventDefault();
     does();
   };
+  /** Enter is OK, also where a choice has the focus, whose buttons would only be pressed by it. */
+  const enter = (event: KeyboardEvent) => {
+    const chooses = event.target instanceof HTMLElement && event.target.closest(".choice");
+    if (event.key !== "Enter" || !chooses) return;
+    event.preventDefault();
+    event.stopPropagation();
+    void run();
+  };
   return (
     <Sheet
       title={`${entry.letters} · ${entry.name}`}
@@ -103,6 +111,7 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
         ref={form}
         className="sheet-fields"
         onKeyDown={keys}
+        onKeyDownCapture={enter}
         onSubmit={(event) => {
           event.preventDefault();
           void run();

@@ -1,5 +1,5 @@
 import { Choice } from "../ui/Choice";
-import { Field } from "../ui/Field";
+import { Field, Required } from "../ui/Field";
 import { Pick } from "../ui/Pick";
 import type { Parameter } from "../wire/messages";
 import { rangeText } from "./sheet";
@@ -29,13 +29,17 @@ export function ParameterField({
     const few = options.length <= fewWords && kind.words.join("").length < 20;
     return (
       <div className="parameter" title={doc}>
-        <span className="field-label">{name}</span>
+        <span className="field-label">
+          {name}
+          {parameter.required && <Required />}
+        </span>
         {few ? (
-          <Choice label={name} options={options} value={value} onChange={onChange} />
+          <Choice label={name} options={options} value={value} onChange={onChange} first={first} />
         ) : (
           <Pick label={name} options={options} value={value} onChange={onChange} />
         )}
         <span className="field-hint">{facts(parameter)}</span>
+        {mistake && <span className="field-error">{mistake}</span>}
       </div>
     );
   }

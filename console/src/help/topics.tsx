@@ -7,6 +7,7 @@ import { getText } from "../link/http";
 import { Button } from "../ui/Button";
 import { CommandReference } from "./CommandReference";
 import { KeyLists } from "./KeyLists";
+import { Bulletins, Web } from "./News";
 
 export interface Topic {
   readonly letters: string;
@@ -192,36 +193,6 @@ function AskForHelp() {
         Save problem.log
       </a>
     </>
-  );
-}
-
-const project = "https://example.invalid/kerf";
-
-function Bulletins() {
-  return (
-    <p>
-      News of each version are in the{" "}
-      <a href={`${project}/releases`} target="_blank" rel="noreferrer">
-        list of changes
-      </a>
-      , known problems in the{" "}
-      <a href={`${project}/issues`} target="_blank" rel="noreferrer">
-        list of issues
-      </a>
-      . Both open on the web, in a new tab.
-    </p>
-  );
-}
-
-function Web() {
-  return (
-    <p>
-      Kerf's home is{" "}
-      <a href={project} target="_blank" rel="noreferrer">
-        {project}
-      </a>
-      , which opens in a new tab.
-    </p>
   );
 }
 

@@ -30,23 +30,23 @@ function useSaid(comments: boolean): { lines: readonly string[]; printed: number
   return { lines: [...said, ...printed], printed: printed.length, notes: said.length };
 }
 
-/** Open as soon as something is said; closed by a VD without comments, until the next word. */
+/** Open as soon as something is said; closed by a VD without comments, typed or in a file, until the next word. */
 function useOpened(display: DisplaySettings | null) {
   const comments = display?.comments ?? false;
   const { printed, notes } = useSaid(comments);
   const [open, setOpen] = useState(false);
   const job = useSnapshot("job");
-  const told = job?.ended && /^\s*VD/i.test(job.command ?? "") ? job.run : 0;
-  const before = useRef<{ said: number; told: number }>(undefined);
+  const silent = job?.silent ?? false;
+  const before = useRef<{ said: number; silent: boolean }>(undefined);
   const said = printed + notes;
   useEffect(() => {
     if (!display) return;
     // What was said before this page came is in the list; it opens nothing.
-    const { current = { said: display.comments ? 0 : said, told } } = before;
-    if (said > current.said) setOpen(true);
-    else if (told > current.told && !display.comments) setOpen(false);
-    before.current = { said, told };
-  }, [said, told, display]);
+    const { current = { said: display.comments ? 0 : said, silent } } = before;
+    if (silent && !current.silent) setOpen(false);
+    else if (said > current.said) setOpen(!silent);
+    before.current = { said, silent };
+  }, [said, silent, display]);
   return [open, setOpen] as const;
 }
 

@@ -7,6 +7,8 @@ interface ChoiceProps<T extends string> {
   value: T;
   onChange: (value: T) => void;
   isDisabled?: boolean;
+  /** Has the focus when its sheet opens. */
+  first?: boolean;
 }
 
 /** One of a few, all in sight. */
@@ -16,6 +18,7 @@ export function Choice<T extends string>({
   value,
   onChange,
   isDisabled,
+  first,
 }: ChoiceProps<T>) {
   return (
     <ToggleButtonGroup
@@ -31,7 +34,12 @@ export function Choice<T extends string>({
       }}
     >
       {options.map((option) => (
-        <ToggleButton key={option.value} id={option.value} className="choice-one">
+        <ToggleButton
+          key={option.value}
+          id={option.value}
+          className="choice-one"
+          data-first={(first && option.value === value) || undefined}
+        >
           {option.words}
         </ToggleButton>
       ))}

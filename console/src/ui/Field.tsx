@@ -26,11 +26,7 @@ export function Field({ label, unit, hint, error, placeholder, first, ...rest }:
     <TextField {...rest} isInvalid={error !== undefined} className="field">
       <Label className="field-label">
         {label}
-        {rest.isRequired && (
-          <span className="field-required" title="has to be given">
-            *
-          </span>
-        )}
+        {rest.isRequired && <Required />}
       </Label>
       <div className="field-box">
         <Input
@@ -50,3 +46,10 @@ export function Field({ label, unit, hint, error, placeholder, first, ...rest }:
     </TextField>
   );
 }
+
+/** The mark of what has to be given. */
+export const Required = () => (
+  <span className="field-required" title="has to be given">
+    *
+  </span>
+);

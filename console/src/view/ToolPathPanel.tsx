@@ -1,19 +1,14 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import { ToggleButton } from "react-aria-components";
-import { openTiming } from "../actions/go";
-import { clearPreview } from "../actions/machine";
-import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
+import { useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
 import { useWords } from "../app/useWords";
 import { mistakesText, movesMade } from "../operator/fileStatus";
-import { ActionButton } from "../ui/ActionButton";
-import { Button } from "../ui/Button";
-import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import type { Motion, Opened, PreviewInfo } from "../wire/messages";
-import type { Aspect, Bounds, Vec3 } from "./camera";
+import type { Bounds, Vec3 } from "./camera";
 import type { Marks } from "./overlay";
 import { PathFacts } from "./PathFacts";
+import { PathTools } from "./PathTools";
 import { PlayBar } from "./PlayBar";
 import { placeAt, timeOfMoves } from "./place";
 import { stretches } from "./progress";
@@ -27,22 +22,13 @@ import { useToolPath } from "./useToolPath";
 import { type TypedView, useTyped } from "./useTyped";
 import "./tool-path-panel.css";
 
-const aspectWords: readonly { value: Aspect; words: string }[] = [
-  { value: "top", words: "Top" },
-  { value: "front", words: "Front" },
-  { value: "side", words: "Side" },
-  { value: "solid", words: "3D" },
-];
-
 /** The open file's tool path with the machine in it. */
 export function ToolPathPanel() {
   const opened = useSnapshot("opened");
   const motion = useSnapshot("motion");
   const units = useSnapshot("units");
   const moves = useShown(movesMade);
-  const preview = opened?.preview;
-  const shows = preview?.state === "ready" && !opened?.cleared;
-  const path = useToolPath(shows ? preview.key : undefined);
+  const { path, rotary } = useLookedAt(opened);
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
   const { camera, aspect, chosen: aimed, look, zoomBy, handlers } = useCamera(size);
@@ -61,9 +47,7 @@ export function ToolPathPanel() {
   const [chosen, setStock] = useState<boolean | null>(null);
   const simulates = useDisplay()?.simulate ?? false;
   const stock = chosen ?? simulates;
-  const { screen } = useHands();
   const large = useScreen("large");
-  const previews = useShown((shown) => shown.snapshot?.machine.mode === "preview");
   const film = playback.at !== null && path ? placeAt(path.coarse, playback.at)?.at : undefined;
   const marks = useMemo(
     () => marksOf(path, typed, motion, moves, units ?? { mm: 1, linear: "mm" }, film),
@@ -75,35 +59,12 @@ export function ToolPathPanel() {
       title="Tool path"
       className={`path-panel ${large ? "path-large" : ""}`}
       aside={
-        <div className="path-tools">
-          <Choice
-            label="View"
-            options={aspectWords}
-            value={aspect}
-            onChange={(next) => bounds && look(next, bounds, size)}
-          />
-          <ToggleButton className="button button-small" isSelected={stock} onChange={setStock}>
-            Stock
-          </ToggleButton>
-          <Button size="small" onPress={() => bounds && look(aspect, bounds, size)}>
-            Fit
-          </Button>
-          <ActionButton action={openTiming} size="small">
-            Timing
-          </ActionButton>
-          {previews && (
-            <ActionButton action={clearPreview} size="small">
-              Clear
-            </ActionButton>
-          )}
-          <ToggleButton
-            className="button button-small"
-            isSelected={large}
-            onChange={screen.enlarge}
-          >
-            Large
-          </ToggleButton>
-        </div>
+        <PathTools
+          aspect={aspect}
+          look={(next) => bounds && look(next, bounds, size)}
+          stock={{ on: stock, set: setStock }}
+          rotary={rotary}
+        />
       }
     >
       {/* biome-ignore lint/a11y/noStaticElementInteractions: the buttons above do the same by key */}
@@ -122,7 +83,7 @@ export function ToolPathPanel() {
           camera={camera}
           size={size}
           now={now}
-          marks={marks}
+          marks={rotary?.on ? onWork(marks) : marks}
           stock={stock}
         />
         <PathWords path={path} typed={typed} opened={opened} />
@@ -134,6 +95,18 @@ export function ToolPathPanel() {
     </Panel>
   );
 }
+
+/** The path that is looked at: as the tool goes, or where it lies on the work that an axis turns. */
+function useLookedAt(opened: Opened | null | undefined) {
+  const [on, set] = useState(false);
+  const preview = opened?.preview;
+  const shows = preview?.state === "ready" && !opened?.cleared;
+  const path = useToolPath(shows ? `${preview.key}${on ? "~rotary" : ""}` : undefined);
+  return { path, rotary: path?.info.rotary ? { on, set } : undefined };
+}
+
+/** The picture is of the work as it is turned, not of where the tool stands. */
+const onWork = (marks: Marks): Marks => ({ ...marks, tool: undefined, made: undefined });
 
 interface PathWordsProps {
   path: ToolPath | null;

@@ -486,6 +486,8 @@ hash: string | null,
 command: string | null,
 /** Planned time, seconds; 0 when it is not known. */
 seconds: number,
+/** VD without comments was carried out and nothing was printed since: the message screen is closed. */
+silent: boolean,
 /** The open files, outermost first, with the line that is read. */
 calls: Array<Call>,
 /** The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to its end; empty before the first move. */
@@ -834,6 +836,8 @@ cut: number,
 jog: number,
 /** Moves. */
 moves: number,
+/** An axis turns the work about X: the key with `~rotary` behind it gives the path where it lies on the work. */
+rotary: boolean,
 /** From all of it to the coarsest. */
 details: Array<Detail>,
 /** The tool paths that the program names. */

@@ -26,6 +26,8 @@ beforeAll(async () => {
   const file = (name: string, text: string) => writeFileSync(join(workshop.parts, name), text);
   file("hello.sbp", 'PRINT "Hello"\nEND\n');
   file("words.sbp", "'alpha\nMX,1\n'beta\nEND\n");
+  file("hides.sbp", 'PRINT "a"\nMX,2\nVD,,,,,,,0\nMX,0\nEND\n');
+  file("again.sbp", 'PRINT "a"\nVD,,,,,,,0\nPRINT "b"\nEND\n');
   file("inner.sbp", "PAUSE 1\nMX,0\nPAUSE 60\n");
   file("outer.sbp", "SA\n\nFP,inner.sbp,,,1\nEND\n");
   page = await commandDesk(workshop);
@@ -136,6 +138,39 @@ it("sbp_io_print_suppress: VD with comments off closes it until the next PRINT",
   await run("FP,hello.sbp");
   await screen().waitFor();
   await page.getByRole("button", { name: "Close the message screen" }).click();
+});
+
+it("sbp_io_print_suppress: VD in a file closes it too, until the next PRINT", async () => {
+  expect(await screen().count()).toBe(0);
+  await command(page, "FP,hides.sbp");
+  await screen().waitFor();
+  await screen().waitFor({ state: "detached" });
+  await ready();
+  await run("FP,again.sbp");
+  await screen().waitFor();
+  await run("FP,hides.sbp");
+  await screen().waitFor({ state: "detached" });
+});
+
+it("sbp_cmd_sf: what has to be given is marked, OK sends what holds, Enter is OK", async () => {
+  await run("SF,1");
+  await page.evaluate(() => localStorage.setItem("kerf.sheets", "always"));
+  await page.reload();
+  await arm(page);
+  await line().pressSequentially("sf");
+  const sheet = page.getByRole("dialog", { name: /^SF / });
+  await sheet.locator(".field-required").waitFor();
+  expect(await sheet.locator(".sheet-line").textContent()).toBe("SF,1");
+  await page.keyboard.press("Enter");
+  await sheet.waitFor({ state: "detached" });
+  await until(async () => (await stateOf(workshop)).job?.command === "SF,1", "SF,1 is sent");
+  await ready();
+  await line().pressSequentially("sc");
+  await page.getByRole("dialog", { name: /^SC / }).locator(".field-required").waitFor();
+  await page.keyboard.press("Escape");
+  await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
+  await page.reload();
+  await arm(page);
 });
 
 it("sbp_val_vd_comments: with it on, comments of a file are listed beside what it prints", async () => {

@@ -27,11 +27,22 @@ it("sbp_cmd_ha: version, driver and licence", async () => {
   for (const word of ["Kerf 0.", "simulated", "MIT", "Apache-2.0"]) expect(words).toContain(word);
 });
 
-it("sbp_cmd_hb: bulletins are links that open on a click only", async () => {
+/** Where the links of a page of the help lead: what this Kerf answers there. */
+async function answers(): Promise<number[]> {
+  const links = await page.locator(".help-page a").all();
+  const addresses = await Promise.all(links.map((link) => link.getAttribute("href")));
+  const asked = addresses.map((href) => fetch(new URL(href ?? "", workshop.address)));
+  return (await Promise.all(asked)).map(({ status }) => status);
+}
+
+it("sbp_cmd_hb: bulletins tell the news, and their link opens on a click only, and leads somewhere", async () => {
   await typed("hb");
+  const news = page.getByRole("region", { name: "News" });
+  await news.getByText("The beginning: OpenSBP part files on a simulated machine.").waitFor();
+  await news.getByRole("heading", { name: "Unreleased" }).waitFor();
   const links = page.locator(".help-page a");
-  expect(await links.count()).toBe(2);
   expect(await links.first().getAttribute("target")).toBe("_blank");
+  expect(await answers()).toEqual([200]);
   expect(page.url()).toContain("/help");
 });
 
@@ -74,7 +85,7 @@ it("sbp_cmd_hu: the guide through the screens", async () => {
   for (const title of ["Operate", "Edit", "Draw", "Settings"]) expect(words).toContain(title);
 });
 
-it("sbp_cmd_hw: a link to the project's home", async () => {
+it("sbp_cmd_hw: what this Kerf serves, each link leads somewhere", async () => {
   await typed("hw");
-  expect(await page.locator(".help-page a").getAttribute("href")).toMatch(/^https:/);
+  expect(await answers()).toEqual([200, 200, 200]);
 });

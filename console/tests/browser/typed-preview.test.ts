@@ -127,3 +127,22 @@ it("sbp_file_fp: a typed FP shows its file in Move mode, with its parameters and
   await runsOnTheScreen("FP,b.sbp", "b.sbp");
   expect((await stateOf(workshop)).opened?.parameters).toMatchObject({ repetitions: 1 });
 });
+
+it("sbp_val_vp_rotary: with five axes the path can be seen on the cylinder that B turns", async () => {
+  const toggle = page.getByRole("button", { name: "Rotary" });
+  expect(await toggle.count(), "three axes turn nothing").toBe(0);
+  await carryOut(workshop, page, "VD,,5");
+  const rolled = "J2,0,0\nMZ,-.1\nM5,1,0,-.1,0,90\nJZ,1\nEND\n";
+  writeFileSync(join(workshop.parts, "rolled.sbp"), `SA\n${rolled}`);
+  await script(workshop, "open", { name: "rolled.sbp" });
+  await until(async () => (await shown()) === "rolled.sbp", "it is open");
+  const facts = page.getByLabel("Extents and time");
+  await expect.poll(() => facts.textContent()).toMatch(/Y0\.000 … 0\.000Z-0\.100/);
+  await toggle.click();
+  // Half of the blank of 6 inches, less a tenth: a quarter turn brings that to the side.
+  await expect.poll(() => facts.textContent()).toMatch(/Y-2\.900 … 0\.000Z-3\.000 … /);
+  await picture().and(page.locator('[data-path="all"]')).waitFor();
+  await toggle.click();
+  await expect.poll(() => facts.textContent()).toMatch(/Y0\.000 … 0\.000Z-0\.100/);
+  await carryOut(workshop, page, "VD,,3");
+});

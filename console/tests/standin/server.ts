@@ -71,6 +71,7 @@ const info: PreviewInfo = {
   moves: corners.length - 1,
   details: [{ tolerance: 0, segments: corners.length - 1, pieces: 1 }],
   toolpaths: [],
+  rotary: false,
 };
 
 function piece(): ArrayBuffer {

@@ -28,6 +28,7 @@ const running: Partial<Snapshot> = {
     command: null,
     seconds: 31.4,
     calls: [{ file: "first-cut.sbp", line: 14 }],
+    silent: false,
     toolFile: "first-cut.sbp",
     heights: null,
     inForce: null,

@@ -103,6 +103,10 @@ impl Sink for Whole<'_> {
         self.sink.made_before(made);
     }
 
+    fn displays(&mut self, comments: bool) {
+        self.sink.displays(comments);
+    }
+
     fn standing(&mut self, standing: &Standing) {
         self.sink.standing(standing);
     }

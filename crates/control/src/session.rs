@@ -216,7 +216,8 @@ impl Session {
         stands: Option<Placed>,
     ) -> Summary {
         let Company { sink, operator, pace } = company;
-        let mut options = options;
+        let (mut options, mut program) = (options, program);
+        self.refuse_keys(&mut program);
         options.program.protected = self.machine_is.options.password.is_some() && !options.opened;
         let began = options.program.protected.then(|| self.memory.settings.clone());
         sink.event(&self.start_event(program.name(), program.language(), &options));

@@ -36,6 +36,9 @@ pub trait Sink {
     /// A move was made before the run was cut short that is taken up: it is gone through in silence.
     fn made_before(&mut self, _: &Made<'_>) {}
 
+    /// VD was carried out; comments are shown from now on, or not.
+    fn displays(&mut self, _comments: bool) {}
+
     /// The run stands somewhere else: it goes on to other lines, waits, or is over.
     fn standing(&mut self, _: &Standing) {}
 
@@ -87,6 +90,11 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.1.made_before(made);
     }
 
+    fn displays(&mut self, comments: bool) {
+        self.0.displays(comments);
+        self.1.displays(comments);
+    }
+
     fn standing(&mut self, standing: &Standing) {
         self.0.standing(standing);
         self.1.standing(standing);
@@ -116,6 +124,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn made_before(&mut self, made: &Made<'_>) {
         (**self).made_before(made);
+    }
+
+    fn displays(&mut self, comments: bool) {
+        (**self).displays(comments);
     }
 
     fn standing(&mut self, standing: &Standing) {
@@ -152,6 +164,12 @@ impl<S: Sink> Sink for Option<S> {
     fn made_before(&mut self, made: &Made<'_>) {
         if let Some(sink) = self {
             sink.made_before(made);
+        }
+    }
+
+    fn displays(&mut self, comments: bool) {
+        if let Some(sink) = self {
+            sink.displays(comments);
         }
     }
 

@@ -395,6 +395,10 @@ impl<'a> World<'a> {
 
     fn use_settings(&mut self, settings: Arc<Settings>) {
         let (before, drew) = (self.units(), self.machine.draws());
+        // VD tells its values even where they are those that hold.
+        if *settings == *self.settings || settings.display != self.settings.display {
+            self.sink.displays(settings.display.comments);
+        }
         self.settings = settings.clone();
         self.machine.use_settings(settings);
         self.tell_log();

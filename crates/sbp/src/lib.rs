@@ -37,7 +37,7 @@ mod typed;
 mod value;
 mod walk;
 
-pub use check::{check, check_until};
+pub use check::{check, check_until, stops_on_keys};
 pub use expr::{
     BinaryOp, Expr, ExprId, ExprNode, Expressions, Function, Path, PathId, PathStep, TextId,
     UnaryOp,

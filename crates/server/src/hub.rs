@@ -149,7 +149,8 @@ impl Hub {
             let same = now.job.as_ref().filter(|now| now.run == job.run && job.hash.is_none());
             let (hash, seconds) =
                 same.map_or((job.hash.clone(), job.seconds), |now| (now.hash.clone(), now.seconds));
-            let job = Job { hash, seconds, ..job };
+            let silent = now.job.as_ref().is_some_and(|now| now.run == job.run && now.silent);
+            let job = Job { hash, seconds, silent, ..job };
             let mut changes = Vec::new();
             if let (Some(hash), Some(ended)) = (&job.hash, &job.ended) {
                 let line = now.motion.line;

@@ -192,6 +192,8 @@ pub struct Job {
     pub command: Option<String>,
     /// Planned time, seconds; 0 when it is not known.
     pub seconds: f64,
+    /// VD without comments was carried out and nothing was printed since: the message screen is closed.
+    pub silent: bool,
     /// The open files, outermost first, with the line that is read.
     pub calls: Vec<Call>,
     /// The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to

@@ -69,6 +69,8 @@ pub struct PreviewInfo {
     pub jog: f64,
     /// Moves.
     pub moves: u32,
+    /// An axis turns the work about X: the key with `~rotary` behind it gives the path where it lies on the work.
+    pub rotary: bool,
     /// From all of it to the coarsest.
     pub details: Vec<Detail>,
     /// The tool paths that the program names.

@@ -122,11 +122,9 @@ impl Settings {
 
     /// Changes the user's linear unit; linear rotary axes follow.
     pub fn use_linear_unit(&mut self, unit: LinearUnit) {
-        self.linear_unit = unit;
-        for axis in &mut self.rotary_units {
-            if let AxisUnit::Linear(linear) = axis {
-                *linear = unit;
-            }
+        let before = AxisUnit::Linear(std::mem::replace(&mut self.linear_unit, unit));
+        for axis in self.rotary_units.iter_mut().filter(|axis| **axis == before) {
+            *axis = AxisUnit::Linear(unit);
         }
     }
 

@@ -7,11 +7,14 @@
 
 mod cutting;
 mod facts;
+mod inputs;
 mod jumps;
 #[cfg(test)]
 mod tests;
 mod units;
 mod variables;
+
+pub use inputs::stops_on_keys;
 
 use crate::Program;
 use facts::Facts;

@@ -1,6 +1,6 @@
 //! Settings files and what belongs to the installation: US, UR, UN, UI.
 
-use super::utilities::settings_lines;
+use super::utilities::{locations_line, settings_lines};
 use super::{CommandSpec, Group, Kind, ParamSpec, Stack};
 use crate::interp::{Arguments, Context, EDITOR, FileParameters, Stop};
 use kerf_diag::Code;
@@ -63,7 +63,12 @@ fn save(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         }
     };
     let head = ["'Settings of Kerf.".to_owned()];
-    let lines: Vec<String> = head.into_iter().chain(settings_lines(c.settings())).collect();
+    let locations = [
+        "'Where the tool stood. It is not set by UR; copied into a part file it is, without the mark.".to_owned(),
+        format!("'{}", locations_line(c)),
+    ];
+    let lines: Vec<String> =
+        head.into_iter().chain(settings_lines(c.settings())).chain(locations).collect();
     let kept = c.host.keep_settings(&name, &(lines.join("\n") + "\n"));
     let path = kept.map_err(|e| c.refused(e))?;
     c.emit(Command::Message { text: format!("the settings are in {path}").into() });
@@ -132,6 +137,24 @@ mod tests {
         assert!(ran.error.is_none(), "{:?}", ran.error);
         let kept = &ran.host.settings["mine.sbd"];
         assert!(kept.lines().any(|line| line.starts_with("VC,0.375")), "{kept}");
+        assert!((ran.session.settings.cutter.diameter_mm - 9.525).abs() < 1e-9);
+    }
+
+    #[test]
+    #[allow(non_snake_case)]
+    fn sbp_val_va_store__in_a_settings_file() {
+        let ran = run("VA,1,2,3,,,4,5,6⏎US,mine⏎VA,9,9,9,,,0,0,0⏎UR,mine,0");
+        assert!(ran.error.is_none(), "{:?}", ran.error);
+        let kept = &ran.host.settings["mine.sbd"];
+        let line = kept.lines().find(|line| line.contains("VA,")).unwrap();
+        assert_eq!(line, "'VA,1,2,3,0,0,4,5,6,0,0");
+        // It is there to be copied: UR itself leaves the locations alone, a part file with the line sets them.
+        let frame = |ran: &crate::testing::Ran| ran.session.frame;
+        let stays = run("VA,1,2,3,,,4,5,6⏎VA,9,9,9,,,0,0,0");
+        assert_eq!(frame(&ran), frame(&stays));
+        let again = run(&format!("VA,9,9,9,,,0,0,0⏎{}", line.trim_start_matches('\'')));
+        assert_eq!(frame(&again), frame(&run("VA,1,2,3,,,4,5,6")));
+        let ran = run("VC,.375⏎US,mine⏎VC,.5⏎UR,mine,0");
         assert!((ran.session.settings.cutter.diameter_mm - 9.525).abs() < 1e-9);
     }
 

@@ -77,9 +77,21 @@ pub fn settings_lines(settings: &Settings) -> Vec<String> {
     lines
 }
 
+/// The line that says where the tool stands, in working locations and table base coordinates.
+pub(super) fn locations_line(c: &Context<'_>) -> String {
+    let axes = || Axis::ALL.into_iter().take(5);
+    let scaled =
+        |axis: Axis, internal: f64| crate::format_number(internal / c.settings().axis_scale(axis));
+    let working = axes().map(|axis| scaled(axis, c.core.working()[axis]));
+    let base = axes().map(|axis| scaled(axis, c.core.base_coordinate(axis, 0.0)));
+    let values: Vec<String> = working.chain(base).collect();
+    format!("VA,{}", values.join(","))
+}
+
 /// The values of all V commands, the part folder, the folder of logs.
 fn values(c: &mut Context<'_>) -> String {
     let mut lines = settings_lines(c.settings());
+    lines.push(locations_line(c));
     lines.push(format!("FS,{},{}", c.host.user_path(), c.host.file_mask()));
     lines.push(format!("'settings and logs: {}", c.host.app_path()));
     lines.join("\n")

@@ -14,7 +14,11 @@ use kerf_wire::{Problem, Why};
 use serde::Deserialize;
 use std::sync::Arc;
 
+/// Behind the key of a preview: the path where it lies on work that an axis turns.
+const ROTARY: &str = "~rotary";
+
 fn find(app: &App, key: &str) -> Result<Arc<Preview>, Problem> {
+    let key = key.trim_end_matches(ROTARY);
     let open = lock(&app.open);
     let preview = open.preview.clone().filter(|_| open.key == key);
     preview.ok_or_else(|| problem(Why::File, "there is no such preview, or not any more"))
@@ -25,7 +29,9 @@ pub async fn info(
     State(app): State<Arc<App>>,
     Path(key): Path<String>,
 ) -> Result<Json<PreviewInfo>, Refused> {
-    Ok(Json(find(&app, &key)?.info.clone()))
+    let preview = find(&app, &key)?;
+    let rolled = preview.rolled.as_ref().filter(|_| key.ends_with(ROTARY));
+    Ok(Json(rolled.map_or(&preview.info, |rolled| &rolled.info).clone()))
 }
 
 /// A piece of its path.
@@ -35,7 +41,9 @@ pub async fn piece(
 ) -> Result<impl IntoResponse, Refused> {
     let preview = find(&app, &key)?;
     let bytes = soon(move || {
-        let bytes = preview.paths.get(level).and_then(|path| path.piece(piece));
+        let rolled = preview.rolled.as_ref().filter(|_| key.ends_with(ROTARY));
+        let paths = rolled.map_or(&preview.paths, |rolled| &rolled.paths);
+        let bytes = paths.get(level).and_then(|path| path.piece(piece));
         bytes.ok_or_else(|| problem(Why::File, "there is no such piece"))
     });
     let headers = [

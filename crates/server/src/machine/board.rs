@@ -58,6 +58,8 @@ pub struct Board {
     heights: Option<[f64; 3]>,
     /// What else a pause has changed of it.
     in_force: Option<InForce>,
+    /// VD has closed the message screen.
+    silent: bool,
     /// The typed line that runs, where one does.
     typing: Option<Typing>,
     /// Share of the speed asked for.
@@ -102,6 +104,7 @@ impl Board {
             heights: None,
             in_force: None,
             is_job: false,
+            silent: false,
             typing: None,
             feed: 1.0,
             rate,
@@ -237,9 +240,15 @@ impl Board {
 
     /// A line of the print window.
     pub fn print(&mut self, line: &str) {
+        self.silent = false;
         self.printed.extend(line.split('\n').map(str::to_owned));
         let too_many = self.printed.len().saturating_sub(PRINTED);
         self.printed.drain(..too_many);
+    }
+
+    /// VD was carried out.
+    pub const fn displays(&mut self, comments: bool) {
+        self.silent = !comments;
     }
 
     /// A line of the message area.
@@ -322,7 +331,8 @@ impl Board {
             let heights = self.heights.or(job.heights);
             let in_force = self.in_force.or(job.in_force);
             let tool_file = self.tool_file.1.clone();
-            let job = kerf_wire::Job { calls, tool_file, heights, in_force, ..job.clone() };
+            let silent = self.silent;
+            let job = kerf_wire::Job { calls, tool_file, heights, in_force, silent, ..job.clone() };
             let job = Some(job);
             put(now.job != job, Change::Job { job });
         }

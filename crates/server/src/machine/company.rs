@@ -398,6 +398,10 @@ impl Sink for Teller {
         self.shared.board.borrow_mut().made_before(made);
     }
 
+    fn displays(&mut self, comments: bool) {
+        self.shared.board.borrow_mut().displays(comments);
+    }
+
     fn standing(&mut self, standing: &Standing) {
         let mut board = self.shared.board.borrow_mut();
         board.stands(&standing.files);

@@ -1,9 +1,11 @@
 //! The path of a run.
 
 use super::pen::Pen;
+use super::rotary::is_rotary;
 use crate::machine::Planning;
-use kerf_control::{Event, Made, Repetitions, Sink};
+use kerf_control::{Event, Made, Repetitions, Session, Sink};
 use kerf_diag::Diagnostic;
+use kerf_program::Axis;
 
 /// Collects moves, their times, and what was found.
 #[derive(Debug)]
@@ -21,10 +23,16 @@ pub struct Collector {
 }
 
 impl Collector {
-    /// A path that begins at a place, machine frame.
-    pub fn new(start: [f64; 3]) -> Self {
+    /// The path of a run from where the machine stands.
+    pub fn of(session: &Session) -> Self {
+        let start = session.memory.position;
+        let rotary = is_rotary(&session.memory.settings);
+        let pen = match rotary {
+            true => Pen::rotary(start.first3(), start[Axis::B]),
+            false => Pen::new(start.first3()),
+        };
         let (plan, findings, again) = Default::default();
-        Self { pen: Pen::new(start), plan, findings, again, line: 0 }
+        Self { pen, plan, findings, again, line: 0 }
     }
 
     /// Tells how often something was found again; nothing more comes.

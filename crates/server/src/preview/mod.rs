@@ -11,6 +11,7 @@ mod charts;
 mod collect;
 mod path;
 mod pen;
+mod rotary;
 mod timing;
 mod typed;
 
@@ -47,6 +48,8 @@ pub struct Preview {
     pub info: PreviewInfo,
     /// The path, from all of it to the coarsest.
     pub paths: Vec<Path>,
+    /// The same on the cylinder that a rotary axis turns, where there is one.
+    pub rolled: Option<Rolled>,
     /// The moves, as whoever follows the run needs them.
     pub planned: Planned,
     /// What was found.
@@ -61,6 +64,15 @@ pub struct Preview {
     pub called: Called,
     /// The timing chart without inputs that was made last, and what its run began with.
     timing: Mutex<Option<(Begun, Arc<Timing>)>>,
+}
+
+/// A path on a cylinder.
+#[derive(Debug)]
+pub struct Rolled {
+    /// What is told of it.
+    pub info: PreviewInfo,
+    /// The path, from all of it to the coarsest.
+    pub paths: Vec<Path>,
 }
 
 impl Preview {
@@ -114,7 +126,7 @@ pub fn make(
     let (work, machine) = unattended(work);
     let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
-    let mut sink = Collector::new(session.memory.position.first3());
+    let mut sink = Collector::of(&session);
     let summary = silently(work, options(parameters), session, shelf, given_up, &mut sink)?;
     let failed = failed || is_job && summary.status == Status::Failed;
     let called = shelf.take_called();
@@ -127,7 +139,7 @@ pub fn plan(work: Work, options: RunOptions, session: Session, shelf: &mut Shelf
     let mut options = RunOptions { controller: None, ..options };
     (options.program.preview, options.program.max_lines) = (true, MOST_LINES);
     options.program.file.stepped = false;
-    let mut sink = Collector::new(session.memory.position.first3());
+    let mut sink = Collector::of(&session);
     silently(work, options, session, shelf, &AtomicBool::new(false), &mut sink);
     sink.plan.finish(machine.is_some())
 }
@@ -174,11 +186,15 @@ fn finish(
 ) -> Preview {
     sink.tell_rest();
     let mut info = info(&sink, summary, &start);
+    let turns_deg = sink.pen.turns_deg.take();
+    info.rotary = turns_deg.is_some();
+    let rolled = turns_deg.map(|turns| roll(&sink.pen.path, &turns, &info, &start.0));
     let paths = details(sink.pen.path);
     info.details = paths.iter().map(Path::detail).collect();
     Preview {
         info,
         paths,
+        rolled,
         planned: sink.plan.finish(is_job),
         findings: sink.findings.iter().map(kerf_language::finding).collect(),
         failed: false,
@@ -187,6 +203,14 @@ fn finish(
         called: Called::new(),
         timing: Mutex::default(),
     }
+}
+
+fn roll(path: &Path, turns_deg: &[f32], info: &PreviewInfo, settings: &Settings) -> Rolled {
+    let path = rotary::rolled(path, turns_deg, info.zero, settings.view.table_mm[2]);
+    let bounds = path.cut_bounds();
+    let paths = details(path);
+    let details = paths.iter().map(Path::detail).collect();
+    Rolled { info: PreviewInfo { bounds, details, ..info.clone() }, paths }
 }
 
 /// The path, and coarser ones of which each has a quarter of the segments at most.
@@ -229,6 +253,7 @@ fn info(sink: &Collector, summary: &Summary, (settings, frame): &(Settings, Fram
         cut: tally.cut_mm,
         jog: tally.jog_mm,
         moves: sink.plan.moves(),
+        rotary: false,
         details: vec![Detail::default()],
         toolpaths: tally.toolpaths.iter().map(toolpath).collect(),
     }

@@ -48,6 +48,16 @@ impl Path {
         self.segments.push(segment);
     }
 
+    /// The same path with each vertex elsewhere: by its number and its place in the machine frame.
+    pub fn moved(&self, to: impl Fn(usize, [f64; 3]) -> [f64; 3]) -> Self {
+        let there = |(number, vertex): (usize, &[f32; 3])| {
+            let place = std::array::from_fn(|i| f64::from(vertex[i]) + self.origin[i]);
+            let moved = to(number, place);
+            std::array::from_fn(|i| (moved[i] - self.origin[i]) as f32)
+        };
+        Self { vertices: self.vertices.iter().enumerate().map(there).collect(), ..self.clone() }
+    }
+
     /// What a page is told of it.
     pub fn detail(&self) -> Detail {
         Detail {

@@ -1,9 +1,10 @@
 //! Draws moves into a path.
 
 use super::path::{Path, Segment};
+use super::rotary;
 use kerf_control::Made;
 use kerf_motion::{Move, Path as Way};
-use kerf_program::MoveKind;
+use kerf_program::{Axis, MoveKind};
 use kerf_wire::preview::{CUT, GAP, JOG};
 
 /// How far a chord may leave its arc, mm: finer than a pixel of any view.
@@ -20,19 +21,36 @@ const JUMP_MM: f64 = 1e-3;
 pub struct Pen {
     /// The path.
     pub path: Path,
+    /// What the work has turned at each vertex, degrees; nothing where no axis turns it.
+    pub turns_deg: Option<Vec<f32>>,
     at: [f64; 3],
 }
 
 impl Pen {
     /// A path that begins at a place, machine frame.
     pub fn new(start: [f64; 3]) -> Self {
-        Self { path: Path::new(start, CHORD_MM), at: start }
+        Self { path: Path::new(start, CHORD_MM), turns_deg: None, at: start }
+    }
+
+    /// The same, of work that an axis turns.
+    pub fn rotary(start: [f64; 3], turn_deg: f64) -> Self {
+        Self { turns_deg: Some(vec![turn_deg as f32]), ..Self::new(start) }
     }
 
     /// Begins anew where it is, behind so many moves.
     pub fn clear(&mut self, made: u32) {
         self.path = Path::new(self.at, CHORD_MM);
-        self.path.push(self.at, Segment { end_s: 0.0, line: 0, made, kind: GAP });
+        let turn_deg = self.turns_deg.as_ref().and_then(|turns| turns.last()).copied();
+        self.turns_deg = turn_deg.map(|turn| vec![turn]);
+        let gap = Segment { end_s: 0.0, line: 0, made, kind: GAP };
+        self.push(self.at, turn_deg.map_or(0.0, f64::from), gap);
+    }
+
+    fn push(&mut self, to: [f64; 3], turn_deg: f64, segment: Segment) {
+        self.path.push(to, segment);
+        if let Some(turns) = &mut self.turns_deg {
+            turns.push(turn_deg as f32);
+        }
     }
 
     /// Draws a move, as one of a line and with its number.
@@ -45,13 +63,15 @@ impl Pen {
             |end_s: f64, kind: u8| Segment { end_s: end_s as f32, line, made: number, kind };
         let from = step.from.first3();
         if jumps(self.at, from) {
-            self.path.push(from, segment(t0_s, GAP));
+            self.push(from, step.from[Axis::B], segment(t0_s, GAP));
         }
-        let chords = chords(step);
+        let turned = self.turns_deg.as_ref().map_or(0.0, |_| step.to[Axis::B] - step.from[Axis::B]);
+        let chords = chords(step).max(rotary::chords(turned));
         for n in 1..=chords as u32 {
             let share = f64::from(n) / chords;
             let end_s = t0_s + (t1_s - t0_s) * share;
-            self.path.push(step.position(share).first3(), segment(end_s, kind));
+            let place = step.position(share);
+            self.push(place.first3(), place[Axis::B], segment(end_s, kind));
         }
         self.at = step.to.first3();
     }

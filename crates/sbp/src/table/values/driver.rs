@@ -1,7 +1,9 @@
 //! VI: connection and driver channels.
 
-use crate::table::setting::{axis, flag, set, whole};
+use crate::interp::{Arguments, Context, Stop};
+use crate::table::setting::{axis, changed, flag, set, whole};
 use crate::table::{Bound, CommandSpec, Group, Kind, ParamSpec, Setting, Stack};
+use kerf_diag::Code;
 use kerf_program::Axis;
 
 const fn channel(name: &'static str, setting: Setting) -> ParamSpec {
@@ -37,8 +39,18 @@ pub(super) static VI: CommandSpec = CommandSpec::new(
     Stack::Ends,
     "How the controller is reached and which axis each driver channel drives. In a part file the \
      values go back at its end, unless SV keeps them.",
-    |c, a| {
-        set(c, a, &PARAMS);
-        Ok(())
-    },
+    connect,
 );
+
+fn connect(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
+    let new = changed(c, a, &PARAMS);
+    let used = Axis::ALL.into_iter().take(usize::from(new.axis_count));
+    if let Some(axis) = used.into_iter().find(|axis| !new.driver.channels.contains(axis)) {
+        let letter = axis.letter();
+        let message = format!("{letter} would have no driver channel: nothing would move it");
+        let hint = "name each axis in use for one of the channels, or use fewer axes (VD)";
+        return Err(c.fail_at(c.span, Code::OutOfRange, message, hint));
+    }
+    set(c, a, &PARAMS);
+    Ok(())
+}

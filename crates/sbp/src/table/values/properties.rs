@@ -48,8 +48,10 @@ fn legal(param: &ParamSpec, share: u16) -> String {
 fn line(spec: &CommandSpec, shares: &[Option<u16>]) -> String {
     let values = spec.params.iter().zip(shares).enumerate();
     values.fold(spec.letters.to_string(), |line, (index, (param, share))| {
-        // The trigger belongs into files; VL wants its pairs in order.
-        let blank = spec.letters == "VC" && index == 7 || spec.letters == "VL" && index % 2 == 1;
+        // The trigger belongs into files; VL wants its pairs in order, VI a channel for each axis.
+        let blank = param.kind == Kind::AxisLetter
+            || spec.letters == "VC" && index == 7
+            || spec.letters == "VL" && index % 2 == 1;
         let value = share.filter(|_| !blank).map(|s| legal(param, s)).unwrap_or_default();
         let value = if spec.letters == "VL" && index != 8 && !value.is_empty() {
             format!("-{value}")

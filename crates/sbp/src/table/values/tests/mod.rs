@@ -167,7 +167,23 @@ fn channels_are_given_to_axes() {
     assert_eq!(channels("VI,,,,,,, A, Z"), [X, Y, A, Z, B, C]);
     assert_eq!(channels("VI,,,,,,,B,,,Z"), [X, Y, B, A, Z, C]);
     assert_eq!(run("VI,,,,,Y,X⏎&a=%(36)⏎&b=%(37)").variable("a"), "Y");
-    assert_eq!(channels("VI,,,,,,x"), [X, X, Z, A, B, C]);
+    assert_eq!(channels("VI,,,,,,x,y,z"), [X, X, Y, Z, B, C]);
+}
+
+#[test]
+#[allow(non_snake_case)]
+fn sbp_val_vd_bunits__mm_stays() {
+    use kerf_program::settings::{AxisUnit, LinearUnit};
+    let unit = |text: &str| settings(text).axis_unit(Axis::B);
+    let (inch, mm) = (AxisUnit::Linear(LinearUnit::Inch), AxisUnit::Linear(LinearUnit::Mm));
+    // B in mm on a machine in inches: VD without its field leaves it so, as the settings files of UR are.
+    for line in ["VD,,5,0", "VD,,,0", "VD,,5", "VD,,,0,,,,1"] {
+        assert_eq!(unit(&format!("VD,,5,0,2,1⏎{line}")), mm, "{line}");
+    }
+    assert_eq!(unit("VD,,5,0,2,1⏎VD,,,1"), mm);
+    // An axis that was in the unit of the machine follows it.
+    assert_eq!((unit("VD,,5,0,2,0⏎VD,,,1"), unit("VD,,5,1,2,1⏎VD,,,0")), (mm, inch));
+    assert_eq!(unit("VD,,5,0,2,2⏎VD,,,1"), AxisUnit::Degrees);
 }
 
 #[test]

@@ -39,7 +39,7 @@ rows! {
     sbp_val_vh_enable: "VH,1" => "error not enabled in VN", "VN,,,1⏎VH,1" => "99=1; no warning", "VH,0,,20,80" => "no warning";
     vh_ranges: "VH,0,,101" => "error 0-100", "VH,0,,,,,11" => "error 1-10", "VH,0,,,,0" => "error greater than 0";
 
-    vi_ranges: "VI,17" => "error 1-16", "VI,0" => "error 1-16", "VI,,,,,Q" => "error one of X, Y, Z, A, B, C", "VI,,,,,,,,,6" => "error one of 2, 3, 4, 5";
+    vi_ranges: "VI,17" => "error 1-16", "VI,0" => "error 1-16", "VI,,,,,Q" => "error one of X, Y, Z, A, B, C", "VI,,,,,X,X,Z,A" => "error Y would have no driver channel", "VD,,4⏎VI,,,,,X,Y,Z,X,,B,C" => "error A would have no driver channel", "VI,,,,,X,Y,Z,X" => "no warning", "VI,,,,,,,,,6" => "error one of 2, 3, 4, 5";
 
     sbp_val_vl_err: "VL,10,5" => "error low limit of X is above", "VL,100" => "error above its high limit", "VL,,,,,,,,,,5,-5" => "error limit of B";
     vl_as_real_files_write_it: "VL,,,,,&low" => "error &LOW has no value", "&low=-4⏎VL,,,,,&low" => "15=-4; 16=6", "VL,0,96,0,48,-6,6,-6,6,1,-5,5,5" => "19=-5; no warning";

@@ -1,0 +1,69 @@
+/** What is new and what of Kerf leads out of this page: HB and HW. */
+
+import { useEffect, useState } from "react";
+
+/** What changed, from the first line that says so on; it comes with the page, without a network. */
+const changes = async (): Promise<string> => (await import("../../../CHANGELOG.md?raw")).default;
+
+/** Reads one of the parts of the changelog: a heading, or a point with the lines that belong to it. */
+export function newsOf(changelog: string): readonly { heading: boolean; text: string }[] {
+  const parts = changelog.split(/\n(?=\S)/).map((part) => part.replace(/\s+/g, " ").trim());
+  return parts
+    .filter((part) => part !== "")
+    .map((part) => ({ heading: /^#|^[^-\s][^.]*$/.test(part), text: part.replace(/^[#-]+ /, "") }));
+}
+
+/** News of each version, and where known problems of this machine are told. */
+export function Bulletins() {
+  const [news, setNews] = useState("");
+  useEffect(() => void changes().then(setNews), []);
+  return (
+    <>
+      <p>
+        What this Kerf has noticed of itself and of this machine, for whoever helps:{" "}
+        <a href="/api/problems" target="_blank" rel="noreferrer">
+          known problems here
+        </a>
+        , in a new tab.
+      </p>
+      <section className="help-news" aria-label="News">
+        {newsOf(news).map(({ heading, text }, n) =>
+          heading ? (
+            // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
+            <h3 key={n}>{text}</h3>
+          ) : (
+            // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
+            <p key={n}>{text}</p>
+          ),
+        )}
+      </section>
+    </>
+  );
+}
+
+/** What this Kerf serves itself; its project has no site that could be relied on in a shop without a network. */
+export function Web() {
+  return (
+    <ul className="help-web">
+      <li>
+        <a href="/" target="_blank" rel="noreferrer">
+          {location.origin}
+        </a>
+        : this console, for another screen in the shop (with `--lan`).
+      </li>
+      <li>
+        <a href="/api/openapi.json" target="_blank" rel="noreferrer">
+          What programs can ask of this Kerf
+        </a>
+        , as OpenAPI.
+      </li>
+      <li>
+        <a href="/api/problems" target="_blank" rel="noreferrer">
+          What somebody who helps has to know
+        </a>
+        , as text.
+      </li>
+      <li>The book, the sources and the changelog come with Kerf, in its folder docs.</li>
+    </ul>
+  );
+}
