@@ -33,7 +33,10 @@ fn a_line_of_a_dxf_file_in_space_is_cut_at_its_own_heights() {
     let shop = Shop::new(&[("a.dxf", line)]);
     shop.kerf("draw a.dxf -o a.rsg").exits(0).complains("group black is 3D now");
     let heights = cut_at(&shop, "a.rsg");
-    assert!(heights.contains(&-21.0) && heights.contains(&-23.0) && !heights.contains(&-30.0), "{heights:?}");
+    assert!(
+        heights.contains(&-21.0) && heights.contains(&-23.0) && !heights.contains(&-30.0),
+        "{heights:?}"
+    );
 }
 
 #[test]
@@ -50,7 +53,9 @@ fn a_single_point_in_space_is_drilled_to_its_height_and_the_job_is_whole() {
 #[test]
 fn controllers_are_dialects() {
     let shop = Shop::new(&[("a.nc", "G21 G90 F600\nG0 X0\nG2 I5\nM2\n")]);
-    shop.kerf("check a.nc --dialect grbl").exits(1).says("grbl has no arcs without an end in their plane");
+    shop.kerf("check a.nc --dialect grbl")
+        .exits(1)
+        .says("grbl has no arcs without an end in their plane");
     for dialect in ["grblhal", "mach3", "linuxcnc", "generic"] {
         shop.kerf(&format!("check a.nc --dialect {dialect}")).exits(0);
     }

@@ -50,7 +50,8 @@ pub(crate) fn crossing(drawing: &Drawing, twins: &[Option<usize>], warnings: &mu
     let part = |n: &usize| {
         let shape = &drawing.shapes[*n];
         let settings = drawing.settings(shape.group);
-        let is_path = shape.is_closed() || shape.kind() == Kind::Polyarc && settings.offset_mm == 0.0;
+        let is_path =
+            shape.is_closed() || shape.kind() == Kind::Polyarc && settings.offset_mm == 0.0;
         twins[*n].is_none() && is_path && settings.on && !settings.traversal
     };
     let parts: Vec<usize> = (0..drawing.shapes.len()).filter(part).collect();
