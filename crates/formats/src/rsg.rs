@@ -257,8 +257,12 @@ mod tests {
         let drawing = rich();
         let back = dxf::read(dxf::write(&drawing).as_bytes(), &Options::default());
         // The shape with heights of its own leaves the group of the flat ones.
-        let found: Vec<_> = back.findings.iter().map(|found| (found.weight, found.text.as_str())).collect();
-        assert!(matches!(found[..], [(Weight::Note, text)] if text.contains("are in group blue")), "{found:?}");
+        let found: Vec<_> =
+            back.findings.iter().map(|found| (found.weight, found.text.as_str())).collect();
+        assert!(
+            matches!(found[..], [(Weight::Note, text)] if text.contains("are in group blue")),
+            "{found:?}"
+        );
         let flat = 3;
         for (old, new) in drawing.shapes.iter().zip(&back.drawing.shapes).take(flat) {
             assert_eq!((&new.path, new.group), (&old.path, Group::Black));

@@ -3,7 +3,7 @@
 use crate::gouge::Contours;
 use crate::shape_paths::{Pass, ShapePath};
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, crosses};
+use kerf_drawing::{Drawing, Height, Kind, crosses};
 use kerf_geom::{BoxTree, Polyarc, Segment};
 use std::collections::BTreeSet;
 
@@ -43,8 +43,9 @@ pub(crate) fn check(
     }
 }
 
-/// Warns of closed shapes that cross each other, both of them cut. What is drawn again is told as
-/// that, and looked at once: a heap of copies has pairs without number.
+/// Warns of closed shapes that cross each other, both of them cut, and of open ones that are cut across a part as
+/// deep as it is. What is drawn again is told as that, and looked at once: a heap of copies has pairs without
+/// number.
 pub(crate) fn crossing(
     drawing: &Drawing,
     twins: &[Option<usize>],
@@ -54,7 +55,9 @@ pub(crate) fn crossing(
     let part = |n: &usize| {
         let shape = &drawing.shapes[*n];
         let settings = drawing.settings(shape.group);
-        twins[*n].is_none() && shape.is_closed() && settings.on && !settings.traversal
+        let is_path =
+            shape.is_closed() || shape.kind() == Kind::Polyarc && settings.offset_mm == 0.0;
+        twins[*n].is_none() && is_path && settings.on && !settings.traversal
     };
     let parts: Vec<usize> = (0..drawing.shapes.len()).filter(part).collect();
     let boxes: Vec<_> = parts.iter().map(|n| drawing.shapes[*n].path.bounds()).collect();
@@ -70,8 +73,30 @@ pub(crate) fn crossing(
             "so many shapes cross each other that not all of it was looked for: take copies out";
         Warning::new(*a, text)
     });
-    let told = |(a, b)| Warning::new(a, format!("it crosses shape {b}: the parts overlap"));
-    warnings.extend(crossed.into_iter().map(told).chain(more));
+    let told = |(a, b)| told_across(drawing, a, b);
+    warnings.extend(crossed.into_iter().filter_map(told).chain(more));
+}
+
+/// The warning of two shapes that cross, by their numbers; none where an open one is only a groove in a part.
+fn told_across(drawing: &Drawing, a: usize, b: usize) -> Option<Warning> {
+    let shape = |number: usize| &drawing.shapes[number - 1];
+    if shape(a).is_closed() && shape(b).is_closed() {
+        return Some(Warning::new(a, format!("it crosses shape {b}: the parts overlap")));
+    }
+    let (open, part) = if shape(a).is_closed() { (b, a) } else { (a, b) };
+    let height = |number: usize| drawing.settings(shape(number).group).height;
+    let as_deep = height(open) == Height::Thru || height(open) == height(part);
+    let text = format!("it is open and is cut across shape {part}: move it, or cut it less deep");
+    as_deep.then(|| Warning::new(open, text))
+}
+
+/// Whether two paths cross; of two open ones nothing is a part.
+fn are_across(a: &Polyarc, b: &Polyarc) -> bool {
+    match (a.closed, b.closed) {
+        (true, _) => crosses(a, b),
+        (false, true) => crosses(b, a),
+        (false, false) => false,
+    }
 }
 
 /// Crossings that are looked for: copies thrown on each other cross each with each.
@@ -110,7 +135,7 @@ fn pairs_across(paths: &[&Polyarc], given_up: &dyn Fn() -> bool) -> (Vec<(usize,
         let pair = (one.min(other), one.max(other));
         let is_near =
             one != other && !near.contains(&pair) && first.distance_to(&second) <= NEAR_MM;
-        if is_near && near.insert(pair) && crosses(paths[pair.0], paths[pair.1]) {
+        if is_near && near.insert(pair) && are_across(paths[pair.0], paths[pair.1]) {
             across.push(pair);
         }
         across.len() < MOST_CROSSED && near.len() < MOST_NEAR && !given_up()

@@ -55,7 +55,20 @@ fn parts_that_overlap_are_told() {
     let crossed = "rect 0,0 50,50; rect 40,40 90,90";
     check(crossed, &["shape 1 at 0,0: it crosses shape 2: the parts overlap"]);
     check(&format!("{crossed}; select 2; group red; set red on=off"), &[]);
-    check("rect 0,0 50,50; line 40,40 90,90", &[]);
+}
+
+#[test]
+fn open_lines_across_a_part_are_told_like_closed_shapes() {
+    let across = "rect 0,0 50,50; line 40,40 90,90";
+    check(
+        across,
+        &["shape 2 at 40,40: it is open and is cut across shape 1: move it, or cut it less deep"],
+    );
+    // A groove that is less deep than the part, a line that is not cut, and one that ends at the edge.
+    check(&format!("{across}; select 2; group red; set red height=-2"), &[]);
+    check(&format!("{across}; select 2; group red; set red on=off"), &[]);
+    check("rect 0,0 50,50; line 50,40 90,90", &[]);
+    check("line 0,0 50,50; line 0,50 50,0", &[]);
 }
 
 #[test]

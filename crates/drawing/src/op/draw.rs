@@ -70,6 +70,7 @@ pub(super) fn space_line(
     if places.len() < 2 && given > 1 {
         return Err(OpError::SamePlace("all points of the line"));
     }
+    let closed = closed && places.len() > 1;
     let path = Polyarc::lines(places.iter().map(|[x, y, _]| Point2::new(*x, *y)), closed);
     let z_mm = places.iter().map(|[_, _, z]| *z).collect();
     let number = draft.drawing.shapes.len();

@@ -431,7 +431,6 @@ fn line(w: &mut Words) -> Read {
 fn space_line(w: &mut Words) -> Read {
     const PLACE: &str = "a point as x,y,z";
     let mut places = vec![w.read("the first point", PLACE, triple)?];
-    places.push(w.read("the second point", PLACE, triple)?);
     loop {
         let closed = w.takes("close");
         if closed || w.peek().is_none() {
