@@ -26,7 +26,7 @@ beforeAll(async () => {
   const file = (name: string, text: string) => writeFileSync(join(workshop.parts, name), text);
   file("hello.sbp", 'PRINT "Hello"\nEND\n');
   file("words.sbp", "'alpha\nMX,1\n'beta\nEND\n");
-  file("hides.sbp", 'PRINT "a"\nMX,2\nVD,,,,,,,0\nMX,0\nEND\n');
+  file("hides.sbp", 'PRINT "a"\nPAUSE\nVD,,,,,,,0\nMX,0\nEND\n');
   file("again.sbp", 'PRINT "a"\nVD,,,,,,,0\nPRINT "b"\nEND\n');
   file("inner.sbp", "PAUSE 1\nMX,0\nPAUSE 60\n");
   file("outer.sbp", "SA\n\nFP,inner.sbp,,,1\nEND\n");
@@ -144,11 +144,12 @@ it("sbp_io_print_suppress: VD in a file closes it too, until the next PRINT", as
   expect(await screen().count()).toBe(0);
   await command(page, "FP,hides.sbp");
   await screen().waitFor();
+  await page.getByRole("dialog").getByRole("button", { name: "OK" }).click();
   await screen().waitFor({ state: "detached" });
   await ready();
   await run("FP,again.sbp");
   await screen().waitFor();
-  await run("FP,hides.sbp");
+  await run("VD,,,,,,,0");
   await screen().waitFor({ state: "detached" });
 });
 

@@ -85,10 +85,10 @@ pub(crate) fn in_full_curves(
     // For each bend, where the stretch that ends at it and turns most begins.
     let mut begins: Vec<usize> = (0..bends.len()).map(|_| usize::MAX).collect();
     let mut queue = Extremes::default();
-    for k in 0..bends.len() {
+    for (k, begin) in begins.iter_mut().enumerate() {
         let turn = queue.turn(bends, k, window_mm, |b| b.before_rad, Bend::after_rad);
         if is_full(turn) {
-            begins[k] = queue.begin(bends, k, |b| b.before_rad, Bend::after_rad);
+            *begin = queue.begin(bends, k, |b| b.before_rad, Bend::after_rad);
         }
     }
     let mut first = usize::MAX;
