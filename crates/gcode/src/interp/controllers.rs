@@ -63,11 +63,14 @@ pub(super) fn refuses(
     if dialect == Dialect::Grbl { words_of_grbl(g, motion, plane) } else { None }
 }
 
+/// Whether a controller lacks a code.
+type Lacks = fn(i32) -> bool;
+
 /// The first code of a block that a controller does not have.
 fn lacking_code(dialect: Dialect, g: &Gathered) -> Option<String> {
     let mut g_codes = (0..G_GROUPS).filter_map(|group| g.g[group]);
     let mut m_codes = (0..M_GROUPS).filter_map(|group| g.m[group]);
-    let lacks: (fn(i32) -> bool, fn(i32) -> bool) = match dialect {
+    let (lacks_g, lacks_m): (Lacks, Lacks) = match dialect {
         Dialect::Grbl => (|g| !grbl_has(g), |m| !matches!(m, 0..=5 | 8 | 9 | 30)),
         Dialect::GrblHal => {
             (|g| !(grbl_has(g) || hal_has(g)), |m| matches!(m, 10..=13 | 19 | 98 | 106 | 107))
@@ -75,8 +78,8 @@ fn lacking_code(dialect: Dialect, g: &Gathered) -> Option<String> {
         Dialect::Mach3 => (mach_lacks, |m| matches!(m, 50..=53 | 60 | 62..=68 | 70..=73)),
         Dialect::LinuxCnc | Dialect::Generic => return None,
     };
-    let g_code = g_codes.find(|code| lacks.0(*code)).map(g_name);
-    g_code.or_else(|| m_codes.find(|code| lacks.1(*code)).map(|m| format!("M{m}")))
+    let g_code = g_codes.find(|code| lacks_g(*code)).map(g_name);
+    g_code.or_else(|| m_codes.find(|code| lacks_m(*code)).map(|m| format!("M{m}")))
 }
 
 const fn grbl_has(code: i32) -> bool {
