@@ -27,7 +27,7 @@ fn gcode_there_and_back() {
 
 fn there_and_back(kind: &str, from: Language, targets: &[Language], least: usize) {
     let Some((folder, names)) = corpus(kind) else {
-        eprintln!("no files of kind {kind}: not looked at");
+        eprintln!("skipped: no corpus of kind {kind}");
         return;
     };
     let mut done = 0;

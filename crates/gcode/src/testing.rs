@@ -203,7 +203,10 @@ pub(crate) fn corpus() -> Vec<std::path::PathBuf> {
         Some(shared) => Some(std::path::PathBuf::from(shared).join("corpus/gcode")),
         None => here.ancestors().map(|a| a.join("../shared/corpus/gcode")).find(|p| p.is_dir()),
     };
-    let Some(entries) = folder.and_then(|f| std::fs::read_dir(f).ok()) else { return Vec::new() };
+    let Some(entries) = folder.and_then(|f| std::fs::read_dir(f).ok()) else {
+        println!("skipped: no corpus");
+        return Vec::new();
+    };
     let mut files: Vec<_> = entries.filter_map(|e| Some(e.ok()?.path())).collect();
     files.retain(|f| f.is_file());
     files.sort();

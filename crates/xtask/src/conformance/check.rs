@@ -3,11 +3,13 @@
 use super::SCORE;
 use super::ledger::{Row, SUITES};
 use super::score::{Entry, Score, Status};
+use super::shown::By;
+use super::tests_found::Tests;
 use crate::Finding;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Rows that claim what nothing shows, and suites that lost or gained rows.
-pub fn rows(score: &Score, tests: &BTreeSet<String>) -> Vec<Finding> {
+pub fn rows(score: &Score, tests: &Tests) -> Vec<Finding> {
     let mut findings = counts(score);
     for (area, id, entry) in score.rows() {
         if !well_formed(&area.suite, id) {
@@ -57,7 +59,7 @@ fn well_formed(suite: &str, id: &str) -> bool {
     })
 }
 
-fn entry_findings(id: &str, entry: &Entry, tests: &BTreeSet<String>) -> Vec<Finding> {
+fn entry_findings(id: &str, entry: &Entry, tests: &Tests) -> Vec<Finding> {
     let mut findings = Vec::new();
     let explained = entry.why.as_deref().is_some_and(|why| !why.trim().is_empty());
     match entry.status {
@@ -68,8 +70,13 @@ fn entry_findings(id: &str, entry: &Entry, tests: &BTreeSet<String>) -> Vec<Find
     }
     let mut findings: Vec<Finding> =
         findings.iter().map(|what| Finding::file(SCORE, format!("{id} {what}"))).collect();
-    let lost = entry.tests.iter().filter(|test| !tests.contains(*test));
+    let lost = entry.tests.iter().filter(|test| !tests.contains_key(*test));
     findings.extend(lost.map(|t| Finding::file(SCORE, format!("{id}: there is no test {t}"))));
+    if entry.by != By::of_tests(&entry.tests, tests) {
+        let message =
+            format!("{id}: `by` is not where its tests stand: run `cargo xtask conformance mark`");
+        findings.push(Finding::file(SCORE, message));
+    }
     findings
 }
 
@@ -77,10 +84,11 @@ fn entry_findings(id: &str, entry: &Entry, tests: &BTreeSet<String>) -> Vec<Find
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use std::collections::BTreeSet;
 
     fn check(line: &str, expected: &str) {
         let score = Score::read(&format!("[opensbp.lang]\n{line}\n")).unwrap();
-        let found = rows(&score, &BTreeSet::from(["known".to_owned()]));
+        let found = rows(&score, &Tests::from([("known".to_owned(), BTreeSet::from([By::Cli]))]));
         let found: Vec<String> =
             found.into_iter().map(|f| f.message).filter(|m| m.starts_with("SBP")).collect();
         assert_eq!(found.join("; "), expected);
@@ -88,13 +96,15 @@ mod tests {
 
     #[test]
     fn each_claim_needs_its_proof() {
-        check("SBP-A = { status = \"done\", tests = [\"known\"] }", "");
+        check("SBP-A = { status = \"done\", by = [\"cli\"], tests = [\"known\"] }", "");
+        let typed = "SBP-A: `by` is not where its tests stand: run `cargo xtask conformance mark`";
+        check("SBP-A = { status = \"done\", by = [\"browser\"], tests = [\"known\"] }", typed);
         check("SBP-A = { status = \"done\" }", "SBP-A is done but names no test");
         check("SBP-A = { status = \"done\", tests = [\"x\"] }", "SBP-A: there is no test x");
         check("SBP-A = { status = \"partial\" }", "SBP-A says no `why`");
         check("SBP-A = { status = \"n/a\", why = \"no such thing\" }", "");
         check(
-            "SBP-A = { status = \"not yet\", tests = [\"known\"] }",
+            "SBP-A = { status = \"not yet\", by = [\"cli\"], tests = [\"known\"] }",
             "SBP-A has tests but is `not yet`",
         );
         check("SBP_A = { status = \"not yet\" }", "SBP_A is no id of opensbp");
@@ -103,13 +113,18 @@ mod tests {
     #[test]
     fn a_lost_row_shows_in_the_count() {
         let score = Score::read("[opensbp.lang]\nSBP-A = { status = \"not yet\" }\n").unwrap();
-        let found = rows(&score, &BTreeSet::new());
+        let found = rows(&score, &Tests::new());
         assert_eq!(found[0].message, "opensbp has 1 rows, not 776");
     }
 
     #[test]
     fn the_ledger_is_followed() {
-        let row = |id: &str| Row { suite: "opensbp".into(), area: "flow".into(), id: id.into() };
+        let row = |id: &str| Row {
+            suite: "opensbp".into(),
+            area: "flow".into(),
+            id: id.into(),
+            acceptance: String::new(),
+        };
         let score = Score::read(
             "[opensbp.lang]\nSBP-A = { status = \"not yet\" }\nSBP-X = { status = \"not yet\" }\n",
         );

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// The suites of rows, in the order of the score, with how many rows each has.
 pub const SUITES: &[(&str, usize)] = &[("opensbp", 776), ("profiler", 770)];
 
-/// A row of a ledger; what it asks for stays in the ledger.
+/// A row of a ledger.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     /// Suite it belongs to.
@@ -15,6 +15,8 @@ pub struct Row {
     pub area: String,
     /// Its id.
     pub id: String,
+    /// The words that say when it is done.
+    pub acceptance: String,
 }
 
 /// All rows of the ledgers, in order, or nothing when there are none beside the checkout.
@@ -44,7 +46,8 @@ fn read(suite: &str, text: &str) -> Vec<Row> {
     let rows = text.lines().skip(1).filter_map(|line| {
         let mut cells = line.split('\t');
         let (id, area) = (cells.next()?, cells.next()?);
-        Some(Row { suite: suite.to_owned(), area: area.to_owned(), id: id.to_owned() })
+        let acceptance = cells.nth(1).unwrap_or_default().to_owned();
+        Some(Row { suite: suite.to_owned(), area: area.to_owned(), id: id.to_owned(), acceptance })
     });
     rows.collect()
 }

@@ -2,12 +2,15 @@
 //!
 //! `docs/conformance.toml` is the only place where the score is kept: a line a row, in the order of
 //! the ledgers. Tests named after a row (`SBP-CMD-MX` is shown by `sbp_cmd_mx`, or by several tests
-//! `sbp_cmd_mx__…`) are found and entered by [`mark`]; `docs/conformance.md` is written from it.
+//! `sbp_cmd_mx__…`) are found and entered by [`mark`], with where they look: in a browser, at the command, at the
+//! library; `docs/conformance.md` is written from it. [`shown`] holds rows that speak of what a person sees to tests that
+//! look there.
 
 mod check;
 mod ledger;
 mod page;
 mod score;
+mod shown;
 mod tests_found;
 
 use crate::{Finding, Tree};
@@ -28,7 +31,10 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
     let tests = tests_found::names(tree);
     let mut findings = check::rows(&score, &tests);
     match ledger::beside(tree.root())? {
-        Some(ledger) => findings.extend(check::against_ledger(&score, &ledger)),
+        Some(ledger) => {
+            findings.extend(check::against_ledger(&score, &ledger));
+            findings.extend(shown(tree)?.check(&score, &ledger));
+        }
         None => eprintln!("skipped: no ledger beside the checkout"),
     }
     Ok(findings)
@@ -50,7 +56,8 @@ pub fn mark(tree: &Tree) -> Result<String> {
 /// # Errors
 /// When the score cannot be read.
 pub fn page(tree: &Tree) -> Result<String> {
-    Ok(page::write(&read(tree)?, tree.text(NOTES).unwrap_or_default()))
+    let unshown = shown(tree)?.not_yet;
+    Ok(page::write(&read(tree)?, &unshown, tree.text(NOTES).unwrap_or_default()))
 }
 
 /// Adds rows that the ledger has and the score lacks, in the ledger's order.
@@ -63,6 +70,11 @@ pub fn sync(tree: &Tree) -> Result<String> {
     let added = score.follow(&ledger);
     write(tree, SCORE, &score.to_toml())?;
     Ok(format!("{SCORE}: {added} rows added"))
+}
+
+fn shown(tree: &Tree) -> Result<shown::Shown> {
+    let text = tree.text(shown::FILE).with_context(|| format!("{} is missing", shown::FILE))?;
+    shown::Shown::read(text).with_context(|| shown::FILE)
 }
 
 fn read(tree: &Tree) -> Result<Score> {

@@ -1,6 +1,8 @@
 //! The score itself: reading `docs/conformance.toml`, changing it, writing it back.
 
 use super::ledger::Row as LedgerRow;
+use super::shown::By;
+use super::tests_found::Tests;
 use anyhow::{Context, Result};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,7 +11,8 @@ use toml::{Table, Value};
 
 const HEADER: &str = "\
 # The score against the ledgers: a line a row. Status: done, partial (with why), not yet, n/a (with why).
-# `make conformance` enters tests named after rows and writes conformance.md; the rest is set by hand.
+# `make conformance` enters tests named after rows, and by what they show it, and writes conformance.md; status and why
+# are set by hand.
 ";
 
 /// How far a row is.
@@ -50,6 +53,9 @@ impl Status {
 pub struct Entry {
     /// How far it is.
     pub status: Status,
+    /// By what its tests show it: follows from where they stand.
+    #[serde(default)]
+    pub by: Vec<By>,
     /// The tests that show it.
     #[serde(default)]
     pub tests: Vec<String>,
@@ -112,10 +118,10 @@ impl Score {
         text
     }
 
-    /// Enters tests named after rows; returns how many rows changed.
-    pub fn enter_tests(&mut self, names: &BTreeSet<String>) -> usize {
+    /// Enters tests named after rows, and by what those of each row show it; returns how many rows changed.
+    pub fn enter_tests(&mut self, tests: &Tests) -> usize {
         let rows = self.areas.iter_mut().flat_map(|area| &mut area.rows);
-        rows.filter_map(|(id, entry)| enter(entry, tests_of(id, names)).then_some(())).count()
+        rows.filter_map(|(id, entry)| enter(id, entry, tests).then_some(())).count()
     }
 
     /// Takes over the ledger's rows and order, keeping what is known; returns how many are new.
@@ -126,7 +132,7 @@ impl Score {
         for row in ledger {
             let entry = known.remove(row.id.as_str()).cloned().unwrap_or_else(|| {
                 added += 1;
-                Entry { status: Status::NotYet, tests: Vec::new(), why: None }
+                Entry { status: Status::NotYet, by: Vec::new(), tests: Vec::new(), why: None }
             });
             let title = old.area(row).map_or(&row.area, |area| &area.title);
             self.last_area(row, title).rows.push((row.id.clone(), entry));
@@ -154,10 +160,10 @@ impl Score {
 }
 
 /// Tests that carry the name of a row.
-fn tests_of<'a>(id: &str, names: &'a BTreeSet<String>) -> impl Iterator<Item = &'a String> {
+fn tests_of<'a>(id: &str, tests: &'a Tests) -> impl Iterator<Item = &'a String> {
     let name = test_name(id);
     let several = format!("{name}__");
-    names.iter().filter(move |n| **n == name || n.starts_with(&several))
+    tests.keys().filter(move |n| **n == name || n.starts_with(&several))
 }
 
 /// The name a row's test has.
@@ -184,12 +190,13 @@ fn read_area(suite: &str, key: &str, rows: &Value) -> Result<Area> {
     Ok(area)
 }
 
-/// Adds tests to a row; whether that changed it.
-fn enter<'a>(entry: &mut Entry, tests: impl Iterator<Item = &'a String>) -> bool {
+/// Adds its tests to a row; whether that changed it.
+fn enter(id: &str, entry: &mut Entry, tests: &Tests) -> bool {
     let before = entry.clone();
     let mut all: BTreeSet<String> = entry.tests.drain(..).collect();
-    all.extend(tests.cloned());
+    all.extend(tests_of(id, tests).cloned());
     entry.tests = all.into_iter().collect();
+    entry.by = By::of_tests(&entry.tests, tests);
     if entry.status == Status::NotYet && !entry.tests.is_empty() {
         entry.status = Status::Done;
     }
@@ -198,6 +205,10 @@ fn enter<'a>(entry: &mut Entry, tests: impl Iterator<Item = &'a String>) -> bool
 
 fn entry_toml(entry: &Entry) -> String {
     let mut text = format!("{{ status = {}", quoted(entry.status.word()));
+    if !entry.by.is_empty() {
+        let by: Vec<String> = entry.by.iter().map(|by| quoted(by.word())).collect();
+        let _ = write!(text, ", by = [{}]", by.join(", "));
+    }
     if !entry.tests.is_empty() {
         let tests: Vec<String> = entry.tests.iter().map(|test| quoted(test)).collect();
         let _ = write!(text, ", tests = [{}]", tests.join(", "));
@@ -221,11 +232,11 @@ mod tests {
 [opensbp.lang]
 title = \"The language\"
 SBP-B = { status = \"not yet\" }
-SBP-A = { status = \"partial\", tests = [\"by_hand\"], why = \"no text\" }
+SBP-A = { status = \"partial\", by = [\"cli\"], tests = [\"by_hand\"], why = \"no text\" }
 ";
 
-    fn names(names: &[&str]) -> BTreeSet<String> {
-        names.iter().map(|n| (*n).to_owned()).collect()
+    fn names(names: &[&str]) -> Tests {
+        names.iter().map(|n| ((*n).to_owned(), BTreeSet::from([By::Cli]))).collect()
     }
 
     #[test]
@@ -237,11 +248,12 @@ SBP-A = { status = \"partial\", tests = [\"by_hand\"], why = \"no text\" }
     #[test]
     fn tests_named_after_a_row_make_it_done() {
         let mut score = Score::read(FILE).unwrap();
-        let found = names(&["sbp_b__once", "sbp_b__twice", "sbp_bc", "other"]);
+        let found = names(&["sbp_b__once", "sbp_b__twice", "sbp_bc", "by_hand"]);
         assert_eq!(score.enter_tests(&found), 1);
         let (_, _, entry) = score.rows().next().unwrap();
         assert_eq!(entry.status, Status::Done);
         assert_eq!(entry.tests, ["sbp_b__once", "sbp_b__twice"]);
+        assert_eq!(entry.by, [By::Cli]);
     }
 
     #[test]
@@ -259,6 +271,7 @@ SBP-A = { status = \"partial\", tests = [\"by_hand\"], why = \"no text\" }
             suite: "opensbp".into(),
             area: area.into(),
             id: id.into(),
+            acceptance: String::new(),
         };
         let mut score = Score::read(FILE).unwrap();
         let added =

@@ -2,21 +2,34 @@
 //!
 //! Formatted Rust is regular enough to be read line by line: a test is the `fn` that follows a
 //! `#[test]`; a table of rows is a `rows! {` whose entries begin with the test's name. A test of the
-//! console is an `it("` whose words begin with the name.
+//! console is an `it("` whose words begin with the name, or with several and commas between.
 
+use super::shown::By;
 use crate::Tree;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// Names of all tests in the workspace's crates and in the console.
-pub fn names(tree: &Tree) -> BTreeSet<String> {
-    let rust = tree.matching("crates/", ".rs").flat_map(|(_, text)| of_file(text));
-    let page = tree.matching("console/", ".test.ts").flat_map(|(_, text)| of_page(text));
-    rust.chain(page).collect()
+/// Tests by name, each with where it looks: a name may stand in several places.
+pub type Tests = BTreeMap<String, BTreeSet<By>>;
+
+/// All tests in the workspace's crates and in the console.
+pub fn names(tree: &Tree) -> Tests {
+    let rust = tree.matching("crates/", ".rs").map(|(path, text)| (path, of_file(text)));
+    let page = tree.matching("console/", ".test.ts").map(|(path, text)| (path, of_page(text)));
+    let mut tests = Tests::new();
+    for (path, names) in rust.chain(page) {
+        let by = By::of_file(path);
+        for name in names {
+            tests.entry(name).or_default().insert(by);
+        }
+    }
+    tests
 }
 
 /// Names in a file of the console's tests: only those of rows, the others are sentences.
 fn of_page(text: &str) -> Vec<String> {
-    text.lines().filter_map(|line| row(line.trim().strip_prefix("it(\"")?)).collect()
+    let words = text.lines().filter_map(|line| line.trim().strip_prefix("it(\""));
+    let names = words.map(|words| words.split(':').next().unwrap_or_default());
+    names.flat_map(|names| names.split(", ").filter_map(row)).collect()
 }
 
 fn of_file(text: &str) -> Vec<String> {
@@ -59,8 +72,8 @@ mod tests {
         let text = "fn helper() {}\n#[test]\n#[should_panic]\nfn one() {\n    fn inner() {}\n}\n\
                     rows! {\n    sbp_cmd_mx: \"MX,1\" => \"x\";\n}\nfn sbp_helper() {}\n";
         assert_eq!(of_file(text), ["one", "sbp_cmd_mx"]);
-        let page =
-            "it(\"sbp_con_stop: stops\", async () => {\n  it(\"is a sentence\", () => {});\n";
-        assert_eq!(of_page(page), ["sbp_con_stop"]);
+        let page = "it(\"sbp_con_stop: stops\", async () => {\n  it(\"is a sentence\", () => {});\n\
+             it(\"pro_a, pro_b: two, pro_c too\", () => {\n";
+        assert_eq!(of_page(page), ["sbp_con_stop", "pro_a", "pro_b"]);
     }
 }
