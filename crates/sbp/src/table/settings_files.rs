@@ -146,7 +146,7 @@ mod tests {
         let ran = run("VA,1,2,3,,,4,5,6⏎US,mine⏎VA,9,9,9,,,0,0,0⏎UR,mine,0");
         assert!(ran.error.is_none(), "{:?}", ran.error);
         let kept = &ran.host.settings["mine.sbd"];
-        let line = kept.lines().find(|line| line.contains("VA,")).unwrap();
+        let line = kept.lines().find(|line| line.contains("VA,")).unwrap_or_default();
         assert_eq!(line, "'VA,1,2,3,0,0,4,5,6,0,0");
         // It is there to be copied: UR itself leaves the locations alone, a part file with the line sets them.
         let frame = |ran: &crate::testing::Ran| ran.session.frame;

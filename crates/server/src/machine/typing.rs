@@ -61,7 +61,7 @@ impl Typing {
 
     /// Whether a move is drawn as typed: that of a file on the screen is part of its picture.
     pub const fn draws(&self, made: &Made<'_>) -> bool {
-        !made.beside && !(self.shown && made.span.made.at.file != 0)
+        !made.beside && (!self.shown || made.span.made.at.file == 0)
     }
 }
 
