@@ -481,3 +481,30 @@ fn pro_motors_z2__adjusted_where_it_was_homed() {
         "the second head is lower by what it is adjusted: {lower}"
     );
 }
+
+/// Where each cut of an array goes down, in order.
+fn plunges(drawing: &str) -> Vec<[f64; 2]> {
+    let trace = JobRun::new(kerf_ledger::jobs::drawn(drawing)).run();
+    let down = |event: &kerf_control::Event| match event {
+        kerf_control::Event::Move(made) if made.to.z < made.from.z && made.to.z == -30.0 => {
+            Some([made.to.x, made.to.y])
+        }
+        _ => None,
+    };
+    trace.events.iter().filter_map(down).collect()
+}
+
+#[test]
+fn pro_array_spacing__as_it_is_cut() {
+    // Blocks of 100 x 50, 10 apart in x and 20 in y: they repeat every 110 and 70.
+    let rows = |y: f64| [[0.0, y], [110.0, y], [220.0, y]];
+    let block = "rect 0,0 100,50; array block";
+    assert_eq!(plunges(&format!("{block} 2x3 gap 10,20")), [rows(0.0), rows(70.0)].concat());
+    // A negative gap lays them into each other.
+    let points = plunges("point 0,0; point 100,50; array block 1x2 gap -60,0");
+    assert_eq!(points, [[0.0, 0.0], [100.0, 50.0], [40.0, 0.0], [140.0, 50.0]]);
+    // A job of two blocks of 210 in all is repeated with a gap of its own.
+    let places = plunges(&format!("{block} 1x2 gap 10,0; array job 1x2 gap 5,0"));
+    let places: Vec<_> = places.into_iter().map(|[x, _]| x).collect();
+    assert_eq!(places, [0.0, 110.0, 215.0, 325.0]);
+}
