@@ -1,3 +1,5 @@
+import { openPalette } from "../actions/go";
+import { ActionButton } from "../ui/ActionButton";
 import { useHands, useScreen, useSnapshot } from "./context";
 import { routes, shownIn } from "./routes";
 import "./navigation.css";
@@ -24,6 +26,9 @@ export function Navigation() {
             {title}
           </a>
         ))}
+      <ActionButton action={openPalette} size="small" look="plain" aria-label={openPalette.title}>
+        ⋯
+      </ActionButton>
     </nav>
   );
 }

@@ -1,6 +1,8 @@
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, it } from "vitest";
+import { actions } from "../../src/actions/registry";
 import { deskKeys } from "../../src/draw/keys";
+import { tools as catalog } from "../../src/draw/tools/catalog";
 import { enter, openWorkshop, stateOf, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -168,6 +170,35 @@ it("pro_select_menus: everything that a key does has a button, which does the sa
   await expect.poll(() => fact(page, "Shapes").textContent()).toBe("0");
   await page.getByRole("button", { name: "Undo" }).click();
   await expect.poll(() => fact(page, "Shapes").textContent()).toBe("1");
+});
+
+it("pro_select_menus: everything that has a key anywhere stands in a list that the mouse opens", async () => {
+  const page = await workshop.page();
+  await withRectangle(page);
+  await page.getByRole("button", { name: "Every action" }).click();
+  const list = page.getByRole("listbox", { name: "Actions" });
+  const rows = await list.getByRole("option").allTextContents();
+  const keyed = actions.filter(({ keys }) => (keys?.length ?? 0) > 0);
+  expect(keyed.length).toBeGreaterThan(10);
+  const missing = keyed.filter(({ title, keys }) => !rows.includes(title + keys?.join("")));
+  expect(missing.map(({ title }) => title)).toEqual([]);
+  // What stands there is done by a click.
+  const back = keyed.find(({ keys }) => keys?.includes("Ctrl+Z"));
+  await list
+    .getByRole("option")
+    .filter({ hasText: back?.title ?? "" })
+    .click();
+  await expect.poll(() => fact(page, "Shapes").textContent()).toBe("0");
+  // So does every tool and every operation of the table.
+  const tools = await page.getByRole("navigation", { name: "Drawing tools" }).textContent();
+  expect(catalog.filter(({ title }) => !tools?.includes(title))).toEqual([]);
+  await page.getByRole("button", { name: "All operations…" }).click();
+  const answer = await page.request.get(`${workshop.address}/api/drawing/operations`);
+  const table: { name: string }[] = await answer.json();
+  const shown = await page.locator(".operation-list button b").allTextContents();
+  const words = (text: string) => text.toLowerCase().replaceAll("-", " ");
+  const listed = new Set(shown.map(words));
+  expect(table.filter(({ name }) => !listed.has(words(name)))).toEqual([]);
 });
 
 it("pro_edit_type_key: Esc in the entry leads back to the mouse", async () => {

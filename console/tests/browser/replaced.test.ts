@@ -139,14 +139,28 @@ it("asks before text of the editor replaces another file, and keeps what it was"
   expect(await text(page)).not.toContain("MX,4");
 });
 
-it("tells what a DXF has no place for, and the drawing stays unsaved", async () => {
+it("pro_files_dxf_out: tells what a DXF has no place for, and the drawing stays unsaved", async () => {
   const page = await drawn();
   await script(workshop, "draw", { op: { op: "do", clauses: "select all; group red" } });
   await write(page, "Save…", "door.dxf");
   await page.getByText("door.dxf: groups and arrays will not be saved").first().waitFor();
+  const listed = async () => {
+    const answer = await page.request.get(`${workshop.address}/api/drawing/shapes`);
+    return (await answer.json()).shapes as { group: string; points: number[] }[];
+  };
+  const saved = await listed();
   const { drawing } = await stateOf(workshop);
   expect([drawing?.changed, drawing?.name]).toEqual([true, null]);
   expect(read("door.dxf")).toContain("POLYLINE");
+  expect(saved.map(({ group }) => group)).toContain("red");
+  // Opened again it has the same shapes, all of them black, and no array.
+  await script(workshop, "draw", { op: { op: "open", name: "door.dxf" } });
+  await until(async () => (await stateOf(workshop)).drawing?.name === "door.dxf", "it is opened");
+  const back = await listed();
+  expect(back.map(({ group }) => group)).toEqual(saved.map(() => "black"));
+  for (const [n, { points }] of back.entries())
+    for (const [k, value] of points.entries())
+      expect(value).toBeCloseTo(saved[n]?.points[k] ?? Number.NaN, 6);
 });
 
 it("saves tool paths as tool paths, never over their drawing", async () => {

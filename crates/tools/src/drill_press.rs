@@ -146,7 +146,9 @@ mod tests {
         let circles = |holes: &str| {
             let text = made('D', &format!("holes={holes},pocket=yes"));
             let circles = text.lines().filter_map(|line| line.strip_prefix("CP,"));
-            circles.map(|line| line.split(',').next().unwrap().to_owned()).collect::<Vec<_>>()
+            circles
+                .map(|line| line.split(',').next().unwrap_or_default().to_owned())
+                .collect::<Vec<_>>()
         };
         assert_eq!(circles("2 3 1"), ["0.475", "0.7375", "1"]);
         assert_eq!(circles("2 3 .5"), ["0.475", "0.5"]);

@@ -142,6 +142,27 @@ fn pro_job_start_step() {
 fn pro_misc_doublestart() {
     let two = JobRun::new(t1()).with(|machine| machine.misc.double_start = true).say("start").run();
     assert_eq!(two.states(), ["0.000 waiting", "0.000 running", "7.890 idle"]);
+    // The first Start takes Z home where that is set, and waits; nothing is switched before the second.
+    let homes = |machine: &mut kerf_machine::Configuration| {
+        machine.misc.double_start = true;
+        machine.homing.at_job_start = AxisSet::EMPTY.with(Axis::Z);
+    };
+    let away = JobRun::new(t1()).with(homes).at(40.0, 30.0, -25.0).say("start").run();
+    let first =
+        |is: &dyn Fn(&kerf_control::Event) -> bool| away.events.iter().position(is).unwrap();
+    let waits = first(&|event| matches!(event, kerf_control::Event::Ask(_)));
+    assert!(
+        first(
+            &|event| matches!(event, kerf_control::Event::Homed { axis, .. } if axis.eq_ignore_ascii_case("z"))
+        ) < waits
+    );
+    assert!(first(&|event| matches!(event, kerf_control::Event::Output { on: true, .. })) > waits);
+    let stood = away.events[..waits].iter().rev().find_map(|event| match event {
+        kerf_control::Event::Move(made) => Some([made.to.x, made.to.y, made.to.z]),
+        _ => None,
+    });
+    let [x, y, z] = stood.unwrap();
+    assert!((x, y) == (40.0, 30.0) && z > -1.0, "Z only, from -25 to its switch: {x} {y} {z}");
 }
 
 #[test]
@@ -345,6 +366,29 @@ fn pro_options_doublestart() {
     assert_eq!(cut(&two), [1, 2]);
 }
 
+/// What the profiles do with the same line, and how a punch hits points.
+#[test]
+fn pro_misc_tools__what_each_does_with_a_line() {
+    let run = |name: &str| {
+        let preset = kerf_machine::profile::profile(name).unwrap().configuration().unwrap();
+        JobRun::new(t1()).with(|machine| *machine = preset).run()
+    };
+    let has = |trace: &JobTrace, end: &str| trace.edges().iter().any(|edge| edge.ends_with(end));
+    let [router, laser, plasma, knife] = ["router-96x48", "laser-pwm", "plasma", "knife"].map(run);
+    // A router cuts once; a laser pierces first, and its beam pulses, slower there than in the cut.
+    let cuts = |trace: &JobTrace| trace.edges().iter().filter(|e| e.ends_with(" cut1+")).count();
+    assert_eq!([&router, &laser, &plasma, &knife].map(cuts), [1, 2, 0, 1]);
+    assert!(has(&laser, "hz 500") && has(&laser, "hz 5000") && !has(&router, "hz 5000"));
+    // A torch that finds no sheet pauses. A knife has an axis that turns it, which wants to be homed.
+    assert!(plasma.states().iter().any(|state| state.ends_with("paused: surface not found")));
+    assert_eq!(messages(&router), [""; 0]);
+    assert_eq!(messages(&knife), ["not homed: w"]);
+    // A punch goes down and up at each point and cuts nothing between them.
+    let punch = JobRun::new(kerf_ledger::jobs::drawn("point 10,10; point 40,10")).run();
+    let expected = ["x10 y10", "z-10", "z-30", "z-10", "x40", "z-30", "z-10", "x0 y0"];
+    assert_eq!((ends(&punch), cuts(&punch)), (expected.map(str::to_owned).to_vec(), 2));
+}
+
 #[test]
 fn pro_misc_tangential() {
     let steps = |tangential: bool| {
@@ -436,4 +480,31 @@ fn pro_motors_z2__adjusted_where_it_was_homed() {
         (lower - 0.35).abs() < 0.005,
         "the second head is lower by what it is adjusted: {lower}"
     );
+}
+
+/// Where each cut of an array goes down, in order.
+fn plunges(drawing: &str) -> Vec<[f64; 2]> {
+    let trace = JobRun::new(kerf_ledger::jobs::drawn(drawing)).run();
+    let down = |event: &kerf_control::Event| match event {
+        kerf_control::Event::Move(made) if made.to.z < made.from.z && made.to.z == -30.0 => {
+            Some([made.to.x, made.to.y])
+        }
+        _ => None,
+    };
+    trace.events.iter().filter_map(down).collect()
+}
+
+#[test]
+fn pro_array_spacing__as_it_is_cut() {
+    // Blocks of 100 x 50, 10 apart in x and 20 in y: they repeat every 110 and 70.
+    let rows = |y: f64| [[0.0, y], [110.0, y], [220.0, y]];
+    let block = "rect 0,0 100,50; array block";
+    assert_eq!(plunges(&format!("{block} 2x3 gap 10,20")), [rows(0.0), rows(70.0)].concat());
+    // A negative gap lays them into each other.
+    let points = plunges("point 0,0; point 100,50; array block 1x2 gap -60,0");
+    assert_eq!(points, [[0.0, 0.0], [100.0, 50.0], [40.0, 0.0], [140.0, 50.0]]);
+    // A job of two blocks of 210 in all is repeated with a gap of its own.
+    let places = plunges(&format!("{block} 1x2 gap 10,0; array job 1x2 gap 5,0"));
+    let places: Vec<_> = places.into_iter().map(|[x, _]| x).collect();
+    assert_eq!(places, [0.0, 110.0, 215.0, 325.0]);
 }

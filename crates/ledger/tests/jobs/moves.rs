@@ -196,6 +196,9 @@ fn pro_move_cutmoveto() {
     let trace = placed(Errand::CutMoveTo([100.0, 50.0])).at(0.0, 0.0, -25.0).run();
     assert_eq!(trace.rests(), [400.0, 250.0, -10.0]);
     assert_eq!(trace.edges(), [""; 0]);
+    // Up to Z top first, then over the table, as fast as it goes without cutting, relative to the origin.
+    // Z takes 15 mm at 50 mm/s and a ramp of .1 s, X, the longer way, 400 mm at 200 mm/s and .2 s.
+    assert_eq!(trace.moves(), ["0.000-0.400 z-10", "0.400-2.600 x400 y250"]);
 }
 
 #[test]

@@ -142,6 +142,8 @@ fn pro_io_vcd() {
             "7890 b00000000"
         ]
     );
+    // Down 10 mm to Z top and 20 mm to the bottom, up 20 mm again; 250 steps a millimetre.
+    assert_eq!(rises("zstep"), 250 * (10 + 20 + 20));
 }
 
 #[test]
