@@ -1,4 +1,5 @@
 import { type KeyboardEvent, useEffect, useRef, useState } from "react";
+import { flushSync } from "react-dom";
 import { drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
@@ -46,8 +47,9 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
   const form = useRef<HTMLFormElement>(null);
   useLastFile(entry.letters, entries[0] ?? "", (name) => {
     // Who has begun to type names another.
-    setEntries((now) => (now[0] ? now : withEntry(now, 0, name)));
-    requestAnimationFrame(() => form.current?.querySelector("input")?.select());
+    flushSync(() => setEntries((now) => (now[0] ? now : withEntry(now, 0, name))));
+    const field = form.current?.querySelector("input");
+    if (field?.value === name) field.select();
   });
   /** A comma goes on to the next field, as on the command line. */
   const type = (n: number, text: string) => {

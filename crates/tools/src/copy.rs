@@ -276,7 +276,7 @@ mod tests {
 
     #[test]
     fn points_are_rounded_before_they_are_written() {
-        for pattern in ["pattern=2D", "pattern=3D", "output=dxf"] {
+        for pattern in ["pattern=2D", "pattern=3D", "output=dxf points"] {
             let text = made('C', pattern);
             for axis in ["x", "y", "z"] {
                 let rounded = format!("&{axis} = INT(&{axis} * 10000 + 0.5) / 10000");

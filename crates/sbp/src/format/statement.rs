@@ -48,8 +48,7 @@ impl<'a> Code<'a> {
             }
             Statement::Pause { seconds: Some(seconds) } => {
                 self.push_words(&["PAUSE", self.slice(seconds.span)], out);
-                let rest = self.from(seconds.span.end as usize).text();
-                push_rest(rest.trim_start_matches(|c| c == ',' || blank(c)), out);
+                self.push_behind_seconds(seconds.span.end as usize, out);
             }
             Statement::ExitShopbot | Statement::WarningOff => self.push_two_words(out),
             Statement::End | Statement::EndAll | Statement::Return | Statement::Pause { .. } => {
@@ -59,6 +58,16 @@ impl<'a> Code<'a> {
             Statement::Gcode(text) => out.push_str(text),
             Statement::Mention(span) => out.push_str(self.slice(*span)),
             _ => self.push_keyword(out),
+        }
+    }
+
+    /// What is ignored behind the seconds of PAUSE; behind a comma as it is written, for it may be read otherwise without.
+    fn push_behind_seconds(self, end: usize, out: &mut String) {
+        let rest = self.from(end).text();
+        if !rest.starts_with(',') {
+            push_rest(rest, out);
+        } else if rest.chars().any(|c| c != ',' && !blank(c)) {
+            out.push_str(self.line.get(end..self.end).unwrap_or(""));
         }
     }
 

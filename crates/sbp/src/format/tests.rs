@@ -59,7 +59,7 @@ fn statements() {
     check("On Input(3,1)", "ON INPUT(3,1)");
     check("pause,2", "PAUSE 2");
     check("pause  2  seconds please", "PAUSE 2 seconds please");
-    check("pause .25,,   ??needed 'x", "PAUSE .25 ??needed 'x");
+    check("pause .25,,   ??needed 'x", "PAUSE .25,,   ??needed 'x");
     check("pause", "PAUSE");
     check("pause until 5 , 1", "PAUSE UNTIL 5,1");
     check("print\"a\",\"b\";", "PRINT \"a\",\"b\";");

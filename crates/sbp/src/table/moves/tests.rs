@@ -52,7 +52,7 @@ rows! {
     sbp_cmd_md_err: "MD,10" => "error angle expected", "MD,,90" => "error length expected", "MD,-2,90" => "at -2,0";
 
     an_indexer_takes_what_makes_sense: "VD,,5⏎MI,B,1,30,2,.5" => "error exclude each other", "MI,Z,,,2" => "error distance expected",
-        "MI,Z,,,31,.5" => "warning fast", "VD,,5⏎MI" => "error rotary speed or frequency", "MI,B,1,3" => "error B axis not active";
+        "MI,Z,,,31,.1" => "warning fast", "VD,,5⏎MI" => "error rotary speed or frequency", "MI,B,1,3" => "error B axis not active";
     an_axis_that_moves_by_itself_takes_no_moves: "VD,,5⏎MI,B,1,30⏎MX,1⏎MB,5" => "error B axis is moving by itself; at 1,0,0";
     sbp_cmd_ms: "MS,3,1,2,50" => "71=3; 72=3; 73=1; 74=2; 75=50", "MS,3,1,2,50⏎MS,,.5" => "71=3; 73=.5; 74=2", "MS,0" => "error greater than 0", "MS,,-1" => "error greater than 0";
     sbp_cmd_js: "JS,8,4" => "76=8; 77=8; 78=4", "VS,,,,,8,4" => "76=8; 77=8; 78=4";
