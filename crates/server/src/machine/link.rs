@@ -4,8 +4,8 @@
 //! neither: it is counted in [`Arrived`], and wakes the machine's thread.
 
 use super::arrived::{Arrived, Stops};
-use crate::clock::Clock;
 use super::planned::Planned;
+use crate::clock::Clock;
 use crate::people::Grip;
 use kerf_control::{Press, Wish};
 use std::collections::VecDeque;
