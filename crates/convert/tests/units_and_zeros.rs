@@ -80,7 +80,7 @@ fn a_warning_is_told_once_with_a_count() {
         told[0].0 == 3 && told[0].1.ends_with("(1 more like it, the last in line 205)"),
         "{told:?}"
     );
-    assert!(told[1].1.contains("VS begins at 1.27 (199 more like it"), "{told:?}");
+    assert!(told[1].1.contains("VS begins at 1.27 (200 more like it"), "{told:?}");
     // The text says it at each place.
     let part = made.text.unwrap();
     assert!(part.matches("VS begins at 1.27").count() > 100, "{}", part.len());

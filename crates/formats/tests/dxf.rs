@@ -21,11 +21,13 @@ fn told(read: &Imported) -> Vec<String> {
     read.findings.iter().map(|finding| finding.text.clone()).collect()
 }
 
-/// The only shape, nothing to tell.
+/// The only shape; nothing to tell but that its group is 3D where it is.
 fn only(entities: &str) -> Shape {
     let read = drawn(entities);
-    assert_eq!(told(&read), Vec::<String>::new());
     assert_eq!(read.drawing.shapes.len(), 1);
+    let three_d = "group black is 3D now: its shapes have heights of their own";
+    let expected = read.drawing.shapes[0].z_mm.iter().map(|_| three_d.to_owned());
+    assert_eq!(told(&read), expected.collect::<Vec<_>>());
     read.drawing.shapes[0].as_ref().clone()
 }
 

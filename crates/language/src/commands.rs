@@ -106,11 +106,11 @@ fn parameter(param: &ParamSpec, settings: &Settings) -> Parameter {
         name: param.name.into(),
         kind: kind(param.kind),
         unit: unit_words(unit, settings),
-        required: matches!(param.default, Default::Required),
+        required: matches!(param.default, Default::Required | Default::Demanded),
         default: match param.default {
             Default::Number(number) => Some(kerf_sbp::format_number(number)),
             Default::Word(word) => Some(word.into()),
-            Default::Required | Default::Keep | Default::Special => None,
+            Default::Required | Default::Demanded | Default::Keep | Default::Special => None,
         },
         present: param.present(settings),
         bound: bound(param.bound, &user),

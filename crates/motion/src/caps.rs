@@ -6,7 +6,7 @@ use crate::corner::{FULL_CORNER_RAD, SLIGHTEST_RAD, corner_speed, is_full};
 use crate::course::Course;
 use crate::moves::{Move, Path};
 use crate::profile::Profile;
-use crate::turns::{Bend, Place, in_full_curves, sum_turns};
+use crate::turns::{Bend, Place, sum_turns};
 use kerf_program::Axis;
 use kerf_program::settings::{MM_PER_INCH, Ramps};
 use std::f64::consts::TAU;
@@ -201,7 +201,7 @@ impl Caps {
     /// Applies the corner rule to what the direction changes around each bend, for so many bends
     /// that are arcs and joints.
     fn limit_turns(&mut self, ahead: &mut Ahead, [arcs, joints]: [usize; 2]) {
-        let (turns, joined) = self.summed();
+        let turns = self.summed();
         for (k, &turn_rad) in turns.iter().enumerate().take(arcs).skip(self.done[0]) {
             if let Bend { place: Place::Arc(i), xy, .. } = self.bends[k] {
                 let index = ahead.index(i);
@@ -211,24 +211,10 @@ impl Caps {
         }
         for (k, &turn_rad) in turns.iter().enumerate().take(joints).skip(self.done[1]) {
             if let Bend { place: Place::Joint(i), xy, .. } = self.bends[k] {
-                let index = ahead.index(i);
-                if joined.get(k) == Some(&true) && self.follows(k) {
-                    let cap = &mut ahead.caps[index - 1];
-                    cap.v_peak = self.turning(cap.v_peak, turn_rad, xy);
-                }
-                self.limit_joint(ahead, index, turn_rad, xy);
+                self.limit_joint(ahead, ahead.index(i), turn_rad, xy);
             }
         }
         self.done = [arcs, joints];
-    }
-
-    /// Whether a single move leads from the bend before to this one.
-    fn follows(&self, k: usize) -> bool {
-        let joint = |k: usize| match self.bends.get(k)?.place {
-            Place::Joint(number) => Some(number),
-            Place::Arc(_) => None,
-        };
-        joint(k).is_some_and(|here| joint(k.wrapping_sub(1)).is_some_and(|last| last + 1 == here))
     }
 
     fn limit_joint(&self, ahead: &mut Ahead, i: usize, turn_rad: f32, xy: f32) {
@@ -239,22 +225,20 @@ impl Caps {
         caps[i - 1].v_exit = caps[i - 1].v_exit.min(cap);
     }
 
-    /// What the direction changes around each bend, radians; and those that are joined to the one before by a tight
-    /// curve, where there is any.
-    fn summed(&self) -> (Vec<f32>, Vec<bool>) {
+    /// What the direction changes around each bend, radians.
+    fn summed(&self) -> Vec<f32> {
         let mut turns: Vec<f32> = self.bends.iter().map(|b| b.turn_rad.abs()).collect();
         let greatest = sum_turns(&self.bends, self.window_mm, SLIGHTEST_RAD, &mut turns);
         // A longer stretch is covered by so many of the window, and cannot turn more than they.
         let windows = (FULL_CURVE_MM / self.window_mm).ceil();
-        if is_full(windows * f64::from(greatest)) {
-            let joined = self.add_tight_curves(&mut turns);
-            return (turns, joined);
+        if windows > 1.0 && is_full(windows * f64::from(greatest)) {
+            self.add_tight_curves(&mut turns);
         }
-        (turns, Vec::new())
+        turns
     }
 
-    /// Makes a full corner of every bend in a curve that turns by as much on a small radius, all through it.
-    fn add_tight_curves(&self, turns: &mut [f32]) -> Vec<bool> {
+    /// Makes a full corner of every bend in a curve that turns by as much on a small radius.
+    fn add_tight_curves(&self, turns: &mut [f32]) {
         let mut tight = turns.to_vec();
         sum_turns(&self.bends, FULL_CURVE_MM, SLIGHTEST_RAD, &mut tight);
         for (turn, tight) in turns.iter_mut().zip(tight) {
@@ -262,13 +246,6 @@ impl Caps {
                 *turn = tight;
             }
         }
-        let within = in_full_curves(&self.bends, FULL_CURVE_MM, FULL_CORNER_RAD, is_full);
-        for (turn, (within, _)) in turns.iter_mut().zip(&within) {
-            if *within {
-                *turn = turn.max(FULL_CORNER_RAD as f32);
-            }
-        }
-        within.into_iter().map(|(_, joined)| joined).collect()
     }
 
     fn turning(&self, v: f64, turn_rad: f32, xy: f32) -> f64 {

@@ -73,39 +73,6 @@ pub(crate) fn sum_turns(bends: &[Bend], window_mm: f64, least_rad: f64, found: &
     greatest
 }
 
-/// The bends that lie in a stretch of at most `window_mm` on which the direction changes so much that it `is_full`,
-/// and belong to that curve: those in its middle as well as those at its ends. With each, whether the one before it lies
-/// in the same stretch, and neither is such a corner by itself.
-pub(crate) fn in_full_curves(
-    bends: &[Bend],
-    window_mm: f64,
-    full_rad: f64,
-    is_full: impl Fn(f64) -> bool,
-) -> Vec<(bool, bool)> {
-    // For each bend, where the stretch that ends at it and turns most begins.
-    let mut begins: Vec<usize> = (0..bends.len()).map(|_| usize::MAX).collect();
-    let mut queue = Extremes::default();
-    for (k, begin) in begins.iter_mut().enumerate() {
-        let turn = queue.turn(bends, k, window_mm, |b| b.before_rad, Bend::after_rad);
-        if is_full(turn) {
-            *begin = queue.begin(bends, k, |b| b.before_rad, Bend::after_rad);
-        }
-    }
-    let mut first = usize::MAX;
-    for k in (0..bends.len()).rev() {
-        first = first.min(begins[k]);
-        begins[k] = first;
-    }
-    // A bend at the end of a curve stands for the path on the inner side only.
-    let joins = |k: usize| begins.get(k).is_some_and(|begin| *begin < k);
-    let way_mm = |k: usize| if joins(k) { bends[k].at_mm - bends[k - 1].at_mm } else { 0.0 };
-    let share = |k: usize| (0.5 * (way_mm(k) + way_mm(k + 1)) / window_mm).min(1.0) as f32;
-    let belongs = |k: usize| bends[k].turn_rad.abs() >= OF_CURVE * share(k) * full_rad as f32;
-    let soft = |k: usize| belongs(k) && !is_full(f64::from(bends[k].turn_rad.abs()));
-    let joined = |k: usize| begins[k] < k && soft(k) && soft(k - 1);
-    (0..bends.len()).map(|k| (begins[k] <= k && belongs(k), joined(k))).collect()
-}
-
 /// The bends between which the direction may change by `least_rad` within the window, as far as
 /// the sum of all their turns, whatever their sense, tells; and the greatest such sum of the others.
 ///
@@ -187,20 +154,6 @@ impl Extremes {
         self.high.push(k, out, |i| heading(i) <= own);
         let here = near(&bends[k]);
         (here - heading(self.low.first())).max(heading(self.high.first()) - here)
-    }
-
-    /// The bend at which the greatest change begins that ends at bend `k`, which was taken last.
-    fn begin(
-        &self,
-        bends: &[Bend],
-        k: usize,
-        far: impl Fn(&Bend) -> f64,
-        near: impl Fn(&Bend) -> f64,
-    ) -> usize {
-        let [low, high] = [self.low.first(), self.high.first()].map(|i| i as usize);
-        let here = near(&bends[k]);
-        let rises = here - far(&bends[low]) >= far(&bends[high]) - here;
-        if rises { low } else { high }
     }
 
     fn clear(&mut self) {

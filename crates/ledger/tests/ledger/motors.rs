@@ -8,7 +8,9 @@ use serde_json::json;
 fn sbp_val_vi_channels() {
     // The motor of channel 1 turns with Y; so does the slave of an axis on two channels.
     run("VI,,,,,Y,X ⏎ PRINT %(36);%(37) ⏎ MY,1").prints(&["YX"]).steps(&[400, 0, 0]);
-    run("VI,,,,,X,X ⏎ MX,2").steps(&[800, 800, 0]);
+    sbp("VI,,,,,X,X,Y,Z ⏎ MX,2").axes(4).run().status("failed");
+    run("VI,,,,,X,X,Y,Z ⏎ MX,2").steps(&[800, 800, 0]);
+    run("VI,,,,,X,X ⏎ MX,2").status("failed").says("Y would have no driver channel");
     run("MX,2 ⏎ MY,1").steps(&[800, 400, 0]);
     run("VI,,,,,Q").status("failed");
 }

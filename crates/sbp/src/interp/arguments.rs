@@ -116,7 +116,7 @@ fn blank(c: &Context<'_>, param: &ParamSpec, span: Span) -> Result<Option<Value>
             let message = format!("{} expected", param.name.to_lowercase());
             Err(c.fail_at(span, Code::MissingParameter, message, "this value has no default"))
         }
-        Blank::Keep | Blank::Special => Ok(None),
+        Blank::Keep | Blank::Special | Blank::Demanded => Ok(None),
         Blank::Number(n) => Ok(Some(Value::Number(n * param.kind.unit().scale(c.settings())))),
         Blank::Word(word) => Ok(Some(Value::text(word))),
     }

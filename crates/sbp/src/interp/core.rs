@@ -66,7 +66,7 @@ pub struct Core {
     /// Lines executed.
     pub(crate) lines: u64,
     /// Lines executed one after the other that left everything as it was.
-    #[serde(skip)]
+    #[serde(default)]
     pub(crate) idle: u64,
     /// The present line changes something, or looks at what may change by itself.
     #[serde(skip)]

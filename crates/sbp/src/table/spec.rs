@@ -128,6 +128,8 @@ pub enum Unit {
 pub enum Default {
     /// It must be given.
     Required,
+    /// It must be given, which the command says in words of its own.
+    Demanded,
     /// The present value stays, or the axis does not move.
     Keep,
     /// This number, in the user's unit.
@@ -233,6 +235,12 @@ impl ParamSpec {
     /// The same within bounds.
     pub const fn within(mut self, bound: Bound) -> Self {
         self.bound = bound;
+        self
+    }
+
+    /// The same, and the command says in its own words that it must be given.
+    pub const fn demanded(mut self) -> Self {
+        self.default = Default::Demanded;
         self
     }
 

@@ -113,7 +113,7 @@ const fn unit_word(unit: Unit) -> &'static str {
 
 fn default(param: &ParamSpec) -> String {
     match param.default {
-        Default::Required => "*required*".to_owned(),
+        Default::Required | Default::Demanded => "*required*".to_owned(),
         Default::Keep => {
             param.factory().map_or_else(String::new, |value| format!("kept; {value} at first"))
         }

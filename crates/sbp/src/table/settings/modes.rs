@@ -106,10 +106,13 @@ pub(super) static SC: CommandSpec = CommandSpec::new(
     "SC",
     "End the stack",
     Group::Settings,
-    &[ParamSpec::required("Value", Kind::OneOf(&[2])).about("2, the only one there is.")],
+    &[ParamSpec::keep("Value", Kind::Whole).demanded().about("2, the only one there is.")],
     Stack::Ends,
     "SC,2 brings motion to rest and begins a new stack of moves (handbooks, Movement Blocks).",
-    |c, _| {
+    |c, a| {
+        if a.whole(0) != Some(2) {
+            return Err(c.fail_at(a.span(0), Code::OutOfRange, "only SC,2 is defined", ""));
+        }
         c.emit(Command::EndStack);
         Ok(())
     },

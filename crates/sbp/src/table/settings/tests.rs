@@ -13,7 +13,7 @@ rows! {
     sbp_cmd_sr_rounding: "SR⏎&n=0⏎L:⏎MX,.1⏎&n=&n+1⏎IF &n<10000 THEN GOTO L" => "1=1000; at 1000,0,0";
     sbp_cmd_st: "ZT⏎M3,5,4,1⏎Z3⏎ST" => "at 5,4,1; 1=5; 2=4; 3=1; moves 1";
     sbp_cmd_sl: "&a=1⏎SL⏎&b=&a" => "&b=", "&msganswer=OK⏎SL⏎&b=&msganswer" => "&b=";
-    sbp_cmd_sc_other: "SC,1" => "error one of 2", "SC" => "error value expected";
+    sbp_cmd_sc_other: "SC,1" => "error only SC,2 is defined", "SC" => "error only SC,2 is defined";
     leaving_preview_without_entering_it: "SM⏎MX,1" => "22=0; at 1,0,0";
     sbp_cmd_sp_track: "M2,1,1⏎SP⏎M2,5,5⏎&x=%(1)⏎&mode=%(22)⏎SM" => "&x=5; &mode=1; at 1,1,0; 1=1; 2=1; 22=0";
     sbp_cmd_sp_noeffect__in_the_language: "MX,1⏎SP⏎ZX⏎MX,4⏎VC,.5⏎VA,,9⏎SR⏎SM" => "at 1,0,0; base 1,0,0; 23=0.5; 21=1; 22=0";
