@@ -507,7 +507,7 @@ impl Pace for Busy {
 #[test]
 fn a_feed_does_not_keep_a_stop_from_a_program_that_only_computes() {
     let moves = (0..17_000).map(|n| format!("M2,{},{}\n", n % 7, n % 5));
-    let program = moves.chain(["A:\n&n=&n+1\nGOTO A\n".to_owned()]).collect::<String>();
+    let program = moves.chain(["&n=0\nA:\n&n=&n+1\nGOTO A\n".to_owned()]).collect::<String>();
     let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
     let company = Company { sink: &mut (), operator: &mut (), pace: &mut Busy(0) };

@@ -40,7 +40,7 @@ fn a_file_that_calls_itself_ends_in_the_depth_error() {
 #[test]
 fn an_endless_loop_is_told_or_reaches_the_bound_of_lines() {
     check(b"L:\nGOTO L\n", "--max-lines 10000", 3, "limit", "endless loop");
-    let counting = b"L:\n&n=&n+1\nGOTO L\n";
+    let counting = b"&n=0\nL:\n&n=&n+1\nGOTO L\n";
     check(counting, "--max-lines 10000", 3, "limit", "stopped after 10000 lines");
     let moving = b"L:\nMX,1\nMX,0\nGOTO L\n";
     check(moving, "--max-lines 10000", 3, "limit", "stopped after 10000 lines");

@@ -245,6 +245,7 @@ fn flipped(name: &str, files: &Files, older: &Files, usual: &Start) -> String {
              another: nothing, and a device whose hash it is pairs anew"
         }
         _ if is_log(name) => "nothing",
+        "journal.seal" => "as when it is halved",
         _ => "nothing where nothing is lost, else as when it is halved",
     };
     format!("| {name} | one bit | {told} | | |\n")

@@ -41,8 +41,8 @@ fn when_a_file_ran_is_known_after_a_restart() {
 fn a_file_that_a_typed_line_runs_has_run() {
     let shop = shop(50.0, &[("a.sbp", PART), ("b.sbp", "SA\nMX,3\n")]);
     let mut page = shop.driver();
-    page.open_file("a.sbp");
     page.command("FP,b.sbp");
+    page.open_file("a.sbp");
     assert!(page.shown["opened"]["ran"].is_null(), "that was another file");
     page.command("FP,a.sbp");
     has_run(&mut page);
