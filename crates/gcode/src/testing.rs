@@ -197,6 +197,7 @@ impl Ran {
 
 /// Real G-code files: in `shared/corpus/gcode` beside the checkout or beside one of its parents, or
 /// where `KERF_SHARED` says; none where there is no such folder.
+#[allow(clippy::print_stdout)]
 pub(crate) fn corpus() -> Vec<std::path::PathBuf> {
     let here = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = match std::env::var_os("KERF_SHARED") {

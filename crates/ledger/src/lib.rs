@@ -18,7 +18,7 @@
 //! The tests lie in `tests/ledger`, a file an area, a test a row, named after it: `SBP-CMD-MX` is
 //! `sbp_cmd_mx`. Rows that a crate shows in its own tests are not repeated here.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout)]
 
 mod case;
 pub mod hand_console;

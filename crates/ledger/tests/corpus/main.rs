@@ -71,7 +71,7 @@ fn traces_are_the_recorded_ones() {
     let (Some(corpus), Some(_)) = (corpus(), traces::folder()) else { return };
     let (tree, mut traces) = (Tree::build(&corpus), Traces::default());
     for row in rows() {
-        traces.add(&row.file, run(&tree, &row).trace);
+        traces.add(row.file, run(&tree, &row).trace);
     }
     traces.hold("corpus.txt");
 }
