@@ -187,7 +187,8 @@ it("pro_select_menus: everything that has a key anywhere stands in a list that t
   await list
     .getByRole("option")
     .filter({ hasText: back?.title ?? "" })
-    .click();
+    // The list was scrolled this instant; a hand presses longer.
+    .click({ delay: 80 });
   await expect.poll(() => fact(page, "Shapes").textContent()).toBe("0");
   // So does every tool and every operation of the table.
   const tools = await page.getByRole("navigation", { name: "Drawing tools" }).textContent();
