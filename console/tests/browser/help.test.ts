@@ -17,6 +17,7 @@ afterAll(() => workshop?.close());
 /** Types the letters and gives what the page says. */
 async function typed(letters: string): Promise<string> {
   await page.goto(workshop.address);
+  await page.locator(".state", { hasText: /Disarmed|Ready/ }).waitFor();
   await page.getByLabel("Command line").pressSequentially(letters);
   await page.getByRole("heading", { level: 1, name: "Help" }).waitFor();
   return (await page.locator(".help-page").textContent()) ?? "";

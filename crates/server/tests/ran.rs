@@ -51,6 +51,21 @@ fn a_file_that_a_typed_line_runs_has_run() {
     has_run(&mut page);
 }
 
+/// In preview mode a run takes no time; the picture tells how long the file takes when it is cut.
+#[test]
+fn a_file_that_is_opened_in_preview_mode_tells_its_time() {
+    let shop = shop(50.0, &[("a.sbp", PART)]);
+    let mut page = shop.driver();
+    page.open_file("a.sbp");
+    let seconds = page.shown["opened"]["seconds"].as_f64().unwrap();
+    assert!(seconds > 0.0);
+    page.command("SP");
+    page.open_file("a.sbp");
+    assert_eq!(page.shown["opened"]["seconds"].as_f64(), Some(seconds));
+    page.command("FP,a.sbp");
+    page.until("all of it", |page| page.shown["motion"]["progress"] == 1.0);
+}
+
 /// A simulated machine that is four times as fast leaves a quarter of the time.
 #[test]
 fn time_that_is_left_is_that_of_whoever_waits() {

@@ -26,6 +26,7 @@ use collect::Collector;
 use kerf_control::timing::Begun;
 use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Sink, Summary, Wish, Work};
 use kerf_machine::Configuration;
+use kerf_program::settings::Mode;
 use kerf_program::{Axis, Frame, Settings};
 use kerf_sbp::{FileParameters, Status};
 use kerf_wire::Finding;
@@ -163,6 +164,8 @@ fn silently(
     given_up: &AtomicBool,
     sink: &mut dyn Sink,
 ) -> Option<Summary> {
+    // In preview mode moves take no time: the picture tells how long they take when they are cut.
+    session.memory.settings.mode = Mode::Move;
     let mut answers = shelf.answers_beside(&work.name());
     let company = Company { sink, operator: &mut answers, pace: &mut Until(given_up) };
     let summary = session.run(work, options, shelf, company);
