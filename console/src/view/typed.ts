@@ -69,8 +69,11 @@ export function followTyped(fetches: Fetches = getBytes): Following {
   const catchUp = async () => {
     while (known() < wanted.segments) {
       const { key } = wanted;
-      const piece = readPiece(await fetches(`/api/typed/${key}/${known()}`));
-      if (key === wanted.key) path.update((now) => grown(now, key, piece));
+      const bytes = await fetches(`/api/typed/${key}/${known()}`);
+      // Begun anew meanwhile: what is told now is fetched next.
+      if (key !== wanted.key) continue;
+      if (bytes.byteLength === 0) return;
+      path.update((now) => grown(now, key, readPiece(bytes)));
     }
   };
   return {
@@ -81,7 +84,7 @@ export function followTyped(fetches: Fetches = getBytes): Following {
       if (busy) return;
       busy = true;
       catchUp()
-        // It was begun anew meanwhile, or the link is gone: the next that is told is fetched again.
+        // The link is gone: the next that is told is fetched again.
         .catch(() => undefined)
         .finally(() => {
           busy = false;

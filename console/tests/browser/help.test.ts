@@ -20,6 +20,7 @@ async function typed(letters: string): Promise<string> {
   await page.locator(".state", { hasText: /Disarmed|Ready/ }).waitFor();
   await page.getByLabel("Command line").pressSequentially(letters);
   await page.getByRole("heading", { level: 1, name: "Help" }).waitFor();
+  await page.locator(".help-page", { hasNotText: "Reading…" }).waitFor();
   return (await page.locator(".help-page").textContent()) ?? "";
 }
 

@@ -91,12 +91,17 @@ fn stop_is_heard_under_every_load() {
     println!("{table}");
     record(&table);
     for row in &rows {
-        let usual = if row.load == "none" { ALONE } else { USUAL };
         assert!(row.late == 0, "{}: {} stops were not heard", row.load, row.late);
-        assert!(row.share(0.99) <= usual, "{}: p99 {:?}", row.load, row.share(0.99));
         assert!(row.share(1.0) <= BOUND, "{}: at most {:?}", row.load, row.share(1.0));
         assert!(row.peak <= MEMORY, "{}: {} MB", row.load, row.peak >> 20);
+        let usual = if row.load == "none" { ALONE } else { USUAL };
+        // Of fewer than a hundred stops the 99th of a hundred is the longest, which has its own bound.
+        if each >= 100 {
+            assert!(row.share(0.99) <= usual, "{}: p99 {:?}", row.load, row.share(0.99));
+        }
     }
+    let usual = Row::share_of_all(&rows, 0.99);
+    assert!(usual <= USUAL, "p99 of all {usual:?}");
 }
 
 /// Where the page of benchmarks has the table.

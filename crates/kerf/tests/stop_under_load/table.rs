@@ -36,6 +36,13 @@ impl Row {
     pub fn share(&self, share: f64) -> Duration {
         nth(&self.heard, share)
     }
+
+    /// The time that so large a share of the stops of all rows keeps.
+    pub fn share_of_all(rows: &[Self], share: f64) -> Duration {
+        let mut heard: Vec<Duration> = rows.iter().flat_map(|row| row.heard.clone()).collect();
+        heard.sort_unstable();
+        nth(&heard, share)
+    }
 }
 
 fn nth(sorted: &[Duration], share: f64) -> Duration {

@@ -6,7 +6,7 @@ use crate::pool::Turn;
 use crate::preview::{Asked, Chart, Preview};
 use axum::Json;
 use axum::extract::{Path, Query, State};
-use axum::http::header;
+use axum::http::{StatusCode, header};
 use axum::response::IntoResponse;
 use kerf_sim::Change;
 use kerf_wire::preview::{PreviewInfo, Timing};
@@ -54,14 +54,15 @@ pub async fn piece(
     Ok((headers, bytes.await?))
 }
 
-/// What was typed, from a segment on.
+/// What was typed, from a segment on; no content where nothing more was, or where it is drawn anew by now.
 pub async fn typed(
     State(app): State<Arc<App>>,
     Path((key, from)): Path<(u32, usize)>,
-) -> Result<impl IntoResponse, Refused> {
-    let bytes = app.hub.typed().piece(key, from);
-    let gone = || problem(Why::File, "nothing more was typed, or it is drawn anew");
-    Ok(([(header::CONTENT_TYPE, "application/octet-stream")], bytes.ok_or_else(gone)?))
+) -> impl IntoResponse {
+    let Some(bytes) = app.hub.typed().piece(key, from) else {
+        return StatusCode::NO_CONTENT.into_response();
+    };
+    ([(header::CONTENT_TYPE, "application/octet-stream")], bytes).into_response()
 }
 
 /// What a timing chart is asked with.
