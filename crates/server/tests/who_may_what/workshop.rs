@@ -282,7 +282,7 @@ impl Workshop {
             Asks::Answer { program, kind, .. } => (program.unwrap_or_default(), *kind),
             _ => ("MSGBOX(\"On?\",YesNo)", "msgbox"),
         };
-        let (begun, mut last, mut acted) = (Instant::now(), None, Instant::now());
+        let (begun, mut last) = (Instant::now(), None);
         let client = self.client(driver, matches!(row.asks, Asks::Page(_)));
         loop {
             let shown = self.shown();
@@ -291,11 +291,10 @@ impl Workshop {
             }
             let (name, since) = (&row.name, begun.elapsed());
             assert!(since < PATIENCE, "{name}, {doing:?}, {last:?}: {:#}", shown["machine"]);
-            // What was asked for last has this time to come about.
-            let late = acted.elapsed() > SOON;
+            // What comes about late is stopped, and then has as long to come about anew.
+            let late = since.as_millis() / SOON.as_millis() % 2 == 1;
             if let Some(act) = step_towards(&shown, client, doing, kind, program, late) {
                 last = Some(format!("{act}: {:?}", self.does(driver, &act)));
-                acted = Instant::now();
             }
             thread::sleep(Duration::from_millis(1));
         }
