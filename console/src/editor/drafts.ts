@@ -48,7 +48,7 @@ export class DraftKeeper {
     this.#shared.delete(name);
   }
 
-  /** Whether this page typed it. */
+  /** Set where this page typed it. */
   isOwn(draft: TextDraft): boolean {
     return draft.page !== "" && this.#pages.get(draft.name) === draft.page;
   }

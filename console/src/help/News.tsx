@@ -1,8 +1,8 @@
-/** What is new and what of Kerf leads out of this page: HB and HW. */
+/** The help pages HB (the changelog) and HW (links to what this Kerf serves). */
 
 import { useEffect, useState } from "react";
 
-/** What changed, from the first line that says so on; it comes with the page, without a network. */
+/** The text of the changelog; it comes with the page and needs no network. */
 const changes = async (): Promise<string> => (await import("../../../CHANGELOG.md?raw")).default;
 
 /** Reads one of the parts of the changelog: a heading, or a point with the lines that belong to it. */
@@ -41,7 +41,7 @@ export function Bulletins() {
   );
 }
 
-/** What this Kerf serves itself; its project has no site that could be relied on in a shop without a network. */
+/** Links to what this Kerf serves itself, so that they work in a shop without a network. */
 export function Web() {
   return (
     <ul className="help-web">

@@ -10,7 +10,7 @@ export interface Shown {
   readonly who: Who | null;
   /** Nothing before the first one arrived; the last one while the link is lost. */
   readonly snapshot: Snapshot | null;
-  /** What this page waits for, in words, where that takes longer than a moment. */
+  /** The wait of this page in words, when it takes longer than a moment. */
   readonly waitsFor: string | null;
   /** How long the last ping took, milliseconds. */
   readonly roundTripMs: number | null;

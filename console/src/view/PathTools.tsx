@@ -23,11 +23,11 @@ interface PathToolsProps {
   aspect: Aspect;
   look: (aspect: Aspect) => void;
   stock: Switch;
-  /** Where an axis turns the work: the path as it lies on that. */
+  /** Shows the path on the cylinder of a rotary axis; missing without such an axis. */
   rotary: Switch | undefined;
 }
 
-/** What is seen of the tool path, and from where. */
+/** The buttons that choose the view of the tool path and what it shows. */
 export function PathTools({ aspect, look, stock, rotary }: PathToolsProps) {
   const { screen } = useHands();
   const large = useScreen("large");

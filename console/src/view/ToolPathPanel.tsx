@@ -134,7 +134,7 @@ function wordsFor(
   return path === null ? "Reading…" : undefined;
 }
 
-/** What is to be in the picture of the open file and of what was typed. */
+/** The bounds of the open file and of the typed moves together. */
 function boundsOfAll(path: ToolPath | null, { path: typed }: TypedView): Bounds | undefined {
   const origin = originOf(path);
   const bounds = typedBounds(typed);
@@ -142,7 +142,7 @@ function boundsOfAll(path: ToolPath | null, { path: typed }: TypedView): Bounds 
   return around(path ? boundsOf(path.info) : undefined, drawn);
 }
 
-/** What places of the picture are relative to; the machine's zero without a tool path. */
+/** The origin of the picture's places; the machine's zero without a tool path. */
 const originOf = (path: ToolPath | null): Vec3 => path?.info.origin ?? [0, 0, 0];
 
 const minus = (place: readonly number[], origin: Vec3): Vec3 => [

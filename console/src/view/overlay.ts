@@ -10,7 +10,7 @@ export interface Marks {
   readonly zero: Vec3 | undefined;
   /** The part of the present cut that is made. */
   readonly made: { readonly from: Vec3; readonly to: Vec3 } | undefined;
-  /** What was typed. */
+  /** The typed moves. */
   readonly typed: TypedMarks;
   /** Diameter of the cutter, mm. */
   readonly cutter: number;

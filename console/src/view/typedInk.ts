@@ -8,7 +8,7 @@ import type { TypedView } from "./useTyped";
 
 /** What is typed, in the frame of the picture. */
 export interface TypedMarks extends TypedView {
-  /** What places of the picture are relative to: mm, machine frame. */
+  /** The origin of the picture's places: mm, machine frame. */
   readonly origin: Vec3;
 }
 
