@@ -1,6 +1,5 @@
 //! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
 
-use crate::Work;
 use crate::before::Whole;
 use crate::errands::unconfirmed;
 use crate::event::Event;
@@ -11,6 +10,7 @@ use crate::journal::{
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use crate::switches::{self, SWITCHES};
+use crate::{Pace, Work};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::Settings;
 use kerf_sim::Machine;
@@ -165,7 +165,7 @@ impl Session {
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
         shelf.keep_doubts();
         shelf.tape = journal.begin(&run, self, &kept.bytes)?;
-        journal.each_commit_lasts(company.pace.is_real())?;
+        in_time(&journal, &mut shelf.tape, &*company.pace)?;
         let summary = self.go(work, options, shelf, company, None);
         self.over(&run, summary, shelf, owner)
     }
@@ -252,7 +252,7 @@ impl Session {
         shelf.as_it_was(&run.folders, run.shell);
         shelf.stored.begin_from(run.values.clone());
         shelf.tape = tape;
-        journal.each_commit_lasts(company.pace.is_real())?;
+        in_time(&journal, &mut shelf.tape, &*company.pace)?;
         let summary = self.go(work, run.options.clone(), shelf, company, Some(stands));
         self.over(run, summary, shelf, &owner)
     }
@@ -293,4 +293,13 @@ impl Session {
         journal.end(run, self, summary, &tape)?;
         journal.back_up()
     }
+}
+
+/// Where machine time is the time of the world, what is on record survives a power cut, and a thread writes it.
+fn in_time(journal: &Journal, tape: &mut Tape, pace: &dyn Pace) -> Result<(), JournalError> {
+    journal.each_commit_lasts(pace.is_real())?;
+    if pace.is_real() {
+        tape.writes_behind(pace.hurry());
+    }
+    Ok(())
 }

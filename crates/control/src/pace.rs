@@ -1,5 +1,6 @@
 //! How machine time relates to the time of the world, and what the operator does meanwhile.
 
+use crate::journal::Hurry;
 use kerf_motion::{Move, Plan, State};
 use kerf_program::{At, Axes};
 use kerf_sim::Machine;
@@ -103,6 +104,11 @@ pub trait Pace {
     /// Whether a second of machine time takes a second.
     fn is_real(&self) -> bool {
         false
+    }
+
+    /// Tells whoever waits for a disk while the machine stands that it is to stop.
+    fn hurry(&self) -> Option<Hurry> {
+        None
     }
 
     /// The machine stands because of the stop that `pass` told: it is asked what comes next, which

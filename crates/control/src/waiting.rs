@@ -155,7 +155,7 @@ impl<I: Interpreter> Runner<'_, I> {
         heard
     }
 
-    /// Lets machine time pass; what was made before it is on record.
+    /// Lets machine time pass. What was made before it is on record; while the machine moves, soon.
     pub(crate) fn pass(
         &mut self,
         from_s: f64,
@@ -164,6 +164,10 @@ impl<I: Interpreter> Runner<'_, I> {
     ) -> Option<(f64, Wish)> {
         if to_s > from_s && self.pace.is_real() {
             self.world.shelf.tape.write();
+            // What moves waits for no disk.
+            if going.is_none() {
+                self.world.shelf.tape.settle();
+            }
         }
         self.hear_wish(|run, is_kept| {
             if is_kept {

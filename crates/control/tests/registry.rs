@@ -13,6 +13,7 @@ use kerf_sim::Change;
 use std::cell::RefCell;
 use std::fs;
 use std::rc::Rc;
+use std::time::Duration;
 use tempfile::TempDir;
 
 /// What another program saw, with the question that was open or the machine time that passed.
@@ -42,6 +43,8 @@ impl Operator for Onlooker {
 impl Pace for Onlooker {
     fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
         if to_s > from_s {
+            // What moves does not wait for the record: it follows soon, as it would in the world.
+            std::thread::sleep(Duration::from_secs_f64((to_s - from_s).min(0.02) / 4.0));
             self.look("passing".into());
         }
         (to_s > self.stop_s).then_some((self.stop_s.max(from_s), Wish::Stop))

@@ -3,6 +3,7 @@
 use crate::stop::Stop;
 use anyhow::Result;
 use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
+use kerf_control::journal::Hurry;
 use kerf_control::{Pace, Script, Wish, WorldClock};
 use kerf_program::{Question, QuestionKind};
 use std::cell::Cell;
@@ -230,6 +231,11 @@ impl Pace for RealPace {
 
     fn is_real(&self) -> bool {
         self.clock == Clock::Real
+    }
+
+    fn hurry(&self) -> Option<Hurry> {
+        let stop = self.stop.clone();
+        Some(Hurry::new(move || stop.is_wanted()))
     }
 
     fn resumes(&mut self, held_s: f64) -> Option<f64> {

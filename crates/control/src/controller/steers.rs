@@ -3,6 +3,7 @@
 
 use super::lacks::out_of_reach;
 use super::{Connection, Shared};
+use crate::journal::Hurry;
 use crate::pace::{Doing, Failure, Going, Pace, Wish};
 use kerf_motion::Move;
 use kerf_program::settings::IoModes;
@@ -193,6 +194,10 @@ impl Pace for Steers<'_> {
 
     fn is_real(&self) -> bool {
         true
+    }
+
+    fn hurry(&self) -> Option<Hurry> {
+        self.operator.hurry()
     }
 
     fn heard(&mut self) {

@@ -13,7 +13,8 @@
 //!   that changed on the disk is noticed, and a damaged file is saved row by row ([`rescue`]).
 //! - A change is in the file before what follows from it happens (write-ahead). Between two moves
 //!   of a run that are closer than [`progress::EVERY`] nothing is written, unless machine time is
-//!   the time of the world.
+//!   the time of the world. Then a thread writes ([`scribe`]): while the machine moves nobody waits for the
+//!   disk, and the record may be behind by as long as the disk takes; before the machine sets off it is not.
 //! - Every change counts the generation up, and a second file follows it ([`seal`]): a journal that lost its newest changes
 //!   is damaged, and so is one that is older than its copy ([`copy`]). At rest everything is in the one file.
 //! - One process owns the machine ([`Journal::own`]); others may look, and set values.
@@ -34,6 +35,7 @@ mod progress;
 mod remembered;
 mod rescue;
 mod rows;
+mod scribe;
 mod seal;
 mod settings;
 mod stated;
@@ -49,6 +51,7 @@ pub use mirror::{INCOMING_FILE, MIRROR_FILE};
 pub use place::Placed;
 use remembered::Standing;
 pub use remembered::{Remembered, Whereabouts};
+pub use scribe::Hurry;
 pub use seal::SEAL_FILE;
 pub(crate) use tape::{Kind, Tape, Turn};
 pub use under_way::{CutShort, RunUnderWay};

@@ -1,8 +1,8 @@
 //! How far a run is: written while it goes on, so that a kill at any instant loses at most the
 //! motion in flight.
 
-use super::rows::Table;
-use super::{Journal, JournalError, Live, Placed, json, mirror};
+use super::scribe::{Hurry, Scribe, Writer};
+use super::{Journal, Live, Placed};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -38,47 +38,94 @@ pub(crate) struct Reached {
     pub line: u32,
 }
 
+/// Changes of the record that are made together.
+#[derive(Debug, Default)]
+pub(super) struct Batch {
+    /// Steps from this number on are no more; those below are newer.
+    pub dropped_from: Option<i64>,
+    /// What the world told: number and text.
+    pub steps: Vec<(i64, Vec<u8>)>,
+    /// Files that steps speak of, by their hashes.
+    pub contents: BTreeMap<String, Vec<u8>>,
+    /// How far the run is; `None` where that is on record.
+    pub reached: Option<Reached>,
+}
+
+impl Batch {
+    /// Steps from a number on are no more.
+    fn drop_from(&mut self, from: i64) {
+        self.steps.retain(|(number, _)| *number < from);
+        self.dropped_from = Some(self.dropped_from.map_or(from, |before| before.min(from)));
+    }
+
+    /// What comes later is a part of it.
+    pub(super) fn join(&mut self, later: Self) {
+        if let Some(from) = later.dropped_from {
+            self.drop_from(from);
+        }
+        self.steps.extend(later.steps);
+        self.contents.extend(later.contents);
+        self.reached = later.reached.or_else(|| self.reached.take());
+    }
+
+    const fn changes_steps(&self) -> bool {
+        !self.steps.is_empty() || self.dropped_from.is_some()
+    }
+}
+
 /// Writes how far a run is.
 #[derive(Debug)]
 pub(crate) struct Progress {
-    journal: Journal,
-    /// What the world told and is not in the file yet: number and text.
-    steps: Vec<(i64, Vec<u8>)>,
-    /// Files that steps speak of, by their hashes.
-    contents: BTreeMap<String, Vec<u8>>,
-    /// Number of the next one. `None`: the run cannot be taken up, and the steps in the file are those of
+    hand: Hand,
+    /// What is not written yet, nor posted.
+    batch: Batch,
+    /// Number of the next step. `None`: the run cannot be taken up, and the steps in the file are those of
     /// another that can.
     next_step: Option<i64>,
     written: Option<Reached>,
-    /// What other programs saw last.
-    published: Option<Live>,
     last: Instant,
     /// Why it cannot be written; the run goes on.
-    trouble: Option<JournalError>,
+    trouble: Option<String>,
     /// That was told.
     told: bool,
+}
+
+/// Who writes.
+#[derive(Debug)]
+enum Hand {
+    /// Whoever has something to write, before going on.
+    Own(Writer),
+    /// A thread; it may be behind.
+    Scribe(Scribe),
 }
 
 impl Progress {
     /// Of a run whose next step has this number; of one that is not taken up, none.
     pub(super) fn new(journal: Journal, next_step: Option<i64>) -> Self {
         Self {
-            journal,
-            steps: Vec::new(),
-            contents: BTreeMap::new(),
+            hand: Hand::Own(Writer::new(journal)),
+            batch: Batch::default(),
             next_step,
             written: None,
-            published: None,
             last: Instant::now(),
             trouble: None,
             told: false,
         }
     }
 
+    /// From now on a thread writes, and nobody waits for the disk while the machine moves.
+    pub(super) fn writes_behind(&mut self, hurry: Option<Hurry>) {
+        let Hand::Own(writer) = &self.hand else { return };
+        match Scribe::begin(Writer::new(writer.journal.clone()), hurry) {
+            Ok(scribe) => self.hand = Hand::Scribe(scribe),
+            Err(error) => self.trouble = Some(format!("the thread that writes: {error}")),
+        }
+    }
+
     /// Adds something that the world told. It is in the file before what follows from it.
     pub(crate) fn add_step(&mut self, step: Vec<u8>) {
         if let Some(number) = &mut self.next_step {
-            self.steps.push((*number, step));
+            self.batch.steps.push((*number, step));
             *number += 1;
         }
     }
@@ -90,9 +137,8 @@ impl Progress {
 
     /// Forgets what the world told from a step on.
     pub(crate) fn drop_steps(&mut self, from: i64) {
-        self.steps.retain(|(number, _)| *number < from);
-        let dropped = self.journal.write(|rows| rows.remove_from(Table::Step, from));
-        self.trouble = dropped.err().or_else(|| self.trouble.take());
+        self.batch.drop_from(from);
+        self.hand_over();
     }
 
     /// Forgets the last step: it is told again.
@@ -107,7 +153,7 @@ impl Progress {
     pub(crate) fn add_content(&mut self, bytes: &[u8]) -> String {
         let hash = super::contents::hash(bytes);
         if self.next_step.is_some() {
-            self.contents.insert(hash.clone(), bytes.to_vec());
+            self.batch.contents.insert(hash.clone(), bytes.to_vec());
         }
         hash
     }
@@ -119,50 +165,68 @@ impl Progress {
         }
     }
 
-    /// Writes that the machine is about to move, unless the file says so already.
+    /// Writes that the machine is about to move, unless the file says so already; it waits for the disk.
     pub(crate) fn set_off(&mut self, reached: &Reached) {
         if !self.written.as_ref().is_some_and(|written| written.moving) {
             self.write(reached);
+            self.settle();
         }
     }
 
-    /// Writes now.
+    /// Writes now, or lets the thread do it that writes.
     pub(crate) fn write(&mut self, reached: &Reached) {
-        if self.steps.is_empty() && self.written.as_ref() == Some(reached) {
+        let same = self.written.as_ref() == Some(reached) && self.new_failure().is_none();
+        if same && !self.batch.changes_steps() {
             return;
         }
         self.last = Instant::now();
-        let (steps, contents) = (&self.steps, &self.contents);
-        let written = self.journal.write(|rows| {
-            contents.iter().try_for_each(|(hash, bytes)| rows.keep_content(hash, bytes))?;
-            steps.iter().try_for_each(|(n, step)| rows.put(Table::Step, n, step))?;
-            rows.put(Table::Fact, PROGRESS, &json(reached)?)
-        });
-        match written {
-            Ok(()) => {
-                self.steps.clear();
-                self.contents.clear();
-                self.written = Some(reached.clone());
-                (self.trouble, self.told) = (None, false);
-                self.meet_others(reached.live());
-            }
-            Err(error) => self.trouble = Some(error),
+        self.batch.reached = Some(reached.clone());
+        if self.hand_over() {
+            self.written = Some(reached.clone());
         }
     }
 
-    /// Tells other programs what they see, and takes what they wrote.
-    fn meet_others(&mut self, live: Live) {
-        let told = match self.published.replace(live) {
-            Some(before) if before == live => Ok(()),
-            _ => mirror::publish(&self.journal, &live),
-        };
-        self.trouble = told.and_then(|()| self.journal.take_in()).err();
+    /// Waits until everything is on record; no longer than until somebody wants the machine to stop.
+    pub(crate) fn settle(&self) {
+        if let Hand::Scribe(scribe) = &self.hand {
+            scribe.settle();
+        }
+    }
+
+    /// Hands over what there is; whether nothing of it is left to be handed over.
+    fn hand_over(&mut self) -> bool {
+        match &mut self.hand {
+            Hand::Scribe(scribe) => {
+                scribe.post(std::mem::take(&mut self.batch));
+                true
+            }
+            Hand::Own(writer) => {
+                if let Err(error) = writer.write(&self.batch) {
+                    self.trouble = Some(error.to_string());
+                    return false;
+                }
+                let batch = std::mem::take(&mut self.batch);
+                self.trouble = writer.meet_others(&batch).err().map(|error| error.to_string());
+                self.told &= self.trouble.is_some();
+                true
+            }
+        }
+    }
+
+    /// Why what was handed over last is not on record.
+    fn new_failure(&self) -> Option<String> {
+        match &self.hand {
+            Hand::Scribe(scribe) => scribe.trouble(),
+            Hand::Own(_) => self.trouble.clone(),
+        }
     }
 
     /// Why the file cannot be written, when that was not told yet.
     pub(crate) fn new_trouble(&mut self) -> Option<String> {
-        let trouble = self.trouble.as_ref().filter(|_| !self.told)?.to_string();
-        self.told = true;
-        Some(trouble)
+        if let Hand::Scribe(scribe) = &self.hand {
+            self.trouble = scribe.trouble();
+        }
+        let before = std::mem::replace(&mut self.told, self.trouble.is_some());
+        self.trouble.clone().filter(|_| !before)
     }
 }

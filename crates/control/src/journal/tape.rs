@@ -202,8 +202,10 @@ impl Tape {
         world: impl FnOnce() -> T,
     ) -> T {
         self.write();
+        self.settle();
         let told = self.hear(kind, world);
         self.write();
+        self.settle();
         told
     }
 

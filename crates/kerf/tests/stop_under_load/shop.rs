@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 use tempfile::TempDir;
@@ -33,8 +34,8 @@ pub fn token(device: usize) -> String {
 }
 
 impl Shop {
-    /// A server whose devices are paired already.
-    pub fn open() -> Self {
+    /// A server whose devices are paired already, on a disk that takes so much longer for each write.
+    pub fn on(disk: Duration) -> Self {
         let folder = tempfile::tempdir().unwrap();
         let (parts, data) = (folder.path().join("parts"), folder.path().join("data"));
         std::fs::create_dir(&parts).unwrap();
@@ -42,7 +43,12 @@ impl Shop {
         std::fs::write(data.join("devices.json"), devices().to_string()).unwrap();
         std::fs::write(parts.join("circles.dxf"), circles(6000)).unwrap();
         std::fs::write(parts.join("long.sbp"), long_part(20_000)).unwrap();
-        let mut process = Command::new(program())
+        let mut server = Command::new(program());
+        if !disk.is_zero() {
+            server.env("LD_PRELOAD", slow_disk(folder.path()));
+            server.env("SLOW_DISK_MS", disk.as_millis().to_string());
+        }
+        let mut process = server
             .args(["serve", "--lan", "--listen", "127.0.0.1:0", "--parts"])
             .arg(&parts)
             .arg("--data")
@@ -72,6 +78,21 @@ impl Drop for Shop {
         drop(self.process.kill());
         drop(self.process.wait());
     }
+}
+
+/// The library that makes a disk slow. Whoever built Kerf has a C compiler: SQLite needs it.
+fn slow_disk(folder: &Path) -> PathBuf {
+    let library = folder.join("slow_disk.so");
+    let source = folder.join("slow_disk.c");
+    std::fs::write(&source, include_str!("slow_disk.c")).unwrap();
+    let compiled = Command::new("cc")
+        .args(["-shared", "-fPIC", "-o"])
+        .arg(&library)
+        .arg(&source)
+        .status()
+        .unwrap();
+    assert!(compiled.success(), "cc makes a library of slow_disk.c");
+    library
 }
 
 /// The list of paired devices: the first one drives.

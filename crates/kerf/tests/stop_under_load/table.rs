@@ -37,11 +37,6 @@ impl Row {
         nth(&self.heard, share)
     }
 
-    /// How many stops took longer than a time.
-    pub fn longer_than(&self, bound: Duration) -> usize {
-        self.heard.iter().filter(|heard| **heard > bound).count()
-    }
-
     /// The time that so large a share of the stops of all rows keeps.
     pub fn share_of_all(rows: &[Self], share: f64) -> Duration {
         let mut heard: Vec<Duration> = rows.iter().flat_map(|row| row.heard.clone()).collect();

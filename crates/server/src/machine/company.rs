@@ -8,6 +8,7 @@ use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
 use kerf_control::answers::{self, Operator};
+use kerf_control::journal::Hurry;
 use kerf_control::{Doing, Event, Jog, LIFT, Made, Pace, Sink, Standing, Wish, WorldClock};
 use kerf_program::{Question, QuestionKind};
 use kerf_wire::{Asked, Change, InForce, Machine, State, Tone};
@@ -164,6 +165,11 @@ impl Pace for Clock {
 
     fn is_real(&self) -> bool {
         self.rate <= 1.0
+    }
+
+    fn hurry(&self) -> Option<Hurry> {
+        let link = self.shared.link.clone();
+        Some(Hurry::new(move || link.lock().is_to_stop()))
     }
 
     fn heard(&mut self) {

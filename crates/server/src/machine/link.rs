@@ -128,7 +128,7 @@ impl Wanted {
     }
 
     /// A stop is wanted that was not heard.
-    fn is_to_stop(&self) -> bool {
+    pub fn is_to_stop(&self) -> bool {
         self.ends || self.arrived.stops().halts() != self.heard
     }
 

@@ -1,8 +1,8 @@
 //! How far a run is, and where it was given up.
 
 use super::Tape;
-use crate::journal::Placed;
 use crate::journal::progress::{Progress, Reached};
+use crate::journal::{Hurry, Placed};
 
 impl Tape {
     /// A move was made; the machine is there.
@@ -50,6 +50,7 @@ impl Tape {
         (reached.stopped, reached.moving, reached.place) = (true, false, place);
         (reached.made, reached.within) = stood.unwrap_or((reached.made, 0.0));
         self.write();
+        self.settle();
         // What is told from here on belongs to giving up, and is not played when it is taken up.
         self.writing = None;
     }
@@ -95,7 +96,21 @@ impl Tape {
         (self.reached.live.inputs, self.reached.live.outputs) = (inputs, outputs);
     }
 
-    /// Everything up to here has to be in the file.
+    /// From now on a thread writes: whoever moves the machine waits for no disk.
+    pub(crate) fn writes_behind(&mut self, hurry: Option<Hurry>) {
+        if let Some(progress) = &mut self.writing {
+            progress.writes_behind(hurry);
+        }
+    }
+
+    /// Everything up to here is on record, where the disk keeps up; no longer than until the machine is to stop.
+    pub(crate) fn settle(&self) {
+        if let Some(progress) = self.writing.as_ref().filter(|_| !self.silent) {
+            progress.settle();
+        }
+    }
+
+    /// Everything up to here has to be in the file, now or soon.
     pub(crate) fn write(&mut self) {
         if !self.silent
             && let Some(progress) = &mut self.writing

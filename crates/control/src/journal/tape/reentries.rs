@@ -91,6 +91,7 @@ impl Tape {
         self.back = last.map(|last| (last, (made, within)));
         self.reached.place = place;
         self.write();
+        self.settle();
         told
     }
 }

@@ -1,0 +1,254 @@
+//! The thread that writes how far a run is: the machine's own thread never waits for a disk while something moves.
+//!
+//! ```text
+//!  machine's thread ── post ──► Slate (one batch: what is newer joins what is not written yet) ──► Scribe ──► journal
+//!         └────────── settle ◄── all is on record, or cannot be, or somebody wants the machine to stop
+//! ```
+
+use super::progress::{Batch, PROGRESS};
+use super::rows::Table;
+use super::{Journal, JournalError, Live, json, mirror};
+use std::fmt;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+/// How often whoever waits for the disk looks whether the machine is to stop.
+const LOOK: Duration = Duration::from_millis(2);
+
+/// Tells, from any thread, whether somebody wants the machine to stop and was not heard yet.
+#[derive(Clone)]
+pub struct Hurry(Arc<dyn Fn() -> bool + Send + Sync>);
+
+impl Hurry {
+    /// One that asks this.
+    pub fn new(stops: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        Self(Arc::new(stops))
+    }
+}
+
+impl fmt::Debug for Hurry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Hurry").finish_non_exhaustive()
+    }
+}
+
+/// Writes batches into a journal, and tells other programs what they see.
+#[derive(Debug)]
+pub(super) struct Writer {
+    pub journal: Journal,
+    /// What other programs saw last.
+    published: Option<Live>,
+}
+
+impl Writer {
+    pub(super) const fn new(journal: Journal) -> Self {
+        Self { journal, published: None }
+    }
+
+    /// Writes a batch; then other programs see it. What they wrote is taken over.
+    pub(super) fn write(&mut self, batch: &Batch) -> Result<(), JournalError> {
+        self.journal.write(|rows| {
+            if let Some(from) = batch.dropped_from {
+                rows.remove_from(Table::Step, from)?;
+            }
+            let (contents, steps) = (&batch.contents, &batch.steps);
+            contents.iter().try_for_each(|(hash, bytes)| rows.keep_content(hash, bytes))?;
+            steps.iter().try_for_each(|(n, step)| rows.put(Table::Step, n, step))?;
+            match &batch.reached {
+                Some(reached) => rows.put(Table::Fact, PROGRESS, &json(reached)?),
+                None => Ok(()),
+            }
+        })
+    }
+
+    /// Tells other programs what they see, and takes what they wrote.
+    pub(super) fn meet_others(&mut self, batch: &Batch) -> Result<(), JournalError> {
+        let Some(reached) = &batch.reached else { return Ok(()) };
+        let live = reached.live();
+        match self.published.replace(live) {
+            Some(before) if before == live => {}
+            _ => mirror::publish(&self.journal, &live)?,
+        }
+        self.journal.take_in()
+    }
+}
+
+/// What is written next.
+#[derive(Debug, Default)]
+struct Slate {
+    next: Option<Batch>,
+    /// A batch is being written.
+    writes: bool,
+    /// Why the last one is not on record.
+    trouble: Option<JournalError>,
+    /// Nothing more comes.
+    ends: bool,
+}
+
+/// A thread that writes what is posted. Dropped, it writes what is left.
+#[derive(Debug)]
+pub(super) struct Scribe {
+    slate: Arc<(Mutex<Slate>, Condvar)>,
+    hurry: Option<Hurry>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Scribe {
+    pub(super) fn begin(mut writer: Writer, hurry: Option<Hurry>) -> std::io::Result<Self> {
+        let slate = Arc::<(Mutex<Slate>, Condvar)>::default();
+        let its = slate.clone();
+        let writes = move || while_posted(&its, &mut writer);
+        let thread = thread::Builder::new().name("scribe".into()).spawn(writes)?;
+        Ok(Self { slate, hurry, thread: Some(thread) })
+    }
+
+    /// Puts down what is to be on record soon.
+    pub(super) fn post(&self, batch: Batch) {
+        let mut slate = lock(&self.slate.0);
+        match &mut slate.next {
+            Some(next) => next.join(batch),
+            none => *none = Some(batch),
+        }
+        drop(slate);
+        self.slate.1.notify_all();
+    }
+
+    /// Waits until everything is on record, or cannot be; no longer than until the machine is to stop.
+    pub(super) fn settle(&self) {
+        let mut slate = lock(&self.slate.0);
+        while (slate.next.is_some() || slate.writes) && slate.trouble.is_none() {
+            if self.hurry.as_ref().is_some_and(|hurry| hurry.0()) {
+                return;
+            }
+            slate =
+                self.slate.1.wait_timeout(slate, LOOK).unwrap_or_else(PoisonError::into_inner).0;
+        }
+    }
+
+    /// Why what was posted is not on record.
+    pub(super) fn trouble(&self) -> Option<String> {
+        lock(&self.slate.0).trouble.as_ref().map(ToString::to_string)
+    }
+}
+
+impl Drop for Scribe {
+    fn drop(&mut self) {
+        lock(&self.slate.0).ends = true;
+        self.slate.1.notify_all();
+        drop(self.thread.take().map(JoinHandle::join));
+    }
+}
+
+/// Writes until nothing more comes. What could not be written is tried again with what comes next.
+fn while_posted((slate, woken): &(Mutex<Slate>, Condvar), writer: &mut Writer) {
+    let mut failed: Option<Batch> = None;
+    loop {
+        let mut at = lock(slate);
+        while at.next.is_none() && !at.ends {
+            at = woken.wait(at).unwrap_or_else(PoisonError::into_inner);
+        }
+        let Some(next) = at.next.take() else { return };
+        at.writes = true;
+        drop(at);
+        let batch = match failed.take() {
+            Some(mut batch) => {
+                batch.join(next);
+                batch
+            }
+            None => next,
+        };
+        let written = writer.write(&batch);
+        let met = written.is_ok().then(|| writer.meet_others(&batch));
+        let mut at = lock(slate);
+        at.writes = false;
+        at.trouble = match (written, met) {
+            (Err(error), _) => {
+                failed = Some(batch);
+                Some(error)
+            }
+            (Ok(()), met) => met.and_then(Result::err),
+        };
+        drop(at);
+        woken.notify_all();
+    }
+}
+
+fn lock(slate: &Mutex<Slate>) -> MutexGuard<'_, Slate> {
+    slate.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::journal::progress::Reached;
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    fn step(number: i64, text: &str) -> (i64, Vec<u8>) {
+        (number, format!("\"{text}\"").into_bytes())
+    }
+
+    fn made(moves: u64, steps: Vec<(i64, Vec<u8>)>) -> Batch {
+        let reached = Some(Reached { made: moves, ..Reached::default() });
+        Batch { reached, steps, ..Batch::default() }
+    }
+
+    fn steps(journal: &Journal) -> Vec<String> {
+        let all = journal.read(|rows| rows.all(Table::Step)).unwrap();
+        all.into_iter().map(|(_, text)| text).collect()
+    }
+
+    /// Whoever holds the database is a disk that does not answer.
+    #[test]
+    fn nobody_waits_for_a_disk_while_the_machine_is_to_stop() {
+        let folder = tempfile::tempdir().unwrap();
+        let (journal, _) = Journal::open(folder.path()).unwrap();
+        let stops = Arc::new(AtomicBool::new(true));
+        let its = stops.clone();
+        let hurry = Hurry::new(move || its.load(Ordering::Relaxed));
+        let scribe = Scribe::begin(Writer::new(journal.clone()), Some(hurry)).unwrap();
+        let disk = journal.opened();
+        scribe.post(made(1, vec![step(1, "a"), step(2, "b")]));
+        scribe.post(Batch { dropped_from: Some(2), ..Batch::default() });
+        scribe.post(made(2, vec![step(2, "c"), step(3, "d")]));
+        scribe.settle();
+        drop(disk);
+        stops.store(false, Ordering::Relaxed);
+        scribe.settle();
+        assert_eq!(scribe.trouble(), None);
+        assert_eq!(steps(&journal), ["\"a\"", "\"c\"", "\"d\""]);
+    }
+
+    #[test]
+    fn what_is_posted_last_is_written_before_the_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let (journal, _) = Journal::open(folder.path()).unwrap();
+        let scribe = Scribe::begin(Writer::new(journal.clone()), None).unwrap();
+        (1..=50).for_each(|n| scribe.post(made(n as u64, vec![step(n, "x")])));
+        drop(scribe);
+        let text = journal.read(|rows| rows.text(Table::Fact, PROGRESS)).unwrap().unwrap();
+        let reached: Reached = serde_json::from_str(&text).unwrap();
+        assert_eq!((reached.made, steps(&journal).len()), (50, 50));
+    }
+
+    #[test]
+    fn what_the_disk_refused_is_written_with_what_comes_next() {
+        let folder = tempfile::tempdir().unwrap();
+        let (journal, _) = Journal::open(folder.path()).unwrap();
+        let scribe = Scribe::begin(Writer::new(journal.clone()), None).unwrap();
+        let query_only = |on| {
+            journal.opened().connection.pragma_update(None, "query_only", on).unwrap();
+        };
+        query_only(true);
+        scribe.post(made(1, vec![step(1, "a")]));
+        scribe.settle();
+        assert!(scribe.trouble().is_some());
+        query_only(false);
+        scribe.post(made(2, vec![step(2, "b")]));
+        while scribe.trouble().is_some() {
+            thread::yield_now();
+        }
+        assert_eq!(steps(&journal), ["\"a\"", "\"b\""]);
+    }
+}
