@@ -9,6 +9,7 @@ mod shop;
 
 use kerf_control::journal::Journal;
 use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
 use shop::console::Console;
 use shop::{Shop, until};
 use std::collections::BTreeMap;
@@ -36,7 +37,9 @@ const WHOLE: (usize, f64, &str, usize, usize) = (60, 2.0, "50", 2, 2);
 fn devices(many: usize) -> Vec<u8> {
     let hash = |n: usize| format!("{n:064x}");
     let device = |n| json!({ "number": n, "name": "pad", "role": "operator", "hash": hash(n) });
-    serde_json::to_vec_pretty(&(1..=many).map(device).collect::<Vec<_>>()).unwrap()
+    let list = serde_json::to_string_pretty(&(1..=many).map(device).collect::<Vec<_>>()).unwrap();
+    let digest: String = Sha256::digest(&list).iter().map(|byte| format!("{byte:02x}")).collect();
+    format!("digest {digest}\n{list}").into_bytes()
 }
 
 /// What is about no machine: who takes it away knows that it is gone.
@@ -239,13 +242,8 @@ fn flipped(name: &str, files: &Files, older: &Files, usual: &Start) -> String {
         }
     }
     let told = match name {
-        "drawing.draft" => "as when it is halved",
-        "devices.json" => {
-            "where it cannot be read: as when it is halved; where a letter of a name or a digit of a hash became \
-             another: nothing, and a device whose hash it is pairs anew"
-        }
         _ if is_log(name) => "nothing",
-        "journal.seal" => "as when it is halved",
+        "drawing.draft" | "devices.json" | "journal.seal" => "as when it is halved",
         _ => "nothing where nothing is lost, else as when it is halved",
     };
     format!("| {name} | one bit | {told} | | |\n")

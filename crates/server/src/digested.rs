@@ -1,5 +1,5 @@
-//! Files of the data folder that hold text of a person: they carry a digest, so that one that is torn, or of which a bit
-//! became another, is seen.
+//! Files of the data folder that hold text of a person, or the paired devices: they carry a digest, so that one that is torn,
+//! or of which a bit became another, is seen.
 //!
 //! ```text
 //!  digest 9f86d081…          the digest of what follows
@@ -22,7 +22,7 @@ pub fn with_digest(bytes: &[u8]) -> Vec<u8> {
 /// # Errors
 /// They are not those that were written.
 pub fn checked(file: &[u8]) -> io::Result<&[u8]> {
-    if file.starts_with(b"{") {
+    if file.starts_with(b"{") || file.starts_with(b"[") {
         return Ok(file);
     }
     let damaged = |why: &str| io::Error::new(io::ErrorKind::InvalidData, why);
@@ -64,5 +64,6 @@ mod tests {
     #[test]
     fn files_of_before_have_none() {
         assert_eq!(checked(b"{}").unwrap(), b"{}");
+        assert_eq!(checked(b"[]").unwrap(), b"[]");
     }
 }

@@ -189,7 +189,7 @@ fn block(
     overlap::crossing(drawing, &twins, given_up, warnings);
     let (mut block, offsetter) = (Vec::new(), Offsetter::default());
     let mut bridges = [Bridges::default(); 8];
-    for n in cutting_order(drawing, warnings) {
+    for n in cutting_order(drawing, given_up, warnings) {
         let shape = &drawing.shapes[n];
         let settings = drawing.settings(shape.group);
         if given_up() {

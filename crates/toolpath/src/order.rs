@@ -11,9 +11,13 @@ use crate::warning::Warning;
 use kerf_drawing::{Drawing, GroupSettings, Height, Kind, Shape, post_order};
 use kerf_geom::{Bounds2, BoxTree, Position};
 
-/// The places of the shapes in the order in which they are cut.
-pub(crate) fn cutting_order(drawing: &Drawing, warnings: &mut Vec<Warning>) -> Vec<usize> {
-    let holders = Outlines::of(drawing).holders(drawing);
+/// The places of the shapes in the order in which they are cut; any order where nobody waits for it any more.
+pub(crate) fn cutting_order(
+    drawing: &Drawing,
+    given_up: &dyn Fn() -> bool,
+    warnings: &mut Vec<Warning>,
+) -> Vec<usize> {
+    let holders = Outlines::of(drawing).holders(drawing, given_up);
     if drawing.ordered_by_hand {
         warnings.extend(too_early(&holders));
         return (0..drawing.shapes.len()).collect();
@@ -49,9 +53,10 @@ impl Outlines {
 
     /// For each shape that is cut the smallest outline around it. A shape drawn twice does not hold itself;
     /// shapes that cross are told elsewhere.
-    fn holders(&self, drawing: &Drawing) -> Vec<Option<usize>> {
+    fn holders(&self, drawing: &Drawing, given_up: &dyn Fn() -> bool) -> Vec<Option<usize>> {
         let holder = |shape: &Shape| {
-            let start = shape.path.start().filter(|_| is_cut(drawing.settings(shape.group)))?;
+            let is_sought = is_cut(drawing.settings(shape.group)) && !given_up();
+            let start = shape.path.start().filter(|_| is_sought)?;
             let (bounds, area) = (shape.path.bounds(), area(shape));
             let mut around = Vec::new();
             self.tree.meeting(&bounds, |n| {
@@ -59,13 +64,24 @@ impl Outlines {
                     around.push(n);
                 }
             });
-            around.sort_by(|a, b| self.areas[*a].total_cmp(&self.areas[*b]));
-            let places = around.into_iter().map(|n| self.places[n]);
-            places
-                .into_iter()
-                .find(|outer| drawing.shapes[*outer].path.position(start) == Position::Inside)
+            self.smallest(around, |outer| {
+                drawing.shapes[outer].path.position(start) == Position::Inside
+            })
         };
         drawing.shapes.iter().map(|shape| holder(shape)).collect()
+    }
+
+    /// The place of the smallest of some outlines that holds something. Mostly the smallest of all does: they are
+    /// not sorted.
+    fn smallest(&self, mut around: Vec<usize>, holds: impl Fn(usize) -> bool) -> Option<usize> {
+        loop {
+            let by_area = |a: &usize, b: &usize| self.areas[*a].total_cmp(&self.areas[*b]);
+            let (at, _) = around.iter().enumerate().min_by(|(_, a), (_, b)| by_area(a, b))?;
+            let place = self.places[around.remove(at)];
+            if holds(place) {
+                return Some(place);
+            }
+        }
     }
 }
 

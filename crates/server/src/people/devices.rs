@@ -6,6 +6,7 @@
 use super::Tries;
 use crate::app::{hash, hex, lock};
 use crate::clock::Clock;
+use crate::digested::{checked, with_digest};
 use kerf_control::files::{Disk, RealDisk, write_private};
 use kerf_wire::Role;
 use serde::{Deserialize, Serialize};
@@ -104,7 +105,7 @@ impl Devices {
     pub fn read(data: &Path, clock: Clock) -> io::Result<(Self, Option<String>)> {
         let file = data.join(FILE);
         let (devices, told) = match file.is_file() {
-            true => match serde_json::from_slice(&RealDisk.read(&file)?) {
+            true => match listed(&RealDisk.read(&file)?) {
                 Ok(devices) => (devices, None),
                 Err(why) => (Vec::new(), Some(put_aside(&file, &why)?)),
             },
@@ -198,7 +199,7 @@ impl Devices {
 
     fn write(&self, devices: &[Device]) -> io::Result<()> {
         RealDisk.make_folder(self.file.parent().unwrap_or(Path::new("")))?;
-        write_private(&self.file, &serde_json::to_vec_pretty(devices)?)
+        write_private(&self.file, &with_digest(&serde_json::to_vec_pretty(devices)?))
     }
 }
 
@@ -220,8 +221,13 @@ fn network(from: IpAddr) -> IpAddr {
     }
 }
 
+/// The devices of a list.
+fn listed(file: &[u8]) -> io::Result<Vec<Device>> {
+    Ok(serde_json::from_slice(checked(file)?)?)
+}
+
 /// Puts a list aside that is none; what is told of that.
-fn put_aside(file: &Path, why: &serde_json::Error) -> io::Result<String> {
+fn put_aside(file: &Path, why: &io::Error) -> io::Result<String> {
     let aside = |n: u32| file.with_file_name(format!("{FILE}.broken-{n}"));
     let free = (1..).map(aside).find(|path| !path.exists());
     let free = free.ok_or(io::ErrorKind::AlreadyExists)?;
@@ -377,8 +383,10 @@ mod tests {
         let code = devices.show_code(Role::Setter).unwrap();
         let (token, _) = devices.pair(&code, "desk", DESK).unwrap();
         let whole = std::fs::read(&file).unwrap();
+        // A letter of the name became another: the list reads like one still.
         let mut flipped = whole.clone();
-        flipped[0] ^= 1;
+        let letter = whole.windows(4).position(|four| four == b"desk").unwrap();
+        flipped[letter] ^= 1;
         for (n, broken) in [&b""[..], &whole[..whole.len() / 2], &flipped].iter().enumerate() {
             std::fs::write(&file, broken).unwrap();
             let (read, told) = Devices::read(dir.path(), Clock::default()).unwrap();
