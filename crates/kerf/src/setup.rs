@@ -298,9 +298,12 @@ const MOST_LINES: u64 = 50_000_000;
 /// Commands that are looked at, at the least; the picture of so many takes 400 MB.
 const MOST_COMMANDS: u64 = 2_000_000;
 
+/// Commands of one line, at the most, in a file that is long: a hole that is drilled in 20 pecks is 60 moves.
+const MOST_OF_A_LINE: u64 = 64;
+
 /// The bound on commands of what only looks at a program of so many lines. A long file without loops ends before.
 pub fn most_commands(args: &RunArgs, lines: usize) -> u64 {
-    args.max_lines.unwrap_or_else(|| MOST_COMMANDS.max(2 * lines as u64))
+    args.max_lines.unwrap_or_else(|| MOST_COMMANDS.max(MOST_OF_A_LINE * lines as u64))
 }
 
 /// How the program is run.
