@@ -3,6 +3,7 @@
 import { existsSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, beforeEach, expect, it } from "vitest";
+import { circles } from "./shapes";
 import { openWorkshop, stateOf, tabTo, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -11,14 +12,6 @@ beforeEach(async () => {
   workshop = await openWorkshop({ rate: 100 });
 });
 afterEach(() => workshop?.close());
-
-/** So many circles that lie apart, as a DXF. */
-function circles(number: number): string {
-  const circle = (_: unknown, n: number) =>
-    `0\nCIRCLE\n8\n0\n10\n${(n % 500) * 3}\n20\n${Math.floor(n / 500) * 3}\n40\n1\n`;
-  const all = Array.from({ length: number }, circle).join("");
-  return `0\nSECTION\n2\nENTITIES\n${all}0\nENDSEC\n0\nEOF\n`;
-}
 
 it("gives up a drawing that is being read, with the mouse", async () => {
   // It takes seconds to be read, even where nothing else runs.
