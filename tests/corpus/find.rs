@@ -17,7 +17,7 @@ pub fn real(kind: &str) -> Option<PathBuf> {
     let found =
         shared.into_iter().map(|folder| folder.join("corpus").join(kind)).find(|f| f.is_dir());
     if found.is_none() {
-        println!("skipped: no corpus of kind {kind}");
+        println!("skipped: no real files of kind {kind}");
     }
     found
 }
