@@ -7,7 +7,7 @@ PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 
 .DEFAULT_GOAL := help
-.PHONY: help console console-browser console-check console-test rust-test run bench bench-geometry test properties check soak traces fuzz format conformance book figures prepare peers
+.PHONY: help console console-browser console-check console-test rust-test run bench bench-geometry test properties check soak traces mutants fuzz format conformance book figures prepare peers
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -36,6 +36,9 @@ soak: prepare ## RUNS (1000000) random runs in the simulation, then the process 
 traces: prepare console ## hashes of the traces of the corpus, the examples and 2,000 random runs: recorded the first time, then compared
 	KERF_TRACES="$(CURDIR)/target/traces" $(CARGO) test --release --locked --package kerf-ledger --package kerf \
 	  --test corpus --test simulated --test examples traces_are_the_recorded_ones -- --nocapture
+
+mutants: prepare console ## break CRATES in SAMPLE (300) small ways by SEED, list the ones that no test notices
+	@CRATES="$(CRATES)" SAMPLE="$(SAMPLE)" SEED="$(SEED)" .ci/mutants
 
 fuzz: prepare console ## throw bytes at all that reads them, FUZZ_SECONDS (60) a target; look at FUZZ_MADE (600) made things in 1 GiB
 	@cargo-fuzz --version >/dev/null 2>&1 || $(CARGO) install cargo-fuzz --locked

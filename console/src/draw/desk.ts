@@ -8,21 +8,24 @@
 import type { Shape } from "./geometry/shape";
 import { type Box, distance, type Place } from "./geometry/vec";
 import { type Picking, shapesNear } from "./pick";
-import { isCrossing, shapesIn } from "./region";
+import { isCrossing, isWithin, shapesIn } from "./region";
 import { snapNames, snapped } from "./snap";
 import {
   asked,
   baseOf,
   begin,
   finish,
+  giveMark,
+  giveMarks,
   givePlace,
   giveRegion,
   giveShape,
   giveShapes,
+  markable,
   type Running,
   type Step,
 } from "./tools/running";
-import { type Tool, xy } from "./tools/tool";
+import { type Mark, type Tool, xy } from "./tools/tool";
 import { firstStep } from "./tools/turn";
 import { fitted, panned, type Size, type Window } from "./window";
 
@@ -161,12 +164,27 @@ function clicked(state: DeskState, at: Place, adds: boolean, around: Around): Do
   const { running } = state;
   if (running && takesPlace(running)) return placed(state, running, at, around);
   if (running && asked(running)?.ask === "region") return { state };
+  if (running && asked(running)?.ask === "vertices") return marked(state, running, at, around);
   const near = shapesUnder(state, at, around).map(({ number }) => number);
   const [only] = near;
   if (near.length > 1) return { state: { ...state, chooser: { at, numbers: near } } };
   if (only !== undefined) return chosen(state, only, at, adds, around);
   if (running) return { state, words: "There is no shape within the selection radius." };
   return adds || around.selected.length === 0 ? { state } : { state, clauses: "select none" };
+}
+
+/** The vertices that a click or a window may pick. */
+const vertices = (running: Running, { picking }: Around): Mark[] =>
+  markable(running, picking.shapes).flatMap(({ number, vertices }) =>
+    vertices.map((at) => ({ number, at })),
+  );
+
+function marked(state: DeskState, running: Running, at: Place, around: Around): Done {
+  const radius = radiusOf(state, around);
+  const near = vertices(running, around).filter((mark) => distance(mark.at, at) <= radius);
+  const [mark] = near.sort((a, b) => distance(a.at, at) - distance(b.at, at));
+  if (mark) return taken(state, giveMark(running, mark), around);
+  return { state, words: "There is no vertex within the selection radius." };
 }
 
 function placed(state: DeskState, running: Running, at: Place, around: Around): Done {
@@ -217,6 +235,10 @@ function spanned(state: DeskState, from: Place, to: Place, adds: boolean, around
   }
   const ask = asked(running)?.ask;
   if (ask === "region") return taken(state, giveRegion(running, from, to), around);
+  if (ask === "vertices") {
+    const marks = vertices(running, around).filter(({ at }) => isWithin(at, from, to));
+    return taken(state, giveMarks(running, marks), around);
+  }
   if (ask !== "shapes") return { state };
   const numbers = shapesIn(around.picking.shapes, from, to).map(({ number }) => number);
   return taken(state, giveShapes(running, numbers), around);

@@ -17,6 +17,7 @@ export function overlayOf(state: DeskState, around: Around): Overlay {
   return {
     hovered: hoveredOf(state, around),
     picked: byNumber(shapes, picks.numbers),
+    marks: running?.marks.map(({ at }) => at) ?? [],
     numbered: picks.numbered,
     ghost,
     ghostShapes: ghost.kind === "moved" ? byNumber(shapes, ghost.numbers) : [],

@@ -23,7 +23,7 @@ const idle: Prompt = {
 export function promptOf({ running, turnStep }: DeskState): Prompt {
   if (!running) return idle;
   const ask = asked(running);
-  const picks = ask?.ask !== "shapes" && ask?.ask !== "region";
+  const picks = ask?.ask !== "shapes" && ask?.ask !== "region" && ask?.ask !== "vertices";
   return {
     title: running.tool.title,
     words: [wordsOf(running), turning(running, turnStep)].filter(Boolean).join(" · "),
@@ -39,6 +39,8 @@ function wordsOf(running: Running): string {
   switch (ask.ask) {
     case "shapes":
       return `${ask.prompt} (${running.picked.length} picked), then Enter or the right button`;
+    case "vertices":
+      return `${ask.prompt} (${running.marks.length} picked), then Enter or the right button`;
     case "path":
       return running.vertices.length > 0 ? `${ask.prompt}; Enter ends` : "First place";
     case "number":

@@ -19,6 +19,10 @@ export function shapesIn(shapes: readonly Shape[], from: Place, to: Place): Shap
   return shapes.filter((shape) => inside(shape) || touches(shape));
 }
 
+/** True for a place inside a region. */
+export const isWithin = (at: Place, from: Place, to: Place): boolean =>
+  contains(boxOf(from, to), boxOf(at, at));
+
 const contains = (outer: Box, inner: Box): boolean =>
   inner.min.x >= outer.min.x &&
   inner.max.x <= outer.max.x &&

@@ -26,6 +26,7 @@ beforeAll(async () => {
   const file = (name: string, text: string) => writeFileSync(join(workshop.parts, name), text);
   file("hello.sbp", 'PRINT "Hello"\nEND\n');
   file("words.sbp", "'alpha\nMX,1\n'beta\nEND\n");
+  file("moves.sbp", 'PRINT "a"\nMX,30\nVD,,,,,,,0\nMX,0\nEND\n');
   file("hides.sbp", 'PRINT "a"\nPAUSE\nVD,,,,,,,0\nMX,0\nEND\n');
   file("again.sbp", 'PRINT "a"\nVD,,,,,,,0\nPRINT "b"\nEND\n');
   file("inner.sbp", "PAUSE 1\nMX,0\nPAUSE 60\n");
@@ -151,6 +152,15 @@ it("sbp_io_print_suppress: VD in a file closes it too, until the next PRINT", as
   await screen().waitFor();
   await run("VD,,,,,,,0");
   await screen().waitFor({ state: "detached" });
+});
+
+it("sbp_io_print_suppress: VD between the moves of a file closes it for good", async () => {
+  expect(await screen().count()).toBe(0);
+  await command(page, "FP,moves.sbp");
+  await screen().waitFor();
+  await screen().waitFor({ state: "detached" });
+  await ready();
+  expect(await screen().count()).toBe(0);
 });
 
 it("sbp_cmd_sf: what has to be given is marked, OK sends what holds, Enter is OK", async () => {

@@ -103,24 +103,55 @@ const square = "rect 0,0 100,100";
 /** A point that keeps the corner of the sheet with the buttons of the view free of what is clicked. */
 const room = "point 200,140";
 
-it("pro_edit_delvert: a click takes the vertex out that it is near, in flat shapes only", async () => {
-  await given(`${square}; ${room}`);
+const picked = (count: number) => page.getByText(`(${count} picked)`).waitFor();
+
+it("pro_edit_delvert: picked vertices go at the right click, in flat shapes only", async () => {
+  await given(`line 0,0 50,-10 100,0 100,100 0,100 close; line 150,0 170,50 150,100; ${room}`);
   await tool("Delete vertex");
   await click([98, 100]);
-  await expect
-    .poll(() => corners())
-    .toEqual([
-      [0, 0],
-      [100, 0],
-      [0, 100],
-    ]);
-  // It goes on with the next one, and Esc gives it up; what was taken out comes back.
+  await click([50, -10]);
+  await click([170, 50]);
+  await click([0, 100]);
+  await picked(4);
+  // A vertex that is picked again stays; nothing is gone yet, and Esc gives the picks up.
+  await click([0, 100]);
+  await picked(3);
+  expect((await corners()).length).toBe(5);
+  await page.keyboard.press("Escape");
+  await tool("Delete vertex");
+  await picked(0);
+  for (const at of [
+    [98, 100],
+    [50, -10],
+    [170, 50],
+  ] as const)
+    await click(at);
+  await picked(3);
+  await click([50, 50], "right");
+  const left = [
+    [0, 0],
+    [100, 0],
+    [0, 100],
+  ];
+  await expect.poll(() => corners()).toEqual(left);
+  const straight = [
+    [150, 0],
+    [150, 100],
+  ];
+  expect(await corners(1)).toEqual(straight);
+  // It goes on with the next ones. One change was made, and comes back as one.
+  await picked(0);
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "Undo" }).click();
-  await expect.poll(async () => (await corners()).length).toBe(4);
+  await expect.poll(async () => (await corners()).length).toBe(5);
+  expect((await corners(1)).length).toBe(3);
+});
+
+it("pro_edit_delvert: a vertex of a 3D shape stays, and the reason is told", async () => {
   await given("line3d 0,0,0 50,0,-1 100,60,-2");
   await tool("Delete vertex");
   await click([49, 0]);
+  await click([49, 0], "right");
   await page.getByText("flat shapes only").first().waitFor();
   expect((await corners()).length).toBe(3);
 });
@@ -135,6 +166,8 @@ it("pro_edit_stretch: a window takes vertices, from a base place to another", as
   await page.mouse.move(...pixel([100, 50]));
   await page.mouse.move(...pixel([110, 110]));
   await page.mouse.up();
+  await picked(2);
+  await click([50, 50], "right");
   await snap([99, 1]);
   await type("@20mm,0");
   const wide = [
@@ -144,6 +177,30 @@ it("pro_edit_stretch: a window takes vertices, from a base place to another", as
     [0, 100],
   ];
   await expect.poll(() => corners()).toEqual(wide);
+});
+
+it("pro_edit_stretch: vertices that are picked one by one move, their neighbours stay", async () => {
+  await given(`${square}; rect 100,100 150,150; point 160,-20`);
+  await tool("Stretch");
+  await click([50, 0]);
+  await click([50, 0], "right");
+  await click([1, 99]);
+  await click([99, 1]);
+  await click([99, 99]);
+  await picked(3);
+  await click([99, 99]);
+  await picked(2);
+  await click([50, 50], "right");
+  await snap([99, 1]);
+  await type("@0,-10mm");
+  const pulled = [
+    [0, 0],
+    [100, -10],
+    [100, 100],
+    [0, 90],
+  ];
+  await expect.poll(() => corners()).toEqual(pulled);
+  expect((await corners(1))[0], "a shape that was not picked").toEqual([100, 100]);
 });
 
 it("pro_edit_rotate_abs: a line that was picked gets an angle, typed or by the mouse", async () => {

@@ -1,48 +1,54 @@
-//! Real files: what is converted moves as before, there and back, and takes as long.
-//!
-//! The files are no part of the project; without them the tests say so and pass.
+//! Files as shops write them: what is converted moves as before, there and back, and takes as long.
 
 #![allow(clippy::unwrap_used, clippy::print_stderr)]
 
+#[path = "../../../tests/corpus/find.rs"]
+mod find;
 mod support;
 
 use kerf_convert::{Language, cutting_s};
 use kerf_diag::Code;
 use kerf_program::settings::LinearUnit;
 use std::path::Path;
-use support::{GENERIC, GRBL, LINUXCNC, SBP, converted, corpus, followed, plain};
+use support::{GENERIC, GRBL, LINUXCNC, SBP, converted, followed, plain};
 
 /// Feeds may differ by this share: what VS leaves on shallow slopes.
 const SAME_SHARE: f64 = 0.006;
 
 #[test]
 fn part_files_there_and_back() {
-    there_and_back("sbp", SBP, &[LINUXCNC, GRBL, GENERIC], 65);
+    there_and_back("sbp", SBP, &[LINUXCNC, GRBL, GENERIC], 12, 65);
 }
 
 #[test]
 fn gcode_there_and_back() {
-    there_and_back("gcode", GENERIC, &[SBP], 55);
+    there_and_back("gcode", GENERIC, &[SBP], 10, 55);
 }
 
-fn there_and_back(kind: &str, from: Language, targets: &[Language], least: usize) {
-    let Some((folder, names)) = corpus(kind) else {
-        eprintln!("skipped: no corpus of kind {kind}");
-        return;
-    };
+/// Converts the project's own files of a kind, and the real ones where they are at hand; of each so many at least.
+fn there_and_back(kind: &str, from: Language, targets: &[Language], own: usize, real: usize) {
+    folder_there_and_back(&find::own(kind), from, targets, own);
+    if let Some(folder) = find::real(kind) {
+        folder_there_and_back(&folder, from, targets, real);
+    }
+}
+
+fn folder_there_and_back(folder: &Path, from: Language, targets: &[Language], least: usize) {
     let mut done = 0;
-    for name in names.iter().filter(|name| Language::of_file(name, Default::default()).is_some()) {
-        let bytes = std::fs::read(folder.join(name)).unwrap();
+    for file in find::files(folder) {
+        let name = file.file_name().unwrap().to_string_lossy();
+        let bytes = std::fs::read(&file).unwrap();
+        let known = Language::of_file(&name, Default::default()).is_some();
         // A tenth of the corpus is most of its bytes; the rest says as much.
-        if bytes.len() > 300_000 || ENDLESS.contains(&name.as_str()) {
+        if !known || bytes.len() > 300_000 || ENDLESS.contains(&&*name) {
             continue;
         }
         for to in targets {
             let unit = unit_of(&bytes);
-            done += usize::from(one(name, &bytes, from, *to, unit, &folder));
+            done += usize::from(one(&name, &bytes, from, *to, unit, folder));
         }
     }
-    assert!(done >= least * targets.len(), "{done} of {kind} were converted");
+    assert!(done >= least * targets.len(), "{done} of {} were converted", folder.display());
 }
 
 /// Files that wait for an input in a loop.

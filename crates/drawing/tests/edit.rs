@@ -1,6 +1,6 @@
 //! Rows of the Profiler ledger about editing shapes.
 
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, non_snake_case, missing_docs)]
 
 use kerf_drawing::{Drawing, Editor, Group, Shape, script};
 use kerf_geom::{Point2, Polyarc, Vertex};
@@ -136,12 +136,29 @@ fn pro_edit_stretch() {
     );
 }
 
+/// One after the other, and then all at once: a vertex that came to where another was is not moved again.
+#[test]
+fn pro_edit_stretch__single_vertices() {
+    check(
+        &format!("{SQ100}; select all; stretch at 99,1 100,99 by 20,0"),
+        &["0,0 120,0 120,100 0,100 close"],
+    );
+    check(
+        &format!("{SQ100}; select all; stretch at 0,0 100,0 by 100,0"),
+        &["100,0 200,0 100,100 0,100 close"],
+    );
+    check(
+        "line 0,0,1 10,0 20,0; line 10,0 10,50; select all; stretch at 10,0 by 0,-5",
+        &["0,0,1 10,-5 20,0", "10,-5 10,50"],
+    );
+    assert!(refused("line 0,0 10,0; select none", "stretch at 0,0 by 1,0").contains("select"));
+}
+
 #[test]
 fn pro_edit_stretch_one() {
-    check(
-        &format!("{SQ100}; select all; stretch 90,-10 110,10 by 0,-10"),
-        &["0,0 100,-10 100,100 0,100 close"],
-    );
+    let one = ["0,0 100,-10 100,100 0,100 close"];
+    check(&format!("{SQ100}; select all; stretch 90,-10 110,10 by 0,-10"), &one);
+    check(&format!("{SQ100}; select all; stretch at 100,0 by 0,-10"), &one);
 }
 
 #[test]
@@ -152,6 +169,10 @@ fn pro_edit_stretch_arc() {
 #[test]
 fn pro_edit_delvert() {
     check(&format!("{SQ100}; delete-vertices 1 100,100"), &["0,0 100,0 0,100 close"]);
+    check(
+        "line 0,0 10,0 20,5 30,0 40,0 close; delete-vertices 1 30,0 10,0 29,1",
+        &["0,0 20,5 40,0 close"],
+    );
     assert!(refused("line 0,0 10,0", "delete-vertices 1 0,0").contains("too few"));
     let path = Polyarc::lines([0.0, 1.0, 2.0].map(|x| Point2::new(x, 0.0)), false);
     let mut solid = Editor::of(Drawing::of([Shape::with_heights(path, vec![0.0, 1.0, 2.0])]));

@@ -1,28 +1,16 @@
-//! Real DXF files: what is read of each is written and read again, and is the same; what is broken is told
-//! with its line. The files lie in `shared/corpus/dxf` beside the checkout or beside one of its parents, or
-//! where `KERF_SHARED` says; without them nothing is tested here.
+//! DXF files of the project's own and real ones: what is read of each is written and read again, and is the same; what
+//! is broken is told with its line.
 
 #![allow(clippy::print_stdout, clippy::unwrap_used, missing_docs)]
+
+#[path = "../../../tests/corpus/find.rs"]
+mod find;
 
 use kerf_drawing::Drawing;
 use kerf_formats::{Imported, Weight, dxf, rsg};
 use kerf_geom::Polyarc;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{env, fs};
-
-fn files() -> Vec<PathBuf> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let own = env::var_os("KERF_SHARED").map(PathBuf::from);
-    let mut all = own.into_iter().chain(here.ancestors().map(|a| a.join("../shared")));
-    let folder = all.find_map(|shared| Some(shared.join("corpus/dxf")).filter(|f| f.is_dir()));
-    let Some(folder) = folder else {
-        println!("skipped: no corpus");
-        return Vec::new();
-    };
-    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    files.sort();
-    files
-}
 
 fn name(file: &Path) -> String {
     file.file_name().unwrap().to_string_lossy().into_owned()
@@ -54,7 +42,7 @@ fn apart(a: &Drawing, b: &Drawing, flat_only: bool) -> Result<f64, String> {
 
 #[test]
 fn what_is_read_is_written_and_read_again() {
-    for file in files() {
+    for file in find::all("dxf") {
         let name = name(&file);
         let first = read(&fs::read(&file).unwrap()).drawing;
         let as_dxf = read(dxf::write(&first).as_bytes()).drawing;
@@ -104,7 +92,7 @@ fn is_binary(bytes: &[u8]) -> bool {
 #[test]
 fn files_that_break_off_are_read_so_far() {
     let mut dice = Dice(1);
-    for file in files() {
+    for file in find::all("dxf") {
         let (bytes, name) = (fs::read(&file).unwrap(), name(&file));
         let whole = read(&bytes);
         for _ in 0..tries(&bytes) {
@@ -179,7 +167,7 @@ fn spoilt(lines: &[&str], at: usize, how: usize) -> String {
 #[test]
 fn files_with_a_broken_line_lose_what_is_there() {
     let mut dice = Dice(2);
-    for file in files() {
+    for file in find::all("dxf") {
         let (bytes, name) = (fs::read(&file).unwrap(), name(&file));
         if is_binary(&bytes) {
             continue;

@@ -1,5 +1,8 @@
 //! A host made of maps, and programs as one line, for the tests of this crate.
 
+#[path = "../../../tests/corpus/find.rs"]
+pub(crate) mod find;
+
 use crate::{Interpreter, Options, Program, Session, read};
 use kerf_diag::Diagnostic;
 use kerf_program::settings::{LinearUnit, SWITCHES};
@@ -193,23 +196,4 @@ impl Ran {
     pub(crate) fn end(&self) -> String {
         self.session.position.first3().map(shown).join(",")
     }
-}
-
-/// Real G-code files: in `shared/corpus/gcode` beside the checkout or beside one of its parents, or
-/// where `KERF_SHARED` says; none where there is no such folder.
-#[allow(clippy::print_stdout)]
-pub(crate) fn corpus() -> Vec<std::path::PathBuf> {
-    let here = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folder = match std::env::var_os("KERF_SHARED") {
-        Some(shared) => Some(std::path::PathBuf::from(shared).join("corpus/gcode")),
-        None => here.ancestors().map(|a| a.join("../shared/corpus/gcode")).find(|p| p.is_dir()),
-    };
-    let Some(entries) = folder.and_then(|f| std::fs::read_dir(f).ok()) else {
-        println!("skipped: no corpus");
-        return Vec::new();
-    };
-    let mut files: Vec<_> = entries.filter_map(|e| Some(e.ok()?.path())).collect();
-    files.retain(|f| f.is_file());
-    files.sort();
-    files
 }

@@ -3,6 +3,8 @@
 //! `MUTATIONS=10000` makes so many of each program instead of the usual few.
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
+#[path = "../../../tests/corpus/find.rs"]
+mod find;
 mod support;
 
 use kerf_gcode::{Dialect, Interpreter, Options, Session, format, read};
@@ -142,11 +144,10 @@ fn withstands(bytes: &[u8], dice: &mut Dice) {
 
 fn programs() -> Vec<PathBuf> {
     let here = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    let shared = here.ancestors().map(|a| a.join("../shared/corpus/gcode")).find(|p| p.is_dir());
     let folders = [here.join("../../fuzz/seeds/run_gcode"), here.join("../../examples/08-g-code")];
-    let files = folders.into_iter().chain(shared).flat_map(|f| std::fs::read_dir(f).unwrap());
-    let mut files: Vec<PathBuf> = files.map(|f| f.unwrap().path()).collect();
-    files.retain(|f| std::fs::metadata(f).unwrap().len() < 8_000 && f.is_file());
+    let own = folders.iter().flat_map(|folder| find::files(folder));
+    let mut files: Vec<PathBuf> = own.chain(find::all("gcode")).collect();
+    files.retain(|f| std::fs::metadata(f).unwrap().len() < 8_000);
     files.sort();
     files
 }

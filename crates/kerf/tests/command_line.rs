@@ -1,6 +1,6 @@
 //! A command line with a mistake in it: what is wrong is named, and how to mend it.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
 mod shop;
 
@@ -133,6 +133,31 @@ fn a_refused_line_is_shown_itself() {
     did.exits(1).complains("2 | QQ,3");
     // What was refused is not kept: it cannot be sent again.
     assert_eq!(shop.read("temp_code.sbp"), "MX,1\n");
+}
+
+/// SP of one call draws what the next ones send, a file too, until SM; what is set stays, locations come back.
+#[test]
+fn sbp_cmd_sp__holds_for_the_next_send() {
+    let shop = Shop::new(&[("a.sbp", "SA\nMX,2\nMY,3\n")]);
+    let send = |line: &str| shop.kerf(&format!("send {line} --trace -"));
+    let stands = |x: &str| {
+        shop.kerf("machine pos").exits(0).says(&format!("x  {x} not homed"));
+    };
+    assert_eq!(send("SP").exits(0).all("mode")[0]["mode"], "preview");
+    let drawn = send("FP,a.sbp");
+    assert_eq!((drawn.end()["cut"].clone(), drawn.end()["t"].clone()), (5.into(), 0.into()));
+    assert_eq!(send("MX,9").end()["cut"], 7, "from where the drawing stands");
+    send("VC,.5").exits(0);
+    stands("0.000");
+    send("SM").exits(0);
+    assert!(shop.kerf("sysvars").out().contains("0.5  user units            cutter diameter"));
+    let moved = send("FP,a.sbp");
+    assert_eq!(moved.end()["cut"], 5);
+    assert!(moved.end()["t"].as_f64().unwrap() > 1.0, "it is made: {}", moved.end());
+    stands("50.800");
+    let log = shop.kerf("log show").out();
+    let of = |mode: &str| log.lines().filter(|line| line.starts_with(mode)).count();
+    assert!(of("NFP,PREVIEW") > 0 && of("NFP,CUT") > 0, "{log}");
 }
 
 #[test]

@@ -1,14 +1,15 @@
-//! Real part files: what is read, what is refused, and that formatting keeps their meaning.
-//!
-//! The files are not part of the project. They are looked for in `shared/corpus/sbp` beside the
-//! checkout or beside one of its parents; `KERF_SHARED` names another place.
+//! Part files as shops write them, the project's own and real ones: what is read, what is refused, and that formatting
+//! keeps their meaning.
+
+#[path = "../../../tests/corpus/find.rs"]
+pub(crate) mod find;
 
 use crate::format::tests::keeps_meaning;
 use crate::{Dialect, check, read, read_as};
 use kerf_diag::{Code, Diagnostic, Severity};
 use kerf_program::settings::LinearUnit;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Files that cannot run as they are; docs/conformance-notes.md says why.
 const FAULTY: &[&str] = &[
@@ -56,41 +57,47 @@ const DOUBTFUL: &[(&str, &str)] = &[
     ("fabmo-engine__dtatc_macro_19-f06c4e.sbp", "W006"),
 ];
 
-fn corpus() -> Option<BTreeMap<String, Vec<u8>>> {
-    let named = std::env::var_os("KERF_SHARED").map(PathBuf::from);
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let around = here.ancestors().map(|parent| parent.join("shared"));
-    let mut folders = named.into_iter().chain(around).map(|shared| shared.join("corpus/sbp"));
-    let entries = std::fs::read_dir(folders.find(|folder| folder.is_dir())?).ok()?;
-    let files = entries.filter_map(|entry| {
-        let path = entry.ok()?.path();
-        Some((path.file_name()?.to_string_lossy().into_owned(), std::fs::read(&path).ok()?))
-    });
-    Some(files.collect())
+/// The files of a folder by name.
+fn texts(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let named = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let read = |path: &Path| std::fs::read(path).unwrap_or_else(|e| panic!("{path:?}: {e}"));
+    find::files(folder).iter().map(|path| (named(path), read(path))).collect()
 }
 
-/// Calls `look` with every file, or says that there are none.
-fn with_corpus(look: impl FnOnce(BTreeMap<String, Vec<u8>>)) {
-    match corpus() {
-        Some(files) => look(files),
-        None => eprintln!("skipped: no corpus"),
+/// Calls `look` with every real file, where they are at hand.
+fn with_real(look: impl FnOnce(BTreeMap<String, Vec<u8>>)) {
+    if let Some(folder) = find::real("sbp") {
+        look(texts(&folder));
     }
+}
+
+/// Calls `look` with the project's own files and every real one; and with what it should find, which is `of_real`
+/// where real files are at hand, and nothing in the project's own.
+fn with_all<T>(of_real: &[T], look: impl FnOnce(BTreeMap<String, Vec<u8>>, &[T])) {
+    let mut files = texts(&find::own("sbp"));
+    let real = find::real("sbp");
+    files.extend(real.iter().flat_map(|folder| texts(folder)));
+    look(files, if real.is_some() { of_real } else { &[] });
+}
+
+#[test]
+fn the_corpus_of_real_files_is_whole() {
+    with_real(|files| assert!(files.len() >= 150, "{}", files.len()));
 }
 
 #[test]
 fn files_that_are_refused_are_at_fault_themselves() {
-    with_corpus(|files| {
-        assert!(files.len() >= 150, "{}", files.len());
+    with_all(FAULTY, |files, expected| {
         let program = |(name, bytes): (&String, &Vec<u8>)| read(name.as_str().into(), bytes);
         let faulty = files.iter().map(program).filter(|program| program.has_errors());
         let faulty: Vec<String> = faulty.map(|program| program.name.to_string()).collect();
-        assert_eq!(faulty, FAULTY);
+        assert_eq!(faulty, expected);
     });
 }
 
 #[test]
 fn files_of_fabmo_are_read_in_its_dialect() {
-    with_corpus(|files| {
+    with_real(|files| {
         let fabmo = files
             .iter()
             .filter(|(name, _)| name.starts_with("fabmo-") && FAULTY.contains(&name.as_str()));
@@ -110,7 +117,7 @@ fn files_of_fabmo_are_read_in_its_dialect() {
 
 #[test]
 fn the_static_checks_raise_no_false_alarm() {
-    with_corpus(|files| {
+    with_all(DOUBTFUL, |files, expected| {
         let mut found = Vec::new();
         for (name, bytes) in files.iter().filter(|(name, _)| !FAULTY.contains(&name.as_str())) {
             let program = read(name.as_str().into(), bytes);
@@ -121,13 +128,13 @@ fn the_static_checks_raise_no_false_alarm() {
         }
         found.dedup();
         let found: Vec<_> = found.iter().map(|(n, c)| (n.as_str(), c.as_str())).collect();
-        assert_eq!(found, DOUBTFUL);
+        assert_eq!(found, expected);
     });
 }
 
 #[test]
-fn formatting_keeps_every_real_file() {
-    with_corpus(|files| {
+fn formatting_keeps_every_file() {
+    with_all::<()>(&[], |files, _| {
         for bytes in files.values() {
             keeps_meaning(&read("".into(), bytes).text);
         }

@@ -11,6 +11,8 @@ import type { Ink } from "./picture";
 export interface Overlay {
   readonly hovered: readonly Shape[];
   readonly picked: readonly Shape[];
+  /** Vertices that were picked. */
+  readonly marks: readonly Place[];
   /** Numbers beside the shapes that were picked, in order. */
   readonly numbered: boolean;
   readonly ghost: Ghost;
@@ -32,6 +34,7 @@ export function paintOverlay(sheet: Sheet, overlay: Overlay, ink: Ink): void {
   paintBand(sheet, overlay.picked, ink("--draw-selected"), 7);
   paintBand(sheet, overlay.hovered, ink("--draw-hover"), 3);
   paintGhost(sheet, overlay, ink);
+  for (const mark of overlay.marks) paintMark(sheet, mark, ink);
   if (overlay.numbered) paintNumbers(sheet, overlay.picked, ink);
   if (overlay.region) paintRegion(sheet, overlay.region.from, overlay.region.to, ink);
   if (overlay.square) paintSquare(sheet, overlay.square, ink);
@@ -120,6 +123,15 @@ function paintRadius(sheet: Sheet, pointer: Place, radius: number, ink: Ink): vo
 }
 
 /** A small diamond where the pick would be. */
+/** A square round a vertex that was picked. */
+function paintMark(sheet: Sheet, at: Place, ink: Ink): void {
+  const { pen } = sheet;
+  const { x, y } = pixel(sheet, at);
+  pen.strokeStyle = ink("--draw-selected");
+  pen.lineWidth = 2;
+  pen.strokeRect(x - 5, y - 5, 10, 10);
+}
+
 function paintSnap(sheet: Sheet, at: Place, ink: Ink): void {
   const { pen } = sheet;
   const { x, y } = pixel(sheet, at);

@@ -3,15 +3,14 @@
 import { bulgeThrough, distanceTo, type Segment } from "../geometry/segment";
 import type { Shape } from "../geometry/shape";
 import type { Place } from "../geometry/vec";
-import { frame } from "./insert";
 import {
   type Answer,
   amountOf,
+  marksOf,
   noGhost,
   num,
   numbersOf,
   placeOf,
-  regionOf,
   select,
   shapeAt,
   type Tool,
@@ -111,23 +110,20 @@ const trim: Tool = {
 const stretch: Tool = {
   id: "stretch",
   title: "Stretch",
-  doc: "Moves the vertices within a window.",
+  doc: "Moves vertices that are picked one by one, or by a window.",
   menu: "edit",
   asks: [
     shapes,
-    { ask: "region", prompt: "Window round the vertices" },
+    { ask: "vertices", prompt: "Vertices, or a window round them" },
     { ask: "place", prompt: "Base place" },
     { ask: "place", prompt: "Where it goes" },
   ],
-  clauses: ([picked, window, from, to]) => {
-    const [a, b] = [regionOf(window), { from: placeOf(from), to: placeOf(to) }];
-    const by = { x: b.to.x - b.from.x, y: b.to.y - b.from.y };
-    return `${select(numbersOf(picked))}; stretch ${xy(a.from)} ${xy(a.to)} by ${xy(by)}`;
+  clauses: ([picked, marks, base, to]) => {
+    const [a, b] = [placeOf(base), placeOf(to)];
+    const by = { x: b.x - a.x, y: b.y - a.y };
+    const places = marksOf(marks).map(({ at }) => xy(at));
+    return `${select(numbersOf(picked))}; stretch at ${places.join(" ")} by ${xy(by)}`;
   },
-  ghost: ([, window]) =>
-    window
-      ? { kind: "segments", segments: frame(regionOf(window).from, regionOf(window).to) }
-      : noGhost,
 };
 
 const vertex: Tool = {
@@ -148,13 +144,18 @@ const vertex: Tool = {
 const deleteVertex: Tool = {
   id: "delete-vertex",
   title: "Delete vertex",
-  doc: "Takes the vertex nearest to a place out.",
+  doc: "Takes vertices out that are picked one by one, or by a window.",
   menu: "edit",
-  asks: [{ ask: "shape", prompt: "Vertex" }],
+  asks: [{ ask: "vertices", prompt: "Vertices, or a window round them" }],
   repeats: true,
-  clauses: ([which]) => {
-    const { number, at } = shapeAt(which);
-    return `delete-vertices ${number} ${xy(at)}`;
+  clauses: ([picked]) => {
+    const marks = marksOf(picked);
+    const numbers = [...new Set(marks.map(({ number }) => number))];
+    const places = (number: number) =>
+      marks.filter((mark) => mark.number === number).map(({ at }) => xy(at));
+    return numbers
+      .map((number) => `delete-vertices ${number} ${places(number).join(" ")}`)
+      .join("; ");
   },
 };
 

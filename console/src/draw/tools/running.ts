@@ -8,13 +8,15 @@ import { bulgeThrough } from "../geometry/segment";
 import type { Shape } from "../geometry/shape";
 import { type Box, distance, type Place } from "../geometry/vec";
 import type { SnapKey } from "../snap";
-import type { Answer, Ask, Tool, Vertex } from "./tool";
+import type { Answer, Ask, Mark, Tool, Vertex } from "./tool";
 
 export interface Running {
   readonly tool: Tool;
   readonly answers: readonly Answer[];
   /** Shapes picked so far, in order. */
   readonly picked: readonly number[];
+  /** Vertices of shapes picked so far. */
+  readonly marks: readonly Mark[];
   /** Vertices of the path so far. */
   readonly vertices: readonly Vertex[];
   /** The end of an arc whose bulge follows the mouse. */
@@ -36,6 +38,7 @@ const fresh = (tool: Tool): Running => ({
   tool,
   answers: [],
   picked: [],
+  marks: [],
   vertices: [],
   bending: null,
   snap: null,
@@ -73,6 +76,7 @@ function answer(running: Running, given: Answer): Step {
     ...running,
     answers: [...running.answers, given],
     picked: [],
+    marks: [],
     vertices: [],
     bending: null,
     snap: null,
@@ -125,6 +129,27 @@ export function giveShapes(running: Running, numbers: readonly number[]): Step {
   const added = numbers.filter((number) => !running.picked.includes(number));
   return { running: { ...running, picked: [...running.picked, ...added] } };
 }
+
+/** The shapes whose vertices may be picked: those picked before, or all. */
+export function markable({ answers }: Running, shapes: readonly Shape[]): readonly Shape[] {
+  const before = answers.find((given) => given.kind === "shapes");
+  return before ? shapes.filter(({ number }) => before.numbers.includes(number)) : shapes;
+}
+
+/** A vertex was picked. Picked again, it is taken out. */
+export function giveMark(running: Running, mark: Mark): Step {
+  const without = running.marks.filter((other) => !sameMark(other, mark));
+  const taken = without.length < running.marks.length;
+  return { running: { ...running, marks: taken ? without : [...running.marks, mark] } };
+}
+
+/** Vertices in a window are added to those picked. */
+export function giveMarks(running: Running, marks: readonly Mark[]): Step {
+  const added = marks.filter((mark) => !running.marks.some((other) => sameMark(other, mark)));
+  return { running: { ...running, marks: [...running.marks, ...added] } };
+}
+
+const sameMark = (a: Mark, b: Mark): boolean => a.number === b.number && same(a.at, b.at);
 
 export const giveRegion = (running: Running, from: Place, to: Place): Step =>
   asked(running)?.ask === "region" ? answer(running, { kind: "region", from, to }) : { running };
@@ -179,6 +204,9 @@ export function finish(running: Running): Step {
   if (ask?.ask === "path") return endPath({ ...running, bending: null }, false);
   if (ask?.ask === "shapes" && running.picked.length > 0) {
     return answer(running, { kind: "shapes", numbers: running.picked });
+  }
+  if (ask?.ask === "vertices" && running.marks.length > 0) {
+    return answer(running, { kind: "vertices", marks: running.marks });
   }
   return { running: null };
 }

@@ -20,6 +20,8 @@ export type Ask =
   | { readonly ask: "shapes"; readonly prompt: string; readonly numbered?: boolean }
   /** One shape, by a place on it. */
   | { readonly ask: "shape"; readonly prompt: string }
+  /** Any number of vertices, one by one or in a window, of the shapes picked before if there are any. */
+  | { readonly ask: "vertices"; readonly prompt: string }
   | { readonly ask: "place"; readonly prompt: string }
   /** A line of places, or of arcs, until it is closed or finished. */
   | { readonly ask: "path"; readonly prompt: string; readonly arcs: boolean }
@@ -35,9 +37,16 @@ export type Ask =
       readonly from?: (at: Place, before: readonly Answer[], shapes: readonly Shape[]) => number;
     };
 
+/** A vertex of a shape that is there. */
+export interface Mark {
+  readonly number: number;
+  readonly at: Place;
+}
+
 export type Answer =
   | { readonly kind: "shapes"; readonly numbers: readonly number[] }
   | { readonly kind: "shape"; readonly number: number; readonly at: Place }
+  | { readonly kind: "vertices"; readonly marks: readonly Mark[] }
   | { readonly kind: "place"; readonly at: Place }
   | { readonly kind: "path"; readonly vertices: readonly Vertex[]; readonly closed: boolean }
   | { readonly kind: "region"; readonly from: Place; readonly to: Place }
@@ -102,6 +111,8 @@ export const amountOf = (answer: Answer | undefined): number =>
   kindOf(answer, "number")?.value ?? missing("a number");
 export const shapeAt = (answer: Answer | undefined) =>
   kindOf(answer, "shape") ?? missing("a shape");
+export const marksOf = (answer: Answer | undefined): readonly Mark[] =>
+  kindOf(answer, "vertices")?.marks ?? missing("vertices");
 export const pathOf = (answer: Answer | undefined) => kindOf(answer, "path") ?? missing("a path");
 export const regionOf = (answer: Answer | undefined) =>
   kindOf(answer, "region") ?? missing("a region");

@@ -46,18 +46,3 @@ pub fn followed(name: &str, bytes: &[u8], how: &Conversion, folder: PathBuf) -> 
     };
     passage(&source, how, &mut hosts, Axes::default())
 }
-
-/// Real files of a kind, by name; nothing where they are not beside the checkout. They are looked for
-/// in `shared/corpus` beside it or beside one of its parents; `KERF_SHARED` names another place.
-pub fn corpus(kind: &str) -> Option<(PathBuf, Vec<String>)> {
-    let named = std::env::var_os("KERF_SHARED").map(PathBuf::from);
-    let here = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    let around = here.ancestors().map(|parent| parent.join("shared"));
-    let mut folders = named.into_iter().chain(around).map(|s| s.join("corpus").join(kind));
-    let folder = folders.find(|folder| folder.is_dir())?;
-    let names =
-        std::fs::read_dir(&folder).ok()?.filter_map(|e| e.ok()?.file_name().into_string().ok());
-    let mut names: Vec<String> = names.collect();
-    names.sort();
-    Some((folder, names))
-}

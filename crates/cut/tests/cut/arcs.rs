@@ -115,6 +115,18 @@ fn rounded_numbers_still_give_a_true_circle() {
     }
 }
 
+/// The centre may move where the arc runs, here three quarters of a circle to the left; the quarter that it leaves out,
+/// where the circle is farther off, does not count.
+#[test]
+fn the_arc_itself_tells_how_far_its_centre_may_move() {
+    let cut = cg(",-4.0083268,-4,0,-4", &origin()).unwrap();
+    let [Step::Arc { centre, to, .. }] = cut.steps[..] else { panic!("one arc: {:?}", cut.steps) };
+    let radii = [centre[0].hypot(centre[1]), (to[0] - centre[0]).hypot(to[1] - centre[1])];
+    assert!((radii[0] - radii[1]).abs() < 1e-9, "{radii:?}");
+    // A little more is too much.
+    assert_eq!(cg(",-4.0085,-4,0,-4", &origin()).unwrap().steps.len(), 2);
+}
+
 #[test]
 fn a_nearly_whole_circle_keeps_its_centre_and_is_closed_straight() {
     check(

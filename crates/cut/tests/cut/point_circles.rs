@@ -77,6 +77,9 @@ fn absurd_numbers_are_refused() {
     refused(cc("1e300", &origin()), "diameter is not a usable number");
     refused(cc("4,T,1,0,360,1e300", &origin()), "plunge is not a usable number");
     refused(cc("4,T,1,0,360,-.1,1000000000", &origin()), "depth of all plunges");
+    // An arc, its plunge and what goes before and after them, and once more for the way back.
+    assert!(cc("4,T,1,0,360,0,83332", &origin()).is_ok());
+    refused(cc("4,T,1,0,360,0,83333", &origin()), &format!("more than {MAX_STEPS} moves"));
     refused(cc("4,T,1,0,360,0,1000000000", &origin()), &format!("more than {MAX_STEPS} moves"));
     refused(cc("4,T,1,1e300", &origin()), "begin angle");
     refused(cc("4,T,1,0,1e300", &origin()), "end angle");

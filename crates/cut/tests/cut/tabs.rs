@@ -78,6 +78,28 @@ fn tabs_at(profile: &[(f64, f64)], tabs: &Tabs) -> Vec<(f64, f64)> {
     found
 }
 
+/// A circle that tabs divide is cut by as many lines as before: each part has its share of them, rounded up.
+#[test]
+fn parts_of_an_arc_have_their_share_of_its_chords() {
+    let circle = Step::Arc {
+        centre: inches([4.0, 0.0, 0.0])[..2].try_into().unwrap(),
+        sweep_rad: std::f64::consts::TAU,
+        to: inches([0.0, 0.0, -0.5]),
+        chords: 800,
+        small: false,
+    };
+    let out = through(vb(), [0.0, 0.0, -0.5], &[circle]);
+    assert!(out.len() > 3, "{out:?}");
+    for (_, step) in out {
+        let Step::Arc { sweep_rad, chords, .. } = step else { panic!("{step:?}") };
+        let share = 800.0 * sweep_rad / std::f64::consts::TAU;
+        assert!(
+            (share - 1e-6..share + 1.0 + 1e-6).contains(&f64::from(chords)),
+            "{chords}, {share}"
+        );
+    }
+}
+
 #[track_caller]
 fn check_line(tabs: Tabs, length: f64, expected: &[(f64, f64)]) {
     let from = [0.0, 0.0, -0.5];

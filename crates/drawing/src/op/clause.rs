@@ -87,7 +87,7 @@ mod tests {
         rotate 30 about 1,2; scale 25.4 about 0,0; mirror 0,0 0,1; mirror 0,0 1,1 raw; erase; \
         fillet 3; fillet 3 at 10,0; chamfer 2; chamfer 2 at 1,1; offset -2; offset 2 keep; \
         join keep; join 0.5 merge; break 1 50,0; trim 50,0; bulge 1 5,0 -0.25; radius 1 5,0 10; \
-        vertex 1 10,0 12,1; stretch 0,0 9,9 by 20,0; delete-vertices 1 10,0 20,0; \
+        vertex 1 10,0 12,1; stretch 0,0 9,9 by 20,0; stretch at 0,0 9,9 by 0,-2; delete-vertices 1 10,0 20,0; \
         array rect 2x3 spacing 5,8; array round 6 about 0,0; \
         circle 50,50 25; rect 10,10 60,40; point 12.5,7; line 0,0 10,0,0.414214 10,10; \
         line 0,0 10,0 10,10 close; line3d 0,0,0 10,0,-3 10,0,-5; line3d 0,0,0 10,0,-3 9,9,1.5 close; reverse; directions auto; start 4 50,0; pause on; pause off; \

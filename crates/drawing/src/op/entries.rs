@@ -134,9 +134,16 @@ pub const ENTRIES: &[Entry] = &[
     }),
     entry(
         "stretch",
-        "stretch X,Y X,Y by X,Y",
-        "moves the vertices of the selected shapes that lie in a window",
+        "stretch X,Y X,Y by X,Y | stretch at X,Y … by X,Y",
+        "moves the vertices of the selected shapes that lie in a window, or those nearest to places",
         |w| {
+            if w.takes("at") {
+                let mut at = vec![w.point("a vertex")?];
+                while !w.takes("by") {
+                    at.push(w.point("a vertex")?);
+                }
+                return Ok(Operation::StretchAt { at, by: w.vector("the distance")? });
+            }
             let (a, b) = (w.point("a corner")?, w.point("the opposite corner")?);
             w.keyword("by", ())?;
             Ok(Operation::Stretch { a, b, by: w.vector("the distance")? })

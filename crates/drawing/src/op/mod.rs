@@ -188,6 +188,13 @@ pub enum Operation {
         /// How far.
         by: Vec2,
     },
+    /// Moves the vertices of the selected shapes nearest to places; arcs keep their bulge.
+    StretchAt {
+        /// Which vertices.
+        at: Vec<Point2>,
+        /// How far.
+        by: Vec2,
+    },
     /// Takes the vertices of a shape nearest to places out.
     DeleteVertices {
         /// The shape.

@@ -88,6 +88,26 @@ pub(super) fn stretch(draft: &mut Editor, a: Point2, b: Point2, by: Vec2) -> Res
     })
 }
 
+/// Moves single vertices, each found before any of them moves. Vertices of several selected shapes at one place go
+/// together, as in a window round that place.
+pub(super) fn stretch_at(draft: &mut Editor, at: &[Point2], by: Vec2) -> Result<(), OpError> {
+    let selected = draft.selected()?;
+    let shapes = selected.iter().map(|place| &draft.drawing.shapes[*place]);
+    let all: Vec<Point2> =
+        shapes.flat_map(|shape| shape.path.vertices.iter().map(|vertex| vertex.at)).collect();
+    let nearest = |place: &Point2| {
+        let near = |a: &&Point2, b: &&Point2| a.distance(*place).total_cmp(&b.distance(*place));
+        all.iter().min_by(near).copied()
+    };
+    let moved: Vec<Point2> = at.iter().filter_map(nearest).collect();
+    draft.change_selected(|_, shape| {
+        let mut shape = shape.clone();
+        let picked = shape.path.vertices.iter_mut().filter(|vertex| moved.contains(&vertex.at));
+        picked.for_each(|vertex| vertex.at += by);
+        Ok(shape)
+    })
+}
+
 /// The segment that ended at a vertex keeps its bulge and goes on to the next vertex.
 pub(super) fn delete(draft: &mut Editor, shape: usize, at: &[Point2]) -> Result<(), OpError> {
     let (_, found) = draft.shape(shape)?;

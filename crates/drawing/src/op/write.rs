@@ -43,6 +43,11 @@ impl Display for Operation {
             }
             Self::Vertex { shape, at, to } => write!(f, "vertex {shape} {} {}", P(*at), P(*to)),
             Self::Stretch { a, b, by } => write!(f, "stretch {} {} by {}", P(*a), P(*b), V(*by)),
+            Self::StretchAt { at, by } => {
+                f.write_str("stretch at")?;
+                at.iter().try_for_each(|at| write!(f, " {}", P(*at)))?;
+                write!(f, " by {}", V(*by))
+            }
             Self::DeleteVertices { shape, at } => {
                 write!(f, "delete-vertices {shape}")?;
                 at.iter().try_for_each(|at| write!(f, " {}", P(*at)))

@@ -179,10 +179,10 @@ proptest! {
     }
 }
 
-/// Real files of the workshop, where they are at hand.
+/// Files of the project's own, and real ones of the workshop where they are at hand.
 #[test]
 fn keeps_the_meaning_of_real_files() {
-    for file in crate::testing::corpus() {
+    for file in crate::testing::find::all("gcode") {
         let mut bytes = std::fs::read(&file).unwrap();
         bytes.truncate(60_000);
         keeps_meaning(&bytes.iter().map(|b| char::from(*b)).collect::<String>());

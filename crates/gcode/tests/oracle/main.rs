@@ -7,6 +7,8 @@
 
 mod canon;
 mod compare;
+#[path = "../../../../tests/corpus/find.rs"]
+mod find;
 mod generate;
 #[path = "../support/mod.rs"]
 mod support;
@@ -98,14 +100,6 @@ fn as_move(command: &Given) -> Option<Move> {
     }
 }
 
-fn corpus() -> Option<PathBuf> {
-    if let Some(shared) = std::env::var_os("KERF_SHARED") {
-        return Some(PathBuf::from(shared).join("corpus/gcode")).filter(|p| p.is_dir());
-    }
-    let here = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    here.ancestors().map(|a| a.join("../shared/corpus/gcode")).find(|p| p.is_dir())
-}
-
 /// Files of the corpus whose difference is meant, with the reason.
 const MEANT: [(&str, &str); 2] = [
     ("linuxcnc__raster_test.ngc", "M11 is refused there and does nothing here"),
@@ -117,20 +111,13 @@ const MEANT: [(&str, &str); 2] = [
 
 #[test]
 fn real_files_give_the_moves_of_rs274() {
-    let Some(folder) = corpus() else {
-        println!("skipped: no corpus");
-        return;
-    };
     if !is_installed() {
         println!("skipped: rs274 (Debian package linuxcnc-uspace) is not installed");
         return;
     }
     let scratch = tempfile::tempdir().unwrap();
-    let mut files: Vec<PathBuf> =
-        std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    files.sort();
     let (mut compared, mut bad) = (0, Vec::new());
-    for file in files {
+    for file in find::all("gcode") {
         let name = file.file_name().unwrap().to_string_lossy().into_owned();
         let small = std::fs::metadata(&file).unwrap().len() < 400_000;
         if !small || MEANT.iter().any(|(meant, _)| *meant == name) {

@@ -1,28 +1,20 @@
-//! Real part files, where they are at hand: whatever they do, their runs end in order, and saving
+//! Part files of the project's own, and real ones where they are at hand: whatever they do, their runs end in order, and saving
 //! and restoring in the middle changes nothing.
 
 use super::rig::Rig;
+use crate::corpus::find;
 use crate::testing::FakeHost;
 use crate::{Interpreter, Options, Session, Status, read};
-use std::path::{Path, PathBuf};
-
-/// The folder of real files beside the checkout, or where KERF_SHARED says.
-fn corpus() -> Option<PathBuf> {
-    let here = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    let beside = here.ancestors().map(|folder| folder.join("shared"));
-    let shared = std::env::var_os("KERF_SHARED").map(PathBuf::from);
-    shared.into_iter().chain(beside).map(|s| s.join("corpus/sbp")).find(|c| c.is_dir())
-}
+use std::path::Path;
 
 /// Name, origin and text of every file; a file is called `origin__name.sbp`.
 fn files(folder: &Path) -> Vec<(String, String, String)> {
-    let mut files: Vec<_> = std::fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| {
-            let path = entry.unwrap().path();
+    let mut files: Vec<_> = find::files(folder)
+        .iter()
+        .map(|path| {
             let name = path.file_name().unwrap().to_string_lossy().into_owned();
             let (origin, name) = name.split_once("__").unwrap_or(("", &name));
-            let bytes = std::fs::read(&path).unwrap();
+            let bytes = std::fs::read(path).unwrap();
             (name.into(), origin.into(), String::from_utf8_lossy(&bytes).into_owned())
         })
         .collect();
@@ -53,9 +45,22 @@ fn run(file: &(String, String, String), all: &[(String, String, String)], saving
 }
 
 #[test]
+fn own_files_run_to_their_end() {
+    let (complete, all) = complete(&find::own("sbp"));
+    assert_eq!(complete, all);
+}
+
+#[test]
 fn real_files_run_to_an_end_that_is_told() {
-    let Some(folder) = corpus() else { return eprintln!("skipped: no corpus") };
-    let all = files(&folder);
+    let Some(folder) = find::real("sbp") else { return };
+    let (complete, all) = complete(&folder);
+    // The others want files, answers or machines that are not here, or another dialect.
+    assert!(complete * 3 > all, "{complete} of {all} run to their end");
+}
+
+/// Runs the files of a folder, plainly and saved and restored on the way; how many did not fail, and of how many.
+fn complete(folder: &Path) -> (usize, usize) {
+    let all = files(folder);
     let mut complete = 0;
     for file in &all {
         let plain = run(file, &all, false);
@@ -70,6 +75,5 @@ fn real_files_run_to_an_end_that_is_told() {
         let restored = run(file, &all, true);
         assert_eq!((restored.out, restored.done), (plain.out, plain.done), "{}", file.0);
     }
-    // The others want files, answers or machines that are not here, or another dialect.
-    assert!(complete * 3 > all.len(), "{complete} of {} run to their end", all.len());
+    (complete, all.len())
 }

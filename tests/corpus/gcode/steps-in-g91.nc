@@ -1,0 +1,20 @@
+G20
+G91 (everything from where the tool stands)
+M3 S14000
+G4 P1.5
+G0 Z.25
+G0 X1 Y1
+G1 Z-.375 F25
+G1 X2 F60
+Y1
+X-2
+Y-1
+G0 Z.375
+G0 X3
+G1 Z-.375 F25
+G3 X0 Y0 I.5 J0 F45
+G0 Z.375
+G90
+G0 X0 Y0
+M5
+M2
