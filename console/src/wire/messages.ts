@@ -109,6 +109,21 @@ password: string | null,
 /** The new one, twice; none takes the protection away. */
 new: [string, string] | null, } | { "do": "ping" };
 
+/** A level of arrays. Mm. */
+export type ArrayState = {
+/** `block` or `job`. */
+level: string,
+/** Rows, counted upwards, and columns, to the right. */
+grid: [number, number],
+/** Gaps between neighbouring columns and rows. */
+gap: [number, number],
+/** Distances from one to the next, in X and Y. */
+pitch: [number, number],
+/** The corner at which it begins: bl, br, tr, tl. */
+start: string,
+/** How it goes on: row, column, row-snake, column-snake. */
+order: string, };
+
 /** A question that a job waits for. It belongs to the job: any page may answer. */
 export type Asked = {
 /** Its number; an answer names it, so that none goes to another question. */
@@ -268,6 +283,8 @@ export type DrawingState = {
 name: string | null,
 /** Grows with every change of the shapes. */
 revision: number,
+/** Its revision when it was opened or begun. */
+begun: number,
 /** How many shapes. */
 shapes: number,
 /** The shapes that operations act on: numbers from 1. */
@@ -290,6 +307,10 @@ block: Block | null,
 finish: [number, number],
 /** How near ends are joined when nothing else is said: as near as the last time. */
 join: number,
+/** The comments that are kept with it. */
+comments: Array<string>,
+/** How often it is repeated: blocks in a job, then jobs on the table. */
+arrays: Array<ArrayState>,
 /** What the last operation, or reading the file, had to tell. */
 notes: Array<string>, };
 
@@ -684,11 +705,13 @@ kind: FileKind,
 parameters: FileParameters,
 /** How it is run, when it is a job. */
 choice: JobChoice,
+/** Where a job lies on the table, X and Y from home, mm; nothing of other files. */
+origin: [number, number] | null,
 /** Shapes that were added to a job since it was saved. */
 added: number,
 /** Lines; paths of a job. */
 lines: number,
-/** What its head tells about the job. */
+/** What its head tells about the job; the comments of a drawing that became one. */
 header: string | null,
 /** The preview, which is made when it is opened. */
 preview: PreviewState,
@@ -937,7 +960,9 @@ protected: boolean,
 /** Whether outputs stay on when a machine that stands is stopped, disarmed or left. */
 outputsStayOn: boolean,
 /** A click selects what lies so near, pixels. */
-pickRadius: number, };
+pickRadius: number,
+/** So much larger than what is drawn is the window that shows all of it, percent. */
+windowExpansion: number, };
 
 /** The shapes of a drawing. */
 export type ShapeList = {

@@ -4,6 +4,8 @@ use crate::app::{App, Open, lock, problem};
 use crate::asker::Asker;
 use crate::gate::{STOP_KEY, Way, driven_by};
 use crate::interrupted;
+use crate::job::kind_of;
+use crate::job_told;
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
 use crate::people::{Grip, GripError};
@@ -13,7 +15,7 @@ use crate::stop::Halt;
 use kerf_control::{Jog, LIFT, Nudge, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
-    Act, Asked, Change, Finding, Lease, Level, Machine, Overrides, Problem, StartUp, State, Tone,
+    Act, Asked, Change, FileKind, Finding, Lease, Level, Machine, Overrides, Problem, StartUp, State, Tone,
     Who, Why,
 };
 use std::path::PathBuf;
@@ -254,13 +256,24 @@ impl App {
         let parameters = shop::parameters(&open.parameters);
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
         let taken = work.takes_origin(lock(&self.left).session.memory.position);
-        let Open { name, hash, key, .. } = open;
         let opened = self.opened(&asker.who, None).is_ok();
+        let noticed = self.noticed(&open);
+        let Open { name, hash, key, .. } = open;
         let order = Order::File { work, name, hash, planned, parameters, opened };
         let taken = taken.map(|at| (key, at));
         let before = std::mem::replace(&mut *lock(&self.taken), taken);
         // A job that runs keeps the origin that it took when somebody presses Start again.
-        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = before)
+        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = before)?;
+        noticed.into_iter().for_each(|text| self.hub.say(Tone::Warning, text));
+        Ok(())
+    }
+
+    /// Warnings about the file of a job, which whoever starts it is told once more.
+    fn noticed(&self, open: &Open) -> Vec<String> {
+        match kind_of(&open.name) {
+            FileKind::Job => job_told::warnings(open, self.shaping().factor),
+            _ => Vec::new(),
+        }
     }
 
     /// What was previewed is what runs: the file, and those that it calls.

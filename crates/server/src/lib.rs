@@ -38,6 +38,7 @@ mod hub;
 mod interrupted;
 mod job;
 mod job_by_hand;
+mod job_told;
 mod lanes;
 mod machine;
 mod memory;

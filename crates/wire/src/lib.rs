@@ -41,8 +41,8 @@ pub use act::{Act, Request};
 pub use change::{Change, ToPage};
 pub use digitized::{Digitized, DigitizedPoint, Look, Looked};
 pub use drawing::{
-    Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList, ShapePath,
-    ToolPaths,
+    ArrayState, Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList,
+    ShapePath, ToolPaths,
 };
 pub use file::{FileAbout, FileVersion, TextDraft};
 pub use hand_console::HandConsole;
