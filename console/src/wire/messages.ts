@@ -95,7 +95,23 @@ lease: number,
 /** Letter of the axis. */
 axis: string,
 /** How far. */
-distance: number, } | { "do": "override",
+distance: number, } | { "do": "go",
+/** Number of the lease. */
+lease: number,
+/** Where. */
+way: ByHand, } | { "do": "bit",
+/** Number of the lease. */
+lease: number,
+/** Its name, or port and bit: tool2, B2. */
+name: string,
+/** On; off otherwise. */
+on: boolean, } | { "do": "step",
+/** Number of the lease. */
+lease: number,
+/** x, y, z, w, q or r. */
+motor: string,
+/** Forward; back otherwise. */
+forward: boolean, } | { "do": "override",
 /** Number of the lease. */
 lease: number,
 /** Of the speed asked for, 10 … 200. */
@@ -172,6 +188,23 @@ min: [number, number],
 max: [number, number],
 /** Least and greatest height of its 3D shapes; nothing without any. Flat shapes have no height. */
 z: [number, number] | null, };
+
+/** Where a machine is moved by hand that does nothing else. Mm, degrees. */
+export type ByHand = { "to": "findHome",
+/** Their letters, as `xy`; all that have a switch for nothing. */
+axes: string | null, } | { "to": "home",
+/** Their letters, as `xy`; all for nothing. */
+axes: string | null, } | { "to": "origin" } | { "to": "finish" } | { "to": "place",
+/** X and Y from the job origin, the others from home; or all from where the tool is. Axes without a value stay. */
+place: [number | null, number | null, number | null, number | null, number | null, number | null],
+/** From where the tool is. */
+relative: boolean,
+/** X and Y first, then the others; else all together. */
+flat: boolean, } | { "to": "cutMove",
+/** That place. */
+at: [number, number],
+/** Cuts on the way, as a job of one line. */
+cut: boolean, };
 
 /** A file that a run is in. */
 export type Call = {

@@ -99,6 +99,9 @@ impl App {
             }
             Act::Lift { question, .. } => self.lift(asker, question)?,
             Act::Nudge { axis, distance, .. } => self.nudge(asker, axis, distance)?,
+            Act::Go { way, .. } => self.go(asker, way)?,
+            Act::Bit { name, on, .. } => self.switch_bit(asker, &name, on)?,
+            Act::Step { motor, forward, .. } => self.step_motor(asker, &motor, forward)?,
             Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
             Act::SheetDone => self.sheet_done(),
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),

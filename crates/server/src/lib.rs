@@ -22,6 +22,7 @@ mod asker;
 mod awaited;
 #[cfg(test)]
 mod bench;
+mod by_hand;
 mod called;
 mod clock;
 mod configure;

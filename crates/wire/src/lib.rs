@@ -19,6 +19,7 @@
 //! says when it is old.
 
 mod act;
+mod by_hand;
 mod change;
 mod digitized;
 mod drawing;
@@ -38,6 +39,7 @@ mod snapshot;
 mod typescript;
 
 pub use act::{Act, Request};
+pub use by_hand::ByHand;
 pub use change::{Change, ToPage};
 pub use digitized::{Digitized, DigitizedPoint, Look, Looked};
 pub use drawing::{
