@@ -38,10 +38,10 @@ function Level({ array: { level, grid, gap, pitch, start, order }, units }: Leve
         {level === "block" ? "Blocks in a job" : "Jobs on the table"}: {rows} × {columns}
       </dt>
       <dd>
-        Pitch {length(pitch[0])} in X, {length(pitch[1])} in Y
+        Pitch: X {length(pitch[0])}, Y {length(pitch[1])}
       </dd>
       <dd>
-        Gap {length(gap[0])} in X, {length(gap[1])} in Y
+        Gap: X {length(gap[0])}, Y {length(gap[1])}
       </dd>
       <dd>
         Begins {corners[start] ?? start}, {orders[order] ?? order}

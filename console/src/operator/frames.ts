@@ -7,7 +7,7 @@ import { isUnderWay } from "./fileStatus";
 export type Frame = "job" | "working" | "base";
 
 export const titles: Record<Frame, string> = {
-  job: "Location from the job origin",
+  job: "From the job origin",
   working: "Location",
   base: "Table base location",
 };

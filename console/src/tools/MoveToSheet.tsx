@@ -81,7 +81,12 @@ function MoveTo({ units, isDisabled, go }: WayProps) {
       <h3>MoveTo</h3>
       <div className="move-to-axes">
         {axes.map(({ axis }, n) => (
-          <AxisField key={axis.letter} {...{ axis, entries, enter }} first={n === 0} />
+          <AxisField
+            key={axis.letter}
+            {...{ axis, entries, enter }}
+            placeholder="stays"
+            first={n === 0}
+          />
         ))}
       </div>
       <Choice label="From" options={from} value={base} onChange={setBase} />
@@ -163,17 +168,20 @@ interface AxisFieldProps {
   axis: AxisUnits;
   entries: Entries;
   enter: (letter: string, text: string) => void;
+  /** What happens where nothing is entered. */
+  placeholder?: string;
   first?: boolean;
 }
 
-function AxisField({ axis: { letter, unit }, entries, enter, first = false }: AxisFieldProps) {
+function AxisField({ axis, entries, enter, placeholder = "", first = false }: AxisFieldProps) {
+  const { letter, unit } = axis;
   return (
     <Field
       label={letter}
       unit={unit}
       value={entries[letter] ?? ""}
       onChange={(text) => enter(letter, text)}
-      placeholder="stays"
+      placeholder={placeholder}
       first={first}
     />
   );

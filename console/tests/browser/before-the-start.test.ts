@@ -67,7 +67,7 @@ it("pro_job_origin_cmp: the page tells where the tool is from the job origin, be
   await until(async () => (await stateOf(workshop)).motion.at.machine[1] > 76.1, "it is there");
   await rests();
   const [x = 0, y = 0] = (await stateOf(workshop)).motion.at.machine;
-  const title = page.getByRole("region", { name: "Location from the job origin" });
+  const title = page.getByRole("region", { name: "From the job origin" });
   await title.waitFor();
   expect(await shown()).toEqual([expect.closeTo(x, 1), expect.closeTo(y, 1)]);
   await page.getByRole("button", { name: "Set it here" }).click();
@@ -173,7 +173,7 @@ it("pro_array_spacing: the page shows the array that there is, and its pitch", a
   const length = (mm: number) => `${(mm / units.mm).toFixed(3)} ${units.linear}`;
   const arrays = page.getByRole("region", { name: "Arrays" });
   await arrays.getByText("Blocks in a job: 2 × 3").waitFor();
-  await arrays.getByText(`Pitch ${length(110)} in X, ${length(70)} in Y`).waitFor();
+  await arrays.getByText(`Pitch: X ${length(110)}, Y ${length(70)}`).waitFor();
   await arrays.getByText("Begins top right, rows forth and back").waitFor();
   if (shots) await page.screenshot({ path: `${shots}/array.png` });
   // The form begins with what there is: one number is changed, the others stay.
@@ -345,7 +345,8 @@ it("pro_io_diag_write, pro_io_diag_step: bits of the card are switched, motors s
   await ports.getByRole("button", { name: "Switch tool2 off" }).click();
   await expect.poll(() => byte.textContent()).toBe("0x00");
   const [x] = await machinePlace();
-  const step = 1 / 250;
+  const [perMm = 0] = JSON.parse((await setting("steps.per_unit")) ?? "[]") as number[];
+  const step = 1 / perMm;
   await ports.getByRole("button", { name: "Step x forward" }).click();
   await until(async () => Math.abs((await machinePlace())[0] - x - step) < 1e-6, "a step");
   await rests();
