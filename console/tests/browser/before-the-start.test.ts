@@ -262,7 +262,7 @@ const byPalette = async () => {
 };
 const machinePlace = async () => (await stateOf(workshop)).motion.at.machine;
 
-it("pro_move_moveto_abs, pro_move_moveto_rel, pro_move_home: places in numbers, on chosen axes", async () => {
+it("pro_move_moveto_abs: places in numbers, on chosen axes", async () => {
   await script(workshop, "close");
   await show("Operate");
   await moved(byPalette, { X: "10mm", Y: "20mm", Z: "-5mm" }, "2D: X and Y, then the others");
@@ -284,7 +284,7 @@ it("pro_move_moveto_abs, pro_move_moveto_rel, pro_move_home: places in numbers, 
   await sheet().getByRole("button", { name: "Close" }).click();
 });
 
-it("pro_move_moveto_2d, pro_move_moveto_3d: all axes together, or X and Y first", async () => {
+it("pro_move_moveto_2d: all axes together, or X and Y first", async () => {
   const lowest = async (way: string) => {
     await moved(byPalette, { X: "0", Y: "0", Z: "-10mm" }, "2D: X and Y, then the others");
     const seen: (readonly number[])[] = [];
@@ -304,7 +304,7 @@ it("pro_move_moveto_2d, pro_move_moveto_3d: all axes together, or X and Y first"
   expect(await lowest("3D: all together")).toBeLessThan(-11);
 });
 
-it("pro_move_cutmoveto, pro_move_cutmoveto_cut: a move at Z top, or a cut of one line", async () => {
+it("pro_move_cutmoveto_cut: a move at Z top, or a cut of one line", async () => {
   const { setup } = await stateOf(workshop);
   const ends = async (x: string, cut: boolean) => {
     const before = (await stateOf(workshop)).job?.run ?? 0;
@@ -332,7 +332,7 @@ it("pro_move_cutmoveto, pro_move_cutmoveto_cut: a move at Z top, or a cut of one
   expect((await machinePlace())[0]).toBeCloseTo(100, 2);
 });
 
-it("pro_io_diag_write, pro_io_diag_step: bits of the card are switched, motors stepped, on the page", async () => {
+it("pro_io_diag_write: an output bit of the card is switched on the page", async () => {
   await page.keyboard.press("Control+k");
   await page.keyboard.type("ports of the card");
   await page.keyboard.press("Enter");
@@ -344,6 +344,10 @@ it("pro_io_diag_write, pro_io_diag_step: bits of the card are switched, motors s
   if (shots) await page.screenshot({ path: `${shots}/ports.png` });
   await ports.getByRole("button", { name: "Switch tool2 off" }).click();
   await expect.poll(() => byte.textContent()).toBe("0x00");
+});
+
+it("pro_io_diag_step: a motor is stepped once on the page", async () => {
+  const ports = page.getByRole("dialog", { name: "Ports of the card" });
   const [x] = await machinePlace();
   const [perMm = 0] = JSON.parse((await setting("steps.per_unit")) ?? "[]") as number[];
   const step = 1 / perMm;

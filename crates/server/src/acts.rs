@@ -15,8 +15,8 @@ use crate::stop::Halt;
 use kerf_control::{Jog, LIFT, Nudge, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
-    Act, Asked, Change, FileKind, Finding, Lease, Level, Machine, Overrides, Problem, StartUp, State, Tone,
-    Who, Why,
+    Act, Asked, Change, FileKind, Finding, Lease, Level, Machine, Overrides, Problem, StartUp,
+    State, Tone, Who, Why,
 };
 use std::path::PathBuf;
 use std::sync::Arc;

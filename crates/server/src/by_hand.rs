@@ -74,7 +74,8 @@ impl App {
     }
 
     fn has_card(&self) -> Result<(), Problem> {
-        let text = "the bits of the card are those of the simulated machine: a real one has outputs (SO)";
+        let text =
+            "the bits of the card are those of the simulated machine: a real one has outputs (SO)";
         let real = self.hub.read(|now| now.machine.mode == Mode::Cut);
         if real { Err(problem(Why::State, text)) } else { Ok(()) }
     }

@@ -24,7 +24,11 @@ pub fn form(configuration: &Configuration) -> Vec<SettingArea> {
     let area = |area: &Area| SettingArea {
         title: area.title.into(),
         manual: area.manual.into(),
-        settings: area.shown(configuration).filter(shown).map(|row| entry(row, configuration)).collect(),
+        settings: area
+            .shown(configuration)
+            .filter(shown)
+            .map(|row| entry(row, configuration))
+            .collect(),
     };
     table::areas().map(area).collect()
 }

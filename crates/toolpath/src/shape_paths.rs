@@ -73,8 +73,9 @@ pub(crate) fn paths(
 /// The caution that a shape with loops always gets (Profiler reference, "Offsets of Shapes with Self Loops").
 fn crosses_itself(number: usize, at: Point2) -> Warning {
     let place = spot(Some(at));
-    let text =
-        format!("it crosses itself{place}: look at its offset before it is cut, it may not be what is meant");
+    let text = format!(
+        "it crosses itself{place}: look at its offset before it is cut, it may not be what is meant"
+    );
     Warning::new(number, text)
 }
 

@@ -2,11 +2,11 @@
 
 use crate::args::{PlaceArgs, Start};
 use crate::commands::machine::Which;
+use crate::commands::run::told_by_server;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
-use crate::report::asked;
-use crate::commands::run::told_by_server;
 use crate::remote::{Ended, Remote};
+use crate::report::asked;
 use crate::{out, parse, served, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
@@ -216,7 +216,9 @@ fn not_beside_a_server(which: &Which, mend: &str) -> Result<()> {
     let folder = setup::data_folder(&which.folder())?;
     match served::address(&folder)? {
         None => Ok(()),
-        Some(address) => bail!("a kerf serve has this machine: {mend} at {address}, or end it first"),
+        Some(address) => {
+            bail!("a kerf serve has this machine: {mend} at {address}, or end it first")
+        }
     }
 }
 
