@@ -113,17 +113,16 @@ function Light({ bit, on, isDisabled, onSwitch }: LightProps) {
         {name}
         <small>{about}</small>
       </span>
-      {onSwitch ? (
+      <em>{on ? "on" : "off"}</em>
+      {onSwitch && (
         <Button
           size="small"
           isDisabled={isDisabled}
           aria-label={`Switch ${name} ${on ? "off" : "on"}`}
           onPress={() => onSwitch(bit, !on)}
         >
-          {on ? "on" : "off"}
+          Switch
         </Button>
-      ) : (
-        <em>{on ? "on" : "off"}</em>
       )}
     </li>
   );
