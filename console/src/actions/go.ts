@@ -60,6 +60,7 @@ export const openHandConsole: Action = {
 };
 export const openValues = sheetAction({ kind: "values" }, "Values and variables", ["Ctrl+Shift+V"]);
 export const openNudge = sheetAction({ kind: "nudge" }, "Nudge the workpiece", ["Ctrl+Shift+N"]);
+export const openMoveTo = sheetAction({ kind: "moveTo" }, "Move the tool to a place, or home", []);
 export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands", []);
 export const openTools = sheetAction({ kind: "tools" }, "Virtual tools", []);
 export const openInputs = sheetAction({ kind: "inputs" }, "Inputs of the simulated machine", []);
@@ -103,6 +104,7 @@ export const goActions: readonly Action[] = [
   openCalculator,
   openHandConsole,
   openNudge,
+  openMoveTo,
   openValues,
   openRecorder,
   openInputs,

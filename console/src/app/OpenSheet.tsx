@@ -4,6 +4,7 @@ import { FilePicker } from "../operator/FilePicker";
 import { TimingSheet } from "../timing/TimingSheet";
 import { ConfirmSheet } from "../tools/ConfirmSheet";
 import { InputsSheet } from "../tools/InputsSheet";
+import { MoveToSheet } from "../tools/MoveToSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
 import { Palette } from "../tools/Palette";
 import { PortsSheet } from "../tools/PortsSheet";
@@ -41,6 +42,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <ToolsSheet onClose={close} />;
     case "inputs":
       return <InputsSheet onClose={close} />;
+    case "moveTo":
+      return <MoveToSheet onClose={close} />;
     case "ports":
       return <PortsSheet onClose={close} />;
     case "timing":

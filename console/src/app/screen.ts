@@ -10,6 +10,7 @@ export type Sheet =
   | { readonly kind: "files" }
   | { readonly kind: "command"; readonly letters: string; readonly given: readonly string[] }
   | { readonly kind: "keypad" }
+  | { readonly kind: "moveTo" }
   | { readonly kind: "nudge" }
   | {
       readonly kind: "values";

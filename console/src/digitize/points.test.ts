@@ -27,6 +27,7 @@ const seen: InSight = {
   data: square,
   points: null,
   machine: null,
+  expansion: 1.05,
 };
 
 const sides = (look: Parameters<typeof lookedAt>[0], given: Partial<InSight> = {}) => {

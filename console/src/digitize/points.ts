@@ -42,12 +42,17 @@ export interface InSight {
   readonly points: DigitizedItem | null;
   /** The machine's bounds, from where the shapes have their origin; nothing without any. */
   readonly machine: Box | null;
+  /** So many times larger than that is what is shown. */
+  readonly expansion: number;
 }
 
 /** What is in sight after a look (digitizing functions 30 to 33). */
-export function lookedAt(look: Look, { window, size, data, points, machine }: InSight): Window {
+export function lookedAt(
+  look: Look,
+  { window, size, data, points, machine, expansion }: InSight,
+): Window {
   const drawn = points ? joined(data, points.path.box) : data;
-  const to = (box: Box) => (isEmpty(box) ? window : fitted(box, size));
+  const to = (box: Box) => (isEmpty(box) ? window : fitted(box, size, expansion));
   switch (look) {
     case "digitized":
       return points ? to(points.path.box) : window;

@@ -1,6 +1,8 @@
 import { useEffect, useMemo, useState, useSyncExternalStore } from "react";
 import { useScreen, useSnapshot } from "../app/context";
 import { DigitizePanel } from "../digitize/DigitizePanel";
+import { ArrayPanel } from "./ArrayPanel";
+import { CommentPanel } from "./CommentPanel";
 import { DrawingHead } from "./DrawingHead";
 import { DrawingSheet } from "./DrawingSheet";
 import { startTool } from "./desk";
@@ -18,6 +20,7 @@ import { useDesk } from "./useDesk";
 import { useMachined, useShapes } from "./useDrawing";
 import { ViewBar } from "./ViewBar";
 import { ViewPanel } from "./ViewPanel";
+import { expansionFactor, usualExpansion } from "./window";
 import "./draw-screen.css";
 
 /** Where no setting says otherwise, a click picks what lies so near, pixels. */
@@ -34,6 +37,7 @@ const round = (value: number): number => Number(value.toFixed(6));
 export function DrawScreen() {
   const drawing = useSnapshot("drawing");
   const pickRadius = useSnapshot("setup")?.pickRadius || usualRadius;
+  const percent = useSnapshot("setup")?.windowExpansion ?? usualExpansion;
   const loaded = useShapes();
   const [optionsStore] = useState(createOptions);
   const options = useSyncExternalStore(optionsStore.watch, optionsStore.get);
@@ -45,7 +49,12 @@ export function DrawScreen() {
   );
   const lastJoin = round((drawing?.join ?? usualJoin) / (useSnapshot("units")?.mm ?? 1));
   const picked = drawing?.picked ?? nothingPicked;
-  const desk = useDesk(scene, { pickRadius, lastJoin, picked });
+  const desk = useDesk(scene, {
+    pickRadius,
+    lastJoin,
+    picked,
+    expansion: expansionFactor(percent),
+  });
   const [operation, setOperation] = useState<string | null>(null);
   const [aspect, setAspect] = useState<Aspect>("top");
   const wanted = useScreen("tool");
@@ -70,7 +79,7 @@ export function DrawScreen() {
       <DrawingHead desk={desk} />
       <Toolbox desk={desk} onOperation={setOperation} />
       {aspect === "top" ? (
-        <DrawingSheet desk={desk} scene={scene}>
+        <DrawingSheet desk={desk} scene={scene} revision={loaded.revision}>
           {bar}
         </DrawingSheet>
       ) : (
@@ -80,6 +89,8 @@ export function DrawScreen() {
       )}
       <div className="draw-right">
         <SelectionPanel desk={desk} scene={scene} notes={machined.notes} />
+        <CommentPanel />
+        <ArrayPanel onChange={() => setOperation("array")} />
         <DigitizePanel />
         <GroupPanel desk={desk} scene={scene} />
         <ViewPanel options={options} onChange={(next) => optionsStore.set(next)} />

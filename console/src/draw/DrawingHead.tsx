@@ -9,7 +9,7 @@ import { Button } from "../ui/Button";
 import type { Op } from "../wire/messages";
 import { FileSheet } from "./FileSheet";
 import type { Desk } from "./useDesk";
-import { fitted } from "./window";
+import { fitted, type Size } from "./window";
 
 type Asking = "open" | "save" | "program";
 
@@ -71,7 +71,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         </Button>
         <Button
           size="small"
-          onPress={() => desk.set((s) => ({ ...s, window: fitted(desk.around.box, s.size) }))}
+          onPress={() => desk.set((s) => ({ ...s, window: allOf(desk, s.size) }))}
         >
           Show all
         </Button>
@@ -124,6 +124,8 @@ export function DrawingHead({ desk }: { desk: Desk }) {
     </header>
   );
 }
+
+const allOf = ({ around: { box, expansion } }: Desk, size: Size) => fitted(box, size, expansion);
 
 /** A drawing's name with another ending. */
 const named = (name: string | null | undefined, ending: string): string =>

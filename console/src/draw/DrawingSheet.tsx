@@ -28,26 +28,30 @@ import { StatusBar } from "./StatusBar";
 import type { Scene } from "./scene";
 import { boundsOf, inDrawing, originOf, type TableItem, tableItems } from "./table";
 import type { Desk } from "./useDesk";
-import { fitted, toDrawing, zoomedAbout } from "./window";
+import { fitted, type Size, toDrawing, zoomedAbout } from "./window";
 import "./drawing-sheet.css";
 
 interface DrawingSheetProps {
   desk: Desk;
   scene: Scene;
+  /** Of the shapes that are loaded. */
+  revision: number;
   children?: ReactNode;
 }
 
 /** The shapes, and the hands that change them. */
-export function DrawingSheet({ desk, scene, children }: DrawingSheetProps) {
+export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetProps) {
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
-  useWindow(desk, scene, size.width, size.height);
+  useWindow(desk, scene, revision, size);
   const [motion, reach] = [useSnapshot("motion"), useSnapshot("setup")?.reach];
   useLook((look) => {
     const machine = motion && reach ? boundsOf(motion, reach) : null;
     desk.set((state) => {
       const { window, size } = state;
-      const seen = { window, size, data: scene.box, points: scene.digitized, machine };
+      const { expansion } = desk.around;
+      const points = scene.digitized;
+      const seen = { window, size, data: scene.box, points, machine, expansion };
       return { ...state, window: lookedAt(look, seen) };
     });
   });
@@ -108,23 +112,28 @@ export function DrawingSheet({ desk, scene, children }: DrawingSheetProps) {
 /** What is in sight of a new drawing, mm: the corner of a table at its origin. */
 const corner = boxOf(place(-10, -10), place(300, 200));
 
-/** Follows the size of the picture, and shows all of a drawing that was just opened. */
-function useWindow(desk: Desk, scene: Scene, width: number, height: number): void {
-  const name = useSnapshot("drawing")?.name ?? null;
-  const opened = name !== null && scene.shapes.length > 0;
+/** Follows the size of the picture, and shows all of a drawing as soon as the shapes of it are loaded. */
+function useWindow(desk: Desk, scene: Scene, revision: number, { width, height }: Size): void {
+  const drawing = useSnapshot("drawing");
+  const begun = drawing?.begun ?? 0;
+  const here = begun === 0 || revision >= begun;
+  const opened = (drawing?.name ?? null) !== null && scene.shapes.length > 0;
   // biome-ignore lint/correctness/useExhaustiveDependencies: fits what was opened, not every change
   useEffect(() => {
     const size = { width, height };
-    const box = opened ? scene.box : corner;
-    if (width > 0) desk.set((state) => ({ ...state, size, window: fitted(box, size) }));
-  }, [name, opened, width > 0]);
+    const { expansion } = desk.around;
+    const window = opened ? fitted(scene.box, size, expansion) : fitted(corner, size);
+    if (width > 0) desk.set((state) => ({ ...state, size, window }));
+  }, [begun, here, width > 0]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: only when the picture's size changes
   useEffect(() => {
     desk.set((state) => ({ ...state, size: { width, height } }));
   }, [width, height]);
 }
 
-function Canvases({ desk, scene, unitMm }: DrawingSheetProps & { unitMm: number }) {
+type CanvasesProps = Pick<DrawingSheetProps, "desk" | "scene"> & { unitMm: number };
+
+function Canvases({ desk, scene, unitMm }: CanvasesProps) {
   const [base, over] = [useRef<HTMLCanvasElement>(null), useRef<HTMLCanvasElement>(null)];
   const theme = useScreen("theme");
   const { window, size } = desk.state;

@@ -25,6 +25,7 @@ const around = (selected: readonly number[] = []): Around => ({
   selected,
   box: boxOf(place(0, 0), place(260, 140)),
   pickRadius: 8,
+  expansion: 1.05,
   lastJoin: 0.1,
 });
 

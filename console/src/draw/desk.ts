@@ -67,6 +67,8 @@ export interface Around {
   readonly pickRadius: number;
   /** The joining distance used last, in the user's unit. */
   readonly lastJoin: number;
+  /** So many times larger than what is drawn is the window that shows all of it. */
+  readonly expansion: number;
 }
 
 export interface Done {

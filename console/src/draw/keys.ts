@@ -51,7 +51,7 @@ const windowKeys: readonly DeskKey[] = [
   windowKey("z", "in", "Zoom in", (s) => zoomedTo(s.window, pointerOf(s), 2)),
   windowKey("x", "out", "Zoom out", (s) => zoomedTo(s.window, pointerOf(s), 0.5)),
   windowKey("s", "centre", "Centre on the mouse", (s) => centredOn(s.window, pointerOf(s))),
-  windowKey("a", "all", "Show all", (s, { box }) => fitted(box, s.size)),
+  windowKey("a", "all", "Show all", (s, { box, expansion }) => fitted(box, s.size, expansion)),
 ];
 
 /** Arms a snap for the next pick, or none. */

@@ -58,6 +58,7 @@ export class Hand {
       box,
       pickRadius,
       lastJoin: 0.7,
+      expansion: 1.05,
     };
   }
 

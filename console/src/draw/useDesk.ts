@@ -17,9 +17,9 @@ export interface Desk {
 }
 
 /** What the server tells that hands go by. */
-export type Ways = Pick<Around, "pickRadius" | "lastJoin" | "picked">;
+export type Ways = Pick<Around, "pickRadius" | "lastJoin" | "picked" | "expansion">;
 
-export function useDesk(scene: Scene, { pickRadius, lastJoin, picked }: Ways): Desk {
+export function useDesk(scene: Scene, { pickRadius, lastJoin, picked, expansion }: Ways): Desk {
   const hands = useHands();
   const [state, setState] = useState(firstDesk);
   const now = useRef(state);
@@ -31,8 +31,9 @@ export function useDesk(scene: Scene, { pickRadius, lastJoin, picked }: Ways): D
       box: scene.box,
       pickRadius,
       lastJoin,
+      expansion,
     }),
-    [scene, pickRadius, lastJoin, picked],
+    [scene, pickRadius, lastJoin, picked, expansion],
   );
   const put = useCallback((next: DeskState) => {
     now.current = next;

@@ -17,8 +17,11 @@ export interface Size {
   readonly height: number;
 }
 
-/** So much larger than the data is the window that shows all of it: 5 %, half on each side. */
-export const expansion = 1.05;
+/** So much larger than the data is the window that shows all of it where no setting says otherwise, percent. */
+export const usualExpansion = 5;
+
+/** An expansion in percent as a factor, half of it on each side. */
+export const expansionFactor = (percent: number): number => 1 + percent / 100;
 
 const finest = 1e-5;
 const coarsest = 1e4;
@@ -36,8 +39,8 @@ export const toDrawing = (window: Window, size: Size, pixel: Place): Place =>
     window.middle.y - (pixel.y - size.height / 2) * window.mmPerPixel,
   );
 
-/** Everything in a box, with the expansion; a factor of 1 shows no more than the box. */
-export function fitted(box: Box, size: Size, factor = expansion): Window {
+/** Everything in a box, and somewhat more: a factor of 1 shows no more than the box. */
+export function fitted(box: Box, size: Size, factor = expansionFactor(usualExpansion)): Window {
   if (isEmpty(box)) return { middle: place(0, 0), mmPerPixel: 1 };
   const [wide, high] = [box.max.x - box.min.x, box.max.y - box.min.y];
   const needed = Math.max(wide / Math.max(size.width, 1), high / Math.max(size.height, 1));

@@ -1,6 +1,8 @@
 import { ask, drive } from "../actions/ask";
+import { openMoveTo } from "../actions/go";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { placeText } from "../app/units";
+import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
@@ -77,6 +79,11 @@ export function CutPanel({ plan }: { plan: Plan }) {
         </div>
       </div>
       <Origin plan={plan} isDisabled={off} />
+      <div className="cut-origin">
+        <ActionButton action={openMoveTo} size="small">
+          Move to…
+        </ActionButton>
+      </div>
       <p className="cut-finish">
         At the end the head goes to {placeText(view.finish, units)} from the origin.
       </p>

@@ -11,7 +11,15 @@ import { paintPaper } from "../draw/paint/paper";
 import { sheetOn } from "../draw/paint/pen";
 import { paintTable } from "../draw/paint/table";
 import type { TableItem } from "../draw/table";
-import { fitted, panned, toDrawing, type Window, zoomedAbout } from "../draw/window";
+import {
+  expansionFactor,
+  fitted,
+  panned,
+  toDrawing,
+  usualExpansion,
+  type Window,
+  zoomedAbout,
+} from "../draw/window";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { useSize } from "../view/useSize";
@@ -47,8 +55,9 @@ export function JobSheet({ plan, standing }: JobSheetProps) {
   const window = wanted ?? fitted(all, size, margin);
   const digitized = useSnapshot("digitized");
   const points = useMemo(() => (digitized ? digitizedItem(digitized) : null), [digitized]);
+  const expansion = expansionFactor(useSnapshot("setup")?.windowExpansion ?? usualExpansion);
   useLook((look) => {
-    const seen = { window, size, data: plan.box, points, machine: boundsOf(plan) };
+    const seen = { window, size, data: plan.box, points, machine: boundsOf(plan), expansion };
     setWindow(lookedAt(look, seen));
   });
   const found = (event: MouseEvent) =>

@@ -32,6 +32,7 @@ export function PathPanel({ plan, standing }: PathPanelProps) {
     >
       <StartChoice count={count} start={standing.start} />
       <PathList plan={plan} standing={standing} />
+      <Comments />
       <Findings />
     </Panel>
   );
@@ -109,6 +110,16 @@ function PathList({ plan, standing }: PathPanelProps) {
       })}
     </ol>
   );
+}
+
+/** What whoever drew the job wrote for whoever cuts it: material, customer, what to look out for. */
+function Comments() {
+  const comments = useSnapshot("opened")?.header;
+  return comments ? (
+    <section className="path-comments" aria-label="Comments of the file">
+      {comments}
+    </section>
+  ) : null;
 }
 
 /** What is wrong with the job, before it is started. */

@@ -22,7 +22,8 @@ export const chooseStart = (world: World, start: number | null): Promise<boolean
 
 /** Makes the tool path of a drawing and goes to it; nothing for the drawing on the sheet. */
 export async function machine(world: World, drawing: string | null): Promise<void> {
-  const { problem } = await world.link.ask({ do: "machine", drawing, anew: false });
+  const { problem, notes } = await world.link.ask({ do: "machine", drawing, anew: false });
+  for (const note of notes) world.screen.tell(note);
   if (!problem) return world.screen.go("/job");
   if (problem.why === "changed") {
     return world.screen.open({ kind: "confirm", action: "job.anew" });
@@ -30,7 +31,10 @@ export async function machine(world: World, drawing: string | null): Promise<voi
   if (problem.why !== "replaces") return world.screen.tell(problem.text);
   const name = jobName(drawing ?? world.shown.snapshot?.drawing?.name ?? "drawing");
   if (!(await mayReplace(world, name))) return;
-  if (await ask(world, { do: "machine", drawing, anew: true })) world.screen.go("/job");
+  const again = await world.link.ask({ do: "machine", drawing, anew: true });
+  for (const note of again.notes) world.screen.tell(note);
+  if (again.problem) world.screen.tell(again.problem.text);
+  else world.screen.go("/job");
 }
 
 /** The job of a drawing lies beside it. */

@@ -1,37 +1,44 @@
 import { useState } from "react";
-import { asking } from "../actions/action";
+import { type Action, asking } from "../actions/action";
 import { zeroAxis } from "../actions/machine";
 import { useScreen, useSnapshot } from "../app/context";
 import { locationText, usedAxes } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
-import type { AxisUnits, Positions } from "../wire/messages";
+import type { AxisUnits } from "../wire/messages";
+import { type Frame, framesOf, placeIn, titles } from "./frames";
 import "./location-display.css";
-
-type Frame = "working" | "base";
-
-const frames: readonly { value: Frame; words: string }[] = [
-  { value: "working", words: "Working" },
-  { value: "base", words: "Base" },
-];
 
 /** Where the tool is, in digits that are read from two metres away. */
 export function LocationDisplay() {
-  const [frame, setFrame] = useState<Frame>("working");
+  const [wanted, setFrame] = useState<Frame | null>(null);
   const units = useSnapshot("units");
   const motion = useSnapshot("motion");
+  const opened = useSnapshot("opened") ?? null;
+  const job = useSnapshot("job") ?? null;
   const axes = units ? usedAxes(units) : [];
+  const frames = framesOf(opened);
+  // A job that is opened is told from its origin, until somebody looks for something else.
+  const frame =
+    frames.find(({ value }) => value === wanted)?.value ?? frames[0]?.value ?? "working";
+  const other = frame === "working" ? "base" : "working";
   return (
     <Panel
-      title={frame === "working" ? "Location" : "Table base location"}
+      title={titles[frame]}
       className={`location location-${frame} location-of-${Math.max(axes.length, 3)}`}
       aside={<Choice label="Frame" options={frames} value={frame} onChange={setFrame} />}
     >
       <ul className="location-axes">
         {motion &&
           axes.map(({ axis, at }) => (
-            <AxisRow key={axis.letter} axis={axis} at={at} positions={motion.at} frame={frame} />
+            <AxisRow
+              key={axis.letter}
+              axis={axis}
+              zero={frame === "job" ? undefined : zeroAxis[at]}
+              value={placeIn(frame, motion, { opened, job })[at] ?? 0}
+              other={`${other} ${locationText(motion.at[other][at] ?? 0, axis)}`}
+            />
           ))}
       </ul>
     </Panel>
@@ -43,16 +50,17 @@ const usualLength = 7;
 
 interface AxisRowProps {
   axis: AxisUnits;
-  at: number;
-  positions: Positions;
-  frame: Frame;
+  value: number;
+  /** The location in another frame, with its name. */
+  other: string;
+  /** Makes this the zero of the working location. */
+  zero: Action | undefined;
 }
 
-function AxisRow({ axis, at, positions, frame }: AxisRowProps) {
-  const other = frame === "working" ? "base" : "working";
+function AxisRow({ axis, value, other, zero }: AxisRowProps) {
   const easy = useScreen("face") === "easy";
-  const zero = zeroAxis[at] && easy ? asking(zeroAxis[at]) : zeroAxis[at];
-  const text = locationText(positions[frame][at] ?? 0, axis);
+  const action = zero && easy ? asking(zero) : zero;
+  const text = locationText(value, axis);
   return (
     <li className="location-axis">
       <span className="location-letter">{axis.letter}</span>
@@ -64,11 +72,14 @@ function AxisRow({ axis, at, positions, frame }: AxisRowProps) {
         {text}
       </output>
       <span className="location-unit">{axis.unit}</span>
-      <span className="location-other">
-        {other} {locationText(positions[other][at] ?? 0, axis)}
-      </span>
-      {zero && (
-        <ActionButton action={zero} size="small" className="location-zero" aria-label={zero.title}>
+      <span className="location-other">{other}</span>
+      {action && (
+        <ActionButton
+          action={action}
+          size="small"
+          className="location-zero"
+          aria-label={action.title}
+        >
           Zero
         </ActionButton>
       )}

@@ -15,9 +15,8 @@ export function MachineForm() {
   const [title, setTitle] = useState("");
   const [wanted, setWanted] = useState("");
   const first = areas[0]?.title ?? "";
-  const chosen = areas.filter((area) =>
-    wanted.trim() === "" ? area.title === (title || first) : true,
-  );
+  const chosen =
+    wanted.trim() === "" ? areas.filter((area) => area.title === (title || first)) : once(areas);
   const fits = ({ key, doc }: SettingEntry) =>
     `${key} ${doc}`.toLowerCase().includes(wanted.trim().toLowerCase());
   return (
@@ -42,6 +41,13 @@ export function MachineForm() {
       ))}
     </Panel>
   );
+}
+
+/** Every setting in one area only: some stand in two. */
+function once(areas: readonly SettingArea[]): SettingArea[] {
+  const seen = new Set<string>();
+  const isNew = ({ key }: SettingEntry) => !seen.has(key) && seen.add(key);
+  return areas.map((area) => ({ ...area, settings: area.settings.filter(isNew) }));
 }
 
 /** One setting: it is sent when the field is left or Enter pressed. */

@@ -1,6 +1,8 @@
 import { useEffect, useState } from "react";
-import { useSnapshot } from "../app/context";
+import { drive } from "../actions/ask";
+import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { getJson } from "../link/http";
+import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { PortBit, Ports } from "../wire/messages";
 import "./ports.css";
@@ -16,6 +18,13 @@ interface PortLamps {
 export function PortsSheet({ onClose }: { onClose: () => void }) {
   const ports = useSnapshot("io")?.ports;
   const bits = useBits();
+  const hands = useHands();
+  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  const simulated = useSnapshot("machine")?.mode !== "cut";
+  const switchBit = ({ port, place }: PortBit, on: boolean) =>
+    void drive(worldOf(hands), { do: "bit", name: `${port}${place}`, on });
+  const step = (motor: string, forward: boolean) =>
+    void drive(worldOf(hands), { do: "step", motor, forward });
   return (
     <Sheet title="Ports of the card" shape="wide" onClose={onClose}>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by key */}
@@ -28,17 +37,70 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
               </h3>
               <ul>
                 {bits.map((bit) => (
-                  <Light key={bit.place} bit={bit} on={((byte >> bit.place) & 1) === 1} />
+                  <Light
+                    key={bit.place}
+                    bit={bit}
+                    on={((byte >> bit.place) & 1) === 1}
+                    isDisabled={!idle}
+                    onSwitch={simulated && isSwitched(bit) ? switchBit : undefined}
+                  />
                 ))}
               </ul>
             </section>
           ))}
+        {simulated && (
+          <section aria-label="Motors">
+            <h3>Motors</h3>
+            <p className="ports-words">
+              One step at a time. An output that is switched on starts what hangs on it: is
+              everybody clear of it?
+            </p>
+            <ul className="port-motors">
+              {motorsOf(bits).map((motor) => (
+                <li key={motor}>
+                  <b>{motor}</b>
+                  {[false, true].map((forward) => (
+                    <Button
+                      key={String(forward)}
+                      size="small"
+                      isDisabled={!idle}
+                      aria-label={`Step ${motor} ${forward ? "forward" : "back"}`}
+                      onPress={() => step(motor, forward)}
+                    >
+                      {forward ? "+" : "−"}
+                    </Button>
+                  ))}
+                </li>
+              ))}
+            </ul>
+          </section>
+        )}
       </section>
     </Sheet>
   );
 }
 
-function Light({ bit: { port, place, name, about, output }, on }: { bit: PortBit; on: boolean }) {
+/** What a motor's bits are called behind its name. */
+const motorBit = /(step|dir)$/;
+
+const isSwitched = ({ output, name }: PortBit): boolean => output && !motorBit.test(name);
+
+/** The motors that have a bit for their steps. */
+const motorsOf = (bits: readonly PortBit[]): string[] =>
+  bits
+    .filter(({ output, name }) => output && name.endsWith("step"))
+    .map(({ name }) => name.replace(motorBit, ""));
+
+interface LightProps {
+  bit: PortBit;
+  on: boolean;
+  isDisabled: boolean;
+  /** Nothing for what cannot be switched by hand. */
+  onSwitch: ((bit: PortBit, on: boolean) => void) | undefined;
+}
+
+function Light({ bit, on, isDisabled, onSwitch }: LightProps) {
+  const { port, place, name, about, output } = bit;
   const side = output ? "out" : "in";
   return (
     <li className={on ? "port-bit port-on" : "port-bit"} data-bit={`${side}.${name}`}>
@@ -52,6 +114,16 @@ function Light({ bit: { port, place, name, about, output }, on }: { bit: PortBit
         <small>{about}</small>
       </span>
       <em>{on ? "on" : "off"}</em>
+      {onSwitch && (
+        <Button
+          size="small"
+          isDisabled={isDisabled}
+          aria-label={`Switch ${name} ${on ? "off" : "on"}`}
+          onPress={() => onSwitch(bit, !on)}
+        >
+          Switch
+        </Button>
+      )}
     </li>
   );
 }

@@ -95,7 +95,23 @@ lease: number,
 /** Letter of the axis. */
 axis: string,
 /** How far. */
-distance: number, } | { "do": "override",
+distance: number, } | { "do": "go",
+/** Number of the lease. */
+lease: number,
+/** Where. */
+way: ByHand, } | { "do": "bit",
+/** Number of the lease. */
+lease: number,
+/** Its name, or port and bit: tool2, B2. */
+name: string,
+/** On; off otherwise. */
+on: boolean, } | { "do": "step",
+/** Number of the lease. */
+lease: number,
+/** x, y, z, w, q or r. */
+motor: string,
+/** Forward; back otherwise. */
+forward: boolean, } | { "do": "override",
 /** Number of the lease. */
 lease: number,
 /** Of the speed asked for, 10 … 200. */
@@ -108,6 +124,21 @@ password: string, } | { "do": "protect",
 password: string | null,
 /** The new one, twice; none takes the protection away. */
 new: [string, string] | null, } | { "do": "ping" };
+
+/** A level of arrays. Mm. */
+export type ArrayState = {
+/** `block` or `job`. */
+level: string,
+/** Rows, counted upwards, and columns, to the right. */
+grid: [number, number],
+/** Gaps between neighbouring columns and rows. */
+gap: [number, number],
+/** Distances from one to the next, in X and Y. */
+pitch: [number, number],
+/** The corner at which it begins: bl, br, tr, tl. */
+start: string,
+/** How it goes on: row, column, row-snake, column-snake. */
+order: string, };
 
 /** A question that a job waits for. It belongs to the job: any page may answer. */
 export type Asked = {
@@ -157,6 +188,23 @@ min: [number, number],
 max: [number, number],
 /** Least and greatest height of its 3D shapes; nothing without any. Flat shapes have no height. */
 z: [number, number] | null, };
+
+/** Where a machine is moved by hand that does nothing else. Mm, degrees. */
+export type ByHand = { "to": "findHome",
+/** Their letters, as `xy`; all that have a switch for nothing. */
+axes: string | null, } | { "to": "home",
+/** Their letters, as `xy`; all for nothing. */
+axes: string | null, } | { "to": "origin" } | { "to": "finish" } | { "to": "place",
+/** X and Y from the job origin, the others from home; or all from where the tool is. Axes without a value stay. */
+place: [number | null, number | null, number | null, number | null, number | null, number | null],
+/** From where the tool is. */
+relative: boolean,
+/** X and Y first, then the others; else all together. */
+flat: boolean, } | { "to": "cutMove",
+/** That place. */
+at: [number, number],
+/** Cuts on the way, as a job of one line. */
+cut: boolean, };
 
 /** A file that a run is in. */
 export type Call = {
@@ -268,6 +316,8 @@ export type DrawingState = {
 name: string | null,
 /** Grows with every change of the shapes. */
 revision: number,
+/** Its revision when it was opened or begun. */
+begun: number,
 /** How many shapes. */
 shapes: number,
 /** The shapes that operations act on: numbers from 1. */
@@ -290,6 +340,10 @@ block: Block | null,
 finish: [number, number],
 /** How near ends are joined when nothing else is said: as near as the last time. */
 join: number,
+/** The comments that are kept with it. */
+comments: Array<string>,
+/** How often it is repeated: blocks in a job, then jobs on the table. */
+arrays: Array<ArrayState>,
 /** What the last operation, or reading the file, had to tell. */
 notes: Array<string>, };
 
@@ -684,11 +738,13 @@ kind: FileKind,
 parameters: FileParameters,
 /** How it is run, when it is a job. */
 choice: JobChoice,
+/** Where a job lies on the table, X and Y from home, mm; nothing of other files. */
+origin: [number, number] | null,
 /** Shapes that were added to a job since it was saved. */
 added: number,
 /** Lines; paths of a job. */
 lines: number,
-/** What its head tells about the job. */
+/** What its head tells about the job; the comments of a drawing that became one. */
 header: string | null,
 /** The preview, which is made when it is opened. */
 preview: PreviewState,
@@ -937,7 +993,9 @@ protected: boolean,
 /** Whether outputs stay on when a machine that stands is stopped, disarmed or left. */
 outputsStayOn: boolean,
 /** A click selects what lies so near, pixels. */
-pickRadius: number, };
+pickRadius: number,
+/** So much larger than what is drawn is the window that shows all of it, percent. */
+windowExpansion: number, };
 
 /** The shapes of a drawing. */
 export type ShapeList = {

@@ -24,6 +24,7 @@ const group = (name: string, change: Partial<GroupState> = {}): GroupState => ({
 export const drawing: DrawingState = {
   name: "plate.dxf",
   revision: 1,
+  begun: 1,
   shapes: 5,
   picked: [],
   selection: [2],
@@ -41,6 +42,8 @@ export const drawing: DrawingState = {
     group("brown", { on: false }),
     group("white"),
   ],
+  comments: [],
+  arrays: [],
   notes: [],
   block: { min: [0, 0], max: [200, 120], z: null },
   finish: [0, 0],

@@ -65,6 +65,7 @@ export const firstSnapshot: Snapshot = {
     protected: false,
     outputsStayOn: false,
     pickRadius: 8,
+    windowExpansion: 5,
   },
   speeds: {
     cutMmS: [38.1, 12.7, 25.4, 25.4, 25.4],
@@ -78,6 +79,7 @@ export const firstSnapshot: Snapshot = {
     content: "abc",
     kind: "program",
     choice: { start: null, offset: 0, origin: null, finish: null, lift: 0 },
+    origin: null,
     added: 0,
     parameters: usualParameters,
     lines: 24,

@@ -9,6 +9,7 @@ use crate::world::World;
 use crate::{Event, Press};
 use kerf_machine::{Configuration, Setting};
 use kerf_part::Program;
+use kerf_program::OutputReason;
 use kerf_sbp::{SPINDLE_STATUS, SystemVariable, Value};
 use kerf_sim::{Change, Machine};
 use std::sync::Arc;
@@ -27,6 +28,14 @@ impl Session {
         machine.log().take().for_each(drop);
         self.machine = Some(machine);
         self.keep_switches(shelf);
+    }
+
+    /// Switches an output of the machine, which stands, by the number of its line.
+    pub fn switch_at_rest(&mut self, number: u8, on: bool) {
+        let mut machine = self.machine(Vec::new());
+        machine.output(number, on, OutputReason::Program);
+        machine.log().take().for_each(drop);
+        self.machine = Some(machine);
     }
 
     /// Somebody stops the machine, which stands: what a stop switches off goes off, unless the machine is set to

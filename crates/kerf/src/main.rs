@@ -43,6 +43,7 @@ mod remote;
 mod report;
 mod script;
 mod sending;
+mod served;
 mod setup;
 mod signals;
 mod sources;

@@ -291,3 +291,36 @@ fn what_a_server_runs_is_told_as_any_run_is() {
     }
     on("run warns.sbp --arm").exits(0).complains("warning[W001]").complains("warns.sbp:4:");
 }
+
+/// What moves the machine by hand goes through the server that has it, as whoever drives; what the server would not
+/// know of is refused.
+#[test]
+fn a_machine_that_a_server_has_is_moved_by_the_server() {
+    let shop = shop();
+    shop.kerf("machine use sim").exits(0);
+    let console = Console::begin(&shop, &[]);
+    let at = || {
+        let state = console.ask("GET /api/state", "");
+        let axis = |n: usize| state["motion"]["at"]["machine"][n].as_f64().unwrap();
+        [axis(0), axis(1), axis(2)].map(|v| (v * 100.0).round() / 100.0 + 0.0)
+    };
+    shop.kerf("machine move to 10,20,-5").exits(1).complains("arm it first");
+    assert_eq!(at(), [0.0; 3]);
+    shop.kerf("machine move to 10,20,-5 --flat --arm").exits(0);
+    assert_eq!(at(), [10.0, 20.0, -5.0]);
+    shop.kerf("machine move to 1,2 --relative --arm").exits(0);
+    assert_eq!(at(), [11.0, 22.0, -5.0]);
+    shop.kerf("machine move home y --arm").exits(0);
+    assert_eq!(at()[..2], [11.0, 0.0]);
+    shop.kerf("machine move hold x+ --arm").exits(2).complains("hold a key of its console");
+    shop.kerf("machine move to 1,1 --config sim").exits(2).complains("--config is not heeded");
+    let here = format!("set Z top, surface or bottom on its page Job at {}", console.url);
+    shop.kerf("machine zset top -12").exits(1).complains(&here);
+    shop.kerf("machine zset top --by=-1").exits(1).complains(&here);
+    shop.kerf("machine origin here").exits(1).complains("a kerf serve has this machine");
+    drop(console);
+    // Nobody has it any more: it is moved here.
+    shop.kerf("machine zset top --by=-1").exits(0);
+    shop.kerf("machine move to 3,4").exits(0);
+    shop.kerf("machine pos").says("x  3.000");
+}

@@ -215,6 +215,7 @@ fn pro_options_persist() {
         ("options.filter_mm", "0.02", "0.02"),
         ("options.join_mm", "0.7", "0.7"),
         ("options.pick_radius_px", "12", "12"),
+        ("options.window_expansion_percent", "20", "20"),
         ("misc.double_start", "true", "true"),
         ("intensity.port", "2", "2"),
     ];
@@ -229,7 +230,7 @@ fn pro_options_persist() {
     let listed = shop.kerf("machine list options").out();
     let named = listed.lines().filter(|line| line.starts_with("options.")).count();
     assert_eq!(
-        named, 11,
+        named, 12,
         "the speed of the console is always the same, the password has a test: {listed}"
     );
 }

@@ -4,6 +4,8 @@ use crate::app::{App, Open, lock, problem};
 use crate::asker::Asker;
 use crate::gate::{STOP_KEY, Way, driven_by};
 use crate::interrupted;
+use crate::job::kind_of;
+use crate::job_told;
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
 use crate::people::{Grip, GripError};
@@ -13,8 +15,8 @@ use crate::stop::Halt;
 use kerf_control::{Jog, LIFT, Nudge, answers};
 use kerf_program::{Axes, Axis};
 use kerf_wire::{
-    Act, Asked, Change, Finding, Lease, Level, Machine, Overrides, Problem, StartUp, State, Tone,
-    Who, Why,
+    Act, Asked, Change, FileKind, Finding, Lease, Level, Machine, Overrides, Problem, StartUp,
+    State, Tone, Who, Why,
 };
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -97,6 +99,9 @@ impl App {
             }
             Act::Lift { question, .. } => self.lift(asker, question)?,
             Act::Nudge { axis, distance, .. } => self.nudge(asker, axis, distance)?,
+            Act::Go { way, .. } => self.go(asker, way)?,
+            Act::Bit { name, on, .. } => self.switch_bit(asker, &name, on)?,
+            Act::Step { motor, forward, .. } => self.step_motor(asker, &motor, forward)?,
             Act::Override { feed_percent, .. } => self.override_feed(feed_percent)?,
             Act::SheetDone => self.sheet_done(),
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
@@ -254,13 +259,24 @@ impl App {
         let parameters = shop::parameters(&open.parameters);
         let parameters = kerf_sbp::FileParameters { stepped: step, ..parameters };
         let taken = work.takes_origin(lock(&self.left).session.memory.position);
-        let Open { name, hash, key, .. } = open;
         let opened = self.opened(&asker.who, None).is_ok();
+        let noticed = self.noticed(&open);
+        let Open { name, hash, key, .. } = open;
         let order = Order::File { work, name, hash, planned, parameters, opened };
         let taken = taken.map(|at| (key, at));
         let before = std::mem::replace(&mut *lock(&self.taken), taken);
         // A job that runs keeps the origin that it took when somebody presses Start again.
-        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = before)
+        self.order_of(asker, order).inspect_err(|_| *lock(&self.taken) = before)?;
+        noticed.into_iter().for_each(|text| self.hub.say(Tone::Warning, text));
+        Ok(())
+    }
+
+    /// Warnings about the file of a job, which whoever starts it is told once more.
+    fn noticed(&self, open: &Open) -> Vec<String> {
+        match kind_of(&open.name) {
+            FileKind::Job => job_told::warnings(open, self.shaping().factor),
+            _ => Vec::new(),
+        }
     }
 
     /// What was previewed is what runs: the file, and those that it calls.

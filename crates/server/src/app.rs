@@ -8,6 +8,7 @@ use crate::handconsole::Happening;
 use crate::http::Bodies;
 use crate::hub::Hub;
 use crate::job::kind_of;
+use crate::job_told;
 use crate::machine::{Left, Link, Order};
 use crate::memory::Memory;
 use crate::people::{Devices, Here, Pages, Tries};
@@ -383,8 +384,14 @@ impl App {
             ran: self.hub.ran.of(&open.hash),
             ..Opened::default()
         };
-        if opened.kind != FileKind::Program {
-            return Opened { lines: self.path_count(open), ..opened };
+        match opened.kind {
+            FileKind::Program => {}
+            FileKind::Drawing => return opened,
+            FileKind::Job => {
+                let [origin, _] = self.lies(open);
+                let opened = Opened { origin: Some([origin.x, origin.y]), ..opened };
+                return job_told::with_file(opened, open, self.shaping().factor);
+            }
         }
         let text = String::from_utf8_lossy(&open.bytes);
         let header = kerf_sbp::Header::read(&text).map(|header| header.text);
@@ -529,10 +536,12 @@ impl App {
 
 fn with_preview(opened: Opened, open: &Open, preview: &Preview, parts: &PartFolder) -> Opened {
     let named = |found: &Finding| Finding { file: parts.name_of(&found.file), ..found.clone() };
+    // Of a job it is known already what was noticed while its file was read.
+    let read = opened.findings.iter().cloned();
     Opened {
         preview: PreviewState::Ready { key: open.key.clone() },
         seconds: preview.info.seconds,
-        findings: preview.findings.iter().map(named).collect(),
+        findings: read.chain(preview.findings.iter().map(named)).collect(),
         broken: preview.failed,
         ..opened
     }

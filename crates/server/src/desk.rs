@@ -28,6 +28,8 @@ pub struct Desk {
     pub(crate) name: Option<String>,
     /// Grows with every change.
     pub(crate) revision: u32,
+    /// The revision with which this drawing was opened or begun.
+    pub(crate) begun: u32,
     /// The drawing as it was opened or saved.
     pub(crate) saved: Drawing,
     /// The hash of its file as it was opened or saved: that one may be written over.
@@ -242,11 +244,14 @@ impl App {
 impl Desk {
     fn begin(&mut self, drawing: Drawing, name: Option<String>, join_mm: f64) {
         self.saved = drawing.clone();
+        // What was copied is pasted into another drawing.
+        let clipboard = std::mem::take(&mut self.editor.clipboard);
         self.editor = Editor::of(drawing);
-        self.editor.join_mm = join_mm;
+        (self.editor.clipboard, self.editor.join_mm) = (clipboard, join_mm);
         (self.name, self.open) = (name, true);
         (self.finish, self.kept, self.job) = (None, None, None);
         self.revision += 1;
+        self.begun = self.revision;
     }
 
     /// Leave to write over a file: the one that was opened or saved last, as it was then, or the one that the

@@ -118,7 +118,10 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::JogStart { lease, .. }
         | Act::JogRenew { lease, .. }
         | Act::Lift { lease, .. }
-        | Act::Nudge { lease, .. } => driving(Turn::Number(*lease)),
+        | Act::Nudge { lease, .. }
+        | Act::Go { lease, .. }
+        | Act::Bit { lease, .. }
+        | Act::Step { lease, .. } => driving(Turn::Number(*lease)),
         Act::Command { lease, line } if changes_settings(line) => {
             setting(driving(Turn::Number(*lease)))
         }

@@ -22,6 +22,7 @@ mod asker;
 mod awaited;
 #[cfg(test)]
 mod bench;
+mod by_hand;
 mod called;
 mod clock;
 mod configure;
@@ -38,6 +39,7 @@ mod hub;
 mod interrupted;
 mod job;
 mod job_by_hand;
+mod job_told;
 mod lanes;
 mod machine;
 mod memory;

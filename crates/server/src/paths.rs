@@ -3,12 +3,13 @@
 use crate::app::{App, lock};
 use crate::awaited::Awaited;
 use crate::desk::{Desk, job};
-use kerf_drawing::{Drawing, Group, Height, Lead, Shape};
+use kerf_drawing::{ArrayLevel, Drawing, Group, Height, Lead, Shape};
+use kerf_geom::Vec2;
 use kerf_program::job::{Depth, Depths, Heights};
 use kerf_toolpath::{CutPath, Pass, Shaping, shaped, too_near};
 use kerf_wire::{
-    Block, Change, CutHeight, CutPass, CutShape, DrawingState, GroupState, ShapeList, ShapePath,
-    ToolPaths,
+    ArrayState, Block, Change, CutHeight, CutPass, CutShape, DrawingState, GroupState, ShapeList,
+    ShapePath, ToolPaths,
 };
 
 impl App {
@@ -84,6 +85,7 @@ impl Desk {
         DrawingState {
             name: self.name.clone(),
             revision: self.revision,
+            begun: self.begun,
             shapes: drawing.shapes.len() as u32,
             selection: editor.selection.iter().map(|place| *place as u32 + 1).collect(),
             picked: editor.picks.shapes(drawing).iter().map(|place| *place as u32 + 1).collect(),
@@ -95,8 +97,34 @@ impl Desk {
             block: block(drawing),
             finish: self.finish.map_or([0.0; 2], |at| [at.x, at.y]),
             join: editor.join_mm,
+            comments: drawing.comments().to_vec(),
+            arrays: arrays(drawing),
             notes: self.notes.clone(),
         }
+    }
+}
+
+/// Both levels of its arrays: blocks in a job, then jobs on the table.
+fn arrays(drawing: &Drawing) -> Vec<ArrayState> {
+    let bounds = drawing.bounds();
+    let block = bounds.map_or(Vec2::default(), |bounds| bounds.max - bounds.min);
+    let levels = drawing.arrays;
+    vec![
+        array_state("block", &levels.block, block),
+        array_state("job", &levels.job, levels.block.size(block)),
+    ]
+}
+
+/// A level that repeats something of this size.
+fn array_state(level: &str, array: &ArrayLevel, size: Vec2) -> ArrayState {
+    let pitch = array.pitch(size);
+    ArrayState {
+        level: level.into(),
+        grid: [array.rows, array.columns],
+        gap: [array.column_gap_mm, array.row_gap_mm],
+        pitch: [pitch.x, pitch.y],
+        start: array.start.name().into(),
+        order: array.order.name().into(),
     }
 }
 

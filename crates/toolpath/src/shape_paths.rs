@@ -5,7 +5,7 @@ use crate::lead::{Side, lead_in, lead_out, with_leads};
 use crate::tag::without_tag;
 use crate::warning::Warning;
 use kerf_drawing::{GroupSettings, Kind, Shape, spot};
-use kerf_geom::{Coarse, GeomError, Offsetter, Polyarc, parallel_path};
+use kerf_geom::{Coarse, GeomError, Offsetter, Point2, Polyarc, parallel_path};
 use serde::{Deserialize, Serialize};
 
 /// Which cut of a shape a path is.
@@ -46,9 +46,12 @@ pub(crate) fn paths(
         return vec![plain(shape, pass)];
     }
     let mut paths = Vec::new();
+    let passes = passes(settings);
+    let has_offset = passes.iter().any(|(_, distance)| *distance != 0.0);
+    let crossing = has_offset.then(|| shape.path.crosses_itself()).flatten().map(|it| it.first.at);
     for side in sides(shape, settings) {
-        for (pass, distance) in passes(settings) {
-            match offset_paths(shape, side * distance, offsetter) {
+        for &(pass, distance) in &passes {
+            match offset_paths(shape, side * distance, crossing.is_some(), offsetter) {
                 Ok((found, coarse)) => {
                     warnings.extend(coarse.map(|coarse| Warning::new(number, coarse.to_string())));
                     if found.is_empty() {
@@ -61,7 +64,19 @@ pub(crate) fn paths(
             }
         }
     }
+    // Where there is no path it was told already why.
+    let doubtful = crossing.filter(|_| !paths.is_empty());
+    warnings.extend(doubtful.map(|at| crosses_itself(number, at)));
     paths
+}
+
+/// The caution that a shape with loops always gets (Profiler reference, "Offsets of Shapes with Self Loops").
+fn crosses_itself(number: usize, at: Point2) -> Warning {
+    let place = spot(Some(at));
+    let text = format!(
+        "it crosses itself{place}: look at its offset before it is cut, it may not be what is meant"
+    );
+    Warning::new(number, text)
 }
 
 fn plain(shape: &Shape, pass: Pass) -> ShapePath {
@@ -108,13 +123,13 @@ struct Base {
 fn offset_paths(
     shape: &Shape,
     distance: f64,
+    crosses: bool,
     offsetter: &Offsetter,
 ) -> Result<(Vec<Base>, Option<Coarse>), GeomError> {
     if distance == 0.0 {
         let base = Base { path: shape.path.clone(), z_mm: shape.z_mm.clone(), offset_mm: 0.0 };
         return Ok((vec![base], None));
     }
-    let crosses = !shape.path.self_crossings().is_empty();
     let (found, coarse) = if crosses && !shape.is_closed() && shape.z_mm.is_none() {
         (vec![parallel_path(&shape.path, distance)?], None)
     } else {

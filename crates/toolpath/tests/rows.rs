@@ -21,10 +21,12 @@ fn made(text: &str) -> (Job, Vec<Warning>) {
     job(&drawing(text)).unwrap()
 }
 
-/// The paths of a drawing about which there is nothing to say but what its tags leave.
+/// The paths of a drawing about which there is nothing to say but what its tags leave, and that it crosses itself.
 fn paths(text: &str) -> Vec<CutPath> {
     let (job, warnings) = made(text);
-    let others = warnings.iter().filter(|told| !told.text.starts_with("its tag of"));
+    let expected = ["its tag of", "it crosses itself at"];
+    let others =
+        warnings.iter().filter(|told| !expected.iter().any(|it| told.text.starts_with(it)));
     assert_eq!(others.collect::<Vec<_>>(), Vec::<&Warning>::new());
     job.paths
 }
@@ -236,6 +238,16 @@ fn pro_toolpath_selfloop() {
 
 #[test]
 fn pro_toolpath_selfloop_warn() {
+    // The offset succeeds: it is to be looked at all the same, and once for both of its passes.
+    let text = "line 100,100 200,100 200,150 150,150 150,50";
+    let (paths, words) = told(&format!("{text}; set black offset=5 rough=2"));
+    assert_eq!(paths, 2);
+    assert_eq!(
+        words.matches("shape 1 at 100,100: it crosses itself at 150,100").count(),
+        1,
+        "{words}"
+    );
+    assert_eq!(told(text), (1, String::new()));
     let (paths, told) = told("line 0,0 100,100 100,0 0,100 close; set black offset=5");
     assert_eq!(paths, 0);
     assert!(

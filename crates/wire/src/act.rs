@@ -1,6 +1,6 @@
 //! What a page asks for.
 
-use crate::{AXES, FileParameters, JobChoice, Op};
+use crate::{AXES, ByHand, FileParameters, JobChoice, Op};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -214,6 +214,31 @@ pub enum Act {
         axis: char,
         /// How far.
         distance: f64,
+    },
+    /// Moves a machine by hand that does nothing else.
+    Go {
+        /// Number of the lease.
+        lease: u32,
+        /// Where.
+        way: ByHand,
+    },
+    /// Switches an output bit of the card of a simulated machine that does nothing else.
+    Bit {
+        /// Number of the lease.
+        lease: u32,
+        /// Its name, or port and bit: tool2, B2.
+        name: String,
+        /// On; off otherwise.
+        on: bool,
+    },
+    /// Steps the motor of an axis once.
+    Step {
+        /// Number of the lease.
+        lease: u32,
+        /// x, y, z, w, q or r.
+        motor: String,
+        /// Forward; back otherwise.
+        forward: bool,
     },
     /// Changes the operator's overrides.
     Override {

@@ -56,6 +56,8 @@ pub struct DrawingState {
     pub name: Option<String>,
     /// Grows with every change of the shapes.
     pub revision: u32,
+    /// Its revision when it was opened or begun.
+    pub begun: u32,
     /// How many shapes.
     pub shapes: u32,
     /// The shapes that operations act on: numbers from 1.
@@ -78,8 +80,30 @@ pub struct DrawingState {
     pub finish: [f64; 2],
     /// How near ends are joined when nothing else is said: as near as the last time.
     pub join: f64,
+    /// The comments that are kept with it.
+    pub comments: Vec<String>,
+    /// How often it is repeated: blocks in a job, then jobs on the table.
+    pub arrays: Vec<ArrayState>,
     /// What the last operation, or reading the file, had to tell.
     pub notes: Vec<String>,
+}
+
+/// A level of arrays. Mm.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct ArrayState {
+    /// `block` or `job`.
+    pub level: String,
+    /// Rows, counted upwards, and columns, to the right.
+    pub grid: [u32; 2],
+    /// Gaps between neighbouring columns and rows.
+    pub gap: [f64; 2],
+    /// Distances from one to the next, in X and Y.
+    pub pitch: [f64; 2],
+    /// The corner at which it begins: bl, br, tr, tl.
+    pub start: String,
+    /// How it goes on: row, column, row-snake, column-snake.
+    pub order: String,
 }
 
 /// The smallest box round the shapes of a drawing, arcs counted exactly.

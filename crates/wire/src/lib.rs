@@ -19,6 +19,7 @@
 //! says when it is old.
 
 mod act;
+mod by_hand;
 mod change;
 mod digitized;
 mod drawing;
@@ -38,11 +39,12 @@ mod snapshot;
 mod typescript;
 
 pub use act::{Act, Request};
+pub use by_hand::ByHand;
 pub use change::{Change, ToPage};
 pub use digitized::{Digitized, DigitizedPoint, Look, Looked};
 pub use drawing::{
-    Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList, ShapePath,
-    ToolPaths,
+    ArrayState, Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList,
+    ShapePath, ToolPaths,
 };
 pub use file::{FileAbout, FileVersion, TextDraft};
 pub use hand_console::HandConsole;

@@ -18,6 +18,8 @@ pub struct Setup {
     pub outputs_stay_on: bool,
     /// A click selects what lies so near, pixels.
     pub pick_radius: f64,
+    /// So much larger than what is drawn is the window that shows all of it, percent.
+    pub window_expansion: f64,
 }
 
 /// Heights at which a job is cut.

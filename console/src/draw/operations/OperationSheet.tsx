@@ -5,7 +5,8 @@ import { Choice } from "../../ui/Choice";
 import { Field } from "../../ui/Field";
 import { Pick } from "../../ui/Pick";
 import { Sheet } from "../../ui/Sheet";
-import type { OperationEntry, OperationPart } from "../../wire/messages";
+import type { ArrayState, OperationEntry, OperationPart } from "../../wire/messages";
+import { isOfArrays, repeats, withArray } from "../arrays";
 import { groups } from "../colours";
 import { clauseOf, type Entries, exampleOf, firstEntries, labelsOf } from "./form";
 import "./operations.css";
@@ -19,18 +20,27 @@ interface OperationSheetProps {
 export function OperationSheet({ entry, onClose }: OperationSheetProps) {
   const hands = useHands();
   const units = useSnapshot("units");
-  const selected = useSnapshot("drawing")?.selection ?? [];
-  const given = { mm: units?.mm ?? 1, selected };
-  const [which, setWhich] = useState("0");
+  const drawing = useSnapshot("drawing");
+  const arrays = drawing?.arrays ?? [];
+  const given = { mm: units?.mm ?? 1, selected: drawing?.selection ?? [] };
+  const [which, setWhich] = useState(() => firstVariant(entry, arrays));
   const parts = entry.variants[Number(which)]?.parts ?? [];
-  const [entries, setEntries] = useState<Entries>(() => firstEntries(parts, given));
+  const present = (parts: readonly OperationPart[], entries: Entries) =>
+    withArray(parts, entries, arrays, given.mm);
+  const [entries, setEntries] = useState<Entries>(() => present(parts, firstEntries(parts, given)));
+  const enter = (at: number, text: string) => {
+    const next = entries.map((old, n) => (n === at ? text : old));
+    // Another array is shown as it is.
+    setEntries(parts[at]?.value?.is === "words" && at === 0 ? present(parts, next) : next);
+  };
   const [tried, setTried] = useState(false);
   const [told, setTold] = useState<Told>(nothingTold);
   const made = clauseOf(entry, parts, entries, given);
   const wrong = "wrong" in made && tried ? made.wrong : new Map<number, string>();
   const choose = (next: string) => {
     setWhich(next);
-    setEntries(firstEntries(entry.variants[Number(next)]?.parts ?? [], given));
+    const others = entry.variants[Number(next)]?.parts ?? [];
+    setEntries(present(others, firstEntries(others, given)));
     setTried(false);
     setTold(nothingTold);
   };
@@ -85,7 +95,7 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
             text={entries[n] ?? ""}
             error={wrong.get(n)}
             first={n === 0}
-            onChange={(text) => setEntries(entries.map((old, k) => (k === n ? text : old)))}
+            onChange={(text) => enter(n, text)}
           />
         ))}
         <Outcome told={told} />
@@ -93,6 +103,12 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
       </form>
     </Sheet>
   );
+}
+
+/** The form that is shown first: that of the drawing's arrays where there are any. */
+function firstVariant({ variants }: OperationEntry, arrays: readonly ArrayState[]): string {
+  const found = variants.findIndex(({ parts }) => isOfArrays(parts));
+  return String(found >= 0 && arrays.some(repeats) ? found : 0);
 }
 
 /** What came of it: why it was not done, or what was noticed although it was. */

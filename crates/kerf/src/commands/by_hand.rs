@@ -2,10 +2,12 @@
 
 use crate::args::{PlaceArgs, Start};
 use crate::commands::machine::Which;
+use crate::commands::run::told_by_server;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
+use crate::remote::{Ended, Remote};
 use crate::report::asked;
-use crate::{out, parse, setup};
+use crate::{out, parse, served, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
@@ -15,6 +17,7 @@ use kerf_control::{
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
 use kerf_program::{AXES, Axis, AxisSet, MoveKind};
+use kerf_wire::ByHand;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 use std::sync::Arc;
@@ -27,6 +30,16 @@ pub struct MoveArgs {
     /// Takes as long as the machine does
     #[arg(long, global = true)]
     real: bool,
+    #[command(flatten)]
+    beside: Beside,
+}
+
+/// Options for where a running `kerf serve` has the machine, which then moves it.
+#[derive(Args, Clone, Copy)]
+pub struct Beside {
+    /// Arms the machine first, where a running kerf serve has it
+    #[arg(long, global = true)]
+    arm: bool,
 }
 
 #[derive(Subcommand)]
@@ -76,6 +89,24 @@ enum Way {
         #[arg(long = "for", value_name = "SECONDS", value_parser = parse::not_negative)]
         seconds: Option<f64>,
     },
+}
+
+impl Way {
+    /// The same for a server.
+    fn by_hand(&self) -> Result<ByHand> {
+        Ok(match self {
+            Self::Home { axes } => ByHand::Home { axes: axes.clone() },
+            Self::Origin => ByHand::Origin,
+            Self::Finish => ByHand::Finish,
+            Self::To { place, relative, flat } => {
+                ByHand::Place { place: numbers(place)?, relative: *relative, flat: *flat }
+            }
+            Self::CutTo { place, cut } => ByHand::CutMove { at: pair(place)?, cut: *cut },
+            Self::Hold { .. } => bail!(Usage(
+                "a kerf serve has this machine: hold a key of its console, which lets go when you do".into()
+            )),
+        })
+    }
 }
 
 /// A special height.
@@ -164,14 +195,53 @@ impl Shop {
     }
 }
 
+/// The server that has the machine, where one runs on its data folder.
+///
+/// # Errors
+/// A machine is named: the server has its own.
+fn server(which: &Which) -> Result<Option<Remote>> {
+    let data = which.folder();
+    let Some(address) = served::address(&setup::data_folder(&data)?)? else { return Ok(None) };
+    if which.config.is_some() {
+        bail!(Usage(format!(
+            "--config is not heeded: a kerf serve at {address} has the machine of this data folder; leave it \
+             out, or name another folder with --data"
+        )));
+    }
+    Remote::new(&address, &data).map(Some)
+}
+
+/// Refuses to change what a running server would not know of.
+fn not_beside_a_server(which: &Which, mend: &str) -> Result<()> {
+    let folder = setup::data_folder(&which.folder())?;
+    match served::address(&folder)? {
+        None => Ok(()),
+        Some(address) => {
+            bail!("a kerf serve has this machine: {mend} at {address}, or end it first")
+        }
+    }
+}
+
+/// How the move by a server ended.
+fn went(ended: &Ended) -> Exit {
+    told_by_server(ended, true)
+}
+
 /// Homes axes; all that have a switch when not told which.
-pub fn home(which: &Which, letters: Option<&str>) -> Result<Exit> {
+pub fn home(which: &Which, letters: Option<&str>, beside: Beside) -> Result<Exit> {
+    if let Some(server) = server(which)? {
+        let way = ByHand::FindHome { axes: letters.map(str::to_owned) };
+        return Ok(went(&server.go(&way, beside.arm)?));
+    }
     let mut shop = Shop::open(which, false)?;
     let axes = axes_with_switch(&shop.machine, letters)?;
     shop.errand(Errand::FindHome(axes), Vec::new())
 }
 
 pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
+    if let Some(server) = server(which)? {
+        return Ok(went(&server.go(&args.way.by_hand()?, args.beside.arm)?));
+    }
     let mut shop = Shop::open(which, args.real)?;
     let mut wishes = Vec::new();
     let errand = match &args.way {
@@ -185,15 +255,13 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
             Errand::To { place: numbers(place)?, relative: *relative, flat: *flat }
         }
         Way::CutTo { place, cut } => {
-            let [Some(x), Some(y), None, None, None, None] = numbers(place)? else {
-                bail!(Usage("give X,Y".into()))
-            };
+            let at = pair(place)?;
             if *cut {
-                let job = cut_move(&shop.machine, shop.session.memory.position, [x, y]);
+                let job = cut_move(&shop.machine, shop.session.memory.position, at);
                 let machine = shop.machine.clone();
                 return shop.does(Work::Job(Arc::new(job), machine), wishes);
             }
-            Errand::CutMoveTo([x, y])
+            Errand::CutMoveTo(at)
         }
         Way::Hold { way, speed, accel, seconds } => {
             wishes.extend(seconds.map(|seconds| (seconds, Wish::End)));
@@ -206,6 +274,7 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
 
 /// Records where Z is as one of its special heights, or puts the height by a distance.
 pub fn zset(which: &Which, height: Height, to: Option<f64>, by: Option<f64>) -> Result<Exit> {
+    not_beside_a_server(which, "set Z top, surface or bottom on its page Job")?;
     let mut shop = Shop::open(which, false)?;
     let setting = table::setting(height.key());
     let Some(setting) = setting else { bail!("no setting {}", height.key()) };
@@ -262,6 +331,9 @@ fn changed(
 pub fn origin(which: &Which, place: Option<&str>) -> Result<Exit> {
     let shop = Shop::open(which, false)?;
     let Some(setting) = table::setting("job.origin_mm") else { bail!("no setting job.origin_mm") };
+    if place.is_some() {
+        not_beside_a_server(which, "set the origin on its page Job")?;
+    }
     let at = match place {
         None => {
             out::print(&format!("{} = {}\n", setting.key, setting.get(&shop.machine)));
@@ -396,8 +468,7 @@ pub fn axes_named(c: &Configuration, letters: Option<&str>, all: AxisSet) -> Res
 }
 
 fn named(c: &Configuration, letter: char) -> Result<Axis> {
-    let is_called = |axis: &Axis| c.motors.axis_name(*axis).starts_with(letter);
-    let axis = Axis::ALL.into_iter().find(is_called).or_else(|| Axis::from_letter(letter));
+    let axis = c.motors.axis_called(letter);
     axis.ok_or_else(|| Usage(format!("there is no axis {letter}")).into())
 }
 
@@ -412,6 +483,14 @@ fn numbers(text: &str) -> Result<[Option<f64>; AXES]> {
         }
     }
     Ok(all)
+}
+
+/// `10,20`: X and Y.
+fn pair(text: &str) -> Result<[f64; 2]> {
+    match numbers(text)? {
+        [Some(x), Some(y), None, None, None, None] => Ok([x, y]),
+        _ => bail!(Usage("give X,Y".into())),
+    }
 }
 
 /// `x+`, `x+y-`: which way each axis goes.

@@ -1,7 +1,7 @@
 //! `kerf machine`: the configuration of a machine.
 
 use crate::args::DataArgs;
-use crate::commands::by_hand::{self, Height, MoveArgs};
+use crate::commands::by_hand::{self, Beside, Height, MoveArgs};
 use crate::commands::protect;
 use crate::exit::{Exit, Usage};
 use crate::{machine_file, out, parse, setup};
@@ -119,6 +119,8 @@ enum Action {
     Home {
         /// Their letters, as xyz; all that have a switch when not given
         axes: Option<String>,
+        #[command(flatten)]
+        beside: Beside,
     },
     /// Moves the machine by hand: to home, to the job origin, to a place, as a key that is held
     Move(MoveArgs),
@@ -171,7 +173,9 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             }
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
-        Action::Home { axes } => return by_hand::home(&args.which, axes.as_deref()),
+        Action::Home { axes, beside } => {
+            return by_hand::home(&args.which, axes.as_deref(), *beside);
+        }
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),

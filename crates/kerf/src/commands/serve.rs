@@ -5,6 +5,7 @@ use crate::args::PlaceArgs;
 use crate::clock;
 use crate::exit::{Exit, Usage};
 use crate::memory;
+use crate::served::Served;
 use crate::stop::Stop;
 use crate::visit::Visit;
 use crate::{out, setup};
@@ -150,6 +151,7 @@ pub fn run(args: &ServeArgs) -> Result<Exit> {
     let stop = Stop::listen()?;
     let options = options(args)?;
     let server = Server::start(options, builders(args)).map_err(|why| cannot(args.listen, why))?;
+    let _mark = mark(args, &server)?;
     out::print(&format!("Kerf's console is at {}\n", server.way_in()));
     if args.lan {
         let code = server.show_code(kerf_server::Role::Operator).context("no code can be made")?;
@@ -170,6 +172,14 @@ pub fn run(args: &ServeArgs) -> Result<Exit> {
         over.store(true, Ordering::Relaxed);
     });
     Ok(Exit::Good)
+}
+
+/// Marks the data folder, so that other commands leave its machine to the server.
+fn mark(args: &ServeArgs, server: &Server) -> Result<Option<Served>> {
+    let way_in = server.way_in();
+    let address = way_in.split_once("/?").map_or(way_in.as_str(), |(address, _)| address);
+    let folder = setup::data_folder(&args.place.data)?;
+    Served::begin(&folder, address).with_context(|| folder.display().to_string())
 }
 
 /// Why nothing is served, with the mend.

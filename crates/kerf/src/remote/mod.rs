@@ -1,6 +1,7 @@
 //! A running server instead of the machine of the data folder: lines, files and values go to it over HTTP.
 
 mod ended;
+mod go;
 mod runs;
 mod values;
 

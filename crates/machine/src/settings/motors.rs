@@ -91,6 +91,12 @@ impl Motors {
         Motor::ALL.into_iter().filter(|motor| self.axis_of(*motor) == Some(axis)).collect()
     }
 
+    /// The axis that people call by a letter: by its name in the Profiler tables, else in OpenSBP.
+    pub fn axis_called(&self, letter: char) -> Option<Axis> {
+        let is_called = |axis: &Axis| self.axis_name(*axis).starts_with(letter);
+        Axis::ALL.into_iter().find(is_called).or_else(|| Axis::from_letter(letter))
+    }
+
     /// The axes that have a motor.
     pub fn axes(&self) -> AxisSet {
         let moved = Axis::ALL.into_iter().filter(|axis| !self.of_axis(*axis).is_empty());

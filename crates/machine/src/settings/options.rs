@@ -32,6 +32,8 @@ pub struct Options {
     pub join_mm: f64,
     /// Radius within which the mouse selects, pixels.
     pub pick_radius_px: f64,
+    /// So much larger than what is drawn is the window that shows all of it, percent.
+    pub window_expansion_percent: f64,
 }
 
 impl Default for Options {
@@ -48,6 +50,7 @@ impl Default for Options {
             filter_mm: 0.0,
             join_mm: 0.1,
             pick_radius_px: 8.0,
+            window_expansion_percent: 5.0,
         }
     }
 }

@@ -294,4 +294,12 @@ const OPTIONS: &[Setting] = &[
         Range(1.0, 50.0),
         "Radius within which the mouse selects."
     ),
+    row!(
+        c,
+        "options.window_expansion_percent",
+        c.options.window_expansion_percent,
+        Percent,
+        Range(0.0, 100.0),
+        "So much larger than what is drawn is the window that shows all of it."
+    ),
 ];

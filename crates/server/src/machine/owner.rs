@@ -15,7 +15,7 @@ use crate::told;
 use kerf_control::journal::{Journal, JournalError, Live};
 use kerf_control::{Company, RunOptions, Summary, Work, unverified};
 use kerf_machine::table::Setting;
-use kerf_machine::{Configuration, Errand, Keypad};
+use kerf_machine::{Configuration, Errand, Keypad, hand};
 use kerf_program::{AXES, Axis};
 use kerf_sbp::{FileParameters, Status};
 use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
@@ -86,6 +86,15 @@ pub enum Order {
         /// Told how it ended.
         tells: Sender<Happening>,
     },
+    /// Cut straight from where the tool is to a place from the job origin, X and Y, mm.
+    CutMove {
+        /// The place.
+        at: [f64; 2],
+        /// The machine, and where on it the job lies.
+        machine: Box<Configuration>,
+    },
+    /// Switch an output of the card, by its number.
+    Switch(u8, bool),
     /// Shift the workpiece.
     Nudge(Axis, f64),
     /// Move the switches of the simulated machine that nothing which ran has moved.
@@ -133,6 +142,8 @@ impl Order {
             | Self::StartUp { .. }
             | Self::Jog { .. }
             | Self::Hand { .. }
+            | Self::CutMove { .. }
+            | Self::Switch(..)
             | Self::Nudge(..) => true,
             Self::Switches
             | Self::Folder { .. }
@@ -242,6 +253,8 @@ impl Owner {
                 Order::StartUp { lines, since } => self.start_up(&lines, since),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
+                Order::CutMove { at, machine } => self.cut_move(at, *machine),
+                Order::Switch(number, on) => self.switch(number, on),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
                 Order::Record(line) => self.record(&line),
@@ -495,6 +508,22 @@ impl Owner {
         let driven = self.drive(work, self.options(), Planned::default(), None);
         tell(&driven);
         self.tell_ended(job, driven);
+    }
+
+    /// CutMoveTo with cutting: a job of one line.
+    fn cut_move(&mut self, at: [f64; 2], machine: Configuration) {
+        self.catch_up();
+        let cut = hand::cut_move(&machine, self.workshop.session.memory.position, at);
+        let job = Job { command: Some("cut move to".into()), ..Job::default() };
+        let work = Work::Job(Arc::new(cut), Arc::new(machine));
+        self.run(work, self.options(), job, Planned::default());
+    }
+
+    /// Switches an output of a machine that stands.
+    fn switch(&mut self, number: u8, on: bool) {
+        self.catch_up();
+        self.workshop.session.switch_at_rest(number, on);
+        self.rest(State::Idle, None);
     }
 
     fn nudge(&mut self, axis: Axis, distance: f64) {

@@ -1,0 +1,56 @@
+import { useSnapshot } from "../app/context";
+import { lengthText } from "../app/units";
+import { Button } from "../ui/Button";
+import { Panel } from "../ui/Panel";
+import type { ArrayState, Units } from "../wire/messages";
+import { corners, orders, repeats } from "./arrays";
+
+/** How often the drawing is repeated, and how far from one to the next; nothing where it is cut once. */
+export function ArrayPanel({ onChange }: { onChange: () => void }) {
+  const arrays = useSnapshot("drawing")?.arrays ?? [];
+  const units = useSnapshot("units");
+  const shown = arrays.filter(repeats);
+  if (shown.length === 0 || !units) return null;
+  return (
+    <Panel
+      title="Arrays"
+      aside={
+        <Button size="small" onPress={onChange}>
+          Change…
+        </Button>
+      }
+    >
+      <dl className="array-levels">
+        {shown.map((array) => (
+          <Level key={array.level} array={array} units={units} />
+        ))}
+      </dl>
+    </Panel>
+  );
+}
+
+function Level({ array: { level, grid, gap, pitch, start, order }, units }: LevelProps) {
+  const [rows, columns] = grid;
+  const length = (mm: number) => lengthText(mm, units, 3);
+  return (
+    <div data-level={level}>
+      <dt>
+        {level === "block" ? "Blocks in a job" : "Jobs on the table"}: {rows} × {columns}
+      </dt>
+      <dd>
+        Pitch: X {length(pitch[0])}, Y {length(pitch[1])}
+      </dd>
+      <dd>
+        Gap: X {length(gap[0])}, Y {length(gap[1])}
+      </dd>
+      <dd>
+        Begins {corners[start] ?? start}, {orders[order] ?? order}
+      </dd>
+    </div>
+  );
+}
+
+interface LevelProps {
+  array: ArrayState;
+  units: Units;
+}

@@ -1,0 +1,58 @@
+/** The arrays of the drawing as people read them, and as the form of the operation begins with them. */
+
+import type { ArrayState, OperationPart } from "../wire/messages";
+
+export const corners: Record<string, string> = {
+  bl: "bottom left",
+  br: "bottom right",
+  tr: "top right",
+  tl: "top left",
+};
+
+export const orders: Record<string, string> = {
+  row: "row by row",
+  column: "column by column",
+  "row-snake": "rows forth and back",
+  "column-snake": "columns forth and back",
+};
+
+/** Whether there is more than one. */
+export const repeats = ({ grid: [rows, columns] }: ArrayState): boolean => rows * columns > 1;
+
+const round = (value: number): string => String(Number(value.toFixed(6)));
+
+/** The part of a form that says which level it is about. */
+const isLevel = ({ value }: OperationPart): boolean =>
+  value?.is === "words" && value.words.includes("block") && value.words.includes("job");
+
+/** Whether this form is about a level of the arrays of the drawing. */
+export const isOfArrays = (parts: readonly OperationPart[]): boolean => parts.some(isLevel);
+
+/** The entries of a form, with the array as it is where the form is about one; in the user's unit. */
+export function withArray(
+  parts: readonly OperationPart[],
+  entries: readonly string[],
+  arrays: readonly ArrayState[],
+  mm: number,
+): readonly string[] {
+  const level = entries[parts.findIndex(isLevel)];
+  const array = arrays.find((array) => array.level === level);
+  return array
+    ? entries.map((entry, n) => (parts[n] && saidOf(parts[n], array, mm)) ?? entry)
+    : entries;
+}
+
+/** What an array says for a part of the form. */
+function saidOf(
+  { lead, value }: OperationPart,
+  { grid, gap, start, order }: ArrayState,
+  mm: number,
+): string | undefined {
+  if (value?.is === "grid") return grid.join("x");
+  const said: Record<string, string> = {
+    gap: gap.map((length) => round(length / mm)).join(","),
+    start,
+    order,
+  };
+  return said[lead.trim()];
+}

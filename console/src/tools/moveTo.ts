@@ -1,0 +1,47 @@
+/** Moves to places that are given in numbers, as the machine is asked for them. */
+
+import type { AxisUnits, ByHand } from "../wire/messages";
+
+type Axes = readonly { readonly axis: AxisUnits; readonly at: number }[];
+type Entries = Readonly<Record<string, string>>;
+/** Reads a number of an axis, mm or degrees. */
+type Reader = (text: string, axis: AxisUnits) => number | undefined;
+
+/** A move, or what is wrong with what was entered. */
+export type Made = ByHand | { readonly wrong: string };
+
+export const isWrong = (made: Made): made is { readonly wrong: string } => "wrong" in made;
+
+/** What is entered for each axis; nothing of those that stay. */
+function placeOf(axes: Axes, entries: Entries, read: Reader): (number | null)[] | string {
+  const place: (number | null)[] = [null, null, null, null, null, null];
+  for (const { axis, at } of axes) {
+    const text = (entries[axis.letter] ?? "").trim();
+    if (text === "") continue;
+    const value = read(text, axis);
+    if (value === undefined) return `${axis.letter}: ${text} is no number.`;
+    place[at] = value;
+  }
+  return place;
+}
+
+export function moveTo(
+  axes: Axes,
+  entries: Entries,
+  read: Reader,
+  how: { readonly relative: boolean; readonly flat: boolean },
+): Made {
+  const place = placeOf(axes, entries, read);
+  if (typeof place === "string") return { wrong: place };
+  if (place.every((value) => value === null))
+    return { wrong: "Give a place for one axis at least." };
+  return { to: "place", place: place as Extract<ByHand, { to: "place" }>["place"], ...how };
+}
+
+export function cutMove(axes: Axes, entries: Entries, read: Reader, cut: boolean): Made {
+  const place = placeOf(axes, entries, read);
+  if (typeof place === "string") return { wrong: place };
+  const [x, y] = place;
+  if (x == null || y == null) return { wrong: "Give X and Y." };
+  return { to: "cutMove", at: [x, y], cut };
+}

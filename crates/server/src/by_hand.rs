@@ -1,0 +1,131 @@
+//! What a page has a machine do by hand that stands: moves to somewhere, bits of the card, single steps.
+
+use crate::app::{App, problem};
+use crate::asker::Asker;
+use crate::machine::Order;
+use kerf_machine::lines::Output;
+use kerf_machine::settings::motors::Motor;
+use kerf_machine::{Configuration, Errand, wiring};
+use kerf_program::{AXES, Axis, AxisSet};
+use kerf_wire::{ByHand, Mode, Problem, Why};
+use std::sync::mpsc::channel;
+
+impl App {
+    /// Moves the machine to somewhere.
+    ///
+    /// # Errors
+    /// There is no such axis or place, or the machine is busy.
+    pub fn go(&self, asker: &Asker, way: ByHand) -> Result<(), Problem> {
+        let machine = Box::new(self.machine_by_hand());
+        if let ByHand::CutMove { at, cut: true } = way {
+            let at = finite(at.map(Some)).map(|()| at)?;
+            return self.order_of(asker, Order::CutMove { at, machine });
+        }
+        let errand = errand(&machine, way)?;
+        self.hand(asker, errand, machine)
+    }
+
+    fn hand(
+        &self,
+        asker: &Asker,
+        errand: Errand,
+        machine: Box<Configuration>,
+    ) -> Result<(), Problem> {
+        // Pages see how it ends in what the machine tells.
+        let (tells, _) = channel();
+        self.order_of(asker, Order::Hand { errand, machine, tells })
+    }
+
+    /// Switches an output bit of the card.
+    ///
+    /// # Errors
+    /// There is none of that name, it belongs to a motor, or the machine is a real one.
+    pub fn switch_bit(&self, asker: &Asker, name: &str, on: bool) -> Result<(), Problem> {
+        self.has_card()?;
+        let found = wiring::bit(name).filter(|(is_output, _)| *is_output);
+        let Some((_, bit)) = found else {
+            return Err(problem(Why::Malformed, format!("no output bit is called {name}")));
+        };
+        let Some(line) = Output::of_name(bit.name) else {
+            return Err(problem(Why::State, "this bit belongs to a motor: step it instead"));
+        };
+        self.order_of(asker, Order::Switch(line.number(), on))
+    }
+
+    /// Steps a motor once, which moves its axis by the length of a step.
+    ///
+    /// # Errors
+    /// There is no such motor, it moves no axis alone, or the machine is a real one.
+    pub fn step_motor(&self, asker: &Asker, name: &str, forward: bool) -> Result<(), Problem> {
+        self.has_card()?;
+        let machine = Box::new(self.machine_by_hand());
+        let motor = Motor::ALL.into_iter().find(|it| it.word().eq_ignore_ascii_case(name));
+        let Some(axis) = motor.and_then(|motor| machine.motors.axis_of(motor)) else {
+            return Err(problem(Why::Malformed, format!("no axis is moved by a motor {name}")));
+        };
+        if machine.motors.of_axis(axis).len() > 1 {
+            let text = "two motors move this axis: a step of one of them would set it askew";
+            return Err(problem(Why::State, text));
+        }
+        let step = 1.0 / machine.program.resolution.steps_per_unit[axis];
+        let mut place = [None; AXES];
+        place[axis.index()] = Some(if forward { step } else { -step });
+        self.hand(asker, Errand::To { place, relative: true, flat: false }, machine)
+    }
+
+    fn has_card(&self) -> Result<(), Problem> {
+        let text =
+            "the bits of the card are those of the simulated machine: a real one has outputs (SO)";
+        let real = self.hub.read(|now| now.machine.mode == Mode::Cut);
+        if real { Err(problem(Why::State, text)) } else { Ok(()) }
+    }
+}
+
+fn errand(machine: &Configuration, way: ByHand) -> Result<Errand, Problem> {
+    let has_switch = |axis: &Axis| machine.homing.of(*axis).fitted;
+    let fitted = || Axis::ALL.into_iter().filter(has_switch).fold(AxisSet::EMPTY, AxisSet::with);
+    Ok(match way {
+        ByHand::FindHome { axes } => Errand::FindHome(called(machine, axes.as_deref(), fitted())?),
+        ByHand::Home { axes } => {
+            Errand::Home(called(machine, axes.as_deref(), machine.motors.axes())?)
+        }
+        ByHand::Origin => Errand::Origin,
+        ByHand::Finish => Errand::Finish,
+        ByHand::Place { place, relative, flat } => {
+            finite(place)?;
+            Errand::To { place, relative, flat }
+        }
+        ByHand::CutMove { at, .. } => {
+            finite(at.map(Some))?;
+            Errand::CutMoveTo(at)
+        }
+    })
+}
+
+/// Axes by their letters, out of those that can be meant; all of them for nothing.
+fn called(
+    machine: &Configuration,
+    letters: Option<&str>,
+    all: AxisSet,
+) -> Result<AxisSet, Problem> {
+    let axes = letters.unwrap_or_default().chars().try_fold(AxisSet::EMPTY, |set, letter| {
+        let axis = machine.motors.axis_called(letter).filter(|axis| all.contains(*axis));
+        let text = || format!("axis {letter} is not there, or has no home switch");
+        axis.map(|axis| set.with(axis)).ok_or_else(|| problem(Why::Malformed, text()))
+    })?;
+    let axes = if letters.is_some() { axes } else { all };
+    if axes.is_empty() {
+        return Err(problem(Why::Malformed, "name the axes by their letters, as xy"));
+    }
+    Ok(axes)
+}
+
+/// Checks that there is a place and that its numbers are some.
+fn finite<const N: usize>(place: [Option<f64>; N]) -> Result<(), Problem> {
+    let mut numbers = place.into_iter().flatten().peekable();
+    let some = numbers.peek().is_some();
+    if some && numbers.all(f64::is_finite) {
+        return Ok(());
+    }
+    Err(problem(Why::Malformed, "a place has a number for at least one axis"))
+}
