@@ -158,7 +158,8 @@ fn controlled(mode: HeightMode) -> JobRun {
         return run.sheet(Sheet { slope_x: 0.03, ..Sheet::flat(-22.0) });
     }
     // Down to the sheet; down on the way, and less far up again.
-    let pulses = [(3.3, Input::ZHigh, false), (4.6, Input::ZHigh, true), (4.7, Input::ZHigh, false)];
+    let pulses =
+        [(3.3, Input::ZHigh, false), (4.6, Input::ZHigh, true), (4.7, Input::ZHigh, false)];
     let run = run.input(Input::ZHigh, 0.1, true).input(Input::ZLow, 5.0, true);
     let run = run.input(Input::ZLow, 5.05, false);
     pulses.into_iter().fold(run, |run, (at_s, input, on)| run.input(input, at_s, on))
@@ -170,7 +171,10 @@ fn pro_io_vcd__has_the_steps_of_height_control() {
         let (signals, trace) = (controlled(mode).signals(), controlled(mode).run());
         let ends = (trace.rests()[2] * 250.0).round() as i64;
         let off = signals.driven('z') - ends;
-        assert!(off.abs() <= 1, "{mode:?}: the pulses lead {off} steps beside where Z ends, {ends}");
+        assert!(
+            off.abs() <= 1,
+            "{mode:?}: the pulses lead {off} steps beside where Z ends, {ends}"
+        );
         let counted = signals.positions('z');
         let apart = counted.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs());
         assert_eq!(apart.max(), Some(1), "{mode:?}: a step is a step");

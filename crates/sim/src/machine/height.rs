@@ -102,7 +102,10 @@ impl Following<'_> {
         let [x, y, z] = state.position.first3();
         let [vx, vy, _] = state.velocity.first3();
         let over = z + self.follower.offset_mm;
-        let gap_mm = self.machine.sheet.map(|sheet| over - sheet.height_mm(x, y) - self.law.raised_mm.unwrap_or_default());
+        let gap_mm = self
+            .machine
+            .sheet
+            .map(|sheet| over - sheet.height_mm(x, y) - self.law.raised_mm.unwrap_or_default());
         let felt = |number: u8, felt: fn(f64) -> bool| match gap_mm {
             Some(gap_mm) if !self.inputs.is_told(number) => felt(gap_mm),
             _ => self.inputs.reads(number, &self.machine.settings.io),
@@ -179,7 +182,11 @@ impl Machine {
     /// What the switches of the head go by while height control is on, as far as no script moves them.
     fn switches_of_head(&self) -> Vec<(Input, Feels)> {
         let Some(law) = self.law.filter(|_| !self.draws()) else { return Vec::new() };
-        let feels = |felt: Felt| Feels { sheet: self.sheet, raised_mm: law.raised_mm.unwrap_or_default(), felt };
+        let feels = |felt: Felt| Feels {
+            sheet: self.sheet,
+            raised_mm: law.raised_mm.unwrap_or_default(),
+            felt,
+        };
         match (law.gauge, self.sheet) {
             (Gauge::Proportional { .. }, _) => vec![(Input::ZHigh, feels(Felt::Above(law)))],
             (Gauge::Simple { .. }, Some(_)) => {
