@@ -40,9 +40,8 @@ function wordOf({ state, armed }: Machine, asked: Asked | null | undefined, forb
     return { tone: "alarm", word: pressed };
   const open = state === "asking" && asked ? openWords[asked.kind] : undefined;
   if (open) return { tone: "asking", word: open };
-  // A job that waits was not stopped for good: it goes on, or begins, when it is told to.
-  if (state === "stopped" && asked?.kind === "paused")
-    return { tone: "held", word: asked.prefill ? "Waiting for Start" : "Paused" };
+  // A job that waits was not stopped for good: it goes on when it is told to.
+  if (state === "stopped" && asked?.kind === "paused") return { tone: "held", word: "Paused" };
   if (state === "idle" && !armed) return { tone: "disarmed", word: "Disarmed" };
   return { tone: state, word: state === "idle" ? "Ready" : words[state] };
 }
