@@ -1,4 +1,4 @@
-import type { State } from "../wire/messages";
+import type { Asked, Machine, State } from "../wire/messages";
 import { useShown } from "./context";
 import "./state-word.css";
 import { useWords } from "./useWords";
@@ -24,16 +24,35 @@ const openWords: Record<string, string> = {
 export function StateWord() {
   const status = useShown((shown) => shown.status);
   const machine = useShown((shown) => shown.snapshot?.machine);
-  const asked = useShown((shown) => shown.snapshot?.asked?.kind);
+  const asked = useShown((shown) => shown.snapshot?.asked);
+  const forbidden = useShown((shown) => shown.snapshot?.io.forbidden);
   if (status !== "open" || !machine) return <Word tone="lost" word="No link" />;
-  const { state, armed, why } = machine;
-  const open = state === "asking" && asked ? openWords[asked] : undefined;
-  if (open) return <Word tone="asking" word={open} why={why} />;
-  const word = state === "idle" ? (armed ? "Ready" : "Disarmed") : words[state];
-  return <Word tone={state === "idle" && !armed ? "disarmed" : state} word={word} why={why} />;
+  const { tone, word } = wordOf(machine, asked, Boolean(forbidden));
+  return <Word tone={tone} word={word} why={word === pressed ? forbidden : machine.why} />;
 }
 
-function Word({ tone, word, why }: { tone: string; word: string; why?: string | null }) {
+/** What is said while a stop that is pressed forbids motion. */
+const pressed = "Stop pressed";
+
+/** The word for what the machine is doing, and its tone. */
+function wordOf({ state, armed }: Machine, asked: Asked | null | undefined, forbidden: boolean) {
+  if (forbidden && (state === "idle" || state === "stopped"))
+    return { tone: "alarm", word: pressed };
+  const open = state === "asking" && asked ? openWords[asked.kind] : undefined;
+  if (open) return { tone: "asking", word: open };
+  // A job that waits was not stopped for good: it goes on when it is told to.
+  if (state === "stopped" && asked?.kind === "paused") return { tone: "held", word: "Paused" };
+  if (state === "idle" && !armed) return { tone: "disarmed", word: "Disarmed" };
+  return { tone: state, word: state === "idle" ? "Ready" : words[state] };
+}
+
+interface WordProps {
+  tone: string;
+  word: string;
+  why?: string | null | undefined;
+}
+
+function Word({ tone, word, why }: WordProps) {
   const words = useWords();
   return (
     <div className={`state state-${tone}`} role="status">

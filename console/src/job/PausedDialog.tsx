@@ -1,12 +1,13 @@
 import { ask } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
-import { lengthText } from "../app/units";
+import { lengthText, placeText } from "../app/units";
 import { GoesOn } from "../operator/GoesOn";
 import { useAside } from "../operator/useAside";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Sheet } from "../ui/Sheet";
 import type { Asked } from "../wire/messages";
+import { headAt, near } from "./head";
 import { useJob } from "./useJob";
 import { ValueField } from "./ValueField";
 import "./job-screen.css";
@@ -40,11 +41,22 @@ export function PausedDialog({ asked }: { asked: Asked }) {
     >
       <div className="paused">
         <div className="paused-hands">{buttons}</div>
+        <Forbidden />
         <GoesOn />
         {chooses ? <ChooseStart text={asked.text} say={say} /> : <ChangeValues say={say} />}
       </div>
     </Sheet>
   );
+}
+
+/** What has to be done before anything moves again. */
+function Forbidden() {
+  const forbidden = useSnapshot("io")?.forbidden;
+  return forbidden ? (
+    <p className="paused-forbidden" role="alert">
+      Nothing moves: {forbidden}.
+    </p>
+  ) : null;
 }
 
 interface Says {
@@ -56,7 +68,7 @@ function ChooseStart({ text, say }: Says & { text: string }) {
   const number = Number(/\d+/.exec(text)?.[0] ?? 1);
   return (
     <>
-      <p>The head stands over the beginning of path {number}. Start cuts from there.</p>
+      <HeadWords number={number} />
       <div className="start-choice">
         <ValueField
           label="Begins with path"
@@ -71,6 +83,31 @@ function ChooseStart({ text, say }: Says & { text: string }) {
         </Button>
       </div>
     </>
+  );
+}
+
+/** The place of the head, and the way from there to the path. */
+function HeadWords({ number }: { number: number }) {
+  const plan = useJob();
+  const units = useSnapshot("units");
+  const motion = useSnapshot("motion");
+  if (!plan || !units || !motion) return null;
+  const [x, y, z] = motion.at.machine;
+  const head = headAt(plan.view, number, [x, y]);
+  if (!head) return null;
+  const height = `Z ${lengthText(z, units)}`;
+  const there = `the beginning of path ${number}`;
+  if (head.awayMm < near)
+    return (
+      <p>
+        The head stands over {there}, {height}. Start cuts from there.
+      </p>
+    );
+  return (
+    <p>
+      The head stands at {placeText(head.at, units)}, {height}: {lengthText(head.awayMm, units)}{" "}
+      from {there}. Start takes it there first, at Z home.
+    </p>
   );
 }
 

@@ -45,13 +45,18 @@ export function InputsSheet({ onClose }: { onClose: () => void }) {
 
 /** Every input of the machine; the first twelve as they are told. */
 function useInputs(): readonly Lamp[] {
-  const told = useSnapshot("io")?.inputs ?? [];
+  const io = useSnapshot("io");
+  const told = io?.inputs ?? [];
+  // The lines of the card are told as bits of its ports: whoever closed one must be able to open it again.
+  const ports = io?.ports.inputs.join() ?? "";
   const changes = useSnapshot("settings");
   const [all, setAll] = useState<readonly Lamp[]>([]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: what switches are for is a setting
   useEffect(() => {
-    getJson<Lamp[]>("/api/inputs").then(setAll, () => undefined);
-  }, [changes, told]);
+    const gone = new AbortController();
+    getJson<Lamp[]>("/api/inputs", gone.signal).then(setAll, () => undefined);
+    return () => gone.abort();
+  }, [changes, told, ports]);
   return all.length > 0
     ? all.map((lamp) => told.find(({ number }) => number === lamp.number) ?? lamp)
     : told;

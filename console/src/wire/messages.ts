@@ -526,7 +526,9 @@ inputs: Array<Lamp>,
 /** Outputs 1 … 12. */
 outputs: Array<Lamp>,
 /** The ports of the card. */
-ports: Ports, };
+ports: Ports,
+/** What has to be done before anything moves, while a stop that is pressed forbids it. */
+forbidden: string | null, };
 
 /** What runs. */
 export type Job = {

@@ -72,7 +72,12 @@ export const firstSnapshot: Snapshot = {
     jogMmS: [152.4, 50.8, 50.8, 50.8, 50.8],
     rpm: 0,
   },
-  io: { inputs: lamps([4]), outputs: lamps([]), ports: { inputs: [0, 0], outputs: [0, 0, 0] } },
+  io: {
+    inputs: lamps([4]),
+    outputs: lamps([]),
+    ports: { inputs: [0, 0], outputs: [0, 0, 0] },
+    forbidden: null,
+  },
   opened: {
     name: "first-cut.sbp",
     hash: "abc",

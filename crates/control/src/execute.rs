@@ -9,7 +9,7 @@ use kerf_diag::Code;
 use kerf_machine::lines::Input;
 use kerf_motion::{Move, Path, Plan, Stop, planner};
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
-use kerf_sim::{Halt, HaltCause};
+use kerf_sim::{Halt, HaltCause, Lift};
 
 /// Why a stack did not run to its end.
 #[derive(Debug)]
@@ -261,15 +261,17 @@ impl<I: Interpreter> Runner<'_, I> {
         self.last_move = span.made.at;
         self.trail.moves(span.made.at);
         let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
+        let alone = self.world.machine.alone();
+        let lift = self.world.machine.make(t0_s, plan, &span);
+        let made = carried(span.made, &lift);
         if self.world.tells_motion() {
-            let event = self.move_event(span.made, begin_s, end_s);
+            let event = self.move_event(&made, begin_s, end_s);
             self.world.tell(&event);
         }
-        let alone = self.world.machine.alone();
-        self.world.tell_made(&Made { plan, span: &span, t0_s, alone, beside });
-        let frame = self.world.machine.frame();
-        self.world.tally.made(span.made, end_s - begin_s, frame);
-        self.world.machine.make(t0_s, plan, &span);
+        self.world.tell_made(&Made { plan, span: &span, t0_s, alone, lift: &lift, beside });
+        let frame = *self.world.machine.frame();
+        self.world.tally.made(&made, end_s - begin_s, &frame);
+        self.world.tally.carried(&made, &lift, &frame);
         self.world.tell_log();
         let (file, place) = (self.world.file(span.made.at), self.world.placed());
         self.world.shelf.tape.made(&file, span.made.at.line, place);
@@ -385,6 +387,15 @@ impl<I: Interpreter> Runner<'_, I> {
 /// What stops a plan that nothing follows any more.
 pub(crate) const fn link_lost(t_s: f64) -> Halt {
     Halt { t_s, cause: HaltCause::LinkLost, ramped: false }
+}
+
+/// A move as it is made, between the heights that height control carries its ends to.
+fn carried(made: &Move, lift: &Lift) -> Move {
+    let [from_mm, to_mm] = lift.ends();
+    let mut made = *made;
+    made.from[Axis::Z] += from_mm;
+    made.to[Axis::Z] += to_mm;
+    made
 }
 
 /// The axis in whose unit the speed of a move is told.

@@ -10,36 +10,27 @@ use kerf_program::{Gauge, HeightLaw};
 use kerf_sim::Sheet;
 use std::sync::Arc;
 
-/// Heights in force, and what they are measured by: the height of the tool, and as soon as a sensor reads, the
-/// sheet itself, which Z comes after.
+/// Heights in force, as they were told last, and the law by which Z leaves them behind.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Carried {
     heights: Heights,
-    /// What they held for, Z of the machine frame, mm.
-    held_at_mm: f64,
-    /// The gap that was read last, mm.
-    gap_mm: Option<f64>,
+    law: Option<HeightLaw>,
 }
 
 impl Carried {
-    /// Heights that hold while the tool is at a height.
-    pub const fn told(heights: Heights, z_mm: f64) -> Self {
-        Self { heights, held_at_mm: z_mm, gap_mm: None }
+    /// These heights hold from now on.
+    pub const fn hold(&mut self, heights: Heights) {
+        self.heights = heights;
     }
 
-    /// The heights under a tool at a height over the sheet; the first that is read is what they were told for.
-    pub fn read(&mut self, z_mm: f64, gap_mm: f64) -> Heights {
-        if self.gap_mm.replace(gap_mm).is_none() {
-            self.held_at_mm = z_mm - gap_mm;
-        }
-        self.at(z_mm)
+    /// Height control begins, or ends.
+    pub const fn follow(&mut self, law: Option<HeightLaw>) {
+        self.law = law;
     }
 
-    /// The heights now that height control has brought the tool elsewhere.
+    /// The heights now that height control has brought the tool to a height.
     pub fn at(&self, z_mm: f64) -> Heights {
-        let Heights { top_mm, surface_mm, bottom_mm } = self.heights;
-        let by = z_mm - self.gap_mm.unwrap_or(0.0) - self.held_at_mm;
-        Heights { top_mm: top_mm + by, surface_mm: surface_mm + by, bottom_mm }
+        self.law.map_or(self.heights, |law| law.carried(self.heights, z_mm))
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::{Event, Standing};
 use kerf_motion::{Plan, Span};
-use kerf_program::Axis;
+use kerf_program::{Axes, Axis};
+use kerf_sim::Lift;
 
 /// A move that is made, with the plan that says how.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +16,19 @@ pub struct Made<'a> {
     pub t0_s: f64,
     /// The motor that makes it while the others of its axis stand, by its place among them; `None` for all.
     pub alone: Option<(Axis, usize)>,
+    /// How far height control carries Z beside the plan.
+    pub lift: &'a Lift,
     /// It is none of the program: by hand, away from a place where the run stands and back to it.
     pub beside: bool,
+}
+
+impl Made<'_> {
+    /// Where the axes are at a moment of the plan, as far as the move goes.
+    pub fn place(&self, plan_s: f64) -> Axes {
+        let mut place = self.plan.at(plan_s).position;
+        place[Axis::Z] += self.lift.at(self.t0_s + plan_s);
+        place
+    }
 }
 
 /// Takes the events of a run, in order of machine time.

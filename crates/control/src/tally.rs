@@ -2,7 +2,8 @@
 
 use kerf_geom::Bounds3;
 use kerf_motion::{Move, Path};
-use kerf_program::{Axis, Frame, MoveKind, ToolPathStart};
+use kerf_program::{Axes, Axis, Frame, MoveKind, ToolPathStart};
+use kerf_sim::Lift;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -95,6 +96,19 @@ impl Tally {
         }
     }
 
+    /// Height control carried a cut up and down on the way.
+    pub fn carried(&mut self, made: &Move, lift: &Lift, frame: &Frame) {
+        if made.kind != MoveKind::Cut || lift.is_still() {
+            return;
+        }
+        let [begin_mm, _] = lift.ends();
+        for mm in lift.range() {
+            let mut at = made.from;
+            at[Axis::Z] += mm - begin_mm;
+            self.bounds.add(working(at, frame));
+        }
+    }
+
     /// Time passed without motion.
     pub fn waited(&mut self, seconds: f64) {
         self.spend(seconds, |t| &mut t.wait_s, |path| &mut path.wait);
@@ -152,16 +166,18 @@ impl Tally {
     }
 
     fn grow(&mut self, made: &Move, frame: &Frame) {
-        let zero = frame.working_zero.first3();
-        let mut add = |[x, y, z]: [f64; 3]| {
-            self.bounds.add([x - zero[0], y - zero[1], z - zero[2]]);
-        };
-        add(made.from.first3());
-        add(made.to.first3());
+        let mut add = |at: Axes| self.bounds.add(working(at, frame));
+        add(made.from);
+        add(made.to);
         if let Some(arc) = made.arc() {
-            arc.extremes(|p| add([p.x, p.y, made.to[Axis::Z]]));
+            arc.extremes(|p| add(Axes::xyz(p.x, p.y, made.to[Axis::Z])));
         }
     }
+}
+
+/// The working location of a place on the machine, mm.
+fn working(at: Axes, frame: &Frame) -> [f64; 3] {
+    at.minus(frame.working_zero).first3()
 }
 
 fn straight(made: &Move, axes: [Axis; 3]) -> f64 {
@@ -174,7 +190,7 @@ fn straight(made: &Move, axes: [Axis; 3]) -> f64 {
 mod tests {
     use super::*;
     use kerf_motion::Mover;
-    use kerf_program::{Arc as ArcMove, At, Axes, Feed, Line, Settings};
+    use kerf_program::{Arc as ArcMove, At, Feed, Line, Settings};
 
     fn line(from: Axes, to: Axes, kind: MoveKind) -> Move {
         let line = Line { kind, to, feed: Feed::Axis };

@@ -193,7 +193,7 @@ impl Sink for Lines {
             return;
         }
         for at_s in looks(made.span.t0_s, made.span.t1_s) {
-            self.goes(made.t0_s + at_s, made.plan.at(at_s).position.first3());
+            self.goes(made.t0_s + at_s, made.place(at_s).first3());
         }
     }
 }

@@ -297,9 +297,8 @@ impl<'a> World<'a> {
                 pulse_us: self.laser_hz.map(|hz| Laser::pulse_us(hz, value)),
                 t,
             },
-            What::Height { z_mm, gap_mm, error_mm, reading } => {
-                let now = self.heights.read(z_mm, gap_mm);
-                let Heights { top_mm: top, surface_mm: surface, .. } = now;
+            What::Height { z_mm, error_mm, reading } => {
+                let Heights { top_mm: top, surface_mm: surface, .. } = self.heights.at(z_mm);
                 let off = error_mm.abs() > self.machine_is.height.display_accuracy_mm;
                 Event::Height { z: z_mm, error: error_mm, reading, off, surface, top, t }
             }
@@ -370,14 +369,17 @@ impl<'a> World<'a> {
             Command::Beam(beam) => self.machine.beam(beam),
             Command::LaserFrequency { hz } => self.machine.laser_frequency(hz),
             Command::Heights(heights) => {
-                let z_mm = self.machine.true_position()[Axis::Z];
-                self.heights = Carried::told(heights, z_mm);
+                self.heights.hold(heights);
                 self.tell(&heights::event(heights, t));
             }
             Command::InForce(InForce { cut_mm_s, plunge_mm_s, raise }) => {
                 self.tell(&Event::InForce { cut_mm_s, plunge_mm_s, raise, t });
             }
-            Command::HeightControl(law) => self.machine.height_control(law.as_deref().copied()),
+            Command::HeightControl(law) => {
+                let law = law.as_deref().copied();
+                self.heights.follow(law);
+                self.machine.height_control(law);
+            }
             // The simulated machine has one direction and no coolant: they are only told.
             Command::SpindleTurn { number, turn } => {
                 self.tell(&Event::Turn { turn, t, n: number });

@@ -242,21 +242,59 @@ pub struct Signals(pub String);
 impl Signals {
     /// When a signal changed and to what, milliseconds.
     pub fn changes(&self, name: &str) -> Vec<(u64, String)> {
-        let end = format!(" {name} $end");
-        let declares = |line: &&str| line.starts_with("$var") && line.ends_with(&end);
-        let declared = self.0.lines().find(declares);
-        let code = declared.and_then(|line| line.split(' ').nth(3)).expect("the signal");
+        let found = self.of(&[name]).into_iter();
+        found.map(|(t_ns, _, value)| (t_ns / 1_000_000, value)).collect()
+    }
+
+    /// Changes of some signals in the order of the file: when, nanoseconds; which; to what.
+    fn of(&self, names: &[&str]) -> Vec<(u64, usize, String)> {
+        let code = |name: &&str| {
+            let end = format!(" {name} $end");
+            let declares = |line: &&str| line.starts_with("$var") && line.ends_with(&end);
+            let declared = self.0.lines().find(declares);
+            declared.and_then(|line| line.split(' ').nth(3)).expect("the signal")
+        };
+        let codes: Vec<&str> = names.iter().map(code).collect();
         let (_, body) = self.0.split_once("$dumpvars").expect("a body");
         let mut now = 0;
         let mut found = Vec::new();
         for line in body.lines().skip_while(|line| *line != "$end") {
             if let Some(time) = line.strip_prefix('#') {
-                now = time.parse::<u64>().expect("a time") / 1_000_000;
-            } else if let Some(value) = line.strip_suffix(code) {
-                found.push((now, value.trim().to_owned()));
+                now = time.parse().expect("a time");
+                continue;
+            }
+            // A bit stands right before its code, another value with a space between.
+            let change = line.split_once(' ').or_else(|| line.split_at_checked(1));
+            let which = change.and_then(|(_, code)| codes.iter().position(|it| *it == code));
+            if let Some((which, (value, _))) = which.zip(change) {
+                found.push((now, which, value.to_owned()));
             }
         }
         found
+    }
+
+    /// Where the pulses of an axis lead from its home, steps.
+    pub fn driven(&self, axis: char) -> i64 {
+        let [direction, step] = ["dir", "step"].map(|what| format!("{axis}{what}"));
+        let (mut forward, mut steps) = (false, 0);
+        for (_, which, value) in self.of(&[&direction, &step]) {
+            match (which, value == "1") {
+                (0, high) => forward = high,
+                (_, true) => steps += if forward { 1 } else { -1 },
+                _ => {}
+            }
+        }
+        steps
+    }
+
+    /// Where an axis is counted to be, steps, and since when, milliseconds.
+    pub fn positions(&self, axis: char) -> Vec<(u64, i64)> {
+        let steps = |value: &str| {
+            let bits = u32::from_str_radix(value.trim_start_matches('b'), 2).expect("a number");
+            i64::from(bits as i32)
+        };
+        let changes = self.changes(&format!("{axis}_pos")).into_iter();
+        changes.map(|(t_ms, value)| (t_ms, steps(&value))).collect()
     }
 
     /// When a bit was on, milliseconds.

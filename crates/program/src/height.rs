@@ -1,7 +1,11 @@
 //! Automatic height control: Z follows the sheet while a cut moves (Profiler reference, "Automatic
 //! Height Control").
 
+use crate::job::Heights;
 use serde::{Deserialize, Serialize};
+
+/// A tool this near to the floor stands on it, mm: far below a step.
+const AT_FLOOR_MM: f64 = 1e-6;
 
 /// The largest reading.
 const MOST: f64 = 255.0;
@@ -65,15 +69,22 @@ impl HeightLaw {
         if gain_mm < 0.0 { MOST - units } else { units }
     }
 
-    /// How far the gap grows or shrinks from one reading to the next, mm; two inputs do not tell.
-    pub const fn scale_mm(&self) -> f64 {
-        if let Gauge::Proportional { scale_mm, .. } = self.gauge { scale_mm } else { 0.0 }
-    }
-
     /// The gap at which the sensor says so, mm.
     pub fn gap_mm(&self, reading: f64) -> f64 {
         let Gauge::Proportional { gain_mm, scale_mm, .. } = self.gauge else { return 0.0 };
         scale_mm * if gain_mm < 0.0 { MOST - reading } else { reading }
+    }
+
+    /// Heights in force once Z has been carried to a height, mm, machine frame: ZSurface is where the tool cuts,
+    /// or would cut below a way between paths, and ZTop keeps its distance to it. A tool that can go no lower is
+    /// not at its height over the sheet: it carries nothing.
+    pub fn carried(&self, heights: Heights, z_mm: f64) -> Heights {
+        if z_mm <= self.floor_mm + AT_FLOOR_MM {
+            return heights;
+        }
+        let surface_mm = z_mm - self.raised_mm.unwrap_or_default();
+        let top_mm = surface_mm + heights.top_mm - heights.surface_mm;
+        Heights { top_mm, surface_mm, ..heights }
     }
 }
 

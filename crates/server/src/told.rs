@@ -5,7 +5,9 @@ use kerf_control::journal::JournalError;
 use kerf_control::{Session, Summary};
 use kerf_diag::{Diagnostic, Severity};
 use kerf_digitize::{Digitizer, Dimension, Kind};
-use kerf_program::settings::{AxisUnit, Distance, LinearUnit, PerGroup};
+use kerf_machine::Configuration;
+use kerf_machine::lines::Input;
+use kerf_program::settings::{AxisUnit, Distance, IoModes, LinearUnit, PerGroup};
 use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
 use kerf_sim::Machine;
@@ -99,7 +101,7 @@ pub fn speeds(settings: &Settings) -> Speeds {
 }
 
 /// Inputs and outputs as they are at a moment of what the machine does, after others.
-pub fn io(machine: &Machine, t_s: f64, before: &Io) -> Io {
+pub fn io(machine: &Machine, t_s: f64, is: &Configuration, before: &Io) -> Io {
     let reads = machine.inputs_at(t_s);
     let output = |number| {
         let (on, label) = (machine.outputs().is_on(number), String::new());
@@ -109,7 +111,21 @@ pub fn io(machine: &Machine, t_s: f64, before: &Io) -> Io {
         inputs: (1..=LAMPS as u8).map(|number| input(machine, &reads, number)).collect(),
         outputs: (1..=LAMPS as u8).map(output).collect(),
         ports: ports(machine, &reads, &before.ports),
+        forbidden: forbidden(&reads, &machine.settings().io, is),
     }
+}
+
+/// What has to be done before anything moves, where a stop forbids it.
+pub fn forbidden(
+    reads: impl Fn(u8) -> bool,
+    modes: &IoModes,
+    is: &Configuration,
+) -> Option<String> {
+    if reads(Input::EmergencyStop.number()) == is.estop.active {
+        return Some("release the emergency stop".into());
+    }
+    let stops = modes.stop_inputs().find(|number| modes.stops(*number, reads(*number)));
+    stops.map(|number| format!("release stop input {number}"))
 }
 
 /// An input with what it reads, whichever of the lines it is.
@@ -119,7 +135,7 @@ pub fn input(machine: &Machine, reads: impl Fn(u8) -> bool, number: u8) -> Lamp 
         kerf_sim::Duty::Limit => Duty::Limit,
         kerf_sim::Duty::Stop | kerf_sim::Duty::Cable | kerf_sim::Duty::Stall => Duty::Stop,
     };
-    let label = kerf_machine::lines::Input::of_number(number).map_or("", |line| line.name());
+    let label = Input::of_number(number).map_or("", |line| line.name());
     Lamp { number, on: reads(number), label: label.into(), duty }
 }
 

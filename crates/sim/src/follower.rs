@@ -12,7 +12,8 @@ const SILENCE_S: f64 = 0.1;
 /// What the head senses.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sensed {
-    /// Distance to the sheet, mm, when there is one.
+    /// Distance of the sensor to the sheet, mm, when there is one: less what a way between paths is higher than a
+    /// cut.
     pub gap_mm: Option<f64>,
     /// The sensor sends nothing.
     pub silent: bool,
@@ -31,8 +32,6 @@ pub(crate) struct Sensed {
 pub(crate) struct Reading {
     /// What it says, 0 … 255.
     pub value: u8,
-    /// The gap, less what a way between paths is higher than a cut, mm.
-    pub gap_mm: f64,
     /// How far the gap is from what is wanted, mm.
     pub error_mm: f64,
 }
@@ -89,7 +88,7 @@ impl Follower {
         };
         self.listen(sensed.silent && sensed.active);
         let here = !sensed.silent && t_s + 1e-9 >= self.reading_s;
-        let gap_mm = sensed.gap_mm.filter(|_| here)? - law.raised_mm.unwrap_or_default();
+        let gap_mm = sensed.gap_mm.filter(|_| here)?;
         // The line is never idle: a reading that was taken late does not put off the next.
         let late_s = t_s - self.reading_s;
         self.reading_s = interval_s + if late_s < interval_s { self.reading_s } else { t_s };
@@ -98,7 +97,7 @@ impl Follower {
         let error = if sensed.active { reading - set_point } else { 0.0 };
         self.target_mm = self.offset_mm - error * gain_mm;
         let error_mm = gap_mm - law.gap_mm(set_point);
-        Some(Reading { value: reading as u8, gap_mm, error_mm })
+        Some(Reading { value: reading as u8, error_mm })
     }
 
     /// The speed that comes to rest at the target.

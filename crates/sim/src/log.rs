@@ -54,14 +54,12 @@ pub enum What {
     Height {
         /// Where the tool is, Z of the machine frame, mm.
         z_mm: f64,
-        /// How far it is over the sheet, less what a way between paths is higher than a cut, mm.
-        gap_mm: f64,
         /// How far the gap is from what is wanted, mm.
         error_mm: f64,
         /// What the sensor said, 0 … 255.
         reading: u8,
     },
-    /// A move is over in which height control carried Z.
+    /// Height control carried Z as far as here: it turns round, comes to rest, or the move is over.
     Carried {
         /// Where the tool is, Z of the machine frame, mm.
         z_mm: f64,

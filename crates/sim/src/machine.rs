@@ -17,6 +17,7 @@ use crate::heater::Heater;
 use crate::independent::Spin;
 use crate::inputs::{CABLE, Inputs, STALL};
 use crate::laser;
+use crate::lift::Lift;
 use crate::limits::Overridden;
 use crate::log::{Log, What};
 use crate::motors::Motors;
@@ -364,8 +365,9 @@ impl Machine {
         self.clock_s
     }
 
-    /// A move of a plan that started at `t0_s` has been made: outputs, PWM, position, clock.
-    pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) {
+    /// A move of a plan that started at `t0_s` has been made: outputs, PWM, position, clock. Tells how far height
+    /// control carried Z on it.
+    pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Lift {
         self.shift_resolution(Some(span.made.kind));
         self.ride(Some(span.made));
         let settings = &self.settings;
@@ -383,12 +385,13 @@ impl Machine {
             }
         }
         self.shine(t0_s, plan, span);
-        self.follow_sheet(t0_s, plan, span);
+        let lift = self.follow_sheet(t0_s, plan, span);
         self.carriages.moved(self.position, span.made.to);
         self.position = span.made.to;
         if !self.draws() {
             self.advance(t0_s + span.t1_s);
         }
+        lift
     }
 
     /// The stack is over, the machine stands.

@@ -172,6 +172,8 @@ pub struct Io {
     pub outputs: Vec<Lamp>,
     /// The ports of the card.
     pub ports: Ports,
+    /// What has to be done before anything moves, while a stop that is pressed forbids it.
+    pub forbidden: Option<String>,
 }
 
 /// The ports of the card, a byte each.
@@ -203,6 +205,6 @@ pub struct PortBit {
 impl Default for Io {
     fn default() -> Self {
         let lamps = || (1..=LAMPS as u8).map(|number| Lamp { number, ..Lamp::default() }).collect();
-        Self { inputs: lamps(), outputs: lamps(), ports: Ports::default() }
+        Self { inputs: lamps(), outputs: lamps(), ports: Ports::default(), forbidden: None }
     }
 }

@@ -140,7 +140,7 @@ impl<W: Write> Sink for VcdSink<W> {
         // What happens during a move is told after it.
         self.flush(from_s);
         let per_unit = self.machine.program.resolution.steps_per_unit;
-        let place = |t_s: f64| made.plan.at(t_s - t0_s).position;
+        let place = |t_s: f64| made.place(t_s - t0_s);
         let new = || Stepper::new(per_unit, place(from_s));
         let of_axis = |axis: Axis| self.machine.motors.of_axis(axis);
         let alone = made.alone.and_then(|(axis, n)| of_axis(axis).get(n).copied());

@@ -17,9 +17,12 @@ fn over(sheet: Sheet) -> JobRun {
         .sheet(sheet)
 }
 
-/// The sheet of the notes: it rises 3 mm on 60 mm.
+/// The set point's gap, mm: 150 units of 0.038 mm.
+const GAP_MM: f64 = 5.7;
+
+/// A sheet that rises along X, and over which the tool begins at ZSurface.
 fn rising(slope_x: f64) -> Sheet {
-    Sheet { slope_x, ..Sheet::flat(-20.0) }
+    Sheet { slope_x, ..Sheet::flat(-20.0 - GAP_MM) }
 }
 
 /// Times, heights and errors of the readings, mm.
@@ -141,9 +144,9 @@ fn pro_height_simple_high() {
     let lowered = simple.input(Input::ZHigh, 0.1, true).input(Input::ZHigh, 3.3, false);
     let pulsed = lowered.input(Input::ZHigh, 4.7, true).input(Input::ZHigh, 4.8, false).run();
     let raised = pulsed.rests()[2];
-    // 0.1 s at 30 mm/s with 400 mm/s²: 1.875 mm down, 1.125 mm to stop; the plunge ran 0.4 mm below
-    // the place at which it was told to stop, and the inputs left it there.
-    assert!((raised + 10.0 + 3.4).abs() < 0.05, "{raised}");
+    // Told to stop at -19.6 mm the plunge runs on to -20 mm. 0.1 s at 30 mm/s with 400 mm/s²: 1.875 mm down,
+    // 1.125 mm to stop. ZTop is 10 mm above.
+    assert!((raised - (-20.0 - 3.0 + 10.0)).abs() < 0.05, "{raised}");
 }
 
 #[test]
@@ -193,11 +196,19 @@ fn pro_height_two_types() {
 
 #[test]
 fn pro_height_surf_track() {
-    let trace = over(rising(0.03)).run();
-    let told = surfaces(&trace);
-    let (first, last) = (told[0].0, told[told.len() - 1].0);
-    assert!((first + 20.0).abs() < 0.1 && (last + 17.0).abs() < 0.1, "{first} to {last}");
-    assert!(told.windows(2).all(|pair| pair[1].0 - pair[0].0 < 0.1));
+    // ZSurface was set 20 mm down; where it goes on is where the tool cuts, not that and how far the sheet rises.
+    for (sheet_mm, first_mm) in [(-20.0 - GAP_MM, -20.0), (-22.0, -16.3), (-28.0, -22.3)] {
+        let trace = over(Sheet { slope_x: 0.03, ..Sheet::flat(sheet_mm) }).run();
+        let told = surfaces(&trace);
+        let (first, last) = (told[0].0, told[told.len() - 1].0);
+        assert!((first - first_mm).abs() < 0.1, "a sheet at {sheet_mm}: {first}");
+        assert!((last - first_mm - 3.0).abs() < 0.1, "a sheet at {sheet_mm}: up to {last}");
+        assert!(told.windows(2).all(|pair| pair[1].0 - pair[0].0 < 0.1));
+        let cuts = readings(&trace).into_iter().zip(&told);
+        assert!(cuts.into_iter().all(|((_, z, _), (surface, _))| z == *surface));
+        let begins = heights(&trace)[1];
+        assert!((begins[1] - first_mm).abs() < 0.1, "told before the first reading: {begins:?}");
+    }
     let deep = |depth: Depth| {
         let run = over(rising(0.03)).job(|job| {
             let mut shapes = job.shapes.to_vec();
@@ -209,6 +220,13 @@ fn pro_height_surf_track() {
     for depth in [Depth::Mm { depth_mm: -3.0, pass_mm: None }, Depth::ThreeD] {
         assert!(deep(depth).iter().all(|told| *told == [-10.0, -20.0, -30.0]));
     }
+}
+
+#[test]
+fn pro_height_surf_track__stays_over_a_tool_at_the_bottom() {
+    // The sheet lies below what the head may go down to: the tool is not where it is to cut.
+    let trace = over(Sheet::flat(-40.0)).run();
+    assert!(heights(&trace).iter().all(|told| *told == [-10.0, -20.0, -30.0]));
 }
 
 #[test]
@@ -265,7 +283,7 @@ fn at_a_corner(activation_percent: f64) -> f64 {
     };
     let free = run(None);
     let moves = free.moves();
-    let corner = moves.iter().find(|it| it.ends_with(" x100")).expect("the first line");
+    let corner = moves.iter().find(|it| it.contains(" x100")).expect("the first line");
     let at_s = corner.split([' ', '-']).nth(1).and_then(|t| t.parse().ok()).expect("a time");
     run(Some(at_s)).rests()[2] - free.rests()[2]
 }
@@ -308,7 +326,7 @@ fn pro_height_between() {
     };
     let top_at = |trace: &JobTrace| {
         let moves = trace.moves();
-        let link = moves.iter().position(|it| it.ends_with(" x200")).expect("the link");
+        let link = moves.iter().position(|it| it.contains(" x200")).expect("the link");
         let begin_s: f64 = moves[link].split('-').next().and_then(|t| t.parse().ok()).expect("t");
         let linked: Vec<_> = readings(trace).into_iter().filter(|(t, ..)| *t > begin_s).collect();
         let end_s: f64 = moves[link + 1].split('-').next().and_then(|t| t.parse().ok()).expect("t");
@@ -482,7 +500,7 @@ fn two_switches_lead_the_head_along_a_sheet() {
     let run = over_nothing(HeightMode::Simple).sheet(rising(0.03));
     let trace = run.run();
     assert!(trace.states().iter().all(|state| !state.contains("paused")), "{:?}", trace.states());
-    // Between 3.7 and 4.3 mm over a sheet that rises by 3 mm; up by 10 mm behind it.
+    // 4.3 to 3.7 mm over a sheet that rises by 3 mm to -22.7 mm; up by 10 mm behind it.
     let top = trace.rests()[2];
-    assert!((top + 7.0).abs() < 0.7, "{top}");
+    assert!((-19.1..-18.3).contains(&(top - 10.0)), "{top}");
 }

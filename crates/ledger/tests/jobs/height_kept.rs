@@ -44,30 +44,39 @@ fn told(trace: &JobTrace) -> Vec<[f64; 2]> {
     told.collect()
 }
 
-/// How far ZSurface was ever from a height, with ZTop ten millimetres above it, mm.
-fn worst(trace: &JobTrace, surface_mm: f64) -> f64 {
+/// Lowest and highest ZSurface that was told behind the beginning, with ZTop ten millimetres above it, mm.
+fn surfaces(trace: &JobTrace) -> [f64; 2] {
     assert_eq!(trace.refused(), "");
     let all = told(trace);
     assert!(all.len() > 40, "heights are told");
     assert!(all.iter().all(|[top, surface]| (top - surface - 10.0).abs() < 1e-9));
-    all.iter().map(|[_, surface]| (surface - surface_mm).abs()).fold(0.0, f64::max)
+    // As they were set, at the beginning and the end.
+    let [begin, controlled @ .., end] = &all[..] else { unreachable!("more than forty") };
+    assert_eq!([begin, end], [&[-10.0, -20.0]; 2]);
+    let surfaces = || controlled.iter().map(|[_, surface]| *surface);
+    [surfaces().fold(f64::INFINITY, f64::min), surfaces().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// ZSurface stays between two heights, as exactly as height control is.
+fn keeps(run: JobRun, low_mm: f64, high_mm: f64) {
+    let [low, high] = surfaces(&run.run());
+    let within = low_mm - ACCURACY_MM < low && high < high_mm + ACCURACY_MM;
+    assert!(within, "{low} to {high}, not {low_mm} to {high_mm}");
 }
 
 #[test]
 fn pro_height_surf_track__flat_for_forty_shapes() {
     for at_mm in [-20.0, -22.0] {
-        let off = worst(&lines(40).sheet(Sheet::flat(at_mm)).run(), -20.0);
-        assert!(off < ACCURACY_MM, "a sheet at {at_mm}: {off} mm");
+        let cuts_mm = at_mm + 150.0 * 0.038;
+        keeps(lines(40).sheet(Sheet::flat(at_mm)), cuts_mm, cuts_mm);
     }
 }
 
 #[test]
 fn pro_height_surf_track__flat_under_a_torch() {
-    // Below and above the height that the readings ask for, 5.7 mm.
-    for initial_mm in [4.0, 8.0] {
-        let off = worst(&torch(40, initial_mm).run(), -20.0);
-        assert!(off < ACCURACY_MM, "from {initial_mm} mm: {off} mm");
-    }
+    // From the initial height, below and above the height that the readings ask for, 5.7 mm, to that.
+    keeps(torch(40, 4.0), -16.0, -14.3);
+    keeps(torch(40, 8.0), -14.3, -12.0);
     // Never fast enough for height control to act.
     let slow =
         torch(10, 4.0).with(|machine| machine.program.smoothing.cut_speed_mm_s = Some(100.0));
@@ -76,8 +85,7 @@ fn pro_height_surf_track__flat_under_a_torch() {
         shapes.iter_mut().skip(1).step_by(2).for_each(|shape| shape.speed_mm_s = Some(1.0));
         job.shapes = shapes.into();
     });
-    let off = worst(&slow.run(), -20.0);
-    assert!(off < ACCURACY_MM, "between slow shapes: {off} mm");
+    keeps(slow, -16.0, -14.3);
 }
 
 #[test]
@@ -92,8 +100,8 @@ fn pro_height_surf_track__with_a_set_point_for_each_axis() {
             let both = it.shapes.iter().cloned().chain((0..20).map(across));
             it.shapes = both.collect();
         });
-        let off = worst(&run.run(), -20.0);
-        assert!(off < ACCURACY_MM, "{off} mm, between paths: {between}");
+        // Along Y 0.76 mm higher than along X, where the plunge ends.
+        keeps(run, -14.3, -14.3 + 20.0 * 0.038);
     }
 }
 
@@ -103,13 +111,11 @@ fn pro_height_surf_track__of_a_slope_for_forty_shapes() {
     for run in [lines(40), torch(40, 4.0)] {
         let trace = run.sheet(slope).with(|machine| machine.zpos.bottom_mm = -40.0).run();
         assert_eq!(trace.refused(), "");
-        // Where the sheet was read: under the head by the gap that was wanted and what it was off by.
         let readings = trace.events.iter().filter_map(|event| match event {
-            Event::Height { z, error, surface, .. } => Some((z - error - 150.0 * 0.038, *surface)),
+            Event::Height { z, surface, .. } => Some((*z, *surface)),
             _ => None,
         });
-        let off = readings.map(|(sheet, surface)| (sheet - surface).abs()).fold(0.0, f64::max);
-        assert!(off < ACCURACY_MM, "{off} mm");
+        assert!(readings.into_iter().all(|(z, surface)| z == surface), "where the tool cuts");
         let tops = trace.events.iter().filter_map(|event| match event {
             Event::Move(made) if (made.to.y - made.from.y).abs() > 1.0 => Some(made.to),
             _ => None,
@@ -117,7 +123,9 @@ fn pro_height_surf_track__of_a_slope_for_forty_shapes() {
         // From the end of a line to the beginning of the next: at ZTop of that end.
         let off = tops.filter(|to| to.y < 399.0 && to.y > 1.0).map(|to| {
             let end_y = to.y - 10.0;
-            (to.z + 10.0 - 0.03 * to.x - 0.01 * end_y).abs()
+            // 10 mm over a cut that was 5.7 mm over the sheet, as far as Z goes up.
+            let sheet = 0.03 * to.x + 0.01 * end_y - 20.0;
+            (to.z - (sheet + 5.7 + 10.0).min(0.0)).abs()
         });
         let off = off.fold(0.0, f64::max);
         // The torch is not controlled below 80 % of its speed: 3.2 mm of the slope.

@@ -1,9 +1,12 @@
 //! Inputs, outputs and steps of jobs, as their signals show them.
 
+use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, Signals, job, t1, t2};
 use kerf_machine::lines::Input;
+use kerf_machine::settings::height::HeightMode;
 use kerf_machine::settings::io::{Card, IoMap};
 use kerf_machine::settings::motors::FreeMotor;
+use kerf_sim::Sheet;
 use std::sync::LazyLock;
 
 /// The signals of JOB-T1, made once for all tests.
@@ -144,6 +147,61 @@ fn pro_io_vcd() {
     );
     // Down 10 mm to Z top and 20 mm to the bottom, up 20 mm again; 250 steps a millimetre.
     assert_eq!(rises("zstep"), 250 * (10 + 20 + 20));
+}
+
+/// JOB-T1 under height control: by two inputs, or by readings over a sheet that rises.
+fn controlled(mode: HeightMode) -> JobRun {
+    let run = JobRun::new(t1()).with(|machine| {
+        (machine.height.on, machine.height.mode, machine.height.k) = (true, mode, 9.5);
+    });
+    if mode == HeightMode::Proportional {
+        return run.sheet(Sheet { slope_x: 0.03, ..Sheet::flat(-22.0) });
+    }
+    // Down to the sheet; down on the way, and less far up again.
+    let pulses =
+        [(3.3, Input::ZHigh, false), (4.6, Input::ZHigh, true), (4.7, Input::ZHigh, false)];
+    let run = run.input(Input::ZHigh, 0.1, true).input(Input::ZLow, 5.0, true);
+    let run = run.input(Input::ZLow, 5.05, false);
+    pulses.into_iter().fold(run, |run, (at_s, input, on)| run.input(input, at_s, on))
+}
+
+#[test]
+fn pro_io_vcd__has_the_steps_of_height_control() {
+    for mode in [HeightMode::Simple, HeightMode::Proportional] {
+        let (signals, trace) = (controlled(mode).signals(), controlled(mode).run());
+        let ends = (trace.rests()[2] * 250.0).round() as i64;
+        let off = signals.driven('z') - ends;
+        assert!(
+            off.abs() <= 1,
+            "{mode:?}: the pulses lead {off} steps beside where Z ends, {ends}"
+        );
+        let counted = signals.positions('z');
+        let apart = counted.windows(2).map(|pair| (pair[1].1 - pair[0].1).abs());
+        assert_eq!(apart.max(), Some(1), "{mode:?}: a step is a step");
+        let (_, last) = counted[counted.len() - 1];
+        assert!((last - ends).abs() <= 1, "{mode:?}: {last} counted, {ends}");
+        // In the cut itself, which the plan holds at one height.
+        let cut = &signals.on("cut1")[0];
+        let steps = counted.iter().filter(|(t_ms, _)| (cut.0..cut.1).contains(t_ms)).count();
+        assert!(steps > 100, "{mode:?}: {steps} steps in the cut");
+    }
+}
+
+#[test]
+fn pro_io_vcd__as_the_trace_and_the_bounds_have_it() {
+    let trace = controlled(HeightMode::Simple).run();
+    let cut = trace.moves().into_iter().find(|it| it.contains(" x100")).expect("the cut");
+    // 3 mm down, and the 1.5 mm of a pulse half as long up again: 10 mm below ZTop at the end.
+    let ends = trace.rests()[2] - 10.0;
+    assert!(cut.ends_with(&format!(" z{}", (ends * 1e3).round() / 1e3)), "{cut} to {ends}");
+    let low = trace.summary.tally.bounds.min[2];
+    assert!((low + 23.0).abs() < 0.05 && ends > low + 0.5, "{low}, {ends}: as low as on the way");
+    let told = trace.events.iter().filter_map(|event| match event {
+        Event::Heights { surface, t, .. } if *t > 4.5 && *t < 5.0 => Some(*surface),
+        _ => None,
+    });
+    let lowest = told.fold(f64::INFINITY, f64::min);
+    assert!((lowest - low).abs() < 1e-6, "told where it comes to rest: {lowest}");
 }
 
 #[test]

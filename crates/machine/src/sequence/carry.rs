@@ -80,7 +80,10 @@ impl Sequence {
             Small::Beam(beam) => self.give(Command::Beam(beam.clone()), out),
             Small::Frequency(hz) => self.give(Command::LaserFrequency { hz: *hz }, out),
             Small::Height(law) => return self.control_height(law.clone(), out),
-            Small::TellHeights => self.tell_heights(out),
+            Small::TellHeights => {
+                self.cuts_here();
+                self.tell_heights(out);
+            }
             Small::TellInForce => self.give(Command::InForce(self.in_force()), out),
             Small::RestoreHeights => {
                 self.restore_heights();
@@ -137,11 +140,11 @@ impl Sequence {
         };
         if expected {
             if matches!(self.steps.front(), Some(Small::Feel(_))) {
-                self.felt_at(began[Axis::Z]);
+                self.felt_mm = began[Axis::Z];
             }
             if matches!(self.steps.front(), Some(Small::Lower(_))) {
                 // What the tool runs on is not the sheet's.
-                self.sensed_at(began[Axis::Z]);
+                self.begun_mm = began[Axis::Z];
             }
             if self.steps.front() == Some(&Small::AwaitJig) {
                 self.take_jig(input);
@@ -185,7 +188,7 @@ impl Sequence {
     }
 
     pub(super) fn tell_heights(&self, out: &mut Vec<Sourced>) {
-        self.give(Command::Heights(self.heights_here()), out);
+        self.give(Command::Heights(self.heights), out);
     }
 
     fn wait(&self, seconds: f64, out: &mut Vec<Sourced>) -> bool {

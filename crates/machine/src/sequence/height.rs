@@ -56,8 +56,9 @@ impl Sequence {
         let before = self.here.nth.checked_sub(1).and_then(|nth| self.job.shapes.get(nth))?;
         let followed = self.machine.height.between && self.height_law(before).is_some();
         let law = self.height_law(shape).filter(|_| followed)?;
-        let travel_mm = self.heights.top_mm - self.heights.surface_mm + self.lift_mm.unwrap_or(0.0);
-        let raised_mm = travel_mm - self.gap_mm(&law, self.way_between());
+        // As far over the sheet as the way begins, whichever set point is that of its direction.
+        let over_mm = gap_mm(&law, end_of(before)) - gap_mm(&law, shape.start() - before.end());
+        let raised_mm = self.travel_mm() - self.heights.surface_mm + over_mm;
         Some(HeightLaw { raised_mm: Some(raised_mm), ..law })
     }
 
@@ -105,38 +106,18 @@ impl Sequence {
         [Small::Height(Some(Arc::new(law))), Small::Lower(lowest)]
     }
 
-    /// The sheet was felt or sensed at a height. The first time tells how far ZSurface lies above it; from then
-    /// on ZSurface and ZTop lie where the sheet has them, however often it is sensed.
-    pub(super) fn sheet_is_at(&mut self, sheet_mm: f64) {
-        let lift_mm = *self.lift_mm.get_or_insert(self.heights.surface_mm - sheet_mm);
-        let by = sheet_mm + lift_mm - self.heights.surface_mm;
-        self.heights.surface_mm += by;
-        self.heights.top_mm += by;
-    }
-
-    /// The sensor said at a height that the head is where it is to be: on the way down, one unit above the set
-    /// point along X (ledger notes, 80).
-    pub(super) fn sensed_at(&mut self, z_mm: f64) {
-        self.begun_mm = z_mm;
-        if let Some(law) = self.law.clone() {
-            let scale_mm = law.scale_mm();
-            self.sheet_is_at(z_mm - self.gap_mm(&law, ALONG_X) - scale_mm);
+    /// The tool is about to cut where it stands: ZSurface is there, and ZTop as far above it as it was set.
+    pub(super) fn cuts_here(&mut self) {
+        if let Some(law) = self.law.clone().filter(|_| self.controlled) {
+            self.heights = law.carried(self.heights, self.position[Axis::Z]);
         }
     }
 
-    /// The torch felt the sheet.
-    pub(super) fn felt_at(&mut self, z_mm: f64) {
-        self.felt_mm = z_mm;
-        let job = self.job.clone();
-        if self.here.shape(&job).is_some_and(|shape| self.height_law(shape).is_some()) {
-            self.sheet_is_at(z_mm);
-        }
-    }
-
-    /// Height control left Z somewhere: ZSurface and ZTop have followed.
+    /// Height control left Z somewhere: ZSurface and ZTop have followed, unless it left Z where it was.
     pub(super) fn follow_heights(&mut self, z_mm: f64) {
-        if let Some(sheet_mm) = self.sheet_under(z_mm) {
-            self.sheet_is_at(sheet_mm);
+        let carried = (z_mm - self.begun_mm).abs() > CARRIED_MM;
+        if let Some(law) = self.law.clone().filter(|_| carried) {
+            self.heights = law.carried(self.heights, z_mm);
         }
         self.begun_mm = z_mm;
         self.position[Axis::Z] = z_mm;
@@ -154,64 +135,27 @@ impl Sequence {
         follows
     }
 
-    /// The heights in force where the tool is: under height control they have followed it.
-    pub(super) fn heights_here(&self) -> Heights {
-        let Heights { top_mm, surface_mm, bottom_mm } = self.heights;
-        let sheet_mm = self.sheet_under(self.position[Axis::Z]).filter(|_| self.controlled);
-        let by = sheet_mm.zip(self.lift_mm).map_or(0.0, |(sheet, lift)| sheet + lift - surface_mm);
-        Heights { top_mm: top_mm + by, surface_mm: surface_mm + by, bottom_mm }
-    }
-
-    /// Where the sheet lies under a head that height control brought to a height; nothing where it left the
-    /// head as it was, or could not go lower.
-    fn sheet_under(&self, z_mm: f64) -> Option<f64> {
-        let law = self.law.as_ref()?;
-        let carried = (z_mm - self.begun_mm).abs() > CARRIED_MM && z_mm > law.floor_mm + CARRIED_MM;
-        let way = if law.raised_mm.is_some() { self.way_between() } else { self.way_here() };
-        carried.then(|| z_mm - law.raised_mm.unwrap_or(0.0) - self.gap_mm(law, way))
-    }
-
-    /// How far over the sheet the head is kept in a direction. Two inputs do not tell: what counts is how far
-    /// the sheet goes up and down.
-    fn gap_mm(&self, law: &HeightLaw, way: Vec2) -> f64 {
-        match law.gauge {
-            Gauge::Proportional { .. } => law.gap_mm(law.set_point(way.x, way.y)),
-            Gauge::Simple { .. } if self.machine.plasma.use_sequence => {
-                self.machine.plasma.initial_height_mm
-            }
-            Gauge::Simple { .. } => 0.0,
-        }
-    }
-
-    /// The direction of the path at hand, as far as it is made.
-    fn way_here(&self) -> Vec2 {
-        let Some(shape) = self.here.shape(&self.job) else { return ALONG_X };
-        let Some(last) = shape.path.segment_count().checked_sub(1) else { return ALONG_X };
-        let spot = self.here.spot(shape);
-        let (segment, share) = spot.map_or((last, 1.0), |spot| (spot.segment, spot.share));
-        shape.path.segment(segment.min(last)).direction(share)
-    }
-
-    /// The direction from the path before to the one at hand.
-    fn way_between(&self) -> Vec2 {
-        let before = self.here.nth.checked_sub(1).and_then(|nth| self.job.shapes.get(nth));
-        let (Some(before), Some(shape)) = (before, self.here.shape(&self.job)) else {
-            return ALONG_X;
-        };
-        shape.start() - before.end()
-    }
-
     /// ZTop and ZSurface as they were when the job began.
     pub(super) fn restore_heights(&mut self) {
         let [top_mm, surface_mm] = [self.machine.zpos.top_mm, self.machine.zpos.surface_mm];
         self.heights = Heights { top_mm, surface_mm, ..self.heights };
-        self.lift_mm = None;
     }
 
     /// What height control watches while a path is followed, and what is said then.
     pub(super) fn height_faults(&self) -> &'static [(Input, &'static str)] {
         if self.controlled { &FAULTS } else { &[] }
     }
+}
+
+/// How far over the sheet a law keeps the head in a direction, mm.
+fn gap_mm(law: &HeightLaw, way: Vec2) -> f64 {
+    law.gap_mm(law.set_point(way.x, way.y))
+}
+
+/// The direction in which a path ends.
+fn end_of(shape: &JobShape) -> Vec2 {
+    let last = shape.path.segment_count().checked_sub(1);
+    last.map_or(ALONG_X, |last| shape.path.segment(last).direction(1.0))
 }
 
 /// What is said where two switches do not tell that the head is too high, high above the sheet.

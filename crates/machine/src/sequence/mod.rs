@@ -100,8 +100,6 @@ pub struct Sequence {
     felt_mm: f64,
     /// The height from which height control carried Z, machine frame.
     begun_mm: f64,
-    /// How far ZSurface lies above the sheet as it was sensed first.
-    lift_mm: Option<f64>,
     /// How Z follows the sheet, or followed it last.
     law: Option<Arc<HeightLaw>>,
     /// Height control is on.
@@ -151,7 +149,6 @@ impl Sequence {
             began: Halted::default(),
             felt_mm: heights.surface_mm,
             begun_mm: heights.surface_mm,
-            lift_mm: None,
             law: None,
             controlled: false,
             marked: false,

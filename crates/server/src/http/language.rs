@@ -3,7 +3,7 @@
 use super::{Refused, aside};
 use crate::app::{App, lock, problem};
 use crate::awaited::Awaited;
-use crate::machine::bits;
+use crate::machine::{bits, told_input};
 use crate::{configure, told};
 use axum::Json;
 use axum::extract::State;
@@ -132,7 +132,10 @@ pub async fn inputs(State(app): State<Arc<App>>) -> Json<Vec<Lamp>> {
         (1..=LINES as u8).map(|number| told::input(machine, |n| machine.input(n), number)).collect()
     };
     let mut lamps = session.look(lamps);
+    let now = app.hub.read(|now| now.io.clone());
     for lamp in &mut lamps {
+        // A run has the machine while it lasts: what stands here is as it was before.
+        lamp.on = told_input(&now, lamp.number).unwrap_or(lamp.on);
         let input = Input::of_number(lamp.number);
         let label = input.and_then(|input| session.machine_is.name_in_use(input));
         lamp.label = label.unwrap_or(&lamp.label).to_owned();

@@ -185,7 +185,7 @@ impl Board {
             self.units = told::units(settings);
         }
         self.speeds = speeds;
-        self.io = told::io(machine, t_s, &self.io);
+        self.io = told::io(machine, t_s, &self.machine, &self.io);
     }
 
     /// An input reads something else. Nobody looks at a machine that stands and asks.
@@ -194,6 +194,8 @@ impl Board {
             lamp.on = on;
         }
         ports::reads(&mut self.io.ports, number, on);
+        let reads = |number| ports::told(&self.io, number).unwrap_or_default();
+        self.io.forbidden = told::forbidden(reads, &self.machine.program.io, &self.machine);
     }
 
     /// A move was made.

@@ -23,6 +23,6 @@ pub use left::Left;
 pub use link::Link;
 pub use owner::{Order, Owner};
 pub use planned::{Planned, Planning};
-pub use ports::{bits, ports};
+pub use ports::{bits, ports, told as told_input};
 pub use reach::reach;
 pub use typing::{CalledFile, Screen};

@@ -456,8 +456,9 @@ impl Owner {
             let at = told::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed_mm_s: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
-            let io =
-                self.workshop.session.look(|machine| told::io(machine, machine.clock_s(), &now.io));
+            let session = &self.workshop.session;
+            let io = session
+                .look(|machine| told::io(machine, machine.clock_s(), &session.machine_is, &now.io));
             vec![
                 Change::Io { io },
                 Change::Motion { motion },

@@ -7,7 +7,7 @@ use kerf_machine::wiring::{Bit, INPUT_BITS, OUTPUT_BITS, Port};
 use kerf_program::{Axes, Axis};
 use kerf_sim::Machine;
 use kerf_sim::ports::motor_bits;
-use kerf_wire::{PortBit, Ports};
+use kerf_wire::{Io, PortBit, Ports};
 
 const fn index(port: Port) -> usize {
     match port {
@@ -46,6 +46,14 @@ pub fn reads(ports: &mut Ports, number: u8, on: bool) {
     if let Some(bit) = INPUT_BITS.iter().find(is_it) {
         put(&mut ports.inputs[index(bit.port)], bit, on);
     }
+}
+
+/// The state that pages are told of an input; nothing of one that is none.
+pub fn told(io: &Io, number: u8) -> Option<bool> {
+    let lamp = io.inputs.iter().find(|lamp| lamp.number == number).map(|lamp| lamp.on);
+    let is_it = |bit: &&Bit| Input::of_name(bit.name).is_some_and(|line| line.number() == number);
+    let bit = || INPUT_BITS.iter().find(is_it);
+    lamp.or_else(|| bit().map(|bit| io.ports.inputs[index(bit.port)] & bit.mask() != 0))
 }
 
 /// The same while the axes move: a motor that steps, and which way.

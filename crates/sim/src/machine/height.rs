@@ -4,6 +4,7 @@ use super::Machine;
 use super::job::{EXACT_S, SLICE_S};
 use crate::follower::{Follower, Reading, Sensed, TICK_S};
 use crate::inputs::{Change, Inputs};
+use crate::lift::Lift;
 use crate::log::What;
 use crate::sheet::Sheet;
 use kerf_machine::lines::Input;
@@ -101,7 +102,10 @@ impl Following<'_> {
         let [x, y, z] = state.position.first3();
         let [vx, vy, _] = state.velocity.first3();
         let over = z + self.follower.offset_mm;
-        let gap_mm = self.machine.sheet.map(|sheet| over - sheet.height_mm(x, y));
+        let gap_mm = self
+            .machine
+            .sheet
+            .map(|sheet| over - sheet.height_mm(x, y) - self.law.raised_mm.unwrap_or_default());
         let felt = |number: u8, felt: fn(f64) -> bool| match gap_mm {
             Some(gap_mm) if !self.inputs.is_told(number) => felt(gap_mm),
             _ => self.inputs.reads(number, &self.machine.settings.io),
@@ -178,7 +182,11 @@ impl Machine {
     /// What the switches of the head go by while height control is on, as far as no script moves them.
     fn switches_of_head(&self) -> Vec<(Input, Feels)> {
         let Some(law) = self.law.filter(|_| !self.draws()) else { return Vec::new() };
-        let feels = |felt: Felt| Feels { sheet: self.sheet, felt };
+        let feels = |felt: Felt| Feels {
+            sheet: self.sheet,
+            raised_mm: law.raised_mm.unwrap_or_default(),
+            felt,
+        };
         match (law.gauge, self.sheet) {
             (Gauge::Proportional { .. }, _) => vec![(Input::ZHigh, feels(Felt::Above(law)))],
             (Gauge::Simple { .. }, Some(_)) => {
@@ -197,24 +205,31 @@ impl Machine {
         Some(Following { machine: self, law, follower, inputs })
     }
 
-    /// Z follows the sheet over one move.
-    pub(super) fn follow_sheet(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) {
-        let Some(mut following) = self.following() else { return };
+    /// Z follows the sheet over one move: how far it is carried on the way.
+    pub(super) fn follow_sheet(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Lift {
+        let before_mm = self.follower.offset_mm;
+        let Some(mut following) = self.following() else { return Lift::still(before_mm) };
+        let [begin_s, end_s] = [span.t0_s, span.t1_s].map(|s| t0_s + s);
         let mut told = Vec::new();
+        let mut lift = Lift::still(before_mm);
+        lift.carry(begin_s, before_mm);
         following.through(t0_s, plan, span, span.t0_s, &mut |tick| {
             told.extend(tick.reading.map(|reading| (tick.t_s, tick.z_mm, reading)));
+            lift.carry((tick.t_s + TICK_S).min(end_s), tick.offset_mm);
         });
-        let follower = following.follower;
-        let before_mm = self.follower.offset_mm;
-        self.follower = follower;
-        for (t_s, z_mm, Reading { value, gap_mm, error_mm }) in told {
-            self.log.add(t_s, What::Height { z_mm, gap_mm, error_mm, reading: value });
+        self.follower = following.follower;
+        for (t_s, z_mm, Reading { value, error_mm }) in told {
+            self.log.add(t_s, What::Height { z_mm, error_mm, reading: value });
         }
+        let planned_mm = span.made.to[Axis::Z];
+        let mut carried = |t_s: f64, mm: f64| {
+            self.log.add(t_s, What::Carried { z_mm: planned_mm + mm });
+        };
+        lift.turns().for_each(|(t_s, mm)| carried(t_s, mm));
         if self.follower.offset_mm != before_mm {
-            let planned_mm = span.made.to[Axis::Z];
-            let end_s = t0_s + span.t1_s;
-            self.log.add(end_s, What::Carried { z_mm: planned_mm + follower.offset_mm });
+            carried(end_s, self.follower.offset_mm);
         }
+        lift
     }
 
     /// What height control will make of a plan from now on.
@@ -298,6 +313,8 @@ enum Felt {
 #[derive(Clone, Copy, Debug)]
 struct Feels {
     sheet: Option<Sheet>,
+    /// How far the head is above its sensor, mm.
+    raised_mm: f64,
     felt: Felt,
 }
 
@@ -306,7 +323,7 @@ impl Feels {
     fn at(&self, at: &Axes, silent: bool) -> bool {
         let gap_mm = self.sheet.map(|sheet| {
             let [x, y, z] = at.first3();
-            z - sheet.height_mm(x, y)
+            z - sheet.height_mm(x, y) - self.raised_mm
         });
         match (self.felt, gap_mm) {
             (Felt::Above(law), Some(gap_mm)) => silent || is_above_band(&law, gap_mm),
