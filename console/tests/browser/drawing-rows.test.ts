@@ -80,26 +80,6 @@ it("pro_draw_circle: its centre, then a place on it", async () => {
   expect(await sheet.fact("Size").textContent()).toBe("1.969 × 1.969 in");
 });
 
-it("pro_draw_point: a click makes a mark, which is drilled", async () => {
-  const at = sheet.pixel([5, 5]);
-  const mark = async () => {
-    await sheet.page.mouse.move(at[0] + 120, at[1] - 60);
-    const seen = await painted(sheet.page, sheet.page.locator("html"));
-    return JSON.stringify([-2, -1, 0, 1, 2].map((n) => seen.at(at[0] + n, at[1] + n)));
-  };
-  const empty = await mark();
-  await clicks("Point", [5, 5]);
-  expect(await sheet.drawn()).toMatchObject({ closed: false, points: [5, 5, 0] });
-  await sheet.page.keyboard.press("Escape");
-  await expect.poll(mark).not.toBe(empty);
-  await sheet.page.getByRole("button", { name: "Make the part program…" }).click();
-  await sheet.page.getByRole("button", { name: "Write" }).click();
-  await sheet.page.locator(".job-name", { hasText: "drawing.sbp" }).waitFor();
-  const program = readFileSync(join(workshop.parts, "drawing.sbp"), "utf8");
-  expect(program).toMatch(/^J2,5,5\n(VS.*\n)?MZ,-10$/m);
-  await sheet.page.getByRole("link", { name: "Draw" }).click();
-});
-
 it("pro_draw_arc: the bulge of a segment follows the mouse", async () => {
   for (const [mouse, bulge] of [
     [[5, -5], 1],
@@ -149,6 +129,27 @@ it("pro_edit_bulge_drag: a segment is bent to where the mouse is", async () => {
   await sheet.tool("Point");
   await sheet.snap([50, -25], "c");
   expect((await sheet.drawn()).points).toEqual([50, 37.5, 0]);
+});
+
+it("pro_draw_point: a click makes a mark, which is drilled", async () => {
+  const at = sheet.pixel([5, 5]);
+  const mark = async () => {
+    await sheet.page.mouse.move(at[0] + 120, at[1] - 60);
+    const seen = await painted(sheet.page, sheet.page.locator("html"));
+    return JSON.stringify([-2, -1, 0, 1, 2].map((n) => seen.at(at[0] + n, at[1] + n)));
+  };
+  const empty = await mark();
+  await clicks("Point", [5, 5]);
+  expect(await sheet.drawn()).toMatchObject({ closed: false, points: [5, 5, 0] });
+  await sheet.page.keyboard.press("Escape");
+  await expect.poll(mark).not.toBe(empty);
+  await sheet.page.getByRole("button", { name: "Make the part program…" }).click();
+  await sheet.page.getByRole("button", { name: "Write" }).click();
+  await sheet.page.locator(".job-name", { hasText: "drawing.sbp" }).waitFor();
+  const program = readFileSync(join(workshop.parts, "drawing.sbp"), "utf8");
+  // In inches.
+  expect(program).toMatch(/^J2,0\.19685039,0\.19685039\nMZ,-0\.39370079$/m);
+  await sheet.page.getByRole("link", { name: "Draw" }).click();
 });
 
 it("nothing went wrong on the page", () => {

@@ -79,7 +79,7 @@ export class Sheet {
   }
 
   async #box() {
-    const sheet = await this.page.getByRole("application").boundingBox();
+    const sheet = await this.page.getByRole("application").boundingBox({ timeout: 10_000 });
     if (!sheet) throw new Error("there is no sheet");
     return sheet;
   }
@@ -127,6 +127,12 @@ export class Sheet {
     const back = this.#pixel(place);
     const slack = 0.02 / mmPerPixel;
     expect(Math.hypot(back[0] - at[0], back[1] - at[1])).toBeLessThan(slack);
+  }
+
+  /** The pixel in the middle of the sheet. */
+  async middle(): Promise<Point> {
+    const { x, y, width, height } = await this.#box();
+    return [x + width / 2, y + height / 2];
   }
 
   readonly place = () => this.page.locator(".sheet-status-place");
