@@ -150,7 +150,8 @@ export class Sheet {
   async pointer(): Promise<Point> {
     const told = (await this.place().textContent()) ?? "";
     const [across = 0, up = 0] = told.split(/[, ]+/).map(Number);
-    return [across * 25.4, up * 25.4];
+    const mm = told.endsWith("in") ? 25.4 : 1;
+    return [across * mm, up * mm];
   }
 
   /** Where a place of the drawing is on the page. */

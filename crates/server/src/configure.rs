@@ -20,11 +20,15 @@ pub const PASSWORD: &str = "options.password";
 
 /// Every setting that says something on this machine, with what it is now.
 pub fn form(configuration: &Configuration) -> Vec<SettingArea> {
-    let shown = |it: &&Setting| it.key != PASSWORD && it.applies(configuration);
+    let open = |it: &&Setting| it.key != PASSWORD;
     let area = |area: &Area| SettingArea {
         title: area.title.into(),
         manual: area.manual.into(),
-        settings: area.rows.iter().filter(shown).map(|row| entry(row, configuration)).collect(),
+        settings: area
+            .shown(configuration)
+            .filter(open)
+            .map(|row| entry(row, configuration))
+            .collect(),
     };
     table::areas().map(area).collect()
 }
