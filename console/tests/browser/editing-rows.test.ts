@@ -86,10 +86,10 @@ it("pro_edit_stretch: a window takes vertices, from a base place to another", as
   await sheet.tool("Stretch");
   await sheet.click([50, 0]);
   await sheet.click([50, 0], "right");
-  await sheet.page.mouse.move(...pixel([90, -10]));
+  await sheet.page.mouse.move(...sheet.pixel([90, -10]));
   await sheet.page.mouse.down();
-  await sheet.page.mouse.move(...pixel([100, 50]));
-  await sheet.page.mouse.move(...pixel([110, 110]));
+  await sheet.page.mouse.move(...sheet.pixel([100, 50]));
+  await sheet.page.mouse.move(...sheet.pixel([110, 110]));
   await sheet.page.mouse.up();
   await picked(2);
   await sheet.click([50, 50], "right");

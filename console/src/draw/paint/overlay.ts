@@ -122,7 +122,6 @@ function paintRadius(sheet: Sheet, pointer: Place, radius: number, ink: Ink): vo
   sheet.pen.stroke();
 }
 
-/** A small diamond where the pick would be. */
 /** A square round a vertex that was picked. */
 function paintMark(sheet: Sheet, at: Place, ink: Ink): void {
   const { pen } = sheet;
@@ -132,6 +131,7 @@ function paintMark(sheet: Sheet, at: Place, ink: Ink): void {
   pen.strokeRect(x - 5, y - 5, 10, 10);
 }
 
+/** A small diamond where the pick would be. */
 function paintSnap(sheet: Sheet, at: Place, ink: Ink): void {
   const { pen } = sheet;
   const { x, y } = pixel(sheet, at);
