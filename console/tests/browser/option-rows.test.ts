@@ -66,6 +66,8 @@ it("pro_options_join, pro_edit_join_default: the distance used last is offered n
 
 it("pro_options_doublestart__on_both_pages: it stands with the machine and with the options, one value", async () => {
   const page = await workshop.page();
+  // What is pressed before the link stands is not sent.
+  await page.locator(".state", { hasText: /Disarmed|Ready/ }).waitFor();
   await page.getByRole("link", { name: "Settings" }).click();
   await page.getByLabel("Look for").fill("double_start");
   const of = (area: string) =>
