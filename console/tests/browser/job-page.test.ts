@@ -242,7 +242,7 @@ it("pro_job_start_mouse: a click on a path shows its number and begins the job w
   await finished();
 });
 
-it("pro_job_step_start, pro_options_doublestart__on_both_pages: F10 and HTTP start alike, and the second Start cuts", async () => {
+it("pro_job_step_start: F10 and HTTP start alike, and the second Start cuts", async () => {
   const state = await stateOf(workshop);
   const lease = state.lease?.number ?? 0;
   await page.getByRole("link", { name: "Settings" }).click();
