@@ -31,7 +31,9 @@ const room = "point 200,140";
 const picked = (count: number) => sheet.page.getByText(`(${count} picked)`).waitFor();
 
 it("pro_edit_delvert: picked vertices go at the right click, in flat shapes only", async () => {
-  await sheet.given(`line 0,0 50,-10 100,0 100,100 0,100 close; line 150,0 170,50 150,100; ${room}`);
+  await sheet.given(
+    `line 0,0 50,-10 100,0 100,100 0,100 close; line 150,0 170,50 150,100; ${room}`,
+  );
   await sheet.tool("Delete vertex");
   await sheet.click([98, 100]);
   await sheet.click([50, -10]);
