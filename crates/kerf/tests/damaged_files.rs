@@ -24,7 +24,9 @@ fn files_of(folder: &Path) -> Files {
         let name = entry.file_name().into_string().unwrap();
         entry.path().is_file().then(|| (name, fs::read(entry.path()).unwrap()))
     };
-    let made_anew = |name: &String| name == "owner.lock" || name.ends_with("-shm");
+    let made_anew = |name: &String| {
+        name.ends_with(".lock") || name.ends_with("-shm") || name == "served-at.txt"
+    };
     let entries = fs::read_dir(folder).unwrap().map(Result::unwrap);
     entries.filter_map(file).filter(|(name, _)| !made_anew(name)).collect()
 }

@@ -134,7 +134,7 @@ pub const ENTRIES: &[Entry] = &[
     }),
     entry(
         "stretch",
-        "stretch X,Y X,Y by X,Y | stretch at X,Y … by X,Y",
+        "stretch X,Y X,Y by X,Y | stretch at X,Y [X,Y …] by X,Y",
         "moves the vertices of the selected shapes that lie in a window, or those nearest to places",
         |w| {
             if w.takes("at") {

@@ -265,7 +265,7 @@ impl Walk {
 fn may_move(name: &str) -> bool {
     let acts = [
         "run", "takeUp", "resume", "command", "jogStart", "jogRenew", "lift", "nudge", "key",
-        "input",
+        "input", "go", "bit", "step",
     ];
     name.starts_with("answer ") || acts.iter().any(|act| name.starts_with(&format!("act `{act}`")))
 }
