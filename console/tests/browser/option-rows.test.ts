@@ -63,18 +63,3 @@ it("pro_options_join, pro_edit_join_default: the distance used last is offered n
   const again = await workshop.page();
   await expect.poll(async () => (await setting(again)).inputValue()).toBe("0.7");
 });
-
-it("pro_options_doublestart__on_both_pages: it stands with the machine and with the options, one value", async () => {
-  const page = await workshop.page();
-  // What is pressed before the link stands is not sent.
-  await page.locator(".state", { hasText: /Disarmed|Ready/ }).waitFor();
-  await page.getByRole("link", { name: "Settings" }).click();
-  await page.getByLabel("Look for").fill("double_start");
-  const of = (area: string) =>
-    page.getByRole("region", { name: area }).getByRole("radio", { name: "yes" });
-  const [machine, options] = [of("Miscellaneous"), of("Options of the program")];
-  await expect.poll(() => machine.isChecked()).toBe(false);
-  await options.click();
-  await expect.poll(() => machine.isChecked()).toBe(true);
-  await expect.poll(() => options.isChecked()).toBe(true);
-});
