@@ -67,7 +67,9 @@ mod tests {
     fn it_goes_evenly_from_moment_to_moment() {
         let mut lift = Lift::still(0.5);
         lift.carry(1.0, 0.5);
-        [(2.0, 1.5), (3.0, 1.5), (4.0, -0.5), (5.0, 0.0)].map(|(t_s, mm)| lift.carry(t_s, mm));
+        for (t_s, mm) in [(2.0, 1.5), (3.0, 1.5), (4.0, -0.5), (5.0, 0.0)] {
+            lift.carry(t_s, mm);
+        }
         let asked = [0.0, 1.0, 1.25, 2.0, 2.7, 3.5, 5.0, 9.0].map(|t_s| lift.at(t_s));
         assert_eq!(asked, [0.5, 0.5, 0.75, 1.5, 1.5, 0.5, 0.0, 0.0]);
         assert_eq!((lift.ends(), lift.range()), ([0.5, 0.0], [-0.5, 1.5]));
