@@ -31,7 +31,7 @@ export function StateWord() {
   return <Word tone={tone} word={word} why={word === pressed ? forbidden : machine.why} />;
 }
 
-/** What is said while a stop that is pressed forbids motion. */
+/** The words of a strip on which a pressed stop forbids motion. */
 const pressed = "Stop pressed";
 
 /** The word for what the machine is doing, and its tone. */

@@ -5,7 +5,7 @@ import { Panel } from "../ui/Panel";
 import type { ArrayState, Units } from "../wire/messages";
 import { corners, orders, repeats } from "./arrays";
 
-/** How often the drawing is repeated, and how far from one to the next; nothing where it is cut once. */
+/** The grid and pitch in which the drawing is repeated; nothing where it is cut once. */
 export function ArrayPanel({ onChange }: { onChange: () => void }) {
   const arrays = useSnapshot("drawing")?.arrays ?? [];
   const units = useSnapshot("units");

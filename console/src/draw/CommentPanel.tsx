@@ -1,7 +1,7 @@
 import { useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
 
-/** What is kept with the drawing in words: material, customer, what the operator has to know. */
+/** The comments that are kept with the drawing: material, customer, what the operator has to know. */
 export function CommentPanel() {
   const comments = useSnapshot("drawing")?.comments ?? [];
   if (comments.length === 0) return null;

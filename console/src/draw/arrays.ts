@@ -16,7 +16,7 @@ export const orders: Record<string, string> = {
   "column-snake": "columns forth and back",
 };
 
-/** Whether there is more than one. */
+/** True where an array has more than one place. */
 export const repeats = ({ grid: [rows, columns] }: ArrayState): boolean => rows * columns > 1;
 
 const round = (value: number): string => String(Number(value.toFixed(6)));
@@ -25,7 +25,7 @@ const round = (value: number): string => String(Number(value.toFixed(6)));
 const isLevel = ({ value }: OperationPart): boolean =>
   value?.is === "words" && value.words.includes("block") && value.words.includes("job");
 
-/** Whether this form is about a level of the arrays of the drawing. */
+/** True for a form about a level of the arrays of the drawing. */
 export const isOfArrays = (parts: readonly OperationPart[]): boolean => parts.some(isLevel);
 
 /** The entries of a form, with the array as it is where the form is about one; in the user's unit. */
@@ -42,7 +42,7 @@ export function withArray(
     : entries;
 }
 
-/** What an array says for a part of the form. */
+/** The value of an array for a part of the form. */
 function saidOf(
   { lead, value }: OperationPart,
   { grid, gap, start, order }: ArrayState,

@@ -112,7 +112,7 @@ function PathList({ plan, standing }: PathPanelProps) {
   );
 }
 
-/** What whoever drew the job wrote for whoever cuts it: material, customer, what to look out for. */
+/** The comments of the job for whoever cuts it: material, customer, warnings. */
 function Comments() {
   const comments = useSnapshot("opened")?.header;
   return comments ? (

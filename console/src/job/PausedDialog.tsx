@@ -49,7 +49,7 @@ export function PausedDialog({ asked }: { asked: Asked }) {
   );
 }
 
-/** What has to be done before anything moves again. */
+/** The mend that is needed before anything moves again. */
 function Forbidden() {
   const forbidden = useSnapshot("io")?.forbidden;
   return forbidden ? (

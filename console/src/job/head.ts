@@ -1,4 +1,4 @@
-/** Where the head is, seen from the path that a job begins with. */
+/** The place of the head, seen from the path that a job begins with. */
 
 import type { JobView } from "../wire/messages";
 
@@ -8,7 +8,7 @@ export const near = 0.01;
 export interface Head {
   /** Its place from the job origin, mm. */
   readonly at: readonly [number, number];
-  /** How far the beginning of the path is, mm. */
+  /** Distance to the beginning of the path, mm. */
   readonly awayMm: number;
 }
 

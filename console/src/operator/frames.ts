@@ -26,7 +26,7 @@ const always: readonly FrameChoice[] = [
 export const framesOf = (opened: Opened | null): readonly FrameChoice[] =>
   opened?.origin ? [{ value: "job", words: "Job" }, ...always] : always;
 
-/** Where the axes are in a frame, mm or degrees. A job that runs may have taken its origin where it began. */
+/** The places of the axes in a frame, mm or degrees. A job that runs may have taken its origin where it began. */
 export function placeIn(
   frame: Frame,
   { at }: Motion,

@@ -158,7 +158,7 @@ function Home({ units, isDisabled, go }: WayProps) {
   );
 }
 
-/** How what is entered for an axis is read. */
+/** The meaning of a number that is entered for an axis. */
 const number = (units: Units) => (text: string, axis: AxisUnits) => {
   const value = evaluate(text, { mm: units.mm });
   return value === undefined ? undefined : value * axis.scale;
@@ -168,7 +168,7 @@ interface AxisFieldProps {
   axis: AxisUnits;
   entries: Entries;
   enter: (letter: string, text: string) => void;
-  /** What happens where nothing is entered. */
+  /** The meaning of an empty field. */
   placeholder?: string;
   first?: boolean;
 }

@@ -80,7 +80,7 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
   );
 }
 
-/** What a motor's bits are called behind its name. */
+/** The ends of the names of a motor's bits. */
 const motorBit = /(step|dir)$/;
 
 const isSwitched = ({ output, name }: PortBit): boolean => output && !motorBit.test(name);

@@ -12,7 +12,7 @@ export type Made = ByHand | { readonly wrong: string };
 
 export const isWrong = (made: Made): made is { readonly wrong: string } => "wrong" in made;
 
-/** What is entered for each axis; nothing of those that stay. */
+/** The number entered for each axis; nothing of those that stay. */
 function placeOf(axes: Axes, entries: Entries, read: Reader): (number | null)[] | string {
   const place: (number | null)[] = [null, null, null, null, null, null];
   for (const { axis, at } of axes) {

@@ -98,7 +98,7 @@ axis: string,
 distance: number, } | { "do": "go",
 /** Number of the lease. */
 lease: number,
-/** Where. */
+/** The kind of move and its goal. */
 way: ByHand, } | { "do": "bit",
 /** Number of the lease. */
 lease: number,
@@ -137,7 +137,7 @@ gap: [number, number],
 pitch: [number, number],
 /** The corner at which it begins: bl, br, tr, tl. */
 start: string,
-/** How it goes on: row, column, row-snake, column-snake. */
+/** The order of the places: row, column, row-snake, column-snake. */
 order: string, };
 
 /** A question that a job waits for. It belongs to the job: any page may answer. */
@@ -189,7 +189,7 @@ max: [number, number],
 /** Least and greatest height of its 3D shapes; nothing without any. Flat shapes have no height. */
 z: [number, number] | null, };
 
-/** Where a machine is moved by hand that does nothing else. Mm, degrees. */
+/** A move by hand of a machine that does nothing else. Mm, degrees. */
 export type ByHand = { "to": "findHome",
 /** Their letters, as `xy`; all that have a switch for nothing. */
 axes: string | null, } | { "to": "home",
@@ -342,7 +342,7 @@ finish: [number, number],
 join: number,
 /** The comments that are kept with it. */
 comments: Array<string>,
-/** How often it is repeated: blocks in a job, then jobs on the table. */
+/** Its two levels of repetition: blocks in a job, then jobs on the table. */
 arrays: Array<ArrayState>,
 /** What the last operation, or reading the file, had to tell. */
 notes: Array<string>, };
@@ -527,7 +527,7 @@ inputs: Array<Lamp>,
 outputs: Array<Lamp>,
 /** The ports of the card. */
 ports: Ports,
-/** What has to be done before anything moves, while a stop that is pressed forbids it. */
+/** The mend that is needed before anything moves, while a pressed stop forbids motion. */
 forbidden: string | null, };
 
 /** What runs. */
@@ -740,13 +740,13 @@ kind: FileKind,
 parameters: FileParameters,
 /** How it is run, when it is a job. */
 choice: JobChoice,
-/** Where a job lies on the table, X and Y from home, mm; nothing of other files. */
+/** The origin of a job on the table, X and Y from home, mm; nothing of other files. */
 origin: [number, number] | null,
 /** Shapes that were added to a job since it was saved. */
 added: number,
 /** Lines; paths of a job. */
 lines: number,
-/** What its head tells about the job; the comments of a drawing that became one. */
+/** The words of its head about the job; the comments of a drawing that became one. */
 header: string | null,
 /** The preview, which is made when it is opened. */
 preview: PreviewState,

@@ -120,7 +120,7 @@ it("pro_smoothing_recreate: a job of other smoothing values says so, before the 
   await expect.poll(() => page.getByRole("list", { name: "Findings" }).count()).toBe(0);
 });
 
-/** Where a place is on the sheet when all of this box is shown with an expansion in percent. */
+/** The pixel of a place on the sheet when all of this box is shown with an expansion in percent. */
 const pixel = async (
   at: [number, number],
   box: [number, number, number, number],

@@ -30,7 +30,7 @@ const offers = (names: string[]) =>
   expect
     .poll(() => chooser().evaluateAll((all) => all.map((one) => one.getAttribute("aria-label"))))
     .toEqual(names);
-/** Where a shape of the drawing begins. */
+/** The first place of a shape of the drawing. */
 const start = async (n: number) => (await sheet.shapes())[n]?.points.slice(0, 2);
 
 const look = (): Promise<Painted> => painted(sheet.page, sheet.page.locator("html"));

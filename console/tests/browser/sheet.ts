@@ -39,14 +39,14 @@ export class Sheet {
     expect(await answer.text()).toContain('"problem":null');
   }
 
-  /** What the server has, in cutting order, to a thousandth of a millimetre. */
+  /** The shapes that the server has, in cutting order, to a thousandth of a millimetre. */
   async shapes(): Promise<Listed[]> {
     const answer = await this.page.request.get(`${this.workshop.address}/api/drawing/shapes`);
     const list: { shapes: Listed[] } = await answer.json();
     return list.shapes.map((shape) => ({ ...shape, points: shape.points.map(round) }));
   }
 
-  /** What was drawn since the drawing was given. */
+  /** The shapes drawn since the drawing was given. */
   readonly added = async (): Promise<Listed[]> => (await this.shapes()).slice(this.#given);
 
   /** Numbers of the shapes that are selected. */
@@ -137,7 +137,7 @@ export class Sheet {
 
   readonly place = () => this.page.locator(".sheet-status-place");
 
-  /** What the line below the drawing tells of the mouse, millimetres. */
+  /** The place of the mouse as the line below the drawing tells it, millimetres. */
   async placeAt([x, y]: Point): Promise<Point> {
     await this.page.mouse.move(x - 3, y);
     const before = await this.place().textContent();
@@ -154,7 +154,7 @@ export class Sheet {
     return [across * mm, up * mm];
   }
 
-  /** Where a place of the drawing is on the page. */
+  /** The pixel of the page at a place of the drawing. */
   readonly pixel = (at: Point): Point => this.#pixel(at);
 
   readonly tool = (name: string) => this.page.getByRole("button", { name, exact: true }).click();

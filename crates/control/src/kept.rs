@@ -295,7 +295,7 @@ impl Session {
     }
 }
 
-/// Where machine time is the time of the world, what is on record survives a power cut, and a thread writes it.
+/// Makes records survive a power cut, written by a thread, where machine time is the time of the world.
 fn in_time(journal: &Journal, tape: &mut Tape, pace: &dyn Pace) -> Result<(), JournalError> {
     journal.each_commit_lasts(pace.is_real())?;
     if pace.is_real() {

@@ -16,14 +16,14 @@ pub struct Made<'a> {
     pub t0_s: f64,
     /// The motor that makes it while the others of its axis stand, by its place among them; `None` for all.
     pub alone: Option<(Axis, usize)>,
-    /// How far height control carries Z beside the plan.
+    /// The distance that height control carries Z beside the plan.
     pub lift: &'a Lift,
     /// It is none of the program: by hand, away from a place where the run stands and back to it.
     pub beside: bool,
 }
 
 impl Made<'_> {
-    /// Where the axes are at a moment of the plan, as far as the move goes.
+    /// The place of the axes at a moment of the plan within the move.
     pub fn place(&self, plan_s: f64) -> Axes {
         let mut place = self.plan.at(plan_s).position;
         place[Axis::Z] += self.lift.at(self.t0_s + plan_s);

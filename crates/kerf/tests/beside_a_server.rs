@@ -292,7 +292,7 @@ fn what_a_server_runs_is_told_as_any_run_is() {
     on("run warns.sbp --arm").exits(0).complains("warning[W001]").complains("warns.sbp:4:");
 }
 
-/// What moves the machine by hand goes through the server that has it, as whoever drives; what the server would not
+/// A move by hand goes through the server that has it, as whoever drives; what the server would not
 /// know of is refused.
 #[test]
 fn a_machine_that_a_server_has_is_moved_by_the_server() {

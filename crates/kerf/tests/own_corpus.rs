@@ -68,7 +68,7 @@ fn options(shop: &Shop, name: &str) -> String {
     line.unwrap_or_default().to_owned()
 }
 
-/// What the commands make of a part file.
+/// The outcome of every command on a part file.
 fn program(shop: &Shop, name: &str) -> String {
     let options = options(shop, name);
     let ran = shop.kerf(&format!("run {name} {options} --start fresh --trace -"));
@@ -122,7 +122,7 @@ fn picture(shop: &Shop, name: &str, options: &str) -> String {
     format!("{}, {}", words.unwrap().0, if drawn { "cuts drawn" } else { "no cuts" })
 }
 
-/// How many lines the formatter writes otherwise; that what it wrote runs as before and stays as it is.
+/// The number of lines that the formatter changes. Its text runs as before, and a second run changes nothing.
 fn formatted(shop: &Shop, name: &str, options: &str, before: &Did) -> String {
     let text = shop.read(name);
     shop.kerf(&format!("fmt {name}")).exits(0);
@@ -150,14 +150,14 @@ fn there_and_back(shop: &Shop, name: &str, options: &str) -> String {
     format!("to {there} and back: {}\n           {}", outcome(&did), extent(&did))
 }
 
-/// What options say about the machine; inputs and answers are used up after the way there.
+/// The options that describe the machine; inputs and answers are used up after the way there.
 fn machine(options: &str) -> String {
     let parts = options.split(" --").filter(|part| !part.is_empty());
     let kept = parts.filter(|part| part.starts_with("units ") || part.starts_with("config "));
     kept.map(|part| format!("--{part} ")).collect()
 }
 
-/// What a person at the machine reads.
+/// The messages that a person at the machine reads.
 fn said(event: &Value) -> Option<String> {
     let text = event["text"].as_str().unwrap_or_default();
     match event["e"].as_str()? {
@@ -167,7 +167,7 @@ fn said(event: &Value) -> Option<String> {
     }
 }
 
-/// What the commands make of a drawing: its shapes, what was found, that it is the same through the other formats, and
+/// The outcome of every command on a drawing: its shapes, what was found, that it is the same through the other formats, and
 /// what is cut when it becomes a program.
 fn drawing(shop: &Shop, name: &str) -> String {
     let listed = shop.kerf(&format!("draw {name} --list"));

@@ -209,7 +209,7 @@ fn sbp_cmd_z_infile() {
     check_with(&[("inner.sbp", inner)], program, "0\n1 12\n", words, "inner.sbp:2:");
 }
 
-/// What the tool paths of a drawing warn of, and how many paths there are.
+/// The warnings about the tool paths of a drawing, and how many paths there are.
 #[track_caller]
 fn paths(clauses: &str) -> (String, usize) {
     let shop = Shop::new(&[]);
@@ -248,7 +248,7 @@ fn pro_toolpath_leadin_gouge() {
     assert_eq!(told, "");
 }
 
-/// What an operation on a drawing warns of, and the shapes it leaves.
+/// The warnings about an operation on a drawing, and the shapes it leaves.
 #[track_caller]
 fn drawn(clauses: &str) -> (String, Vec<serde_json::Value>) {
     let shop = Shop::new(&[]);

@@ -273,7 +273,7 @@ impl Signals {
         found
     }
 
-    /// Where the pulses of an axis lead from its home, steps.
+    /// The place to which the pulses of an axis lead from its home, steps.
     pub fn driven(&self, axis: char) -> i64 {
         let [direction, step] = ["dir", "step"].map(|what| format!("{axis}{what}"));
         let (mut forward, mut steps) = (false, 0);
@@ -287,7 +287,7 @@ impl Signals {
         steps
     }
 
-    /// Where an axis is counted to be, steps, and since when, milliseconds.
+    /// The counted place of an axis, steps, and the moment since which it is there, milliseconds.
     pub fn positions(&self, axis: char) -> Vec<(u64, i64)> {
         let steps = |value: &str| {
             let bits = u32::from_str_radix(value.trim_start_matches('b'), 2).expect("a number");

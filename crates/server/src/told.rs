@@ -115,7 +115,7 @@ pub fn io(machine: &Machine, t_s: f64, is: &Configuration, before: &Io) -> Io {
     }
 }
 
-/// What has to be done before anything moves, where a stop forbids it.
+/// The mend that is needed before anything moves, where a pressed stop forbids motion.
 pub fn forbidden(
     reads: impl Fn(u8) -> bool,
     modes: &IoModes,

@@ -1,31 +1,31 @@
 //! How height control carries Z beside the plan over one move.
 
-/// How far Z is carried, moment by moment; evenly between two of them, and as before or after them beyond.
+/// The distance that Z is carried at each moment; evenly between two moments, constant before the first and after the last.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Lift {
-    /// How far it was carried before, mm.
+    /// The distance before, mm.
     before_mm: f64,
     /// Seconds of machine time, and mm; none where nothing carries it on.
     moments: Vec<(f64, f64)>,
 }
 
 impl Lift {
-    /// Z stays carried so far, mm.
+    /// A lift that stays at a distance, mm.
     pub const fn still(before_mm: f64) -> Self {
         Self { before_mm, moments: Vec::new() }
     }
 
-    /// Z is carried so far at a moment, later than those before: of machine time.
+    /// Adds a distance at a moment of machine time later than those before.
     pub(crate) fn carry(&mut self, t_s: f64, mm: f64) {
         self.moments.push((t_s, mm));
     }
 
-    /// Whether Z stays as it is carried.
+    /// True where the distance does not change.
     pub fn is_still(&self) -> bool {
         self.moments.iter().all(|(_, mm)| *mm == self.before_mm)
     }
 
-    /// How far Z is carried at a moment of machine time, mm.
+    /// The distance at a moment of machine time, mm.
     pub fn at(&self, t_s: f64) -> f64 {
         let behind = self.moments.partition_point(|(moment_s, _)| *moment_s <= t_s);
         let before = behind.checked_sub(1).and_then(|i| self.moments.get(i));
@@ -38,12 +38,12 @@ impl Lift {
         }
     }
 
-    /// How far Z is carried when the move begins and when it ends, mm.
+    /// The distances when the move begins and when it ends, mm.
     pub fn ends(&self) -> [f64; 2] {
         [self.before_mm, self.moments.last().map_or(self.before_mm, |(_, mm)| *mm)]
     }
 
-    /// The least and the most that Z is carried, mm.
+    /// The least and the greatest distance, mm.
     pub fn range(&self) -> [f64; 2] {
         let all = || self.moments.iter().map(|(_, mm)| *mm);
         [all().fold(self.before_mm, f64::min), all().fold(self.before_mm, f64::max)]

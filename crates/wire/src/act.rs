@@ -219,7 +219,7 @@ pub enum Act {
     Go {
         /// Number of the lease.
         lease: u32,
-        /// Where.
+        /// The kind of move and its goal.
         way: ByHand,
     },
     /// Switches an output bit of the card of a simulated machine that does nothing else.

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// Where a machine is moved by hand that does nothing else. Mm, degrees.
+/// A move by hand of a machine that does nothing else. Mm, degrees.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", rename_all_fields = "camelCase", tag = "to", deny_unknown_fields)]
 pub enum ByHand {

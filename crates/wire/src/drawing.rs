@@ -82,7 +82,7 @@ pub struct DrawingState {
     pub join: f64,
     /// The comments that are kept with it.
     pub comments: Vec<String>,
-    /// How often it is repeated: blocks in a job, then jobs on the table.
+    /// Its two levels of repetition: blocks in a job, then jobs on the table.
     pub arrays: Vec<ArrayState>,
     /// What the last operation, or reading the file, had to tell.
     pub notes: Vec<String>,
@@ -102,7 +102,7 @@ pub struct ArrayState {
     pub pitch: [f64; 2],
     /// The corner at which it begins: bl, br, tr, tl.
     pub start: String,
-    /// How it goes on: row, column, row-snake, column-snake.
+    /// The order of the places: row, column, row-snake, column-snake.
     pub order: String,
 }
 

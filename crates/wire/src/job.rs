@@ -108,13 +108,13 @@ pub struct Opened {
     pub parameters: FileParameters,
     /// How it is run, when it is a job.
     pub choice: JobChoice,
-    /// Where a job lies on the table, X and Y from home, mm; nothing of other files.
+    /// The origin of a job on the table, X and Y from home, mm; nothing of other files.
     pub origin: Option<[f64; 2]>,
     /// Shapes that were added to a job since it was saved.
     pub added: u32,
     /// Lines; paths of a job.
     pub lines: u32,
-    /// What its head tells about the job; the comments of a drawing that became one.
+    /// The words of its head about the job; the comments of a drawing that became one.
     pub header: Option<String>,
     /// The preview, which is made when it is opened.
     pub preview: PreviewState,

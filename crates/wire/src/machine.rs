@@ -172,7 +172,7 @@ pub struct Io {
     pub outputs: Vec<Lamp>,
     /// The ports of the card.
     pub ports: Ports,
-    /// What has to be done before anything moves, while a stop that is pressed forbids it.
+    /// The mend that is needed before anything moves, while a pressed stop forbids motion.
     pub forbidden: Option<String>,
 }
 

@@ -43,11 +43,11 @@ pub(crate) struct Reached {
 pub(super) struct Batch {
     /// Steps from this number on are no more; those below are newer.
     pub dropped_from: Option<i64>,
-    /// What the world told: number and text.
+    /// Steps that the world told: number and text.
     pub steps: Vec<(i64, Vec<u8>)>,
     /// Files that steps speak of, by their hashes.
     pub contents: BTreeMap<String, Vec<u8>>,
-    /// How far the run is; `None` where that is on record.
+    /// The progress of the run; `None` where that is on record.
     pub reached: Option<Reached>,
 }
 
@@ -58,7 +58,7 @@ impl Batch {
         self.dropped_from = Some(self.dropped_from.map_or(from, |before| before.min(from)));
     }
 
-    /// What comes later is a part of it.
+    /// Takes a later batch in.
     pub(super) fn join(&mut self, later: Self) {
         if let Some(from) = later.dropped_from {
             self.drop_from(from);
@@ -77,7 +77,7 @@ impl Batch {
 #[derive(Debug)]
 pub(crate) struct Progress {
     hand: Hand,
-    /// What is not written yet, nor posted.
+    /// The changes that are not written yet, nor posted.
     batch: Batch,
     /// Number of the next step. `None`: the run cannot be taken up, and the steps in the file are those of
     /// another that can.
@@ -90,10 +90,10 @@ pub(crate) struct Progress {
     told: bool,
 }
 
-/// Who writes.
+/// The hand that writes.
 #[derive(Debug)]
 enum Hand {
-    /// Whoever has something to write, before going on.
+    /// The thread that has something to write, before it goes on.
     Own(Writer),
     /// A thread; it may be behind.
     Scribe(Scribe),
@@ -213,7 +213,7 @@ impl Progress {
         }
     }
 
-    /// Why what was handed over last is not on record.
+    /// The reason for which the batch handed over last is not on record.
     fn new_failure(&self) -> Option<String> {
         match &self.hand {
             Hand::Scribe(scribe) => scribe.trouble(),

@@ -190,16 +190,16 @@ pub enum Operation {
     },
     /// Moves the vertices of the selected shapes nearest to places; arcs keep their bulge.
     StretchAt {
-        /// Which vertices.
+        /// Places near the vertices.
         at: Vec<Point2>,
-        /// How far.
+        /// The distance.
         by: Vec2,
     },
     /// Takes the vertices of a shape nearest to places out.
     DeleteVertices {
         /// The shape.
         shape: usize,
-        /// Which vertices.
+        /// Places near the vertices.
         at: Vec<Point2>,
     },
     /// Adds a circle.

@@ -222,7 +222,7 @@ fn not_beside_a_server(which: &Which, mend: &str) -> Result<()> {
     }
 }
 
-/// How the move by a server ended.
+/// The exit of a move that a server made.
 fn went(ended: &Ended) -> Exit {
     told_by_server(ended, true)
 }

@@ -5,8 +5,8 @@ use anyhow::Result;
 use kerf_wire::ByHand;
 use serde_json::json;
 
-/// What to do where a page has the machine.
-const BESIDE: &str = "the machine was not moved: a page has it (Give up control), or move it there";
+/// The mend where a page drives the machine.
+const BESIDE: &str = "the machine was not moved: a page drives it. Press \"Give up control\" there, or move the machine from that page";
 
 impl Remote {
     /// Moves the machine as whoever drives it, after arming it where that is wanted, and waits for the end.

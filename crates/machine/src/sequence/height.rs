@@ -147,7 +147,7 @@ impl Sequence {
     }
 }
 
-/// How far over the sheet a law keeps the head in a direction, mm.
+/// The distance over the sheet at which a law keeps the head in a direction, mm.
 fn gap_mm(law: &HeightLaw, way: Vec2) -> f64 {
     law.gap_mm(law.set_point(way.x, way.y))
 }

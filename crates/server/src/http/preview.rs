@@ -54,7 +54,7 @@ pub async fn piece(
     Ok((headers, bytes.await?))
 }
 
-/// What was typed, from a segment on; no content where nothing more was, or where it is drawn anew by now.
+/// The segments of typed moves from one on; no content where there are no more, or the picture begins anew.
 pub async fn typed(
     State(app): State<Arc<App>>,
     Path((key, from)): Path<(u32, usize)>,

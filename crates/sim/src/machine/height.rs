@@ -313,7 +313,7 @@ enum Felt {
 #[derive(Clone, Copy, Debug)]
 struct Feels {
     sheet: Option<Sheet>,
-    /// How far the head is above its sensor, mm.
+    /// Distance of the head above its sensor, mm.
     raised_mm: f64,
     felt: Felt,
 }
