@@ -59,6 +59,18 @@ impl Disk for RealDisk {
     }
 }
 
+/// Replaces a file: whoever reads it sees the one before or this one, whole. After a power cut it may be either.
+///
+/// # Errors
+/// Whatever the disk says.
+pub(crate) fn replace_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let replaced = beside(path).and_then(|mut beside| {
+        beside.write_all(bytes)?;
+        beside.persist(path).map_err(|e| e.error)
+    });
+    replaced.map(drop).map_err(without_path)
+}
+
 /// Replaces a file by one that only this user can read, whoever could read the one before.
 ///
 /// # Errors

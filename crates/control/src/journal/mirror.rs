@@ -6,6 +6,7 @@
 
 use super::live::Live;
 use super::{Journal, JournalError};
+use crate::files::replace_whole;
 use crate::stored::check_value;
 use std::fs;
 use std::io;
@@ -27,13 +28,12 @@ pub(super) fn publish(journal: &Journal, live: &Live) -> Result<(), JournalError
     for (key, value) in journal.values()?.into_iter().filter(|(key, _)| !Live::tells(key)) {
         text += &format!("{key}={}\n", value.replace('\n', "\\n"));
     }
-    let (new, there) = (journal.folder().join("registry.new"), journal.folder().join(MIRROR_FILE));
+    let there = journal.folder().join(MIRROR_FILE);
     // Who watches it is told of changes only.
     if fs::read_to_string(&there).is_ok_and(|before| before == text) {
         return Ok(());
     }
-    let written = fs::write(&new, text).and_then(|()| fs::rename(&new, &there));
-    written.map_err(|error| JournalError::of_disk(&there, &error))
+    replace_whole(&there, text.as_bytes()).map_err(|error| JournalError::of_disk(&there, &error))
 }
 
 impl Journal {
@@ -54,7 +54,11 @@ impl Journal {
                 self.set_value(key, value)?;
             }
         }
-        fs::remove_file(&file).map_err(|error| JournalError::of_disk(&file, &error))
+        match fs::remove_file(&file) {
+            // Another thread, or another Kerf, has taken the same lines.
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+            done => done.map_err(|error| JournalError::of_disk(&file, &error)),
+        }
     }
 }
 

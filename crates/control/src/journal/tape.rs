@@ -168,9 +168,10 @@ impl Tape {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
     }
 
-    /// The run is over. Where something on the tape was never asked for it is not the tape of this run, and
-    /// nothing of the run was made.
+    /// The run is over: nothing of it is written any more, and what was to be written is. Where something on the
+    /// tape was never asked for it is not the tape of this run, and nothing of the run was made.
     pub(crate) fn ends(&mut self) {
+        self.writing = None;
         if self.plays() {
             self.unfit.get_or_insert_with(|| "more is on record than the run asks for".into());
         }
@@ -398,13 +399,16 @@ impl Tape {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use crate::journal::{Hurry, Journal, Placed};
+    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::time::Duration;
 
     /// Steps of another run on the tape: nothing of this one would be made, and it must not be said to have
     /// ended.
     #[test]
     fn a_run_that_does_not_ask_for_what_is_on_record_is_refused() {
         let folder = tempfile::tempdir().unwrap();
-        let (journal, _) = crate::journal::Journal::open(folder.path()).unwrap();
+        let (journal, _) = Journal::open(folder.path()).unwrap();
         let step = Step { kind: Kind::Log, call: 1, told: serde_json::Value::Null };
         for (steps, fits) in [(Vec::new(), true), (vec![step], false)] {
             let progress = Progress::new(journal.clone(), Some(2));
@@ -414,5 +418,28 @@ mod tests {
             tape.ends();
             assert_eq!(tape.unfit().is_none(), fits);
         }
+    }
+    /// A thread that writes later would bring a run back that is over.
+    #[test]
+    fn what_is_over_is_on_record_however_long_the_disk_takes() {
+        let folder = tempfile::tempdir().unwrap();
+        let (journal, _) = Journal::open(folder.path()).unwrap();
+        let mut progress = Progress::new(journal.clone(), Some(1));
+        progress.writes_behind(Some(Hurry::new(|| true)));
+        let mut tape = Tape::recording(Placed::default(), progress);
+        let (holds, held) = std::sync::mpsc::channel();
+        let written = AtomicBool::new(false);
+        std::thread::scope(|scope| {
+            scope.spawn(|| {
+                let _disk = journal.opened();
+                holds.send(()).unwrap();
+                std::thread::sleep(Duration::from_millis(30));
+                written.store(true, Ordering::Release);
+            });
+            held.recv().unwrap();
+            tape.moves(true, Placed::default());
+            tape.ends();
+            assert!(written.load(Ordering::Acquire), "nobody waited for the disk");
+        });
     }
 }
