@@ -180,7 +180,9 @@ impl Shelf {
     /// A value that survives, as it is now.
     pub(crate) fn value(&mut self, key: &str) -> Option<String> {
         let stored = &self.stored;
-        if let Some(now) = self.tape.hear_rarely(Kind::Value, || stored.news(key)) {
+        let owes = self.tape.owes(key);
+        let news = || stored.news(key).filter(|_| !owes);
+        if let Some(now) = self.tape.hear_rarely(Kind::Value, news) {
             self.stored.learn(key, now.as_deref());
         }
         self.stored.get(key).map(str::to_owned)
@@ -193,7 +195,10 @@ impl Shelf {
             self.replayed.insert(key.to_owned());
             return;
         }
-        self.stored.set(key, value);
+        let news = self.stored.learn(key, value);
+        if news && !(self.stored.is_kept_value(key) && self.tape.gives(key, value)) {
+            self.stored.keep(key);
+        }
     }
 
     /// Converts a file of the part folder to a part file beside it (FC).

@@ -84,6 +84,11 @@ impl Stored {
         self.values.retain(|key, _| !keys.contains(&key.as_str()));
     }
 
+    /// Whether the value of a key is kept in a journal, and is no fact of the machine.
+    pub(crate) fn is_kept_value(&self, key: &str) -> bool {
+        self.journal.is_some() && !self.is_apart(key) && !is_fact(key)
+    }
+
     fn is_apart(&self, key: &str) -> bool {
         self.apart.contains(&key)
     }
@@ -107,7 +112,7 @@ impl Stored {
     /// What somebody else made of a value, if anybody did.
     pub(crate) fn news(&self, key: &str) -> Option<Option<String>> {
         let journal = self.journal.as_ref().filter(|_| !self.is_apart(key))?;
-        let now = journal.value(key).ok()?;
+        let now = journal.look_up(key).ok()?;
         (now.as_deref() != self.get(key)).then_some(now)
     }
 

@@ -2,7 +2,9 @@
 
 use crate::awaited::Works;
 use crate::clock::Clock;
+use crate::counted::Counted;
 use crate::desk::Desk;
+use crate::draft;
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::http::Bodies;
@@ -47,6 +49,8 @@ pub struct App {
     pub orders: Mutex<Sender<Order>>,
     /// The part folder.
     pub parts: PartFolder,
+    /// The drawing that is not saved, in the data folder.
+    pub draft: Counted,
     /// What is written into it.
     pub saves: Saves,
     /// What is typed in the editor and not saved.
@@ -205,6 +209,7 @@ impl App {
         let memory = Memory::default();
         Ok(Self {
             parts: PartFolder::new(&options.parts)?,
+            draft: draft::file_in(&options.data),
             saves: Saves::new(&options.data),
             texts: Texts::new(&options.data),
             devices,

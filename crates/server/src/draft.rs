@@ -2,18 +2,15 @@
 //! what was drawn in the last half second. The next server begins with it.
 
 use crate::app::{App, hash, lock};
+use crate::counted::{Counted, Found};
 use crate::desk::{Desk, drawing_in};
-use crate::digested::{checked, with_digest};
 use crate::priority::Yields;
-use kerf_control::files::{Disk, RealDisk};
 use kerf_formats::rsg;
 use kerf_geom::Point2;
 use kerf_wire::{Change, Tone};
 use serde::{Deserialize, Serialize};
-use std::fs;
 use std::io;
-use std::iter;
-use std::path::PathBuf;
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::mpsc::channel;
 use std::thread;
@@ -27,6 +24,13 @@ const REST: Duration = Duration::from_millis(400);
 
 /// What is told of it on the sheet.
 const AGAIN: &str = "It was not saved when Kerf ended: here it is again.";
+
+/// What is told where the draft is not the one that was written last.
+const OLDER: &str = "The drawing that was not saved is an older copy, without what was drawn since. Its file \
+                     (drawing.draft in the data folder) was replaced.";
+
+/// What is told where there is none and should be one.
+const GONE: &str = "The drawing that was not saved is gone: its file (drawing.draft) was taken out of the data folder.";
 
 /// What is told where its file is another by now.
 const CHANGED: &str = "Its file was changed since it was opened: Save asks before it is replaced.";
@@ -89,41 +93,29 @@ impl App {
     /// Whatever the disk says.
     pub fn write_draft(&self) -> io::Result<()> {
         let draft = lock(&self.desk).draft();
-        let file = self.draft_file();
         match draft {
-            Some(draft) => RealDisk.write(&file, &with_digest(&serde_json::to_vec(&draft)?)),
-            None if file.is_file() => fs::remove_file(&file),
-            None => Ok(()),
+            Some(draft) => self.draft.write(&serde_json::to_vec(&draft)?),
+            None => self.draft.remove(),
         }
-    }
-
-    fn draft_file(&self) -> PathBuf {
-        self.options.data.join(FILE)
     }
 
     fn take_up_draft(&self) {
-        let file = self.draft_file();
-        if !file.is_file() {
-            return;
-        }
-        let read =
-            RealDisk.read(&file).and_then(|bytes| Ok(serde_json::from_slice(checked(&bytes)?)?));
+        let (read, older) = match self.draft.read() {
+            Ok(Found::Nothing) => return,
+            Ok(Found::Gone) => return self.hub.say(Tone::Warning, GONE),
+            Ok(Found::Newest(bytes)) => (serde_json::from_slice(&bytes).map_err(Into::into), false),
+            Ok(Found::Older(bytes)) => (serde_json::from_slice(&bytes).map_err(Into::into), true),
+            Err(error) => (Err(error), false),
+        };
         let Draft { name, finish, drawing, kept, job } = match read {
             Ok(draft) => draft,
-            Err(error) => {
-                let aside = file.with_extension("unread");
-                let moved = fs::rename(&file, &aside).map_or(file, |()| aside);
-                let text = format!(
-                    "the drawing that was not saved cannot be read: {error}; it lies in {}",
-                    moved.display()
-                );
-                return self.hub.say(Tone::Warning, text);
-            }
+            Err(error) => return self.put_draft_aside(&error),
         };
         let file = name.as_ref().and_then(|name| Some((name, self.parts.read(name).ok()?)));
         let changed = kept.is_some() && kept != file.as_ref().map(|(_, bytes)| hash(bytes));
         let saved = file.and_then(|(name, bytes)| drawing_in(name, &bytes).ok());
-        let notes = iter::once(AGAIN).chain(changed.then_some(CHANGED)).map(Into::into).collect();
+        let notes = [Some(AGAIN), older.then_some(OLDER), changed.then_some(CHANGED)];
+        let notes = notes.into_iter().flatten().map(Into::into).collect();
         let mut desk = lock(&self.desk);
         let drawing = rsg::read(drawing.as_bytes()).drawing;
         desk.notes = self.begin(&mut desk, drawing, name, notes);
@@ -132,7 +124,26 @@ impl App {
         (desk.kept, desk.job) = (kept, job.map(|job| kerf_toolpath::read(job.as_bytes()).0));
         let drawing = Some(desk.state(&self.heights()));
         self.hub.change(vec![Change::Drawing { drawing }]);
+        if older {
+            self.hub.say(Tone::Warning, OLDER);
+        }
     }
+
+    fn put_draft_aside(&self, error: &io::Error) {
+        let aside = self.draft.path().with_extension("unread");
+        let moved = self.draft.put_aside(&aside);
+        let lies = if moved.is_ok() { &aside } else { self.draft.path() };
+        let text = format!(
+            "the drawing that was not saved cannot be read: {error}; it lies in {}",
+            lies.display()
+        );
+        self.hub.say(Tone::Warning, text);
+    }
+}
+
+/// The draft in a data folder.
+pub fn file_in(data: &Path) -> Counted {
+    Counted::new(data.join(FILE))
 }
 
 impl Desk {

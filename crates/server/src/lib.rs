@@ -26,6 +26,7 @@ mod by_hand;
 mod called;
 mod clock;
 mod configure;
+mod counted;
 mod descriptors;
 mod desk;
 mod digested;

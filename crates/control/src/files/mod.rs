@@ -24,7 +24,6 @@ pub use folders::{Folders, Purpose, custom_name};
 pub use leftovers::sweep;
 pub use memory::MemoryDisk;
 pub use open::{OpenFiles, make_way, to_open};
-pub(crate) use real::replace_whole;
-pub use real::{RealDisk, write_private};
+pub use real::{RealDisk, replace_whole, write_private};
 pub use scratch::Scratch;
 pub use shipped::{MACHINES, SAMPLES, SHIPPED, Shipped};

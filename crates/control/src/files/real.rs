@@ -63,7 +63,7 @@ impl Disk for RealDisk {
 ///
 /// # Errors
 /// Whatever the disk says.
-pub(crate) fn replace_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+pub fn replace_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let replaced = beside(path).and_then(|mut beside| {
         beside.write_all(bytes)?;
         beside.persist(path).map_err(|e| e.error)

@@ -124,7 +124,7 @@ fn made_meanwhile(connection: &Connection, error: rusqlite::Error) -> Result<(),
 
 /// Where the folder cannot be written, readers cannot tell each other of themselves: then the file
 /// is read as it is.
-fn look(file: &Path) -> Result<Connection, Trouble> {
+pub(super) fn look(file: &Path) -> Result<Connection, Trouble> {
     let flags = OpenFlags::SQLITE_OPEN_READ_ONLY;
     let usual = Connection::open_with_flags(file, flags);
     let readable =

@@ -77,6 +77,8 @@ const OWNER_FILE: &str = "owner.lock";
 #[derive(Clone, Debug)]
 pub struct Journal {
     database: Arc<Mutex<Opened>>,
+    /// Reads while somebody writes; opened when it is needed first.
+    reader: Arc<Mutex<Option<Connection>>>,
     folder: Arc<Path>,
     /// What `machine.toml` said when it was looked at last.
     known: Arc<Mutex<settings::Known>>,
@@ -187,7 +189,8 @@ impl Journal {
         let opened = Opened { connection, lasts: true, rests: false, rested, name };
         let (database, known) = (Arc::new(Mutex::new(opened)), Arc::default());
         let (seen, told) = (Arc::default(), Arc::default());
-        Ok((Self { database, folder: folder.into(), known, seen, told }, doubt))
+        let reader = Arc::default();
+        Ok((Self { database, reader, folder: folder.into(), known, seen, told }, doubt))
     }
 
     /// Takes the machine; nobody else may move it meanwhile.
@@ -227,6 +230,19 @@ impl Journal {
     /// As the file cannot be read.
     pub fn value(&self, key: &str) -> Result<Option<String>, JournalError> {
         self.read(|rows| stated::value(rows, key))
+    }
+
+    /// The value of a key, as the file has it while a thread may be writing into it: nobody waits for the disk.
+    pub(crate) fn look_up(&self, key: &str) -> Result<Option<String>, JournalError> {
+        let mut reader = self.reader.lock().unwrap_or_else(PoisonError::into_inner);
+        let look_up = |reader: &mut Option<Connection>| {
+            let connection = match reader.take() {
+                Some(connection) => connection,
+                None => database::look(&self.folder.join(JOURNAL_FILE))?,
+            };
+            stated::value(&Rows(reader.insert(connection)), key)
+        };
+        look_up(&mut reader).map_err(|error| self.located(error))
     }
 
     /// Gives a key a value; `None` removes it. What the machine says of itself is no value: see [`Journal::state`].

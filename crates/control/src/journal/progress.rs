@@ -47,6 +47,8 @@ pub(super) struct Batch {
     pub steps: Vec<(i64, Vec<u8>)>,
     /// Files that steps speak of, by their hashes.
     pub contents: BTreeMap<String, Vec<u8>>,
+    /// What values are from now on, by their keys.
+    pub values: BTreeMap<String, Option<String>>,
     /// The progress of the run; `None` where that is on record.
     pub reached: Option<Reached>,
 }
@@ -65,6 +67,7 @@ impl Batch {
         }
         self.steps.extend(later.steps);
         self.contents.extend(later.contents);
+        self.values.extend(later.values);
         self.reached = later.reached.or_else(|| self.reached.take());
     }
 
@@ -156,6 +159,21 @@ impl Progress {
             self.batch.contents.insert(hash.clone(), bytes.to_vec());
         }
         hash
+    }
+
+    /// Gives a key a value; whether a thread writes it.
+    pub(crate) fn gives(&mut self, key: &str, value: Option<&str>) -> bool {
+        let by_thread = matches!(self.hand, Hand::Scribe(_));
+        if by_thread {
+            self.batch.values.insert(key.to_owned(), value.map(str::to_owned));
+            self.hand_over();
+        }
+        by_thread
+    }
+
+    /// Whether the value of a key is not on record yet.
+    pub(crate) fn owes(&self, key: &str) -> bool {
+        matches!(&self.hand, Hand::Scribe(scribe) if scribe.owes(key))
     }
 
     /// Writes, if it is time to.

@@ -8,6 +8,7 @@
 use super::progress::{Batch, PROGRESS};
 use super::rows::Table;
 use super::{Journal, JournalError, Live, json, mirror};
+use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
@@ -54,6 +55,8 @@ impl Writer {
             }
             let (contents, steps) = (&batch.contents, &batch.steps);
             contents.iter().try_for_each(|(hash, bytes)| rows.keep_content(hash, bytes))?;
+            let mut values = batch.values.iter();
+            values.try_for_each(|(key, value)| rows.set(Table::Value, key, value.as_deref()))?;
             steps.iter().try_for_each(|(n, step)| rows.put(Table::Step, n, step))?;
             match &batch.reached {
                 Some(reached) => rows.put(Table::Fact, PROGRESS, &json(reached)?),
@@ -80,6 +83,8 @@ struct Slate {
     next: Option<Batch>,
     /// A batch is being written.
     writes: bool,
+    /// Keys whose values are not on record yet.
+    owes: BTreeSet<String>,
     /// The reason for which the last one is not on record.
     trouble: Option<JournalError>,
     /// Nothing more comes.
@@ -106,6 +111,7 @@ impl Scribe {
     /// Puts down what is to be on record soon.
     pub(super) fn post(&self, batch: Batch) {
         let mut slate = lock(&self.slate.0);
+        slate.owes.extend(batch.values.keys().cloned());
         match &mut slate.next {
             Some(next) => next.join(batch),
             none => *none = Some(batch),
@@ -124,6 +130,11 @@ impl Scribe {
             slate =
                 self.slate.1.wait_timeout(slate, LOOK).unwrap_or_else(PoisonError::into_inner).0;
         }
+    }
+
+    /// Whether the value of a key is not on record yet.
+    pub(super) fn owes(&self, key: &str) -> bool {
+        lock(&self.slate.0).owes.contains(key)
     }
 
     /// The reason for which the last batch is not on record, or was not told to other programs.
@@ -162,6 +173,9 @@ fn while_posted((slate, woken): &(Mutex<Slate>, Condvar), writer: &mut Writer) {
         let met = written.is_ok().then(|| writer.meet_others(&batch));
         let mut at = lock(slate);
         at.writes = false;
+        if written.is_ok() && at.next.is_none() {
+            at.owes.clear();
+        }
         at.trouble = match (written, met) {
             (Err(error), _) => {
                 failed = Some(batch);

@@ -210,6 +210,16 @@ impl Tape {
         told
     }
 
+    /// Gives a key a value; whether a thread writes it, so that nobody waits for the disk.
+    pub(crate) fn gives(&mut self, key: &str, value: Option<&str>) -> bool {
+        self.writing.as_mut().is_some_and(|progress| progress.gives(key, value))
+    }
+
+    /// Whether the value of a key is not on record yet: nobody else can have changed it then.
+    pub(crate) fn owes(&self, key: &str) -> bool {
+        self.writing.as_ref().is_some_and(|progress| progress.owes(key))
+    }
+
     /// Asks the world for something that it hardly ever has.
     pub(crate) fn hear_rarely<T: Serialize + DeserializeOwned>(
         &mut self,

@@ -8,6 +8,8 @@ use crate::stored::Stored;
 use crate::text::{TextOptions, run_text};
 use crate::{Company, RunOptions, Session, Shelf, Started};
 use std::fs;
+use std::sync::mpsc::channel;
+use std::time::Duration;
 use tempfile::{TempDir, tempdir};
 
 fn opened(folder: &TempDir) -> (Journal, Vec<String>) {
@@ -385,4 +387,38 @@ fn nobody_else_reads_the_journal() {
         let mode = fs::metadata(folder.path().join(name)).unwrap().permissions().mode();
         assert_eq!(mode & 0o077, 0, "{name}: {mode:o}");
     }
+}
+
+/// While a thread has the disk and gets no answer, a program gives a value and reads it, and another that somebody else
+/// gave.
+#[test]
+fn a_value_of_a_program_does_not_wait_for_the_disk() {
+    let folder = tempdir().unwrap();
+    let (_, mut shelf) = recalled(&folder, "");
+    let journal = shelf.journal().unwrap().clone();
+    journal.set_value("theirs", Some("1")).unwrap();
+    let mut progress = progress::Progress::new(journal.clone(), Some(1));
+    progress.writes_behind(None);
+    shelf.tape = Tape::recording(Placed::default(), progress);
+    let ((holds, held), (done, is_done)) = (channel(), channel());
+    std::thread::scope(|scope| {
+        let journal = &journal;
+        let holder = scope.spawn(move || {
+            let _disk = journal.opened();
+            holds.send(()).unwrap();
+            is_done.recv_timeout(Duration::from_secs(5))
+        });
+        held.recv().unwrap();
+        for number in ["2", "3"] {
+            shelf.set_value("ours", Some(number));
+            assert_eq!(shelf.value("ours").as_deref(), Some(number));
+        }
+        assert_eq!(shelf.value("theirs").as_deref(), Some("1"));
+        done.send(()).unwrap();
+        assert_eq!(holder.join().unwrap(), Ok(()), "it waited for the disk");
+    });
+    shelf.tape.ends();
+    assert_eq!(opened(&folder).0.value("ours").unwrap().as_deref(), Some("3"));
+    journal.set_value("ours", Some("4")).unwrap();
+    assert_eq!(shelf.value("ours").as_deref(), Some("4"));
 }

@@ -6,13 +6,13 @@
 use super::Tries;
 use crate::app::{hash, hex, lock};
 use crate::clock::Clock;
-use crate::digested::{checked, with_digest};
-use kerf_control::files::{Disk, RealDisk, write_private};
+use crate::counted::{Counted, Found};
+use kerf_control::files::{Disk, RealDisk};
 use kerf_wire::Role;
 use serde::{Deserialize, Serialize};
 use std::io;
 use std::net::{IpAddr, Ipv6Addr};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Mutex;
 use std::time::Duration;
 use subtle::ConstantTimeEq;
@@ -23,6 +23,14 @@ const VALID: Duration = Duration::from_secs(300);
 const TELL: Duration = Duration::from_secs(1);
 /// The list, in the data folder.
 const FILE: &str = "devices.json";
+
+/// What to do where there is no list.
+const ANEW: &str =
+    "No device is paired now: pair each anew, or end Kerf and put a copy of the list in its place";
+
+/// What to do where the list is an older one.
+const LOOK: &str = "Devices that were revoked since may be in it again, and others may be missing: look at the list of devices, \
+                    and revoke what is not to drive the machine";
 
 /// A paired device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -60,7 +68,7 @@ pub enum PairError {
 /// Paired devices, and the code that is shown.
 #[derive(Debug)]
 pub struct Devices {
-    file: PathBuf,
+    file: Counted,
     clock: Clock,
     inner: Mutex<Inner>,
 }
@@ -97,20 +105,14 @@ impl Shown {
 }
 
 impl Devices {
-    /// Reads the list; a missing one is empty. One that is none is put aside, and what is told of that comes with
-    /// the empty list: nobody is paired then.
+    /// Reads the list. One that is damaged is put aside; what is told of that, or of one that is gone or older, comes
+    /// with it. Nobody is paired where there is none.
     ///
     /// # Errors
     /// Whatever the disk says.
     pub fn read(data: &Path, clock: Clock) -> io::Result<(Self, Option<String>)> {
-        let file = data.join(FILE);
-        let (devices, told) = match file.is_file() {
-            true => match listed(&RealDisk.read(&file)?) {
-                Ok(devices) => (devices, None),
-                Err(why) => (Vec::new(), Some(put_aside(&file, &why)?)),
-            },
-            false => (Vec::new(), None),
-        };
+        let file = Counted::secret(data.join(FILE));
+        let (devices, told) = listed(&file)?;
         let inner = Mutex::new(Inner { devices, ..Inner::default() });
         Ok((Self { file, clock, inner }, told))
     }
@@ -198,8 +200,8 @@ impl Devices {
     }
 
     fn write(&self, devices: &[Device]) -> io::Result<()> {
-        RealDisk.make_folder(self.file.parent().unwrap_or(Path::new("")))?;
-        write_private(&self.file, &with_digest(&serde_json::to_vec_pretty(devices)?))
+        RealDisk.make_folder(self.file.path().parent().unwrap_or(Path::new("")))?;
+        self.file.write(&serde_json::to_vec_pretty(devices)?)
     }
 }
 
@@ -221,23 +223,37 @@ fn network(from: IpAddr) -> IpAddr {
     }
 }
 
-/// The devices of a list.
-fn listed(file: &[u8]) -> io::Result<Vec<Device>> {
-    Ok(serde_json::from_slice(checked(file)?)?)
+/// The devices of a list, and what is told of it.
+fn listed(file: &Counted) -> io::Result<(Vec<Device>, Option<String>)> {
+    let found = match file.read() {
+        Err(why) if why.kind() == io::ErrorKind::InvalidData => return damaged(file, &why),
+        found => found?,
+    };
+    let list = format!("{}, the list of paired devices,", file.path().display());
+    let (bytes, told) = match found {
+        Found::Nothing => return Ok((Vec::new(), None)),
+        Found::Gone => return Ok((Vec::new(), Some(format!("{list} is gone. {ANEW}")))),
+        Found::Newest(bytes) => (bytes, None),
+        Found::Older(bytes) => (bytes, Some(format!("{list} is an older copy. {LOOK}"))),
+    };
+    match serde_json::from_slice(&bytes) {
+        Ok(devices) => Ok((devices, told)),
+        Err(why) => damaged(file, &why.into()),
+    }
 }
 
-/// Puts a list aside that is none; what is told of that.
-fn put_aside(file: &Path, why: &io::Error) -> io::Result<String> {
-    let aside = |n: u32| file.with_file_name(format!("{FILE}.broken-{n}"));
+/// Puts a list aside that is none, and tells that.
+fn damaged(file: &Counted, why: &io::Error) -> io::Result<(Vec<Device>, Option<String>)> {
+    let aside = |n: u32| file.path().with_file_name(format!("{FILE}.broken-{n}"));
     let free = (1..).map(aside).find(|path| !path.exists());
     let free = free.ok_or(io::ErrorKind::AlreadyExists)?;
-    std::fs::rename(file, &free)?;
-    Ok(format!(
-        "{}, the list of paired devices, cannot be read ({why}). It was put aside as {}. No device is paired now: pair \
-         each anew, or end Kerf and put a copy of the list in its place",
-        file.display(),
+    file.put_aside(&free)?;
+    let told = format!(
+        "{}, the list of paired devices, cannot be read ({why}). It was put aside as {}. {ANEW}",
+        file.path().display(),
         free.display()
-    ))
+    );
+    Ok((Vec::new(), Some(told)))
 }
 
 /// Whether two texts are the same, in a time that does not tell where they differ.
