@@ -6,16 +6,20 @@ use crate::corner::{FULL_CORNER_RAD, SLIGHTEST_RAD, corner_speed, is_full};
 use crate::course::Course;
 use crate::moves::{Move, Path};
 use crate::profile::Profile;
-use crate::turns::{Bend, Place, sum_turns};
+use crate::turns::{Bend, Place, full_stretches, sum_turns};
 use kerf_program::Axis;
 use kerf_program::settings::{MM_PER_INCH, Ramps};
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// A curve that turns by a full corner on a smaller radius needs a full ramp at any speed.
 const FULL_CURVE_RADIUS_MM: f64 = 0.25 * MM_PER_INCH;
 
 /// The path on which such a curve makes its turn.
 const FULL_CURVE_MM: f64 = FULL_CURVE_RADIUS_MM * FULL_CORNER_RAD;
+
+/// An arc of a smaller radius rounds a corner. Guess.
+const FILLET_RADIUS_MM: f64 = 0.05 * MM_PER_INCH;
 
 /// The most that a closed circle counts as turning within the minimum distance: three of the 64
 /// chords into which a small circle is cut, as the default minimum distance is three default chords.
@@ -119,9 +123,8 @@ impl Caps {
     /// How many moves of the window have caps that no later move can change.
     pub fn settled(&self, ahead: &Ahead) -> usize {
         let known = ahead.caps.len();
-        let open = self.bends.get(self.done[1]).map_or(known, |bend| match bend.place {
-            Place::Joint(number) | Place::Arc(number) => ahead.index(number),
-        });
+        let open = self.bends.get(self.done[1]);
+        let open = open.map_or(known, |bend| ahead.index(bend.place.number()));
         // A bend limits the move before it as well, and so does the next move the last one.
         open.min(known).saturating_sub(1)
     }
@@ -169,7 +172,8 @@ impl Caps {
         let closed = sweep > TAU - BEND_RAD;
         if way_mm <= self.window_mm && !closed {
             let middle_mm = self.at_mm + 0.5 * way_mm;
-            return self.bend(middle_mm, sweep_rad, xy, Place::Arc(ahead.number(i)));
+            let place = if way_mm < FILLET_RADIUS_MM * sweep { Place::Fillet } else { Place::Arc };
+            return self.bend(middle_mm, sweep_rad, xy, place(ahead.number(i)));
         }
         let turn = sweep * (self.window_mm / way_mm).min(1.0);
         let tight = is_full(sweep) && way_mm < FULL_CURVE_RADIUS_MM * sweep;
@@ -201,9 +205,14 @@ impl Caps {
     /// Applies the corner rule to what the direction changes around each bend, for so many bends
     /// that are arcs and joints.
     fn limit_turns(&mut self, ahead: &mut Ahead, [arcs, joints]: [usize; 2]) {
-        let turns = self.summed();
+        let (turns, stretches) = self.summed();
+        // The speed at a joint depends on that of the move behind it, and so does nothing of the bend behind that.
+        for k in joined(&stretches, self.done[1] + 1..self.bends.len().min(joints + 1)) {
+            self.limit_between(ahead, k);
+        }
         for (k, &turn_rad) in turns.iter().enumerate().take(arcs).skip(self.done[0]) {
-            if let Bend { place: Place::Arc(i), xy, .. } = self.bends[k] {
+            let Bend { place, xy, .. } = self.bends[k];
+            if let Some(i) = place.arc() {
                 let index = ahead.index(i);
                 let cap = &mut ahead.caps[index];
                 cap.v_peak = self.turning(cap.v_peak, turn_rad, xy);
@@ -225,27 +234,31 @@ impl Caps {
         caps[i - 1].v_exit = caps[i - 1].v_exit.min(cap);
     }
 
-    /// What the direction changes around each bend, radians.
-    fn summed(&self) -> Vec<f32> {
+    /// Keeps the moves between a bend and the one before it at the speed of a full corner: both are in one tight curve.
+    fn limit_between(&self, ahead: &mut Ahead, k: usize) {
+        let (from, to) = (&self.bends[k - 1], &self.bends[k]);
+        let behind = usize::from(from.place.arc().is_some());
+        let between = ahead.index(from.place.number()) + behind..ahead.index(to.place.number());
+        for cap in ahead.caps.get_mut(between).into_iter().flatten() {
+            cap.v_peak = self.turning(cap.v_peak, FULL_CORNER_RAD as f32, from.xy.max(to.xy));
+        }
+    }
+
+    /// What the direction changes around each bend, radians; and the stretches that are tight curves.
+    fn summed(&self) -> (Vec<f32>, Vec<(usize, usize)>) {
         let mut turns: Vec<f32> = self.bends.iter().map(|b| b.turn_rad.abs()).collect();
         let greatest = sum_turns(&self.bends, self.window_mm, SLIGHTEST_RAD, &mut turns);
         // A longer stretch is covered by so many of the window, and cannot turn more than they.
         let windows = (FULL_CURVE_MM / self.window_mm).ceil();
-        if windows > 1.0 && is_full(windows * f64::from(greatest)) {
-            self.add_tight_curves(&mut turns);
+        if !is_full(windows * f64::from(greatest)) {
+            return (turns, Vec::new());
         }
-        turns
-    }
-
-    /// Makes a full corner of every bend in a curve that turns by as much on a small radius.
-    fn add_tight_curves(&self, turns: &mut [f32]) {
-        let mut tight = turns.to_vec();
-        sum_turns(&self.bends, FULL_CURVE_MM, SLIGHTEST_RAD, &mut tight);
-        for (turn, tight) in turns.iter_mut().zip(tight) {
-            if is_full(f64::from(tight)) {
-                *turn = tight;
-            }
+        let stretches = full_stretches(&self.bends, FULL_CURVE_MM, FULL_CORNER_RAD, is_full);
+        for (first, last) in &stretches {
+            let within = turns[*first..=*last].iter_mut();
+            within.for_each(|turn| *turn = turn.max(FULL_CORNER_RAD as f32));
         }
+        (turns, stretches)
     }
 
     fn turning(&self, v: f64, turn_rad: f32, xy: f32) -> f64 {
@@ -258,6 +271,18 @@ impl Caps {
         let slow = corner_speed(in_xy, turn_rad, ramp, self.ramps.slow_corner_percent);
         if slow < in_xy { v * (slow / in_xy) } else { v }
     }
+}
+
+/// The bends, of some, that lie in a stretch together with the bend before. The stretches are in the order of their ends.
+fn joined(stretches: &[(usize, usize)], among: Range<usize>) -> Vec<usize> {
+    let mut joined = Vec::new();
+    let mut end = among.end;
+    for &(first, last) in stretches.iter().rev() {
+        let new = among.start.max(first + 1)..end.min(last + 1);
+        end = end.min(new.start.max(among.start));
+        joined.extend(new);
+    }
+    joined
 }
 
 /// The caps of a move by itself: it starts and ends at ramp speed.

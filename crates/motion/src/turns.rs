@@ -35,6 +35,25 @@ pub(crate) enum Place {
     Joint(u32),
     /// This move, a short arc.
     Arc(u32),
+    /// This move, an arc so small that it rounds a corner.
+    Fillet(u32),
+}
+
+impl Place {
+    /// The move that begins there or is it.
+    pub const fn number(self) -> u32 {
+        match self {
+            Self::Joint(number) | Self::Arc(number) | Self::Fillet(number) => number,
+        }
+    }
+
+    /// The arc that it is.
+    pub const fn arc(self) -> Option<u32> {
+        match self {
+            Self::Joint(_) => None,
+            Self::Arc(number) | Self::Fillet(number) => Some(number),
+        }
+    }
 }
 
 impl Bend {
@@ -73,13 +92,66 @@ pub(crate) fn sum_turns(bends: &[Bend], window_mm: f64, least_rad: f64, found: &
     greatest
 }
 
+/// Stretches of at most `window_mm`, first and last bend, on which the direction changes so much that it `is_full`, without
+/// corners: joints where it does so at once, and fillets. Their ends belong to the curve.
+pub(crate) fn full_stretches(
+    bends: &[Bend],
+    window_mm: f64,
+    full_rad: f64,
+    is_full: impl Fn(f64) -> bool,
+) -> Vec<(usize, usize)> {
+    let way_mm = |a: usize, b: usize| bends[b].at_mm - bends[a].at_mm;
+    let is_corner = |bend: &Bend| match bend.place {
+        Place::Joint(_) => is_full(f64::from(bend.turn_rad.abs())),
+        Place::Arc(_) => false,
+        Place::Fillet(_) => true,
+    };
+    // A bend at an end stands for half the way to its neighbour within.
+    let belongs = |end: usize, inner: usize| {
+        let share = (0.5 * way_mm(end, inner).abs() / window_mm) as f32;
+        bends[end].turn_rad.abs() >= OF_CURVE * share * full_rad as f32
+    };
+    let mut stretches: Vec<(usize, usize)> = Vec::new();
+    let mut queue = Extremes::default();
+    for curve in curves(bends, window_mm, full_rad).0 {
+        queue.clear();
+        let mut begin = curve.start;
+        for k in curve {
+            if is_corner(&bends[k]) {
+                queue.clear();
+                begin = k + 1;
+                continue;
+            }
+            while way_mm(begin, k) > window_mm {
+                begin += 1;
+            }
+            let Some(latest) = queue.latest(bends, k, window_mm, &is_full) else { continue };
+            let here = bends[k].after_rad();
+            let ends_at = |i: &usize| {
+                let full = is_full((here - bends[*i].before_rad).abs());
+                full && (*i == k || belongs(*i, *i + 1) && belongs(k, k - 1))
+            };
+            stretches.extend((begin..=latest).find(ends_at).map(|first| (first, k)));
+        }
+    }
+    stretches
+}
+
 /// The bends between which the direction may change by `least_rad` within the window, as far as
 /// the sum of all their turns, whatever their sense, tells; and the greatest such sum of the others.
 ///
 /// Most of a path is nearly straight, and the sum is far quicker than the search for the extremes.
 fn curves(bends: &[Bend], window_mm: f64, least_rad: f64) -> (Vec<Range<usize>>, f32) {
+    // An arc between two bends that is too long for one turns as well.
+    let arcs = |k: usize| match k.checked_sub(1) {
+        Some(last) => (bends[k].before_rad - bends[last].after_rad()).abs(),
+        None => 0.0,
+    };
     // Whole numbers, so that nothing adds up over a million bends.
-    let turn = |k: usize| (f64::from(bends[k].turn_rad.abs()) / GRAIN_RAD) as u64 + 1;
+    let turn = |k: usize| {
+        let turn = f64::from(bends[k].turn_rad.abs()) + arcs(k);
+        (turn / GRAIN_RAD) as u64 + 1
+    };
     let least = (least_rad / GRAIN_RAD) as u64;
     let mut curves: Vec<Range<usize>> = Vec::new();
     let (mut first, mut sum, mut greatest) = (0, 0, 0);
@@ -156,6 +228,22 @@ impl Extremes {
         (here - heading(self.low.first())).max(heading(self.high.first()) - here)
     }
 
+    /// The same of the latest bend from which to bend `k` the direction changes so much that it `is_full`.
+    fn latest(
+        &mut self,
+        bends: &[Bend],
+        k: usize,
+        window_mm: f64,
+        is_full: impl Fn(f64) -> bool,
+    ) -> Option<usize> {
+        self.turn(bends, k, window_mm, |b| b.before_rad, Bend::after_rad);
+        let here = bends[k].after_rad();
+        let before = |i: u32| bends[i as usize].before_rad;
+        let low = self.low.last_with(|i| is_full(here - before(i)));
+        let high = self.high.last_with(|i| is_full(before(i) - here));
+        low.max(high).map(|i| i as usize)
+    }
+
     fn clear(&mut self) {
         self.low.clear();
         self.high.clear();
@@ -177,6 +265,13 @@ impl Queue {
         self.items[self.front]
     }
 
+    /// The last of those at the front that are `so`; all behind it are not.
+    fn last_with(&self, so: impl Fn(u32) -> bool) -> Option<u32> {
+        let items = &self.items[self.front..];
+        let many = items.partition_point(|&i| so(i));
+        many.checked_sub(1).map(|last| items[last])
+    }
+
     fn clear(&mut self) {
         self.items.clear();
         self.front = 0;
@@ -187,15 +282,20 @@ impl Queue {
 mod tests {
     use super::*;
 
-    /// Bends at places with turns in degrees; expects the sums.
-    fn check(places: &[(f64, f32)], window: f64, expected: &[f32]) {
+    /// Bends at places with turns in degrees.
+    fn bends(places: &[(f64, f32)]) -> Vec<Bend> {
         let mut heading_rad = 0.0;
         let bend = |(at_mm, degrees): &(f64, f32)| {
             let (before_rad, turn_rad) = (heading_rad, degrees.to_radians());
             heading_rad += f64::from(turn_rad);
             Bend { at_mm: *at_mm, before_rad, turn_rad, xy: 1.0, place: Place::Joint(0) }
         };
-        let bends: Vec<Bend> = places.iter().map(bend).collect();
+        places.iter().map(bend).collect()
+    }
+
+    /// Bends at places with turns in degrees; expects the sums.
+    fn check(places: &[(f64, f32)], window: f64, expected: &[f32]) {
+        let bends = bends(places);
         let mut found: Vec<f32> = bends.iter().map(|b| b.turn_rad.abs()).collect();
         let greatest = sum_turns(&bends, window, 0.0, &mut found);
         for (got, want) in found.iter().zip(expected) {
@@ -224,6 +324,27 @@ mod tests {
     fn a_slight_bend_of_a_long_straight_is_not_the_corner_after_it() {
         check(&[(0.0, 0.1), (3.0, 90.0)], 4.0, &[0.1, 90.1]);
         check(&[(0.0, 40.0), (3.0, 90.0)], 4.0, &[130.0, 130.0]);
+    }
+
+    #[test]
+    fn a_curve_is_full_from_its_first_bend_to_its_last() {
+        let check = |places: &[(f64, f32)], expected: &[(usize, usize)]| {
+            let bends = bends(places);
+            let full = 45f64.to_radians();
+            let found = full_stretches(&bends, 2.0, full, |turn| turn >= full - 1e-6);
+            assert_eq!(found, expected, "{places:?}");
+        };
+        let quarter = [(0.0, 15.0), (0.5, 30.0), (1.0, 30.0), (1.5, 15.0)];
+        check(&quarter, &[(0, 1), (0, 2), (0, 3)]);
+        let ends = [(0.0, 6.0), (0.4, 20.0), (0.8, 20.0), (1.2, 20.0), (1.6, 6.0)];
+        check(&ends, &[(0, 2), (0, 3), (0, 4)]);
+        // A corner by itself is no curve.
+        check(&[(0.0, 15.0), (0.5, 90.0), (1.0, 15.0)], &[]);
+        check(&[(0.0, -20.0), (0.5, -20.0), (1.0, -20.0), (9.0, 20.0)], &[(0, 2)]);
+        check(&[(0.0, 20.0), (0.5, -20.0), (1.0, 20.0)], &[]);
+        check(&[(0.0, 20.0), (2.5, 20.0), (5.0, 20.0)], &[]);
+        // A slight bend of a long straight does not belong to the corner after it.
+        check(&[(0.0, 0.2), (1.9, 44.9)], &[]);
     }
 
     #[test]

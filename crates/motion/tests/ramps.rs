@@ -135,6 +135,27 @@ fn sbp_motion_curve_radius() {
     near(&[lowest_in_curve(3.0, 0.15, 45.0, 1.0, 20)], &[3.0], 1e-9);
 }
 
+/// Highest speed between the first and the last joint of a curve of radius .2 at 3 in/s between two long straights.
+fn highest_in_curve(min_distance: f64, degrees: f64, n: u32) -> f64 {
+    let stack = vs(3.0, 1.0).set(|s| s.ramps.min_distance_mm = min_distance * INCH);
+    let plan = stack.mx(9.0).chords(0.0, degrees, 0.2, n).ray(degrees, 9.0).plan();
+    let peaks = peaks(&plan);
+    peaks[1..peaks.len() - 1].iter().copied().fold(0.0, f64::max)
+}
+
+#[test]
+#[allow(non_snake_case)]
+fn sbp_motion_curve_radius__speed_all_through() {
+    for degrees in [45.0, 60.0, 90.0, 135.0, 180.0] {
+        for n in [5, 8, 13, 20, 64, 300] {
+            for min_distance in [0.05, 0.15, 0.5] {
+                let highest = highest_in_curve(min_distance, degrees, n);
+                assert!(highest < 0.4 + 1e-6, "{degrees} in {n}, {min_distance}: {highest}");
+            }
+        }
+    }
+}
+
 #[test]
 fn sbp_motion_short_zigzag() {
     let mut stack = vs(3.0, 1.0);

@@ -124,7 +124,9 @@ proptest! {
         let whole = plan_stack(moves.clone(), &Settings::default().ramps);
         let made = run(&moves, &[(t_s, Turn::Feed(1.0))]);
         let (a, b) = (whole.duration_s(), made.seconds());
-        prop_assert!((a - b).abs() <= 2e-3 * a, "{a} {b}");
+        // An arc that is left on its way is two, each with its bend in its own middle: a tight curve may reach a move
+        // less far, or farther.
+        prop_assert!((a - b).abs() <= 1e-2 * a, "{a} {b}");
     }
 }
 
