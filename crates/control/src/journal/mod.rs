@@ -76,9 +76,10 @@ const OWNER_FILE: &str = "owner.lock";
 /// A journal that is open. Clones are the same journal.
 #[derive(Clone, Debug)]
 pub struct Journal {
-    database: Arc<Mutex<Opened>>,
-    /// Reads while somebody writes; opened when it is needed first.
+    /// Reads while somebody writes; opened when it is needed first. It comes first here so that it is closed first: whoever
+    /// writes and closes last takes the files beside the journal away.
     reader: Arc<Mutex<Option<Connection>>>,
+    database: Arc<Mutex<Opened>>,
     folder: Arc<Path>,
     /// What `machine.toml` said when it was looked at last.
     known: Arc<Mutex<settings::Known>>,
