@@ -197,6 +197,47 @@ it("sbp_ext_custom_cuts: C# and CN run the variables, C6 the spindle; a missing 
   expect(await location(page, "X")).toBe(2);
 });
 
+it("sbp_tool_tu: a form makes the file, warns to level Z, shows it; cut, the table is flat at the depth", async () => {
+  await page
+    .getByRole("navigation", { name: "Commands" })
+    .getByRole("button", { name: "Tools" })
+    .click();
+  await page.getByRole("menuitem", { name: /^TU/ }).click();
+  const sheet = page.getByRole("dialog", { name: /^TU/ });
+  const fill = (name: string, value: string) =>
+    sheet.getByRole("textbox", { name: new RegExp(`^${name}`) }).fill(value);
+  await fill("Area, X", "10");
+  await fill("Area, Y", "6");
+  await fill("Bit diameter", "2");
+  await fill("Depth", ".1");
+  await fill("Overlap", "20");
+  await shot("tu");
+  await sheet.getByRole("button", { name: "OK", exact: true }).click();
+  await page.getByText("Level the Z axis before this file is run.").first().waitFor();
+  await until(async () => {
+    const { opened } = await stateOf(workshop);
+    return opened?.name === "surface.sbp" && opened.preview.state === "ready";
+  }, "it is previewed");
+  expect(readFileSync(join(workshop.parts, "surface.sbp"), "utf8")).toContain("CR");
+  await page.locator('[data-path="all"]').waitFor();
+  // What is planed, as the page cuts it out of its stock.
+  await page.getByRole("button", { name: "Stock", exact: true }).click();
+  await page.getByRole("slider", { name: "Planned time" }).focus();
+  await page.keyboard.press("End");
+  const bared = async () =>
+    ((await page.locator(".path-lines").getAttribute("data-bared")) ?? "")
+      .split(" ")
+      .map((mm) => Number(mm) / 25.4);
+  await until(async () => (await bared()).length === 3, "all is cut");
+  await shot("surface");
+  const [area = 0, wide = 0, deep = 0] = await bared();
+  expect([wide, deep]).toEqual([expect.closeTo(10, 1), expect.closeTo(6, 1)]);
+  // Nothing is left standing but the corners, which a round cutter leaves.
+  expect(area / 25.4 / 60).toBeGreaterThan(0.97);
+  const facts = await page.getByLabel("Extents and time").textContent();
+  expect(facts).toContain("-0.100");
+});
+
 it("nothing went wrong on the page", () => {
   expect(workshop.mistakes).toEqual([]);
 });
