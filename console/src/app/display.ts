@@ -18,6 +18,8 @@ export interface DisplaySettings {
   readonly progress: boolean;
   /** The material that is cut is shown (VP). */
   readonly simulate: boolean;
+  /** Jogs are drawn (VP). */
+  readonly jogs: boolean;
   /** EASY, else FULL (18). */
   readonly easy: boolean;
 }
@@ -43,6 +45,7 @@ export function readDisplay(areas: readonly SettingArea[]): DisplaySettings {
     remote: Number(value("display.keypad_remote")) || 0,
     progress: value("display.progress") === "true",
     simulate: value("view.simulate") === "true",
+    jogs: value("view.show_jogs") !== "false",
     easy: value("display.easy") !== "false",
   };
 }

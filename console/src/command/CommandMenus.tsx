@@ -35,7 +35,9 @@ function CommandMenu({ title, entries }: { title: string; entries: readonly Comm
         <Menu className="menu" aria-label={title} onAction={(key) => choose(String(key))}>
           {entries.map((entry) => (
             <MenuItem key={entry.letters} id={entry.letters} className="menu-item">
-              <b>{entry.letters}</b> {entry.name}
+              <span title={entry.doc}>
+                <b>{entry.letters}</b> {entry.name}
+              </span>
             </MenuItem>
           ))}
         </Menu>

@@ -26,8 +26,11 @@ export function execute(world: World, text: string): void {
   const letters = lettersOf(text) ?? "";
   const given = argumentsOf(text);
   const sheet = given.length === 0 ? opens[letters] : undefined;
-  if (sheet) world.screen.open(sheet);
-  else if (letters === "UU" && given.length === 0) openCalculator.run(world);
+  if (sheet) {
+    world.screen.open(sheet);
+    // The page shows it; the machine keeps it in its problem log.
+    if (letters === "UD") carryOut(world, letters, given);
+  } else if (letters === "UU" && given.length === 0) openCalculator.run(world);
   else if (letters === "SK" && given.length === 0) openKeypad.run(world);
   else if (explains.test(letters)) world.screen.explain(letters);
   else if (letters === "FN") world.screen.edit("");

@@ -1,11 +1,12 @@
 import { useEffect, useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
+import { findCommand, useCommands } from "../command/table";
 import { getJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
-import type { Values } from "../wire/messages";
+import type { CommandEntry, Values } from "../wire/messages";
 import "./tools.css";
 import { VariableLines } from "./VariableLines";
 
@@ -21,10 +22,12 @@ const kinds: readonly { value: Kind; words: string }[] = [
 /** What the machine remembers: user variables, system variables, settings. */
 export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onClose: () => void }) {
   const values = useValues();
+  // With the units that are set now.
+  const table = useCommands(true);
   const [kind, setKind] = useState<Kind>(first ?? "variables");
   const [wanted, setWanted] = useState("");
   const [editing, setEditing] = useState(false);
-  const rows = values ? rowsOf(values, kind) : [];
+  const rows = values ? rowsOf(values, kind, table) : [];
   const found = rows.filter((row) => row.join(" ").toLowerCase().includes(wanted.toLowerCase()));
   return (
     <Sheet title="Values" shape="wide" onClose={onClose}>
@@ -61,7 +64,7 @@ export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onCl
 /** Name, value and what it is. */
 type Row = [string, string, string];
 
-function rowsOf(values: Values, kind: Kind): Row[] {
+function rowsOf(values: Values, kind: Kind, table: readonly CommandEntry[]): Row[] {
   switch (kind) {
     case "variables":
       return values.variables.map(({ name, value }) => [name, value, ""]);
@@ -73,13 +76,25 @@ function rowsOf(values: Values, kind: Kind): Row[] {
       ]);
     case "settings":
       return [
-        ["Part folder", values.folder.name || "the folder of the server", values.folder.mask],
+        ["Part folder", values.parts, values.folder.mask],
         ["Data folder", values.data, ""],
-        ...values.settings.map((line): Row => [line, "", ""]),
+        ...values.settings.flatMap((line) => settingRows(line, table)),
       ];
     case "diagnostics":
       return values.diagnostics.map(({ name, value }) => [name, value, ""]);
   }
+}
+
+/** The line that sets values, and below it each of them with its name and unit. */
+function settingRows(line: string, table: readonly CommandEntry[]): Row[] {
+  const [letters = "", ...given] = line.split(",");
+  const entry = findCommand(table, letters);
+  const parts = given.map((value, n): Row | undefined => {
+    const parameter = entry?.parameters[n];
+    if (!parameter || value === "") return undefined;
+    return [`${letters} ${n + 1}: ${parameter.name}`, value, parameter.unit];
+  });
+  return [[line, "", entry?.name ?? ""], ...parts.filter((row) => row !== undefined)];
 }
 
 /** The values, read again after every job. */

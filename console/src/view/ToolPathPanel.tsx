@@ -45,13 +45,15 @@ export function ToolPathPanel() {
   const seconds = path?.info.seconds ?? 0;
   const [playback, setPlayback] = usePlayback(seconds);
   const [chosen, setStock] = useState<boolean | null>(null);
-  const simulates = useDisplay()?.simulate ?? false;
+  const display = useDisplay();
+  const simulates = display?.simulate ?? false;
+  const jogs = display?.jogs ?? true;
   const stock = chosen ?? simulates;
   const large = useScreen("large");
   const film = playback.at !== null && path ? placeAt(path.coarse, playback.at)?.at : undefined;
   const marks = useMemo(
-    () => marksOf(path, typed, motion, moves, units ?? { mm: 1, linear: "mm" }, film),
-    [path, typed, motion, moves, units, film],
+    () => marksOf(path, typed, motion, moves, units ?? { mm: 1, linear: "mm" }, film, jogs),
+    [path, typed, motion, moves, units, film, jogs],
   );
   const now = playback.at ?? (path ? timeOfMoves(path.coarse, moves) : 0);
   return (
@@ -170,10 +172,11 @@ function marksOf(
   moves: number,
   units: { mm: number; linear: string },
   film: Vec3 | undefined,
+  jogs: boolean,
 ): Marks {
   const unit = { mm: units.mm, name: units.linear };
   const origin = originOf(path);
-  const drawn = { ...typed, origin };
+  const drawn = { ...typed, origin, jogs };
   const tool = motion && minus(motion.at.machine, origin);
   if (!path) {
     const shows = typed.path.segments > 0 || typed.live.length > 0;

@@ -34,6 +34,10 @@ export function ToolPathView({ path, camera, size, now, marks, stock }: ToolPath
   useEffect(() => {
     if (scene) scene.now = now;
   }, [scene, now]);
+  const { jogs } = marks.typed;
+  useEffect(() => {
+    if (scene) scene.jogs = jogs;
+  }, [scene, jogs]);
   useEffect(() => scene?.look(camera, size), [scene, camera, size]);
   useEffect(() => {
     if (above.current && palette) paintMarks(above.current, size, camera, marks, palette);

@@ -10,13 +10,15 @@ import type { TypedView } from "./useTyped";
 export interface TypedMarks extends TypedView {
   /** The origin of the picture's places: mm, machine frame. */
   readonly origin: Vec3;
+  /** Jogs are drawn. */
+  readonly jogs: boolean;
 }
 
 export function paintTyped(
   pen: CanvasRenderingContext2D,
   size: Size,
   camera: Camera,
-  { path, live, origin }: TypedMarks,
+  { path, live, origin, jogs }: TypedMarks,
   palette: Palette,
 ): void {
   const at = (place: Vec3) =>
@@ -35,7 +37,7 @@ export function paintTyped(
   if (live.length > 0) line(lines.cuts, last ? [end(last, last.segments), ...live] : live, at);
   pen.lineWidth = 1.5;
   pen.strokeStyle = palette.jog;
-  pen.stroke(lines.jogs);
+  if (jogs) pen.stroke(lines.jogs);
   pen.lineWidth = 2;
   pen.strokeStyle = palette.cut;
   pen.stroke(lines.cuts);

@@ -1243,6 +1243,8 @@ diagnostics: Array<NamedValue>,
 folder: Folder,
 /** The part file that ran last: its name below the part folder; empty before the first. */
 partFile: string,
+/** The folder of part files from the root on. */
+parts: string,
 /** The folder of settings and logs. */
 data: string, };
 

@@ -53,7 +53,7 @@ impl Host for World<'_> {
         if self.previews {
             return Ok(());
         }
-        self.shelf.put_data(PROBLEM_LOG, text).map_err(HostError::Refused)
+        self.shelf.add_to_data(PROBLEM_LOG, text).map_err(HostError::Refused)
     }
 
     fn forget_system_log(&mut self) -> Result<(), HostError> {

@@ -235,7 +235,10 @@ impl Shelf {
     /// Adds a line to a file of the data folder.
     pub(crate) fn add_to_data(&mut self, name: &str, line: &str) -> Result<(), String> {
         let (disk, path) = (&mut self.disk, self.data.join(name));
-        let add = || disk.append(&path, line.as_bytes()).map_err(|error| error.to_string());
+        let add = || {
+            let folder = path.parent().map_or(Ok(()), |folder| disk.make_folder(folder));
+            folder.and_then(|()| disk.append(&path, line.as_bytes())).map_err(|e| e.to_string())
+        };
         self.tape.change(Kind::Log, add)
     }
 

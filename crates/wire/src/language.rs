@@ -176,6 +176,8 @@ pub struct Values {
     pub folder: Folder,
     /// The part file that ran last: its name below the part folder; empty before the first.
     pub part_file: String,
+    /// The folder of part files from the root on.
+    pub parts: String,
     /// The folder of settings and logs.
     pub data: String,
 }

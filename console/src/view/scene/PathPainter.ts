@@ -106,6 +106,12 @@ export class PathPainter {
     this.#moved();
   }
 
+  /** Draws jogs, or leaves them out. */
+  set jogs(drawn: boolean) {
+    this.#material.jogs = drawn;
+    this.#moved();
+  }
+
   /** Shows the material that is cut, or only the path. */
   simulate(path: CoarsePath | null): void {
     this.#stock?.dispose();

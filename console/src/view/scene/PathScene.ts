@@ -43,6 +43,11 @@ export class PathScene {
     this.#tell({ do: "simulate", on });
   }
 
+  /** Draws jogs, or leaves them out. */
+  set jogs(drawn: boolean) {
+    this.#tell({ do: "jogs", drawn });
+  }
+
   look(camera: Camera, size: Size): void {
     this.#tell({ do: "look", camera, size });
   }

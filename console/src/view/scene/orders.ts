@@ -24,7 +24,8 @@ export type Order =
   | { readonly do: "show"; readonly path: CoarsePath | null; readonly whole: string | null }
   | { readonly do: "now"; readonly seconds: number }
   | { readonly do: "look"; readonly camera: Camera; readonly size: Size }
-  | { readonly do: "simulate"; readonly on: boolean };
+  | { readonly do: "simulate"; readonly on: boolean }
+  | { readonly do: "jogs"; readonly drawn: boolean };
 
 /** What the painter tells: a picture is done; whether the path that was shown last is whole; what is cut. */
 export interface Told {

@@ -57,6 +57,9 @@ addEventListener("message", ({ data }: MessageEvent<Order>) => {
     case "look":
       painter?.look(data.camera, data.size);
       break;
+    case "jogs":
+      if (painter) painter.jogs = data.drawn;
+      break;
     case "simulate":
       painter?.simulate(data.on ? path : null);
   }

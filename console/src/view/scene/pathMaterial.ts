@@ -30,6 +30,7 @@ uniform vec3 jogColour;
 uniform vec3 doneColour;
 uniform vec3 paper;
 uniform float now;
+uniform float jogs;
 uniform vec2 heights;
 flat in float vKind;
 flat in float vOver;
@@ -38,6 +39,7 @@ out vec4 colour;
 void main() {
   if (vKind > 1.5) discard;
   bool isJog = vKind < 0.5;
+  if (isJog && jogs < 0.5) discard;
   if (isJog && mod(gl_FragCoord.x + gl_FragCoord.y, 9.0) > 5.0) discard;
   float range = heights.y - heights.x;
   float depth = range > 1e-3 ? clamp((heights.y - vHeight) / range, 0.0, 1.0) : 1.0;
@@ -58,6 +60,7 @@ export class PathMaterial extends RawShaderMaterial {
         doneColour: { value: new Color() },
         paper: { value: new Color() },
         now: { value: 0 },
+        jogs: { value: 1 },
         heights: { value: [0, 1] },
         shift: { value: [0, 0] },
       },
@@ -67,6 +70,11 @@ export class PathMaterial extends RawShaderMaterial {
   /** Planned time up to which everything is made, seconds. */
   set now(seconds: number) {
     this.#uniform("now").value = seconds;
+  }
+
+  /** Jogs are drawn. */
+  set jogs(drawn: boolean) {
+    this.#uniform("jogs").value = drawn ? 1 : 0;
   }
 
   /** Least and greatest height of the cuts: deeper ones are stronger. */

@@ -25,8 +25,8 @@ pub(super) static SPECS: [CommandSpec; 4] = [
     shows(
         "UD",
         "Diagnostics",
-        "Shows what helps to find a fault: versions, places, inputs, outputs, the last error; and keeps it with \
-         the values of UV in problem.log.",
+        "Shows what helps to find a fault: versions, places, inputs, outputs, the last error; and adds it with \
+         the values of UV to problem.log.",
         |c, _| {
             let text = diagnostics(c)?;
             let kept = format!("{text}\n\n{}\n", values(c));

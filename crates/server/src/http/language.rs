@@ -111,6 +111,7 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         diagnostics: told::named(session.diagnostics(&mut shelf)),
         folder: app.hub.read(|now| now.folder.clone()),
         part_file: app.parts.name_of(shelf.stored.get(kerf_sbp::PART_FILE).unwrap_or_default()),
+        parts: shelf.user_path(),
         data: shelf.app_path(),
     })
 }

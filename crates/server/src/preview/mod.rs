@@ -128,10 +128,11 @@ pub fn make(
     let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
     let mut sink = Collector::of(&session);
-    let summary = silently(work, options(parameters), session, shelf, given_up, &mut sink)?;
+    let (summary, cutter_mm) =
+        silently(work, options(parameters), session, shelf, given_up, &mut sink)?;
     let failed = failed || is_job && summary.status == Status::Failed;
     let called = shelf.take_called();
-    Some(Preview { failed, machine, called, ..finish(sink, &summary, start, is_job) })
+    Some(Preview { failed, machine, called, ..finish(sink, &summary, start, cutter_mm, is_job) })
 }
 
 /// The plan of a run from its beginning, for whoever goes on with it; answers are as they are by default.
@@ -156,6 +157,7 @@ fn options(parameters: FileParameters) -> RunOptions {
 }
 
 /// Runs on a copy of a session, with the answers beside its file, else by default; nothing when it was given up.
+/// With it comes the diameter of the cutter at its end: the program may have said which it cuts with.
 fn silently(
     work: Work,
     options: RunOptions,
@@ -163,13 +165,14 @@ fn silently(
     shelf: &mut Shelf,
     given_up: &AtomicBool,
     sink: &mut dyn Sink,
-) -> Option<Summary> {
+) -> Option<(Summary, f64)> {
     // In preview mode moves take no time: the picture tells how long they take when they are cut.
     session.memory.settings.mode = Mode::Move;
     let mut answers = shelf.answers_beside(&work.name());
     let company = Company { sink, operator: &mut answers, pace: &mut Until(given_up) };
     let summary = session.run(work, options, shelf, company);
-    (!given_up.load(Ordering::Relaxed)).then_some(summary)
+    (!given_up.load(Ordering::Relaxed))
+        .then_some((summary, session.memory.settings.cutter.diameter_mm))
 }
 
 /// A job that waits for no door, no jig and no second Start: its preview shows what is cut. With it comes the
@@ -185,10 +188,11 @@ fn finish(
     mut sink: Collector,
     summary: &Summary,
     start: (Settings, Frame),
+    cutter_mm: f64,
     is_job: bool,
 ) -> Preview {
     sink.tell_rest();
-    let mut info = info(&sink, summary, &start);
+    let mut info = PreviewInfo { cutter: cutter_mm, ..info(&sink, summary, &start) };
     let turns_deg = sink.pen.turns_deg.take();
     info.rotary = turns_deg.is_some();
     let rolled = turns_deg.map(|turns| roll(&sink.pen.path, &turns, &info, &start.0));

@@ -26,7 +26,7 @@ pub fn timing(
     let options = RunOptions { inputs, ..options(parameters) };
     let lines = Lines::bounded(TIMING_POINTS).until(given_up.clone());
     let mut lines = lines.beginning(&session, &work, &options);
-    let summary = silently(work, options, session, shelf, given_up, &mut lines)?;
+    let (summary, _) = silently(work, options, session, shelf, given_up, &mut lines)?;
     Some(charted(lines, &summary))
 }
 
