@@ -79,6 +79,7 @@ export function CutPanel({ plan }: { plan: Plan }) {
         </div>
       </div>
       <Origin plan={plan} isDisabled={off} />
+      <NotHomed />
       <div className="cut-origin">
         <ActionButton action={openMoveTo} size="small">
           Move to…
@@ -88,6 +89,18 @@ export function CutPanel({ plan }: { plan: Plan }) {
         At the end the head goes to {placeText(view.finish, units)} from the origin.
       </p>
     </Panel>
+  );
+}
+
+/** Tells which axes have a home switch and were not homed: nobody knows where on the table their places are. */
+function NotHomed() {
+  const axes = useSnapshot("setup")?.notHomed ?? "";
+  if (axes === "") return null;
+  return (
+    <p className="cut-warning">
+      Not homed: {[...axes].join(", ")}. The origin and the bounds of the table hold from where the
+      machine was switched on, until these axes are homed.
+    </p>
   );
 }
 

@@ -984,7 +984,7 @@ length: number,
 /** The setting may be absent. */
 none: boolean, };
 
-/** Settings of the machine's configuration that pages show or follow. Mm. */
+/** Settings of the machine's configuration that pages show or follow, and which axes were homed. Mm. */
 export type Setup = {
 /** The special positions of Z, from its home. */
 heights: ZHeights,
@@ -997,7 +997,11 @@ outputsStayOn: boolean,
 /** A click selects what lies so near, pixels. */
 pickRadius: number,
 /** So much larger than what is drawn is the window that shows all of it, percent. */
-windowExpansion: number, };
+windowExpansion: number,
+/** Letters of the axes that were homed. */
+homed: string,
+/** Letters of the axes that have a home switch and were not homed: places on them are counted from where the machine was switched on. */
+notHomed: string, };
 
 /** The shapes of a drawing. */
 export type ShapeList = {

@@ -1,6 +1,6 @@
 /** A real server on the simulated machine and a real browser, for tests. */
 
-import { type ChildProcess, spawn } from "node:child_process";
+import { type ChildProcess, execFileSync, spawn } from "node:child_process";
 import { copyFileSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
@@ -237,6 +237,8 @@ export interface WorkshopOptions {
   readonly line?: string;
   /** Where it listens; a free port unless told. */
   readonly listen?: string;
+  /** The profile of the machine that it has, as `kerf machine use` names it. */
+  readonly machine?: string;
   /** Seconds of machine time in a second. */
   readonly rate?: number;
 }
@@ -286,6 +288,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   for (const part of options.parts ?? []) {
     copyFileSync(join(root, "examples", part), join(folder, part.split("/").at(-1) ?? part));
   }
+  if (options.machine) execFileSync(kerf, ["machine", "--data", folder, "use", options.machine]);
   const file = options.open ? [options.open] : [];
   const rate = String(options.rate ?? 1);
   const listen = options.listen ?? `${options.lan ? "0.0.0.0" : "127.0.0.1"}:0`;

@@ -66,6 +66,8 @@ export const firstSnapshot: Snapshot = {
     outputsStayOn: false,
     pickRadius: 8,
     windowExpansion: 5,
+    homed: "XYZ",
+    notHomed: "",
   },
   speeds: {
     cutMmS: [38.1, 12.7, 25.4, 25.4, 25.4],

@@ -3,11 +3,12 @@
 use crate::app::{App, lock, problem};
 use crate::handconsole::Happening;
 use crate::machine::Order;
+use kerf_control::Session;
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::table::{self, Area, Bounds, Setting, Unit};
 use kerf_machine::value::NONE;
 use kerf_machine::{Configuration, Value};
-use kerf_program::AXES;
+use kerf_program::{AXES, Axis, AxisSet};
 use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, Why, ZHeights};
 use std::sync::mpsc::{Sender, channel};
 use std::time::Duration;
@@ -34,7 +35,9 @@ pub fn form(configuration: &Configuration) -> Vec<SettingArea> {
 }
 
 /// What pages that work on drawings go by.
-pub fn setup(configuration: &Configuration) -> Setup {
+pub fn setup(session: &Session) -> Setup {
+    let configuration = &session.configuration();
+    let letters = |axes: AxisSet| axes.iter().map(Axis::letter).collect();
     let (zpos, options) = (&configuration.zpos, &configuration.options);
     let length = configuration.axes.length.0;
     Setup {
@@ -44,6 +47,8 @@ pub fn setup(configuration: &Configuration) -> Setup {
         outputs_stay_on: configuration.misc.outputs_stay_on,
         pick_radius: options.pick_radius_px,
         window_expansion: options.window_expansion_percent,
+        homed: letters(session.homed),
+        not_homed: letters(session.not_homed(configuration)),
     }
 }
 

@@ -26,6 +26,11 @@ pub fn warnings(open: &Open, smoothing: f64) -> Vec<String> {
     noticed.unwrap_or_default().into_iter().filter(warns).map(|found| found.text).collect()
 }
 
+/// A warning about a job as a whole.
+pub fn warning(message: String) -> Finding {
+    finding(&kerf_formats::Finding::of_file(Weight::Warning, message))
+}
+
 fn finding(noticed: &kerf_formats::Finding) -> Finding {
     Finding {
         level: match noticed.weight {

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// Settings of the machine's configuration that pages show or follow. Mm.
+/// Settings of the machine's configuration that pages show or follow, and which axes were homed. Mm.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Setup {
@@ -20,6 +20,11 @@ pub struct Setup {
     pub pick_radius: f64,
     /// So much larger than what is drawn is the window that shows all of it, percent.
     pub window_expansion: f64,
+    /// Letters of the axes that were homed.
+    pub homed: String,
+    /// Letters of the axes that have a home switch and were not homed: places on them are counted from where the
+    /// machine was switched on.
+    pub not_homed: String,
 }
 
 /// Heights at which a job is cut.

@@ -40,6 +40,7 @@ pub use begin::{lies, settings as planner_settings};
 pub(crate) use carry::rapid_mm_s;
 pub(crate) use forbidden::stop_input;
 pub(crate) use path::CHORDS;
+pub use start::straddling;
 pub use words::Word;
 
 use crate::lines::Output;

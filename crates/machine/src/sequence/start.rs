@@ -5,6 +5,7 @@ use super::Sequence;
 use super::place::{Here, Stage};
 use super::small::{Awaited, Small};
 use super::words::Word;
+use crate::Configuration;
 use crate::lines::{Input, Output};
 use crate::state::State;
 use kerf_program::job::{Job, JobShape};
@@ -24,6 +25,14 @@ pub(super) enum Jig {
 }
 
 impl Jig {
+    /// The side on which a shape lies wholly.
+    fn of(shape: &JobShape, job: &Job, machine: &Configuration) -> Option<Self> {
+        let bounds = shape.path.bounds();
+        let [left, right] = [bounds.min, bounds.max].map(|corner| job.on_table(corner).x);
+        let divider = machine.job.divider_mm;
+        if right <= divider { Some(Self::One) } else { (left >= divider).then_some(Self::Two) }
+    }
+
     const fn output(self) -> Output {
         match self {
             Self::One => Output::Jig1,
@@ -44,6 +53,14 @@ impl Jig {
             Self::Two => Self::One,
         }
     }
+}
+
+/// Tells which shapes of a job are not cut on a machine with two jigs: those that lie on both sides of the divider.
+pub fn straddling(job: &Job, machine: &Configuration) -> Vec<String> {
+    let both = |shape: &&JobShape| machine.job.two_jigs && Jig::of(shape, job, machine).is_none();
+    let told =
+        |shape: &JobShape| format!("shape {} lies across the divider and is not cut", shape.number);
+    job.shapes.iter().filter(both).map(told).collect()
 }
 
 /// What there is to do about the door.
@@ -111,21 +128,9 @@ impl Sequence {
         Some(Small::Switch(jig.output(), true))
     }
 
-    /// The side of the divider on which a shape lies wholly.
-    fn jig_of(&self, shape: &JobShape) -> Option<Jig> {
-        let bounds = shape.path.bounds();
-        let [left, right] = [bounds.min, bounds.max].map(|corner| self.job.on_table(corner).x);
-        let divider = self.machine.job.divider_mm;
-        if right <= divider { Some(Jig::One) } else { (left >= divider).then_some(Jig::Two) }
-    }
-
     /// Tells which shapes are not cut because they lie on both sides of the divider.
     pub(super) fn tell_straddling(&self, out: &mut Vec<Sourced>) {
-        if !self.machine.job.two_jigs {
-            return;
-        }
-        for shape in self.job.shapes.iter().filter(|shape| self.jig_of(shape).is_none()) {
-            let text = format!("shape {} lies across the divider and is not cut", shape.number);
+        for text in straddling(&self.job, self.machine.as_ref()) {
             self.give(Command::Message { text: text.into() }, out);
         }
     }
@@ -139,7 +144,7 @@ impl Sequence {
     /// The jig that holds the start shape.
     fn first_jig(&self) -> Jig {
         let start = self.whole.shapes.get(self.whole.start.saturating_sub(1));
-        start.and_then(|shape| self.jig_of(shape)).unwrap_or(Jig::One)
+        start.and_then(|shape| Jig::of(shape, &self.whole, &self.machine)).unwrap_or(Jig::One)
     }
 
     /// A jig is ready: its shapes are the job until it is done; the first time from the start shape on.
@@ -147,7 +152,10 @@ impl Sequence {
         let jig = if input == Input::Jig2 { Jig::Two } else { Jig::One };
         let skipped = if self.jig.is_none() { self.whole.start.saturating_sub(1) } else { 0 };
         let shapes = self.whole.shapes.iter().skip(skipped);
-        let mine = shapes.filter(|shape| self.jig_of(shape) == Some(jig)).cloned().collect();
+        let mine = shapes
+            .filter(|shape| Jig::of(shape, &self.whole, &self.machine) == Some(jig))
+            .cloned()
+            .collect();
         self.job = Arc::new(Job { shapes: mine, start: 1, ..(*self.whole).clone() });
         (self.jig, self.here) = (Some(jig), Here::default());
     }

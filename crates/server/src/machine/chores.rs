@@ -226,7 +226,7 @@ impl Owner {
         let name = self.parts.name_of(&shelf.part_folder().display().to_string());
         let folder = Folder { name, mask: shelf.mask().to_owned() };
         let watched = self.watched();
-        let setup = crate::configure::setup(&self.workshop.session.configuration());
+        let setup = crate::configure::setup(&self.workshop.session);
         let interrupted = self.interrupted();
         let other = {
             let (before, now) = (&crate::app::lock(&self.left).session, &self.workshop.session);

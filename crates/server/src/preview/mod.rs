@@ -21,11 +21,13 @@ pub use timing::timing;
 pub use typed::Typed;
 
 use crate::app::lock;
+use crate::job_told;
 use crate::machine::Planned;
 use collect::Collector;
 use kerf_control::timing::Begun;
 use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Sink, Summary, Wish, Work};
 use kerf_machine::Configuration;
+use kerf_machine::sequence::straddling;
 use kerf_program::settings::Mode;
 use kerf_program::{Axis, Frame, Settings};
 use kerf_sbp::{FileParameters, Status};
@@ -124,6 +126,7 @@ pub fn make(
     given_up: &AtomicBool,
 ) -> Option<Preview> {
     let failed = matches!(&work, Work::Part(program) if program.has_errors());
+    let not_cut = not_cut(&work);
     let (work, machine) = unattended(work);
     let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
@@ -132,7 +135,15 @@ pub fn make(
         silently(work, options(parameters), session, shelf, given_up, &mut sink)?;
     let failed = failed || is_job && summary.status == Status::Failed;
     let called = shelf.take_called();
-    Some(Preview { failed, machine, called, ..finish(sink, &summary, start, cutter_mm, is_job) })
+    let mut made = finish(sink, &summary, start, cutter_mm, is_job);
+    made.findings.extend(not_cut);
+    Some(Preview { failed, machine, called, ..made })
+}
+
+/// The paths of a job that lie on both jigs, told before it is started: its preview waits for none.
+fn not_cut(work: &Work) -> Vec<Finding> {
+    let Work::Job(job, machine) = work else { return Vec::new() };
+    straddling(job, machine).into_iter().map(job_told::warning).collect()
 }
 
 /// The plan of a run from its beginning, for whoever goes on with it; answers are as they are by default.
