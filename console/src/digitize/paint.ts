@@ -9,12 +9,16 @@ export function paintDigitized(sheet: Sheet, item: DigitizedItem | null, ink: In
   const path = new Path2D();
   traceDrawn(path, item.path.segments);
   strokeDrawn(sheet, path, { ink: ink("--draw-digitized"), width: 2.5 });
-  for (const mark of item.points) paintMark(sheet, mark, ink);
+  for (const mark of item.points) paintMark(sheet.pen, pixel(sheet, mark.at), mark, ink);
 }
 
-function paintMark(sheet: Sheet, { at, arc, current }: DigitizedMark, ink: Ink): void {
-  const { pen } = sheet;
-  const { x, y } = pixel(sheet, at);
+/** A point at a pixel. */
+export function paintMark(
+  pen: CanvasRenderingContext2D,
+  { x, y }: { readonly x: number; readonly y: number },
+  { arc, current }: Pick<DigitizedMark, "arc" | "current">,
+  ink: Ink,
+): void {
   pen.beginPath();
   if (arc) {
     pen.moveTo(x, y - 6);

@@ -6,6 +6,7 @@ import { digitizedItem, type InSight, lookedAt } from "./points";
 
 /** L(0,0), A(5,-5), L(10,0), L(10,10), the third one current. */
 const digitized: Digitized = {
+  origin: [0, 0],
   points: [
     { at: [0, 0, -5], arc: false },
     { at: [5, -5, -5], arc: true },

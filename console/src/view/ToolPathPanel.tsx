@@ -12,11 +12,14 @@ import { PathTools } from "./PathTools";
 import { PlayBar } from "./PlayBar";
 import { placeAt, timeOfMoves } from "./place";
 import { stretches } from "./progress";
+import type { Recorded } from "./recorded";
 import { ToolPathView } from "./ToolPathView";
 import type { ToolPath } from "./toolPath";
 import { around, typedBounds } from "./typed";
+import type { TypedMarks } from "./typedInk";
 import { useCamera } from "./useCamera";
 import { usePlayback } from "./usePlayback";
+import { useRecorded } from "./useRecorded";
 import { useSize } from "./useSize";
 import { useToolPath } from "./useToolPath";
 import { type TypedView, useTyped } from "./useTyped";
@@ -31,9 +34,11 @@ export function ToolPathPanel() {
   const { path, rotary } = useLookedAt(opened);
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
-  const { camera, aspect, chosen: aimed, look, zoomBy, handlers } = useCamera(size);
+  const { camera, aspect, chosen: aimed, look, shows, zoomBy, handlers } = useCamera(size);
   const typed = useTyped();
   const bounds = useMemo(() => boundsOfAll(path, typed), [path, typed]);
+  const origin = originOf(path);
+  const recorded = useRecorded({ origin, data: bounds, shows, zoomOut: () => zoomBy(0.5) });
   const fitted = useRef<PreviewInfo>(undefined);
   const reach = JSON.stringify(bounds);
   // biome-ignore lint/correctness/useExhaustiveDependencies: fits a new path, and again in other room
@@ -51,10 +56,10 @@ export function ToolPathPanel() {
   const stock = chosen ?? simulates;
   const large = useScreen("large");
   const film = playback.at !== null && path ? placeAt(path.coarse, playback.at)?.at : undefined;
-  const marks = useMemo(
-    () => marksOf(path, typed, motion, moves, units ?? { mm: 1, linear: "mm" }, film, jogs),
-    [path, typed, motion, moves, units, film, jogs],
-  );
+  const marks = useMemo(() => {
+    const unit = units ?? { mm: 1, linear: "mm" };
+    return marksOf(path, { ...typed, jogs }, motion, moves, unit, film, recorded);
+  }, [path, typed, motion, moves, units, film, jogs, recorded]);
   const now = playback.at ?? (path ? timeOfMoves(path.coarse, moves) : 0);
   return (
     <Panel
@@ -88,7 +93,7 @@ export function ToolPathPanel() {
           marks={rotary?.on ? onWork(marks) : marks}
           stock={stock}
         />
-        <PathWords path={path} typed={typed} opened={opened} />
+        <PathWords path={path} typed={typed} opened={opened} recorded={recorded} />
       </div>
       {path && units && !opened?.broken && <PathFacts info={path.info} units={units} />}
       {path && !opened?.broken && (
@@ -108,27 +113,29 @@ function useLookedAt(opened: Opened | null | undefined) {
 }
 
 /** The picture is of the work as it is turned, not of where the tool stands. */
-const onWork = (marks: Marks): Marks => ({ ...marks, tool: undefined, made: undefined });
+const onWork = (marks: Marks): Marks => ({
+  ...marks,
+  tool: undefined,
+  made: undefined,
+  recorded: undefined,
+});
 
 interface PathWordsProps {
   path: ToolPath | null;
   typed: TypedView;
   opened: Opened | null | undefined;
+  recorded: Recorded | undefined;
 }
 
 /** What is said where there is no picture yet. */
-function PathWords({ path, typed, opened }: PathWordsProps) {
+function PathWords(props: PathWordsProps) {
   const inUnits = useWords();
-  const words = wordsFor(path, typed, opened);
+  const words = wordsFor(props);
   return words === undefined ? null : <p className="path-words">{inUnits(words)}</p>;
 }
 
-function wordsFor(
-  path: ToolPath | null,
-  typed: TypedView,
-  opened: PathWordsProps["opened"],
-): string | undefined {
-  if (typed.path.segments > 0 && (!opened || opened.cleared)) return undefined;
+function wordsFor({ path, typed, opened, recorded }: PathWordsProps): string | undefined {
+  if ((typed.path.segments > 0 || recorded) && (!opened || opened.cleared)) return undefined;
   if (!opened) return "Choose a file to see its tool path.";
   if (opened.preview.state === "failed") return opened.preview.why;
   if (opened.broken) return `No tool path: ${mistakesText(opened)}.`;
@@ -167,27 +174,35 @@ function boundsOf(info: PreviewInfo): Bounds {
 
 function marksOf(
   path: ToolPath | null,
-  typed: TypedView,
+  typed: Omit<TypedMarks, "origin">,
   motion: Motion | undefined,
   moves: number,
   units: { mm: number; linear: string },
   film: Vec3 | undefined,
-  jogs: boolean,
+  recorded: Recorded | undefined,
 ): Marks {
   const unit = { mm: units.mm, name: units.linear };
   const origin = originOf(path);
-  const drawn = { ...typed, origin, jogs };
+  const drawn = { ...typed, origin };
   const tool = motion && minus(motion.at.machine, origin);
   if (!path) {
-    const shows = typed.path.segments > 0 || typed.live.length > 0;
+    const shows = typed.path.segments > 0 || typed.live.length > 0 || recorded;
     const zero = motion && minus(motion.at.machine, placeOf(motion.at.working));
     const marks = shows ? { tool, zero } : { tool: undefined, zero: undefined };
-    return { ...marks, made: undefined, typed: drawn, cutter: 0, unit };
+    return { ...marks, made: undefined, typed: drawn, recorded, cutter: 0, unit };
   }
   const { zero, cutter } = path.info;
   // A film shows the plan: how far the machine has come belongs to the run.
   const made = film || !tool ? undefined : madeOf(path, moves, tool);
-  return { tool: film ?? tool, zero: minus(zero, origin), made, typed: drawn, cutter, unit };
+  return {
+    tool: film ?? tool,
+    zero: minus(zero, origin),
+    made,
+    typed: drawn,
+    recorded,
+    cutter,
+    unit,
+  };
 }
 
 const placeOf = (place: readonly number[]): Vec3 => minus(place, [0, 0, 0]);

@@ -97,8 +97,11 @@ function reach(points: readonly Vec3[], way: Vec3): number {
   return Math.max(...along) - Math.min(...along);
 }
 
+/** The picture is so many times larger than what is to be in it. */
+const usualMargin = 1.15;
+
 /** The whole box in the picture, with a margin. */
-export function fit(camera: Camera, bounds: Bounds, size: Size): Camera {
+export function fit(camera: Camera, bounds: Bounds, size: Size, margin = usualMargin): Camera {
   const { right, up } = axesOf(camera);
   const points = corners(bounds);
   const [width, height] = [Math.max(size.width, 1), Math.max(size.height, 1)];
@@ -107,7 +110,7 @@ export function fit(camera: Camera, bounds: Bounds, size: Size): Camera {
   return {
     ...camera,
     target: [middle(0), middle(1), middle(2)],
-    mmPerPixel: Math.min(farthest, Math.max(nearest, needed * 1.15)),
+    mmPerPixel: Math.min(farthest, Math.max(nearest, needed * margin)),
   };
 }
 

@@ -1,6 +1,7 @@
 /** What is drawn over the tool path: the tool, the working zero, a scale. */
 
 import { type Camera, project, type Size, type Vec3 } from "./camera";
+import { paintRecorded, type Recorded } from "./recorded";
 import type { Palette } from "./scene/palette";
 import { paintTyped, type TypedMarks } from "./typedInk";
 
@@ -12,6 +13,8 @@ export interface Marks {
   readonly made: { readonly from: Vec3; readonly to: Vec3 } | undefined;
   /** The typed moves. */
   readonly typed: TypedMarks;
+  /** Points that are being digitized. */
+  readonly recorded: Recorded | undefined;
   /** Diameter of the cutter, mm. */
   readonly cutter: number;
   /** Millimetres in the unit that the scale is labelled with, and its name. */
@@ -36,6 +39,8 @@ export function paintMarks(
   if (marks.made) paintMade(context, size, camera, marks.made, palette);
   if (marks.zero) paintZero(context, project(camera, marks.zero, size), palette);
   if (marks.tool) paintTool(context, size, camera, marks.tool, marks.cutter, palette);
+  // The tool stands at the point that was recorded last: its mark is seen all the same.
+  if (marks.recorded) paintRecorded(context, size, camera, marks.recorded);
 }
 
 type Pen = CanvasRenderingContext2D;

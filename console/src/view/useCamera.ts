@@ -25,6 +25,11 @@ export function useCamera(size: Size) {
     setAspect(to);
     setCamera((now) => fitted({ ...now, ...aspects[to] }, bounds, within));
   }, []);
+  /** Has a box in the picture as it is turned, so many times larger; it stays so. */
+  const shows = (bounds: Bounds, margin: number) => {
+    chosen.current = true;
+    setCamera((now) => fitted(now, bounds, size, margin));
+  };
   const zoomBy = (factor: number, x = middle.x, y = middle.y) => {
     chosen.current = true;
     setCamera((now) => zoom(now, factor, x - middle.x, y - middle.y));
@@ -52,7 +57,7 @@ export function useCamera(size: Size) {
       gesture.current = released(gesture.current, event.pointerId);
     },
   };
-  return { camera, aspect, chosen, look, zoomBy, handlers };
+  return { camera, aspect, chosen, look, shows, zoomBy, handlers };
 }
 
 /** Where a pointer is in the element that hears it. */

@@ -290,6 +290,8 @@ pieces: number, };
 
 /** Points that are being digitized, and the segments through them. */
 export type Digitized = {
+/** The job origin, from which they count: X and Y from home, mm. */
+origin: [number, number],
 /** The points in order. */
 points: Array<DigitizedPoint>,
 /** The bulge of the segment behind each point but the last, from it to the next one. */

@@ -263,9 +263,27 @@ mod tests {
 
     #[test]
     fn sbp_val_vp_rotary() {
-        let page = |program: &str| kerf_preview::html(&scene(program), &Options::default());
-        assert!(page("MX,5").contains("\"rolled\":null"));
-        assert!(page("VD,,5⏎M5,1,0,-.1,0,90").contains("\"rolled\":[["));
+        // The bounds of the path on the cylinder, from where the tool is at (1, 0) in; nothing where there is no toggle.
+        let rolled = |program: &str| -> Option<[[f64; 3]; 2]> {
+            let page = kerf_preview::html(&scene_as("J2,1,0", program, false), &Options::default());
+            let (_, facts) = page.split_once("\"rolled\":").unwrap();
+            let mut read = serde_json::Deserializer::from_str(facts).into_iter();
+            read.next().unwrap().unwrap()
+        };
+        let check = |program: &str, inches: [[f64; 3]; 2]| {
+            let found = rolled(program).unwrap();
+            for (mm, inch) in found.into_iter().flatten().zip(inches.into_iter().flatten()) {
+                assert!((mm - inch * MM_PER_INCH).abs() < 1e-3, "{program}: {found:?} {inches:?}");
+            }
+        };
+        assert_eq!((rolled("M5,1,0,-.1,0,90"), rolled("VD,,4⏎MX,5")), (None, None));
+        // About the axis of a blank of 6 inches: what is cut when B is at 90 has come to the side.
+        check("VD,,5⏎M5,1,0,-.1,0,90", [[1.0, -2.9, -3.0], [1.0, 0.0, 0.0]]);
+        // At the other side, and below.
+        check("VD,,5⏎M5,1,0,-.1,0,-90", [[1.0, 0.0, -3.0], [1.0, 2.9, 0.0]]);
+        check("VD,,5⏎MZ,-.1⏎M5,1,0,-.1,0,180", [[1.0, -2.9, -5.9], [1.0, 0.0, 0.0]]);
+        // Nothing turns: it lies as it is cut.
+        check("VD,,5⏎M5,3,0,-.1,0,0", [[1.0, 0.0, -0.1], [3.0, 0.0, 0.0]]);
         let turned = scene("VD,,5⏎M5,1,0,-.1,0,90⏎MB,45");
         assert_eq!(turned.turns_deg, [[0.0, 90.0], [90.0, 45.0]]);
     }

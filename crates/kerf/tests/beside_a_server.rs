@@ -324,3 +324,54 @@ fn a_machine_that_a_server_has_is_moved_by_the_server() {
     shop.kerf("machine move to 3,4").exits(0);
     shop.kerf("machine pos").says("x  3.000");
 }
+
+/// Bits that are set and motors that are stepped beside a server are those of its machine, and refused where it refuses.
+#[test]
+fn pro_io_diag_write__beside_a_server() {
+    let shop = shop();
+    shop.kerf("machine use sim").exits(0);
+    let console = Console::begin(&shop, &[]);
+    let ports = || console.ask("GET /api/state", "")["io"]["ports"].to_string();
+    let none = r#"{"inputs":[0,0],"outputs":[0,0,0]}"#;
+    shop.kerf("io set tool2 1").exits(1).complains("arm it first");
+    assert_eq!(ports(), none);
+    shop.kerf("io set tool2 1 --arm").exits(0).says("output port B = 0x04\n");
+    assert_eq!(ports(), r#"{"inputs":[0,0],"outputs":[0,4,0]}"#);
+    shop.kerf("io get tool2").exits(0).says("1\n");
+    shop.kerf("io set tool2 0 --arm").exits(0).says("output port B = 0x00\n");
+    shop.kerf("io get tool2").exits(0).says("0\n");
+    shop.kerf("io set xstep 1 --arm").exits(1).complains("step it instead");
+    shop.kerf("io set tool2 1 --config sim").exits(2).complains("--config is not heeded");
+    // A switch is moved on a disarmed machine, too.
+    shop.kerf("io set in.jig2 1").exits(0).says("input port B = 0x02\n");
+    assert_eq!(ports(), r#"{"inputs":[0,2],"outputs":[0,0,0]}"#);
+    shop.kerf("io set in.jig2 0").exits(0);
+    shop.kerf("io set in.xhome 1").exits(1).complains("a home switch of the simulated machine");
+    assert_eq!(ports(), none);
+    // What runs keeps its outputs, and whoever drives at a page goes on driving.
+    shop.write("waits.sbp", b"PAUSE 500\n");
+    console.carry_out("FP,waits.sbp");
+    until("it runs", || console.ask("GET /api/state", "")["machine"]["state"] == "running");
+    shop.kerf("io set tool2 1").exits(1).complains("busy");
+    assert_eq!(ports(), none);
+}
+
+#[test]
+fn pro_io_diag_step__beside_a_server() {
+    let shop = shop();
+    shop.kerf("machine use sim").exits(0);
+    let console = Console::begin(&shop, &[]);
+    let x = || {
+        let state = console.ask("GET /api/state", "");
+        (state["motion"]["at"]["machine"][0].as_f64().unwrap() * 1e4).round() / 1e4
+    };
+    shop.kerf("io step x +").exits(1).complains("arm it first");
+    assert_eq!(x(), 0.0);
+    shop.kerf("io step x + --arm").exits(0).says("x step, x +0.0040\n");
+    shop.kerf("io step x + --arm").exits(0);
+    assert_eq!(x(), 0.008);
+    shop.kerf("io step x - --arm").exits(0).says("x step, x -0.0040\n");
+    assert_eq!(x(), 0.004);
+    drop(console);
+    shop.kerf("machine pos").says("x  0.004");
+}

@@ -37,17 +37,29 @@ fn pro_smoothing_pathgen() {
     assert_eq!(segments("0"), 144);
 }
 
+/// The factor of the machine changes between making the tool path and the start; the file says which made it.
 #[test]
 fn pro_smoothing_recreate() {
     let shop = shop();
+    shop.kerf("machine use sim").exits(0);
     shop.kerf("toolpath job.rsg").exits(0);
-    let warned = |options: &str| {
-        let did = shop.kerf(&format!("run job.rsm --config sim {options}"));
-        did.exits(0);
-        did.err().contains("tool path made with other smoothing values")
+    let warning = || {
+        let did = shop.kerf("run job.rsm --quiet");
+        let err = did.exits(0).err();
+        let (_, rest) = err.split_once("tool path made with other smoothing values: ")?;
+        Some(rest.split(';').next().unwrap().to_owned())
     };
-    let changed = "--ramps profiler --smoothing 0.3";
-    assert!(!warned("") && warned(changed));
-    shop.kerf("toolpath job.rsg --smoothing 0.3").exits(0);
-    assert!(!warned(changed) && warned(""));
+    let set = |factor: &str| {
+        shop.kerf(&format!("machine set smoothing.factor {factor}")).exits(0);
+    };
+    assert_eq!(warning(), None);
+    set("0.3");
+    let told = Some("the factor was 0.6 and is 0.3 now".to_owned());
+    assert_eq!(warning(), told);
+    // It is told at each start, until the path is made anew.
+    assert_eq!(warning(), told);
+    shop.kerf("toolpath job.rsg --start kept").exits(0);
+    assert_eq!(warning(), None);
+    set("0.6");
+    assert_eq!(warning(), Some("the factor was 0.3 and is 0.6 now".to_owned()));
 }

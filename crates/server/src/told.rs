@@ -16,13 +16,14 @@ use kerf_wire::{
     RunSummary, Speeds, Tone, Units,
 };
 
-/// The points that are being digitized.
-pub fn digitized(points: &Digitizer) -> Digitized {
+/// The points that are being digitized, which count from the job origin.
+pub fn digitized(points: &Digitizer, origin: [f64; 2]) -> Digitized {
     let point = |point: &kerf_digitize::Point| DigitizedPoint {
         at: [point.stand.at.x, point.stand.at.y, point.stand.z_mm],
         arc: point.kind == Kind::Arc,
     };
     Digitized {
+        origin,
         points: points.points().iter().map(point).collect(),
         bulges: points.segments().iter().map(kerf_geom::Segment::bulge).collect(),
         current: points.current() as u32,

@@ -27,6 +27,11 @@ pub enum Refusal {
 }
 
 impl Ports {
+    /// Ports that say this: outputs A, B, C and inputs A, B.
+    pub const fn of(outputs: [u8; 3], inputs: [u8; 2]) -> Self {
+        Self { outputs, inputs, steps: [0; MOTORS] }
+    }
+
     /// The byte of an output port.
     pub const fn output(&self, port: Port) -> u8 {
         self.outputs[port as usize]

@@ -8,6 +8,8 @@ use ts_rs::TS;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Digitized {
+    /// The job origin, from which they count: X and Y from home, mm.
+    pub origin: [f64; 2],
     /// The points in order.
     pub points: Vec<DigitizedPoint>,
     /// The bulge of the segment behind each point but the last, from it to the next one.

@@ -5,7 +5,7 @@ use crate::commands::machine::Which;
 use crate::commands::run::told_by_server;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
-use crate::remote::{Ended, Remote};
+use crate::remote::{Ended, Remote, beside};
 use crate::report::asked;
 use crate::{out, parse, served, setup};
 use anyhow::{Result, bail};
@@ -39,7 +39,7 @@ pub struct MoveArgs {
 pub struct Beside {
     /// Arms the machine first, where a running kerf serve has it
     #[arg(long, global = true)]
-    arm: bool,
+    pub arm: bool,
 }
 
 #[derive(Subcommand)]
@@ -196,19 +196,8 @@ impl Shop {
 }
 
 /// The server that has the machine, where one runs on its data folder.
-///
-/// # Errors
-/// A machine is named: the server has its own.
 fn server(which: &Which) -> Result<Option<Remote>> {
-    let data = which.folder();
-    let Some(address) = served::address(&setup::data_folder(&data)?)? else { return Ok(None) };
-    if which.config.is_some() {
-        bail!(Usage(format!(
-            "--config is not heeded: a kerf serve at {address} has the machine of this data folder; leave it \
-             out, or name another folder with --data"
-        )));
-    }
-    Remote::new(&address, &data).map(Some)
+    beside(&which.folder(), which.config.as_deref())
 }
 
 /// Refuses to change what a running server would not know of.

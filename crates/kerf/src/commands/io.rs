@@ -1,7 +1,10 @@
 //! `kerf io`: the inputs and outputs of the simulated machine, by hand.
 
+use super::by_hand::Beside;
+use super::run::told_by_server;
 use crate::args::DataArgs;
 use crate::exit::{Exit, Usage};
+use crate::remote::{Card, beside};
 use crate::signals::VcdArgs;
 use crate::{memory, out, parse, setup};
 use anyhow::{Result, bail};
@@ -23,7 +26,8 @@ use std::time::{Duration, Instant};
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  kerf io list\n  kerf io set tool2 1\n  kerf io set in.xhome 1\n  \
-    kerf io step x +\n  kerf io map --card pci --notes\n\nExit codes: 0 done, 1 failed, 2 the command line was wrong"
+    kerf io step x +\n  kerf io map --card pci --notes\n\nWhere a kerf serve has the machine of the data folder, its ports are meant: what is set and \
+    stepped goes through it,\nas whoever drives it. Outputs and motors take an armed machine (--arm).\n\nExit codes: 0 done, 1 failed, 2 the command line was wrong"
 )]
 pub struct IoArgs {
     #[command(subcommand)]
@@ -53,6 +57,8 @@ enum Action {
         value: u8,
         #[command(flatten)]
         vcd: VcdArgs,
+        #[command(flatten)]
+        beside: Beside,
     },
     /// Steps a motor once
     Step {
@@ -61,6 +67,8 @@ enum Action {
         /// + or -
         #[arg(value_enum, allow_hyphen_values = true)]
         way: Way,
+        #[command(flatten)]
+        beside: Beside,
     },
     /// Prints every change of a bit as it happens
     Watch {
@@ -102,8 +110,10 @@ pub fn run(args: &IoArgs) -> Result<Exit> {
             let (is_output, bit) = known(name)?;
             out::print(&format!("{}\n", u8::from(args.ports()?.is_on(is_output, bit))));
         }
-        Action::Set { name, value, vcd } => set(args, name, *value == 1, vcd)?,
-        Action::Step { motor, way } => step(args, motor, *way == Way::Forward)?,
+        Action::Set { name, value, vcd, beside } => set(args, name, *value == 1, vcd, *beside)?,
+        Action::Step { motor, way, beside } => {
+            return step(args, motor, *way == Way::Forward, *beside);
+        }
         Action::Watch { seconds } => watch(args, *seconds)?,
         Action::Map { card, notes } => map(card, *notes)?,
     }
@@ -123,8 +133,22 @@ impl IoArgs {
         setup::machine(self.config.as_deref(), &self.folder())
     }
 
+    /// The card of the machine that a running server has; it is armed first where that is wanted.
+    fn served(&self, arm: bool) -> Result<Option<Card>> {
+        let server = beside(&self.folder(), self.config.as_deref())?;
+        Ok(server.map(|server| Card::of(server, arm)))
+    }
+
     /// The ports as they are; of inputs what they read.
     fn ports(&self) -> Result<Ports> {
+        if let Some(card) = self.served(false)? {
+            return card.ports();
+        }
+        self.kept()
+    }
+
+    /// The ports of the data folder, which nobody serves.
+    fn kept(&self) -> Result<Ports> {
         let journal = self.journal(true)?;
         let (mut ports, mut moved) = (Ports::default(), Vec::new());
         if let Some(journal) = &journal {
@@ -149,7 +173,7 @@ impl IoArgs {
     ) -> Result<(Ports, T)> {
         let journal = self.journal(false)?;
         let _owner = journal.as_ref().map(Journal::own).transpose()?;
-        let mut ports = self.ports()?;
+        let mut ports = self.kept()?;
         let answer = change(&mut ports, journal.as_ref())?;
         if let Some(journal) = &journal {
             journal.set_value(KEY, Some(&ports.write()))?;
@@ -188,8 +212,22 @@ fn list(ports: &Ports, machine: &Configuration) {
     out::print(&lines);
 }
 
-fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs) -> Result<()> {
+fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs, beside: Beside) -> Result<()> {
     let (is_output, bit) = known(name)?;
+    let reads = || Ok::<_, anyhow::Error>(args.machine()?.io.line_reads(line_of_pin(bit), on));
+    let ports = match args.served(beside.arm)? {
+        Some(card) if is_output => card.switch(bit, on)?,
+        Some(card) => card.press(bit, reads()?)?,
+        None => set_here(args, is_output, bit, on)?,
+    };
+    let byte = if is_output { ports.output(bit.port) } else { ports.input(bit.port) };
+    let side = if is_output { "output" } else { "input" };
+    out::print(&format!("{side} port {} = 0x{byte:02X}\n", bit.port.letter()));
+    traced(args, vcd, is_output, bit.name, ports.is_on(is_output, bit))
+}
+
+/// Sets a bit of a machine that nobody serves.
+fn set_here(args: &IoArgs, is_output: bool, bit: &Bit, on: bool) -> Result<Ports> {
     let machine = args.machine()?;
     let (ports, ()) = args.change(|ports, journal| {
         if is_output {
@@ -201,10 +239,7 @@ fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs) -> Result<()> {
         journal.map_or(Ok(()), |journal| journal.move_switch(Press { number, on }))?;
         Ok(())
     })?;
-    let byte = if is_output { ports.output(bit.port) } else { ports.input(bit.port) };
-    let side = if is_output { "output" } else { "input" };
-    out::print(&format!("{side} port {} = 0x{byte:02X}\n", bit.port.letter()));
-    traced(args, vcd, is_output, bit.name, ports.is_on(is_output, bit))
+    Ok(ports)
 }
 
 /// The change as signals, where a file for them is named.
@@ -231,16 +266,23 @@ fn traced(args: &IoArgs, vcd: &VcdArgs, is_output: bool, name: &str, on: bool) -
     vcd.finish(signals)
 }
 
-fn step(args: &IoArgs, name: &str, forward: bool) -> Result<()> {
+fn step(args: &IoArgs, name: &str, forward: bool, beside: Beside) -> Result<Exit> {
     let Some(motor) = Motor::ALL.into_iter().find(|it| it.word().eq_ignore_ascii_case(name)) else {
         bail!(Usage(format!("there is no motor {name}: x, y, z, w, q or r")));
     };
-    let (ports, bytes) = args.change(|ports, _| Ok(ports.step(motor, forward, false)?))?;
     let machine = args.machine()?;
     let way = machine.motors.axis_of(motor).map(|axis| {
         let by = 1.0 / machine.program.resolution.steps_per_unit[axis];
         format!(", {} {:+.4}", machine.motors.axis_name(axis), if forward { by } else { -by })
     });
+    if let Some(card) = args.served(beside.arm)? {
+        let exit = told_by_server(&card.step(motor.word(), forward)?, true);
+        if exit == Exit::Good {
+            out::print(&format!("{name} step{}\n", way.unwrap_or_default()));
+        }
+        return Ok(exit);
+    }
+    let (ports, bytes) = args.change(|ports, _| Ok(ports.step(motor, forward, false)?))?;
     let port = if matches!(motor, Motor::Q | Motor::R) { Port::C } else { Port::A };
     out::print(&format!(
         "{name} step {} (port {} 0x{:02X}, 0x{:02X}){}\n",
@@ -250,7 +292,7 @@ fn step(args: &IoArgs, name: &str, forward: bool) -> Result<()> {
         bytes[1],
         way.unwrap_or_default()
     ));
-    Ok(())
+    Ok(Exit::Good)
 }
 
 fn watch(args: &IoArgs, seconds: Option<f64>) -> Result<()> {

@@ -11,10 +11,7 @@ const BESIDE: &str = "the machine was not moved: a page drives it. Press \"Give 
 impl Remote {
     /// Moves the machine as whoever drives it, after arming it where that is wanted, and waits for the end.
     pub fn go(&self, way: &ByHand, arm: bool) -> Result<Ended> {
-        self.driving(BESIDE, |lease, before| {
-            if arm {
-                self.act("arm", json!({ "lease": lease }))?;
-            }
+        self.driving(BESIDE, arm, |lease, before| {
             self.act("go", json!({ "lease": lease, "way": way }))?;
             self.until_over(number_of_run(before))
         })

@@ -1,20 +1,24 @@
 //! A running server instead of the machine of the data folder: lines, files and values go to it over HTTP.
 
+mod card;
 mod ended;
 mod go;
 mod runs;
 mod values;
 
+pub use card::Card;
 pub use ended::Ended;
 pub use runs::{Along, How};
 
 use crate::args::DataArgs;
-use crate::setup;
+use crate::exit::Usage;
+use crate::{served, setup};
 use anyhow::{Context, Result, bail};
 use kerf_server::TOKEN_FILE;
 use serde_json::{Value, json};
 use std::io::{Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
+use std::path::Path;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -63,20 +67,22 @@ impl Remote {
             self.act("command", json!({ "lease": lease, "line": lines }))?;
             self.until_over(number_of_run(before))
         };
-        self.driving(BESIDE, sends)
+        self.driving(BESIDE, false, sends)
     }
 
-    /// Does something as the one who drives, with the number of that turn and the state before it. Whoever
-    /// drove before goes on driving.
+    /// Does something as the one who drives, with the number of that turn and the state before it, after arming the
+    /// machine where that is wanted. Whoever drove before goes on driving.
     fn driving<T>(
         &self,
         beside: &'static str,
+        arm: bool,
         does: impl FnOnce(&Value, &Value) -> Result<T>,
     ) -> Result<T> {
         let before = self.state()?;
         self.act("takeLease", json!({ "force": false })).context(beside)?;
         let lease = self.state()?["lease"]["number"].clone();
-        let done = does(&lease, &before);
+        let armed = if arm { self.act("arm", json!({ "lease": lease })) } else { Ok(()) };
+        let done = armed.and_then(|()| does(&lease, &before));
         if before["lease"].is_null() {
             self.act("giveLease", json!({ "lease": lease }))?;
         }
@@ -136,6 +142,21 @@ impl Remote {
         }
         Ok(body.to_owned())
     }
+}
+
+/// The server that has the machine of a data folder, where one runs.
+///
+/// # Errors
+/// Another machine is named: the server has its own.
+pub fn beside(data: &DataArgs, config: Option<&Path>) -> Result<Option<Remote>> {
+    let Some(address) = served::address(&setup::data_folder(data)?)? else { return Ok(None) };
+    if config.is_some() {
+        bail!(Usage(format!(
+            "--config is not heeded: a kerf serve at {address} has the machine of this data folder; leave it \
+             out, or name another folder with --data"
+        )));
+    }
+    Remote::new(&address, data).map(Some)
 }
 
 /// Whether an address is one of this computer: the token is for nobody else.

@@ -74,10 +74,7 @@ impl Remote {
         }
         let (hash, found) = self.previewed(name)?;
         let show = along.show;
-        let mut ended = self.driving(BESIDE, |lease, before| {
-            if arm {
-                self.act("arm", json!({ "lease": lease }))?;
-            }
+        let mut ended = self.driving(BESIDE, arm, |lease, before| {
             let starts =
                 self.act("run", json!({ "lease": lease, "hash": hash, "step": how.steps() }));
             if starts.as_ref().is_err_and(is_mistake) {

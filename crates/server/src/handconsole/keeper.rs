@@ -168,7 +168,8 @@ impl Keeper {
             left.keep(app, points.as_ref());
         }
         self.digitizes = points.is_some();
-        let digitized = points.as_ref().map(told::digitized);
+        let digitized =
+            points.as_ref().map(|points| told::digitized(points, view.machine.job.origin_mm));
         app.hub.changing(|now| {
             let link = now.hand_console.link.clone();
             let hand_console = HandConsole { lines: screen.lines, beeps, link };
