@@ -2,7 +2,7 @@
 //!
 //! They are answers to its question, which is asked again afterwards, until it gets another answer.
 
-use crate::execute::link_lost;
+use crate::execute::{Slows, link_lost};
 use crate::runner::{Over, Runner};
 use crate::{Event, Going, Wish};
 use kerf_diag::{Code, Diagnostic, Place};
@@ -197,29 +197,22 @@ impl<I: Interpreter> Runner<'_, I> {
         going: Going<'_>,
         driven: Option<Driven>,
     ) -> Option<(f64, Driven, bool)> {
-        let stops = driven.is_some();
         let end_s = going.t0_s + going.plan.span_s(going.index).1;
+        if let Some(driven) = driven {
+            let by_stop = driven == Driven::Wish(Wish::Stop);
+            let asks = matches!(driven, Driven::StopInput(_));
+            self.slow_down(Slows { by_stop, asks }, end_s, going);
+            return None;
+        }
         let halt = loop {
             // A switch that is moved meanwhile may stop the machine.
-            let halt = self.world.machine.first_halt(end_s, watched).filter(|_| !stops);
+            let halt = self.world.machine.first_halt(end_s, watched);
             let until_s = halt.map_or(end_s, |halt| halt.t_s.max(self.world.now()));
             match self.pass(self.world.now(), until_s, Some(going)) {
                 Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
                 Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
-                Some((t_s, wish)) if !stops => return Some((t_s, Driven::Wish(wish), true)),
-                Some((t_s, wish)) => {
-                    // A stop may be told until the machine stands.
-                    let again = wish == Wish::Stop && driven == Some(Driven::Wish(wish));
-                    match (wish, driven) {
-                        (Wish::Stop | Wish::Hold, Some(Driven::StopInput(_))) => self.forgo(),
-                        (Wish::Stop | Wish::Hold, _) if !again => self.put_off((t_s, wish)),
-                        _ => {}
-                    }
-                    return None;
-                }
-                None if self.pace.failure().is_some() && !stops => {
-                    break link_lost(self.world.now());
-                }
+                Some((t_s, wish)) => return Some((t_s, Driven::Wish(wish), true)),
+                None if self.pace.failure().is_some() => break link_lost(self.world.now()),
                 None => break halt?,
             }
         };

@@ -31,6 +31,24 @@ pub(crate) enum Turn {
     Operator(Wish),
 }
 
+/// What a machine slows down for, as far as what is told meanwhile depends on it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slows {
+    /// STOP, which may be told until the machine stands.
+    pub by_stop: bool,
+    /// A stop input, which asks by itself when the machine stands.
+    pub asks: bool,
+}
+
+impl Slows {
+    const fn for_turn(turn: &Turn) -> Self {
+        Self {
+            by_stop: matches!(turn, Turn::Operator(Wish::Stop)),
+            asks: matches!(turn, Turn::Input(Halt { cause: HaltCause::Stop(_), .. })),
+        }
+    }
+}
+
 impl<I: Interpreter> Runner<'_, I> {
     /// The moves that were read begin to move.
     pub(crate) fn begin(&mut self) -> Result<(), Halted> {
@@ -149,7 +167,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 Some((stop, turn, _)) => {
                     let (until, part) = (plan.moves().len(), stop.part(index));
                     let going = Going { plan: &plan, index, t0_s, until, part };
-                    self.pass_on(turn, end_s, going);
+                    self.slow_down(Slows::for_turn(turn), end_s, going);
                 }
                 None => {
                     let until = index.saturating_add(self.stack.before_mark());
@@ -227,27 +245,37 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// Lets time pass while the machine ramps down; what the operator wants meanwhile comes next. A switch that is
-    /// moved is so at once.
-    fn pass_on(&mut self, turn: &Turn, end_s: f64, going: Going<'_>) {
+    /// Lets time pass while the machine slows down, to the end of a part of its way: it stands no sooner, whatever is told
+    /// meanwhile. What the operator wants comes next; a switch that is moved is so at once.
+    pub(crate) fn slow_down(&mut self, slows: Slows, end_s: f64, going: Going<'_>) {
         let mut from_s = self.world.now();
-        let wish = loop {
-            match self.pass(from_s, end_s, Some(going)) {
-                Some((t_s, Wish::Input { number, on })) => {
-                    self.press(number, on, t_s);
-                    from_s = t_s;
-                }
-                wish => break wish,
+        let mut before = None;
+        while let Some(told) = self.pass(from_s, end_s, Some(going)) {
+            let (t_s, wish) = told;
+            if let Wish::Input { number, on } = wish {
+                self.press(number, on, t_s);
+                (from_s, before) = (t_s, None);
+                continue;
             }
-        };
-        // A stop may be told until the machine stands.
-        let again =
-            |wish: &(f64, Wish)| wish.1 == Wish::Stop && matches!(turn, Turn::Operator(Wish::Stop));
-        let asks = matches!(turn, Turn::Input(Halt { cause: HaltCause::Stop(_), .. }));
-        match wish.filter(|wish| !again(wish)) {
-            Some((_, Wish::Stop | Wish::Hold)) if asks => self.forgo(),
-            Some(wish) => self.put_off(wish),
-            None => {}
+            // Whoever tells the same at the same moment goes on doing so until the machine stands.
+            let repeats = before.replace(told) == Some(told);
+            match wish {
+                Wish::End => {}
+                Wish::Stop if slows.by_stop => {}
+                _ if repeats => self.world.shelf.tape.unhear_wish(),
+                Wish::Stop | Wish::Hold if slows.asks => {
+                    self.forgo();
+                    self.world.shelf.tape.asks_again();
+                }
+                _ => {
+                    self.put_off(told);
+                    self.world.shelf.tape.asks_again();
+                }
+            }
+            if repeats {
+                break;
+            }
+            from_s = t_s;
         }
     }
 

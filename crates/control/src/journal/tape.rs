@@ -274,6 +274,14 @@ impl Tape {
         self.wish = self.wish.filter(|_| self.wish != last);
     }
 
+    /// What the operator wants is asked again at once, after a wish of which nothing came: that is one question, as it
+    /// will be when the run is taken up.
+    pub(crate) fn asks_again(&mut self) {
+        if self.writing.is_some() && !self.silent {
+            self.calls.entry(Kind::Wish).and_modify(|calls| *calls = calls.saturating_sub(1));
+        }
+    }
+
     /// Whether nothing came of what was told last: the power went.
     pub(crate) fn is_last_told(&self) -> bool {
         self.silent && !self.plays() && !self.is_within()

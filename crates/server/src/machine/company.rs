@@ -428,7 +428,7 @@ impl Sink for Teller {
 mod tests {
     use super::*;
     use crate::bench::{self, Bench};
-    use kerf_wire::Act;
+    use kerf_wire::{Act, ByHand};
 
     /// Waits for something of a machine that runs.
     #[track_caller]
@@ -455,6 +455,27 @@ mod tests {
         );
         let stopped = bench.app.hub.read(|now| now.motion.at.machine[0]);
         assert!(stopped < 40.0 * 25.4, "an hour of the move was not made: {stopped}");
+        bench.app.link.leave();
+    }
+
+    /// STOP, and Hold while the machine slows down for it.
+    #[test]
+    fn a_machine_that_slows_down_is_not_said_to_stand() {
+        let (bench, _machine) = bench::moving();
+        let mut place = [None; 6];
+        place[0] = Some(1000.0);
+        let way = ByHand::Place { place, relative: true, flat: false };
+        bench.does(&bench.driver, Act::Go { lease: bench.lease(), way });
+        until(&bench, "some speed", |now| now.motion.speed_mm_s > 100.0);
+        bench.app.link.stop();
+        std::thread::sleep(Duration::from_millis(30));
+        bench.does(&bench.driver, Act::Hold);
+        until(&bench, "a question", |now| now.machine.state == State::Stopped);
+        let place = || bench.app.hub.read(|now| now.motion.at.machine[0]);
+        let said = place();
+        bench.app.link.stop();
+        until(&bench, "the end", |now| now.machine.state == State::Idle);
+        assert!((place() - said).abs() < 0.1, "it stood at {}, not at {said}", place());
         bench.app.link.leave();
     }
 }
