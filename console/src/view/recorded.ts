@@ -22,7 +22,7 @@ export interface Recorded {
 /** An arc is drawn as so many lines. */
 const chords = 32;
 
-/** What is digitized, with places from the origin of the picture, mm in the machine's frame. */
+/** Places what is digitized in the picture: from its origin, mm in the machine's frame. */
 export function recordedIn(digitized: Digitized, origin: Vec3): Recorded {
   const [x0, y0] = digitized.origin;
   const from = (x: number, y: number, z: number): Vec3 => [
@@ -50,7 +50,7 @@ export function recordedIn(digitized: Digitized, origin: Vec3): Recorded {
 const shares = (segment: Segment): number[] =>
   isLine(segment) ? [0, 1] : Array.from({ length: chords + 1 }, (_, n) => n / chords);
 
-/** What the way reaches; nothing without points. */
+/** Bounds of the points and the way; nothing without points. */
 export function recordedBounds({ points, way }: Recorded): Bounds | undefined {
   const places = [...points.map(({ at }) => at), ...way];
   return places.reduce<Bounds | undefined>(
@@ -67,7 +67,7 @@ export interface InPicture {
   readonly machine: Bounds | undefined;
 }
 
-/** What is to be in the picture after a look (digitizing functions 30 to 32); nothing where it stays as it is. */
+/** The box to be in the picture after a look (digitizing functions 30 to 32); nothing where it stays as it is. */
 export function sightOf(look: Look, { data, recorded, machine }: InPicture): Bounds | undefined {
   const drawn = around(data, recorded);
   switch (look) {

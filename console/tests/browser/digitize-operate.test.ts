@@ -72,7 +72,7 @@ interface Ink {
   readonly height: number;
 }
 
-/** How far what is digitized reaches on the canvas above the tool path, pixels. */
+/** Bounds of what is digitized on the canvas above the tool path, pixels. */
 const inked = (): Promise<Ink> =>
   page.locator("canvas.path-marks").evaluate((element) => {
     const canvas = element as HTMLCanvasElement;

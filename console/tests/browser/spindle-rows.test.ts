@@ -49,7 +49,7 @@ const starts = () =>
 const asksToGoOn = () => page.locator(".question-text", { hasText: "Continue?" }).waitFor();
 const idle = () =>
   until(async () => (await stateOf(workshop)).machine.state === "idle", "the machine is idle");
-/** Whether the light of an output is on, as it is shown; a question lies over it at times. */
+/** Tells whether the light of an output is on, as it is shown; a question lies over it at times. */
 const isLit = async (number: number) => {
   const look = await page
     .locator(".lamp-output")

@@ -31,7 +31,7 @@ pub(crate) enum Turn {
     Operator(Wish),
 }
 
-/// What a machine slows down for, as far as what is told meanwhile depends on it.
+/// The cause for which a machine slows down, as far as what is told meanwhile depends on it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slows {
     /// STOP, which may be told until the machine stands.

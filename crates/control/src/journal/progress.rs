@@ -47,7 +47,7 @@ pub(super) struct Batch {
     pub steps: Vec<(i64, Vec<u8>)>,
     /// Files that steps speak of, by their hashes.
     pub contents: BTreeMap<String, Vec<u8>>,
-    /// What values are from now on, by their keys.
+    /// New values, by their keys; nothing removes one.
     pub values: BTreeMap<String, Option<String>>,
     /// The progress of the run; `None` where that is on record.
     pub reached: Option<Reached>,
@@ -161,7 +161,7 @@ impl Progress {
         hash
     }
 
-    /// Gives a key a value; whether a thread writes it.
+    /// Gives a key a value, where a thread writes it; tells whether one does.
     pub(crate) fn gives(&mut self, key: &str, value: Option<&str>) -> bool {
         let by_thread = matches!(self.hand, Hand::Scribe(_));
         if by_thread {
@@ -171,7 +171,7 @@ impl Progress {
         by_thread
     }
 
-    /// Whether the value of a key is not on record yet.
+    /// Tells whether the value of a key is not on record yet.
     pub(crate) fn owes(&self, key: &str) -> bool {
         matches!(&self.hand, Hand::Scribe(scribe) if scribe.owes(key))
     }

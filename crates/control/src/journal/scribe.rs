@@ -132,7 +132,7 @@ impl Scribe {
         }
     }
 
-    /// Whether the value of a key is not on record yet.
+    /// Tells whether the value of a key is not on record yet.
     pub(super) fn owes(&self, key: &str) -> bool {
         lock(&self.slate.0).owes.contains(key)
     }

@@ -210,12 +210,12 @@ impl Tape {
         told
     }
 
-    /// Gives a key a value; whether a thread writes it, so that nobody waits for the disk.
+    /// Gives a key a value, where a thread writes it and nobody waits for the disk; tells whether one does.
     pub(crate) fn gives(&mut self, key: &str, value: Option<&str>) -> bool {
         self.writing.as_mut().is_some_and(|progress| progress.gives(key, value))
     }
 
-    /// Whether the value of a key is not on record yet: nobody else can have changed it then.
+    /// Tells whether the value of a key is not on record yet: nobody else can have changed it then.
     pub(crate) fn owes(&self, key: &str) -> bool {
         self.writing.as_ref().is_some_and(|progress| progress.owes(key))
     }
@@ -437,6 +437,7 @@ mod tests {
             assert_eq!(tape.unfit().is_none(), fits);
         }
     }
+
     /// A thread that writes later would bring a run back that is over.
     #[test]
     fn what_is_over_is_on_record_however_long_the_disk_takes() {
