@@ -335,7 +335,8 @@ impl App {
         if !open.name.is_empty() {
             let before = Some(open.key.clone());
             // Where too much is being done the file is opened anew by hand.
-            let anew = Open { preview: None, run: None, given_up: Arc::default(), ..open };
+            let waits = open.run.filter(|_| open.preview.is_none());
+            let anew = Open { preview: None, run: waits, given_up: Arc::default(), ..open };
             drop(self.show_instead(before, anew));
         }
     }

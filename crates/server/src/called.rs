@@ -39,13 +39,13 @@ impl App {
         self.link.plans(run, planned.clone());
         let mut ended = None;
         self.hub.changing(|now| {
-            let Some(job) = now.job.clone().filter(|job| job.run == run && job.hash.is_none())
-            else {
-                return Vec::new();
-            };
+            let unplanned = |job: &Job| job.run == run && job.seconds <= 0.0;
+            let Some(job) = now.job.clone().filter(unplanned) else { return Vec::new() };
             let job = Job { hash: Some(hash), seconds: planned.seconds(), ..job };
             ended = Some(job.clone()).filter(|job| job.ended.is_some());
-            let motion = Motion { progress: planned.share(now.motion.made), ..now.motion };
+            let whole = job.ended.as_deref() == Some("ok");
+            let progress = if whole { 1.0 } else { planned.share(now.motion.made) };
+            let motion = Motion { progress, ..now.motion };
             vec![Change::Motion { motion }, Change::Job { job: Some(job) }]
         });
         if let Some(job) = ended {

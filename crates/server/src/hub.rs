@@ -4,7 +4,7 @@ use crate::preview::Typed;
 use crate::problems::ProblemLog;
 use crate::ran::{Ran, now_s};
 use axum::extract::ws::Utf8Bytes;
-use kerf_wire::{Change, Job, LastRun, Message, Mode, Opened, Snapshot, ToPage, Tone};
+use kerf_wire::{Change, Job, LastRun, Message, Mode, Motion, Opened, Snapshot, ToPage, Tone};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 use tokio::sync::broadcast;
 
@@ -143,14 +143,14 @@ impl Hub {
         }
     }
 
-    /// A run is over: it is the last one of its file. A file that was called by a typed line is known by now.
+    /// A run is over: it is the last one of its file, and all of it is made where it came to its end. A file that was
+    /// called by a typed line is known by now.
     pub fn ended(&self, job: Job) {
         self.changing(|now| {
-            let same = now.job.as_ref().filter(|now| now.run == job.run && job.hash.is_none());
-            let (hash, seconds) =
-                same.map_or((job.hash.clone(), job.seconds), |now| (now.hash.clone(), now.seconds));
-            let silent = now.job.as_ref().is_some_and(|now| now.run == job.run && now.silent);
-            let job = Job { hash, seconds, silent, ..job };
+            let job = match now.job.clone().filter(|now| now.run == job.run) {
+                Some(Job { hash, seconds, silent, .. }) => Job { hash, seconds, silent, ..job },
+                None => job,
+            };
             let mut changes = Vec::new();
             if let (Some(hash), Some(ended)) = (&job.hash, &job.ended) {
                 let line = now.motion.line;
@@ -159,6 +159,10 @@ impl Hub {
                 let opened = now.opened.clone().filter(|opened| opened.hash == *hash);
                 let ran = opened.map(|opened| Opened { ran: Some(last), ..opened });
                 changes.extend(ran.map(|opened| Change::Opened { opened: Some(opened) }));
+            }
+            if job.ended.as_deref() == Some("ok") {
+                let motion = Motion { progress: 1.0, remaining: 0.0, ..now.motion };
+                changes.push(Change::Motion { motion });
             }
             changes.push(Change::Job { job: Some(job) });
             changes

@@ -84,3 +84,22 @@ fn time_that_is_left_is_that_of_whoever_waits() {
     );
     assert_eq!(page.act(json!({ "do": "stop" })), None);
 }
+
+/// Its run is over before its plan is there; and from where it ends in preview the next plan has nothing to make.
+#[test]
+fn a_file_that_a_typed_line_runs_in_preview_mode_is_all_made() {
+    let shop = shop(50.0, &[("a.sbp", PART), ("b.sbp", "SA\nMX,3\nMY,2\nEND\n")]);
+    let mut page = shop.driver();
+    page.command("SP");
+    for round in 0..10 {
+        let name = ["a.sbp", "b.sbp"][round % 2];
+        page.command(&format!("FP,{name}"));
+        page.until(&format!("{name} in round {round}"), |page| {
+            let hash = &page.shown["opened"]["hash"];
+            page.shown["opened"]["name"] == name
+                && page.shown["opened"]["ran"]["ended"] == "ok"
+                && page.shown["job"]["hash"] == *hash
+                && page.shown["motion"]["progress"] == 1.0
+        });
+    }
+}
