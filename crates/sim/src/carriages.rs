@@ -143,6 +143,9 @@ impl Carriages {
 
     /// When lines of switches change while a plan is made: seconds of the plan, line, state.
     pub fn foresee(&self, plan: &Plan) -> Vec<(f64, u8, bool)> {
+        if self.axes.iter().flatten().all(|it| it.switch_at.is_none()) {
+            return Vec::new();
+        }
         let mut ahead = self.clone();
         let mut changes = Vec::new();
         for (index, made) in plan.moves().iter().enumerate() {

@@ -194,7 +194,7 @@ impl Inputs {
             let i = usize::from(*n) - 1;
             duty(*n, modes) == Duty::Stop && triggers(*n, self.closed(i, modes), modes)
         };
-        (1..=LINES as u8).find(active)
+        switches(modes).find(active)
     }
 
     /// A limit switch that is on, or whose wire is broken, but for those that are passed over.
@@ -203,7 +203,7 @@ impl Inputs {
             let i = usize::from(*n) - 1;
             duty(*n, modes) == Duty::Limit && triggers(*n, self.closed(i, modes), modes)
         };
-        (1..=LINES as u8).filter(|n| !past.contains(n)).find(active)
+        switches(modes).filter(|n| !past.contains(n)).find(active)
     }
 
     /// The next change that has an effect, not later than a time; of a pin, what its input reads from then on.
@@ -317,6 +317,13 @@ pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
 /// The contact of an input that a controller reports as active, however it is wired.
 pub fn contact(number: u8, active: bool, modes: &IoModes) -> bool {
     active != normally_closed(number, modes)
+}
+
+/// The inputs that can do anything to motion, by number.
+fn switches(modes: &IoModes) -> impl Iterator<Item = u8> {
+    let last = modes.inputs.len() as u8;
+    let beyond = modes.interlock.filter(|n| *n > last && usize::from(*n) <= LINES);
+    (1..=last).chain(beyond)
 }
 
 /// What an input does to motion.

@@ -64,13 +64,19 @@ impl Shared {
 
     /// The machine does something else from now on.
     fn state(&self, state: State) {
+        self.becomes(state, None);
+    }
+
+    /// The machine does something else from now on; whether it asks meanwhile is told with it.
+    fn becomes(&self, state: State, asked: Option<Option<Asked>>) {
         if !matches!(state, State::Running | State::Jogging) {
             self.board.borrow_mut().stand();
         }
         self.tell();
         self.hub.changing(|now| {
             let machine = Machine { state, why: None, ..now.machine.clone() };
-            vec![Change::Machine { machine }]
+            let asked = asked.map(|asked| Change::Asked { asked });
+            asked.into_iter().chain([Change::Machine { machine }]).collect()
         });
     }
 }
@@ -222,10 +228,6 @@ impl Pages {
         self.asked
     }
 
-    fn show(&self, asked: Option<Asked>) {
-        self.shared.hub.change(vec![Change::Asked { asked }]);
-    }
-
     /// Waits for an answer that means something in the box; nothing when the machine is stopped.
     fn wait(&mut self, question: &Question) -> Option<String> {
         let mut wanted = self.shared.link.lock();
@@ -273,12 +275,12 @@ impl Operator for Pages {
             wanted.jog = None;
         }
         drop(wanted);
-        self.shared.state(if stands(question) { State::Stopped } else { State::Asking });
+        let state = if stands(question) { State::Stopped } else { State::Asking };
         let file = self.shared.parts.name_of(file);
         let edits = question.kind == QuestionKind::Editor;
         let edits = edits.then(|| self.shared.name_from_root(&question.text));
         let asked = asked(self.asked, question, file, line);
-        self.show(Some(Asked { edits, ..asked }));
+        self.shared.becomes(state, Some(Some(Asked { edits, ..asked })));
         let answer = self.wait(question);
         let takes_text = answers::takes_text(question.kind);
         let moves = |words: &str| !takes_text && (words == LIFT || Jog::read(words).is_some());
@@ -291,8 +293,7 @@ impl Operator for Pages {
 
     fn answered(&mut self) {
         self.pressed = false;
-        self.show(None);
-        self.shared.state(State::Running);
+        self.shared.becomes(State::Running, Some(None));
     }
 
     fn moves(&mut self) {
