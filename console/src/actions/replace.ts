@@ -7,23 +7,33 @@ import type { World } from "./action";
 /** Tries to write; the hash names the file that may be replaced. Gives why nothing was written. */
 export type Attempt = (replaces: string | null) => Promise<Problem | null>;
 
+/** Asks whether the file may be replaced that is there. */
+export type Question = (about: FileAbout) => Promise<boolean>;
+
+/** How writing ended: it is written, what was there is left as it was, or it was refused. */
+export type Written = "written" | "left" | Problem;
+
 /**
  * Writes under a name. Where another file would be replaced, the person is asked first, and once more
- * when that one is changed meanwhile. Tells whether it was written.
+ * when that one is changed meanwhile.
  */
-export async function writing(world: World, name: string, attempt: Attempt): Promise<boolean> {
+export async function written(name: string, attempt: Attempt, asks: Question): Promise<Written> {
   let replaces: string | null = null;
   for (;;) {
     const problem = await attempt(replaces);
-    if (!problem) return true;
-    if (problem.why !== "replaces") {
-      world.screen.tell(problem.text);
-      return false;
-    }
+    if (!problem) return "written";
+    if (problem.why !== "replaces") return problem;
     const about = await aboutFile(name);
-    if (!(await asked(world, about))) return false;
+    if (!(await asks(about))) return "left";
     replaces = about.hash;
   }
+}
+
+/** Writes under a name, as {@link written}, with the question over the screen. Tells whether it was written. */
+export async function writing(world: World, name: string, attempt: Attempt): Promise<boolean> {
+  const end = await written(name, attempt, (about) => asked(world, about));
+  if (typeof end === "object") world.screen.tell(end.text);
+  return end === "written";
 }
 
 /** Whether the person says that the file under a name may be replaced. */

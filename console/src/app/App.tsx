@@ -12,6 +12,7 @@ import { CalculatorSheet } from "../tools/CalculatorSheet";
 import { Asking, covers } from "./Asking";
 import { ComingScreen } from "./ComingScreen";
 import { type Hands, HandsContext, useScreen, useShown, useSnapshot } from "./context";
+import { DropFiles } from "./DropFiles";
 import { FollowedFace } from "./FollowedFace";
 import { Guard } from "./Guard";
 import { Keys } from "./Keys";
@@ -99,6 +100,9 @@ function Body() {
         {calculator && <CalculatorSheet field={calculator.field} />}
       </Guard>
       <Guard>{handConsole && <HandConsole />}</Guard>
+      <Guard>
+        <DropFiles />
+      </Guard>
       <LostLink />
       <PairScreen />
     </div>

@@ -23,7 +23,7 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
   const close = () => screen.open(null);
   switch (sheet.kind) {
     case "files":
-      return <FilePicker />;
+      return <FilePicker given={sheet.given} />;
     case "command":
       return <CommandSheet letters={sheet.letters} given={sheet.given} />;
     case "keypad":

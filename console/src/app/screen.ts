@@ -7,7 +7,8 @@ import { createStore, type Store } from "./store";
 
 /** What lies over the screen. Jobs' questions are not here: they belong to the server. */
 export type Sheet =
-  | { readonly kind: "files" }
+  /** With files of this computer that go into the part folder. */
+  | { readonly kind: "files"; readonly given?: readonly File[] }
   | { readonly kind: "command"; readonly letters: string; readonly given: readonly string[] }
   | { readonly kind: "keypad" }
   | { readonly kind: "moveTo" }

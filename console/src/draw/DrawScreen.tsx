@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useState, useSyncExternalStore } from "react";
+import { useEffect, useMemo, useRef, useState, useSyncExternalStore } from "react";
 import { useScreen, useSnapshot } from "../app/context";
 import { DigitizePanel } from "../digitize/DigitizePanel";
 import { ArrayPanel } from "./ArrayPanel";
@@ -57,6 +57,7 @@ export function DrawScreen() {
   });
   const [operation, setOperation] = useState<string | null>(null);
   const [aspect, setAspect] = useState<Aspect>("top");
+  const plane = useRef(0);
   const wanted = useScreen("tool");
   // biome-ignore lint/correctness/useExhaustiveDependencies: once for each time it is asked for
   useEffect(() => {
@@ -83,7 +84,7 @@ export function DrawScreen() {
           {bar}
         </DrawingSheet>
       ) : (
-        <SpaceSheet scene={scene} aspect={aspect}>
+        <SpaceSheet scene={scene} aspect={aspect} plane={plane}>
           {bar}
         </SpaceSheet>
       )}

@@ -1,6 +1,8 @@
 import { useState } from "react";
 import { useHands } from "../app/context";
+import { UploadButton, UploadList } from "../operator/UploadList";
 import { useFiles } from "../operator/useFiles";
+import { useUploads } from "../operator/useUploads";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 
@@ -20,6 +22,8 @@ interface FileSheetProps {
 export function FileSheet({ title, endings, proposal, warning, onName, onClose }: FileSheetProps) {
   const { screen } = useHands();
   const files = useFiles("");
+  const uploads = useUploads();
+  const reads = proposal === undefined;
   const [name, setName] = useState(proposal ?? "");
   const offered = files.filter(({ name, folder }) => !folder && endings.includes(endingOf(name)));
   const use = async (chosen: string) => {
@@ -55,7 +59,7 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
             <div key={file.name} className="file-sheet-row">
               <button
                 type="button"
-                onClick={() => (proposal === undefined ? void use(file.name) : setName(file.name))}
+                onClick={() => (reads ? void use(file.name) : setName(file.name))}
               >
                 {file.name}
               </button>
@@ -69,10 +73,12 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
             </div>
           ))}
         </div>
+        {reads && <UploadList uploads={uploads} onUse={(name) => void use(name)} />}
         <div className="file-sheet-foot">
+          {reads && <UploadButton uploads={uploads} folder="" endings={endings} />}
           <Button onPress={onClose}>Cancel</Button>
           <Button type="submit" look="primary" isDisabled={name.trim() === ""}>
-            {proposal === undefined ? "Open" : "Write"}
+            {reads ? "Open" : "Write"}
           </Button>
         </div>
       </form>

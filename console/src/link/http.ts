@@ -17,18 +17,19 @@ export class Refused extends Error {
 
 async function request(path: string, init: RequestInit): Promise<Response> {
   const response = await fetch(path, init);
-  if (!response.ok) throw new Refused(await refusal(response), response.status);
+  if (!response.ok) {
+    throw new Refused(problemOf(await response.text(), response.statusText), response.status);
+  }
   return response;
 }
 
-/** A refusal: its problem, or its words where it has none. */
-async function refusal(response: Response): Promise<Problem> {
-  const text = await response.text();
+/** What the body of a refusal says: its problem, or its words where it has none. */
+export function problemOf(text: string, otherwise: string): Problem {
   try {
     const problem = JSON.parse(text) as Partial<Problem>;
     return { why: problem.why ?? "server", text: problem.text ?? text };
   } catch {
-    return { why: "server", text: text || response.statusText };
+    return { why: "server", text: text || otherwise };
   }
 }
 

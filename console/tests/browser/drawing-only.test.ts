@@ -1,6 +1,6 @@
 /** `kerf serve --drawing-only`: drawings and files, and nothing of the machine. */
 
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { openWorkshop, script, stateOf, type Workshop } from "./workshop";
@@ -45,6 +45,17 @@ it("draws and writes a part program", async () => {
   await page.getByRole("button", { name: "Write" }).click();
   await page.getByText("drawing.sbp is written into the part folder.").waitFor();
   expect(existsSync(join(workshop.parts, "drawing.sbp"))).toBe(true);
+});
+
+it("pro_send_http: a file is brought into the part folder", async () => {
+  const page = await workshop.page();
+  await page.getByRole("button", { name: "Open…" }).click();
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Upload…" }).click();
+  const buffer = Buffer.from("0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n");
+  await (await chooser).setFiles([{ name: "plate.dxf", mimeType: "", buffer }]);
+  await page.getByText("is in the part folder").waitFor();
+  expect(readFileSync(join(workshop.parts, "plate.dxf")).equals(buffer)).toBe(true);
 });
 
 it("no act reaches the machine, with a lease or without", async () => {

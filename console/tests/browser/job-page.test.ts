@@ -46,6 +46,8 @@ const finished = () =>
   }, "the job is done");
 const machinePlace = async () => (await stateOf(workshop)).motion.at.machine;
 const viewOf = async (): Promise<JobView> => (await fetch(`${workshop.address}/api/job`)).json();
+/** So far from a number at most, mm. */
+const near = (value: number) => expect.closeTo(value, 3);
 const previewed = () =>
   until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
 
@@ -194,6 +196,51 @@ it("pro_io_io_led: a lamp of the card follows each bit while a job runs", async 
     await lamp(`out.${bit}`, false);
   await page.keyboard.press("Escape");
   await page.getByRole("link", { name: "Job" }).click();
+});
+
+/** A plate of 50 by 30 mm, as another program writes it. */
+const plate = [
+  "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC",
+  "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1",
+  "10\n10\n20\n10\n10\n60\n20\n10\n10\n60\n20\n40\n10\n10\n20\n40\n0\nENDSEC\n0\nEOF\n",
+].join("\n");
+
+it("pro_misc_unified: a DXF is brought, opened, offset, machined and cut, all on this page", async () => {
+  await page.getByRole("link", { name: "Draw" }).click();
+  await page.getByRole("button", { name: "Open…" }).click();
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Upload…" }).click();
+  const buffer = Buffer.from(plate);
+  await (await chooser).setFiles([{ name: "plate.dxf", mimeType: "", buffer }]);
+  await page.getByRole("button", { name: "Open plate.dxf" }).click();
+  await until(async () => (await stateOf(workshop)).drawing?.name === "plate.dxf", "it is opened");
+  await page.getByRole("button", { name: "Settings…" }).click();
+  const sheet = page.getByRole("dialog");
+  await sheet.getByRole("textbox", { name: /^Offset/ }).fill("3mm");
+  await sheet.getByRole("button", { name: "Apply" }).click();
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Machine", exact: true }).click();
+  await page.locator(".job-head", { hasText: "plate.rsm" }).waitFor();
+  await previewed();
+  const { paths, finish, heights } = await viewOf();
+  const along = (axis: 0 | 1) => paths[0]?.points.filter((_, n) => n % 3 === axis) ?? [];
+  // The tool goes 3 mm outside of the plate.
+  expect([Math.min(...along(0)), Math.max(...along(0))]).toEqual([7, 63].map(near));
+  await page.getByRole("button", { name: "Start", exact: true }).click();
+  const deep: (readonly number[])[] = [];
+  await until(async () => {
+    const { motion, job, machine } = await stateOf(workshop);
+    if (motion.cutting) deep.push(motion.at.machine);
+    return deep.length > 0 && job?.ended === "ok" && machine.state === "idle";
+  }, "it is cut");
+  for (const [x = 0, y = 0] of deep) {
+    const away = Math.hypot(Math.max(10 - x, 0, x - 60), Math.max(10 - y, 0, y - 40));
+    expect(away).toEqual(near(3));
+  }
+  await page.locator(".job-status", { hasText: "finished" }).waitFor();
+  await expect.poll(() => page.locator(".job-times").first().textContent()).toMatch(/^100 %/);
+  // At the place of finish, above the material.
+  expect((await machinePlace()).slice(0, 3)).toEqual([...finish, heights[0]].map(near));
 });
 
 it("pro_job_start_mouse: a click on a path shows its number and begins the job with it, unless one runs", async () => {

@@ -1,4 +1,12 @@
-import { type PointerEvent, type ReactNode, useEffect, useMemo, useRef, useState } from "react";
+import {
+  type PointerEvent,
+  type ReactNode,
+  type RefObject,
+  useEffect,
+  useMemo,
+  useRef,
+  useState,
+} from "react";
 import { useScreen, useSnapshot } from "../../app/context";
 import { useSize } from "../../view/useSize";
 import type { ZHeights } from "../../wire/messages";
@@ -26,25 +34,30 @@ import {
 interface SpaceSheetProps {
   scene: Scene;
   aspect: Aspect;
+  /** The z-plane, mm, for the next time that it is looked at so. */
+  plane: RefObject<number>;
   children?: ReactNode;
 }
 
 const noHeights: ZHeights = { top: 0, surface: 0, bottom: 0 };
 
 /** The drawing from the side, from the end, or in 3D: to be looked at. */
-export function SpaceSheet({ scene, aspect, children }: SpaceSheetProps) {
+export function SpaceSheet({ scene, aspect, plane, children }: SpaceSheetProps) {
   const box = useRef<HTMLDivElement>(null);
   const size = useSize(box);
   const items = useItems(scene);
   const bounds = useMemo(() => boundsOfItems(items), [items]);
-  const [space, setSpace] = useState(firstSpace);
+  const [space, setSpace] = useState(() => ({ ...firstSpace, zPlane: plane.current }));
+  useEffect(() => {
+    plane.current = space.zPlane;
+  }, [plane, space.zPlane]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: looks anew from another side, not at every change
   useEffect(() => {
     if (size.width > 0) setSpace((now) => lookFrom({ ...now, size }, aspect, bounds));
   }, [aspect, size.width > 0]);
   useEffect(() => setSpace((now) => ({ ...now, size })), [size]);
-  // Keys are heard as soon as the view is chosen.
-  useEffect(() => box.current?.focus(), []);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: keys are heard as soon as a view is chosen
+  useEffect(() => box.current?.focus(), [aspect]);
   const at = (event: { clientX: number; clientY: number }) => pixelOf(box.current, event);
   return (
     <section className="sheet-panel" aria-label="Sheet">

@@ -44,13 +44,20 @@ function batches(items: readonly Item[]): Map<string, (readonly Vec3[])[]> {
   return found;
 }
 
+/** A point is a ring of this radius, pixels. */
+const pointRadius = 3;
+
+function ring(path: Path2D, x: number, y: number): void {
+  path.moveTo(x + pointRadius, y);
+  path.arc(x, y, pointRadius, 0, 2 * Math.PI);
+}
+
 function trace({ camera, size }: Paper, path: Path2D, line: readonly Vec3[]): void {
   line.forEach((at, n) => {
     const { x, y } = project(camera, at, size);
-    if (n === 0) path.moveTo(x, y);
+    if (line.length === 1) ring(path, x, y);
+    else if (n === 0) path.moveTo(x, y);
     else path.lineTo(x, y);
-    // A point is a dot.
-    if (line.length === 1) path.arc(x, y, 3, 0, 2 * Math.PI);
   });
 }
 

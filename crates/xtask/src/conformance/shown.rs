@@ -21,7 +21,7 @@ pub const FILE: &str = "docs/conformance-shown.toml";
 pub const NOT_YET: &str = "not yet shown in the browser";
 
 /// How many rows the second list has: it may become shorter, then this number does, never longer.
-const MOST_NOT_YET: usize = 3;
+const MOST_NOT_YET: usize = 0;
 
 /// Rows that are not yet shown where a person sees them.
 pub type Unshown = BTreeSet<String>;

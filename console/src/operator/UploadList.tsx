@@ -1,0 +1,77 @@
+import { useSyncExternalStore } from "react";
+import { FileTrigger } from "react-aria-components";
+import { Button } from "../ui/Button";
+import { isOver, stageText, type Upload, type Uploads } from "./uploads";
+import "./upload-list.css";
+
+interface UploadListProps {
+  uploads: Uploads;
+  /** Uses a file that has come. */
+  onUse: (name: string) => void;
+}
+
+/** Files on their way into the part folder: how far each is, the question before one is replaced, Stop. */
+export function UploadList({ uploads, onUse }: UploadListProps) {
+  const list = useSyncExternalStore(uploads.list.watch, uploads.list.get);
+  return (
+    <ul className="uploads" aria-label="Uploads" aria-live="polite">
+      {list.map((upload) => (
+        <li key={upload.id} className={`upload upload-${upload.stage.is}`}>
+          <p className="upload-words">
+            <b>{upload.name}</b> {stageText(upload)}
+          </p>
+          <UploadButtons upload={upload} uploads={uploads} onUse={onUse} />
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+function UploadButtons({ upload, uploads, onUse }: UploadListProps & { upload: Upload }) {
+  const { stage, name, id } = upload;
+  if (stage.is === "asks") {
+    return (
+      <span className="upload-buttons">
+        <Button onPress={() => stage.answer(false)}>Leave it</Button>
+        <Button look="primary" onPress={() => stage.answer(true)}>
+          Replace
+        </Button>
+      </span>
+    );
+  }
+  if (stage.is === "done") {
+    return (
+      <Button aria-label={`Open ${name}`} onPress={() => onUse(name)}>
+        Open
+      </Button>
+    );
+  }
+  if (isOver(upload)) return null;
+  return (
+    <Button aria-label={`Stop sending ${name}`} onPress={() => uploads.stop(id)}>
+      Stop sending
+    </Button>
+  );
+}
+
+interface UploadButtonProps {
+  uploads: Uploads;
+  /** Below the part folder, where the files go. */
+  folder: string;
+  /** Endings of the names that are offered first, without the point. */
+  endings?: readonly string[];
+}
+
+/** Chooses files of this computer and sends them into the part folder. */
+export function UploadButton({ uploads, folder, endings }: UploadButtonProps) {
+  const accepts = endings?.map((ending) => `.${ending}`);
+  return (
+    <FileTrigger
+      allowsMultiple
+      {...(accepts ? { acceptedFileTypes: accepts } : {})}
+      onSelect={(files) => uploads.add(folder, [...(files ?? [])])}
+    >
+      <Button>Upload…</Button>
+    </FileTrigger>
+  );
+}
