@@ -73,7 +73,8 @@ impl Session {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut events: Vec<Event> = Vec::new();
-        let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+        let company =
+            Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
         self.clone().run(Program::from(program), options, shelf, company);
         let told = events.iter().find_map(|event| match event {
             Event::Message { text, .. } => Some(text.clone()),

@@ -4,8 +4,9 @@
 
 use crate::execute::{Slows, link_lost};
 use crate::runner::{Over, Runner};
-use crate::{Event, Going, Wish};
+use crate::{Event, Wish};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::Going;
 use kerf_machine::hand::keypad_settings;
 use kerf_machine::homing::{bounds_by_hand, words_of_end};
 use kerf_machine::lines::Input;

@@ -29,7 +29,7 @@ impl Session {
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Summary {
-        let Company { sink, operator, pace } = company;
+        let Company { sink, operator, pace, machine: driven } = company;
         let mode = if options.program.preview { "preview" } else { "move" };
         let file = errand.name().into();
         let hand =
@@ -43,7 +43,7 @@ impl Session {
         let simulated = simulated.begun_at(before.ends_s).pushed(options.pushes);
         let simulated = simulated.doubting(unverified(shelf));
         self.memory.settings = settings;
-        let mut world = World::new(simulated, shelf, sink, operator);
+        let mut world = World::new(simulated, shelf, sink, operator).driving(driven);
         (world.previews, world.machine_is) = (options.program.preview, machine.clone());
         world.homed = self.homed;
         world.tally = before.tally();
@@ -82,7 +82,7 @@ impl Session {
         work: &Work,
         options: &mut RunOptions,
         shelf: &mut Shelf,
-        company: Company<'_>,
+        mut company: Company<'_>,
     ) -> Option<Summary> {
         let machine = self.machine_that_cuts(work, options)?;
         let homing = &machine.homing;
@@ -103,12 +103,9 @@ impl Session {
         if axes.is_empty() {
             return None;
         }
-        let Company { sink, operator, pace } = company;
-        let waits = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-        if let Some(open) = self.wait_for_door(work, options, shelf, waits) {
+        if let Some(open) = self.wait_for_door(work, options, shelf, company.again()) {
             return Some(open);
         }
-        let company = Company { sink, operator, pace };
         let homed = self.home_before(work, axes, asks, options, shelf, company);
         self.location_is_known(shelf);
         // Whoever says No goes on without.
@@ -179,10 +176,9 @@ impl Session {
         work: &Work,
         options: &mut RunOptions,
         shelf: &mut Shelf,
-        company: Company<'_>,
+        mut company: Company<'_>,
     ) -> Option<Summary> {
         let machine = self.machine_that_cuts(work, options)?;
-        let Company { sink, operator, pace } = company;
         loop {
             let doubted = unconfirmed(shelf);
             if doubted.is_empty() {
@@ -190,12 +186,10 @@ impl Session {
             }
             let homes = fitted(&machine, doubted);
             let asks = Some(location_question(&names(&machine, doubted), !homes.is_empty()));
-            let waits = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-            if let Some(open) = self.wait_for_door(work, options, shelf, waits) {
+            if let Some(open) = self.wait_for_door(work, options, shelf, company.again()) {
                 return Some(open);
             }
-            let company = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-            let done = self.home_before(work, homes, asks, options, shelf, company);
+            let done = self.home_before(work, homes, asks, options, shelf, company.again());
             match done.status {
                 Status::Ok => {
                     self.location_is_known(shelf);

@@ -1,11 +1,12 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
 use crate::event::{ArcEvent, Centre, Event, MoveEvent};
-use crate::pace::{Going, Wish};
+use crate::pace::Wish;
 use crate::runner::{Over, Runner};
 use crate::sink::Made;
 use crate::stack::Running;
 use kerf_diag::Code;
+use kerf_machine::Going;
 use kerf_machine::lines::Input;
 use kerf_motion::{Move, Path, Plan, Stop, planner};
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};

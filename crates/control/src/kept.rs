@@ -126,9 +126,9 @@ impl Session {
             self.take_over(&journal, shelf)?;
         }
         options.lines_at_once = options.lines_for(&*company.sink);
-        let Company { sink, operator, pace } = company;
+        let Company { sink, operator, pace, machine } = company;
         let mut whole = Whole::new(sink);
-        let company = Company { sink: &mut whole, operator, pace };
+        let company = Company { sink: &mut whole, operator, pace, machine };
         let summary = self.begin_on_record(work, options, settings, shelf, company, &owner);
         whole.ends();
         summary
@@ -141,25 +141,21 @@ impl Session {
         mut options: RunOptions,
         settings: Option<Settings>,
         shelf: &mut Shelf,
-        company: Company<'_>,
+        mut company: Company<'_>,
         owner: &Owner,
     ) -> Result<Summary, JournalError> {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = shelf.journal().cloned().ok_or_else(nothing)?;
-        let Company { sink, operator, pace } = company;
-        let confirms = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
         if let Some(summary) =
-            self.confirm_on_record(&work, &mut options, shelf, confirms, &journal)?
+            self.confirm_on_record(&work, &mut options, shelf, company.again(), &journal)?
         {
             return Ok(summary);
         }
-        let before = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
         if let Some(summary) =
-            self.before_run_on_record(&work, &mut options, shelf, before, &journal)?
+            self.before_run_on_record(&work, &mut options, shelf, company.again(), &journal)?
         {
             return Ok(summary);
         }
-        let company = Company { sink, operator, pace };
         let kept = KeptWork::of(&work)?;
         let run = RunUnderWay::new(self, &kept, &options, settings, shelf);
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.

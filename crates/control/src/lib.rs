@@ -92,7 +92,7 @@ pub use desk::Desk;
 pub use errands::unconfirmed;
 pub use event::Event;
 pub use nudge::{Nudge, Outside};
-pub use pace::{Doing, Failure, Going, Pace, Script, StopAt, Wish};
+pub use pace::{Doing, Pace, Script, StopAt, Wish};
 pub use part_log::Started;
 pub use parts::{Listing, PartFile};
 pub use press::Press;

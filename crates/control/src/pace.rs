@@ -1,8 +1,9 @@
 //! How machine time relates to the time of the world, and what the operator does meanwhile.
 
 use crate::journal::Hurry;
-use kerf_motion::{Move, Plan, State};
-use kerf_program::{At, Axes};
+use kerf_machine::{Fault, Going};
+use kerf_motion::Move;
+use kerf_program::At;
 use kerf_sim::Machine;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -28,21 +29,6 @@ pub enum Wish {
     },
 }
 
-/// Why a machine that follows the plan does so no longer.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Failure {
-    /// In words.
-    pub message: String,
-    /// What to do about it.
-    pub hint: &'static str,
-    /// The line whose move it is about, where it is about one.
-    pub at: Option<At>,
-    /// It answers no more.
-    pub silent: bool,
-    /// Where it stands, machine frame, as far as it told.
-    pub stands: Option<Axes>,
-}
-
 /// What the machine does while time passes.
 #[derive(Clone, Copy, Debug)]
 pub struct Doing<'a> {
@@ -58,34 +44,6 @@ impl Doing<'_> {
     /// The file that a place is in; nothing where no file stands for it.
     pub fn file(&self, at: At) -> Option<&Arc<str>> {
         self.files.get(at.file as usize)
-    }
-}
-
-/// A move that the machine is about to make.
-#[derive(Clone, Copy, Debug)]
-pub struct Going<'a> {
-    /// Its plan.
-    pub plan: &'a Plan,
-    /// Which move of the plan.
-    pub index: usize,
-    /// When the plan begins, seconds of machine time.
-    pub t0_s: f64,
-    /// Before this move of the plan something else has to be done.
-    pub until: usize,
-    /// How much of the move that was planned its shares are of: less than 1 where it ends at a stop within, 0
-    /// where the machine moves beside the program.
-    pub part: f64,
-}
-
-impl Going<'_> {
-    /// The move.
-    pub fn made(&self) -> Option<&Move> {
-        self.plan.moves().get(self.index)
-    }
-
-    /// Where every axis is at a moment of machine time, seconds, and how fast.
-    pub fn at(&self, t_s: f64) -> State {
-        self.plan.at(t_s - self.t0_s)
     }
 }
 
@@ -133,7 +91,7 @@ pub trait Pace {
     }
 
     /// Why the machine does nothing more, where it is not the plan that decides that.
-    fn failure(&self) -> Option<&Failure> {
+    fn failure(&self) -> Option<&Fault> {
         None
     }
 

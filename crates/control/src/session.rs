@@ -18,7 +18,7 @@ use crate::{Pace, Sink, Work};
 use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
 use kerf_machine::homing::bounds_by_hand;
-use kerf_machine::{Configuration, Sequence};
+use kerf_machine::{Configuration, Driven, Sequence};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::{LinearUnit, Mode};
@@ -102,6 +102,21 @@ pub struct Company<'a> {
     pub operator: &'a mut dyn Operator,
     /// Lets machine time pass.
     pub pace: &'a mut dyn Pace,
+    /// The machine that makes what is planned, where it is not computed.
+    pub machine: Option<Driven>,
+}
+
+impl Company<'_> {
+    /// The same company for something that comes first.
+    pub fn again(&mut self) -> Company<'_> {
+        let Self { sink, operator, pace, machine } = self;
+        Company {
+            sink: &mut **sink,
+            operator: &mut **operator,
+            pace: &mut **pace,
+            machine: machine.clone(),
+        }
+    }
 }
 
 /// What a run came to.
@@ -161,15 +176,13 @@ impl Session {
     ) -> Summary {
         let mut options = options;
         options.lines_at_once = options.lines_for(&*company.sink);
-        let (work, Company { sink, operator, pace }) = (work.into(), company);
+        let (work, Company { sink, operator, pace, machine }) = (work.into(), company);
         let mut whole = Whole::new(sink);
-        let before = Company { sink: &mut whole, operator: &mut *operator, pace: &mut *pace };
-        let company = match self.before(&work, &mut options, shelf, before) {
-            Some(summary) => Err(summary),
-            None => Ok(Company { sink: &mut whole, operator, pace }),
+        let mut company = Company { sink: &mut whole, operator, pace, machine };
+        let summary = match self.before(&work, &mut options, shelf, company.again()) {
+            Some(summary) => summary,
+            None => self.go(work, options, shelf, company, None),
         };
-        let go = |company| self.go(work, options, shelf, company, None);
-        let summary = company.map_or_else(|summary| summary, go);
         whole.ends();
         summary
     }
@@ -180,12 +193,10 @@ impl Session {
         work: &Work,
         options: &mut RunOptions,
         shelf: &mut Shelf,
-        company: Company<'_>,
+        mut company: Company<'_>,
     ) -> Option<Summary> {
-        let Company { sink, operator, pace } = company;
-        let confirms = Company { sink: &mut *sink, operator: &mut *operator, pace: &mut *pace };
-        self.confirm_location(work, options, shelf, confirms)
-            .or_else(|| self.before_run(work, options, shelf, Company { sink, operator, pace }))
+        self.confirm_location(work, options, shelf, company.again())
+            .or_else(|| self.before_run(work, options, shelf, company))
     }
 
     /// Runs a program or a job; one that is taken up by a machine that stands at a place.
@@ -215,7 +226,7 @@ impl Session {
         company: Company<'_>,
         stands: Option<Placed>,
     ) -> Summary {
-        let Company { sink, operator, pace } = company;
+        let Company { sink, operator, pace, machine: driven } = company;
         let (mut options, mut program) = (options, program);
         self.refuse_keys(&mut program);
         options.program.protected = self.machine_is.options.password.is_some() && !options.opened;
@@ -245,7 +256,7 @@ impl Session {
             sbp: std::mem::take(&mut self.memory),
             gcode: std::mem::take(&mut self.gcode),
         };
-        let mut world = World::new(machine, shelf, sink, operator);
+        let mut world = World::new(machine, shelf, sink, operator).driving(driven);
         (world.previews, world.tally) = (options.program.preview, tally);
         world.silent = stands.is_some();
         (world.machine_is, world.homed) = (self.machine_is.clone(), self.homed);
@@ -296,7 +307,7 @@ impl Session {
         company: Company<'_>,
         stands: Option<Placed>,
     ) -> Summary {
-        let Company { sink, operator, pace } = company;
+        let Company { sink, operator, pace, machine: driven } = company;
         let (preview, before) = (options.program.preview, options.before.clone());
         let (name, on_record) = (job.name.clone(), options.started.is_some() && !preview);
         sink.event(&job_starts(&job, preview));
@@ -322,7 +333,7 @@ impl Session {
             .pushed(options.pushes)
             .doubting(unverified(shelf));
         (self.memory.settings, self.memory.frame) = (settings, frame);
-        let mut world = World::new(simulated, shelf, sink, operator);
+        let mut world = World::new(simulated, shelf, sink, operator).driving(driven);
         (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
         (world.machine_is, world.homed, world.tally) =
             (machine.clone(), self.homed, before.tally());

@@ -8,8 +8,9 @@ use crate::facts::Fact;
 use crate::hold::Said;
 use crate::runner::{Over, Runner};
 use crate::turning::Turning;
-use crate::{Event, Failure, Wish, flag};
+use crate::{Event, Wish, flag};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::Fault;
 use kerf_machine::lines::Input;
 use kerf_machine::state::{Effect, Event as Stopped, RELEASE_S, StopSettings};
 use kerf_program::{
@@ -342,7 +343,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// The controller does not follow any more: where it stands is what it told last.
-    pub(crate) fn fails(&mut self, failure: &Failure) -> Over {
+    pub(crate) fn fails(&mut self, failure: &Fault) -> Over {
         self.pace.stands();
         if let Some(stands) = failure.stands {
             self.world.machine.put(stands);

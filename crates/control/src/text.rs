@@ -91,7 +91,8 @@ pub fn run_text(files: &[(&str, &str)], main: &str, options: TextOptions) -> Out
     let mut events = Vec::new();
     let mut operator = Answers::read(&options.answers);
     let mut stop = StopAt(options.stop_at_s.unwrap_or(f64::INFINITY));
-    let company = Company { sink: &mut events, operator: &mut operator, pace: &mut stop };
+    let company =
+        Company { sink: &mut events, operator: &mut operator, pace: &mut stop, machine: None };
     let summary = session.run(program, options.run, &mut shelf, company);
     Outcome { events, summary, session, shelf }
 }

@@ -13,9 +13,9 @@ use crate::sink::Made;
 use crate::turning::Turning;
 use crate::{OpenFile, Press, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
-use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::laser::Laser;
+use kerf_machine::{Actuator, Configuration, Driven};
 use kerf_program::job::{Heights, InForce};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
@@ -45,6 +45,8 @@ pub(crate) enum Unanswered {
 
 pub(crate) struct World<'a> {
     pub machine: Machine,
+    /// The machine that makes what is planned, where it is not computed.
+    driven: Option<Driven>,
     pub tally: Tally,
     pub shelf: &'a mut Shelf,
     sink: &'a mut dyn Sink,
@@ -99,6 +101,7 @@ impl<'a> World<'a> {
         let settings = machine.settings().clone();
         Self {
             machine,
+            driven: None,
             tally: Tally::default(),
             shelf,
             sink,
@@ -123,6 +126,19 @@ impl<'a> World<'a> {
             spindle_switched: false,
             stopped: Turning::default(),
             limit: None,
+        }
+    }
+
+    /// The same with a machine that makes what is planned.
+    pub fn driving(self, driven: Option<Driven>) -> Self {
+        Self { driven, ..self }
+    }
+
+    /// Has the machine set something, in its place between two moves. What is told again was set before, and what is
+    /// only drawn sets nothing.
+    fn set(&self, actuator: &Actuator) {
+        if let (Some(driven), false) = (&self.driven, self.silent || self.machine.draws()) {
+            driven.borrow_mut().set(actuator);
         }
     }
 
@@ -262,6 +278,9 @@ impl<'a> World<'a> {
                 What::Output { number: SPINDLE_OUTPUT, .. } => self.spindle_switched = true,
                 _ => {}
             }
+            if let Some(actuator) = actuator(&happening.what) {
+                self.set(&actuator);
+            }
             let event = self.happened(&happening);
             self.tell(&event);
         }
@@ -292,7 +311,7 @@ impl<'a> World<'a> {
             }
             What::Intensity { value, burn } => Event::Intensity {
                 value,
-                byte: 2 * value + u8::from(burn),
+                byte: intensity_byte(value, burn),
                 port: self.machine_is.intensity.port,
                 pulse_us: self.laser_hz.map(|hz| Laser::pulse_us(hz, value)),
                 t,
@@ -382,9 +401,11 @@ impl<'a> World<'a> {
             }
             // The simulated machine has one direction and no coolant: they are only told.
             Command::SpindleTurn { number, turn } => {
+                self.set(&Actuator::Turn(turn));
                 self.tell(&Event::Turn { turn, t, n: number });
             }
             Command::Coolant { mist, flood } => {
+                self.set(&Actuator::Coolant { mist, flood });
                 self.tell(&Event::Coolant { mist, flood, t });
             }
             // It has no overrides; the planner follows the path by its own options.
@@ -570,4 +591,22 @@ impl<'a> World<'a> {
         });
         self.tell(&event);
     }
+}
+
+/// What is set where this happens; nothing where it is only noticed.
+const fn actuator(what: &What) -> Option<Actuator> {
+    Some(match *what {
+        What::Output { number, on, why } => Actuator::Output { number, on, why },
+        What::Spindle { rpm, .. } => Actuator::Spindle { rpm },
+        What::Pwm { percent, .. } => Actuator::Pwm { percent },
+        What::Intensity { value, burn } => {
+            Actuator::Intensity { byte: intensity_byte(value, burn) }
+        }
+        _ => return None,
+    })
+}
+
+/// The byte of the intensity output: the value, and the burn bit below it.
+const fn intensity_byte(value: u8, burn: bool) -> u8 {
+    2 * value + burn as u8
 }

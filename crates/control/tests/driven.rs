@@ -52,7 +52,7 @@ fn run(
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
     let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
     let mut events = Vec::new();
-    let company = Company { sink: &mut events, operator, pace };
+    let company = Company { sink: &mut events, operator, pace, machine: None };
     let summary = session.run(program, RunOptions::default(), &mut shelf, company);
     (summary, session, events)
 }

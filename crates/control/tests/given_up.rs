@@ -67,7 +67,12 @@ fn a_job_that_was_given_up_in_a_pause_is_taken_up() {
 fn a_job_that_was_about_to_be_given_up_asks_again() {
     let folder = tempdir().unwrap();
     let operator = &mut Answers::read("paused=abort");
-    let company = Company { sink: &mut PowerCutTold("abort"), operator, pace: &mut StopAt(5.4) };
+    let company = Company {
+        sink: &mut PowerCutTold("abort"),
+        operator,
+        pace: &mut StopAt(5.4),
+        machine: None,
+    };
     assert_eq!(run_in(&folder, job(|_| ()), company), None, "the power failed");
     let (said, status) = resume(&folder, "paused=abort");
     assert_eq!((asked(&said).len(), status), (1, Status::Stopped), "{said:#?}");
@@ -180,7 +185,7 @@ fn a_held_run_that_was_about_to_be_given_up_goes_on() {
     let whole = uninterrupted();
     let (folder, at_s) = (tempdir().unwrap(), middle(&whole, 5));
     let pace = &mut Script::new(vec![(at_s, Wish::Hold)], Vec::new());
-    let company = Company { sink: &mut PowerCutIn("idle"), operator: &mut (), pace };
+    let company = Company { sink: &mut PowerCutIn("idle"), operator: &mut (), pace, machine: None };
     assert_eq!(run_in(&folder, part(), company), None, "the power failed");
     let (rest, status) = resume(&folder, "hold=Resume");
     assert_eq!((asked(&rest), status), (vec![READY], Status::Ok), "{rest:#?}");

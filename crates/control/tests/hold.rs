@@ -84,7 +84,8 @@ fn stopped_again(
     let mut operator = Answers::read(answers);
     let wishes = [&[(2.0, Wish::Stop)], wishes].concat();
     let mut pace = Script::new(wishes, Vec::new());
-    let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
+    let company =
+        Company { sink: &mut events, operator: &mut operator, pace: &mut pace, machine: None };
     let options = RunOptions { inputs: inputs.to_vec(), ..RunOptions::default() };
     let program = kerf_sbp::read("a.sbp".into(), format!("SO,1,1\n{SQUARE}").as_bytes());
     let summary = session.run(program, options, &mut shelf, company);
@@ -174,7 +175,8 @@ fn stopped_by_both(input: u8, by_hand: Wish, answers: &str) -> (Summary, Vec<Eve
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
     let mut operator = Answers::read(answers);
     let mut pace = Script::new(vec![(2.01, by_hand)], Vec::new());
-    let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
+    let company =
+        Company { sink: &mut events, operator: &mut operator, pace: &mut pace, machine: None };
     let pressed = |at_s, stops: bool| Change { input, at_s, on: stops == (input != 4) };
     let inputs = vec![pressed(2.0, true), pressed(9.0, false)];
     let options = RunOptions { inputs, ..RunOptions::default() };
@@ -324,7 +326,8 @@ impl Shop {
     ) -> (Summary, Vec<Event>) {
         let mut events = Vec::new();
         let mut operator = Answers::read(answers);
-        let company = Company { sink: &mut events, operator: &mut operator, pace: &mut () };
+        let company =
+            Company { sink: &mut events, operator: &mut operator, pace: &mut (), machine: None };
         let options = RunOptions { inputs: input.into_iter().collect(), ..RunOptions::default() };
         let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
         let summary = self.session.run(program, options, &mut self.shelf, company);
@@ -336,7 +339,8 @@ impl Shop {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut events: Vec<Event> = Vec::new();
-        let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+        let company =
+            Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
         let typed = kerf_sbp::read_typed("command".into(), lines);
         self.session.run(typed, options, &mut self.shelf, company);
         let told = events.iter().filter_map(|event| match event {

@@ -77,7 +77,8 @@ impl Run {
         let mut events = Vec::new();
         let mut operator = Says(self.says.into());
         let mut pace = Script::new(self.wishes, self.resumes);
-        let company = Company { sink: &mut events, operator: &mut operator, pace: &mut pace };
+        let company =
+            Company { sink: &mut events, operator: &mut operator, pace: &mut pace, machine: None };
         let options = RunOptions { inputs: self.inputs, ..RunOptions::default() };
         let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
         let summary = session.run(program, options, &mut shelf, company);
@@ -510,7 +511,7 @@ fn a_feed_does_not_keep_a_stop_from_a_program_that_only_computes() {
     let program = moves.chain(["&n=0\nA:\n&n=&n+1\nGOTO A\n".to_owned()]).collect::<String>();
     let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
-    let company = Company { sink: &mut (), operator: &mut (), pace: &mut Busy(0) };
+    let company = Company { sink: &mut (), operator: &mut (), pace: &mut Busy(0), machine: None };
     let ran = Session::default().run(program, RunOptions::default(), &mut shelf, company);
     assert_eq!(ran.status, Status::Stopped);
 }

@@ -97,7 +97,8 @@ fn seen_of(
         ..RunOptions::default()
     };
     options.program.typed = typed.is_some();
-    let company = Company { sink: &mut (), operator: &mut operator, pace: &mut pace };
+    let company =
+        Company { sink: &mut (), operator: &mut operator, pace: &mut pace, machine: None };
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
     session.run_on_record(read, options, None, &mut shelf, company).unwrap();
@@ -162,7 +163,7 @@ fn sbp_ctl_reg_bit2__at_rest() {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut shelf = Shelf::in_memory(MemoryDisk::default());
-        let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
+        let company = Company { sink: &mut (), operator: &mut (), pace: &mut (), machine: None };
         session.run(kerf_part::read("typed".into(), line.as_bytes()), options, &mut shelf, company);
         session.look(Live::at_rest).status
     };

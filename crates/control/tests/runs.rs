@@ -159,7 +159,8 @@ fn an_output_that_follows_motion_comes_back_after_a_hold() {
     ] {
         let mut events = Vec::new();
         let mut pace = Script::new(vec![(2.0, Wish::Hold)], vec![4.0]);
-        let company = Company { sink: &mut events, operator: &mut (), pace: &mut pace };
+        let company =
+            Company { sink: &mut events, operator: &mut (), pace: &mut pace, machine: None };
         let text = format!("SO,4,{mode}\nMX,10\n");
         let program = kerf_sbp::read("a.sbp".into(), text.as_bytes());
         let mut shelf = Shelf::in_memory(MemoryDisk::default());

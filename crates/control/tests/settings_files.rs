@@ -30,7 +30,8 @@ impl Shop {
         options.program.typed = true;
         let program = kerf_sbp::read_typed("typed".into(), &format!("{line}\n"));
         let mut events: Vec<Event> = Vec::new();
-        let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+        let company =
+            Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
         let summary = self.session.run(program, options, &mut self.shelf, company);
         (summary, events)
     }
@@ -112,7 +113,7 @@ fn copied(entered: &str, body: kerf_sim::Body, closed: bool, output: &str) -> (S
     let options = RunOptions { touches: vec![touch], ..RunOptions::default() };
     let program = kerf_sbp::read("copy_machine.sbp".into(), text.as_bytes());
     let mut events: Vec<Event> = Vec::new();
-    let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+    let company = Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
     let summary = shop.session.run(program, options, &mut shop.shelf, company);
     assert!(summary.error.is_none(), "{:?}\n{text}", summary.error);
     let written = shop.shelf.text(output).unwrap();
@@ -397,7 +398,7 @@ fn sbp_tool_ts() {
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_sbp::read("home.sbp".into(), b"C3\nC2\n");
     let mut events: Vec<Event> = Vec::new();
-    let company = Company { sink: &mut events, operator: &mut (), pace: &mut () };
+    let company = Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
     let summary = shop.session.run(program, options, &mut shop.shelf, company);
     assert!(summary.error.is_none(), "{:?}", summary.error);
     let set: Vec<_> = events

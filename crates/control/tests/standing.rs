@@ -32,6 +32,7 @@ fn watch(files: &[(&str, &str)], options: RunOptions, stop_at_s: f64) -> Vec<Str
         sink: &mut watcher,
         operator: &mut Answers::default(),
         pace: &mut StopAt(stop_at_s),
+        machine: None,
     };
     let program = kerf_sbp::read(files[0].0.into(), files[0].1.as_bytes());
     Session::default().run(program, options, &mut shelf, company);
@@ -97,7 +98,12 @@ fn places(session: &Session, axis: Axis) -> (f64, f64) {
 /// A session in which a program ran.
 fn after(session: &mut Session, program: &str) -> Vec<Event> {
     let mut events = Vec::new();
-    let company = Company { sink: &mut events, operator: &mut Answers::default(), pace: &mut () };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut Answers::default(),
+        pace: &mut (),
+        machine: None,
+    };
     let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
     session.run(program, RunOptions::default(), &mut shelf, company);
@@ -145,7 +151,12 @@ fn sbp_file_fs_dialog() {
     shelf.browse(Some("x")).unwrap();
     assert_eq!(shelf.listing().unwrap().files[0].name, "part.sbp");
     let mut events = Vec::new();
-    let company = Company { sink: &mut events, operator: &mut Answers::default(), pace: &mut () };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut Answers::default(),
+        pace: &mut (),
+        machine: None,
+    };
     let program = kerf_sbp::read("main.sbp".into(), files[1].1.as_bytes());
     Session::default().run(program, RunOptions::default(), &mut shelf, company);
     let shown =
@@ -159,7 +170,7 @@ fn sbp_file_fs_mask() {
     let listed = |program: &str| {
         let mut shelf = Shelf::in_memory(MemoryDisk::new(names.map(|name| (name, &b""[..]))));
         let (sink, operator) = (&mut Vec::<Event>::new(), &mut Answers::default());
-        let company = Company { sink, operator, pace: &mut () };
+        let company = Company { sink, operator, pace: &mut (), machine: None };
         let program = kerf_sbp::read("main.sbp".into(), program.as_bytes());
         Session::default().run(program, RunOptions::default(), &mut shelf, company);
         let files = shelf.listing().unwrap().files;

@@ -35,7 +35,12 @@ fn scripted(text: &str, wishes: Vec<(f64, Wish)>, resumes: Vec<f64>) -> (Vec<Eve
     let program = kerf_sbp::read("long.sbp".into(), text.as_bytes());
     let mut events = Vec::new();
     let mut pace = Script::new(wishes, resumes);
-    let company = Company { sink: &mut events, operator: &mut Answers::default(), pace: &mut pace };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut Answers::default(),
+        pace: &mut pace,
+        machine: None,
+    };
     let mut shelf = Shelf::in_memory(MemoryDisk::new([]));
     let summary = Session::default().run(program, RunOptions::default(), &mut shelf, company);
     (events, summary)

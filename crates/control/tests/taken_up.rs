@@ -84,7 +84,7 @@ fn a_switch_that_was_moved_at_rest_is_on_record() {
     };
     let part = b"IF %(53)=0 THEN GOTO OFF\nMX,1\nMX,5\nMX,9\nEND\nOFF:\nMX,-5\n";
     let start = |session: &mut Session, shelf: &mut Shelf, pace: &mut dyn Pace| {
-        let company = Company { sink: &mut (), operator: &mut (), pace };
+        let company = Company { sink: &mut (), operator: &mut (), pace, machine: None };
         let program = kerf_part::read("a.sbp".into(), part);
         session.run_on_record(program, RunOptions::default(), None, shelf, company).map(drop)
     };

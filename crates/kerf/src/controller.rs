@@ -11,6 +11,7 @@ use kerf_control::controller::{Connection, Lacks, Line, Shared};
 use kerf_control::facts::Fact;
 use kerf_control::{Company, Firmware, RunOptions, Session, Shelf, Sink, Work};
 use kerf_driver_grbl::Grbl;
+use kerf_machine::Machine;
 use kerf_machine::driver::Wired;
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_serial::{Port, SerialError};
@@ -293,7 +294,8 @@ pub fn look_through(
     let mut options = RunOptions { started: None, ..options.clone() };
     options.program.preview = true;
     let mut answers: Answers = setup::answers(run)?;
-    let company = Company { sink: &mut lacks, operator: &mut answers, pace: &mut () };
+    let company =
+        Company { sink: &mut lacks, operator: &mut answers, pace: &mut (), machine: None };
     drop(session.clone().run(again, options, &mut shelf, company));
     let found = lacks.found();
     let mut told = Diagnostics::default();

@@ -222,7 +222,7 @@ impl JobRun {
         let mut shelf = Shelf::in_memory(MemoryDisk::new(std::iter::empty()));
         let mut operator = Answers::read(&self.answers);
         let mut pace = Script::new(self.wishes, Vec::new());
-        let company = Company { sink, operator: &mut operator, pace: &mut pace };
+        let company = Company { sink, operator: &mut operator, pace: &mut pace, machine: None };
         let options =
             RunOptions { inputs: self.inputs, sheet: self.sheet, ..RunOptions::default() };
         let machine = Arc::new(self.machine);

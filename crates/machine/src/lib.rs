@@ -17,6 +17,7 @@ pub mod hand;
 pub mod homing;
 mod levels;
 pub mod lines;
+pub mod machine;
 pub mod profile;
 pub mod sequence;
 pub mod settings;
@@ -26,6 +27,7 @@ pub mod value;
 pub mod wiring;
 
 pub use hand::{Errand, Hand, Held, Keypad, Stretch};
+pub use machine::{Actuator, Driven, Fault, Going, Machine, News};
 pub use sequence::Sequence;
 pub use settings::Configuration;
 pub use state::State;

@@ -419,7 +419,8 @@ fn trace(tenths: u8) -> Vec<kerf_control::Event> {
     let disk = kerf_control::files::RealDisk;
     let mut shelf = kerf_control::Shelf::preview(disk, folders, &stored, ".".into());
     let mut sink = Trace::default();
-    let company = kerf_control::Company { sink: &mut sink, operator: &mut (), pace: &mut () };
+    let company =
+        kerf_control::Company { sink: &mut sink, operator: &mut (), pace: &mut (), machine: None };
     let options = kerf_control::RunOptions::default();
     kerf_control::Session::default().run(work, options, &mut shelf, company);
     sink.0

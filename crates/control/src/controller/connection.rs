@@ -1,13 +1,15 @@
 //! The connection to a controller: a driver, the line it hangs on, and the clock of the world.
 
+use super::lacks::{lacked, needs, out_of_reach, wired};
 use super::row::{Chord, Handed, Row};
+use super::steers::PATIENCE;
 use super::ways::{chords, speed_mm_s};
-use crate::Failure;
 use kerf_machine::driver::{
     Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };
+use kerf_machine::{Actuator, Fault, Going, Machine, News};
 use kerf_motion::Move;
-use kerf_program::{At, Axes};
+use kerf_program::{At, Axes, OutputReason};
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
@@ -29,12 +31,14 @@ const GREETING_S: f64 = 8.0;
 /// A machine slows down and its controller is reset within this, seconds.
 const STOPPING_S: f64 = 10.0;
 
-/// A machine that is wanted stopped gets so long to make its last moves, seconds: longer than what is sent
-/// ahead takes.
-const PATIENCE_S: f64 = 2.0;
-
 /// Going home takes at most so long, seconds.
 const HOMING_S: f64 = 300.0;
+
+/// The line of flood coolant.
+const FLOOD: u8 = 2;
+
+/// The line of mist coolant.
+const MIST: u8 = 3;
 
 /// While it has nothing to do the controller is asked so often how it is, seconds.
 const ASK_S: f64 = 0.2;
@@ -64,7 +68,7 @@ pub struct Connection {
     facts: Facts,
     /// A place of the machine less that of the controller.
     offset: Axes,
-    pub(super) row: Row,
+    row: Row,
     /// The last order that is done.
     done: Ticket,
     /// Orders given and not done.
@@ -75,7 +79,7 @@ pub struct Connection {
     rpm: Option<f64>,
     inputs: VecDeque<(u8, bool)>,
     asked_s: f64,
-    failure: Option<Failure>,
+    failure: Option<Fault>,
     /// The line itself is gone.
     dead: bool,
     /// The run is over, and what it leaves on is meant to be.
@@ -124,16 +128,6 @@ impl Connection {
         }
     }
 
-    /// What the controller told of itself.
-    pub const fn facts(&self) -> &Facts {
-        &self.facts
-    }
-
-    /// How it is called.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
     /// A place of the machine less that of the controller.
     pub const fn offset(&self) -> Axes {
         self.offset
@@ -173,9 +167,9 @@ impl Connection {
         let until_s = self.now_s() + HOMING_S;
         self.order(order);
         while self.open > 0 && self.failure.is_none() && self.now_s() < until_s {
-            self.look(NAP);
+            self.tend(NAP);
             if is_stopped() {
-                self.stop();
+                self.stop_at_once();
                 return Err(format!("{} was stopped before it could {what}", self.name));
             }
         }
@@ -220,17 +214,12 @@ impl Connection {
         (done, Ok(self.facts.name.clone()))
     }
 
-    /// Why it does nothing more.
-    pub const fn failure(&self) -> Option<&Failure> {
-        self.failure.as_ref()
-    }
-
     fn now_s(&self) -> f64 {
         self.since.elapsed().as_secs_f64()
     }
 
     /// Where it was when it told last, machine frame.
-    pub(super) fn place(&mut self) -> Option<Axes> {
+    fn place(&mut self) -> Option<Axes> {
         let standing = self.link.driver().stands()?;
         Some(standing.position.plus(self.offset))
     }
@@ -257,7 +246,7 @@ impl Connection {
     }
 
     /// Looks what became of orders; sends what is due.
-    pub(super) fn look(&mut self, wait: Duration) {
+    fn tend(&mut self, wait: Duration) {
         let now_s = self.now_s();
         if self.open == 0 && now_s - self.asked_s > ASK_S {
             self.asked_s = now_s;
@@ -316,43 +305,28 @@ impl Connection {
 
     fn fail(&mut self, message: String, hint: &'static str, at: Option<At>, silent: bool) {
         let stands = self.place();
-        let failure = Failure { message, hint, at, silent, stands };
+        let failure = Fault { message, hint, at, silent, stands };
         let _ = self.failure.get_or_insert(failure);
     }
 
     /// Fails because the program asks for what the controller does not have.
-    pub(super) fn lacks(&mut self, what: &str) {
+    fn lacks(&mut self, what: &str) {
         self.fail(format!("{} has no {what}", self.name), "", None, false);
     }
 
-    pub(super) fn order(&mut self, order: Order) -> Option<Ticket> {
+    fn order(&mut self, order: Order) -> Option<Ticket> {
         let ticket = self.link.order(order)?;
         self.open += 1;
         Some(ticket)
     }
 
     /// Whether another move may be handed over.
-    pub(super) const fn has_room(&self) -> bool {
+    const fn has_room(&self) -> bool {
         self.open < AHEAD && self.failure.is_none()
     }
 
-    /// Whether orders are not done.
-    pub(super) const fn is_busy(&self) -> bool {
-        self.open > 0 && self.failure.is_none()
-    }
-
-    /// The last order that is done.
-    pub(super) const fn done(&self) -> Ticket {
-        self.done
-    }
-
-    /// An input that changed.
-    pub(super) fn input(&mut self) -> Option<(u8, bool)> {
-        self.inputs.pop_front()
-    }
-
     /// Hands a move over, after the outputs that should be on.
-    pub(super) fn hand(&mut self, made: &Move) {
+    fn hand(&mut self, made: &Move) {
         self.switch_outputs();
         let chords = chords(made, self.facts.arc_tolerance_mm);
         let speed_mm_s = speed_mm_s(made, &chords);
@@ -366,14 +340,14 @@ impl Connection {
     }
 
     /// An output is to be on or off from here on.
-    pub(super) fn want(&mut self, line: u8, on: bool) {
+    fn want(&mut self, line: u8, on: bool) {
         let bit = self.facts.outputs & (1 << (line - 1));
         self.wanted = if on { self.wanted | bit } else { self.wanted & !bit };
         self.switch_outputs();
     }
 
     /// The speed of the spindle from here on.
-    pub(super) fn spin(&mut self, rpm: f64) {
+    fn spin(&mut self, rpm: f64) {
         self.rpm = Some(rpm);
         self.order(Order::Spindle { rpm });
     }
@@ -397,7 +371,7 @@ impl Connection {
 
     /// Slows down on the path, stops, and begins anew from where it stands. Outputs are off until the next
     /// move, whatever the machine should have on.
-    pub(super) fn stop(&mut self) {
+    fn stop_at_once(&mut self) {
         let until_s = self.now_s() + STOPPING_S;
         self.link.stop(self.now_s());
         while !self.dead {
@@ -422,25 +396,23 @@ impl Connection {
 
     /// Waits until everything that was ordered is done. Somebody may hold the machine at the controller: when
     /// the operator wants it stopped and it still does not come to an end, it is given up.
-    pub(super) fn settle(&mut self, mut is_stopped: impl FnMut() -> bool) {
+    fn settle(&mut self, mut is_stopped: impl FnMut() -> bool) {
         let mut stopped_s = None;
         while self.is_busy() {
-            self.look(NAP);
+            self.tend(NAP);
             let now_s = self.now_s();
             if stopped_s.is_none() && is_stopped() {
                 stopped_s = Some(now_s);
             }
-            if stopped_s.is_some_and(|at_s| now_s - at_s > PATIENCE_S) {
-                let why = format!("{} was stopped before it had made its last moves", self.name);
-                let hint = "it was held at the controller: look why before the next file";
-                self.fail(why, hint, None, false);
+            if stopped_s.is_some_and(|at_s| now_s - at_s > PATIENCE.as_secs_f64()) {
+                self.give_up();
             }
         }
     }
 
     /// Stops what goes on from before, and switches it off.
     pub fn halt(&mut self) {
-        self.stop();
+        self.stop_at_once();
     }
 
     /// The run is over; when it did not end well, everything is stopped and switched off.
@@ -450,9 +422,108 @@ impl Connection {
         }
         if !well || self.failure.is_some() {
             self.wanted = 0;
-            self.stop();
+            self.stop_at_once();
         }
         self.closed = true;
+    }
+}
+
+impl Machine for Connection {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
+    fn refuses(&self, mv: &Move) -> Option<String> {
+        let why = out_of_reach(&self.facts, mv.from, mv.to, self.offset)?;
+        Some(format!("{} {why}", self.name))
+    }
+
+    fn begin_plan(&mut self) {
+        self.row.begin();
+    }
+
+    fn set(&mut self, actuator: &Actuator) {
+        match *actuator {
+            Actuator::Output { number, on, why } if why != OutputReason::Trigger => {
+                let lacks = needs(&self.facts, number, why);
+                match wired(number) {
+                    Some(_) if lacks && on => self.lacks(&format!("output {number}")),
+                    Some(line) if !lacks => self.want(line, on),
+                    _ => {}
+                }
+            }
+            Actuator::Spindle { rpm } => self.spin(rpm),
+            Actuator::Coolant { mist, flood } => {
+                self.want(FLOOD, flood);
+                self.want(MIST, mist);
+            }
+            other => {
+                if let Some(what) = lacked(&other) {
+                    self.lacks(what);
+                }
+            }
+        }
+    }
+
+    fn reached_s(&mut self, going: &Going<'_>) -> f64 {
+        let place = self.place();
+        let share = self.row.share(going.index, self.done, place);
+        if share >= 1.0 {
+            return f64::INFINITY;
+        }
+        going.t0_s + going.plan.time_at_share(going.index, share)
+    }
+
+    fn advance(&mut self, going: &Going<'_>, wait: Duration) -> News {
+        self.row.come_to(going.index);
+        let moves = going.plan.moves();
+        while self.has_room() && self.row.next() < moves.len().min(going.until) {
+            self.hand(&moves[self.row.next()]);
+        }
+        let input = self.look(wait);
+        News { reached_s: self.reached_s(going), input }
+    }
+
+    fn work(&mut self, wait: Duration) {
+        self.tend(wait);
+    }
+
+    fn look(&mut self, wait: Duration) -> Option<(u8, bool)> {
+        self.tend(wait);
+        self.inputs.pop_front()
+    }
+
+    fn is_busy(&self) -> bool {
+        self.open > 0 && self.failure.is_none()
+    }
+
+    fn stop(&mut self, going: &Going<'_>) -> Option<f64> {
+        // The end of the piece before is made: what it belongs to is told already.
+        while self.done < self.row.before && self.is_busy() {
+            self.tend(NAP);
+        }
+        let done = self.done;
+        if self.failure.is_none() {
+            self.stop_at_once();
+        }
+        let place = self.place()?;
+        let (index, share) = self.row.locate(done, place).unwrap_or((going.index, 0.0));
+        self.row = Row::default();
+        Some(going.t0_s + going.plan.time_at_share(index, share))
+    }
+
+    fn give_up(&mut self) {
+        let why = format!("{} was stopped before it had made its last moves", self.name);
+        let hint = "it was held at the controller: look why before the next file";
+        self.fail(why, hint, None, false);
+    }
+
+    fn fault(&self) -> Option<&Fault> {
+        self.failure.as_ref()
     }
 }
 
@@ -460,7 +531,7 @@ impl Drop for Connection {
     fn drop(&mut self) {
         // Whoever forgot to close it has left in the middle.
         if self.open > 0 || self.ordered != 0 && !self.closed {
-            self.stop();
+            self.stop_at_once();
         }
     }
 }

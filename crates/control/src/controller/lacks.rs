@@ -1,12 +1,12 @@
 //! What a program asks for that a controller does not have, found before anything moves.
 
-use super::mirror::lacked;
 use crate::event::MoveEvent;
 use crate::{Event, Made, Sink};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Output;
-use kerf_program::{Axes, Axis, OutputReason};
+use kerf_program::{Axes, Axis, OutputReason, Turn};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -132,7 +132,7 @@ impl Sink for Lacks {
             }
             Event::Height { .. } => self.tell(Severity::Error, "has no height control"),
             other => {
-                if let Some(what) = lacked(other) {
+                if let Some(what) = set_by(other).as_ref().and_then(lacked) {
                     self.tell(Severity::Error, &format!("has no {what}"));
                 }
             }
@@ -145,5 +145,30 @@ impl Sink for Lacks {
             self.tell(Severity::Error, &why);
         }
         self.is_slower(made);
+    }
+}
+
+/// What an event sets, as far as machines may lack it.
+fn set_by(event: &Event) -> Option<Actuator> {
+    Some(match *event {
+        Event::Output { n: number, on, why, .. } => Actuator::Output { number, on, why },
+        Event::Pwm { percent, .. } => Actuator::Pwm { percent },
+        Event::Intensity { byte, .. } => Actuator::Intensity { byte },
+        Event::Turn { turn, .. } => Actuator::Turn(turn),
+        _ => return None,
+    })
+}
+
+/// What no controller has that is driven move by move, where something asks for it.
+pub(super) fn lacked(actuator: &Actuator) -> Option<&'static str> {
+    match *actuator {
+        Actuator::Output { on: true, why: OutputReason::Trigger, .. } => {
+            Some("output that switches within a move (VC)")
+        }
+        Actuator::Pwm { percent } if percent > 0.0 => Some("PWM output"),
+        Actuator::Intensity { byte } if byte > 0 => Some("intensity output"),
+        Actuator::Turn(Turn::Counterclockwise) => Some("spindle that turns the other way"),
+        Actuator::Turn(Turn::Dynamic) => Some("laser whose power follows the speed"),
+        _ => None,
     }
 }

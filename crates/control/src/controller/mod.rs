@@ -5,10 +5,10 @@
 //! *where* a stop ends: the controller does, and the run follows it.
 //!
 //! ```text
-//!  Runner ── watch(move) ──► Steers ── orders ──► Link ── Driver ── bytes ──► controller
-//!     ▲                        │  ▲                                             │
-//!     └── made, or where it stands ◄───────────── status reports ◄──────────────┘
-//!  Sink   ── outputs ─────► Mirror ── orders ──► Link
+//!  Runner ── watch(move) ──► Steers ── advance, stop ──► Machine: Connection ── orders ──► Link ── Driver ──► controller
+//!  World  ── set(output) ──────────────────────────────►   │                                               │
+//!     ▲                                                    │                                               │
+//!     └── made, or where it stands ◄───────────────────────┴────────────── status reports ◄────────────────┘
 //! ```
 //!
 //! - Moves of a plan are sent ahead, so that the controller never has to stop between them; the run goes on
@@ -19,18 +19,16 @@
 
 mod connection;
 mod lacks;
-mod mirror;
 mod row;
 mod steers;
 mod ways;
 
 pub use connection::{Connection, Line};
 pub use lacks::Lacks;
-pub use mirror::Mirror;
 pub use steers::Steers;
 
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// A connection that moves and outputs share.
+/// A connection that a run and whoever has opened it share.
 pub type Shared = Rc<RefCell<Connection>>;

@@ -1,14 +1,11 @@
-//! The pace of a run on a controller: moves are handed over ahead of time, and a move is made when the
-//! controller has made it.
+//! The pace of a run on a machine: moves are handed over ahead of time, and a move is made when the machine has made it.
 
-use super::lacks::out_of_reach;
-use super::{Connection, Shared};
 use crate::journal::Hurry;
-use crate::pace::{Doing, Failure, Going, Pace, Wish};
+use crate::pace::{Doing, Pace, Wish};
+use kerf_machine::{Driven, Fault, Going, News};
 use kerf_motion::Move;
 use kerf_program::settings::IoModes;
 use kerf_sim::contact;
-use std::cell::RefMut;
 use std::time::{Duration, Instant};
 
 /// The last moves of a piece of plan that does not end at a stand are not waited for, as long as this,
@@ -18,15 +15,18 @@ const LEAD_S: f64 = 0.5;
 /// How long one look takes when nothing comes.
 const NAP: Duration = Duration::from_millis(4);
 
-/// Lets the controller decide how machine time passes; what the operator wants comes from another pace.
+/// How long a machine that is wanted stopped may take to make its last moves: longer than what is sent ahead takes.
+pub(super) const PATIENCE: Duration = Duration::from_secs(2);
+
+/// Lets the machine decide how machine time passes; what the operator wants comes from another pace.
 pub struct Steers<'a> {
-    shared: Shared,
+    machine: Driven,
     operator: &'a mut dyn Pace,
     /// What the operator wanted while something else came first.
     kept: Option<(f64, Wish)>,
     /// It was stopped on the way: what is left of the plan is made already.
     braked: bool,
-    failure: Option<Failure>,
+    failure: Option<Fault>,
     looked: Instant,
     /// When it began to stand at a moment of machine time: an input on the way does not begin it anew.
     stood: Option<(f64, Instant)>,
@@ -35,11 +35,11 @@ pub struct Steers<'a> {
 }
 
 impl<'a> Steers<'a> {
-    /// The run on a controller; the operator stops it through a pace that does not wait.
-    pub fn new(shared: Shared, operator: &'a mut dyn Pace) -> Self {
+    /// The run on a machine; the operator stops it through a pace that does not wait.
+    pub fn new(machine: Driven, operator: &'a mut dyn Pace) -> Self {
         let (kept, failure, looked) = (None, None, Instant::now());
         let io = IoModes::default();
-        Self { shared, operator, kept, braked: false, failure, looked, stood: None, io }
+        Self { machine, operator, kept, braked: false, failure, looked, stood: None, io }
     }
 
     /// What the operator wants by a moment.
@@ -53,35 +53,38 @@ impl<'a> Steers<'a> {
         Wish::Input { number, on: contact(number, active, &self.io) }
     }
 
-    /// What was handed over is made. What the operator wants meanwhile is heard afterwards.
+    /// Waits until what was handed over is made. What the operator wants meanwhile is heard afterwards. Somebody may hold
+    /// the machine at its controller: when the operator wants it stopped and it does not come to an end, it is given up.
     fn settle(&mut self) {
-        let (operator, kept) = (&mut self.operator, &mut self.kept);
-        self.shared.borrow_mut().settle(|| {
-            *kept = kept.take().or_else(|| operator.pass(0.0, 0.0));
-            matches!(kept, Some((_, Wish::Stop | Wish::Hold | Wish::End)))
-        });
+        let mut stopped: Option<Instant> = None;
+        while self.machine.borrow().is_busy() {
+            // An input that changes now is told as soon as the machine stands.
+            self.machine.borrow_mut().work(NAP);
+            self.kept = self.kept.take().or_else(|| self.operator.pass(0.0, 0.0));
+            if matches!(self.kept, Some((_, Wish::Stop | Wish::Hold | Wish::End))) {
+                let since = *stopped.get_or_insert_with(Instant::now);
+                if since.elapsed() > PATIENCE {
+                    self.machine.borrow_mut().give_up();
+                }
+            }
+        }
     }
 
     /// Notices what went wrong.
     fn note(&mut self) {
         if self.failure.is_none() {
-            self.failure = self.shared.borrow().failure().cloned();
+            self.failure = self.machine.borrow().fault().cloned();
         }
     }
 
     /// The controller makes the moves of a plan up to a moment. Something may come before.
     fn make(&mut self, going: Going<'_>, until_s: f64) -> Option<(f64, Wish)> {
         // What is known to be made already is not waited for.
-        if reached_s(&mut self.shared.borrow_mut(), going) >= until_s {
+        if self.machine.borrow_mut().reached_s(&going) >= until_s {
             return None;
         }
         loop {
-            let (reached_s, input) = {
-                let mut connection = self.shared.borrow_mut();
-                hand_over(&mut connection, going);
-                connection.look(NAP);
-                (reached_s(&mut connection, going), connection.input())
-            };
+            let News { reached_s, input } = self.machine.borrow_mut().advance(&going, NAP);
             self.note();
             if self.failure.is_some() {
                 return None;
@@ -107,8 +110,7 @@ impl<'a> Steers<'a> {
         let (_, began) = *self.stood.insert(before.unwrap_or_else(|| (from_s, Instant::now())));
         loop {
             let now_s = from_s + began.elapsed().as_secs_f64();
-            self.shared.borrow_mut().look(NAP);
-            let input = self.shared.borrow_mut().input();
+            let input = self.machine.borrow_mut().look(NAP);
             self.note();
             if self.failure.is_some() {
                 return None;
@@ -130,34 +132,14 @@ impl<'a> Steers<'a> {
     fn glance(&mut self, now_s: f64) -> Option<(f64, Wish)> {
         if self.looked.elapsed() > NAP {
             self.looked = Instant::now();
-            self.shared.borrow_mut().look(Duration::ZERO);
+            self.machine.borrow_mut().work(Duration::ZERO);
             self.note();
         }
         self.wish(now_s, now_s)
     }
 }
 
-/// Hands over moves as long as there is room and nothing else has to be done before them.
-fn hand_over(connection: &mut RefMut<'_, Connection>, going: Going<'_>) {
-    connection.row.come_to(going.index);
-    let moves = going.plan.moves();
-    while connection.has_room() && connection.row.next() < moves.len().min(going.until) {
-        let made = moves[connection.row.next()];
-        connection.hand(&made);
-    }
-}
-
-/// The moment of the plan to which the controller has come within a move; no bound once it is made.
-fn reached_s(connection: &mut RefMut<'_, Connection>, going: Going<'_>) -> f64 {
-    let (done, place) = (connection.done(), connection.place());
-    let share = connection.row.share(going.index, done, place);
-    if share >= 1.0 {
-        return f64::INFINITY;
-    }
-    going.t0_s + going.plan.time_at_share(going.index, share)
-}
-
-/// Whether the run goes on without waiting for the controller.
+/// Whether the run goes on without waiting for the machine.
 fn leads(going: Going<'_>, until_s: f64) -> bool {
     let plan = going.plan;
     let last = plan.span(plan.moves().len().saturating_sub(1));
@@ -209,26 +191,14 @@ impl Pace for Steers<'_> {
     }
 
     fn follows(&mut self) {
-        self.shared.borrow_mut().row.begin();
+        self.machine.borrow_mut().begin_plan();
     }
 
     fn brake(&mut self, going: Going<'_>) -> Option<f64> {
-        let mut connection = self.shared.borrow_mut();
-        // The end of the piece before is made: what it belongs to is told already.
-        while connection.done() < connection.row.before && connection.is_busy() {
-            connection.look(NAP);
-        }
-        let done = connection.done();
-        if connection.failure().is_none() {
-            connection.stop();
-        }
-        let place = connection.place()?;
-        let (index, share) = connection.row.locate(done, place).unwrap_or((going.index, 0.0));
-        connection.row = Default::default();
-        drop(connection);
+        let stands_s = self.machine.borrow_mut().stop(&going)?;
         self.braked = true;
         self.note();
-        Some(going.t0_s + going.plan.time_at_share(index, share))
+        Some(stands_s)
     }
 
     fn stands(&mut self) {
@@ -238,12 +208,10 @@ impl Pace for Steers<'_> {
     }
 
     fn refuses(&self, made: &Move) -> Option<String> {
-        let connection = self.shared.borrow();
-        let why = out_of_reach(connection.facts(), made.from, made.to, connection.offset())?;
-        Some(format!("{} {why}", connection.name()))
+        self.machine.borrow().refuses(made)
     }
 
-    fn failure(&self) -> Option<&Failure> {
+    fn failure(&self) -> Option<&Fault> {
         self.failure.as_ref()
     }
 }

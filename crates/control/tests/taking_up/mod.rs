@@ -149,7 +149,7 @@ pub fn run_work(
     operator: &mut dyn Operator,
 ) -> (Vec<Event>, Option<Status>) {
     let mut events = Vec::new();
-    let status = run_in(folder, work, Company { sink: &mut events, operator, pace });
+    let status = run_in(folder, work, Company { sink: &mut events, operator, pace, machine: None });
     (events, status)
 }
 
@@ -181,7 +181,7 @@ pub fn resume_with(
     let mut shelf = shelf(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
     let mut events = Vec::new();
-    let company = Company { sink: &mut events, operator, pace };
+    let company = Company { sink: &mut events, operator, pace, machine: None };
     let went =
         catch_unwind(AssertUnwindSafe(|| session.resume(&cut, &mut shelf, company).unwrap()));
     (events, went.ok().map(|summary| summary.status))

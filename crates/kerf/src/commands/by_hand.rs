@@ -179,7 +179,8 @@ impl Shop {
         let mut pace = RealPace::new(clock, Script::new(wishes, Vec::new()))?;
         let mut operator = Person::new(Answers::default(), io::stdin().is_terminal(), &pace);
         let mut steps = Steps { machine: self.machine.clone(), edge: None };
-        let company = Company { sink: &mut steps, operator: &mut operator, pace: &mut pace };
+        let company =
+            Company { sink: &mut steps, operator: &mut operator, pace: &mut pace, machine: None };
         let (settings, shelf) = (Some(self.session.memory.settings.clone()), &mut self.shelf);
         let options = RunOptions::default();
         let summary = self.session.run_on_record(work, options, settings, shelf, company)?;

@@ -28,11 +28,12 @@ use anyhow::{Context, Result, bail};
 use behind::closes;
 use clap::{Args, ValueEnum};
 use kerf_control::answers::Answers;
-use kerf_control::controller::{Mirror, Shared, Steers};
+use kerf_control::controller::{Shared, Steers};
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
-use kerf_control::{Company, Pace, Session, Shelf, Sink, Summary, Work};
+use kerf_control::{Company, Pace, Session, Shelf, Summary, Work};
 use kerf_diag::Diagnostic;
+use kerf_machine::Driven;
 use kerf_machine::{Configuration, sequence, table};
 use kerf_program::job::Job;
 use kerf_program::settings::LinearUnit;
@@ -450,8 +451,7 @@ fn attended<'a>(
         (talk, (trace, (signals, readings))),
         (Diagnostics::with(show.source), (picture, progress)),
     );
-    let mirror = controller.clone().map(Mirror);
-    let mut sink = (mirror, &mut told as &mut dyn Sink);
+    let driven = controller.clone().map(|shared| -> Driven { shared });
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let real = args.pace == PaceName::Real && controller.is_none();
     let clock = if real { Clock::Real } else { Clock::Fast };
@@ -459,14 +459,14 @@ fn attended<'a>(
     let stop = Stop::listen()?;
     let mut person_at_it = Person::new(answers, person, &pace).with_editor(show.editor);
     let mut steers;
-    let pace: &mut dyn Pace = match controller.clone() {
-        Some(shared) => {
-            steers = Steers::new(shared, &mut pace);
+    let pace: &mut dyn Pace = match driven.clone() {
+        Some(driven) => {
+            steers = Steers::new(driven, &mut pace);
             &mut steers
         }
         None => &mut pace,
     };
-    let company = Company { sink: &mut sink as &mut dyn Sink, operator: &mut person_at_it, pace };
+    let company = Company { sink: &mut told, operator: &mut person_at_it, pace, machine: driven };
     let (summary, session, unkept) = runs(company)?;
     if let Some(shared) = controller {
         shared.borrow_mut().close(summary.status == kerf_sbp::Status::Ok, || stop.is_wanted());

@@ -10,9 +10,10 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::journal::{Journal, Whereabouts};
 use kerf_control::stored::Stored;
 use kerf_control::{
-    Company, Doing, Event, Going, Pace, RunOptions, Session, Shelf, Summary, Wish, Work, json,
+    Company, Doing, Event, Pace, RunOptions, Session, Shelf, Summary, Wish, Work, json,
 };
 use kerf_machine::Errand;
+use kerf_machine::Going;
 use kerf_program::settings::Resolution;
 use kerf_program::{Axes, Axis, MoveKind, Question, QuestionKind, Status};
 use std::cell::RefCell;
@@ -219,7 +220,12 @@ impl<'a> Life<'a> {
         let (doom, gives_up) = (&self.doom, &self.gives_up);
         let mut helpful = Helpful { doom, asked: 0, gives_up, gave_up: false };
         let ran = catch_unwind(AssertUnwindSafe(|| {
-            let company = Company { sink: &mut watch, operator: &mut helpful, pace: &mut person };
+            let company = Company {
+                sink: &mut watch,
+                operator: &mut helpful,
+                pace: &mut person,
+                machine: None,
+            };
             match &cut {
                 Some(cut) => session.resume(cut, &mut shelf, company).unwrap(),
                 None => {
@@ -297,7 +303,7 @@ impl<'a> Life<'a> {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let lines = kerf_sbp::read_typed("command".into(), "UD\nPAUSE 0.1\nSetUsrVal, 7\n");
-        let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
+        let company = Company { sink: &mut (), operator: &mut (), pace: &mut (), machine: None };
         session.run_on_record(lines, options, None, shelf, company).unwrap();
     }
 
@@ -319,7 +325,7 @@ impl<'a> Life<'a> {
             What::Job(_, machine) => Arc::new((**machine).clone()),
         };
         let errand = Errand::To { place: way.0.map(Some), relative: true, flat: true };
-        let company = Company { sink: &mut (), operator: &mut (), pace };
+        let company = Company { sink: &mut (), operator: &mut (), pace, machine: None };
         let work = Work::Hand(errand, machine);
         session.run_on_record(work, RunOptions::default(), None, shelf, company).unwrap();
     }

@@ -326,7 +326,7 @@ mod tests {
         let armed = |armed| Change::Machine { machine: Machine { armed, ..Machine::default() } };
         hub.change(vec![armed(true)]);
         let Workshop { session, shelf, .. } = &mut owner.workshop;
-        let company = Company { sink: &mut (), operator: &mut (), pace: &mut () };
+        let company = Company { sink: &mut (), operator: &mut (), pace: &mut (), machine: None };
         let program = kerf_sbp::read_typed("on".into(), "SO,7,1\n");
         let mut options = RunOptions::default();
         options.program.typed = true;

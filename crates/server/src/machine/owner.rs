@@ -386,7 +386,8 @@ impl Owner {
         let mut clock = Clock::new(shared.clone(), self.rate);
         let mut pages = Pages::new(shared.clone(), self.asked);
         let mut teller = Teller::new(shared);
-        let company = Company { sink: &mut teller, operator: &mut pages, pace: &mut clock };
+        let company =
+            Company { sink: &mut teller, operator: &mut pages, pace: &mut clock, machine: None };
         self.link.arrived().runs(true);
         let summary = runs(&mut self.workshop, company);
         self.link.arrived().runs(false);

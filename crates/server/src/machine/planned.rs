@@ -1,6 +1,7 @@
 //! How far a run is, by the plan of its preview.
 
-use kerf_control::{Going, Made};
+use kerf_control::Made;
+use kerf_machine::Going;
 use kerf_program::MoveKind;
 use std::sync::Arc;
 

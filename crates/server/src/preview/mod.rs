@@ -180,7 +180,8 @@ fn silently(
     // In preview mode moves take no time: the picture tells how long they take when they are cut.
     session.memory.settings.mode = Mode::Move;
     let mut answers = shelf.answers_beside(&work.name());
-    let company = Company { sink, operator: &mut answers, pace: &mut Until(given_up) };
+    let company =
+        Company { sink, operator: &mut answers, pace: &mut Until(given_up), machine: None };
     let summary = session.run(work, options, shelf, company);
     (!given_up.load(Ordering::Relaxed))
         .then_some((summary, session.memory.settings.cutter.diameter_mm))

@@ -1,0 +1,159 @@
+//! A machine as a run drives it.
+//!
+//! A [`Machine`] takes planned motion and what is switched in its place between two moves, stops on request, and tells
+//! what has happened. What it has and can do it tells as data ([`Facts`]): nobody asks what kind it is.
+//!
+//! ```text
+//!  run ── take(move …) ─────► Machine ── bytes, steps ──► axes, outputs
+//!   │  ── set(output) ──────►    │
+//!   │  ── stop ─────────────►    │
+//!   └──◄─ News: reached, input, fault ┘
+//! ```
+//!
+//! A run calls [`Machine::advance`] again and again: each call takes what there is room for, waits a moment at most and
+//! tells how far the machine has come in its plan.
+
+use crate::driver::Facts;
+use kerf_motion::{Move, Plan, State};
+use kerf_program::{At, Axes, OutputReason, Turn};
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::time::Duration;
+
+/// A move of a plan that the machine is about to make.
+#[derive(Clone, Copy, Debug)]
+pub struct Going<'a> {
+    /// Its plan.
+    pub plan: &'a Plan,
+    /// Which move of the plan.
+    pub index: usize,
+    /// When the plan begins, seconds of machine time.
+    pub t0_s: f64,
+    /// Before this move of the plan something else has to be done.
+    pub until: usize,
+    /// How much of the move that was planned its shares are of: less than 1 where it ends at a stop within, 0
+    /// where the machine moves beside the program.
+    pub part: f64,
+}
+
+impl Going<'_> {
+    /// The move.
+    pub fn made(&self) -> Option<&Move> {
+        self.plan.moves().get(self.index)
+    }
+
+    /// Where every axis is at a moment of machine time, seconds, and how fast.
+    pub fn at(&self, t_s: f64) -> State {
+        self.plan.at(t_s - self.t0_s)
+    }
+}
+
+/// A thing that is switched or set between two moves, or while the machine stands, and what it is set to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Actuator {
+    /// An output goes on or off.
+    Output {
+        /// Its number, as part files count.
+        number: u8,
+        /// Its state from then on.
+        on: bool,
+        /// Why.
+        why: OutputReason,
+    },
+    /// The speed of a spindle, revolutions a minute; it need not turn.
+    Spindle {
+        /// Revolutions a minute.
+        rpm: f64,
+    },
+    /// Which way the spindle turns.
+    Turn(Turn),
+    /// Coolant.
+    Coolant {
+        /// Mist.
+        mist: bool,
+        /// Flood.
+        flood: bool,
+    },
+    /// The share of a PWM channel, percent.
+    Pwm {
+        /// Percent.
+        percent: f64,
+    },
+    /// The byte of the intensity output.
+    Intensity {
+        /// 0 is off.
+        byte: u8,
+    },
+}
+
+/// The reason for which a machine does nothing more.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// In words.
+    pub message: String,
+    /// What to do about it.
+    pub hint: &'static str,
+    /// The line whose move it is about, where it is about one.
+    pub at: Option<At>,
+    /// It answers no more.
+    pub silent: bool,
+    /// Where it stands, machine frame, as far as it told.
+    pub stands: Option<Axes>,
+}
+
+/// What became known of a machine since it was asked last.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct News {
+    /// The moment of the plan that it has reached, seconds of machine time; infinite once the move is made.
+    pub reached_s: f64,
+    /// An input that changed, by its number, and whether it is active now. Others may wait.
+    pub input: Option<(u8, bool)>,
+}
+
+/// A machine that makes planned motion. Positions are millimetres and degrees in the machine frame, times are seconds of
+/// machine time.
+pub trait Machine {
+    /// What people call it.
+    fn name(&self) -> &str;
+
+    /// What it has and can do.
+    fn facts(&self) -> &Facts;
+
+    /// Why it cannot make a move, in words; asked before anything of its stack moves.
+    fn refuses(&self, mv: &Move) -> Option<String>;
+
+    /// Another piece of plan is followed from now on; what it has of the one before it makes first.
+    fn begin_plan(&mut self);
+
+    /// Sets something behind every move that it has, and before every one that it gets later. What it lacks becomes its
+    /// [fault](Machine::fault).
+    fn set(&mut self, actuator: &Actuator);
+
+    /// The moment that is reached of a move, as far as it is known; does not wait.
+    fn reached_s(&mut self, going: &Going<'_>) -> f64;
+
+    /// Takes moves of the plan as far as there is room, waits for news for a moment at most, and tells them.
+    fn advance(&mut self, going: &Going<'_>, wait: Duration) -> News;
+
+    /// Goes on with what it has, waiting for news for a moment at most. An input that changes is told by the next look.
+    fn work(&mut self, wait: Duration);
+
+    /// The same, and tells an input that changed: by its number, and whether it is active now.
+    fn look(&mut self, wait: Duration) -> Option<(u8, bool)>;
+
+    /// Whether something that it has is not made yet.
+    fn is_busy(&self) -> bool;
+
+    /// Slows down on the path, forgets what it has not made, and switches its outputs off. Returns the moment of the plan
+    /// at which it stands; nothing where it did not tell.
+    fn stop(&mut self, going: &Going<'_>) -> Option<f64>;
+
+    /// The operator has waited for it in vain: it does nothing more.
+    fn give_up(&mut self);
+
+    /// Why it does nothing more.
+    fn fault(&self) -> Option<&Fault>;
+}
+
+/// A machine that a run and whoever has opened it share.
+pub type Driven = Rc<RefCell<dyn Machine>>;
