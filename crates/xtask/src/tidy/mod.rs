@@ -3,6 +3,7 @@
 mod dependencies;
 mod examples;
 mod links;
+mod openings;
 mod sources;
 mod wall_clock;
 
@@ -21,6 +22,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         dependencies::check(tree)?,
         examples::check(tree),
         links::check(tree),
+        openings::check(tree),
         wall_clock::check(tree),
     ]
     .concat())
