@@ -17,7 +17,7 @@ use std::{env, fs};
 /// The word that makes this program the small parent.
 pub const PARENT: &str = "--parent-of";
 
-/// What a process took.
+/// Time and memory that a process took.
 pub struct Taken {
     /// By the clock on the wall.
     pub seconds: f64,
@@ -53,17 +53,17 @@ pub fn figures(input: &Input) -> Result<Vec<Figure>> {
     Ok(figures)
 }
 
-/// What is measured in processes of their own.
+/// Work that is measured in processes of its own.
 pub struct What {
     /// The input.
     pub input: &'static str,
-    /// What is done with it.
+    /// Name of what is done with it.
     pub stage: &'static str,
-    /// How many.
+    /// Number of units that are done.
     pub count: u64,
-    /// Of what.
+    /// Name of the unit.
     pub unit: &'static str,
-    /// What is asked of it.
+    /// Goal of the figure.
     pub goal: Option<Goal>,
 }
 
@@ -80,7 +80,7 @@ impl What {
     }
 }
 
-/// Where this program is; `kerf` lies beside it.
+/// Returns the path of this program; `kerf` lies beside it.
 pub fn own() -> Result<PathBuf> {
     env::current_exe().context("where is this program?")
 }

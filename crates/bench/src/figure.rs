@@ -1,4 +1,4 @@
-//! What was measured, and how a figure is made of several runs.
+//! Figures of measurements, and how one is made of several runs.
 
 use crate::usage::own;
 use anyhow::Result;
@@ -27,7 +27,7 @@ impl Spread {
     }
 }
 
-/// What is asked of a figure.
+/// Goal of a figure.
 #[derive(Clone, Copy, Debug)]
 pub enum Goal {
     /// So many a second at least.
@@ -41,29 +41,29 @@ pub enum Goal {
 pub struct Figure {
     /// The input.
     pub input: &'static str,
-    /// What was done with it.
+    /// Name of what was done with it.
     pub stage: &'static str,
-    /// How many.
+    /// Number of units that were done.
     pub count: u64,
-    /// Of what.
+    /// Name of the unit.
     pub unit: &'static str,
     /// Processor time, user and system, seconds.
     pub cpu_s: Spread,
-    /// How long it took on this machine with all that it does besides, seconds.
+    /// Time it took on this machine with all that it does besides, seconds.
     pub wall_s: Spread,
     /// Peak memory of a process of its own, bytes.
     pub peak: Option<f64>,
-    /// What is asked of it.
+    /// Goal of the figure.
     pub goal: Option<Goal>,
 }
 
 impl Figure {
-    /// How many a second of processor time, by the median.
+    /// Returns the number of units a second of processor time, by the median.
     pub fn rate(&self) -> f64 {
         self.count as f64 / self.cpu_s.median
     }
 
-    /// Whether it is as good as asked; `None` when nothing is asked.
+    /// Tells whether it is as good as asked; `None` when nothing is asked.
     pub fn meets(&self) -> Option<bool> {
         Some(match self.goal? {
             Goal::Rate(least) => self.rate() >= least,

@@ -19,7 +19,7 @@ const LINES_A_LOOK: u64 = 4096;
 /// Runs of the other interpreter, which takes seconds.
 const PEER_RUNS: usize = 3;
 
-/// How many times faster Kerf has to be.
+/// Factor by which Kerf has to be faster.
 const TIMES: f64 = 20.0;
 
 /// A file of G-code.

@@ -20,7 +20,7 @@ const BEGINS_S: f64 = 2.0;
 /// Memory that reading, planning and running may take, bytes: the text once, and little more.
 const MOST_MEMORY: f64 = 3.5e8;
 
-/// What is measured, and the figures; nothing when another input was asked for.
+/// Measures; gives what is measured, and the figures: nothing when another input was asked for.
 pub fn figures(word: &str) -> Result<(Vec<String>, Vec<Figure>)> {
     if !NAME.contains(word) {
         return Ok((Vec::new(), Vec::new()));

@@ -10,7 +10,7 @@ use std::{env, fs};
 pub struct Input {
     /// Its name in the tables.
     pub name: &'static str,
-    /// What is in it, for people.
+    /// Content, for people.
     pub about: &'static str,
     /// Names and bytes of the files; one, but for the corpus.
     pub files: Vec<(String, Vec<u8>)>,
@@ -84,7 +84,7 @@ fn moves_with_blanks(lines: u32) -> String {
     text
 }
 
-/// What the lines of a block share is the number of the block.
+/// Writes blocks of ten lines that compute and jump; what the lines of a block share is the number of the block.
 fn logic(lines: u32) -> String {
     let mut text =
         String::from("&start_x = 1.5\n&count = 0\n&y = 2\n&depth = -0.125\n&name = \"part\"\n");

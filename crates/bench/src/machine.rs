@@ -17,7 +17,7 @@ const WITH_JERK: &str = "--plan-raster-with-jerk";
 /// The word with which it only holds the moves of one.
 const HELD: &str = "--hold-raster";
 
-/// What runs in a process of its own, for its memory, by the first word of its command line.
+/// Work that runs in a process of its own, for its memory, by the first word of its command line.
 pub const IN_A_CHILD: [Work; 3] =
     [(RASTER, plan_raster), (WITH_JERK, plan_with_jerk), (HELD, hold_raster)];
 
@@ -45,7 +45,7 @@ pub fn cut(to: Axes) -> Line {
     Line { kind: MoveKind::Cut, to, feed: Feed::Path(100.0) }
 }
 
-/// How fast rasters of 10⁴ … 10⁷ moves are made and planned while they are read, and in how much
+/// Measures how fast rasters of 10⁴ … 10⁷ moves are made and planned while they are read, and in how much
 /// memory, each in a process of its own.
 pub fn figures() -> Result<Vec<Figure>> {
     let sizes = [10_000, 100_000, 1_000_000, 10_000_000];

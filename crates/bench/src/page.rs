@@ -6,7 +6,7 @@ use std::{fs, thread};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/benchmarks.md");
 
-/// When, at which commit and on what something was measured.
+/// Tells when, at which commit and on what something was measured.
 pub fn measured() -> String {
     format!(
         "Measured {} at commit {}, on {}, {} cores, {}, {}.",
@@ -19,7 +19,7 @@ pub fn measured() -> String {
     )
 }
 
-/// How busy the machine was at the end of it.
+/// Tells how busy the machine was at the end of it.
 pub fn load() -> String {
     let load = fs::read_to_string("/proc/loadavg").unwrap_or_default();
     load.split(' ').next().map_or_else(String::new, |load| format!(", at a load of {load}"))
@@ -33,7 +33,7 @@ pub fn put(begin: &str, end: &str, text: &str) -> Result<()> {
     fs::write(PAGE, format!("{before}{begin}\n\n{text}\n{end}{after}")).context(PAGE)
 }
 
-/// What a command says in one line.
+/// Returns what a command says in one line.
 fn said(command: &str, arguments: &[&str]) -> String {
     let output = Command::new(command).args(arguments).output();
     let said = output.map(|o| String::from_utf8_lossy(&o.stdout).trim().to_owned());

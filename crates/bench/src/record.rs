@@ -8,7 +8,7 @@ use anyhow::Result;
 const BEGIN: &str = "<!-- make bench RECORD=1 writes from here -->";
 const END: &str = "<!-- to here -->";
 
-/// What was measured, where and how.
+/// Writes what was measured, where and how.
 pub fn section(inputs: &[String], figures: &[Figure]) -> String {
     let mut text = format!(
         "{} Command: `make bench`. Median of {RUNS} runs after one to warm up, with the smallest and the \
@@ -22,7 +22,7 @@ pub fn section(inputs: &[String], figures: &[Figure]) -> String {
     text + "\n" + &table::markdown(figures)
 }
 
-/// What an input is, as an item of a list.
+/// Describes an input, as an item of a list.
 pub fn about(input: &Input) -> String {
     let Input { name, about, files } = input;
     let files = if files.len() == 1 { String::new() } else { format!("{} files, ", files.len()) };

@@ -19,7 +19,7 @@ struct Reference {
     topp_s: [Option<f64>; 3],
 }
 
-/// How far the path may leave that of the program, mm.
+/// Distances by which the path may leave that of the program, mm.
 const TOLERANCES_MM: [f64; 3] = [0.01, 0.05, 0.5];
 
 /// Times are compared to the thousandth of a second to which the others are published.
@@ -101,7 +101,7 @@ fn blended(topp_s: Option<f64>, ours_s: f64) -> String {
     }
 }
 
-/// What a model takes that has rules of its own.
+/// Returns the time that a model takes that has rules of its own, seconds.
 fn by_rules(moves: &[Move], model: RampModel) -> f64 {
     let mut planner = planner(&machine(model, None));
     moves.iter().for_each(|made| planner.push(*made));

@@ -1,4 +1,4 @@
-//! How long a new plan takes when the operator stops, holds or overrides a machine that moves: at any
+//! Measures how long a new plan takes when the operator stops, holds or overrides a machine that moves: at any
 //! point of a raster of short segments, until the next piece of plan is there.
 
 use crate::figure::{Figure, Goal, Spread};
@@ -20,7 +20,7 @@ const MOMENTS: u32 = 1000;
 /// A new plan has to be there within this, seconds.
 const READY_S: f64 = 5e-3;
 
-/// What is measured, and the figures; nothing when another input was asked for.
+/// Measures; gives what is measured, and the figures: nothing when another input was asked for.
 pub fn figures(word: &str) -> Result<(Vec<String>, Vec<Figure>)> {
     if !NAME.contains(word) {
         return Ok((Vec::new(), Vec::new()));
@@ -46,7 +46,7 @@ pub fn figures(word: &str) -> Result<(Vec<String>, Vec<Figure>)> {
     Ok((vec![about], figures))
 }
 
-/// What changes a piece of plan at a time.
+/// Change that has a piece of plan made anew at a time.
 #[derive(Clone, Copy)]
 enum Change {
     Stop,
@@ -93,8 +93,8 @@ fn changes<P: Replanner + Clone>(
     Ok(figures)
 }
 
-/// How long a change takes at many moments, until the next piece of plan is there: processor time, so
-/// that other work beside it does not count.
+/// Measures how long a change takes at many moments, until the next piece of plan is there: processor time,
+/// so that other work beside it does not count.
 fn latencies<P: Replanner + Clone>(planner: &P, change: Change) -> Result<Vec<f64>> {
     let mut all = planner.clone();
     let end_s =

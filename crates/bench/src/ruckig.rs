@@ -104,7 +104,7 @@ fn program(places: &[Axes]) -> Result<Compared> {
     Ok(all)
 }
 
-/// What Ruckig takes from rest to rest.
+/// Returns the time that Ruckig takes from rest to rest, seconds.
 fn ruckig_s(way: &Axes) -> Result<f64> {
     let mut input = InputParameter::<3>::new(None);
     for k in 0..3 {

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-/// What a process, or all children that are over, used.
+/// Processor time and memory that a process, or all children that are over, used.
 pub struct Usage {
     /// Processor time, user and system, seconds.
     pub cpu_s: f64,
@@ -27,7 +27,7 @@ mod unix {
     use nix::sys::resource::{UsageWho, getrusage};
     use nix::sys::time::TimeValLike;
 
-    /// What the system counts memory in, bytes.
+    /// Unit in which the system counts memory, bytes.
     const UNIT: f64 = if cfg!(target_os = "macos") { 1.0 } else { 1024.0 };
 
     pub fn usage(children: bool) -> Result<Usage> {

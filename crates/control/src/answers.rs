@@ -14,7 +14,7 @@ use kerf_machine::sequence::Word;
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
 
-/// Whoever answers questions.
+/// A person or a script that answers questions.
 pub trait Operator {
     /// Answers, or leaves it to the default. `line` is the line that asks.
     fn answer(&mut self, question: &Question, line: u32) -> Option<String>;
@@ -35,7 +35,7 @@ pub trait Operator {
         None
     }
 
-    /// Whether a question was left unanswered because the operator stopped the machine: then the run
+    /// Returns `true` if a question was left unanswered because the operator stopped the machine: then the run
     /// is over, and the default does not count.
     fn gives_up(&self) -> bool {
         false
@@ -184,7 +184,7 @@ pub const fn kind_word(kind: QuestionKind) -> &'static str {
     }
 }
 
-/// What the words of an answer mean in a box; `None` when the box has no such button.
+/// Reads the words of an answer in a box; `None` when the box has no such button.
 pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
     let quoted = words.strip_prefix('"').and_then(|w| w.strip_suffix('"'));
     let button = Button::ALL.into_iter().find(|b| b.word().eq_ignore_ascii_case(words.trim()));
@@ -198,7 +198,7 @@ pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
     button.or_else(|| command(question, words).then(|| Answer::Text(words.to_owned())))
 }
 
-/// Whether words tell the machine something that is no button of the box.
+/// Tells whether words are a command to the machine, and no button of the box.
 fn command(question: &Question, words: &str) -> bool {
     match question.kind {
         QuestionKind::Hold => Nudge::read(words).is_some() || Jog::read(words).is_some(),
@@ -210,17 +210,17 @@ fn command(question: &Question, words: &str) -> bool {
     }
 }
 
-/// Whether words tell a job that waits something: go on, end, move, another speed or height.
+/// Tells whether words command a job that waits: go on, end, move, another speed or height.
 pub fn is_word(words: &str) -> bool {
     Word::read(words).is_some() || Jog::read(words).is_some()
 }
 
-/// What comes of an answer to a machine that waits for it.
+/// Effect of an answer on a machine that waits for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
     /// A value is filled in, or No is said: the program sees to the rest.
     Value,
-    /// What asks, or the whole run, is given up.
+    /// The asker, or the whole run, is given up.
     Ends,
     /// The machine goes on.
     GoesOn,
@@ -263,7 +263,7 @@ fn effect_on_job(words: &str) -> Effect {
     }
 }
 
-/// What ENTER alone answers.
+/// Returns the answer that ENTER alone gives.
 pub fn default_answer(question: &Question) -> Answer {
     if takes_text(question.kind) {
         return Answer::Text(question.prefill.clone());
@@ -271,7 +271,7 @@ pub fn default_answer(question: &Question) -> Answer {
     Answer::Button(question.buttons.get(question.default).copied().unwrap_or(Button::OK))
 }
 
-/// What is answered when nobody is there: a file is not stepped through then.
+/// Returns the answer that counts when nobody is there: a file is not stepped through then.
 pub fn unattended_answer(question: &Question) -> Answer {
     match question.kind {
         QuestionKind::Step => Answer::Button(Button::Run),

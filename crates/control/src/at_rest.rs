@@ -1,4 +1,4 @@
-//! What can be seen of a machine that stands, and done to it, without a program.
+//! Looks at a machine that stands, and changes to it, without a program.
 
 use crate::journal::Journal;
 use crate::machine_file::MachineFileError;
@@ -57,7 +57,7 @@ impl Session {
         switched
     }
 
-    /// Where somebody left the switches of the simulated machine is on record.
+    /// Puts on record where somebody left the switches of the simulated machine.
     pub(crate) fn keep_switches(&self, shelf: &mut Shelf) {
         let moved = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
         let kept = switches::write(&moved);
@@ -67,7 +67,7 @@ impl Session {
         }
     }
 
-    /// What helps to find a fault (UD): what it is and what it says, without leaving anything.
+    /// Lists labels and values that help to find a fault (UD), and leaves nothing behind.
     pub fn diagnostics(&self, shelf: &mut Shelf) -> Vec<(String, String)> {
         let program = kerf_sbp::read_typed("UD".into(), "UD\n");
         let mut options = RunOptions::default();
@@ -115,7 +115,7 @@ impl Session {
         shelf.journal().map_or(Ok(0), kept)
     }
 
-    /// What every system variable reads now, in order of numbers.
+    /// Reads every system variable as it is now, in order of numbers.
     pub fn system_variables(&self, shelf: &mut Shelf) -> Vec<(SystemVariable, Value)> {
         let (mut sink, mut operator) = ((), ());
         let mut world = World::new(self.machine(Vec::new()), shelf, &mut sink, &mut operator);

@@ -16,7 +16,7 @@ use kerf_program::{Answer, Axis, Button, Interpreter, QuestionKind};
 /// The word that takes the tool out of the cut while a program asks.
 pub const LIFT: &str = "lift";
 
-/// What the operator does with the tool while a program waits.
+/// Move of the tool by the operator while a program waits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Aside {
     /// Out of the cut, what turns stops.
@@ -34,14 +34,14 @@ impl Aside {
         Jog::read(words).map(Self::Jog)
     }
 
-    /// Whether a question of a kind leaves the tool to the operator: a program waits for him, and goes on where it
-    /// was.
+    /// Returns `true` if a question of a kind leaves the tool to the operator: a program waits for him, and goes on
+    /// where it was.
     pub const fn is_for(kind: QuestionKind) -> bool {
         matches!(kind, QuestionKind::Pause | QuestionKind::Msgbox)
     }
 }
 
-/// Whether a program that gets this answer goes on, as far as its buttons say.
+/// Returns `true` if a program that gets this answer goes on, as far as its buttons say.
 const fn goes_on(answer: &Answer) -> bool {
     !matches!(answer, Answer::Button(Button::Cancel | Button::Abort | Button::No))
 }

@@ -1,4 +1,4 @@
-//! What comes before a run, and is a part of it for whoever looks: the door, the question where the machine is,
+//! Preparations of a run, which are a part of it for whoever looks: the door, the question where the machine is,
 //! homing. Each is a run of its own on the machine. The clock goes on from one to the next, what was counted is
 //! counted on, and there is one beginning and one end.
 
@@ -6,7 +6,7 @@ use crate::{Event, Made, Sink, Standing, Summary, Tally};
 use kerf_program::settings::LinearUnit;
 use serde::{Deserialize, Serialize};
 
-/// What a run goes on from.
+/// State that a run goes on from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Before {
     /// Machine time at which it was over, seconds.
@@ -15,14 +15,14 @@ pub struct Before {
     jog_mm: f64,
     jog_s: f64,
     wait_s: f64,
-    /// How far the door of a job was seen to.
+    /// State of the wait for the door of a job.
     pub(crate) door: Door,
     /// The unit in which it is told, where that is not the machine's own.
     #[serde(skip)]
     pub(crate) unit: Option<LinearUnit>,
 }
 
-/// How far the door of a job was seen to.
+/// State of the wait for the door of a job.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Door {
     /// The job waits for it.
@@ -42,7 +42,7 @@ impl Before {
         (self.jog_mm, self.jog_s, self.wait_s) = (jog_mm, jog_s, wait_s);
     }
 
-    /// What was counted so far.
+    /// Returns the tally so far.
     pub(crate) fn tally(&self) -> Tally {
         let mut tally = Tally::default();
         (tally.moves, tally.jog_mm) = (self.moves, self.jog_mm);
@@ -67,7 +67,7 @@ impl Before {
 pub(crate) struct Whole<'a> {
     sink: &'a mut dyn Sink,
     begun: bool,
-    /// How a part ended: the run, unless another follows.
+    /// End of the part that is over: that of the run, unless another part follows.
     end: Option<Event>,
 }
 

@@ -13,7 +13,7 @@ use kerf_machine::state::State;
 use kerf_program::{Axes, Feed, Interpreter, Line, MoveKind, Status};
 use kerf_sim::HaltCause;
 
-/// What became of a move that was stopped on the way.
+/// Outcome of a move that was stopped on the way.
 enum After {
     /// It goes on.
     On,
@@ -49,7 +49,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What ended the run beside the program.
+    /// Fails, once, with what ended the run beside the program.
     pub(crate) fn heeded(&mut self) -> Result<(), Over> {
         self.ends.take().map_or(Ok(()), Err)
     }
@@ -89,7 +89,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What follows on an input in a run of a part file; a job never comes here.
+    /// Deals with the cause of a halt in a run of a part file; a job never comes here.
     fn ended_by(&mut self, cause: HaltCause) -> Result<After, Over> {
         match cause {
             HaltCause::Stop(n) if self.cuts_power(n) => Err(self.power_is_cut()),

@@ -18,7 +18,7 @@ use std::fmt;
 /// A movement for as long as somebody holds a key.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jog {
-    /// How far it goes when nobody lets go, mm or degrees.
+    /// Distance it goes when nobody lets go, mm or degrees.
     pub by: Axes,
     /// Share of the jog speed, 0 … 1.
     pub speed: f64,
@@ -102,7 +102,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What forbids a movement by hand before it begins.
+    /// Returns the stop that forbids a movement by hand before it begins.
     pub(crate) fn forbidden(&self) -> Option<Driven> {
         let stop = self.world.machine.stop_input().map(Driven::StopInput);
         stop.or_else(|| self.world.is_pressed().then_some(Driven::EmergencyStop))
@@ -126,7 +126,7 @@ impl<I: Interpreter> Runner<'_, I> {
         (from.zip(by, |from, by| from + by * share), said)
     }
 
-    /// Where an axis may be moved by hand, machine frame.
+    /// Returns the lowest and the highest place to which an axis may be moved by hand, machine frame.
     pub(crate) fn room_by_hand(&self, axis: Axis) -> (f64, f64) {
         let (low, high) = self.world.machine.room(axis);
         let homed = self.world.homed.contains(axis);
@@ -220,7 +220,7 @@ impl<I: Interpreter> Runner<'_, I> {
         Some((halt.t_s, Driven::by(halt.cause, watched.len()), halt.ramped))
     }
 
-    /// What ends a motion by hand for good.
+    /// Returns the end of a run whose motion by hand was stopped for good.
     pub(crate) fn interrupted(&self, driven: &Driven) -> Over {
         let why = match driven {
             Driven::Limit(n) => format!("stopped by limit input {n}"),
@@ -248,7 +248,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 }
 
-/// How a motion by hand ended.
+/// End of a motion by hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Driven {
     /// At its end.
@@ -270,7 +270,7 @@ pub(crate) enum Driven {
 }
 
 impl Driven {
-    /// What an input ended; the last of so many that are watched is the emergency stop, the others are sought.
+    /// Translates the cause of a halt; the last of so many watched inputs is the emergency stop, the others are sought.
     pub(crate) const fn by(cause: HaltCause, watched: usize) -> Self {
         match cause {
             HaltCause::Watch(n) if n + 1 < watched => Self::Edge(Axes([0.0; AXES])),

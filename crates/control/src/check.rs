@@ -54,17 +54,17 @@ pub fn check(
     findings.checked(summary)
 }
 
-/// What a check found.
+/// Result of a check.
 #[derive(Debug)]
 pub struct Checked {
     /// Everything wrong or doubtful: file by file in the order in which they were read, each in order
     /// of lines.
     pub diagnostics: Vec<Diagnostic>,
-    /// What the dry run came to; nothing when the file has errors.
+    /// Summary of the dry run; nothing when the file has errors.
     pub summary: Option<Summary>,
 }
 
-/// What was found so far.
+/// Findings of a check so far.
 #[derive(Default)]
 struct Findings {
     list: Vec<Diagnostic>,
@@ -77,7 +77,7 @@ struct Findings {
 }
 
 impl Findings {
-    /// What was found; a run with errors has no summary.
+    /// Returns the findings; a run with errors has no summary.
     fn checked(mut self, summary: Option<Summary>) -> Checked {
         self.list.extend(self.again.told());
         let summary = summary.filter(|_| !self.list.iter().any(Diagnostic::is_error));
@@ -141,7 +141,7 @@ impl Findings {
         self.list.push(new.clone());
     }
 
-    /// What fails behind an answer that nobody gave may well run with the operator's.
+    /// Makes a warning of an error behind an answer that nobody gave: with the operator's it may well run.
     fn doubted(&self, found: &Diagnostic) -> Diagnostic {
         if !self.sampled || !found.is_error() {
             return found.clone();

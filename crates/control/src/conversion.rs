@@ -55,12 +55,12 @@ pub fn convert(
     Ok(FileConversion::Made(target))
 }
 
-/// Whether a file of G-code says whether its numbers are inches or millimetres.
+/// Tells whether a file of G-code says if its numbers are inches or millimetres.
 fn says_its_unit(name: &str, bytes: &[u8]) -> bool {
     kerf_gcode::read(name.into(), bytes).says_its_unit()
 }
 
-/// What the question of FC is answered with, as an extension.
+/// Turns the answer to the question of FC into an extension.
 fn extension_of_answer(kind: &str) -> String {
     match kind.to_ascii_lowercase().as_str() {
         "g-code" => "nc".into(),

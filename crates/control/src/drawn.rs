@@ -9,24 +9,24 @@ use kerf_toolpath::{Heights, Job, Relief, print_relief};
 use std::sync::Arc;
 use thiserror::Error;
 
-/// What the file does not say and the person who converts it does.
+/// Settings that a file does not hold, given by the person who converts it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
-    /// How deep is cut, or the deepest place of a relief, millimetres.
+    /// Depth of the cut, or of the deepest place of a relief, millimetres.
     pub depth_mm: f64,
-    /// Where the tool travels, millimetres above the surface.
+    /// Height at which the tool travels, millimetres above the surface.
     pub safe_mm: f64,
-    /// How much larger a drawing becomes.
+    /// Factor by which a drawing becomes larger.
     pub scale: f64,
     /// Distance of the first from the last dot of a picture, millimetres; a tenth of a millimetre a dot
     /// when nothing is said.
     pub size: Option<Vec2>,
-    /// Whether white is deepest in a relief, not black.
+    /// White is deepest in a relief, not black.
     pub white_deepest: bool,
 }
 
 impl Drawn {
-    /// What is taken when nothing is said, in round numbers of a unit.
+    /// Returns the settings for when nothing is said, in round numbers of a unit.
     pub fn usual(unit: LinearUnit) -> Self {
         let (depth_mm, safe_mm) = match unit {
             LinearUnit::Inch => (0.125 * MM_PER_INCH, 0.5 * MM_PER_INCH),
@@ -35,7 +35,7 @@ impl Drawn {
         Self { depth_mm, safe_mm, scale: 1.0, size: None, white_deepest: false }
     }
 
-    /// What was chosen.
+    /// Takes the settings that were chosen.
     pub fn of(cut: CutChoice) -> Self {
         Self {
             depth_mm: cut.depth_mm,
@@ -61,13 +61,13 @@ impl Drawn {
     }
 }
 
-/// Why a drawing or a picture is no program.
+/// Reason for which a drawing or a picture is no program.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum DrawnError {
     /// Nothing could be read.
     #[error("{0}")]
     Nothing(String),
-    /// What cannot be cut, a sentence each.
+    /// Things that cannot be cut, a sentence each.
     #[error("{}", .0.join("; "))]
     Uncut(Vec<String>),
     /// A job that is not what it was.
@@ -82,12 +82,12 @@ const DOT_MM: f64 = 0.1;
 pub const KINDS: [&str; 11] =
     ["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl", "bmp", "jpg", "jpeg", "png"];
 
-/// Whether files of a kind are pictures.
+/// Tells whether files of a kind are pictures.
 pub fn is_picture(kind: &str) -> bool {
     matches!(kind, "bmp" | "jpg" | "jpeg" | "png")
 }
 
-/// What a person is asked about a kind of file, and what is usual. A job has its own size.
+/// Returns the choices that a person has for a kind of file, with their usual values. A job has its own size.
 pub fn usual_choice(kind: &str, unit: LinearUnit) -> CutChoice {
     let usual = Drawn::usual(unit);
     CutChoice {

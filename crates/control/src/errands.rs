@@ -75,7 +75,7 @@ impl Session {
         found.over.unwrap_or(Over { status: Status::Ok, diagnostic: None })
     }
 
-    /// What comes before a run: homing, where the machine is set so, or where the operator wants it.
+    /// Does what comes before a run: homing, where the machine is set so, or where the operator wants it.
     /// Gives how that ended when the run is not to begin.
     pub(crate) fn before_run(
         &mut self,
@@ -205,7 +205,7 @@ impl Session {
         }
     }
 
-    /// Whether homing comes before a run.
+    /// Returns `true` if homing comes before a run.
     pub(crate) fn homes_before(&self, work: &Work, options: &RunOptions) -> bool {
         let homing = match work {
             Work::Part(_) if options.program.typed => return false,
@@ -223,7 +223,7 @@ impl Session {
         fitted(machine, AxisSet::first(AXES)).without(self.homed)
     }
 
-    /// What is homed is no longer in doubt.
+    /// Takes homed axes out of doubt.
     pub(crate) fn location_is_known(&self, shelf: &mut Shelf) {
         shelf.trusts_location(self.homed);
     }
@@ -329,7 +329,7 @@ impl Shelf {
         self.stored.keep_apart(&[POSITION_LOST, CONFIRM]);
     }
 
-    /// Whoever cuts next is asked whether these axes are where they are believed to be.
+    /// Puts the location of these axes in doubt: whoever cuts next is asked to confirm it.
     pub fn doubts_location(&mut self, axes: AxisSet) {
         let letters: String = axes.iter().map(Axis::letter).collect();
         self.set_value(POSITION_LOST, Some(&letters));

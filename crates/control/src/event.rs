@@ -1,4 +1,4 @@
-//! What a run tells: the events of the trace, in the user's units.
+//! Events of a run, as the trace has them, in the user's units.
 //!
 //! Names and fields are a promise of the command line (`kerf trace`); new fields and new events may
 //! come, these stay. Locations are working locations in the program's units, as the display shows
@@ -36,11 +36,11 @@ pub enum Event {
         n: u8,
         /// Its state from now on.
         on: bool,
-        /// When.
+        /// Machine time, s.
         t: f64,
-        /// What made it change.
+        /// Cause of the change.
         why: OutputReason,
-        /// What jobs call it.
+        /// Name in jobs.
         #[serde(skip_serializing_if = "Option::is_none")]
         name: Option<&'static str>,
     },
@@ -50,9 +50,9 @@ pub enum Event {
         n: u8,
         /// Its state from now on.
         on: bool,
-        /// When.
+        /// Machine time, s.
         t: f64,
-        /// What jobs call it.
+        /// Name in jobs.
         #[serde(skip_serializing_if = "Option::is_none")]
         name: Option<&'static str>,
     },
@@ -64,19 +64,19 @@ pub enum Event {
         byte: u8,
         /// The parallel port, 1 or 2.
         port: u8,
-        /// How long a pulse of a pulsed laser is, microseconds.
+        /// Length of a pulse of a pulsed laser, microseconds.
         #[serde(skip_serializing_if = "Option::is_none")]
         pulse_us: Option<f64>,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Height control took a reading.
     Height {
         /// Z of the tool, machine frame, mm.
         z: f64,
-        /// How far the gap is from what is wanted, mm.
+        /// Difference of the gap from the one that is wanted, mm.
         error: f64,
-        /// What the sensor said, 0 … 255.
+        /// Reading of the sensor, 0 … 255.
         reading: u8,
         /// The error is larger than the accuracy that the display is set to.
         #[serde(skip_serializing_if = "is_false")]
@@ -85,18 +85,18 @@ pub enum Event {
         surface: f64,
         /// ZTop now.
         top: f64,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The heights in force, machine frame, mm.
     Heights {
-        /// Where the tool travels.
+        /// Height at which the tool travels.
         top: f64,
         /// The surface of the material.
         surface: f64,
         /// The lowest the tool goes.
         bottom: f64,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// A pause has changed what holds for the rest of a job.
@@ -108,7 +108,7 @@ pub enum Event {
         plunge_mm_s: f64,
         /// The tool rises in pauses.
         raise: bool,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The pulse frequency of a laser was set.
@@ -116,26 +116,26 @@ pub enum Event {
     LaserHz {
         /// Hz.
         hz: f64,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// An axis was homed.
     Homed {
         /// The axis, as people call it.
         axis: &'static str,
-        /// How many steps the last home was off.
+        /// Number of steps by which the last home was off.
         steps: i64,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The machine entered a state: `running`, `paused`, `estop`, `idle` …
     State {
         /// Its name.
         state: Arc<str>,
-        /// Why, when there is something to say.
+        /// Reason, when there is something to say.
         #[serde(skip_serializing_if = "str::is_empty")]
         why: Arc<str>,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The duty of a PWM channel changed.
@@ -144,7 +144,7 @@ pub enum Event {
         channel: u8,
         /// Duty, 0 … 100.
         percent: f64,
-        /// When.
+        /// Machine time, s.
         t: f64,
         /// Pulse frequency, kHz.
         khz: f64,
@@ -153,9 +153,9 @@ pub enum Event {
     Spindle {
         /// Revolutions a minute.
         rpm: f64,
-        /// Whether its output is on.
+        /// Its output is on.
         on: bool,
-        /// When.
+        /// Machine time, s.
         t: f64,
         /// Its number, from 1.
         n: u8,
@@ -164,7 +164,7 @@ pub enum Event {
     Turn {
         /// `off`, `clockwise`, `counterclockwise`, or `dynamic`: a laser whose power follows the speed.
         turn: Turn,
-        /// When.
+        /// Machine time, s.
         t: f64,
         /// Number of the spindle, from 1.
         n: u8,
@@ -175,21 +175,21 @@ pub enum Event {
         mist: bool,
         /// Flood.
         flood: bool,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The warning light before and during motion.
     Light {
         /// Its state from now on.
         on: bool,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Power of the motors.
     Motors {
         /// Its state from now on.
         on: bool,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Somebody pushed an axis of the simulated machine by hand.
@@ -197,16 +197,16 @@ pub enum Event {
     HandMove {
         /// Its letter.
         axis: char,
-        /// How far it gave way; 0 while its motor holds it.
+        /// Distance by which it gave way; 0 while its motor holds it.
         by: f64,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Steps became coarser, or fine again (VU); locations do not change.
     Resolution {
         /// Factor of each axis, X to C.
         multipliers: [u8; AXES],
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// An axis began or stopped to move beside the others (MI, torch height).
@@ -219,7 +219,7 @@ pub enum Event {
         frequency: f64,
         /// Peak-to-peak displacement.
         distance: f64,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Locations were set.
@@ -228,60 +228,60 @@ pub enum Event {
         set: Partial,
         /// Table base coordinates that were set.
         base: Partial,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The user's unit changed.
     Units {
         /// `in` or `mm`.
         units: &'static str,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Commands are only drawn from here on, or carried out again (SP, SM).
     Mode {
         /// `preview` or `move`.
         mode: &'static str,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Text for the print window. Lines are told whole.
     Print {
         /// The text.
         text: Arc<str>,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// A comment or warning shown to the operator.
     Message {
         /// The text.
         text: Arc<str>,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The operator was asked.
     Ask(AskEvent),
     /// A file of the user was used.
     File {
-        /// What happened.
+        /// Operation on the file.
         op: FileOp,
         /// Its path.
         path: Arc<str>,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// A sound was started.
     Sound {
         /// The file.
         path: Arc<str>,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The program waited.
     Wait {
-        /// How long.
+        /// Length of the wait, s.
         seconds: f64,
-        /// When it began.
+        /// Machine time at which it began, s.
         t: f64,
     },
     /// A tool path begins.
@@ -291,7 +291,7 @@ pub enum Event {
         name: Option<Arc<str>>,
         /// The tool.
         tool: Option<Arc<str>>,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// A tool change begins or is over.
@@ -299,12 +299,12 @@ pub enum Event {
     ToolChange {
         /// True when it begins.
         begin: bool,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The preview display was cleared.
     Clear {
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Motion was stopped before its end.
@@ -313,24 +313,24 @@ pub enum Event {
         by: &'static str,
         /// The input; 0 for the operator.
         n: u8,
-        /// When the machine stood.
+        /// Machine time at which the machine stood, s.
         t: f64,
     },
     /// The operator holds the machine, which stands.
     Hold {
-        /// When it stood.
+        /// Machine time at which it stood, s.
         t: f64,
     },
     /// The operator lets the machine go on.
     Resume {
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// The operator changed the feed override.
     Override {
         /// Cuts run at so much of the speed asked for, percent.
         percent: f64,
-        /// When.
+        /// Machine time, s.
         t: f64,
     },
     /// Something a person should know about the program.
@@ -353,15 +353,15 @@ pub struct MoveEvent {
     pub file: Arc<str>,
     /// Its line.
     pub line: u32,
-    /// Where it ended.
+    /// Place where it ended.
     pub to: Place,
-    /// When it started.
+    /// Machine time at its start, s.
     pub t0: f64,
-    /// When it ended.
+    /// Machine time at its end, s.
     pub t1: f64,
     /// Speed asked for, units a second.
     pub speed: f64,
-    /// Where it started; not part of the trace.
+    /// Place where it started; not part of the trace.
     #[serde(skip)]
     pub from: Place,
 }
@@ -369,7 +369,7 @@ pub struct MoveEvent {
 /// A circular move or a helix.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ArcEvent {
-    /// What it has in common with a straight move.
+    /// Fields that it has in common with a straight move.
     #[serde(flatten)]
     pub made: MoveEvent,
     /// Its centre.
@@ -420,7 +420,7 @@ pub type Partial = BTreeMap<char, f64>;
 /// A question and its answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct AskEvent {
-    /// What kind of box.
+    /// Kind of the box.
     pub kind: QuestionKind,
     /// The text in it.
     pub text: String,
@@ -430,11 +430,11 @@ pub struct AskEvent {
     pub buttons: Vec<&'static str>,
     /// The button that ENTER presses, or what stands in the entry field.
     pub default: String,
-    /// What was answered.
+    /// Answer that was given.
     pub answer: String,
-    /// Whether somebody or a script answered, not the default.
+    /// Somebody or a script answered, not the default.
     pub scripted: bool,
-    /// When.
+    /// Machine time, s.
     pub t: f64,
     /// The part file that asks.
     pub file: Arc<str>,
@@ -445,7 +445,7 @@ pub struct AskEvent {
 /// The end of a run and what it came to.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct EndEvent {
-    /// How it ended.
+    /// Outcome of the run.
     pub status: Status,
     /// Machine time.
     pub t: f64,
@@ -469,7 +469,7 @@ pub struct EndEvent {
     /// Axes whose location should be verified: the motors had no power.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub verify: Vec<char>,
-    /// How far axes of the simulated machine are from where the controller believes them, because
+    /// Distances of axes of the simulated machine from where the controller believes them, because
     /// they were pushed by hand; nothing for those that are where they should be.
     #[serde(skip_serializing_if = "Partial::is_empty")]
     pub astray: Partial,

@@ -12,7 +12,7 @@ use kerf_motion::{Move, Path, Plan, Stop, planner};
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
 use kerf_sim::{Halt, HaltCause, Lift};
 
-/// Why a stack did not run to its end.
+/// Reason for which a stack did not run to its end.
 #[derive(Debug)]
 pub(crate) enum Halted {
     /// A watched input; its index among the watches, and the motion that was interrupted.
@@ -23,7 +23,7 @@ pub(crate) enum Halted {
     Over(Over),
 }
 
-/// What changes a plan on the way.
+/// Cause of a change of plan on the way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Turn {
     /// An input stops motion.
@@ -130,7 +130,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What is left of the stack goes on from a stand.
+    /// Sets off with the rest of the stack, from a stand.
     fn set_off_again(&mut self) -> Result<(), Halted> {
         if self.stack.running.is_some() {
             self.may_move(self.last_move).map_err(Halted::Over)?;
@@ -207,7 +207,7 @@ impl<I: Interpreter> Runner<'_, I> {
         turned
     }
 
-    /// Whether the power went while the machine was about to do what the operator wants.
+    /// Tells whether the power went while the machine was about to do what the operator wants.
     pub(crate) fn overtakes(&mut self, turn: Turn) -> bool {
         let Turn::Operator(wish) = turn else { return false };
         let overtaken = self.is_overtaken();
@@ -280,7 +280,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// When a part of a plan that started at `t0_s` begins and ends. What is only drawn takes no time.
+    /// Returns machine time at begin and end of a part of a plan from `t0_s`. What is only drawn takes no time.
     fn moments(&self, t0_s: f64, span_s: [f64; 2]) -> [f64; 2] {
         if self.world.machine.draws() { [self.world.now(); 2] } else { span_s.map(|s| t0_s + s) }
     }
@@ -343,7 +343,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What follows when motion was stopped, unless it goes on.
+    /// Answers a stop of motion: fails with what follows, unless the motion goes on.
     pub(crate) fn answer_halt(
         &mut self,
         why: Turn,
@@ -384,7 +384,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What follows on a stop that no program has asked for, unless the run goes on.
+    /// Answers a stop that no program has asked for: fails with what follows, unless the run goes on.
     pub(crate) fn halted_by(
         &mut self,
         cause: HaltCause,
@@ -407,13 +407,13 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// Whether a stop input is the emergency stop of a machine that cuts its power with it.
+    /// Tells whether a stop input is the emergency stop of a machine that cuts its power with it.
     pub(crate) fn cuts_power(&self, input: u8) -> bool {
         input == kerf_sim::STOP_INPUT && self.world.machine_is.estop.cuts_power
     }
 }
 
-/// What stops a plan that nothing follows any more.
+/// Returns the halt of a plan that nothing follows any more.
 pub(crate) const fn link_lost(t_s: f64) -> Halt {
     Halt { t_s, cause: HaltCause::LinkLost, ramped: false }
 }

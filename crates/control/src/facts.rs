@@ -4,7 +4,7 @@
 use crate::journal::Live;
 use kerf_sbp::{POSITION_LOST, SPINDLE_STATUS};
 
-/// What the machine says of itself.
+/// Fact that the machine tells of itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fact {
     /// The spindle starts without a question: somebody has answered it.
@@ -13,9 +13,9 @@ pub enum Fact {
     PositionLost,
     /// Letters of axes whose location somebody confirms before anything is cut.
     ConfirmLocation,
-    /// How somebody left the switches of the simulated machine.
+    /// Switches of the simulated machine as somebody left them.
     SimulatedSwitches,
-    /// Where a controller without homing was left.
+    /// Place at which a controller without homing was left.
     ControllerLeft,
     /// The port of the controller that is driven.
     ControllerDriven,
@@ -50,7 +50,7 @@ impl Fact {
     }
 }
 
-/// Whether the machine alone writes a key: its value is a fact of safety, or tells what the machine does now.
+/// Tells whether the machine alone writes a key: its value is a fact of safety, or tells what the machine does now.
 pub fn is_fact(key: &str) -> bool {
     Fact::of(key).is_some() || Live::tells(key)
 }

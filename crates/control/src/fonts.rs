@@ -25,7 +25,7 @@ fn font_name(file: &str) -> Option<&str> {
     ["ttf", "otf", "ttc"].iter().any(|known| ending.eq_ignore_ascii_case(known)).then_some(stem)
 }
 
-/// Where systems keep their fonts.
+/// Lists the folders where systems keep their fonts.
 fn system_folders() -> Vec<PathBuf> {
     let home = std::env::var_os("HOME").map(PathBuf::from);
     let of_home = [".local/share/fonts", ".fonts", "Library/Fonts"];

@@ -40,7 +40,7 @@ pub(crate) const fn event(heights: Heights, t: f64) -> Event {
     Event::Heights { top, surface, bottom, t }
 }
 
-/// Whether anything tells how high the head is: a sheet, or a script that moves the switches.
+/// Returns `true` if anything tells how high the head is: a sheet, or a script that moves the switches.
 fn is_sensed(law: &HeightLaw, options: &RunOptions) -> bool {
     let scripted = |input: Input| options.inputs.iter().any(|it| it.input == input.number());
     let simple = matches!(law.gauge, Gauge::Simple { .. });

@@ -22,7 +22,7 @@ use kerf_program::{
 /// A script of answers that says nothing but Resume does not hold a run for ever.
 const MOST_REFUSALS: u32 = 1000;
 
-/// What the operator says of a run that is stopped.
+/// Answer of the operator about a run that is stopped.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Said {
     Resume,
@@ -186,7 +186,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// How high the tool is lifted, machine frame.
+    /// Returns the height to which the tool is lifted, machine frame.
     pub(crate) fn lift_mm(&self) -> Option<f64> {
         let safe_mm = self.world.machine.settings().cutter.safe_z_mm?;
         Some(self.world.machine.frame().working_zero[Axis::Z] + safe_mm)

@@ -58,7 +58,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 }
 
-/// What homing came to.
+/// Result of homing.
 #[derive(Debug, Default)]
 pub(crate) struct Found {
     /// Axes that are homed.
@@ -69,7 +69,7 @@ pub(crate) struct Found {
     pub zeroed: AxisSet,
     /// By how much.
     pub shift: Axes,
-    /// Why it did not come to its end.
+    /// Reason for which it did not come to its end.
     pub over: Option<Over>,
 }
 
@@ -79,7 +79,7 @@ struct OnMachine<'a, 'b, I> {
     settings: Settings,
     /// The axis that is being homed.
     axis: Option<Axis>,
-    /// Why nothing moves any more.
+    /// Reason for which nothing moves any more.
     over: Option<Over>,
     found: Found,
 }
@@ -136,7 +136,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
     }
 }
 
-/// What is waited for at a switch.
+/// Switch that a move waits for.
 trait Switch {
     fn number_when(self, on: bool) -> Watched;
 }

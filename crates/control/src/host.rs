@@ -1,4 +1,4 @@
-//! What a program asks, answered by the world it runs in.
+//! Questions of a program, answered by the world it runs in.
 
 use crate::world::World;
 use kerf_program::settings::LinearUnit;

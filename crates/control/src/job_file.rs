@@ -11,21 +11,21 @@ use std::sync::Arc;
 /// The extension of jobs.
 pub const EXTENSION: &str = "rsm";
 
-/// What is said where a drawing is started that has no tool path yet.
+/// Message where a drawing is started that has no tool path yet.
 pub const NO_TOOL_PATH: &str = "create the tool path first";
 
-/// What the person who starts a job decides about it. The file stays as it is.
+/// Choices of the person who starts a job. The file stays as it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Choice {
     /// The path with which it begins, counted from 1 in cutting order; that of the file for nothing.
     pub start: Option<usize>,
-    /// How far beside itself every path is cut, mm, to the right of travel.
+    /// Distance beside itself at which every path is cut, mm, to the right of travel.
     pub offset_mm: f64,
-    /// Where its origin lies on the table, mm from home; that of the file for nothing.
+    /// Place of its origin on the table, mm from home; that of the file for nothing.
     pub origin: Option<Point2>,
-    /// Where the head goes at the end, mm from the origin; that of the file for nothing.
+    /// Place to which the head goes at the end, mm from the origin; that of the file for nothing.
     pub finish: Option<Point2>,
-    /// How much higher the paths with heights of their own lie, mm.
+    /// Distance by which the paths with heights of their own lie higher, mm.
     pub lift_mm: f64,
 }
 

@@ -16,7 +16,7 @@ use kerf_program::Settings;
 use kerf_sim::Machine;
 
 impl Session {
-    /// What a journal remembers of the machine, a new machine where it remembers nothing; and whether
+    /// Recalls what a journal remembers of the machine, a new machine where it remembers nothing; tells whether
     /// the machine is where that says. If not, the values of the shelf tell programs so.
     ///
     /// # Errors

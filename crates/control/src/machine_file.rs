@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 /// Its name in the data folder.
 pub const MACHINE_FILE: &str = "machine.toml";
 
-/// Where the configuration of a machine lies.
+/// File with the configuration of a machine.
 #[derive(Clone, Debug)]
 pub struct MachineFile {
     path: PathBuf,
@@ -25,7 +25,7 @@ pub struct MachineFile {
     journal: Option<Journal>,
 }
 
-/// Why a configuration cannot be read or changed.
+/// Reason for which a configuration cannot be read or changed.
 #[derive(Debug, thiserror::Error)]
 pub enum MachineFileError {
     /// The disk.
@@ -33,7 +33,7 @@ pub enum MachineFileError {
     Disk {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Words of the system.
         why: io::Error,
     },
     /// Its mistakes, a line each.
@@ -42,12 +42,12 @@ pub enum MachineFileError {
     /// The journal cannot keep what the file says.
     #[error("{0}")]
     Journal(String),
-    /// What a run has set does not go together.
+    /// The settings that a run has made do not go together.
     #[error("{message} ({hint}); the machine's settings stay as they were")]
     Contradiction {
-        /// What does not go together.
+        /// Settings that do not go together, in words.
         message: String,
-        /// What mends it.
+        /// Remedy.
         hint: String,
     },
 }
@@ -117,7 +117,7 @@ impl MachineFile {
         Ok(free)
     }
 
-    /// What it says; `None` where it is not there.
+    /// Reads its text; `None` where it is not there.
     ///
     /// # Errors
     /// As it cannot be read.

@@ -3,12 +3,12 @@
 use kerf_program::{Axes, Axis, Frame, Settings};
 use std::fmt;
 
-/// How far an axis is nudged.
+/// Nudge of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nudge {
     /// The axis.
     pub axis: Axis,
-    /// How far: as somebody gives it in units of the axis, inside mm or degrees.
+    /// Distance: as somebody gives it in units of the axis, inside mm or degrees.
     pub distance: f64,
 }
 
@@ -45,7 +45,7 @@ impl Nudge {
         way
     }
 
-    /// Whether the table has room for it; the distance in mm or degrees.
+    /// Checks that the table has room for it; the distance in mm or degrees.
     ///
     /// # Errors
     /// [`Outside`] when table limits are checked and do not allow the place it leads to.
@@ -58,7 +58,7 @@ impl Nudge {
         Ok(())
     }
 
-    /// Whether an axis that stands at a position has room for it, machine frame; the way back into its room always
+    /// Checks that an axis that stands at a position has room for it, machine frame; the way back into its room always
     /// has.
     ///
     /// # Errors

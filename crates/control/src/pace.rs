@@ -1,4 +1,4 @@
-//! How machine time relates to the time of the world, and what the operator does meanwhile.
+//! Relation of machine time to the time of the world, and wishes of the operator meanwhile.
 
 use crate::journal::Hurry;
 use kerf_machine::{Fault, Going};
@@ -8,7 +8,7 @@ use kerf_sim::Machine;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// What the operator wants of a machine that runs.
+/// Wish of the operator about a machine that runs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Wish {
     /// The machine ramps down and lifts the tool; the operator is asked whether the run goes on.
@@ -24,12 +24,12 @@ pub enum Wish {
     Input {
         /// Which input.
         number: u8,
-        /// Whether its contact is closed from now on.
+        /// Its contact is closed from now on.
         on: bool,
     },
 }
 
-/// What the machine does while time passes.
+/// Activity of the machine while time passes.
 #[derive(Clone, Copy, Debug)]
 pub struct Doing<'a> {
     /// The machine as it is before.
@@ -59,7 +59,7 @@ pub trait Pace {
         self.pass(from_s, to_s)
     }
 
-    /// Whether a second of machine time takes a second.
+    /// Tells whether a second of machine time takes a second.
     fn is_real(&self) -> bool {
         false
     }
@@ -85,12 +85,12 @@ pub trait Pace {
     /// Everything that was planned is made: the machine stands.
     fn stands(&mut self) {}
 
-    /// Why a machine cannot make a move, in words; asked before anything of its stack moves.
+    /// Tells why a machine cannot make a move, in words; asked before anything of its stack moves.
     fn refuses(&self, _: &Move) -> Option<String> {
         None
     }
 
-    /// Why the machine does nothing more, where it is not the plan that decides that.
+    /// Returns the fault for which the machine does nothing more, where it is not the plan that decides that.
     fn failure(&self) -> Option<&Fault> {
         None
     }

@@ -14,7 +14,7 @@ use kerf_program::{FileCall, Status};
 use kerf_sbp::{Options, format_number};
 use serde::{Deserialize, Serialize};
 
-/// When a run starts, as a person reads it: the clock belongs to the caller.
+/// Time and date at which a run starts, as a person reads them: the clock belongs to the caller.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Started {
     /// `14:03:05`
@@ -23,13 +23,13 @@ pub struct Started {
     pub date: String,
 }
 
-/// What is known of a run before it begins.
+/// Facts that are known of a run before it begins.
 #[derive(Clone, Debug)]
 pub(crate) struct PartLog {
     started: Started,
     /// The machine only drew when it began.
     drew: bool,
-    /// How the operator started it; a file that a typed line runs is called by that.
+    /// Call with which the operator started it; a file that a typed line runs is called by that.
     call: Option<FileCall>,
 }
 
@@ -69,7 +69,7 @@ impl PartLog {
     }
 }
 
-/// Why a run ended early, in a word; nothing when it came to its end.
+/// Tells why a run ended early, in a word; nothing when it came to its end.
 pub(crate) fn why(status: Status, error: Option<&Diagnostic>) -> Option<&'static str> {
     match status {
         Status::Ok | Status::Ended => None,

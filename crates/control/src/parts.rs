@@ -5,7 +5,7 @@ use kerf_program::HostError;
 use kerf_sbp::Header;
 use std::io;
 
-/// What a folder holds, in order of names.
+/// Contents of a folder, in order of names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Listing {
     /// The folders in it.
@@ -19,12 +19,12 @@ pub struct Listing {
 pub struct PartFile {
     /// Its name.
     pub name: String,
-    /// What its head tells about the job, if it does.
+    /// Header that tells about the job, if the file has one.
     pub header: Option<Header>,
 }
 
 impl Shelf {
-    /// What the part folder holds.
+    /// Lists the part folder.
     ///
     /// # Errors
     /// Whatever the disk says.
@@ -50,7 +50,7 @@ impl Shelf {
     }
 }
 
-/// Whether a search mask lets a name through, in any case: `*` stands for any characters, `?` for one.
+/// Tells whether a search mask lets a name through, in any case: `*` stands for any characters, `?` for one.
 pub fn fits(mask: &str, name: &str) -> bool {
     let fold = |text: &str| text.to_lowercase().chars().collect::<Vec<_>>();
     // To DOS a name without a point has an empty extension.

@@ -8,7 +8,7 @@ use pbkdf2::pbkdf2_hmac_array;
 use sha2::Sha256;
 use subtle::ConstantTimeEq;
 
-/// How often the hash is made of itself: what a guess costs.
+/// Number of times that the hash is made of itself: the cost of a guess.
 const ROUNDS: u32 = 100_000;
 /// Rounds that a hash in a file may ask for: a slip there must not stand still for minutes.
 const MOST_ROUNDS: u32 = 10_000_000;
@@ -16,13 +16,13 @@ const NAME: &str = "pbkdf2-sha256";
 /// Characters of the shortest password.
 pub const SHORTEST: usize = 4;
 
-/// What is kept of a password. The salt comes from outside: chance is not ours.
+/// Returns what is kept of a password. The salt comes from outside: chance is not ours.
 pub fn kept(password: &str, salt: [u8; 16]) -> String {
     let hash = pbkdf2_hmac_array::<Sha256, 32>(password.as_bytes(), &salt, ROUNDS);
     format!("{NAME}${ROUNDS}${}${}", digits(&salt), digits(&hash))
 }
 
-/// Whether a password is the one of which this was kept. What is no hash at all fits nothing.
+/// Tells whether a password is the one of which this was kept. What is no hash at all fits nothing.
 pub fn fits(kept: &str, password: &str) -> bool {
     let Some((rounds, salt, hash)) = parts(kept) else { return false };
     let tried = pbkdf2_hmac_array::<Sha256, 32>(password.as_bytes(), &salt, rounds);

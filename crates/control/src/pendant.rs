@@ -13,11 +13,11 @@ use kerf_part::Program;
 use kerf_program::{AXES, Answer, At, Axes, Axis, Button, Interpreter, Question, QuestionKind};
 use kerf_sim::{Duty, Watched, duty};
 
-/// What a key says that moves the tool.
+/// Word of a key that moves the tool.
 pub(crate) const KEY: &str = "pendant";
 
 impl Session {
-    /// What a part file sets that cannot be on this machine, as errors of the file: it is not begun.
+    /// Adds errors to a part file that sets what cannot be on this machine: it is not begun.
     pub(crate) fn refuse_keys(&self, program: &mut Program) {
         let keys: Vec<u8> = self.machine_is.pendant.inputs().collect();
         let present = self.memory.settings.display.has_pendant();
@@ -36,14 +36,14 @@ impl World<'_> {
         works.then(|| Pendant { axes, fast: free(fast), close: free(close) })
     }
 
-    /// What a key of the pendant says to a question, when it was just pressed.
+    /// Returns what a key of the pendant says to a question, when it was just pressed.
     pub fn said_by_key(&self, question: &Question, input: u8) -> Option<&'static str> {
         let keys = self.keys(question.kind).filter(|_| self.machine.input(input))?;
         let known = keys.inputs().any(|key| key == input);
         known.then(|| if input == keys.close { Button::OK.word() } else { KEY })
     }
 
-    /// When the next key of the pendant is pressed, seconds of machine time.
+    /// Returns the moment at which the next key of the pendant is pressed, seconds of machine time.
     pub fn next_key_s(&self, question: QuestionKind) -> Option<f64> {
         let keys = self.keys(question)?;
         let pressed = keys.inputs().filter_map(|input| self.machine.when_pressed(input, true));

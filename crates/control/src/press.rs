@@ -8,7 +8,7 @@ use std::fmt;
 pub struct Press {
     /// Which input.
     pub number: u8,
-    /// Whether its contact is closed from now on.
+    /// Its contact is closed from now on.
     pub on: bool,
 }
 

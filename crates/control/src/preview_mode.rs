@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 /// The value that holds where a preview has come to.
 pub(crate) const PREVIEW: &str = "PreviewPlace";
 
-/// Where a preview has come to.
+/// Place that a preview has come to.
 #[derive(Serialize, Deserialize)]
 struct Previewed {
     frame: Frame,
@@ -22,7 +22,7 @@ struct Previewed {
 }
 
 impl Session {
-    /// Whether what is typed is only drawn.
+    /// Tells whether what is typed is only drawn.
     pub fn is_in_preview(&self) -> bool {
         self.memory.before_preview.is_some()
     }

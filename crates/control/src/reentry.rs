@@ -44,13 +44,13 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// Whether the next move is the first one that was not made before.
+    /// Returns `true` if the next move is the first one that was not made before.
     pub(crate) fn is_taken_up(&mut self) -> bool {
         self.hear_world();
         self.reentry.is_some() && (!self.world.silent || self.world.shelf.tape.is_reentered())
     }
 
-    /// Whether the power went when the machine was about to do what the operator wants: then or now.
+    /// Tells whether the power went when the machine was about to do what the operator wants: then or now.
     pub(crate) fn is_overtaken(&mut self) -> bool {
         if self.world.shelf.tape.was_overtaken() {
             return true;
@@ -75,7 +75,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand();
     }
 
-    /// What the operator wanted just before the power went, and did not see happen: a run that is taken
+    /// Heeds a wish that the operator had just before the power went, and did not see happen: a run that is taken
     /// up is not stopped for it.
     pub(crate) fn overtaken(&mut self, wish: Wish) {
         match wish {
@@ -153,7 +153,7 @@ impl<I: Interpreter> Runner<'_, I> {
         (ready, nudged)
     }
 
-    /// Whether the power went here, where the machine was stopped, or goes back after a stop: the rest of that
+    /// Tells whether the power went here, where the machine was stopped, or goes back after a stop: the rest of that
     /// is settled by the question whether all is ready, when the next move is about to be made.
     pub(crate) fn is_open_for_take_up(&mut self) -> bool {
         self.reentry.is_some() && self.world.shelf.tape.is_open()
@@ -169,7 +169,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.machine.put(rest.from);
     }
 
-    /// Where the machine stands, in the frames of the run.
+    /// Returns the place where the machine stands, in the frames of the run.
     pub(crate) fn stands_at(&self) -> Placed {
         let Placed { position: here, frame } = self.world.placed();
         let position = self.reentry.map_or(here, |stands| stands.seen_from(&frame));
@@ -255,7 +255,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 }
 
-/// What the operator is asked when the tool is up, before anything turns.
+/// Builds the question to the operator when the tool is up, before anything turns.
 fn ready_question(was_on: &WasOn) -> Question {
     let name = |n: &u8| Output::of_number(*n).map_or(n.to_string(), |line| line.name().to_owned());
     let on: Vec<String> = was_on.outputs.iter().map(name).collect();

@@ -30,7 +30,7 @@ use std::collections::VecDeque;
 /// Lines that are executed before their commands are looked at.
 pub(crate) const LINES: u64 = 4096;
 
-/// What comes back of a state that is saved, or why nothing does.
+/// Function that saves a state and gives back what comes of it, or tells why nothing does.
 pub(crate) type Restore<I> = fn(&I) -> Result<I, String>;
 
 /// One run.
@@ -42,32 +42,32 @@ pub(crate) struct Runner<'a, I> {
     pub stack: Stack,
     /// The operator's override: share of the speed asked for at which cuts run.
     pub feed: f32,
-    /// What the operator wants and has not got yet.
+    /// Wishes of the operator that he has not got yet.
     pub wishes: VecDeque<(f64, Wish)>,
-    /// How far the workpiece was nudged since the commands at hand were given.
+    /// Distance by which the workpiece was nudged since the commands at hand were given.
     pub nudged: Option<Axes>,
     out: Vec<Sourced>,
     lines: u64,
     /// An input may interrupt: moves need their numbers.
     watching: bool,
-    /// When the watched input changed that stopped the machine last, seconds of machine time.
+    /// Moment at which the watched input changed that stopped the machine last, seconds of machine time.
     pub(crate) changed_s: f64,
     /// Saves and restores the program's state before each look.
     pub restore: Option<Restore<I>>,
     pub limits: LimitPolicy,
     /// The line of the move made last.
     pub last_move: At,
-    /// Where the program was, for the log.
+    /// Place of the program, for the log.
     pub trail: Trail,
-    /// What the machine is doing. A job, or a move by hand, knows more of it.
+    /// State of the machine. A job, or a move by hand, knows more of it.
     pub state: State,
-    /// Where a run that was stopped comes back to.
+    /// Place to which a run that was stopped comes back.
     pub kept: Kept,
     /// The operator took the tool out of the cut while the program waits.
     pub away: bool,
     /// A job has switched off what it leaves.
     settled: bool,
-    /// What ended the run while the machine moved beside the program.
+    /// End of the run that came while the machine moved beside the program.
     pub ends: Option<Over>,
     /// The run is taken up: where the machine stands meanwhile.
     pub reentry: Option<Placed>,
@@ -77,7 +77,7 @@ pub(crate) struct Runner<'a, I> {
     pub bound: Bound,
 }
 
-/// Whether a run goes on.
+/// Decision whether a run goes on.
 #[derive(Debug)]
 pub(crate) enum Flow {
     /// On to the next.
@@ -238,7 +238,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         Over { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
     }
 
-    /// What a step asks for, after its commands were taken over.
+    /// Does what a step asks for, after its commands were taken over.
     fn follow(&mut self, step: Step) -> Flow {
         match step {
             Step::Ran => Flow::On,
@@ -285,8 +285,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         over
     }
 
-    /// What the program does when its run ends. A job leaves nothing on, however it ends; that is settled
-    /// once.
+    /// Returns the commands of the program for the end of its run. A job leaves nothing on, however it ends; that is
+    /// settled once.
     pub(crate) fn last_commands(&mut self, status: Status) -> Vec<Sourced> {
         let mut last = Vec::new();
         let is_job = self.interpreter.takes_stops();
@@ -436,12 +436,12 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
     }
 
-    /// Whether a line stands in a file, and was not typed.
+    /// Returns `true` if a line stands in a file, and was not typed.
     const fn is_of_file(&self, at: At) -> bool {
         at.file as usize >= self.world.typed_files
     }
 
-    /// Whether the stack takes no more moves.
+    /// Returns `true` if the stack takes no more moves.
     fn is_full(&self) -> bool {
         let limit = self.world.machine.settings().stack_limit;
         limit.is_some_and(|limit| self.stack.len() >= u64::from(limit))
@@ -502,7 +502,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         Flow::On
     }
 
-    /// Whether a move of Z alone begins where the torch has brought it.
+    /// Returns `true` if a move of Z alone begins where the torch has brought it.
     fn leaves_torch(&self, command: &Command) -> bool {
         let Command::Line(line) = command else { return false };
         let from = self.mover.position();
@@ -510,7 +510,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         self.world.machine.settings().torch_on() && stays(Axis::X) && stays(Axis::Y)
     }
 
-    /// Whether motion goes on through a command. It does not when a preview begins or ends.
+    /// Tells whether motion goes on through a command. It does not when a preview begins or ends.
     fn joins(&self, command: &Command) -> bool {
         match command {
             Command::Settings(new) => new.mode == self.world.machine.settings().mode,
@@ -609,7 +609,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     }
 }
 
-/// Whether a command is carried out although the moves around it are not made.
+/// Tells whether a command is carried out although the moves around it are not made.
 const fn outlives_motion(command: &Command) -> bool {
     matches!(
         command,

@@ -29,18 +29,18 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// How a program is run.
+/// Options with which a program is run.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct RunOptions {
-    /// How the language is read.
+    /// Options for reading the language.
     pub program: kerf_sbp::Options,
-    /// How G-code is read, as far as `program` does not say.
+    /// Options for reading G-code, as far as `program` does not say.
     pub gcode: kerf_gcode::Options,
     /// Changes of the simulated machine's inputs.
     pub inputs: Vec<Change>,
     /// The sheet on the table of the simulated machine.
     pub sheet: Option<Sheet>,
-    /// What switches of the simulated machine feel where the tool is.
+    /// Switches of the simulated machine that feel where the tool is.
     #[serde(default)]
     pub touches: Vec<Touch>,
     /// Pushes of the simulated machine by hand.
@@ -50,14 +50,14 @@ pub struct RunOptions {
     /// The controller that carries it out, as it was named; else it is the simulated machine.
     #[serde(default)]
     pub controller: Option<String>,
-    /// When the run starts, for the log of the part file; without it none is written.
+    /// Start of the run, for the log of the part file; without it none is written.
     pub started: Option<Started>,
-    /// What happens when a move would leave the table limits.
+    /// Treatment of a move that would leave the table limits.
     pub limits: LimitPolicy,
-    /// Whoever runs it may change the machine's settings, where a password protects them: it was given.
+    /// The password was given, where one protects the machine's settings: whoever runs it may change them.
     #[serde(default)]
     pub opened: bool,
-    /// What came before the run, which goes on from there.
+    /// Preparations of the run, which goes on from there.
     #[serde(default)]
     pub before: Before,
     /// Carry out so many commands at the most, moves and all others; 0 for no bound. What only looks at a
@@ -84,7 +84,7 @@ impl RunOptions {
     }
 }
 
-/// What happens when a move would leave the table limits.
+/// Treatment of a move that would leave the table limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum LimitPolicy {
     /// The operator is asked whether to go on; the default ends the run.
@@ -94,7 +94,7 @@ pub enum LimitPolicy {
     List,
 }
 
-/// Who takes part in a run beside program and machine.
+/// Participants of a run beside program and machine.
 pub struct Company<'a> {
     /// Takes the events.
     pub sink: &'a mut dyn Sink,
@@ -119,10 +119,10 @@ impl Company<'_> {
     }
 }
 
-/// What a run came to.
+/// Result of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
-    /// How it ended.
+    /// Outcome of the run.
     pub status: Status,
     /// Machine time, seconds.
     pub seconds: f64,
@@ -143,9 +143,9 @@ pub struct Summary {
 pub struct Session {
     /// Settings, frames, position, variables.
     pub memory: kerf_sbp::Session,
-    /// What G-code remembers: offsets, parameters, tools, modes.
+    /// Memory of G-code: offsets, parameters, tools, modes.
     pub gcode: kerf_gcode::State,
-    /// What the machine is beside the settings of `memory`, which stand above those in here.
+    /// Configuration of the machine beside the settings of `memory`, which stand above those in here.
     pub machine_is: Arc<Configuration>,
     /// Axes that were homed since their location was lost last.
     pub homed: AxisSet,
@@ -161,7 +161,7 @@ impl Session {
         Self { memory, ..Self::default() }
     }
 
-    /// What the machine is, with the settings in force.
+    /// Returns the configuration of the machine, with the settings in force.
     pub fn configuration(&self) -> Configuration {
         Configuration { program: self.memory.settings.clone(), ..(*self.machine_is).clone() }
     }
@@ -414,7 +414,7 @@ impl Session {
         }
     }
 
-    /// How a run begins, for whoever looks.
+    /// Returns the event with which a run begins, for whoever looks.
     pub(crate) fn begins(&self, work: &Work, options: &RunOptions) -> Event {
         match work {
             Work::Part(program) => self.start_event(program.name(), program.language(), options),

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 /// Its name in the data folder.
 const FOLDER: &str = "settings";
 
-/// What settings files end with.
+/// End of the names of settings files.
 const EXTENSION: &str = ".sbd";
 
 impl Shelf {

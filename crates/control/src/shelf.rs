@@ -26,7 +26,7 @@ pub const MOST_BYTES: usize = 1 << 29;
 /// Which files lists show at first: part files, settings files, custom cuts.
 const MASK: &str = "*.sb?";
 
-/// What the name of a part file's log ends with.
+/// Extension of a part file's log.
 const LOG: &str = "log";
 
 /// Files and values that programs reach.
@@ -41,11 +41,11 @@ pub struct Shelf {
     shell: Shell,
     /// Which files lists show, when somebody chose.
     mask: Option<String>,
-    /// What the world tells the run under way.
+    /// Tape of what the world tells the run under way.
     pub(crate) tape: Tape,
     /// The log of the session, where one is wanted.
     pub(crate) system_log: Option<SystemLog>,
-    /// Where the server of this machine is reached, and the part file that a tool made last.
+    /// Address of the server of this machine, and the part file that a tool made last.
     url: Option<String>,
     pub(crate) made: Option<String>,
     /// Keys that were set while the tape played: they may not be in the journal yet.
@@ -61,7 +61,7 @@ pub struct Shelf {
 pub type Firmware =
     Box<dyn FnMut(&mut dyn FnMut(&str) -> Result<(), HostError>) -> Result<String, HostError>>;
 
-/// What SHELL does.
+/// Effect of SHELL.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Shell {
     /// It is refused.
@@ -162,12 +162,12 @@ impl Shelf {
         self.stored.journal()
     }
 
-    /// Where its files are.
+    /// Returns the folders of its files.
     pub(crate) const fn folders(&self) -> &Folders {
         &self.folders
     }
 
-    /// What SHELL does.
+    /// Returns the effect of SHELL.
     pub(crate) const fn shell_allowed(&self) -> Shell {
         self.shell
     }
@@ -215,7 +215,7 @@ impl Shelf {
         told
     }
 
-    /// What FP, FE and GetPartFileName mean from now on.
+    /// Makes a file the one that FP, FE and GetPartFileName mean from now on.
     pub fn make_current(&mut self, path: &Path) {
         self.stored.set(PART_FILE, Some(&path.display().to_string()));
     }
@@ -227,7 +227,7 @@ impl Shelf {
         }
     }
 
-    /// Why the journal cannot be written, when that was not told yet.
+    /// Returns why the journal cannot be written, when that was not told yet.
     pub(crate) fn new_trouble(&mut self) -> Option<String> {
         self.tape.new_trouble().or_else(|| self.stored.new_trouble())
     }
@@ -340,7 +340,7 @@ impl Shelf {
         Some(String::from_utf8_lossy(&bytes).into_owned())
     }
 
-    /// Whether there is such a file in the part folder.
+    /// Tells whether there is such a file in the part folder.
     pub fn has(&self, name: &str) -> bool {
         self.folders.find(&*self.disk, Folder::Parts, name, Purpose::Read).is_ok()
     }
@@ -370,7 +370,7 @@ impl Shelf {
         self.mask = mask.map(str::to_owned);
     }
 
-    /// Whether what is typed is recorded, and the lines, oldest first.
+    /// Tells whether what is typed is recorded, and returns the lines, oldest first.
     pub fn recorder(&mut self) -> (bool, Vec<String>) {
         let lines = self.value(RECORDED).unwrap_or_default();
         (self.value(RECORDING).as_deref() != Some("0"), lines.lines().map(str::to_owned).collect())
@@ -387,12 +387,12 @@ impl Shelf {
         self.disk.names(self.folders.parts())
     }
 
-    /// Whether a folder of this name lies in the part folder.
+    /// Tells whether a folder of this name lies in the part folder.
     pub(crate) fn is_folder(&self, name: &str) -> bool {
         self.disk.is_folder(&self.folders.parts().join(name))
     }
 
-    /// Whether there is such a file.
+    /// Tells whether there is such a file.
     pub(crate) fn is_file(&self, name: &str) -> bool {
         self.disk.is_file(Path::new(name))
     }
@@ -494,7 +494,7 @@ impl Shelf {
     }
 }
 
-/// Whether external programs are started.
+/// Fails unless external programs are started.
 fn start_allowed(shell: Shell) -> Result<(), HostError> {
     let what = "external programs are disabled; --allow-shell lets a run start them";
     if shell == Shell::Started { Ok(()) } else { Err(HostError::Disabled(what.into())) }

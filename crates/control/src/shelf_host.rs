@@ -1,4 +1,4 @@
-//! What every host answers in the same way: files, folders and values that survive are those of its shelf.
+//! Answers that every host gives in the same way: files, folders and values that survive are those of its shelf.
 
 /// The methods of `Host` that go to the field `shelf`.
 macro_rules! answered_by_the_shelf {

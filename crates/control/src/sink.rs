@@ -1,4 +1,4 @@
-//! Where events go.
+//! Receivers of events.
 
 use crate::{Event, Standing};
 use kerf_motion::{Plan, Span};
@@ -12,7 +12,7 @@ pub struct Made<'a> {
     pub plan: &'a Plan,
     /// The move's part of it.
     pub span: &'a Span<'a>,
-    /// When the plan begins, seconds of machine time.
+    /// Begin of the plan, seconds of machine time.
     pub t0_s: f64,
     /// The motor that makes it while the others of its axis stand, by its place among them; `None` for all.
     pub alone: Option<(Axis, usize)>,
@@ -36,7 +36,7 @@ pub trait Sink {
     /// Takes one.
     fn event(&mut self, event: &Event);
 
-    /// Whether it looks at moves and arcs. Where nobody does they are not described at all, which
+    /// Tells whether it looks at moves and arcs. Where nobody does they are not described at all, which
     /// matters for programs with a million of them.
     fn looks_at_motion(&self) -> bool {
         true
@@ -54,7 +54,7 @@ pub trait Sink {
     /// The run stands somewhere else: it goes on to other lines, waits, or is over.
     fn standing(&mut self, _: &Standing) {}
 
-    /// Whether it looks at where the run stands.
+    /// Tells whether it looks at where the run stands.
     fn looks_at_standing(&self) -> bool {
         false
     }

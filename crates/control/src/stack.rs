@@ -29,12 +29,12 @@ pub(crate) struct Stack {
     numbers: VecDeque<u64>,
     /// Number of the last motion command that was made.
     pub last_number: Option<u64>,
-    /// How many moves were read, and made.
+    /// Number of moves that were read, and made.
     read: u64,
     made: u64,
-    /// How many moves were read when the last one of a file was.
+    /// Number of moves that were read when the last one of a file was.
     files_until: u64,
-    /// What is done before a move starts: how many are read before it.
+    /// Commands that are carried out before a move starts, with the number of moves read before each.
     marks: VecDeque<(u64, Sourced)>,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct Running {
     pub planner: Box<dyn Replanner>,
     /// Moves that the planner does not have yet: it gets them as far as a piece of plan takes.
     pub waiting: Queue,
-    /// When its plan begins, seconds of machine time.
+    /// Begin of its plan, seconds of machine time.
     pub t0_s: f64,
 }
 
@@ -79,7 +79,7 @@ impl Stack {
         self.waiting.is_empty() && self.running.is_none() && self.marks.is_empty()
     }
 
-    /// How many moves were read.
+    /// Returns the number of moves that were read.
     pub const fn len(&self) -> u64 {
         self.read
     }
@@ -99,7 +99,7 @@ impl Stack {
         self.files_until = self.read;
     }
 
-    /// Whether a move of a file is still to be made, or is being made.
+    /// Returns `true` if a move of a file is still to be made, or is being made.
     pub const fn moves_file(&self) -> bool {
         self.made < self.files_until
     }
@@ -115,7 +115,7 @@ impl Stack {
         if due { self.marks.pop_front().map(|(_, sourced)| sourced) } else { None }
     }
 
-    /// How many moves are made before something marked is carried out.
+    /// Returns the number of moves that are made before something marked is carried out.
     pub fn before_mark(&self) -> usize {
         self.marks
             .front()
@@ -140,7 +140,7 @@ impl Stack {
         self.numbers.front().copied()
     }
 
-    /// What is left of a stack that stands has to be checked and planned anew.
+    /// Takes back what is left of a stack that stands, to be checked and planned anew.
     pub fn stand_back(&mut self) {
         if let Some(running) = self.running.take() {
             self.waiting = running.withdraw().collect();

@@ -1,4 +1,4 @@
-//! Where a run stands: what a console shows at any time.
+//! Standing of a run: what a console shows at any time.
 
 use kerf_program::FileCall;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ pub mod flag {
     pub const STACK_RUNNING: u8 = 32;
 }
 
-/// Where a run stands.
+/// Standing of a run, as a console shows it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Standing {
     /// The sum of [`flag`]s.
@@ -38,6 +38,6 @@ pub struct OpenFile {
     /// The line that is read next, counted from 1; in a file that called another, the one behind the
     /// call. The line that is being made is that of the last move told.
     pub line: u32,
-    /// How it was called; nothing of the outermost.
+    /// Call of the file; nothing for the outermost.
     pub call: Option<FileCall>,
 }

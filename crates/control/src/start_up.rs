@@ -3,18 +3,18 @@
 
 use crate::system_log::Opening;
 
-/// What a start-up line says. Blank items have their usual values.
+/// Items of a start-up line. Blank ones have their usual values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StartUp {
     /// The part file.
     pub file: String,
     /// The port to use from now on.
     pub port: Option<Port>,
-    /// What is done with the file.
+    /// Action on the file.
     pub open: OpenMethod,
-    /// What happens at its end.
+    /// Action at its end.
     pub close: CloseMethod,
-    /// What the console shows: 0, 1, 2 or 9.
+    /// Display of the console: 0, 1, 2 or 9.
     pub display: u8,
     /// Offset of a file that runs at once: 0 none, 1 3D, 2 2D.
     pub offset: u8,
@@ -22,7 +22,7 @@ pub struct StartUp {
     pub opening: Opening,
 }
 
-/// Where the machine is connected.
+/// Connection of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Port {
     /// A port by its number, 1 … 16.
@@ -31,7 +31,7 @@ pub enum Port {
     Sim,
 }
 
-/// What is done with the file.
+/// Action on the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OpenMethod {
     /// Its sheet is shown; nothing moves before OK (1).
@@ -46,7 +46,7 @@ pub enum OpenMethod {
     Current,
 }
 
-/// What happens at the end of the file.
+/// Action at the end of the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CloseMethod {
     /// Kerf stays (0).
@@ -84,7 +84,7 @@ impl StartUp {
     }
 }
 
-/// What stands between commas; quotes hold a name with commas together.
+/// Splits a line at its commas; quotes hold a name with commas together.
 fn items(line: &str) -> Result<Vec<String>, String> {
     let line = line.trim();
     let Some(quoted) = line.strip_prefix('"') else {

@@ -1,4 +1,4 @@
-//! What happens to a run that is stopped: the table of states says what follows, here its effects are
+//! Stops of a run: the table of states says what follows, here its effects are
 //! carried out.
 //!
 //! Jobs and moves by hand know what they do when they are stopped, and ask the same table; the run of a
@@ -28,15 +28,15 @@ const POWER_S: f64 = 5.0;
 /// A place that is come back to, and what was on there.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
-    /// Where the machine stood.
+    /// Place where the machine stood.
     stood: Axes,
-    /// Where the commands that were read lead to.
+    /// Place that the commands that were read lead to.
     ahead: Axes,
     /// To where the tool was lifted.
     pub lifted_mm: f64,
-    /// How far the workpiece was nudged since.
+    /// Distance by which the workpiece was nudged since.
     pub nudged: Axes,
-    /// What turned.
+    /// Spindles and axes that turned or moved by themselves.
     pub turned: Turning,
 }
 
@@ -97,13 +97,13 @@ impl<I: Interpreter> Runner<'_, I> {
         self.kept = Kept { stood, ahead, lifted_mm: stood[Axis::Z], ..Kept::default() };
     }
 
-    /// What turns stops, and comes on again with what was stopped before.
+    /// Stops what turns; it comes on again with what was stopped before.
     pub(crate) fn stop_spindles(&mut self) {
         self.world.stop_turning();
         self.keep_turning();
     }
 
-    /// What a stop input stopped meanwhile comes on again when the run goes on.
+    /// Keeps what a stop input stopped meanwhile, which comes on again when the run goes on.
     pub(crate) fn keep_turning(&mut self) {
         let Turning { spindles, alone } = std::mem::take(&mut self.world.stopped);
         self.kept.turned.add(spindles, alone);
@@ -118,7 +118,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.machine.motors_off();
     }
 
-    /// Whoever cuts next is asked whether the machine is where it is believed to be.
+    /// Puts the machine in doubt: whoever cuts next is asked whether it is where it is believed to be.
     fn doubt(&mut self) {
         let doubted = self.world.machine.doubt();
         self.world.shelf.doubts_location(doubted);
@@ -247,7 +247,7 @@ impl<I: Interpreter> Runner<'_, I> {
         Err(self.over(Status::Stopped, Code::InputStop, self.last_move, message.to_owned()))
     }
 
-    /// Whether a stop input forbids what the operator wants; he is told, and asked again in a moment.
+    /// Tells whether a stop input forbids what the operator wants; he is told, and asked again in a moment.
     pub(crate) fn is_forbidden(&mut self) -> bool {
         let Some(active) = self.world.machine.stop_input() else { return false };
         let t = self.world.now();

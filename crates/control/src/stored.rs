@@ -13,8 +13,8 @@ const OWN: [&str; 9] = [
     PART_FILE, EDITOR, LAST_ERROR, LAST_SHAPE, PREVIEW, RECORDED, RECORDING, "uAppPath", "uUsrPath",
 ];
 
-/// Whether Kerf writes a key for itself, so that nobody writes it over the network. Values of the user, variables of
-/// programs and names that other software made up are free.
+/// Tells whether Kerf writes a key for itself, so that nobody writes it over the network. Values of the user, variables
+/// of programs and names that other software made up are free.
 pub fn is_own(key: &str) -> bool {
     is_fact(key) || OWN.contains(&key)
 }
@@ -48,7 +48,7 @@ pub struct Stored {
     journal: Option<Journal>,
     /// Keys whose values are known here only.
     apart: &'static [&'static str],
-    /// Why a value could not be kept.
+    /// Reason for which a value could not be kept.
     trouble: Option<String>,
 }
 
@@ -84,7 +84,7 @@ impl Stored {
         self.values.retain(|key, _| !keys.contains(&key.as_str()));
     }
 
-    /// Whether the value of a key is kept in a journal, and is no fact of the machine.
+    /// Tells whether the value of a key is kept in a journal, and is no fact of the machine.
     pub(crate) fn is_kept_value(&self, key: &str) -> bool {
         self.journal.is_some() && !self.is_apart(key) && !is_fact(key)
     }
@@ -109,7 +109,7 @@ impl Stored {
         self.values.get(key).map(String::as_str)
     }
 
-    /// What somebody else made of a value, if anybody did.
+    /// Returns the value that somebody else gave a key, if anybody did.
     pub(crate) fn news(&self, key: &str) -> Option<Option<String>> {
         let journal = self.journal.as_ref().filter(|_| !self.is_apart(key))?;
         let now = journal.look_up(key).ok()?;
@@ -149,7 +149,7 @@ impl Stored {
         self.trouble = Some(trouble);
     }
 
-    /// Why a value could not be kept; told once.
+    /// Returns why a value could not be kept; told once.
     pub(crate) fn new_trouble(&mut self) -> Option<String> {
         self.trouble.take()
     }

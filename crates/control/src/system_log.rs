@@ -29,7 +29,7 @@ const OWNER: [&str; 6] = ["Serial", "Operator", "Sys1", "Sys2", "Sys3", "Sys4"];
 /// Seven digits.
 const CHECK_NUMBERS: u32 = 10_000_000;
 
-/// How Kerf was started: with a part file, and with which words of the start-up line.
+/// Start of Kerf: with a part file or not, and with which words of the start-up line.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Opening {
     /// A part file was given.
@@ -71,7 +71,7 @@ impl Shelf {
         self.log(settings, &line);
     }
 
-    /// What was logged so far is deleted, and a new log begun.
+    /// Deletes what was logged so far, and begins a new log.
     pub(crate) fn begin_system_log_anew(
         &mut self,
         settings: &Settings,

@@ -1,4 +1,4 @@
-//! What may not move: moves that would leave the table, anything while a stop input is active or the
+//! Refusal of motion: moves that would leave the table, anything while a stop input is active or the
 //! enclosure is open.
 
 use crate::execute::Halted;
@@ -10,10 +10,10 @@ use kerf_motion::{Move, Queue};
 use kerf_program::{At, Command, Independent, Interpreter, Status, StoppedBy, Turn};
 use kerf_sim::{Violation, Watched};
 
-/// What is told when the interlock forbids motion or a spindle.
+/// Message when the interlock forbids motion or a spindle.
 const ENCLOSURE_OPEN: &str = "enclosure open";
 
-/// Whether an output turns a spindle: those of part files, or that of jobs.
+/// Tells whether an output turns a spindle: those of part files, or that of jobs.
 const fn turns(output: u8) -> bool {
     matches!(output, 1 | 2) || output == Output::Router.number()
 }
@@ -105,13 +105,13 @@ impl<I: Interpreter> Runner<'_, I> {
         self.over(Status::Stopped, Code::InputStop, at, message)
     }
 
-    /// What is told of a stop input; an open enclosure says so itself.
+    /// Returns the message about a stop input; an open enclosure says so itself.
     pub(crate) fn stop_input_message(&self, message: String) -> String {
         let open = self.world.machine.open_enclosure().is_some();
         if open { ENCLOSURE_OPEN.into() } else { message }
     }
 
-    /// Whether a move of a stack that moves already would leave the table: whatever comes before it is
+    /// Tells whether a move of a stack that moves already would leave the table: whatever comes before it is
     /// made first, and then it is a stack of its own, about which the operator is asked.
     pub(crate) fn leaves_table(&mut self, made: &Move) -> bool {
         if self.stack.running.is_none() {
@@ -172,7 +172,7 @@ impl<I: Interpreter> Runner<'_, I> {
         if starts && stopped { self.may_move(at) } else { Ok(()) }
     }
 
-    /// What stops part files beside what they wait for: the emergency stop of jobs, which see to it themselves.
+    /// Watches for part files, beside what they wait for, the emergency stop of jobs, which see to it themselves.
     pub(crate) fn watched_for_all(&self) -> Option<Watched> {
         let (input, on) = (Input::EmergencyStop.number(), self.world.machine_is.estop.active);
         let watched = Watched { input, on, ramped: true, level_from_s: None };
@@ -185,12 +185,12 @@ impl<I: Interpreter> Runner<'_, I> {
         self.watched_for_all().map(|watched| Watched { level_from_s, ..watched })
     }
 
-    /// Whether that is the one that came.
+    /// Returns `true` if this watch is the emergency stop.
     pub(crate) fn is_emergency(&self, watch: usize) -> bool {
         watch >= self.interpreter.watches().len()
     }
 
-    /// Whether the emergency stop of jobs is pressed while a part file runs.
+    /// Returns `true` if the emergency stop of jobs is pressed while a part file runs.
     pub(crate) fn is_ended_by_press(&self) -> bool {
         self.world.is_pressed() && !self.interpreter.takes_stops()
     }

@@ -40,7 +40,7 @@ pub struct ToolPathTime {
     pub name: Arc<str>,
     /// The tool, empty when unknown.
     pub tool: Arc<str>,
-    /// How long it takes, waiting and tool changes included.
+    /// Time that it takes, s, waiting and tool changes included.
     pub seconds: f64,
     /// Of that, cutting.
     pub cut: f64,
@@ -53,13 +53,13 @@ pub struct ToolPathTime {
     /// Length of its cutting moves in space, mm: every pass, plunges too.
     #[serde(skip)]
     pub cut_mm: f64,
-    /// How many moves and arcs were made before it.
+    /// Number of moves and arcs that were made before it.
     #[serde(skip)]
     pub first_move: u64,
 }
 
 impl ToolPathTime {
-    /// Whether a start says of this part what is known: files repeat it after a tool change.
+    /// Returns `true` if a start names this part and no other tool: files repeat it after a tool change.
     fn goes_on(&self, start: &ToolPathStart) -> bool {
         let named = start.name.as_ref().is_some_and(|name| !name.is_empty() && *name == self.name);
         named && start.tool.as_ref().is_none_or(|tool| *tool == self.tool)

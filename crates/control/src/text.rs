@@ -11,10 +11,10 @@ use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
 use kerf_sim::Change;
 
-/// What a run in memory starts from.
+/// Options of a run in memory.
 #[derive(Clone, Debug, Default)]
 pub struct TextOptions {
-    /// How the program is run.
+    /// Options of the run itself.
     pub run: RunOptions,
     /// The settings at the start.
     pub settings: Settings,
@@ -68,9 +68,9 @@ impl TextOptions {
 pub struct Outcome {
     /// Everything that was told, in order.
     pub events: Vec<Event>,
-    /// What it came to.
+    /// Result of the run.
     pub summary: Summary,
-    /// What stays: settings, frames, position, variables.
+    /// Session that stays: settings, frames, position, variables.
     pub session: Session,
     /// Stored values and files, as the run left them.
     pub shelf: Shelf,

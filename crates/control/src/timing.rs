@@ -28,12 +28,12 @@ const LOOKS: u32 = 1000;
 /// A bit's name, and when it changed to what.
 type Edges = (String, Vec<(f64, bool)>);
 
-/// What a run did, line by line.
+/// Course of a run, line by line.
 #[derive(Debug)]
 pub struct Lines {
     /// Locations of X, Y and Z, mm.
     motion: [Kept; 3],
-    /// Where they count from; the zero of the machine's frame where nobody said.
+    /// Zero that they count from; that of the machine's frame where nobody said.
     zero: Option<Zero>,
     /// By whether it is an input, and its number.
     switches: BTreeMap<(bool, u8), Edges>,
@@ -77,7 +77,7 @@ impl Lines {
         Self { given_up, ..self }
     }
 
-    /// Whether it holds all of the run.
+    /// Returns `true` if it holds all of the run.
     pub const fn is_whole(&self) -> bool {
         self.edges <= self.most
     }
@@ -153,7 +153,7 @@ fn looks(from_s: f64, to_s: f64) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Whether there is anything to see on a line.
+/// Returns `true` if there is anything to see on a line.
 fn happens(track: &Track) -> bool {
     match &track.course {
         Course::Place(points) => points.windows(2).any(|pair| pair[0].1 != pair[1].1),

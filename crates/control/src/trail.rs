@@ -5,10 +5,10 @@ use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::{At, Interpreter, Status};
 
-/// Where the program was when it was looked at last.
+/// Place of the program when it was looked at last.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Trail {
-    /// How many files are open around the part file: one when a typed line runs it.
+    /// Number of files that are open around the part file: one when a typed line runs it.
     depth: usize,
     /// The open files and the line that runs next in each, outermost first.
     open: Vec<At>,

@@ -1,4 +1,4 @@
-//! What turns or moves by itself, and stops with a stop input.
+//! Spindles and axes that turn or move by themselves, and stop with a stop input.
 
 use crate::shelf::Shelf;
 use crate::world::World;
@@ -16,7 +16,7 @@ pub(crate) struct Turning {
 }
 
 impl Turning {
-    /// Whether nothing turned.
+    /// Returns `true` if nothing turned or moved by itself.
     pub const fn is_empty(&self) -> bool {
         self.spindles.is_empty() && self.alone.is_empty()
     }
@@ -46,7 +46,7 @@ impl Shelf {
 }
 
 impl World<'_> {
-    /// What turns and moves by itself stops, and is kept.
+    /// Stops what turns and moves by itself, and keeps it.
     pub fn stop_turning(&mut self) {
         let alone = self.machine.moving_alone();
         let spindles = self.machine.stop_spindles();
@@ -54,7 +54,7 @@ impl World<'_> {
         self.shelf.set_value(SPINDLE_STATUS, Some("0"));
     }
 
-    /// Whether the emergency stop of jobs is pressed.
+    /// Returns `true` if the emergency stop of jobs is pressed.
     pub fn is_pressed(&self) -> bool {
         let active = self.machine_is.estop.active;
         !self.machine.draws() && self.machine.input(Input::EmergencyStop.number()) == active

@@ -65,7 +65,7 @@ impl Versions {
         self.drop_old(&folder)
     }
 
-    /// What is kept of a file, the newest first.
+    /// Lists what is kept of a file, the newest first.
     ///
     /// # Errors
     /// Whatever the disk says.

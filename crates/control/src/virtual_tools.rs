@@ -9,7 +9,7 @@ use std::cell::RefCell;
 /// Name of the file of added tools in the data folder.
 pub const ADD_INS: &str = "virtualtools.ini";
 
-/// What a tool reads of a shelf.
+/// Shelf as a tool reads it.
 struct Reading<'a>(RefCell<&'a mut Shelf>);
 
 impl Folders for Reading<'_> {

@@ -1,4 +1,4 @@
-//! What a run waits for: time, answers, inputs, the operator.
+//! Waits of a run: for time, answers, inputs, the operator.
 
 use crate::answers;
 use crate::away::Aside;
@@ -18,10 +18,10 @@ use kerf_program::{
 };
 use kerf_sim::{Change, Halt, HaltCause};
 
-/// How often it is written down how far a move has come, seconds.
+/// Interval at which it is written down how far a move has come, seconds.
 const RECORDED_EVERY_S: f64 = 0.02;
 
-/// What a run waits for.
+/// Kind of a wait.
 #[derive(Clone, Copy)]
 enum Waits {
     /// So much time: a stop makes it longer.
@@ -102,18 +102,18 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// Whether the program says what follows on a wish.
+    /// Tells whether the program says what follows on a wish.
     fn is_taken(&self, wish: Wish) -> bool {
         self.interpreter.takes_stops() && matches!(wish, Wish::Stop | Wish::Hold)
     }
 
-    /// Whether the power went when a machine that stood was about to be stopped. It is elsewhere now, and
+    /// Tells whether the power went when a machine that stood was about to be stopped. It is elsewhere now, and
     /// is brought back before the next move.
     fn is_passed_over(&mut self, wish: Wish) -> bool {
         matches!(wish, Wish::Stop | Wish::Hold) && self.is_overtaken()
     }
 
-    /// Where the machine stands, with nothing left to make.
+    /// Returns where the machine stands, with nothing left to make.
     pub(crate) fn stood(&self) -> Halted {
         let position = self.world.machine.position();
         Halted { motion: None, began: position, stands: position }
@@ -138,7 +138,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.pass_until(t + seconds.max(0.0), Waits::Time)
     }
 
-    /// What the operator wants before a moment; what was postponed comes first.
+    /// Returns the wish of the operator before a moment; one that was postponed comes first.
     pub(crate) fn ask_pace(
         &mut self,
         from_s: f64,
@@ -179,7 +179,7 @@ impl<I: Interpreter> Runner<'_, I> {
         })
     }
 
-    /// What the operator wants: what the tape tells, else the world; that is kept where there is a tape.
+    /// Returns the wish of the operator: what the tape tells, else the world; that is kept where there is a tape.
     fn hear_wish(
         &mut self,
         world: impl FnOnce(&mut Self, bool) -> Option<(f64, Wish)>,
@@ -282,7 +282,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stands(wish).map_or_else(Flow::Over, |()| Flow::On)
     }
 
-    /// What moves heeds a wish on the way. A program that only computes would not get there, and must not keep
+    /// Lets what moves heed a wish on the way. A program that only computes would not get there, and must not keep
     /// another from being heard.
     fn heed_while_moving(&mut self) -> Flow {
         let now = self.world.now();
@@ -293,7 +293,7 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.wishes.iter().any(|(_, wish)| stops(wish)) { self.flush() } else { Flow::On }
     }
 
-    /// What follows on a wish when the machine stands.
+    /// Does what follows on a wish when the machine stands.
     pub(crate) fn stands(&mut self, wish: Wish) -> Result<(), Over> {
         match wish {
             Wish::Stop => self.hold(),
@@ -433,8 +433,8 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What the operator answers to the question that is open. A run that he gives up instead can be taken up as if
-    /// he had not answered, unless it has not moved yet.
+    /// Returns the answer of the operator to the question that is open. A run that he gives up instead can be taken up
+    /// as if he had not answered, unless it has not moved yet.
     fn answer_or_give_up(&mut self, at: At) -> Result<Option<Answer>, Unanswered> {
         loop {
             let question = self.world.question.clone();
@@ -461,7 +461,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What the operator answers to the question that is open; at a keypad he moves the tool before.
+    /// Returns the answer of the operator to the question that is open; at a keypad he moves the tool before.
     fn answer_of_operator(&mut self, at: At) -> Result<Option<Answer>, Unanswered> {
         let Some(question) = self.world.question.take() else { return Ok(None) };
         let hands = [QuestionKind::Keypad, QuestionKind::Paused].contains(&question.kind);
@@ -521,7 +521,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 }
 
-/// Whether the operator gives up a run that waits: a job in a pause by what he tells it.
+/// Tells whether the operator gives up a run that waits: a job in a pause by what he tells it.
 fn gives_up(answer: &Result<Option<Answer>, Unanswered>, pauses: bool) -> bool {
     match answer {
         Ok(Some(answer)) if pauses => Word::read(&answers::words(answer)) == Some(Word::Abort),

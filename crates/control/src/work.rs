@@ -1,4 +1,4 @@
-//! What a machine is given to do: a part file, a job, or a move by hand.
+//! Work of a machine: a part file, a job, or a move by hand.
 
 use kerf_machine::{Configuration, Errand};
 use kerf_part::Program;
@@ -27,7 +27,7 @@ impl Work {
         }
     }
 
-    /// How many lines it has, or shapes.
+    /// Returns the number of its lines, or shapes.
     pub fn line_count(&self) -> usize {
         match self {
             Self::Part(program) => program.line_count(),
@@ -38,8 +38,8 @@ impl Work {
 }
 
 impl Work {
-    /// Where it takes its job origin when it begins while the tool is at a position: X and Y from home, mm; there,
-    /// if the machine is set so. A job that is homed in X and Y first takes none that is worth keeping.
+    /// Returns the job origin that it takes when it begins while the tool is at a position: X and Y from home, mm; that
+    /// position, if the machine is set so. A job that is homed in X and Y first takes none that is worth keeping.
     pub fn takes_origin(&self, position: Axes) -> Option<[f64; 2]> {
         let Self::Job(_, machine) = self else { return None };
         let homes = machine.homing.at_job_start;

@@ -1,4 +1,4 @@
-//! What a program works with: machine, operator, files, and the events that tell of it.
+//! Surroundings of a program: machine, operator, files, and the events that tell of it.
 //!
 //! The world answers what the interpreter asks ([`Host`]) and carries out its commands, except
 //! motion, which the [`Runner`](crate::runner) plans first.
@@ -30,11 +30,11 @@ use std::sync::Arc;
 /// without end must not eat the memory.
 const LONGEST_LINE: usize = 1_000_000;
 
-/// What a job that waits is told besides its buttons: an example of each.
+/// Words that a job that waits is told besides its buttons: an example of each.
 const TELLS_JOBS: &str = "cut 3000, plunge 600, zbottom -0.5, height 0.1, raise no, move x 10; before it starts \
                           next, previous, 3";
 
-/// Why a question has no answer.
+/// Reason for which a question has no answer.
 #[derive(Debug)]
 pub(crate) enum Unanswered {
     /// The operator stopped the machine instead.
@@ -61,7 +61,7 @@ pub(crate) struct World<'a> {
     pub settled: bool,
     pub question: Option<Question>,
     pub answer: Option<Answer>,
-    /// What was told already: a line in a loop finds the same again and again.
+    /// Diagnostics that were told already: a line in a loop finds the same again and again.
     told: BTreeSet<(Code, SourcePlace, String)>,
     /// The run is a preview.
     pub previews: bool,
@@ -75,7 +75,7 @@ pub(crate) struct World<'a> {
     pub silent: bool,
     /// The zero points that stay: a job has its own only while it runs.
     pub stays: Option<Frame>,
-    /// What the machine is.
+    /// Configuration of the machine.
     pub machine_is: Arc<Configuration>,
     /// Axes that were homed when the run began.
     pub homed: AxisSet,
@@ -85,7 +85,7 @@ pub(crate) struct World<'a> {
     laser_hz: Option<f64>,
     /// The spindle was switched in this run.
     spindle_switched: bool,
-    /// What a stop input stopped while somebody was asked.
+    /// Spindles and axes that a stop input stopped while somebody was asked.
     pub stopped: Turning,
     /// The limit switch that the next question about limits is about; without one it is about the table.
     pub limit: Option<u8>,
@@ -201,7 +201,7 @@ impl<'a> World<'a> {
         names.into_iter().filter_map(|name| Some((name.clone(), value(&name)?))).collect()
     }
 
-    /// Whether anybody looks at moves and arcs.
+    /// Tells whether anybody looks at moves and arcs.
     pub fn tells_motion(&self) -> bool {
         !self.silent && self.sink.looks_at_motion()
     }
@@ -214,7 +214,7 @@ impl<'a> World<'a> {
         }
     }
 
-    /// Where the machine is, and the zero points that stay.
+    /// Returns the place of the machine, and the zero points that stay.
     pub fn placed(&self) -> Placed {
         let frame = self.stays.unwrap_or(*self.machine.frame());
         Placed { position: self.machine.position(), frame }
@@ -225,7 +225,7 @@ impl<'a> World<'a> {
         self.machine.clock_s()
     }
 
-    /// How many files have names.
+    /// Returns the number of files that have names.
     pub const fn files_known(&self) -> usize {
         self.files.len()
     }
@@ -507,7 +507,7 @@ impl<'a> World<'a> {
         Ok(answer)
     }
 
-    /// What is told of an answer that a box does not take.
+    /// Returns the message about an answer that a box does not take.
     fn fits_nothing(&self, question: &Question, words: &str) -> String {
         let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
         let buttons = buttons.join(", ");
@@ -534,7 +534,7 @@ impl<'a> World<'a> {
         }
     }
 
-    /// What the operator says. He may move switches of the simulated machine before; the one that the
+    /// Hears what the operator says. He may move switches of the simulated machine before; the one that the
     /// question waits for answers it, and so do the keys of a pendant.
     fn hear_answer(&mut self, question: &Question, at: At) -> Result<Option<String>, Unanswered> {
         let file = self.file(at);
@@ -593,7 +593,7 @@ impl<'a> World<'a> {
     }
 }
 
-/// What is set where this happens; nothing where it is only noticed.
+/// Returns the actuator that is set where this happens; nothing where it is only noticed.
 const fn actuator(what: &What) -> Option<Actuator> {
     Some(match *what {
         What::Output { number, on, why } => Actuator::Output { number, on, why },

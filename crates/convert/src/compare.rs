@@ -1,4 +1,4 @@
-//! Whether two programs move the tool the same way.
+//! Checks that two programs move the tool the same way.
 //!
 //! Every conversion is read back and compared with what the source does, so that a file that would
 //! move otherwise is never handed out. Lines have to be lines to the same places, arcs have to be
@@ -6,36 +6,36 @@
 
 use kerf_program::{Arc, At, Axes, Axis, Chorded, Command, Line, MoveKind, Sourced};
 
-/// How far places may lie apart, mm or degrees.
+/// Greatest distance between places that count as one, mm or degrees.
 pub const SAME_MM: f64 = 1e-6;
-/// How far chords may lie from an arc that could not stay one, mm.
+/// Greatest distance of chords from an arc that could not stay one, mm.
 const CHORD_MM: f64 = 0.0051;
-/// How far the centres of arcs in other planes may lie apart, mm: what rounding its words makes.
+/// Greatest distance between the centres of arcs in other planes, mm: what rounding its words makes.
 const CENTRE_MM: f64 = 2e-5;
-/// How much such arcs may differ in their angles, radians.
+/// Greatest difference between the angles of such arcs, radians.
 const TURN_RAD: f64 = 1e-4;
 /// Arcs with nearer ends than this may have become lines, mm.
 const SHORT_MM: f64 = 4e-4;
 
-/// Where two programs part.
+/// Place where two programs part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// The line of the first program.
     pub at: At,
     /// The line of the second one, 0 when it has nothing more.
     pub line: u32,
-    /// What differs.
+    /// Difference, in words.
     pub what: String,
 }
 
-/// How two programs are compared.
+/// Options of a comparison.
 #[derive(Clone, Copy, Debug)]
 pub struct Comparing {
-    /// Where both begin.
+    /// Place where both begin.
     pub start: Axes,
-    /// What happens while tools are changed is each machine's own.
+    /// Motions of tool changes are left out: they are each machine's own.
     pub own_tool_changes: bool,
-    /// How far places may lie apart, mm or degrees.
+    /// Greatest distance between places that count as one, mm or degrees.
     pub same_mm: f64,
     /// Arcs beside which other axes turn are chords in the second program.
     pub chords: bool,
@@ -158,7 +158,7 @@ struct Pair<I> {
     second: Motions<I>,
     /// A motion of the second that was looked at and is still to be compared.
     kept: Option<(Axes, Motion)>,
-    /// Where the first program is.
+    /// Place of the first program.
     here: Axes,
     how: Comparing,
     /// The second may stand higher, behind a change of tools.
@@ -175,8 +175,8 @@ impl<'a, I: Iterator<Item = &'a Sourced>> Pair<I> {
         next.map(|(_, from, motion)| (from, motion))
     }
 
-    /// What the second does more than the first. That it comes down again from where a change of tools
-    /// has lifted it is no more.
+    /// Returns the motion that the second makes more than the first. That it comes down again from where a
+    /// change of tools has lifted it is no more.
     fn more(&mut self) -> Option<(Axes, Motion)> {
         loop {
             let (began, motion) = self.next()?;
@@ -361,7 +361,7 @@ impl Circle {
         Err(format!("{off:.7} mm beside the circle at {}", place(place_of)))
     }
 
-    /// Whether another arc runs on this circle.
+    /// Checks that another arc runs on this circle.
     fn holds(&self, arc: &Arc, from: Axes) -> Result<(), String> {
         for i in 0..=8 {
             let angle = arc.sweep_rad * f64::from(i) / 8.0;

@@ -4,7 +4,7 @@ use kerf_diag::{Code, Diagnostic};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What makes two warnings one: the file, the code, and the words.
+/// Key by which two warnings are one: the file, the code, and the words.
 type Key = (Arc<str>, Code, String);
 
 /// The diagnostics in their order; of warnings that say the same the first, with how many more there are. Errors

@@ -17,19 +17,19 @@ const MOST_ITEMS: usize = 2_000_000;
 /// Items of a line, as many as a long program without loops may need.
 const ITEMS_A_LINE: usize = 8;
 
-/// What following needs of a language besides [`Interpreter`].
+/// Interface to a language that following needs besides [`Interpreter`].
 pub trait Language: Interpreter {
     /// The line that runs next.
     fn next_line(&self) -> Option<At>;
     /// The comment behind the code of a line.
     fn comment_beside(&self, at: At) -> Option<Arc<str>>;
-    /// Whether such a comment comes as a message too.
+    /// Returns `true` if such a comment comes as a message too.
     fn tells_comments(&self) -> bool;
     /// The unit of the file now.
     fn unit(&self) -> LinearUnit;
     /// The tool that the change that just began puts in, where the program names it before.
     fn wanted_tool(&self) -> Option<String>;
-    /// What a line asks for that only the machine knows, as part of a sentence.
+    /// Returns what a line asks for that only the machine knows, as part of a sentence.
     fn machine_place(&self, at: At) -> Option<&'static str>;
 }
 

@@ -13,7 +13,7 @@ use std::task::Poll;
 /// Outputs, counted from 1.
 const OUTPUTS: usize = 13;
 
-/// What a program learnt from the world, or did to it, in one step.
+/// Something that a program learnt from the world, or did to it, in one step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Seen {
     /// A question and its answer.
@@ -27,9 +27,9 @@ pub struct Paper<'a> {
     behind: &'a mut dyn Host,
     outputs: [bool; OUTPUTS],
     position: [f64; AXES],
-    /// What was seen since it was last taken.
+    /// Things that were seen since they were last taken.
     seen: Vec<Seen>,
-    /// What is told only once.
+    /// Things that are told only once.
     told: BTreeSet<String>,
 }
 
@@ -55,7 +55,7 @@ impl<'a> Paper<'a> {
         }
     }
 
-    /// What was seen since the last time.
+    /// Takes what was seen since the last time.
     pub fn take_seen(&mut self) -> Vec<Seen> {
         std::mem::take(&mut self.seen)
     }

@@ -1,4 +1,4 @@
-//! What a program came to while it was followed.
+//! The items that a program came to while it was followed.
 
 use kerf_diag::Diagnostic;
 use kerf_program::settings::LinearUnit;
@@ -23,13 +23,13 @@ pub enum Item {
 /// A program followed to its end.
 #[derive(Debug, Default)]
 pub struct Passage {
-    /// Where it began, machine frame.
+    /// Place where it began, machine frame.
     pub start: Axes,
-    /// What it does, in order.
+    /// Items of what it does, in order.
     pub items: Vec<Item>,
-    /// How it ended; nothing when it was not even begun.
+    /// Status at the end; nothing when it was not even begun.
     pub status: Option<Status>,
-    /// What was found on the way.
+    /// Diagnostics that were found on the way.
     pub diagnostics: Vec<Diagnostic>,
     /// Names of the files that places speak of.
     pub files: Vec<Arc<str>>,

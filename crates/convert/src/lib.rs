@@ -61,7 +61,7 @@ impl Language {
     }
 }
 
-/// What is converted.
+/// A program to convert.
 #[derive(Clone, Debug)]
 pub struct Source<'a> {
     /// Name shown to people.
@@ -72,7 +72,7 @@ pub struct Source<'a> {
     pub language: Language,
 }
 
-/// How it is converted.
+/// Options of a conversion.
 #[derive(Clone, Debug)]
 pub struct Conversion {
     /// The language of the source.
@@ -81,7 +81,7 @@ pub struct Conversion {
     pub to: Language,
     /// The machine's settings at the start.
     pub settings: Settings,
-    /// How a part file is read.
+    /// Options by which a part file is read.
     pub sbp: kerf_sbp::Options,
     /// Variables set before the start.
     pub variables: kerf_sbp::Variables,
@@ -93,12 +93,12 @@ pub struct Conversion {
     pub title: String,
 }
 
-/// What came of it.
+/// Result of a conversion.
 #[derive(Debug)]
 pub struct Converted {
     /// The text; nothing when it could not be converted.
     pub text: Option<String>,
-    /// What was found on the way.
+    /// Diagnostics that were found on the way.
     pub diagnostics: Vec<Diagnostic>,
 }
 

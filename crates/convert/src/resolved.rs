@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// slopes, and the seven digits of variables.
 const SAME_SHARE: f64 = 0.006;
 
-/// How far chords may lie from an arc of G18 and G19 in a drawing, mm: where one stands upright the chords
+/// Greatest distance of chords from an arc of G18 and G19 in a drawing, mm: where one stands upright the chords
 /// beside it become half as long again, and stay within a hundredth.
 const DRAWN_MM: f64 = 0.004;
 
@@ -48,7 +48,7 @@ pub fn convert(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> C
     as_moves(&passage, start, how, hosts, diagnostics)
 }
 
-/// What following it told.
+/// Returns what following the program told.
 fn told_before(passage: &Passage, source: &Source<'_>, start: Axes) -> Vec<Diagnostic> {
     let from_here = (start == Axes::default()).then(|| from_here(passage, source));
     passage.diagnostics.iter().cloned().chain(from_here).collect()
@@ -118,7 +118,7 @@ fn keep(
     Ok(text)
 }
 
-/// What the program does, and where it was followed from.
+/// Returns what the program does, and where it was followed from.
 fn passage(source: &Source<'_>, how: &Conversion, hosts: Hosts<'_, '_>) -> (Passage, Axes) {
     let odd = run(source, how, hosts, ODD, false);
     if !ended_well(&odd) {

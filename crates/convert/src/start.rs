@@ -1,4 +1,4 @@
-//! Where a program that is converted begins.
+//! The place where a program that is converted begins.
 //!
 //! Where the tool will stand when the converted file starts is not known. A program that first says
 //! where to go must stay so: `J2,0,0` in the first line is a move, although a machine at zero would
@@ -16,7 +16,7 @@ pub const ODD: Axes =
 /// Places that differ by less are one, mm or degrees.
 const SAME: f64 = 1e-9;
 
-/// Whether a program does from the odd place what it does from zero.
+/// Returns `true` if a program does from the odd place what it does from zero.
 pub fn says_its_places(odd: &Passage, zero: &Passage) -> bool {
     let mut plain = zero.commands().filter(|s| s.command.is_motion()).peekable();
     let mut here = Axes::default();
@@ -63,7 +63,7 @@ const fn moved_zero(sourced: &Sourced) -> Option<(At, Axes, AxisSet)> {
     }
 }
 
-/// Whether its height is said before it matters: a change of tools leaves the tool higher than it was, and
+/// Returns `true` if its height is said before it matters: a change of tools leaves the tool higher than it was, and
 /// an arc is written with how far it goes down.
 pub fn says_its_height(odd: &Passage) -> bool {
     let (mut height, mut raised) = (ODD[Axis::Z], false);
@@ -85,7 +85,7 @@ pub fn says_its_height(odd: &Passage) -> bool {
     true
 }
 
-/// How many things it does besides moving.
+/// Counts the things it does besides moving.
 fn others(passage: &Passage) -> usize {
     let motion = |item: &&Item| matches!(item, Item::Command(s) if s.command.is_motion());
     passage.items.iter().filter(|item| !motion(item)).count()

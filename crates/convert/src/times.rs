@@ -1,9 +1,9 @@
-//! How long a program cuts, and what it switches.
+//! The time that a program cuts, and the things it switches.
 
 use crate::item::{Item, Passage};
 use kerf_program::{Axes, Axis, Command, Feed, MoveKind, Settings};
 
-/// How long its cuts take at their feeds, seconds, without ramps; changes of tools left out.
+/// Computes how long its cuts take at their feeds, seconds, without ramps; changes of tools left out.
 pub fn cutting_s(passage: &Passage, settings: &Settings) -> f64 {
     let (mut here, mut speeds, mut total, mut changing) =
         (passage.start, settings.speeds, 0.0, false);
@@ -48,7 +48,7 @@ fn seconds(feed: Feed, speeds: &kerf_program::settings::PerGroup, xy: f64, delta
     }
 }
 
-/// What it switches, waits for and asks, in order. What happens while a tool is changed is each
+/// Lists what it switches, waits for and asks, in order. What happens while a tool is changed is each
 /// machine's own.
 pub(crate) fn switched(passage: &Passage) -> Vec<String> {
     let mut changing = false;

@@ -12,7 +12,7 @@ use crate::passes::cut;
 use crate::{Context, Cut, CutError, Passes, Side, Turn};
 use kerf_geom::{Arc2, Point2, Vec2, vec_to_clock};
 
-/// How far the end may lie beside the circle, and the chord exceed the diameter: .01 in.
+/// Largest distance of the end from the circle, and largest excess of the chord over the diameter: .01 in.
 ///
 /// Files carry three or four decimals; more than this is a wrong number.
 pub const ARC_TOLERANCE_MM: f64 = 0.254;
@@ -32,7 +32,7 @@ pub struct ArcTo {
     pub turn: Turn,
     /// Proportions in X and Y, about the tool.
     pub proportion: [f64; 2],
-    /// How often and how deep.
+    /// Number and depth of the passes.
     pub passes: Passes,
 }
 
@@ -95,7 +95,7 @@ fn centre_offset(
     if used == [0.0, 0.0] { Err(CutError::CentreAtStart) } else { Ok(used) }
 }
 
-/// Where the arc leads: nominally, and really on the table.
+/// Chord of the arc: nominal, and really on the table.
 struct Chord {
     /// From the tool to the end before any proportion.
     nominal: Vec2,

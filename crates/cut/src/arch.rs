@@ -26,7 +26,7 @@ pub struct Arch {
     pub alignment_deg: f64,
     /// Proportions in X and Y of the table.
     pub proportion: [f64; 2],
-    /// How often and how deep; the feature is plain or tab.
+    /// Number and depth of the passes; the feature is plain or tab.
     pub passes: Passes,
 }
 

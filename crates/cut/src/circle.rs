@@ -27,7 +27,7 @@ pub struct Circle {
     pub end_deg: Option<f64>,
     /// Proportions in X and Y.
     pub proportion: [f64; 2],
-    /// How often and how deep.
+    /// Number and depth of the passes.
     pub passes: Passes,
 }
 

@@ -1,4 +1,4 @@
-//! What a cut needs to know beside its own parameters.
+//! The state of machine and file that a cut needs beside its own parameters.
 
 use crate::CutError;
 use crate::error::check_length;
@@ -10,7 +10,7 @@ use kerf_program::Settings;
 /// Places are in one frame; lengths in mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Context {
-    /// Where the tool is.
+    /// Place of the tool.
     pub start: [f64; 3],
     /// The Z that 'plunge from 0' means.
     pub zero_z: f64,
@@ -41,7 +41,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// How far the path lies outside the shape, mm.
+    /// Returns the distance of the path outside the shape, mm.
     pub(crate) fn offset_mm(self, cutter_mm: f64) -> f64 {
         match self {
             Self::Out => cutter_mm / 2.0,

@@ -48,12 +48,12 @@ pub(crate) enum Anchor {
 #[derive(Clone, Debug)]
 pub(crate) struct Curve {
     begin: Point2,
-    /// Where travel ends; for a circle with an end point of the user's, up to a rounding beside it.
+    /// End of travel; for a circle with an end point of the user's, up to a rounding beside it.
     end: Point2,
     centre: Point2,
     /// Nominal half axes in X and Y, negative when mirrored.
     half: [f64; 2],
-    /// How far the path lies outside the nominal shape.
+    /// Distance of the path outside the nominal shape.
     offset: f64,
     begin_deg: f64,
     sweep_deg: f64,

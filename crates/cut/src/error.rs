@@ -1,4 +1,4 @@
-//! What makes a cut impossible, and the bounds that keep absurd numbers from exhausting memory.
+//! The errors of cuts, and the bounds that keep absurd numbers from exhausting memory.
 
 use kerf_program::settings::LinearUnit;
 
@@ -12,7 +12,7 @@ pub const MAX_LENGTH_MM: f64 = 1.0e6;
 /// A pocket the size of a sheet with a small cutter needs some thousands; this is about 40 MB.
 pub const MAX_STEPS: usize = 500_000;
 
-/// Why a Cut command cannot be carried out. Nothing has moved when one is returned.
+/// Reason why a Cut command cannot be carried out. Nothing has moved when one is returned.
 ///
 /// The text of `Display` gives lengths in millimetres; [`CutError::message`] in the user's unit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -16,7 +16,7 @@ use kerf_geom::Point2;
 use kerf_program::MoveKind::{Cut as Cutting, Jog};
 use std::ops::Range;
 
-/// What is done beside following the path.
+/// Work done beside following the path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Feature {
     /// 0: nothing.
@@ -46,14 +46,14 @@ impl Feature {
     }
 }
 
-/// How often and how deep a path is cut.
+/// Number and depth of the passes along a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passes {
     /// Change of Z for each repetition as the user wrote it, mm; negative goes down.
     pub plunge_mm: f64,
     /// Number of passes.
     pub repetitions: u32,
-    /// What is done beside.
+    /// Work done beside following the path.
     pub feature: Feature,
     /// Stay at the depth of the last pass.
     pub no_pull_up: bool,
@@ -76,9 +76,9 @@ impl Default for Passes {
 
 /// A path that can be cut again and again.
 pub(crate) trait Outline {
-    /// Where it begins.
+    /// Returns the beginning of the path.
     fn begin(&self) -> Point2;
-    /// Whether it ends where it begins.
+    /// Returns `true` if the path ends where it begins.
     fn is_closed(&self) -> bool;
     /// Steps of one pass, or of one level of the pocket; about, and never too few.
     fn step_count(&self, pocket: bool) -> f64;

@@ -52,7 +52,7 @@ impl Corner {
         }
     }
 
-    /// Whether the first side runs along X.
+    /// Returns `true` if the first side runs along X.
     const fn x_first(self, turn: Turn) -> bool {
         matches!(
             (self, turn),
@@ -73,9 +73,9 @@ pub struct Rectangle {
     pub side: Side,
     /// Which way round.
     pub turn: Turn,
-    /// Where the tool is.
+    /// Corner at which the tool is.
     pub corner: Corner,
-    /// How often and how deep; the feature is plain, tab or pocket.
+    /// Number and depth of the passes; the feature is plain, tab or pocket.
     pub passes: Passes,
 }
 
@@ -164,9 +164,9 @@ impl Sides {
         (self.short() / (2.0 * self.step_mm) - 1e-9).ceil().max(1.0)
     }
 
-    /// How far beyond a corner `inset` inside the ring before the tool must go so that nothing is
-    /// left between the two corners: the outer ring clears half a cutter from its sides, the round
-    /// cutter in the inner corner reaches less than that diagonally.
+    /// Returns the distance beyond a corner `inset` inside the ring before that the tool must go so that
+    /// nothing is left between the two corners: the outer ring clears half a cutter from its sides, the
+    /// round cutter in the inner corner reaches less than that diagonally.
     fn corner_reach(&self, inset: f64) -> f64 {
         inset - self.cutter_mm * (0.5 + FRAC_1_SQRT_2 / 2.0)
     }

@@ -14,7 +14,7 @@ pub enum Step {
     Line {
         /// Cut at move speed, or jog.
         kind: MoveKind,
-        /// Where it ends.
+        /// End of the line.
         to: [f64; 3],
     },
     /// A circular cut in the XY plane; Z changes in proportion to the angle.
@@ -23,9 +23,9 @@ pub enum Step {
         centre: [f64; 2],
         /// Swept angle in radians, positive counter-clockwise.
         sweep_rad: f64,
-        /// Where it ends.
+        /// End of the arc.
         to: [f64; 3],
-        /// How many chords the circle resolution asks for.
+        /// Number of chords that the circle resolution asks for.
         chords: u32,
         /// The circle is below the small circle size.
         small: bool,
@@ -33,7 +33,7 @@ pub enum Step {
 }
 
 impl Step {
-    /// Where the step ends.
+    /// Returns the end of the step.
     pub const fn to(&self) -> [f64; 3] {
         match self {
             Self::Line { to, .. } | Self::Arc { to, .. } => *to,
@@ -74,7 +74,7 @@ pub struct Cut {
 
 /// The tool on its way: the steps so far and where they have led.
 pub(crate) struct Trail {
-    /// Where the tool is.
+    /// Place of the tool.
     pub at: [f64; 3],
     /// The steps so far.
     pub steps: Vec<Step>,

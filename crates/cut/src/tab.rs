@@ -42,13 +42,13 @@ pub struct Tabber<T> {
     safe_z: Option<f64>,
     /// Tabs still to insert; `None` without end.
     left: Option<u32>,
-    /// Where the next tab begins.
+    /// Path length at which the next tab begins.
     next_at: f64,
     /// Path length at the end of what was pushed.
     travelled: f64,
     /// Path length at the end of what was given out.
     given: f64,
-    /// Where the tool is after what was given out.
+    /// Place of the tool after what was given out.
     at: [f64; 3],
     held: VecDeque<Held<T>>,
 }
@@ -124,7 +124,7 @@ impl<T: Copy> Tabber<T> {
         if profile.period < MIN_PERIOD_MM { Err(CutError::EmptyTabs) } else { Ok(()) }
     }
 
-    /// Whether more tabs will come.
+    /// Returns `true` while more tabs will come.
     pub fn active(&self) -> bool {
         self.left != Some(0)
     }
@@ -263,7 +263,7 @@ impl<T: Copy> Tabber<T> {
 }
 
 impl Profile {
-    /// Whether it lifts the tool anywhere.
+    /// Returns `true` if it lifts the tool anywhere.
     fn is_tab(&self) -> bool {
         self.up > 0.0 && self.length > 0.0
     }
@@ -300,7 +300,7 @@ impl<T> Held<T> {
         }
     }
 
-    /// Where the tool is after a share of the step.
+    /// Returns the place of the tool after a share of the step.
     fn place(&self, share: f64) -> [f64; 3] {
         let end = self.step.to();
         if share == 1.0 {

@@ -7,14 +7,14 @@
 use crate::Severity;
 use serde::{Deserialize, Serialize};
 
-/// What `kerf explain` prints for a code.
+/// Explanation of a code that `kerf explain` prints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Explanation {
     /// The code itself.
     pub code: Code,
     /// One line that names the mistake.
     pub title: &'static str,
-    /// What it means, an example, how to mend it.
+    /// Its meaning, an example, a way to mend it.
     pub text: &'static str,
 }
 

@@ -4,7 +4,7 @@ use crate::Code;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// How bad it is.
+/// Severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
@@ -39,16 +39,16 @@ impl Place {
 /// One thing a person should know about a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Severity.
     pub severity: Severity,
     /// Stable code, explained by `kerf explain`.
     pub code: Code,
-    /// Where.
+    /// Place of the mistake.
     #[serde(flatten)]
     pub place: Place,
-    /// What is wrong, one sentence.
+    /// The mistake in one sentence.
     pub message: String,
-    /// How to mend it; empty when nothing useful can be said.
+    /// Way to mend it; empty when nothing useful can be said.
     pub hint: String,
     /// The files that led here, innermost caller first (`B.sbp` called from `A.sbp` line 5).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

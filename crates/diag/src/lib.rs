@@ -1,4 +1,4 @@
-//! What Kerf tells a person about a mistake: where it is, what is wrong, how to mend it.
+//! Diagnostics that tell a person about a mistake: where it is, what is wrong, how to mend it.
 //!
 //! A [`Diagnostic`] carries a stable [`Code`], a [`Place`] in a file, one sentence of message and
 //! one of hint. The table of codes in [`codes`] is the only list there is: `kerf explain`, the

@@ -3,7 +3,7 @@
 use crate::{Diagnostic, Severity};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
-/// Where the text of a file comes from when a diagnostic is drawn.
+/// Source of the text of files when a diagnostic is drawn.
 pub trait Sources {
     /// One line of a file, without its line end, or nothing when the file is unknown.
     fn line(&self, file: &str, line: u32) -> Option<String>;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// What some editors put before UTF-8.
+/// Byte-order mark that some editors put before UTF-8.
 const UTF_8_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// The text of a file, without a byte-order mark; line ends stay as they are.

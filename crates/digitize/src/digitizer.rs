@@ -36,7 +36,7 @@ impl Digitizer {
         self.current
     }
 
-    /// Whether heights count.
+    /// Tells whether heights count.
     pub const fn dimension(&self) -> Dimension {
         self.dimension
     }
@@ -46,7 +46,7 @@ impl Digitizer {
         self.next
     }
 
-    /// Whether there are points that no shape was saved of as they are.
+    /// Returns `true` if there are points that no shape was saved of as they are.
     pub fn is_unsaved(&self) -> bool {
         self.unsaved && !self.points.is_empty()
     }
@@ -157,7 +157,7 @@ impl Digitizer {
         found.map(|(_, number)| number).ok_or(Refusal::NoPoints)
     }
 
-    /// Where the current point stands in the list.
+    /// Returns the place of the current point in the list.
     fn place(&self) -> Result<usize, Refusal> {
         self.current.checked_sub(1).ok_or(Refusal::NoPoints)
     }

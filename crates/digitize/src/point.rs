@@ -3,7 +3,7 @@
 use kerf_geom::Point2;
 use serde::{Deserialize, Serialize};
 
-/// Where the tool stands, millimetres: X and Y from the job origin, Z from home.
+/// Place where the tool stands, millimetres: X and Y from the job origin, Z from home.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Stand {
     /// In the plane, from the job origin.
@@ -25,7 +25,7 @@ impl Stand {
     }
 }
 
-/// What a point is on the path.
+/// Role of a point on the path.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
@@ -47,7 +47,7 @@ impl Kind {
     }
 }
 
-/// Whether the heights of points count.
+/// Dimension of a shape: the heights of its points count or not.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Dimension {
     /// They do not: the shape is as deep as its group says, and moves along it keep Z.
@@ -62,10 +62,10 @@ pub enum Dimension {
 /// A digitized point.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Point {
-    /// Where the tool stood.
+    /// Place where the tool stood.
     #[serde(flatten)]
     pub stand: Stand,
-    /// What it is.
+    /// Role on the path.
     pub kind: Kind,
 }
 
@@ -75,7 +75,7 @@ impl Point {
         Self { stand, kind }
     }
 
-    /// How far the tool is from it; in 2D whatever its height.
+    /// Returns the distance of the tool from it; in 2D whatever its height.
     pub(crate) fn distance(&self, tool: &Stand, dimension: Dimension) -> f64 {
         let flat = self.stand.at.distance(tool.at);
         match dimension {

@@ -1,8 +1,8 @@
-//! Why something is not done.
+//! Refusals: the reasons why something is not done.
 
 use thiserror::Error;
 
-/// Why something is not done. The words fit a screen of two lines of twenty characters.
+/// Reason why something is not done. The words fit a screen of two lines of twenty characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum Refusal {
     /// An arc point beside another one.

@@ -11,7 +11,7 @@ const AT_MM: f64 = 1e-3;
 pub struct Leg {
     /// A line or an arc, from the job origin.
     pub path: Segment,
-    /// Where Z is at its end, from home; in 2D it stays where it is.
+    /// Z at its end, from home; in 2D it stays where it is.
     pub z_mm: Option<f64>,
     /// Number of the point that is reached, from 1.
     pub point: usize,

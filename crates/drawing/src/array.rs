@@ -97,9 +97,9 @@ pub struct ArrayLevel {
     pub row_gap_mm: f64,
     /// Gap between neighbouring columns, millimetres.
     pub column_gap_mm: f64,
-    /// Where it begins.
+    /// Corner at which it begins.
     pub start: Corner,
-    /// How it goes on.
+    /// Order in which its blocks are cut.
     pub order: Order,
 }
 
@@ -185,7 +185,7 @@ pub struct GapError {
     pub lines: &'static str,
     /// The gap.
     pub gap_mm: f64,
-    /// What it has to be above: the size of what is repeated, negative.
+    /// Bound above which it has to be: the size of what is repeated, negative.
     pub least_mm: f64,
 }
 
@@ -221,7 +221,7 @@ impl Arrays {
         self.block.count().saturating_mul(self.job.count())
     }
 
-    /// How far each copy of a block of this size is moved, in cutting order.
+    /// Returns the displacement of each copy of a block of this size, in cutting order.
     pub fn placements(&self, block: Vec2) -> impl Iterator<Item = Vec2> {
         let (inner, outer) = (self.block, self.job);
         let (pitch, job_pitch) = (inner.pitch(block), outer.pitch(inner.size(block)));

@@ -34,11 +34,11 @@ pub enum CommentError {
 pub struct Drawing {
     /// The shapes in the order in which they are cut. Shape `n` of the user is `shapes[n - 1]`.
     pub shapes: Vec<Arc<Shape>>,
-    /// How the shapes of each group are cut, in the order of [`Group::ALL`].
+    /// Settings by which the shapes of each group are cut, in the order of [`Group::ALL`].
     pub groups: [GroupSettings; 8],
     /// Both levels of arrays.
     pub arrays: Arrays,
-    /// How far the drawing was moved since it was read (Left Justify, Change Origin), so that its
+    /// Displacement of the drawing since it was read (Left Justify, Change Origin), so that its
     /// own origin can be given back.
     pub moved: Vec2,
     /// A person set the order of the shapes: it is not changed when they are cut.

@@ -17,13 +17,13 @@ pub struct Editor {
     pub clipboard: Vec<Arc<Shape>>,
     /// The order that is being picked.
     pub picks: Picks,
-    /// How near ends are to be joined when nothing else is said: as near as the last time.
+    /// Distance within which ends are joined when nothing else is said: that of the last time, millimetres.
     pub join_mm: f64,
     undo: Vec<Past>,
     redo: Vec<Past>,
 }
 
-/// What an undo gives back. Shapes are shared, so a past costs a pointer a shape.
+/// State that an undo gives back. Shapes are shared, so a past costs a pointer a shape.
 #[derive(Clone, Debug, PartialEq)]
 struct Past {
     drawing: Drawing,
@@ -156,12 +156,12 @@ impl Editor {
         Ok(())
     }
 
-    /// Whether there is a change to be taken back.
+    /// Tells whether there is a change to be taken back.
     pub const fn can_undo(&self) -> bool {
         !self.undo.is_empty()
     }
 
-    /// Whether there is a change to be made again.
+    /// Tells whether there is a change to be made again.
     pub const fn can_redo(&self) -> bool {
         !self.redo.is_empty()
     }

@@ -14,7 +14,7 @@ pub struct Nesting {
     same: Vec<(usize, usize)>,
 }
 
-/// How a shape lies to a closed one that is larger.
+/// Position of a shape relative to a closed one that is larger.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Relation {
     Inside,
@@ -38,7 +38,7 @@ impl Nesting {
         self.parent.get(shape).copied().flatten()
     }
 
-    /// How many shapes lie around a shape.
+    /// Returns the number of shapes that lie around a shape.
     pub fn depth(&self, shape: usize) -> usize {
         self.depth.get(shape).copied().unwrap_or_default()
     }
@@ -89,7 +89,7 @@ fn ancestors(parent: &[Option<usize>], shape: usize) -> impl Iterator<Item = usi
     std::iter::successors(parent[shape], |n| parent[*n])
 }
 
-/// What is needed again and again while parents are sought.
+/// Tables that are needed again and again while parents are sought.
 struct Finder<'a> {
     shapes: &'a [Arc<Shape>],
     boxes: Vec<Bounds2>,
@@ -162,7 +162,7 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// Whether a path lies partly inside and partly outside a closed one.
+/// Tells whether a path lies partly inside and partly outside a closed one.
 pub fn crosses(outer: &Polyarc, inner: &Polyarc) -> bool {
     relation(outer, inner) == Relation::Across
 }

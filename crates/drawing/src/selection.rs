@@ -60,7 +60,7 @@ fn by_number(numbers: &[usize], count: usize) -> Result<Vec<usize>, usize> {
     Ok(places)
 }
 
-/// Whether a vertex lies in the window or a segment crosses its edge.
+/// Tells whether a vertex lies in the window or a segment crosses its edge.
 fn reaches_into(shape: &Shape, window: &Bounds2, edge: &Polyarc) -> bool {
     if !window.meets(&shape.path.bounds()) {
         return false;

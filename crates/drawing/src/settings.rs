@@ -1,4 +1,4 @@
-//! How the shapes of a group are cut.
+//! Settings by which the shapes of a group are cut.
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -6,7 +6,7 @@ use thiserror::Error;
 /// The most passes of one path: more are a slip of the decimal point.
 const MOST_PASSES: f64 = 10_000.0;
 
-/// What the depth of a cut is measured from (Profiler reference, "Height type").
+/// Depth of a cut, by what it is measured from (Profiler reference, "Height type").
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Height {
@@ -30,13 +30,13 @@ pub struct Lead {
 }
 
 impl Lead {
-    /// Whether there is an arc at all.
+    /// Returns `true` if there is an arc at all.
     pub fn is_some(&self) -> bool {
         self.radius_mm != 0.0 && self.angle_deg != 0.0
     }
 }
 
-/// How the tool goes down into the material.
+/// Way in which the tool goes down into the material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Plunge {
@@ -45,7 +45,7 @@ pub enum Plunge {
     Straight,
     /// Down along the path.
     Ramp {
-        /// How steeply, degrees below the level.
+        /// Steepness, degrees below the level.
         angle_deg: f64,
     },
     /// Down round a circle that touches the path at its start.
@@ -53,13 +53,13 @@ pub enum Plunge {
         /// Radius of the circle, millimetres. It lies on the side of a lead-in, on the other one when the
         /// radius is negative.
         radius_mm: f64,
-        /// How steeply, degrees below the level.
+        /// Steepness, degrees below the level.
         angle_deg: f64,
     },
 }
 
 impl Plunge {
-    /// How steeply; a straight plunge is as steep as can be.
+    /// Returns the steepness, degrees below the level; a straight plunge is as steep as can be.
     fn angle_deg(self) -> f64 {
         match self {
             Self::Straight => 90.0,
@@ -76,9 +76,9 @@ impl Plunge {
 /// The cut settings and the path settings of a group (Profiler reference, tables 9 and 10).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GroupSettings {
-    /// Whether its shapes are cut at all.
+    /// Its shapes are cut.
     pub on: bool,
-    /// Whether its shapes are followed without cutting, to lead the head round obstacles.
+    /// Its shapes are followed without cutting, to lead the head round obstacles.
     pub traversal: bool,
     /// The tool control output, 1 … 3.
     pub tool: u8,
@@ -92,11 +92,11 @@ pub struct GroupSettings {
     pub pass_mm: Option<f64>,
     /// Distance of the path from the shape, millimetres; positive is right of travel.
     pub offset_mm: f64,
-    /// What the rough pass leaves for the final one, millimetres; 0 is no rough pass.
+    /// Stock that the rough pass leaves for the final one, millimetres; 0 is no rough pass.
     pub rough_mm: f64,
     /// Cut on both sides of the shape.
     pub double_line: bool,
-    /// How much of the path's beginning is left out, millimetres.
+    /// Length of the path's beginning that is left out, millimetres.
     pub tag_mm: f64,
     /// The way onto the path.
     pub lead_in: Lead,
@@ -205,8 +205,8 @@ impl GroupSettings {
         .into_iter()
     }
 
-    /// How wide the group's cuts are, millimetres: the cutter's diameter, or twice the offset of what it cuts;
-    /// nothing where neither is known.
+    /// Returns the width of the group's cuts, millimetres: the cutter's diameter, or twice the offset of what it
+    /// cuts; nothing where neither is known.
     pub fn width_mm(&self) -> Option<f64> {
         let twice = 2.0 * self.offset_mm.abs();
         self.cutter_mm.or_else(|| (twice > 0.0).then_some(twice))

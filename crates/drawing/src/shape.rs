@@ -16,15 +16,15 @@ pub struct Shape {
     /// Its group.
     #[serde(default)]
     pub group: Group,
-    /// Whether the machine halts before it by itself.
+    /// The machine halts before it by itself.
     #[serde(default)]
     pub pause: bool,
-    /// Whether the first vertex is there only because the cut begins at it (Profiler notes, 3.2).
+    /// The first vertex is there only because the cut begins at it (Profiler notes, 3.2).
     #[serde(default)]
     pub start_inserted: bool,
 }
 
-/// What kind of shape it is.
+/// Kind of a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
@@ -58,17 +58,17 @@ impl Shape {
         Self { group, ..self }
     }
 
-    /// What kind of shape it is.
+    /// Returns the kind of the shape.
     pub fn kind(&self) -> Kind {
         if self.path.vertices.len() == 1 { Kind::Point } else { Kind::Polyarc }
     }
 
-    /// Whether its end is its start.
+    /// Tells whether its end is its start.
     pub fn is_closed(&self) -> bool {
         self.path.closed
     }
 
-    /// Where its cut begins; the origin for a path without vertices.
+    /// Returns the place where its cut begins; the origin for a path without vertices.
     pub fn start(&self) -> Point2 {
         self.path.start().unwrap_or_default()
     }

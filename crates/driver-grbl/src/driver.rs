@@ -14,7 +14,7 @@ use std::collections::VecDeque;
 /// Orders that it keeps: enough for the planner and the receive buffer of the larger boards.
 const WINDOW: usize = 48;
 
-/// What holds from the start: millimetres, places and not ways, feeds a minute.
+/// Modes that hold from the start: millimetres, places and not ways, feeds a minute.
 pub const MODES: &str = "G21G90G94";
 
 /// A line longer than this is no answer.
@@ -28,7 +28,7 @@ mod at_once {
     pub const RESET: u8 = 0x18;
 }
 
-/// What is learnt before anything moves, and whether the controller is stopped.
+/// Phase of the driver: what is learnt before anything moves, and whether the controller is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Phase {
     /// It did not say who it is: it may be starting, or run since long.
@@ -67,7 +67,7 @@ pub struct Grbl {
     pending: VecDeque<Line>,
     out: Vec<u8>,
     flights: Flights,
-    /// Where the last order leaves the machine.
+    /// Place where the last order leaves the machine.
     planned: Axes,
     position: Axes,
     offset: Axes,
@@ -77,15 +77,15 @@ pub struct Grbl {
     on: u32,
     /// Outputs that are on after the last order.
     planned_on: u32,
-    /// When it was told to stop.
+    /// Time when it was told to stop.
     stopped_s: f64,
-    /// When something came from it last.
+    /// Time when something came from it last.
     heard_s: f64,
     /// It has said since its reset that it is there.
     greets: bool,
     taken: Ticket,
     done: Ticket,
-    /// When it was sent a line last, or answered one.
+    /// Time when it was sent a line last, or answered one.
     asked_s: f64,
     replies: Vec<Result<Reply, Garbled>>,
 }
@@ -314,12 +314,12 @@ impl Grbl {
         }
     }
 
-    /// Whether nothing moves.
+    /// Returns `true` if nothing moves.
     fn stands(&self) -> bool {
         matches!(self.doing, Doing::Idle | Doing::Held | Doing::Alarm | Doing::Other)
     }
 
-    /// Whether it stands because of a stop. It may be idle because the report is older than that.
+    /// Returns `true` if it stands because of a stop. It may be idle because the report is older than that.
     fn has_stopped(&self, now_s: f64) -> bool {
         self.stands() && (self.doing != Doing::Idle || now_s - self.stopped_s > STALE_S)
     }
@@ -383,7 +383,7 @@ impl Grbl {
         self.queue.extend(lines.into_iter().map(|text| Line { text, ticket }));
     }
 
-    /// Whether a move is a step of any motor: what is none does not reach the planner.
+    /// Returns `true` if a move is a step of any motor: what is none does not reach the planner.
     fn steps(&self, to: Axes) -> bool {
         (0..to.0.len()).any(|axis| {
             let step = |place: f64| (place * self.told.steps(axis)).round();

@@ -1,4 +1,4 @@
-//! What a controller tells of itself: its version line (`$I`) and its settings (`$$`).
+//! The facts that a controller tells of itself: its version line (`$I`) and its settings (`$$`).
 
 use kerf_machine::driver::{AXES, Facts};
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ const PLANNER: usize = 15;
 /// The bit of `$10` that has the place told in the machine frame, and the one that has the buffers told.
 const TELLS: u32 = 3;
 
-/// What is known so far.
+/// Facts that are known so far.
 #[derive(Clone, Debug)]
 pub struct Told {
     version: String,
@@ -111,7 +111,7 @@ impl Told {
     }
 }
 
-/// How a locked controller takes orders again, in words.
+/// Tells how a locked controller takes orders again, in words.
 pub const fn locked(homes: bool) -> &'static str {
     if homes {
         "home it first (--home)"

@@ -6,7 +6,7 @@
 use kerf_machine::driver::{Order, Sent, Ticket};
 use std::collections::VecDeque;
 
-/// How long the row of step segments lasts at most, seconds: six segments of 10 ms, and some of it for the
+/// Longest duration of the row of step segments, seconds: six segments of 10 ms, and some of it for the
 /// line.
 const SEGMENTS_S: f64 = 0.1;
 
@@ -42,7 +42,7 @@ impl Flights {
         })
     }
 
-    /// Whether it goes home, or is about to.
+    /// Returns `true` if it goes home, or is about to.
     pub fn goes_home(&self) -> bool {
         self.0.iter().any(|flight| flight.sent.order == Order::Home)
     }

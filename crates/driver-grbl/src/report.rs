@@ -2,7 +2,7 @@
 
 use kerf_machine::driver::{AXES, Axes};
 
-/// What the controller does.
+/// Activity of the controller.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Doing {
     /// Nothing.
@@ -25,11 +25,11 @@ pub enum Doing {
 /// A status report.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// What it does.
+    /// Activity.
     pub doing: Doing,
-    /// Where it is in its machine frame, or in that of the workpiece.
+    /// Place in its machine frame, or in that of the workpiece.
     pub place: Option<(Frame, Axes)>,
-    /// How many axes it told.
+    /// Number of axes it told.
     pub axes: usize,
     /// Zero of the workpiece, machine frame.
     pub offset: Option<Axes>,

@@ -1,6 +1,6 @@
 //! The numbers of grbl in words, with what to do.
 
-/// What an `error:` number means.
+/// Tells what an `error:` number means.
 pub const fn error(number: u16) -> &'static str {
     match number {
         1 | 2 | 24 | 25 | 26 | 28 | 29 | 31 => "it did not understand a line; the cable may be bad",
@@ -25,7 +25,7 @@ pub const fn error(number: u16) -> &'static str {
     }
 }
 
-/// What an `ALARM:` number means.
+/// Tells what an `ALARM:` number means.
 pub const fn alarm(number: u16) -> &'static str {
     match number {
         1 => "a limit switch was hit; its place is lost: home it before anything moves",
@@ -43,7 +43,7 @@ pub const fn alarm(number: u16) -> &'static str {
     }
 }
 
-/// Whether steps may be lost in an alarm.
+/// Returns `true` if steps may be lost in an alarm.
 pub const fn is_lost(number: u16) -> bool {
     !matches!(number, 2 | 4 | 5 | 14)
 }

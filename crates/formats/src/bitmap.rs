@@ -14,11 +14,11 @@ pub struct Bitmap {
     pub columns: usize,
     /// Rows from the top downwards.
     pub rows: usize,
-    /// How bright each dot is, 0 black … 1 white, row by row from the top.
+    /// Brightness of each dot, 0 black … 1 white, row by row from the top.
     pub grey: Vec<f32>,
 }
 
-/// Why a picture cannot be read.
+/// Reason why a picture cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum BitmapError {
     /// The bytes are no picture of these kinds, or a broken one.

@@ -1,9 +1,9 @@
-//! What was noticed while a file was read.
+//! Findings of the reading of a file.
 
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// How much a finding matters.
+/// Weight of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Weight {
@@ -20,14 +20,14 @@ pub struct Finding {
     pub line: u32,
     /// Column of the line, counted from 1; 0 where lines have none that help.
     pub column: u32,
-    /// How much it matters.
+    /// Weight of the finding.
     pub weight: Weight,
-    /// What was found and what was done about it.
+    /// Description of what was found and what was done about it.
     pub text: String,
 }
 
 impl Finding {
-    /// What concerns the whole file.
+    /// Makes a finding that concerns the whole file.
     pub fn of_file(weight: Weight, text: impl Into<String>) -> Self {
         Self { line: 0, column: 0, weight, text: text.into() }
     }
@@ -56,7 +56,7 @@ impl Findings {
         self.add_at(kind, (line, 0), Weight::Note, text.into());
     }
 
-    /// Whether one more of a kind would be told, and not only counted.
+    /// Tells whether one more of a kind would be told, and not only counted.
     pub fn wants(&self, kind: &'static str) -> bool {
         self.seen.get(kind).is_none_or(|seen| *seen < MOST_OF_A_KIND)
     }
@@ -81,7 +81,7 @@ impl Findings {
         *self.skipped.entry(name.to_owned()).or_default() += 1;
     }
 
-    /// What was skipped, as the manual's report has it: `skipped: HATCH 1, TEXT 4`.
+    /// Lists what was skipped, as the manual's report has it: `skipped: HATCH 1, TEXT 4`.
     pub fn skipped(&self) -> Option<String> {
         let counts: Vec<_> =
             self.skipped.iter().map(|(name, count)| format!("{name} {count}")).collect();

@@ -40,12 +40,12 @@ impl Imported {
 pub struct Imported {
     /// The drawing, millimetres.
     pub drawing: Drawing,
-    /// What a person should know, in the order of the file.
+    /// Findings that a person should know, in the order of the file.
     pub findings: Vec<Finding>,
     /// The layers that shapes came from, in the order of the file, each with its shapes as places in
     /// the drawing.
     pub layers: Vec<(String, Vec<usize>)>,
-    /// What was skipped, as `TEXT 4`, by name.
+    /// List of what was skipped, by name: `skipped: TEXT 4`.
     pub skipped: Option<String>,
     /// The reason for which the drawing is empty, where its reading ended early.
     pub ended: Option<Ended>,

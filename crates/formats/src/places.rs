@@ -1,6 +1,6 @@
 //! From bytes of a file to what people count: lines and columns.
 
-/// Where the lines of a text begin.
+/// Starts of the lines of a text.
 #[derive(Clone, Debug)]
 pub struct Places<'a> {
     text: &'a str,

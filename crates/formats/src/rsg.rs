@@ -13,7 +13,7 @@ use kerf_geom::Vec2;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// What a comment of Kerf begins with.
+/// Beginning of a comment of Kerf.
 pub(crate) const MARK: &str = "KERF ";
 
 /// The version that is written. A file of a later one is read as a plain drawing, and that is told.
@@ -32,12 +32,12 @@ struct Head {
     ordered_by_hand: bool,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     comments: Vec<String>,
-    /// What a job has besides.
+    /// Data that a job has besides.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     job: Option<serde_json::Value>,
 }
 
-/// What a shape has beyond its lines and arcs.
+/// Data of a shape beyond its lines and arcs.
 #[derive(Default, Serialize, Deserialize)]
 struct Extra {
     group: Group,
@@ -120,7 +120,7 @@ pub fn read_until(bytes: &[u8], given_up: &dyn Fn() -> bool) -> Imported {
     read_as(bytes, false, given_up).0
 }
 
-/// What a file has that only Kerf writes.
+/// Data in a file that only Kerf writes.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Own {
     /// Nothing: another program wrote it, the old one among them.

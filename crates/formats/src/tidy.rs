@@ -1,4 +1,4 @@
-//! What every reader makes of a shape, so that a drawing that is written and read again is the same.
+//! Tidies shapes in the same way for every reader, so that a drawing that is written and read again is the same.
 
 use kerf_drawing::Shape;
 use kerf_geom::{Polyarc, tol};

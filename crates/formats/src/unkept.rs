@@ -1,4 +1,4 @@
-//! What is lost of a drawing in a file of another maker's format.
+//! Losses of a drawing in a file of another maker's format.
 
 use kerf_drawing::{Drawing, Group};
 

@@ -1,4 +1,4 @@
-//! What a block needs, and what it holds in vain.
+//! The words that a block needs, and those that it holds in vain.
 
 use crate::codes::{
     self, COMPENSATION, IO, MOTION, ONCE, OVERRIDE, PATH, STATE, STOP, TOOL, TOOL_LENGTH,
@@ -7,7 +7,7 @@ use crate::gathered::{AXIS_WORDS, Fault, Gathered, PLACE_WORDS, letter_of, lette
 use crate::tree::Span;
 use kerf_diag::Code;
 
-/// How far a calculated number may lie beside a whole one that is meant.
+/// Largest distance of a calculated number from the whole one that is meant.
 const WHOLE: f64 = 1e-4;
 
 impl Gathered {
@@ -16,18 +16,18 @@ impl Gathered {
         self.get(letter).map(|number| number.round() as u32)
     }
 
-    /// Whether the axis words belong to a code that is no motion.
+    /// Returns `true` if the axis words belong to a code that is no motion.
     pub(crate) fn axes_taken(&self) -> bool {
         matches!(self.g[ONCE], Some(100 | 280 | 300 | 520 | 920))
             || self.g[TOOL_LENGTH] == Some(431)
     }
 
-    /// Whether a block names places for G28 or G30.
+    /// Returns `true` if a block names places for G28 or G30.
     pub(crate) fn goes_home(&self) -> bool {
         matches!(self.g[ONCE], Some(280 | 300)) && self.has_any(PLACE_WORDS)
     }
 
-    /// What is missing or out of range whatever the state is. Values may be unknown (not a number).
+    /// Reports what is missing or out of range whatever the state is. Values may be unknown (not a number).
     pub(crate) fn needs(&self, span: Span, fault: &mut dyn FnMut(Fault)) {
         if self.g[ONCE] == Some(40) && [b'P', b'X', b'S'].iter().any(|l| self.or_zero(*l) < 0.0) {
             let fault_at = Fault::new(Code::OutOfRange, span, "G4 with a time below zero");

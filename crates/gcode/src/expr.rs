@@ -119,7 +119,7 @@ impl Operator {
         ("-", Self::Minus),
     ];
 
-    /// How strongly it binds, from 1.
+    /// Returns the strength with which it binds, from 1.
     pub const fn strength(self) -> u8 {
         match self {
             Self::And | Self::Or | Self::Xor => 1,

@@ -187,12 +187,12 @@ impl Gathered {
         }
     }
 
-    /// Whether a letter has a value.
+    /// Returns `true` if a letter has a value.
     pub(crate) const fn has(&self, letter: u8) -> bool {
         self.given & (1 << slot(letter)) != 0
     }
 
-    /// Whether one of some letters has a value.
+    /// Returns `true` if one of some letters has a value.
     pub(crate) const fn has_any(&self, mask: u32) -> bool {
         self.given & mask != 0
     }
@@ -257,6 +257,6 @@ fn unknown_g(value: f64, code: i32, known: bool, span: Span) -> Fault {
     Fault::new(Code::UnknownGWord, span, format!("unknown code G{value}")).hint(UNKNOWN)
 }
 
-/// How to mend a code that nobody knows.
+/// Hint for mending a code that nobody knows.
 const UNKNOWN: &str =
     "is a blank or a point missing? the book lists the codes; put others into a comment";

@@ -15,7 +15,7 @@ use crate::tree::{LineNode, Node};
 /// Moves between two marks: more make finding a line slower. Ten million moves have 7.5 MB of them.
 const STRIDE: u32 = 16;
 
-/// What every line is, and where it begins.
+/// Kind of every line, and its beginning.
 #[derive(Debug, Default)]
 pub(crate) struct Lines {
     /// In order of lines. Between two of them that are more than a line apart there are moves.
@@ -31,7 +31,7 @@ struct Mark {
 }
 
 impl Lines {
-    /// How many there are.
+    /// Returns the number of lines.
     pub(crate) const fn len(&self) -> u32 {
         self.count
     }
@@ -57,7 +57,7 @@ impl Lines {
         Some(if mark.line == index { mark.node } else { LineNode::new(Node::Move, start as u32) })
     }
 
-    /// How many moves follow each other from a line (from 0) on; no more than `most` are counted.
+    /// Counts the moves that follow each other from a line (from 0) on; no more than `most` are counted.
     pub(crate) fn moves_from(&self, index: u32, most: u32) -> u32 {
         let Some(first) = self.mark_of(index) else { return 0 };
         let here = self.marks.get(first..).unwrap_or_default();

@@ -21,7 +21,7 @@ pub(crate) struct FakeHost {
     /// Answers in order; when they run out OK is pressed.
     pub(crate) answers: Vec<Answer>,
     pub(crate) files: BTreeMap<String, String>,
-    /// How often `settle` answers Pending before it is ready.
+    /// Number of times that `settle` answers Pending before it is ready.
     pub(crate) busy: u32,
 }
 

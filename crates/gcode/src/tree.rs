@@ -27,13 +27,13 @@ pub struct Program {
     pub name: Arc<str>,
     /// The whole text, as it was read (line ends kept, byte-order mark removed).
     pub text: Arc<String>,
-    /// What every line is: see [`Program::line`].
+    /// Kinds and beginnings of all lines: see [`Program::line`].
     pub(crate) lines: Lines,
-    /// What [`Node::Block`] points to.
+    /// Blocks that [`Node::Block`] points to.
     pub blocks: Vec<Block>,
     /// The words of all blocks, in order.
     pub words: Vec<Word>,
-    /// What blocks hold beside words.
+    /// Parts of blocks beside words.
     pub extras: Vec<Extra>,
     /// Expressions that words point to.
     pub exprs: Vec<Expr>,
@@ -72,7 +72,7 @@ impl LineNode {
         Self { what: Self::PLAIN + plain, start }
     }
 
-    /// What the line is.
+    /// Returns the kind of the line.
     pub const fn node(self) -> Node {
         match self.what.checked_sub(Self::PLAIN) {
             Some(plain) => Self::NODES[plain as usize],
@@ -81,7 +81,7 @@ impl LineNode {
     }
 }
 
-/// What a line is.
+/// Kind of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Node {
     /// Nothing.
@@ -169,7 +169,7 @@ pub struct Block {
 pub struct Word {
     /// The letter, a capital, or `@`, `^` or `$`.
     pub letter: u8,
-    /// What it stands at.
+    /// Place of the word in its line.
     pub span: Span,
     /// Its value.
     pub value: Value,
@@ -184,7 +184,7 @@ pub enum Value {
     Computed(u32),
 }
 
-/// What a block holds beside words.
+/// Parts of a block beside words.
 #[derive(Clone, Debug, Default)]
 pub struct Extra {
     /// Parameters that are set after everything was read.
@@ -198,11 +198,11 @@ pub struct Extra {
 /// `#… = …`
 #[derive(Clone, Debug)]
 pub struct Setting {
-    /// What is set.
+    /// The parameter that is set.
     pub target: Target,
     /// The new value.
     pub value: Expr,
-    /// Where it stands.
+    /// Its place in the line.
     pub span: Span,
 }
 
@@ -218,13 +218,13 @@ pub enum Target {
 /// A comment.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comment {
-    /// What it asks for.
+    /// Its request.
     pub kind: CommentKind,
     /// Its text.
     pub text: Arc<str>,
 }
 
-/// What a comment asks for.
+/// Request that a comment makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CommentKind {
     /// Nothing.
@@ -255,7 +255,7 @@ pub struct Flow {
     pub label: Option<Label>,
     /// The expression of a computed label.
     pub computed: Option<Expr>,
-    /// What it does.
+    /// Its effect.
     pub keyword: Keyword,
     /// Values in brackets behind it.
     pub values: Vec<Expr>,
@@ -263,11 +263,11 @@ pub struct Flow {
     pub target: u32,
     /// For `elseif` and `else`: the line of `endif`. For `break`: the last line of its loop.
     pub end: u32,
-    /// Where it stands.
+    /// Its place in the line.
     pub span: Span,
 }
 
-/// What an O-word does.
+/// Effect of an O-word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keyword {
     /// Begins a subroutine; target: its `endsub`.
@@ -331,7 +331,7 @@ impl Keyword {
 }
 
 impl Program {
-    /// How many lines the file has.
+    /// Returns the number of lines of the file.
     pub const fn line_count(&self) -> u32 {
         self.lines.len()
     }
@@ -375,7 +375,7 @@ impl Program {
         }
     }
 
-    /// Whether a line (from 1) lies between the first and the last of a subroutine.
+    /// Returns `true` if a line (from 1) lies between the first and the last of a subroutine.
     pub fn is_in_subroutine(&self, line: u32) -> bool {
         let end_of = |first: u32| {
             let Node::Block(index) = self.line(first)?.node() else {
@@ -393,7 +393,7 @@ impl Program {
         self.diagnostics.iter().any(Diagnostic::is_error)
     }
 
-    /// Whether it says somewhere that its numbers are inches or millimetres.
+    /// Returns `true` if it says somewhere that its numbers are inches or millimetres.
     pub fn says_its_unit(&self) -> bool {
         self.words.iter().any(|word| match word.value {
             Value::Number(code) if word.letter == b'G' => {
@@ -408,7 +408,7 @@ impl Program {
         self.words.get(block.words.0 as usize..block.words.1 as usize).unwrap_or_default()
     }
 
-    /// What a block holds beside words.
+    /// Returns the parts of a block beside words.
     pub fn extra_of(&self, block: &Block) -> Option<&Extra> {
         self.extras.get(block.extra? as usize)
     }

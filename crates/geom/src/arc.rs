@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// `sweep_rad` is positive counter-clockwise and may exceed a turn.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Arc2 {
-    /// Where travel begins.
+    /// Start of travel.
     pub start: Point2,
     /// Centre of the circle.
     pub centre: Point2,
@@ -32,7 +32,7 @@ impl Arc2 {
         self.centre + (self.start - self.centre).rotated(self.sweep_rad * share)
     }
 
-    /// Where travel ends.
+    /// Returns the place where travel ends.
     pub fn end(&self) -> Point2 {
         self.at(1.0)
     }

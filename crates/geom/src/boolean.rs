@@ -14,16 +14,16 @@
 use crate::stitch::{Strand, Turn, stitch};
 use crate::{BoxTree, GeomError, Indexed, Point2, Polyarc, Segment, tol};
 
-/// How two regions are combined.
+/// Ways to combine two regions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Combine {
-    /// What belongs to one or the other.
+    /// Places that belong to one or the other.
     Union,
-    /// What belongs to both.
+    /// Places that belong to both.
     Intersection,
-    /// What belongs to the first and not to the second.
+    /// Places that belong to the first and not to the second.
     Difference,
-    /// What belongs to exactly one.
+    /// Places that belong to exactly one.
     Xor,
 }
 
@@ -109,7 +109,7 @@ fn boundary(
     }
 }
 
-/// How far to the side of a slice its regions are asked for: contours nearer to each other than this
+/// Distance to the side of a slice at which its regions are asked for: contours nearer to each other than this
 /// are not told apart.
 const ASIDE_MM: f64 = 10.0 * tol::SAME_PLACE_MM;
 

@@ -61,7 +61,7 @@ impl Bounds2 {
         self.min.midpoint(self.max)
     }
 
-    /// Whether a place lies inside or on the edge.
+    /// Tells whether a place lies inside or on the edge.
     pub fn holds(&self, place: Point2) -> bool {
         self.min.x <= place.x
             && place.x <= self.max.x
@@ -69,12 +69,12 @@ impl Bounds2 {
             && place.y <= self.max.y
     }
 
-    /// Whether another box lies inside or on the edge.
+    /// Tells whether another box lies inside or on the edge.
     pub fn holds_box(&self, other: &Self) -> bool {
         self.holds(other.min) && self.holds(other.max)
     }
 
-    /// Whether two boxes share a place.
+    /// Tells whether two boxes share a place.
     pub fn meets(&self, other: &Self) -> bool {
         self.min.x <= other.max.x
             && other.min.x <= self.max.x

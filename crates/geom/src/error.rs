@@ -1,9 +1,9 @@
-//! What can be wrong with geometry; every message names the place.
+//! Errors of geometry; their messages name the place where there is one.
 
 use crate::Point2;
 use thiserror::Error;
 
-/// Why an operation on curves has no result. Vertices are numbered from 0, contours too.
+/// Reason why an operation on curves has no result. Vertices are numbered from 0, contours too.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum GeomError {
     /// A coordinate or bulge is not a number, or infinite.
@@ -21,9 +21,9 @@ pub enum GeomError {
     /// Fewer vertices than the operation needs, once places that fall together are one.
     #[error("{found} different vertices, at least {needed} are needed")]
     TooFewVertices {
-        /// How many there are.
+        /// Number of different vertices found.
         found: usize,
-        /// How many there have to be.
+        /// Number of vertices needed.
         needed: usize,
     },
     /// The operation needs closed contours.
@@ -39,7 +39,7 @@ pub enum GeomError {
         first: usize,
         /// The other, or the same one.
         second: usize,
-        /// Where.
+        /// Place of the crossing.
         at: Point2,
     },
     /// A length or tolerance that has to be positive and finite is not.
@@ -54,15 +54,15 @@ pub enum GeomError {
     /// The boundary of a combined region has an end: the contours lie too nearly on each other.
     #[error("the contours cannot be told apart near {:.3}, {:.3}", at.x, at.y)]
     Unclosed {
-        /// Where.
+        /// Middle of a part of the boundary that has a loose end.
         at: Point2,
     },
     /// The arguments ask for something that does not exist there.
     #[error("{what} at {:.3}, {:.3}", at.x, at.y)]
     Impossible {
-        /// What cannot be done.
+        /// Description of the problem.
         what: &'static str,
-        /// Where.
+        /// Place of the problem.
         at: Point2,
     },
     /// A map makes a line of the plane.
@@ -71,9 +71,9 @@ pub enum GeomError {
     /// The result did not pass its own check; nothing is returned rather than something wrong.
     #[error("the offset fails its check near {:.3}, {:.3}: {why}", at.x, at.y)]
     Unproved {
-        /// What the check found.
+        /// Finding of the check.
         why: &'static str,
-        /// Where.
+        /// Place where the check failed.
         at: Point2,
     },
 }

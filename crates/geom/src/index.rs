@@ -27,7 +27,7 @@ const FEW: usize = 16;
 pub struct BoxTree {
     /// All levels, lowest first.
     boxes: Vec<Bounds2>,
-    /// Where each level begins in `boxes`; the one after the last is the end.
+    /// Start of each level in `boxes`; the one after the last is the end.
     levels: [usize; MOST_LEVELS + 1],
     level_count: usize,
 }
@@ -87,7 +87,7 @@ impl BoxTree {
         order
     }
 
-    /// How many boxes were put in.
+    /// Returns the number of boxes that were put in.
     pub fn len(&self) -> usize {
         self.levels[1]
     }
@@ -97,7 +97,7 @@ impl BoxTree {
         self.len() == 0
     }
 
-    /// Whether there are so few that all of them are looked at.
+    /// Returns `true` if there are so few boxes that all of them are looked at.
     pub(crate) fn is_small(&self) -> bool {
         self.len() <= FEW
     }

@@ -49,7 +49,7 @@ impl Indexed {
         Some((number, self.segments[number].nearest(place)))
     }
 
-    /// Whether some segment lies nearer to a place than `limit`.
+    /// Tells whether some segment lies nearer to a place than `limit`.
     pub fn is_nearer(&self, place: Point2, limit: f64) -> bool {
         let square = limit * limit;
         !self.tree.search(
@@ -58,7 +58,7 @@ impl Indexed {
         )
     }
 
-    /// How often closed contours wind counter-clockwise round a place that is on none of them.
+    /// Counts how often closed contours wind counter-clockwise round a place that is on none of them.
     pub fn winding(&self, place: Point2) -> i32 {
         let mut winding = 0;
         self.tree.search(

@@ -12,7 +12,7 @@
 
 use crate::{Point2, Vec2, tol};
 
-/// What stitching has to know of a piece of path.
+/// Facts about a piece of path that stitching needs.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Strand {
     pub start: Point2,

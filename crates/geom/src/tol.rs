@@ -17,12 +17,12 @@ pub const CONTACT_MM: f64 = 1e-8;
 /// tell the two apart, and the centre of such an arc lies so far away that it cannot be computed with.
 pub const FLAT_MM: f64 = 5e-9;
 
-/// How far a curve may stray when it is replaced by arcs, unless the caller says otherwise: a tenth of
-/// the ten-micrometre resolution of a good machine. What the drawing half uses for splines and ellipses.
+/// Greatest error of arcs that replace a curve, unless the caller says otherwise: a tenth of the ten-micrometre
+/// resolution of a good machine. Readers of drawings use it for splines and ellipses.
 pub const FIT_MM: f64 = 1e-3;
 
-/// How far apart ends may lie to be joined, unless the caller says otherwise. The manual's programs
-/// export ends that miss each other by a few hundredths.
+/// Greatest distance between ends that are joined, unless the caller says otherwise. The manual's programs export
+/// ends that miss each other by a few hundredths.
 pub const JOIN_MM: f64 = 0.01;
 
 /// Coordinates beyond this are refused: at 1e9 mm neighbouring doubles lie 1e-7 mm apart, and

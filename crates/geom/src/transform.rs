@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 /// An affine map: x' = a·x + c·y + e, y' = b·x + d·y + f.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Transform2 {
-    /// Where the unit vector along X goes.
+    /// Image of the unit vector along X.
     pub x_axis: Vec2,
-    /// Where the unit vector along Y goes.
+    /// Image of the unit vector along Y.
     pub y_axis: Vec2,
-    /// Where the origin goes.
+    /// Image of the origin.
     pub origin: Vec2,
 }
 
@@ -88,22 +88,22 @@ impl Transform2 {
         Some(Self { origin: -back.turn(self.origin), ..back })
     }
 
-    /// Where a place goes.
+    /// Maps a place.
     pub fn apply(&self, place: Point2) -> Point2 {
         Point2::default() + self.turn(place - Point2::default()) + self.origin
     }
 
-    /// Where a displacement goes.
+    /// Maps a displacement.
     pub fn turn(&self, v: Vec2) -> Vec2 {
         self.x_axis * v.x + self.y_axis * v.y
     }
 
-    /// How areas grow; negative when it mirrors.
+    /// Returns the factor by which areas grow; negative when it mirrors.
     pub fn determinant(&self) -> f64 {
         self.x_axis.cross(self.y_axis)
     }
 
-    /// Whether circles stay circles: the axes stay square to each other and equally long.
+    /// Tells whether circles stay circles: the axes stay square to each other and equally long.
     pub fn keeps_circles(&self) -> bool {
         let (x, y) = (self.x_axis, self.y_axis);
         let size = x.dot(x).max(y.dot(y));

@@ -8,7 +8,7 @@ use crate::{Key, Screen, View, Waits, Wish, idle, running, start};
 use kerf_digitize::Digitizer;
 use kerf_wire::State;
 
-/// What the console is used for at the moment.
+/// Present use of the console.
 #[derive(Clone, Debug)]
 pub(crate) enum Mode {
     /// Nothing: what the machine does decides what is shown, and what keys mean.
@@ -33,7 +33,7 @@ impl Default for Mode {
     }
 }
 
-/// What follows on a key.
+/// Consequences of a key: the mode, wishes, a note, a beep.
 #[derive(Debug, Default)]
 pub(crate) struct Next {
     mode: Mode,
@@ -81,7 +81,7 @@ impl Next {
     }
 }
 
-/// What is shown until the next key.
+/// A screen that is shown until the next key.
 #[derive(Clone, Debug)]
 struct Note {
     screen: Screen,
@@ -105,7 +105,7 @@ impl Console {
         Self { left: Some(points), ..Self::default() }
     }
 
-    /// What a key wants done. One that means nothing now changes nothing.
+    /// Takes a key and returns its wishes. A key that means nothing now changes nothing.
     pub fn press(&mut self, key: Key, view: &View) -> Vec<Wish> {
         if key == Key::Stop && view.is_moving() {
             return vec![Wish::Stop];
@@ -134,7 +134,7 @@ impl Console {
         next.wishes
     }
 
-    /// What came of a wish: what it found out, where that is more than that it is done; or why it is refused.
+    /// Takes the outcome of a wish: its finding, where that is more than that it is done; or why it is refused.
     /// Both are shown until the next key. Enter returns from there to what the machine shows.
     pub fn told(&mut self, outcome: Result<String, String>) {
         let name = match &mut self.mode {
@@ -171,7 +171,7 @@ impl Console {
         self.beeps += 1;
     }
 
-    /// What it shows.
+    /// Returns the screen that it shows.
     pub fn screen(&self, view: &View) -> Screen {
         match (&self.note, &self.mode) {
             (Some(note), _) => note.screen.clone(),
@@ -194,7 +194,7 @@ impl Console {
         }
     }
 
-    /// How often it has beeped.
+    /// Returns the number of beeps so far.
     pub const fn beeps(&self) -> u32 {
         self.beeps
     }

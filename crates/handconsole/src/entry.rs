@@ -20,7 +20,7 @@ impl Typed {
         self.text.is_empty() && !self.negative
     }
 
-    /// What is typed behind a key: a digit, the point, the sign, which changes with each press, or Stop, which
+    /// Takes a key: a digit, the point, the sign, which changes with each press, or Stop, which
     /// takes the last character away.
     pub fn press(mut self, key: Key) -> Self {
         match key {

@@ -14,7 +14,7 @@ pub(crate) fn screen(view: &View) -> Screen {
     }
 }
 
-/// What is done, and the shape it is done with.
+/// Returns the screen of an action and of the shape that it is done with.
 pub(crate) fn screen_of_shape(action: &str, view: &View) -> Screen {
     match view.shape {
         0 => Screen::new(action, ""),

@@ -3,7 +3,7 @@
 /// Characters of a line.
 pub const COLUMNS: usize = 20;
 
-/// What precedes the lines on a serial link: the display is emptied.
+/// Byte before the lines on a serial link: it empties the display.
 const FORM_FEED: u8 = 0x0c;
 
 /// Two lines of twenty characters at most.
@@ -31,7 +31,7 @@ impl Screen {
         Self::new(top.iter().collect::<String>(), bottom.iter().collect::<String>().trim_start())
     }
 
-    /// What is sent over a serial link to draw it: form feed, then both lines padded with blanks. Characters
+    /// Returns the bytes that draw it over a serial link: form feed, then both lines padded with blanks. Characters
     /// that are no ASCII become `?`.
     pub fn bytes(&self) -> Vec<u8> {
         let mut bytes = vec![FORM_FEED];

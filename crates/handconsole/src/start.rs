@@ -5,9 +5,9 @@ use crate::entry::Typed;
 use crate::{JobWish, Key, Screen, Waits, Wish};
 use kerf_machine::Errand;
 
-/// What tells a job that waits that it goes on, as any question after a stop.
+/// Answer with which a job that waits goes on, as with any question after a stop.
 pub(crate) const GO_ON: &str = "Resume";
-/// What tells it that it is given up.
+/// Answer with which it is given up.
 const QUIT: &str = "Quit";
 
 /// The number that is typed.

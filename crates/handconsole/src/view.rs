@@ -1,4 +1,4 @@
-//! What the console shows of the machine and the job.
+//! The machine and the job as the console shows them.
 
 use kerf_drawing::Shape;
 use kerf_machine::Configuration;
@@ -13,13 +13,13 @@ pub struct Job {
     pub name: String,
     /// Width and height of its paths, mm; nothing for a part program.
     pub size_mm: Option<[f64; 2]>,
-    /// How many shapes it has.
+    /// Number of its shapes.
     pub shapes: u32,
-    /// How far beside themselves its paths are cut, mm.
+    /// Distance beside themselves at which its paths are cut, mm.
     pub offset_mm: f64,
 }
 
-/// What the machine waits for.
+/// Event that the machine waits for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Waits {
     /// Nothing.
@@ -33,23 +33,23 @@ pub enum Waits {
     Question(Box<Asked>),
 }
 
-/// What the console shows of the machine and the job. Whoever owns both makes it anew for each key and each
+/// The machine and the job as the console shows them. Whoever owns both makes it anew for each key and each
 /// screen.
 #[derive(Clone, Debug, Default)]
 pub struct View {
     /// The job that is open.
     pub job: Option<Job>,
-    /// What the machine does.
+    /// Activity of the machine.
     pub state: State,
-    /// Why it is in alarm, for a person.
+    /// Reason why it is in alarm, for a person.
     pub why: Option<String>,
-    /// What it waits for.
+    /// Event that it waits for.
     pub waits: Waits,
     /// The shape that is cut, from 1; 0 while none is.
     pub shape: u32,
-    /// Where it stands, machine frame.
+    /// Its position, machine frame.
     pub position: Axes,
-    /// What the machine is; its job origin and finish are those of the open job.
+    /// Configuration of the machine; its job origin and finish are those of the open job.
     pub machine: Arc<Configuration>,
     /// The jobs of the current folder, in the order of their names. Only a key looks at them.
     pub files: Vec<String>,
@@ -58,7 +58,7 @@ pub struct View {
 }
 
 impl View {
-    /// How many shapes the open job has.
+    /// Returns the number of shapes of the open job.
     pub fn shapes(&self) -> u32 {
         self.job.as_ref().map_or(0, |job| job.shapes)
     }

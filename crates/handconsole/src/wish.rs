@@ -1,11 +1,11 @@
-//! What the console wants done.
+//! Wishes of the console.
 
 use kerf_drawing::Shape;
 use kerf_machine::{Errand, Held};
 use kerf_wire::Look;
 use std::sync::Arc;
 
-/// What the console wants done by whoever owns machine and files. Wishes of one key are granted one after the
+/// A wish of the console, for whoever owns machine and files. Wishes of one key are granted one after the
 /// other; when one is refused, those behind it are dropped.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wish {
@@ -19,7 +19,7 @@ pub enum Wish {
     Answer(String),
     /// Somebody has taken note of an alarm.
     Acknowledge,
-    /// Whoever has the console drives from now on, and the machine is armed.
+    /// The person at the console drives from now on, and the machine is armed.
     TakeControl,
     /// A job of the current folder is opened.
     Open(String),
@@ -40,7 +40,7 @@ pub enum Wish {
     Look(Look),
 }
 
-/// What the console wants done about the open job.
+/// A wish of the console about the open job.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JobWish {
     /// Its origin lies there, X and Y from home, mm. Without a job that is where jobs lie that say nothing.
@@ -60,13 +60,13 @@ pub enum JobWish {
 }
 
 impl Wish {
-    /// Whether its outcome is told in a moment, for which keys wait.
+    /// Returns `true` if its outcome is told in a moment, for which keys wait.
     pub const fn settles(&self) -> bool {
         let placed = matches!(self, Self::Job(JobWish::Origin(_) | JobWish::Finish(_)));
         placed || matches!(self, Self::Set(_) | Self::KeepSettings)
     }
 
-    /// Whether it is only done when the outcome is told, and the console shows it until then.
+    /// Returns `true` if it is only done when the outcome is told, and the console shows it until then.
     pub const fn lasts(&self) -> bool {
         matches!(
             self,

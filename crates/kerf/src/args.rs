@@ -210,7 +210,7 @@ pub struct MotionArgs {
 }
 
 impl MotionArgs {
-    /// Whether an option tells what the axes can do, which `optimal` plans by.
+    /// Returns `true` if an option tells what the axes can do, which `optimal` plans by.
     pub const fn tells_limits(&self) -> bool {
         let [accel, speed] = [self.accel.is_some(), self.axis_speed.is_some()];
         accel || speed || self.jerk.is_some() || self.tolerance.is_some()

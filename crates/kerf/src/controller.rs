@@ -23,7 +23,7 @@ use std::time::Duration;
 /// The rate of grbl's own build.
 const BAUD: u32 = 115_200;
 
-/// What `--driver` names.
+/// Driver and port that `--driver` names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DriverName {
     words: String,
@@ -80,8 +80,8 @@ fn ends(name: &DriverName) -> Result<Ends, SerialError> {
     Ok((Box::new(Grbl::new()), Box::new(Wire(port))))
 }
 
-/// What loads firmware into a controller (UI): the command of the settings, run while the port is closed. It
-/// is loaded when the command says so and the controller answers again.
+/// Returns the loader of a controller's firmware (UI): it runs the command of the settings while the port is closed.
+/// The firmware is loaded when the command says so and the controller answers again.
 pub fn firmware(shared: &Shared, name: &DriverName, command: &str) -> Firmware {
     let (shared, name, command) = (shared.clone(), name.clone(), command.to_owned());
     Box::new(move |run| {
@@ -175,21 +175,22 @@ const LEFT: &str = Fact::ControllerLeft.key();
 /// Places closer than this are the same, mm: a controller tells thousandths.
 const SAME_MM: f64 = 0.01;
 
-/// Where the controller at this port was kept to stand, as it counts and as the machine does.
+/// Returns the kept place of the controller at this port, as it counts and as the machine does.
 fn kept_at(name: &DriverName, shelf: &Shelf) -> Option<(Axes, Axes)> {
     let (path, own, place): (String, Axes, Axes) =
         serde_json::from_str(shelf.stored.get(LEFT)?).ok()?;
     (path == name.path).then_some((own, place))
 }
 
-/// Where the machine stands, when its controller was neither moved nor switched off since it was driven last.
+/// Returns the place of the machine, when its controller was neither moved nor switched off since it was driven
+/// last.
 fn left_at(name: &DriverName, stands: Axes, shelf: &Shelf) -> Option<Axes> {
     let (own, place) = kept_at(name, shelf)?;
     same(own, stands).then_some(place)
 }
 
-/// Where the machine stands, when its controller has gone on counting since its run began. One that was switched
-/// off, or reset when its port was opened, counts from zero.
+/// Returns the place of the machine, when its controller has gone on counting since its run began. One that was
+/// switched off, or reset when its port was opened, counts from zero.
 fn counted_on(name: &DriverName, stands: Axes, shelf: &Shelf) -> Option<Axes> {
     let (own, place) = kept_at(name, shelf)?;
     (!same(stands, Axes::default())).then(|| place.plus(stands.minus(own)))
@@ -202,7 +203,7 @@ fn same(a: Axes, b: Axes) -> bool {
 /// The value that names the port of a controller while it is driven.
 const DRIVEN: &str = Fact::ControllerDriven.key();
 
-/// Whether the last run on this controller has no end: the process was killed, or the power failed.
+/// Returns `true` if the last run on this controller has no end: the process was killed, or the power failed.
 fn was_abandoned(name: &DriverName, shelf: &Shelf) -> bool {
     shelf.stored.get(DRIVEN) == Some(&*name.path)
 }
@@ -305,7 +306,7 @@ pub fn look_through(
     Ok(found.iter().any(kerf_diag::Diagnostic::is_error).then_some(Exit::Failed))
 }
 
-/// What cannot be had together with a controller.
+/// Refuses options that cannot be had together with a controller.
 pub fn check(run: &RunArgs) -> Result<()> {
     let scripted = !run.operator.feed.is_empty();
     if scripted {

@@ -13,7 +13,7 @@ use kerf_program::{AXES, Axes, Axis, Settings};
 
 /// Time between two questions, seconds.
 const STEP_S: f64 = 0.001;
-/// How far inside a move its ends are asked, seconds.
+/// Time inside a move at which its ends are asked, seconds.
 const INSIDE_S: f64 = 1e-7;
 /// Slower is standing, mm/s.
 const STANDS_MM_S: f64 = 1e-6;
@@ -28,11 +28,11 @@ pub struct Curves {
     /// Axes whose numbers are degrees, whatever the unit of length.
     degrees: [bool; AXES],
     begun: bool,
-    /// Where the last move ended: seconds, and mm along the path.
+    /// End of the last move: seconds, and mm along the path.
     at: [f64; 2],
     /// Acceleration at the last question on the grid of time, and when that was.
     last: (f64, Push),
-    /// How fast the acceleration changed of late.
+    /// Latest rate of change of the acceleration.
     jerk: Push,
 }
 
@@ -91,7 +91,7 @@ impl Curves {
         self.at = to;
     }
 
-    /// What is done in a stretch, as far as it is in the window.
+    /// Plots what is done in a stretch, as far as it is in the window.
     fn stretch(&mut self, from: [f64; 2], to: [f64; 2], doing: Doing) {
         if from[0] < self.window[1] && to[0] > self.window[0] {
             self.begin(from);
@@ -149,7 +149,7 @@ impl Curves {
         }
     }
 
-    /// Where a window begins inside a plan, what was before it is asked.
+    /// Asks the acceleration before a window that begins inside a plan.
     fn remember(&mut self, made: &Made<'_>, t_s: f64) {
         if t_s - self.last.0 > 0.5 * STEP_S && t_s > made.t0_s {
             self.last = (t_s, accel(&made.plan.at(t_s - made.t0_s)));

@@ -1,5 +1,5 @@
-//! How long another controller would take: the moves of a run, from rest to rest, and what its
-//! planner makes of them.
+//! Estimates the time that another controller would take: the moves of a run, from rest to rest, and what
+//! its planner makes of them.
 
 use kerf_control::{Event, Made, Sink, Tally};
 use kerf_motion::Move;
@@ -16,7 +16,7 @@ pub struct Estimate<'a> {
     pub tally: Tally,
     /// Moves since the machine stood.
     run: Vec<Move>,
-    /// When the last move ended in Kerf's own time, seconds.
+    /// End of the last move in Kerf's own time, seconds.
     end_s: f64,
 }
 

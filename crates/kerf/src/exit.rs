@@ -3,7 +3,7 @@
 use kerf_sbp::Status;
 use std::process::ExitCode;
 
-/// How the process ends.
+/// Result of the process, as its exit code tells it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {
     /// All went well.

@@ -1,16 +1,16 @@
-//! What of the command line is heeded: where a command does not do all of what it may be told, the rest is refused
-//! by name.
+//! The options of the command line that are heeded: where a command does not do all of what it may be told, the rest
+//! is refused by name.
 
 use crate::exit::Usage;
 use anyhow::{Result, bail};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 
-/// What is heeded of the options of a command, and why nothing else is.
+/// Options that a command heeds, and why nothing else is.
 pub struct Heeded {
     /// Names of the options, as their fields are called.
     pub options: &'static [&'static str],
-    /// Who does not heed the others, and what to do instead; stands behind `--input is not heeded `.
+    /// Words behind `--input is not heeded `: who does not heed the others, and what to do instead.
     pub instead: &'static str,
 }
 

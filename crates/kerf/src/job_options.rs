@@ -1,4 +1,4 @@
-//! What options of part files mean for a job: what makes sense is done, the rest is refused by name.
+//! The options of part files as a job takes them: what makes sense is done, the rest is refused by name.
 
 use crate::args::{FileArgs, RunArgs};
 use crate::exit::Usage;
@@ -96,12 +96,12 @@ pub fn remotely(args: &RunArgs, beside_mm: Option<f64>) -> Result<Choice> {
     Ok(Choice { start, offset_mm: beside_mm.unwrap_or_default() })
 }
 
-/// How a server cuts a job.
+/// Choice for a job that a server cuts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Choice {
     /// The shape with which it begins, from 1.
     pub start: Option<u32>,
-    /// How far beside itself every path is cut, to the right of travel.
+    /// Distance of every cut beside its path, to the right of travel, mm.
     pub offset_mm: f64,
 }
 

@@ -50,7 +50,7 @@ pub fn nothing_called(name: &str) -> Usage {
     ))
 }
 
-/// What a name of a ready-made machine may have meant, and where they are listed.
+/// Tells which ready-made machine a name may have meant, and where they are listed.
 pub fn nearest(name: &str) -> String {
     let names = PROFILES.iter().map(|profile| profile.name);
     let meant = kerf_diag::did_you_mean(name, names).map_or_else(String::new, |it| it + " ");

@@ -68,7 +68,7 @@ struct Cli {
     edit_only: bool,
 }
 
-/// What stands below the list of commands.
+/// Text below the list of commands.
 const START_HERE: &str = "Start here:
   kerf check box.sbp                  is anything wrong with it?
   kerf preview box.sbp -o box.html    what will it cut?

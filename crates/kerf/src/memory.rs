@@ -1,4 +1,4 @@
-//! What the machine remembers between commands: the journal of the data folder.
+//! The memory of the machine between commands: the journal of the data folder.
 //!
 //! `run` and `send` go on where the last one ended; everything that only looks starts from inches
 //! and zeros, so that its answer depends on nothing but the file. `--start` chooses otherwise.
@@ -10,7 +10,7 @@ use kerf_control::journal::{Journal, JournalError, Whereabouts};
 use kerf_control::{Session, Shelf, unconfirmed, unverified};
 use std::path::Path;
 
-/// Whether a command goes on from the journal; one that only looks usually does not.
+/// Returns `true` if a command goes on from the journal; one that only looks usually does not.
 pub fn is_kept(place: &PlaceArgs, looks: bool) -> bool {
     let usual = if looks { Start::Fresh } else { Start::Kept };
     place.start.unwrap_or(usual) == Start::Kept

@@ -18,7 +18,7 @@ use std::time::Duration;
 pub struct Person {
     script: Answers,
     stop: Stop,
-    /// What somebody types at the terminal.
+    /// Input that somebody types at the terminal.
     keyboard: Option<Keyboard>,
     /// The program that shows files (UN), and the folder they lie in.
     editor: Option<(String, PathBuf)>,
@@ -166,7 +166,7 @@ impl Operator for Person {
     }
 }
 
-/// How machine time passes.
+/// Pace of machine time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
     /// As fast as can be computed.
@@ -175,7 +175,7 @@ pub enum Clock {
     Real,
 }
 
-/// How long a nap is while machine time passes: what Ctrl-C may wait.
+/// Length of a nap while machine time passes: so long Ctrl-C may wait.
 const NAP: Duration = Duration::from_millis(10);
 
 /// Machine time against the time of the world; Ctrl-C stops the machine, the script says what else
@@ -196,7 +196,7 @@ impl RealPace {
         Ok(Self { clock, script, stop, world: WorldClock::new(1.0) })
     }
 
-    /// Whether Kerf was asked to stop.
+    /// Returns `true` if Kerf was asked to stop.
     pub fn is_stopped(&self) -> bool {
         self.stop.is_wanted()
     }

@@ -11,7 +11,7 @@ pub fn print(text: &str) {
     let _ = io::stdout().write_all(text.as_bytes());
 }
 
-/// What became of writing to standard output: a reader that went away is no error there.
+/// Passes on how writing to standard output went: a reader that went away is no error there.
 pub fn unless_gone(written: io::Result<()>) -> io::Result<()> {
     match written {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
@@ -54,7 +54,7 @@ pub fn count(number: u64, thing: &str) -> String {
     format!("{number} {thing}{s}")
 }
 
-/// What the cutting moves cover: `X 0 … 4, Y 0 … 3, Z -0.25 … 0 in`; nothing when nothing is cut.
+/// Describes the bounds of the cutting moves: `X 0 … 4, Y 0 … 3, Z -0.25 … 0 in`; nothing when nothing is cut.
 pub fn bounds(summary: &Summary) -> Option<String> {
     let bounds = &summary.tally.bounds;
     let mm = summary.unit.mm();

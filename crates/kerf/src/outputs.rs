@@ -34,7 +34,7 @@ pub struct Outputs {
     data: Option<PathBuf>,
 }
 
-/// What a file was when it was looked at: its length, and when it was written, in nanoseconds since 1970.
+/// State of a file when it was looked at: its length, and when it was written, in nanoseconds since 1970.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Stamp {
     bytes: u64,
@@ -80,7 +80,7 @@ impl Outputs {
         done
     }
 
-    /// Whether Kerf wrote a file, and nobody touched it since.
+    /// Returns `true` if Kerf wrote a file, and nobody touched it since; also where the writing command was killed.
     fn knows(&self, file: &Path, stamp: Stamp) -> bool {
         let (record, place) = (self.record(), place(file));
         let mut of_it = record.lines().filter(|known| known.ends_with(&place));
@@ -110,7 +110,7 @@ impl Outputs {
     }
 }
 
-/// What is there under a name, where it is a file.
+/// Returns the state of a file; nothing where there is none under the name.
 fn stamp(file: &Path) -> Option<Stamp> {
     let about = fs::metadata(file).ok().filter(fs::Metadata::is_file)?;
     let written = about.modified().ok()?.duration_since(UNIX_EPOCH).ok()?;
@@ -136,7 +136,7 @@ fn untouched(file: &Path) -> String {
     format!("untouched{}", place(file))
 }
 
-/// Where a file lies, as lines of the record end.
+/// Returns the place of a file, as lines of the record end.
 fn place(file: &Path) -> String {
     format!(" {}", RealDisk.real_path(file).display())
 }

@@ -1,4 +1,4 @@
-//! What a person at a terminal reads while a program runs.
+//! Reports to a person at a terminal while a program runs.
 
 use crate::sources::FileLines;
 use kerf_control::event::AskEvent;
@@ -49,7 +49,7 @@ impl Drop for Diagnostics {
     }
 }
 
-/// Whether colours are wanted: on a terminal, unless NO_COLOR says otherwise.
+/// Returns `true` if colours are wanted: on a terminal, unless NO_COLOR says otherwise.
 pub fn colour(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && env::var_os("NO_COLOR").is_none_or(|v| v.is_empty())
 }
@@ -100,7 +100,7 @@ pub fn asked(ask: &AskEvent) -> String {
     format!("? {} → {}{by}", ask.text, ask.answer)
 }
 
-/// Where nothing plays sounds the bell of the terminal rings.
+/// Rings the bell of the terminal where nothing plays sounds.
 fn ring() {
     let mut terminal = io::stdout();
     if terminal.is_terminal() {

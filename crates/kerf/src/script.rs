@@ -14,7 +14,7 @@ use kerf_sim::{Body, Change, Touch};
 /// Millimetres in an inch.
 const INCH_MM: f64 = 25.4;
 
-/// What a script says.
+/// Content of a script.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Script {
     /// Inputs that change at a time.

@@ -12,7 +12,7 @@ const LOCK: &str = "served.lock";
 /// The address stands in a file of its own: one that is locked cannot be read everywhere.
 const ADDRESS: &str = "served-at.txt";
 
-/// Whoever looks whether there is a server holds the lock for a moment.
+/// Number of tries to lock: a process that looks whether there is a server holds the lock for a moment.
 const LOOKS: u32 = 20;
 const MOMENT: Duration = Duration::from_millis(10);
 

@@ -36,11 +36,11 @@ pub struct Job {
     pub options: RunOptions,
     pub shelf: Shelf,
     pub answers: Answers,
-    /// What it leaves is kept.
+    /// The state that the run leaves is kept.
     pub kept: bool,
     /// The settings that stay, where those of another machine hold for this run.
     pub replaced: Option<Settings>,
-    /// How Kerf starts and closes.
+    /// Visit of Kerf: how it starts and closes.
     pub visit: Visit,
     /// The drawing that a job was made of, without its shapes.
     pub drawing: Option<Drawing>,
@@ -70,8 +70,8 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
     Ok(job)
 }
 
-/// What is done to the shapes of a drawing before paths are made of them: as the machine is set, with what the
-/// command line says of smoothing.
+/// Returns what is done to the shapes of a drawing before paths are made of them: as the machine is set, with what
+/// the command line says of smoothing.
 pub fn shaping(machine: &Configuration, args: &RunArgs) -> Shaping {
     let factor = args.motion.smoothing.unwrap_or(machine.program.smoothing.factor);
     Shaping { factor, filter_mm: machine.options.filter_mm }
@@ -306,7 +306,7 @@ pub fn most_commands(args: &RunArgs, lines: usize) -> u64 {
     args.max_lines.unwrap_or_else(|| MOST_COMMANDS.max(MOST_OF_A_LINE * lines as u64))
 }
 
-/// How the program is run.
+/// Returns the options with which the program is run.
 pub fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOptions {
     let file = &args.file;
     let parameters = FileParameters {
@@ -376,7 +376,7 @@ fn stored(data: &Path, place: &PlaceArgs, looks: bool) -> Result<Stored> {
     Ok(journal.map(Stored::of).transpose()?.unwrap_or_default())
 }
 
-/// Where values that survive lie.
+/// Returns the folder of values that survive.
 pub fn data_folder(args: &DataArgs) -> Result<PathBuf> {
     if let Some(folder) = &args.folder {
         return Ok(folder.clone());

@@ -1,4 +1,4 @@
-//! What asks Kerf to stop: Ctrl-C, and where there are signals SIGTERM, SIGHUP, SIGQUIT and SIGXCPU (`kill`, the end
+//! Requests to stop Kerf: Ctrl-C, and where there are signals SIGTERM, SIGHUP, SIGQUIT and SIGXCPU (`kill`, the end
 //! of a login, a terminal that was closed, Ctrl-\, a limit on the time of a process). Whatever moves is stopped and
 //! switched off before the process ends.
 
@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
-/// What asked for a stop.
+/// Requests to stop that have come.
 #[derive(Clone, Debug, Default)]
 pub struct Stop {
     /// Ctrl-C, which nobody has heard yet.
@@ -35,8 +35,8 @@ impl Stop {
         Ok(stop)
     }
 
-    /// What moves a machine is not suspended (Ctrl-Z), for nobody would watch over the machine then: it is stopped
-    /// as by Ctrl-C.
+    /// Has Ctrl-Z stop a process that moves a machine as Ctrl-C does, instead of suspending it: nobody would watch
+    /// over the machine then.
     pub fn instead_of_suspending(&self) -> Result<()> {
         #[cfg(unix)]
         signals::instead_of_suspending(&self.pressed, &self.lends)
@@ -54,17 +54,18 @@ impl Stop {
         done
     }
 
-    /// Whether what runs is to stop.
+    /// Returns `true` if the run is to stop.
     pub fn is_wanted(&self) -> bool {
         self.pressed.load(Ordering::Relaxed) || self.leaves() && !self.heard.load(Ordering::Relaxed)
     }
 
-    /// Whether the process is to end.
+    /// Returns `true` if the process is to end.
     pub fn leaves(&self) -> bool {
         self.leaves.load(Ordering::Relaxed)
     }
 
-    /// What runs stops. That the process is to end is told once: another signal does not disturb the stop.
+    /// Takes note that the run stops. That the process is to end is told once: another signal does not disturb the
+    /// stop.
     pub fn hear(&self) {
         self.pressed.store(false, Ordering::Relaxed);
         if self.leaves() {
@@ -116,7 +117,7 @@ mod signals {
         register(SIGXFSZ, Arc::default()).map(drop)
     }
 
-    /// Whether whoever started the process had it ignore a signal. Only Linux tells; elsewhere the machine
+    /// Returns `true` if the process was started with this signal ignored. Only Linux tells; elsewhere the machine
     /// stops rather than to run on.
     fn is_ignored(signal: i32) -> bool {
         let status = fs::read_to_string("/proc/self/status").unwrap_or_default();

@@ -10,9 +10,9 @@ use kerf_control::{Session, Shelf, command_passing};
 /// A visit.
 #[derive(Clone, Debug)]
 pub struct Visit {
-    /// How it begins.
+    /// Start of the visit.
     pub opening: Opening,
-    /// How it ends, in a word.
+    /// End of the visit, in a word.
     pub closing: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! What is wrong with a text, without running it.
+//! Finds the mistakes in a text without running it.
 
 use kerf_diag::{Diagnostic, Severity};
 use kerf_program::settings::LinearUnit;

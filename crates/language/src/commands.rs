@@ -137,7 +137,7 @@ fn kind(kind: Kind) -> ParameterKind {
     }
 }
 
-/// What a person reads behind the number.
+/// Returns the unit that a person reads behind the number.
 fn unit_words(unit: Unit, settings: &Settings) -> String {
     let linear = settings.linear_unit.symbol();
     match unit {

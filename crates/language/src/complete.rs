@@ -24,13 +24,13 @@ fn completion(label: impl Into<String>, kind: &str, detail: &str, doc: &str) -> 
     Completion { label: label.into(), kind: kind.into(), detail: detail.into(), doc: doc.into() }
 }
 
-/// Whether a command or a statement can stand behind this.
+/// Returns `true` if a command or a statement can stand behind this.
 fn begins(before: &str) -> bool {
     let before = before.trim_end().to_uppercase();
     before.is_empty() || before.ends_with("THEN")
 }
 
-/// Whether the name of a label stands behind this.
+/// Returns `true` if the name of a label stands behind this.
 fn jumps(before: &str) -> bool {
     let before = before.trim_end().to_uppercase();
     before.ends_with("GOTO") || before.ends_with("GOSUB")

@@ -1,11 +1,11 @@
-//! What the word at a place means.
+//! The meaning of the word at a place.
 
 use crate::word::{self, Word};
 use kerf_sbp::table::CommandSpec;
 use kerf_sbp::{Function, system_variables, table};
 use kerf_wire::Hover;
 
-/// What is known of the word at a line and column, both counted from 1.
+/// Explains the word at a line and column, both counted from 1.
 pub fn hover(text: &str, line: u32, column: u32) -> Option<Hover> {
     let line = word::line(text, line);
     let found = word::at(line, column);

@@ -1,4 +1,4 @@
-//! What an editor of part files and a fill-in sheet ask.
+//! Answers to the questions of an editor of part files and of a fill-in sheet.
 //!
 //! ```text
 //!  command table ──► commands   menus, hints and sheets, with the settings that hold

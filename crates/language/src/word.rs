@@ -9,7 +9,7 @@ pub struct Word<'a> {
     pub from: u32,
     /// The column behind it.
     pub to: u32,
-    /// What stands before it in the line.
+    /// Text before it in the line.
     pub before: &'a str,
 }
 

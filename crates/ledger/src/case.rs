@@ -20,7 +20,7 @@ const MAIN_GCODE: &str = "main.nc";
 pub struct Case {
     name: &'static str,
     program: String,
-    /// What ran before, and when the operator stopped it, seconds.
+    /// Programs that ran before, and when the operator stopped each, seconds.
     before: Vec<(String, f64)>,
     files: Vec<(String, String)>,
     answers: Vec<String>,

@@ -17,7 +17,7 @@ pub struct HandConsole {
     pub machine: Configuration,
     at: Axes,
     homed: AxisSet,
-    /// What the machine did last.
+    /// Trace of what the machine did last.
     last: Option<JobTrace>,
     /// Moves that a function made, in order: see [`JobTrace::moves`].
     pub moves: Vec<String>,
@@ -25,7 +25,7 @@ pub struct HandConsole {
     pub found: Vec<String>,
     /// The shapes of the job that is open.
     pub shapes: Vec<Arc<Shape>>,
-    /// What pages were to have in sight, in order.
+    /// Looks that pages were to have in sight, in order.
     pub looks: Vec<Look>,
 }
 
@@ -75,7 +75,7 @@ impl HandConsole {
         }
     }
 
-    /// What it shows.
+    /// Returns the lines that it shows.
     pub fn shows(&self) -> [String; 2] {
         self.console.screen(&self.view()).lines
     }
@@ -90,12 +90,12 @@ impl HandConsole {
         self.last.as_ref().expect("nothing moved yet")
     }
 
-    /// How often it has beeped.
+    /// Returns the number of times it has beeped.
     pub fn beeps(&self) -> u32 {
         self.console.beeps()
     }
 
-    /// Where the tool is, to a millionth.
+    /// Returns the place of the tool, to a millionth.
     pub fn position(&self) -> [f64; 3] {
         self.place().first3().map(|mm| (mm * 1e6).round() / 1e6 + 0.0)
     }

@@ -66,7 +66,7 @@ pub struct JobRun {
     job: Job,
     errand: Option<Errand>,
     homed: AxisSet,
-    /// What stays of what was run before.
+    /// Session that stays of what was run before.
     session: Option<Session>,
     machine: Configuration,
     wishes: Vec<(f64, Wish)>,
@@ -80,9 +80,9 @@ pub struct JobRun {
 pub struct JobTrace {
     /// Everything that was told.
     pub events: Vec<Event>,
-    /// What it came to.
+    /// Summary of the run.
     pub summary: Summary,
-    /// What stays.
+    /// Session that stays.
     pub session: Session,
 }
 
@@ -150,14 +150,14 @@ impl JobRun {
         self
     }
 
-    /// What the operator wants at a time.
+    /// Adds a wish of the operator at a time.
     #[must_use]
     pub fn wish(mut self, at_s: f64, wish: Wish) -> Self {
         self.wishes.push((at_s, wish));
         self
     }
 
-    /// What the operator says, one order a line.
+    /// Sets the words of the operator, one order a line.
     #[must_use]
     pub fn say(mut self, answers: &str) -> Self {
         self.answers = answers.replace(" ⏎ ", "\n");
@@ -240,7 +240,7 @@ impl JobRun {
 pub struct Signals(pub String);
 
 impl Signals {
-    /// When a signal changed and to what, milliseconds.
+    /// Returns when a signal changed and to what, milliseconds.
     pub fn changes(&self, name: &str) -> Vec<(u64, String)> {
         let found = self.of(&[name]).into_iter();
         found.map(|(t_ns, _, value)| (t_ns / 1_000_000, value)).collect()
@@ -297,7 +297,7 @@ impl Signals {
         changes.map(|(t_ms, value)| (t_ms, steps(&value))).collect()
     }
 
-    /// When a bit was on, milliseconds.
+    /// Returns when a bit was on, milliseconds.
     pub fn on(&self, name: &str) -> Vec<(u64, u64)> {
         let changes = self.changes(name);
         let pairs = changes.chunks(2);
@@ -318,7 +318,7 @@ impl JobTrace {
         self.events.iter().filter_map(edge).collect()
     }
 
-    /// What the run warns of.
+    /// Returns the messages of all diagnostics of the run.
     pub fn warnings(&self) -> Vec<String> {
         let told = |event: &Event| match event {
             Event::Diag(told) => Some(told.message.clone()),
@@ -344,7 +344,7 @@ impl JobTrace {
         self.events.iter().filter_map(motion).map(shown).collect()
     }
 
-    /// What people are told.
+    /// Returns what people are told.
     pub fn messages(&self) -> Vec<String> {
         let told = |event: &Event| match event {
             Event::Message { text, .. } => Some(text.to_string()),
@@ -390,12 +390,12 @@ impl JobTrace {
         cuts.map(|made| rounded(made.speed)).collect()
     }
 
-    /// Why the job was refused.
+    /// Returns the reason why the job was refused.
     pub fn refused(&self) -> String {
         self.summary.error.as_ref().map_or(String::new(), |error| error.message.clone())
     }
 
-    /// Where the machine stands at the end, machine frame.
+    /// Returns the place where the machine stands at the end, machine frame.
     pub fn rests(&self) -> [f64; 3] {
         self.session.memory.position.first3()
     }
@@ -406,7 +406,7 @@ fn rounded(value: f64) -> f64 {
     (value * 1e3).round() / 1e3 + 0.0
 }
 
-/// What a motion is told as.
+/// Returns the move that an event tells of: a straight one, or that of an arc.
 fn motion(event: &Event) -> Option<&MoveEvent> {
     match event {
         Event::Move(made) => Some(made),

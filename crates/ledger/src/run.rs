@@ -1,4 +1,4 @@
-//! What a program did, read from its trace, and the claims tests make about it.
+//! A program that ran, read from its trace, and the claims tests make about it.
 //!
 //! Every claim panics at the test's line when it does not hold, and returns the run so that claims
 //! can follow each other.
@@ -27,7 +27,7 @@ impl Run {
         Self { events: events(trace), start, shelf }
     }
 
-    /// What a file in the part folder holds now.
+    /// Returns the text that a file in the part folder holds now.
     #[track_caller]
     pub fn file(&self, name: &str) -> String {
         self.shelf.text(name).unwrap_or_else(|| panic!("there is no file {name}\n{self}"))
@@ -192,7 +192,7 @@ impl Run {
         self.shelf.stored.get(key).map(str::to_owned)
     }
 
-    /// How long the run takes in machine time, seconds.
+    /// Returns the time that the run takes in machine time, seconds.
     pub fn seconds(&self) -> f64 {
         number(self.end(), "t")
     }

@@ -27,18 +27,18 @@ pub enum Which {
     One(usize),
 }
 
-/// What a search came to, mm or degrees from zero.
+/// Result of a search, mm or degrees from zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sought {
-    /// Where the switch changed; nothing when it did not within the way allowed.
+    /// Place where the switch changed; nothing when it did not within the way allowed.
     pub edge: Option<f64>,
-    /// Where the motion ended.
+    /// Place where the motion ended.
     pub stopped: f64,
 }
 
 /// One axis of a machine that can be homed.
 pub trait Axle {
-    /// Whether a switch of these motors is on.
+    /// Returns `true` if a switch of these motors is on.
     fn switch(&self, which: Which) -> bool;
 
     /// Moves at a speed, negative backwards, until the switch of these motors reads `until`, then
@@ -65,7 +65,7 @@ pub struct Homed {
     pub axis: Axis,
     /// Which of its motors.
     pub which: Which,
-    /// Where home is, counted from what was zero before.
+    /// Place of home, counted from what was zero before.
     pub home: f64,
     /// The same in whole steps: how far the last home was off, where there was one.
     pub difference_steps: i64,
@@ -96,7 +96,7 @@ impl NotFound {
 /// The order in which axes are homed: the tool first leaves the work.
 const ORDER: [Axis; 6] = [Axis::Z, Axis::A, Axis::X, Axis::Y, Axis::B, Axis::C];
 
-/// How much further than its length an axis is searched.
+/// Greatest way of a search, as a multiple of the axis' length.
 const MARGIN: f64 = 1.1;
 
 /// Homes axes of a machine, and tells what was found one after the other. Axes without a switch keep the zero
@@ -141,14 +141,14 @@ fn home_axis(
     Ok(())
 }
 
-/// What is needed to find the home of an axis.
+/// Settings needed to find the home of an axis.
 struct Search {
     name: &'static str,
     motors: Vec<Motor>,
     switch: HomeSwitch,
     /// The direction of the switch.
     toward: f64,
-    /// How far it is looked for.
+    /// Greatest way of the search.
     most: f64,
     /// The highest speed of the axis.
     top: f64,
@@ -182,7 +182,7 @@ impl Search {
         }
     }
 
-    /// Where home is, from zero.
+    /// Finds home and returns its place, from zero.
     fn find(&self, axle: &mut dyn Axle, which: Which) -> Result<f64, NotFound> {
         let (fast, slow) = (self.switch.fast * self.toward, self.switch.slow * self.toward);
         if axle.switch(which) {
@@ -210,7 +210,7 @@ impl Search {
     }
 }
 
-/// Where an axis may go, mm or degrees: from its length and the end at which it is homed, counted
+/// Returns the soft bounds of an axis, mm or degrees: from its length and the end at which it is homed, counted
 /// from home. `None` without a length, or where movement is not limited.
 pub fn soft_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {
     let length = machine.axes.length[axis];
@@ -223,9 +223,9 @@ pub fn soft_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {
     })
 }
 
-/// Where a hand may take an axis, machine frame, mm or degrees: within its length, counted from where the machine
-/// was switched on until it is homed, and Z no lower than Z bottom. Z bottom is known where Z was homed or has a
-/// length.
+/// Returns the bounds of an axis moved by hand, machine frame, mm or degrees: within its length, counted from where the
+/// machine was switched on until it is homed, and Z no lower than Z bottom. Z bottom is known where Z was homed or has
+/// a length.
 pub fn bounds_by_hand(machine: &Configuration, axis: Axis, homed: bool) -> (f64, f64) {
     let length = soft_bounds(machine, axis);
     let (low, high) = length.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
@@ -239,7 +239,7 @@ pub fn words_of_end(machine: &Configuration, axis: Axis, end: f64) -> &'static s
     if bottom { ", Z bottom (zpos.bottom_mm)" } else { "" }
 }
 
-/// Where the table limits let an axis go, table base coordinates. `None` while they are not checked, and for
+/// Returns the table limits of an axis, table base coordinates. `None` while they are not checked, and for
 /// an axis that the machine lacks or that turns without end.
 pub fn table_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {
     let limits = &machine.program.limits;
@@ -248,7 +248,7 @@ pub fn table_bounds(machine: &Configuration, axis: Axis) -> Option<(f64, f64)> {
     holds.then(|| (limits.low[axis], limits.high[axis]))
 }
 
-/// Whether an axis is the tangential one, and turns without end.
+/// Returns `true` for the tangential axis where it turns without end.
 pub fn turns_endlessly(machine: &Configuration, axis: Axis) -> bool {
     axis == Axis::C && machine.misc.tangential && machine.misc.tangential_endless
 }

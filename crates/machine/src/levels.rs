@@ -14,7 +14,7 @@ fn mask(inverts: [bool; PORT_BITS]) -> u8 {
 }
 
 impl IoMap {
-    /// What the inputs of a port read when its pins have these levels, a bit each: 1 is active.
+    /// Returns what the inputs of a port read when its pins have these levels, a bit each: 1 is active.
     pub fn reads(&self, port: Port, levels: u8) -> u8 {
         let grounded = if self.card == Card::Pci { u8::MAX } else { 0 };
         levels ^ grounded ^ self.open_reads(port)
@@ -25,7 +25,7 @@ impl IoMap {
         self.reads(port, reads)
     }
 
-    /// What the inputs of a port read when all its pins are open.
+    /// Returns what the inputs of a port read when all its pins are open.
     pub fn open_reads(&self, port: Port) -> u8 {
         match port {
             Port::A => mask(self.invert_a),
@@ -34,7 +34,7 @@ impl IoMap {
         }
     }
 
-    /// What the input of a line reads at a level of its pin; a line that is no pin of a port reads the level.
+    /// Returns what a line's input reads at a level of its pin; a line that is no pin of a port reads the level.
     pub fn line_reads(&self, line: u8, level: bool) -> bool {
         port_bit(line).map_or(level, |(port, place)| {
             self.reads(port, u8::from(level) << place) & (1 << place) != 0
@@ -46,7 +46,7 @@ impl IoMap {
         self.line_reads(line, reads)
     }
 
-    /// What the input of a line reads whose pin is open.
+    /// Returns what a line's input reads while its pin is open.
     pub fn open_line_reads(&self, line: u8) -> bool {
         port_bit(line).is_some_and(|(port, place)| self.open_reads(port) & (1 << place) != 0)
     }

@@ -1,4 +1,4 @@
-//! What a machine is.
+//! The model of a machine: its settings, its moves by hand, its jobs and its drivers.
 //!
 //! [`Configuration`] is the one model of a machine's settings: those of the V commands
 //! ([`kerf_program::Settings`]) and, beside them, what the Profiler tables list, an area a file in

@@ -53,7 +53,7 @@ macro_rules! lines {
                 match self { $(Self::$line => $word,)* }
             }
 
-            /// What a line is called.
+            /// Returns the one with the given number, if there is one.
             pub fn of_number(number: u8) -> Option<Self> {
                 Self::ALL.iter().copied().find(|line| line.number() == number)
             }
@@ -117,7 +117,7 @@ lines! {
         Jig2 = "jig2", 1, 1;
         /// No wire of the card: the height sensor sends no readings.
         NoReadings = "no_readings", 2, 0;
-        /// What the controller notices itself: no reading for too long while height control acts.
+        /// No reading for too long while height control acts, which the controller notices itself.
         HeightSilent = "height_silent", 2, 1;
         /// Too high and too low at once.
         HeightConflict = "height_conflict", 2, 2;

@@ -27,11 +27,11 @@ pub struct Going<'a> {
     pub plan: &'a Plan,
     /// Which move of the plan.
     pub index: usize,
-    /// When the plan begins, seconds of machine time.
+    /// Beginning of the plan, seconds of machine time.
     pub t0_s: f64,
     /// Before this move of the plan something else has to be done.
     pub until: usize,
-    /// How much of the move that was planned its shares are of: less than 1 where it ends at a stop within, 0
+    /// Share of the planned move that its own shares refer to: less than 1 where it ends at a stop within, 0
     /// where the machine moves beside the program.
     pub part: f64,
 }
@@ -42,7 +42,7 @@ impl Going<'_> {
         self.plan.moves().get(self.index)
     }
 
-    /// Where every axis is at a moment of machine time, seconds, and how fast.
+    /// Returns place and speed of every axis at a moment of machine time, seconds.
     pub fn at(&self, t_s: f64) -> State {
         self.plan.at(t_s - self.t0_s)
     }
@@ -57,7 +57,7 @@ pub enum Actuator {
         number: u8,
         /// Its state from then on.
         on: bool,
-        /// Why.
+        /// Reason for the switching.
         why: OutputReason,
     },
     /// The speed of a spindle, revolutions a minute; it need not turn.
@@ -91,17 +91,17 @@ pub enum Actuator {
 pub struct Fault {
     /// In words.
     pub message: String,
-    /// What to do about it.
+    /// Way to mend it.
     pub hint: &'static str,
     /// The line whose move it is about, where it is about one.
     pub at: Option<At>,
     /// It answers no more.
     pub silent: bool,
-    /// Where it stands, machine frame, as far as it told.
+    /// Place where it stands, machine frame, as far as it told.
     pub stands: Option<Axes>,
 }
 
-/// What became known of a machine since it was asked last.
+/// News of a machine since it was asked last.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct News {
     /// The moment of the plan that it has reached, seconds of machine time; infinite once the move is made.
@@ -113,13 +113,13 @@ pub struct News {
 /// A machine that makes planned motion. Positions are millimetres and degrees in the machine frame, times are seconds of
 /// machine time.
 pub trait Machine {
-    /// What people call it.
+    /// Returns the name that people use for it.
     fn name(&self) -> &str;
 
-    /// What it has and can do.
+    /// Returns what it has and can do.
     fn facts(&self) -> &Facts;
 
-    /// Why it cannot make a move, in words; asked before anything of its stack moves.
+    /// Returns in words why it cannot make a move; asked before anything of its stack moves.
     fn refuses(&self, mv: &Move) -> Option<String>;
 
     /// Another piece of plan is followed from now on; what it has of the one before it makes first.
@@ -141,7 +141,7 @@ pub trait Machine {
     /// The same, and tells an input that changed: by its number, and whether it is active now.
     fn look(&mut self, wait: Duration) -> Option<(u8, bool)>;
 
-    /// Whether something that it has is not made yet.
+    /// Returns `true` while something that it has is not made yet.
     fn is_busy(&self) -> bool;
 
     /// Slows down on the path, forgets what it has not made, and switches its outputs off. Returns the moment of the plan
@@ -151,7 +151,7 @@ pub trait Machine {
     /// The operator has waited for it in vain: it does nothing more.
     fn give_up(&mut self);
 
-    /// Why it does nothing more.
+    /// Returns the reason for which it does nothing more.
     fn fault(&self) -> Option<&Fault>;
 }
 

@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// A machine that comes with Kerf.
 #[derive(Clone, Copy, Debug)]
 pub struct Profile {
-    /// What it is called.
+    /// Name.
     pub name: &'static str,
     /// Its file: what differs from the defaults.
     pub text: &'static str,
@@ -36,7 +36,7 @@ pub fn profile(name: &str) -> Option<&'static Profile> {
 }
 
 impl Profile {
-    /// What it is, from the comment at its head.
+    /// Returns the description in the comment at its head.
     pub fn about(&self) -> String {
         let lines = self.text.lines().map_while(|line| line.strip_prefix('#'));
         lines.map(str::trim).collect::<Vec<_>>().join(" ")

@@ -1,4 +1,4 @@
-//! What a machine does when it is stopped, and what may follow: one table for both manuals.
+//! States of a machine, and the effects of the events that stop it: one table for both manuals.
 //!
 //! OpenSBP's stop (ramp down, pull out, resume with no location lost) and Profiler's pause are the
 //! same states with other [`StopSettings`]. The table below is the whole truth: whoever runs a machine
@@ -11,7 +11,7 @@ use kerf_program::Button;
 /// So long a stop input is waited for to be released before the operator is asked again, seconds.
 pub const RELEASE_S: f64 = 0.5;
 
-/// What a machine is doing.
+/// State of a machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum State {
     /// Nothing; programs and moves by hand may start.
@@ -37,12 +37,12 @@ pub enum State {
     Alarm,
 }
 
-/// What happens to it.
+/// An event that may change the state of a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Event {
     /// Start of a program or job.
     Start,
-    /// What the start waited for is there.
+    /// The door, the jig or the second Start that was waited for is there.
     Ready,
     /// Stop: a key, the console.
     Stop,
@@ -76,7 +76,7 @@ pub enum Event {
     End,
 }
 
-/// What is done about it, in this order.
+/// An effect of an event; several are carried out in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Effect {
     /// Cut outputs and intensity go off at once, still in motion.
@@ -111,7 +111,7 @@ pub enum Effect {
     RestoreHeights,
 }
 
-/// What differs between the manuals and between machines.
+/// Settings of a stop that differ between the manuals and between machines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StopSettings {
     /// The tool rises once the machine stands: Profiler's "Raise On Pause", always in OpenSBP.
@@ -130,12 +130,12 @@ impl StopSettings {
     }
 }
 
-/// What follows on an event.
+/// Outcome of an event.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Next {
     /// The state from then on.
     pub state: State,
-    /// What is done, in order.
+    /// Effects, in order.
     pub effects: Vec<Effect>,
 }
 
@@ -222,7 +222,7 @@ impl State {
         }
     }
 
-    /// What follows on an event; nothing when it may not happen in this state.
+    /// Returns the outcome of an event; nothing when the event may not happen in this state.
     pub fn on(self, event: Event, settings: StopSettings) -> Option<Next> {
         let Row(_, _, state, effects) =
             ROWS.iter().find(|Row(state, on, ..)| (*state, *on) == (self, event))?;
@@ -232,7 +232,7 @@ impl State {
 }
 
 impl Effect {
-    /// Whether it is done with these settings.
+    /// Returns `true` if it is done with these settings.
     const fn holds(self, settings: StopSettings) -> bool {
         match self {
             Self::Raise => settings.raise,
@@ -243,7 +243,7 @@ impl Effect {
         }
     }
 
-    /// What it is called in the diagram.
+    /// Returns its name in the diagram.
     pub const fn name(self) -> &'static str {
         match self {
             Self::CutOffAtOnce => "cut off at once",

@@ -19,12 +19,12 @@ pub enum Value {
 pub const NONE: &str = "none";
 
 impl Value {
-    /// What stands for an absent value.
+    /// Returns the value that stands for an absent one.
     pub fn none() -> Self {
         Self::Text(NONE.into())
     }
 
-    /// Whether this says that there is no value.
+    /// Returns `true` if this says that there is no value.
     pub fn is_none(&self) -> bool {
         matches!(self, Self::Text(text) if text.eq_ignore_ascii_case(NONE))
     }

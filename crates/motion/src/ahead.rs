@@ -7,7 +7,7 @@ use crate::profile::Profile;
 /// Moves in order with the speeds that are allowed in them, the oldest first.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Ahead {
-    /// How many moves of the stack lie before.
+    /// Number of moves of the stack that lie before.
     pub begun: usize,
     pub moves: Vec<Move>,
     /// One for each move that was looked at, in order.

@@ -120,7 +120,7 @@ impl Caps {
         self.limit_turns(ahead, [self.bends.len(); 2]);
     }
 
-    /// How many moves of the window have caps that no later move can change.
+    /// Returns the number of moves of the window whose caps no later move can change.
     pub fn settled(&self, ahead: &Ahead) -> usize {
         let known = ahead.caps.len();
         let open = self.bends.get(self.done[1]);
@@ -244,7 +244,7 @@ impl Caps {
         }
     }
 
-    /// What the direction changes around each bend, radians; and the stretches that are tight curves.
+    /// Computes the change of direction around each bend, radians; and the stretches that are tight curves.
     fn summed(&self) -> (Vec<f32>, Vec<(usize, usize)>) {
         let mut turns: Vec<f32> = self.bends.iter().map(|b| b.turn_rad.abs()).collect();
         let greatest = sum_turns(&self.bends, self.window_mm, SLIGHTEST_RAD, &mut turns);

@@ -23,12 +23,12 @@ impl Clocked {
         Self { pieces: vec![Arc::new(piece)], begin: (0, 0.0), clock }
     }
 
-    /// What the axes can do.
+    /// Returns the limits of the axes.
     pub fn dynamics(&self) -> Option<Dynamics> {
         self.pieces.first()?.dynamics()
     }
 
-    /// When the last piece is over.
+    /// Returns the time at which the last piece is over.
     pub fn duration_s(&self) -> f64 {
         self.clock.when(self.plan_end_s())
     }
@@ -58,7 +58,7 @@ impl Clocked {
         }
     }
 
-    /// What the plan says at a time of its own; the move is counted from the first of the first piece.
+    /// Returns the planned state at a time of the plan; the move is counted from the first of the first piece.
     pub fn planned(&self, plan_s: f64) -> State {
         let Some((piece, before)) = self.running(plan_s) else { return State::default() };
         let state = piece.at(plan_s);
@@ -105,7 +105,7 @@ impl Clocked {
         self.pieces.iter().flat_map(|piece| piece.moves().iter().copied())
     }
 
-    /// When the plan is at a share of a move, counted from the first of the first piece.
+    /// Returns the time of the plan at a share of a move, counted from the first of the first piece.
     pub fn planned_at(&self, index: usize, share: f64) -> Option<f64> {
         let whole = Self { begin: (0, 0.0), ..self.clone() };
         let (piece, index) = whole.piece(index)?;
@@ -135,14 +135,14 @@ impl Clocked {
         [entry.min(peak), peak, exit.min(peak)]
     }
 
-    /// What is left from a place in a move on, by a clock of its own.
+    /// Returns what is left from a place in a move on, by a clock of its own.
     pub fn left(&self, index: usize, share: f64, clock: Clock) -> Self {
         let before = if index == 0 { self.begin.1 } else { 0.0 };
         let begin = (index + self.begin.0, before + share * (1.0 - before));
         Self { pieces: self.pieces.clone(), begin, clock: Arc::new(clock) }
     }
 
-    /// Where it stands when it is stopped at a time: ramped, or at once.
+    /// Returns the plan as it comes to a stand when it is stopped at a time: ramped, or at once.
     pub fn stopped(&self, t_s: f64, ramped: bool) -> Self {
         let now = self.clock.at(t_s);
         let Some(dynamics) = self.dynamics().filter(|_| ramped) else {
@@ -160,7 +160,7 @@ impl Clocked {
         Some(self.by(Easing::new(self, dynamics).stand(now, now)))
     }
 
-    /// When it begins to slow, not before a time.
+    /// Returns the time at which it begins to slow, not before a given one.
     pub fn slows_from(&self, t_s: f64) -> f64 {
         self.clock.turns_after(t_s).unwrap_or(t_s)
     }

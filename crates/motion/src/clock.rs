@@ -37,7 +37,7 @@ impl Tick {
         Self { t_s, plan_s, rate: 1.0, ..Self::default() }
     }
 
-    /// What it has come to after a time.
+    /// Returns what the tick has come to after a time.
     pub fn after(&self, s: f64) -> Self {
         Self {
             t_s: self.t_s + s,
@@ -65,7 +65,7 @@ impl Clock {
         Self(vec![Tick::plain(t_s, plan_s)])
     }
 
-    /// Whether it is for a stack of which nothing is planned yet.
+    /// Returns `true` if it is for a stack of which nothing is planned yet.
     pub fn restarts(&self) -> bool {
         self.0.len() == 1 && self.last().plan_s == 0.0 && self.last().t_s > 0.0
     }
@@ -75,7 +75,7 @@ impl Clock {
         self.0.last().copied().unwrap_or_default()
     }
 
-    /// What it shows at a time; before the first tick, that. At the very moment at which it stops at
+    /// Returns the tick shown at a time; before the first tick, that. At the very moment at which it stops at
     /// once it still runs: where a plan is cut it has the speed with which another goes on.
     pub fn at(&self, t_s: f64) -> Tick {
         let mut later = self.0.partition_point(|tick| tick.t_s <= t_s);
@@ -99,7 +99,7 @@ impl Clock {
         Self(before.copied().chain(ticks).collect())
     }
 
-    /// When the plan has come to a time of its own. A clock that stops before stands at its last tick.
+    /// Returns the time at which the plan reaches a time of its own. A clock that stops before stands at its last tick.
     pub fn when(&self, plan_s: f64) -> f64 {
         let later = self.0.partition_point(|tick| tick.plan_s < plan_s);
         let Some(tick) = self.0.get(later.saturating_sub(1)) else { return plan_s };

@@ -1,4 +1,4 @@
-//! How fast a change of direction may be passed (command reference, Ramping; ledger notes, Ramps
+//! The speed at which a change of direction may be passed (command reference, Ramping; ledger notes, Ramps
 //! and A-106, A-109).
 //!
 //! ```text
@@ -29,7 +29,7 @@ pub(crate) fn criterion_rad(v_mm_s: f64) -> f64 {
     (FULL_DEGREES - (inches - 1.0) * 38.0 / 9.0).to_radians()
 }
 
-/// Whether a change of direction is a full corner.
+/// Returns `true` if a change of direction is a full corner.
 pub(crate) fn is_full(turn_rad: f64) -> bool {
     turn_rad + ANGLE_TOLERANCE_RAD >= FULL_CORNER_RAD
 }

@@ -44,7 +44,7 @@ impl Course {
         Self { start, end, xy, others }
     }
 
-    /// How far the direction in XY turns to the left from here into the next move, radians; 0 when
+    /// Returns the turn of the direction in XY to the left from here into the next move, radians; 0 when
     /// one of them does not move in XY.
     pub fn turn_rad(&self, next: &Self) -> f64 {
         let (a, b) = (self.end, next.start);

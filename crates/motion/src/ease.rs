@@ -1,4 +1,4 @@
-//! How fast the clock of a plan may be slowed down to a stand, and started again, so that no axis
+//! Slows the clock of a plan down to a stand and starts it again as fast as it may, so that no axis
 //! exceeds its acceleration and jerk.
 //!
 //! Any motion along the path that is slower than one within the limits leaves room: with the rate r
@@ -27,7 +27,7 @@ const JERK_SLACK: f64 = 1.02;
 /// A change that breaks a limit mostly shows at moments so many times farther apart.
 const COARSE: f64 = 8.0;
 
-/// What the plan says between two moments so far apart, seconds, is about what lies between; so a limit
+/// Time between two moments of a sketch of the plan, seconds. Between them the sketch is inexact; so a limit
 /// may be exceeded by so much.
 const SKETCH_S: f64 = 2e-3;
 const SKETCH_SLACK: f64 = 1.05;
@@ -84,7 +84,7 @@ impl<'a> Easing<'a> {
         }
     }
 
-    /// When the machine stands or the plan ends, if the rate stays as it is.
+    /// Returns the time at which the machine stands or the plan ends, if the rate stays as it is.
     fn rests_at(&self, tick: &Tick) -> f64 {
         let left_s = (self.end_s - tick.plan_s).max(0.0);
         tick.t_s + if tick.rate > 0.0 { left_s / tick.rate } else { 0.0 }
@@ -219,7 +219,7 @@ impl<'a> Easing<'a> {
         axes.map(|((v, a), j)| (v.abs() / a).max((v.abs() / j).sqrt())).fold(0.0, f64::max)
     }
 
-    /// Whether no axis exceeds its acceleration and jerk, by sampling, and the plan does not end before.
+    /// Returns `true` if, by sampling, no axis exceeds its acceleration and jerk, and the plan does not end before.
     fn holds(&self, ticks: &[Tick], jerk: &[f64; AXES]) -> bool {
         let accel = self.dynamics.accel_mm_s2.0.map(|most| most * ACCEL_SLACK);
         let jerk = jerk.map(|most| most * JERK_SLACK);
@@ -239,7 +239,7 @@ impl<'a> Easing<'a> {
         self.within(ticks, step_s, [accel, jerk], |plan_s| sketch.at(plan_s))
     }
 
-    /// Whether no axis exceeds limits of acceleration and jerk at moments so far apart.
+    /// Returns `true` if no axis exceeds limits of acceleration and jerk at moments so far apart.
     fn within(
         &self,
         ticks: &[Tick],

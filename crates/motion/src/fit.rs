@@ -42,7 +42,7 @@ impl Fit {
         self.run(ahead, known);
     }
 
-    /// How many moves of the window have their profiles.
+    /// Returns the number of moves of the window that have their profiles.
     pub const fn done(&self) -> usize {
         self.done
     }

@@ -41,7 +41,7 @@ struct Pace {
     divider: f64,
 }
 
-/// How far the groups of axes go in one move, without signs.
+/// Ways of the groups of axes in one move, without signs.
 struct Extent {
     xy: f64,
     others: [f64; 4],
@@ -53,7 +53,7 @@ impl Mover {
         Self { position: start, cut: Pace::cut(settings), jog: Pace::jog(settings) }
     }
 
-    /// Where the last move ended, machine frame.
+    /// Returns the place where the last move ended, machine frame.
     pub const fn position(&self) -> Axes {
         self.position
     }
@@ -180,7 +180,7 @@ impl Extent {
         Self { xy, others: std::array::from_fn(|i| delta.0[i + 2].abs()) }
     }
 
-    /// What the speed is measured along, that length, and the time it takes at the speeds given.
+    /// Returns what the speed is measured along, that length, and the time it takes at the speeds given.
     fn reference(&self, feed: Feed, speed: &PerGroup) -> (Basis, f64, f64) {
         match feed {
             Feed::Axis => self.by_axis(speed),
@@ -245,7 +245,7 @@ fn within(value: f64, low: f64, high: f64) -> f64 {
     value.max(low).min(high)
 }
 
-/// Whether a coordinate or length is a number and not beyond all reason.
+/// Returns `true` if a coordinate or length is a number and not beyond all reason.
 fn in_reach(v: f64) -> bool {
     v.abs() < FAR_MM
 }

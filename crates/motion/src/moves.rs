@@ -30,8 +30,8 @@ pub enum Path {
     },
 }
 
-/// What the reference length of a move is measured along. Speeds of two moves can be compared only
-/// when it is the same.
+/// Axes along which the reference length of a move is measured. Speeds of two moves can be compared only
+/// when these are the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Basis {
     /// The path in XY.
@@ -45,7 +45,7 @@ pub(crate) enum Basis {
 }
 
 impl Basis {
-    /// Whether an axis counts.
+    /// Returns `true` if an axis counts.
     pub const fn counts(self, axis: usize) -> bool {
         match self {
             Self::Xy => axis < 2,
@@ -60,7 +60,7 @@ impl Basis {
         all.iter().enumerate().filter(|(k, _)| self.counts(*k)).map(|(_, v)| v * v).sum()
     }
 
-    /// How many of X, Y and Z the reference length of a straight way counts.
+    /// Returns the number of axes of a path in XY or XYZ; 0 where one axis or the rotary ones count.
     pub const fn axes(self) -> usize {
         match self {
             Self::Xy => 2,
@@ -78,9 +78,9 @@ pub struct Move {
     /// Cut or jog.
     pub kind: MoveKind,
     pub(crate) basis: Basis,
-    /// Where it starts, machine frame.
+    /// Start, machine frame.
     pub from: Axes,
-    /// Where it ends, machine frame.
+    /// End, machine frame.
     pub to: Axes,
     /// The way between.
     pub path: Path,
@@ -98,7 +98,7 @@ pub struct Move {
     pub accel_mm_s2: f64,
     /// The operator's override: share of the speed asked for that is run, 1 for all of it.
     pub(crate) feed: f32,
-    /// Whether it ends where the move of the program does: it may be a part of that.
+    /// It ends where the move of the program does: it may be a part of that.
     pub is_last_part: bool,
 }
 
@@ -211,7 +211,7 @@ impl Move {
         (part(self.from, middle, share, share >= 1.0), after)
     }
 
-    /// Whether speed may run on into this move from the one before: both are cuts, and their speeds
+    /// Returns `true` if speed may run on into this move from the one before: both are cuts, and their speeds
     /// refer to the same kind of length.
     pub(crate) fn continues(&self, before: &Self) -> bool {
         let cuts = self.kind == MoveKind::Cut && before.kind == MoveKind::Cut;
@@ -237,7 +237,7 @@ impl Move {
         Some(Spline::new(self.from.first3(), self.to.first3(), start, end))
     }
 
-    /// How far the end lies from where the arc about the centre arrives: programs give both, and
+    /// Returns the offset of the end from where the arc about the centre arrives: programs give both, and
     /// they agree only within a tolerance. The difference is spread evenly along the path.
     fn gap(&self, arc: Arc2) -> [f64; 2] {
         let end = arc.end();

@@ -1,4 +1,4 @@
-//! When an axis passes a value, for outputs that Z or A switches (command reference, VC).
+//! Moments at which an axis passes a value, for outputs that Z or A switches (command reference, VC).
 
 use crate::plan::Plan;
 use kerf_program::Axis;
@@ -6,9 +6,9 @@ use kerf_program::Axis;
 /// An axis passes a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pass {
-    /// When, seconds of the plan.
+    /// Time, seconds of the plan.
     pub t_s: f64,
-    /// Whether the axis rises.
+    /// The axis rises.
     pub upward: bool,
     /// The move in which it happens.
     pub move_index: usize,

@@ -16,7 +16,7 @@ pub struct Plan {
     pub(crate) law: Law,
 }
 
-/// How the moves run.
+/// Law of motion of the moves.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Law {
     /// Exactly along each move, with a trapezoid of speed.
@@ -33,10 +33,10 @@ impl Default for Law {
     }
 }
 
-/// What the machine does at one time.
+/// State of the machine at one time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
-    /// Where the axes are, machine frame.
+    /// Place of the axes, machine frame.
     pub position: Axes,
     /// Speed along the reference length of the move (for cuts of OpenSBP, XY vector speed).
     pub path_speed_mm_s: f64,
@@ -47,7 +47,7 @@ pub struct State {
     pub acceleration: Axes,
     /// The move being made.
     pub move_index: usize,
-    /// How much of its path has been made, 0 … 1.
+    /// Share of its path that has been made, 0 … 1.
     pub share: f64,
 }
 
@@ -58,9 +58,9 @@ pub struct Span<'a> {
     pub index: usize,
     /// The move.
     pub made: &'a Move,
-    /// When it starts, seconds.
+    /// Time at which it starts, seconds.
     pub t0_s: f64,
-    /// When it ends, seconds.
+    /// Time at which it ends, seconds.
     pub t1_s: f64,
     /// Speed at its start.
     pub v_entry: f64,
@@ -104,7 +104,7 @@ impl Plan {
         }
     }
 
-    /// What the axes can do, when it was planned with that.
+    /// Returns the limits of the axes, when it was planned with them.
     pub(crate) fn dynamics(&self) -> Option<Dynamics> {
         match &self.law {
             Law::Ramped(_) => None,
@@ -123,7 +123,7 @@ impl Plan {
         }
     }
 
-    /// Whether the machine stands at its end as it is planned.
+    /// Returns `true` if the machine stands at its end as it is planned.
     pub(crate) fn ends_at_rest(&self) -> bool {
         match &self.law {
             Law::Ramped(_) => true,
@@ -176,7 +176,7 @@ impl Plan {
         }
     }
 
-    /// What the machine does at a time: at the first position before the start, at the last one
+    /// Returns the state of the machine at a time: at the first position before the start, at the last one
     /// after the end. All zero for a plan without moves.
     pub fn at(&self, t_s: f64) -> State {
         let t_s = t_s.max(0.0);
@@ -201,7 +201,7 @@ impl Plan {
         }
     }
 
-    /// When a share 0 … 1 of a move's path has been made, seconds.
+    /// Returns the time at which a share 0 … 1 of a move's path has been made, seconds.
     pub fn time_at_share(&self, index: usize, share: f64) -> f64 {
         let Some(made) = self.moves.get(index) else { return self.duration_s() };
         match &self.law {

@@ -9,7 +9,7 @@
 //!              start_s   rise  cruise  fall
 //! ```
 
-/// When a move starts and how its speed runs.
+/// Start of a move and course of its speed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Profile {
     pub start_s: f64,
@@ -67,7 +67,7 @@ impl Phases {
         [self.rise_mm, self.cruise_mm]
     }
 
-    /// Whether speed rises at a time since the start of the move.
+    /// Returns `true` if speed rises at a time since the start of the move.
     pub fn rises_at(&self, s: f64) -> bool {
         s < self.rise_s
     }

@@ -15,9 +15,9 @@ const LEAST_GROWTH: usize = 64;
 /// Moves in order, exactly as they were put in.
 #[derive(Clone, Debug, Default)]
 pub struct Queue {
-    /// Where the first move starts.
+    /// Place where the first move starts.
     start: Axes,
-    /// Where the last one ends.
+    /// Place where the last one ends.
     end: Axes,
     held: VecDeque<Held>,
 }
@@ -25,7 +25,7 @@ pub struct Queue {
 /// A move as it is kept.
 #[derive(Clone, Debug)]
 struct Held {
-    /// Where it ends, in X, Y and Z.
+    /// Place where it ends, in X, Y and Z.
     to: [f64; 3],
     length_mm: f64,
     speed_mm_s: f64,
@@ -39,7 +39,7 @@ struct Held {
     is_last_part: bool,
 }
 
-/// What a move has that is curved, turns a rotary axis, or does not begin where the one before ended.
+/// Details of a move that is curved, turns a rotary axis, or does not begin where the one before ended.
 #[derive(Clone, Debug)]
 struct Rare {
     from: Axes,
@@ -48,12 +48,12 @@ struct Rare {
 }
 
 impl Queue {
-    /// How many moves wait.
+    /// Returns the number of moves that wait.
     pub fn len(&self) -> usize {
         self.held.len()
     }
 
-    /// Whether none waits.
+    /// Returns `true` if none waits.
     pub fn is_empty(&self) -> bool {
         self.held.is_empty()
     }
@@ -158,7 +158,7 @@ impl Held {
         }
     }
 
-    /// Where it ends, if it is not rare.
+    /// Returns the place where it ends, if it is not rare.
     fn to_axes(&self, from: &Axes) -> Axes {
         let mut to = *from;
         to.0[..3].copy_from_slice(&self.to);

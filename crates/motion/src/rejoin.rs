@@ -24,7 +24,7 @@ use std::sync::Arc;
 /// So many moves behind are enough for the same path.
 const BEHIND: usize = 64;
 
-/// When the machine will stand within this, seconds, it is let come to that stand first: it brakes
+/// Time, seconds, within which a machine that is going to stand is let come to that stand first: it brakes
 /// already, and there may be no other way.
 const STANDS_SOON_S: f64 = 0.25;
 
@@ -48,9 +48,9 @@ pub(crate) struct Lead {
     at_s: f64,
     /// The new feed, if it is another.
     share: Option<f32>,
-    /// Whether it must be slowed first, because that feed is lower.
+    /// It must be slowed first, because that feed is lower.
     fast: bool,
-    /// Whether it was planned anew meanwhile, as the way to a stand stood in it that is not needed.
+    /// It was planned anew meanwhile, because it held the way to a stand that is not needed.
     renewed: bool,
 }
 
@@ -60,7 +60,7 @@ impl Lead {
         Self { uncut, at_s, share: None, fast: false, renewed: false }
     }
 
-    /// What lies before the time is made.
+    /// Drops the part before the time, which is made.
     fn run_on(&mut self) {
         let uncut = std::mem::take(&mut self.uncut);
         let (Law::Clocked(law), Some(stop)) = (&uncut.law, uncut.stop(self.at_s, false)) else {
@@ -308,12 +308,12 @@ impl Clocked {
         timed.flatten().copied()
     }
 
-    /// When the machine stands, if that is soon after a moment.
+    /// Returns the time at which the machine stands, if that is soon after a moment.
     fn stands_soon(&self, from: &Tick) -> Option<f64> {
         self.stand_after(from).filter(|end_s| *end_s < from.t_s + STANDS_SOON_S)
     }
 
-    /// When the machine stands after a moment, as far as it is known.
+    /// Returns the time at which the machine stands after a moment, as far as it is known.
     fn stand_after(&self, from: &Tick) -> Option<f64> {
         let stand = self.nodes().find(|node| node.v == 0.0 && node.t_s > from.plan_s)?;
         Some(self.clock.when(stand.t_s))

@@ -35,14 +35,14 @@ pub struct Retimed {
     /// Moves that the planner does not have yet: it gets them as far as a piece of plan takes, so that
     /// it has little to give back when the operator intervenes.
     waiting: VecDeque<Move>,
-    /// How many of them, from the first on, have another feed, and its share.
+    /// Number of them, from the first on, that have another feed, and its share.
     overridden: (usize, f32),
-    /// What comes out next, before what the planner gives.
+    /// The piece that comes out next, before what the planner gives.
     pub(crate) ready: Option<Plan>,
     /// The piece after that which came out last: it is there before it is needed, and a machine that
     /// slows may run on into it.
     ahead: Option<Plan>,
-    /// What came out last, or comes out next, leads over to a plan that is still to be made.
+    /// The lead from what came out last, or comes out next, to a plan that is still to be made.
     pub(crate) leads: Option<Lead>,
     /// The clock for what the planner gives.
     pub(crate) clock: Option<Arc<Clock>>,
@@ -250,7 +250,7 @@ impl Retimed {
         Some((all, stop))
     }
 
-    /// What comes out next, from time 0 on; what the planner gives follows it, by the same clock.
+    /// Sets what comes out next, from time 0 on; what the planner gives follows it, by the same clock.
     pub(crate) fn go_on(&mut self, left: Option<Plan>) {
         let left = left.filter(|plan| !plan.moves.is_empty());
         let end_s = left.as_ref().map_or(0.0, Plan::duration_s);
@@ -268,12 +268,12 @@ impl Retimed {
         self.planner.run_on(now, running);
     }
 
-    /// Whether the planner found no way from the motion in which it began.
+    /// Returns `true` if the planner found no way from the motion in which it began.
     pub(crate) fn is_lost(&self) -> bool {
         self.planner.is_lost()
     }
 
-    /// What was made counts no more: another plan has its moves.
+    /// Forgets the moves that were made: another plan has them.
     pub(crate) fn forget_made(&mut self) {
         (self.behind, self.last) = (Vec::new(), Vec::new());
     }

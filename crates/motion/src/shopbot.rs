@@ -30,7 +30,7 @@ pub trait Model {
 /// Linear ramps between ramp speed and move speed, slowed where the direction changes.
 #[derive(Clone, Copy, Debug)]
 pub struct ShopBot<'a> {
-    /// What VR says.
+    /// Ramps as VR sets them.
     pub ramps: &'a Ramps,
 }
 

@@ -20,7 +20,7 @@ use crate::ramped::Ramped;
 pub(crate) struct Slowing {
     /// Moves and parts of them that are made meanwhile.
     pub made: Plan,
-    /// What is left of the moves of the goal.
+    /// Moves of the goal, and parts of them, that are left.
     pub left: Vec<Move>,
     /// Speed where the goal is met.
     pub v: f64,

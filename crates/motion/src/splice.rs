@@ -23,9 +23,9 @@ const SAME: f64 = 1e-6;
 const RISES: f64 = 4.0;
 const LEAST_BEHIND: usize = 64;
 
-/// Where one plan is left for another.
+/// The place where one plan is left for another.
 struct Splice {
-    /// When, in the plan that is left, seconds.
+    /// Time in the plan that is left, seconds.
     t_s: f64,
     /// The move in the other plan, and how much of it lies before.
     begin: (usize, f64),
@@ -93,7 +93,7 @@ fn first_needed(moves: &[Move], v_mm_s: f64, law: &Clocked) -> usize {
     moves.len().saturating_sub(count)
 }
 
-/// Where one plan is left for another whose moves begin so many earlier: at once, or where it has
+/// Finds the splice of one plan to another whose moves begin so many earlier: at once, or where it has
 /// slowed to the speed of the other; and the plan as it runs until then.
 fn splice(from: &Clocked, to: &Clocked, behind: isize, t_s: f64) -> Option<(Splice, Clocked)> {
     if let Some(splice) = splice_at(from, to, behind, t_s) {
@@ -135,7 +135,7 @@ fn dot(a: &Axes, b: &Axes) -> f64 {
     a.zip(*b, |a, b| a * b).0.iter().sum()
 }
 
-/// Whether two plans are at the same place and go in the same direction.
+/// Returns `true` if two plans are at the same place and go in the same direction.
 pub(crate) fn same_course(a: &State, b: &State) -> bool {
     let near = |d: Axes| d.0.iter().all(|d| d.abs() <= SAME);
     let (v, w) = (speed(a), speed(b));

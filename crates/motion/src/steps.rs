@@ -1,4 +1,4 @@
-//! When each motor makes its steps.
+//! Times at which each motor makes its steps.
 //!
 //! A motor has made ⌊p + ½⌋ steps where p is its axis' position in steps: it steps when p passes a
 //! half. So what it has made and what it should have made never differ by more than half a step, at
@@ -9,10 +9,10 @@ use kerf_program::{AXES, Axes};
 
 /// Longest stretch of time looked at in one go, seconds.
 const SLICE_S: f64 = 0.001;
-/// Whether an axis turns round in a stretch is seen from its first and last part, this small. It is
+/// Number of parts of a stretch; its first and last show whether an axis turns round in it. It is
 /// taken to turn once at most.
 const NEAR: f64 = 64.0;
-/// How exactly the time of a step is sought, seconds: far below the clock of any board.
+/// Exactness with which the time of a step is sought, seconds: far below the clock of any board.
 const EXACT_S: f64 = 1e-9;
 /// Steps by which a place differs from what was made when the axis was not moved there: less is rounding.
 const JUMP: f64 = 1.0;
@@ -22,11 +22,11 @@ const HALVINGS: u32 = 40;
 /// One step of one motor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// When.
+    /// Time at which it is made, seconds.
     pub t_s: f64,
     /// Which axis of the motion turns it.
     pub axis: usize,
-    /// Whether its count rises.
+    /// Its count rises.
     pub forward: bool,
 }
 
@@ -120,7 +120,7 @@ impl Stepper {
     }
 }
 
-/// When something begins to hold, between a time at which it may not and one at which it does.
+/// Finds the time at which something begins to hold, between one at which it may not and one at which it does.
 fn first(mut low_s: f64, mut high_s: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..HALVINGS {
         if high_s - low_s < EXACT_S {
@@ -132,7 +132,7 @@ fn first(mut low_s: f64, mut high_s: f64, holds: impl Fn(f64) -> bool) -> f64 {
     high_s
 }
 
-/// When a value that first goes one way is farthest, by thirds.
+/// Finds the time at which a value that first goes one way is farthest, by thirds.
 fn turning([mut low_s, mut high_s]: [f64; 2], sign: f64, at: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..HALVINGS {
         let third = (high_s - low_s) / 3.0;

@@ -13,23 +13,23 @@ use crate::profile::Profile;
 use crate::ramped::Ramped;
 use kerf_program::Axes;
 
-/// Where and when a stop comes to rest.
+/// Place and time at which a stop comes to rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stop {
-    /// When the stop began, seconds of the plan.
+    /// Time at which the stop began, seconds of the plan.
     pub begin_s: f64,
-    /// When the machine stands, seconds of the plan.
+    /// Time at which the machine stands, seconds of the plan.
     pub end_s: f64,
-    /// Where it stands, machine frame.
+    /// Place where it stands, machine frame.
     pub position: Axes,
     /// The move in which it stands.
     pub move_index: usize,
-    /// How much of that move's path has been made, 0 … 1.
+    /// Share of that move's path that has been made, 0 … 1.
     pub share: f64,
     law: Braked,
 }
 
-/// How the stop runs.
+/// Motion of the stop.
 #[derive(Clone, Debug, PartialEq)]
 enum Braked {
     /// Profiles of the moves from the one in which the stop began to the one in which it stands;
@@ -39,7 +39,7 @@ enum Braked {
     Clocked(Box<Clocked>),
 }
 
-/// How far the braking has come: in which move, how far into it, how fast.
+/// Progress of the braking: in which move, how far into it, how fast.
 struct Braking {
     index: usize,
     made_mm: f64,
@@ -48,12 +48,12 @@ struct Braking {
 }
 
 impl Stop {
-    /// How many moves of the plan are made to their end.
+    /// Returns the number of moves of the plan that are made to their end.
     pub fn whole(&self) -> usize {
         self.move_index + usize::from(self.share >= 1.0)
     }
 
-    /// How much of a move that was planned the cut plan tells shares of: the move that a plan of ramps stops in
+    /// Returns the share of a planned move that shares in the cut plan refer to: the move that a plan of ramps stops in
     /// ends there, and counts as a whole; a plan by a clock goes on to tell shares of what was planned.
     pub fn part(&self, index: usize) -> f64 {
         let ends = index == self.move_index && matches!(self.law, Braked::Ramped(_));
@@ -113,7 +113,7 @@ impl Plan {
 }
 
 impl Plan {
-    /// What is left after a stop, along the same path, by a clock that stands, and the time of the plan
+    /// Returns what is left after a stop, along the same path, by a clock that stands, and the time of the plan
     /// at which it does; `None` for a plan of ramps.
     pub(crate) fn left(&self, stop: &Stop) -> Option<(Clocked, f64)> {
         let Braked::Clocked(slowed) = &stop.law else { return None };
@@ -123,7 +123,7 @@ impl Plan {
 }
 
 impl Clocked {
-    /// What is left after a stop, by a clock of its own.
+    /// Returns what is left after a stop, by a clock of its own.
     pub(crate) fn left_after(&self, stop: &Stop, clock: Clock) -> Self {
         let whole = stop.share >= 1.0;
         let (index, share) =

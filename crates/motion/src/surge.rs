@@ -20,7 +20,7 @@ pub(crate) struct Runs {
     next: usize,
     /// The first move of the run that is open.
     first: usize,
-    /// What the squared speed gains up to the middle of the run and loses again.
+    /// Gain of the squared speed up to the middle of the run, which is lost again behind it.
     gain: f64,
     corner_before: bool,
     /// A run that gains so much is no short one, whatever comes.
@@ -86,7 +86,7 @@ impl Runs {
     }
 }
 
-/// What the squared speed must gain to reach so much more than a ramp speed.
+/// Returns the gain of the squared speed that takes it from a ramp speed to [`SURGE`] times as much.
 const fn surge(ramp: f64) -> f64 {
     (SURGE * SURGE - 1.0) * ramp * ramp
 }

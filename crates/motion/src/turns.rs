@@ -16,19 +16,19 @@ use std::ops::Range;
 /// A place where the direction changes. Compact: a stack may have millions.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bend {
-    /// Where along the path, mm.
+    /// Place along the path, mm.
     pub at_mm: f64,
     /// Unwrapped heading before it, radians.
     pub before_rad: f64,
-    /// How far the direction turns, radians, positive to the left.
+    /// Turn of the direction, radians, positive to the left.
     pub turn_rad: f32,
     /// XY speed there for a speed of 1 along the reference length.
     pub xy: f32,
-    /// What it limits.
+    /// Joint or move that it limits.
     pub place: Place,
 }
 
-/// What a bend limits.
+/// Joint or move that a bend limits.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Place {
     /// The joint before this move.
@@ -173,7 +173,7 @@ fn curves(bends: &[Bend], window_mm: f64, least_rad: f64) -> (Vec<Range<usize>>,
     (curves, (greatest as f64 * GRAIN_RAD) as f32)
 }
 
-/// What turns are counted in when they are only added up, radians.
+/// Unit of turns that are only added up, radians.
 const GRAIN_RAD: f64 = 1.0 / (1u64 << 32) as f64;
 
 fn raise(bends: &[Bend], k: usize, window_mm: f64, turn: f32, found: &mut f32) {
@@ -185,7 +185,7 @@ fn raise(bends: &[Bend], k: usize, window_mm: f64, turn: f32, found: &mut f32) {
     }
 }
 
-/// How much of the path a bend stands for, as far as it lies within the window on each side.
+/// Returns the length of path that a bend stands for, as far as it lies within the window on each side.
 fn span_mm(bends: &[Bend], k: usize, window_mm: f64) -> f64 {
     let way = |a: usize, b: usize| match (bends.get(a), bends.get(b)) {
         (Some(a), Some(b)) => (b.at_mm - a.at_mm).min(window_mm),

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 pub(crate) struct Guest {
     pub(crate) interpreter: kerf_gcode::Interpreter,
     pub(crate) due: GcodeDue,
-    /// How many files of OpenSBP are open around it.
+    /// Number of OpenSBP files that are open around it.
     pub(crate) depth: usize,
     /// The numbers of its files in the table of the run.
     files: Vec<u32>,
@@ -97,7 +97,7 @@ impl Guest {
         (self.stale, self.unsettled) = (true, false);
     }
 
-    /// What it leaves behind.
+    /// Returns what it leaves behind.
     pub(crate) fn done(&self) -> GcodeDone {
         GcodeDone {
             position: self.interpreter.position(),

@@ -12,21 +12,21 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// How a program is run.
+/// Options for running a program.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Options {
-    /// How OpenSBP is read and run. Bounds, file parameters and preview hold for both languages.
+    /// Options of OpenSBP. Bounds, file parameters and preview hold for both languages.
     pub sbp: kerf_sbp::Options,
-    /// How G-code is read and run, as far as `sbp` does not say.
+    /// Options of G-code, as far as `sbp` does not say.
     pub gcode: kerf_gcode::Options,
 }
 
-/// What a run starts from and what stays after it.
+/// State that a run begins with and leaves behind.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Session {
     /// The machine, and what OpenSBP remembers.
     pub sbp: kerf_sbp::Session,
-    /// What G-code remembers.
+    /// State that G-code remembers.
     pub gcode: kerf_gcode::State,
 }
 
@@ -36,7 +36,7 @@ pub struct Interpreter {
     sbp: kerf_sbp::Interpreter,
     gcode: kerf_gcode::Options,
     options: kerf_sbp::Options,
-    /// What G-code remembers while none runs.
+    /// State that G-code remembers while none runs.
     state: kerf_gcode::State,
     /// The parameters of the G-code that ran last, with those of its own.
     parameters: Vec<(String, f64)>,
@@ -88,12 +88,12 @@ impl Interpreter {
         }
     }
 
-    /// Whether the program ended with EXIT SHOPBOT: what runs it is to close, too.
+    /// Returns `true` if the program ended with EXIT SHOPBOT: what runs it is to close, too.
     pub const fn closes(&self) -> bool {
         self.sbp.closes()
     }
 
-    /// What stays after the run.
+    /// Returns the state that stays after the run.
     pub fn into_session(mut self) -> Session {
         self.retire();
         Session { sbp: self.sbp.into_session(), gcode: self.state }

@@ -62,12 +62,12 @@ impl Program {
         &self.sbp.name
     }
 
-    /// What its lines are written in.
+    /// Returns the language of its lines.
     pub const fn language(&self) -> Language {
         self.sbp.language
     }
 
-    /// How many lines it has.
+    /// Returns the number of its lines.
     pub fn line_count(&self) -> usize {
         let gcode = self.gcode.as_ref().map_or(0, |g| g.line_count() as usize);
         gcode.max(self.sbp.lines.len())

@@ -67,7 +67,7 @@ impl Host for Shop {
     }
 }
 
-/// What a run gave.
+/// Outcome of a run.
 struct Ran {
     out: Vec<Sourced>,
     status: Status,

@@ -40,13 +40,13 @@ impl Cutter {
         0.5 * self.diameter_mm
     }
 
-    /// How far neighbouring paths lie apart.
+    /// Distance between neighbouring paths.
     pub fn step_mm(&self) -> f64 {
         self.step_mm
     }
 
-    /// How far inside a contour the first ring lies. It is half the diameter, but for
-    /// [`JUST_FITS_MM`].
+    /// Depth of the first ring inside a contour. It is half the diameter, but for [`JUST_FITS_MM`], or for
+    /// 1/10,000 of the radius where that is less.
     pub(crate) fn first_depth_mm(&self) -> f64 {
         self.radius_mm() - JUST_FITS_MM.min(1e-4 * self.radius_mm())
     }
@@ -56,7 +56,7 @@ impl Cutter {
 /// machine shows, makes sure that it is cut.
 pub(crate) const JUST_FITS_MM: f64 = 1e-4;
 
-/// How the tool goes about its work.
+/// Manner in which the tool goes about its work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Way {
     /// With the material on the right of travel, which is climb milling for a spindle that turns

@@ -1,19 +1,19 @@
-//! Why a region cannot be cleared.
+//! The reasons why a region cannot be cleared.
 
 use kerf_geom::GeomError;
 use thiserror::Error;
 
-/// Why there are no paths.
+/// Reason why there are no paths.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PocketError {
     /// A tool or a step out of bounds.
     #[error("{what} is {value} mm: it must be {bound}")]
     Bound {
-        /// What it is.
+        /// Name of the value.
         what: &'static str,
         /// Its value, millimetres.
         value: f64,
-        /// What it must be.
+        /// Bound, in words.
         bound: &'static str,
     },
     /// A contour is open.

@@ -1,10 +1,10 @@
-//! Where the tool's centre may go.
+//! The places where the tool's centre may go.
 
 use crate::Cutter;
 use kerf_geom::{Indexed, Point2, Polyarc, Segment};
 
-/// How much nearer to a contour than its radius the centre may come on a link, millimetres. What is
-/// found here is where it leaves the region, not where rounding moves it by a hair.
+/// Distance by which the centre may come nearer to a contour than its radius on a link, millimetres. What
+/// is found here is where it leaves the region, not where rounding moves it by a hair.
 const SLACK_MM: f64 = 2e-4;
 
 /// Links are looked at at least this densely, as a share of the radius. Between two places a corner
@@ -25,7 +25,7 @@ impl Inside {
         Self { contours: Indexed::new(region), nearest, step: SPACING * radius }
     }
 
-    /// Whether the centre may follow a segment. Its ends are taken to be in the region, so that it is
+    /// Returns `true` if the centre may follow a segment. Its ends are taken to be in the region, so that it is
     /// enough to look at distances.
     pub fn holds(&self, segment: &Segment) -> bool {
         let count = (segment.length() / self.step).ceil().max(1.0) as usize;
@@ -33,7 +33,7 @@ impl Inside {
         (0..=count).all(|k| !self.contours.is_nearer(place(k), self.nearest))
     }
 
-    /// Whether the centre may go straight from one place to another.
+    /// Returns `true` if the centre may go straight from one place to another.
     pub fn joins(&self, from: Point2, to: Point2) -> bool {
         self.holds(&Segment::line(from, to))
     }

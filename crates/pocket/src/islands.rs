@@ -3,7 +3,7 @@
 use crate::levels::Levels;
 use kerf_geom::{Point2, Polyarc};
 
-/// What clears one island of places where the tool's centre may go: those inside one outer ring.
+/// Paths that clear one island of places where the tool's centre may go: those inside one outer ring.
 #[derive(Clone)]
 pub(crate) struct Island {
     /// Closed paths; the first is the outer one.

@@ -1,4 +1,4 @@
-//! What rings leave uncut.
+//! Finds what rings leave uncut.
 //!
 //! ```text
 //!  ─────────────────  ring k
@@ -20,7 +20,7 @@ use kerf_geom::{Combine, GeomError, Polyarc, combine};
 /// that it would be much, those smaller than a thousandth of the square of the diameter.
 pub const SMALLEST_MM2: f64 = 0.01;
 
-/// What ring k + 1 covers is taken to reach this much further, millimetres, so that with an overlap of
+/// Distance by which the cover of ring k + 1 is taken to reach further, millimetres, so that with an overlap of
 /// nothing the edges of what is compared do not fall together.
 const TOUCHING_MM: f64 = 1e-4;
 
@@ -44,8 +44,8 @@ pub(crate) fn pieces(
     Ok(found)
 }
 
-/// What the rings of a level leave to the next one and that does not cover. If the difference cannot be
-/// computed, the edge of all that is left is followed: too long a way, but nothing remains.
+/// Returns what the rings of a level leave to the next level, and the next level leaves as well. If the
+/// difference cannot be computed, the edge of all that is left is followed: too long a way, but nothing remains.
 fn after(
     region: &[Polyarc],
     cutter: &Cutter,

@@ -66,12 +66,12 @@ impl Levels {
     }
 }
 
-/// How deep the rings of a level lie.
+/// Returns the depth at which the rings of a level lie.
 pub(crate) fn depth(cutter: &Cutter, level: usize) -> f64 {
     cutter.first_depth_mm() + level as f64 * cutter.step_mm()
 }
 
-/// How many levels there may be: none lies deeper than half the width of all.
+/// Returns the number of levels there may be: none lies deeper than half the width of all.
 fn most(region: &[Polyarc], cutter: &Cutter) -> Result<usize, PocketError> {
     let mut bounds = Bounds2::default();
     region.iter().for_each(|contour| bounds.merge(&contour.bounds()));

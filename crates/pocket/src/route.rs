@@ -15,7 +15,7 @@ impl<'a> Route<'a> {
         Self { inside, done: Vec::new(), now: Vec::new() }
     }
 
-    /// Where the tool is; nothing when it is up.
+    /// Returns the place of the tool; nothing when it is up.
     pub fn end(&self) -> Option<Point2> {
         self.now.last().map(Segment::end)
     }

@@ -2,7 +2,7 @@
 
 use kerf_geom::{Place, Point2, Polyarc, Segment};
 
-/// Where a line ends: on a ring.
+/// End of a line, on a ring.
 #[derive(Clone, Copy)]
 struct End {
     ring: usize,
@@ -37,8 +37,8 @@ fn spans(rings: &[Polyarc], line: usize, y: f64) -> Vec<Span> {
     ends.chunks_exact(2).map(|pair| Span { line, ends: [pair[0], pair[1]] }).collect()
 }
 
-/// Where a segment crosses a height. Each stretch that only rises or falls counts its lower end and not its
-/// upper one, so that rings are crossed an even number of times.
+/// Returns the places where a segment crosses a height. Each stretch that only rises or falls counts its lower end
+/// and not its upper one, so that rings are crossed an even number of times.
 fn crossings(segment: &Segment, y: f64) -> [Option<Point2>; 3] {
     let (start, end) = (segment.start(), segment.end());
     let crosses = |a: f64, b: f64| (a <= y) != (b <= y);

@@ -8,7 +8,7 @@ use crate::Cutter;
 use crate::inside::Inside;
 use kerf_geom::{Bounds2, Indexed, Point2, Polyarc, Segment, Vec2};
 
-/// What covers is to reach this share of the tool's radius further than it must. Arcs of an edge are looked at
+/// Share of the tool's radius by which a stroke is to reach further than it must. Arcs of an edge are looked at
 /// so densely that between two places they lie further out by half of it.
 const MARGIN: f64 = 2e-3;
 

@@ -46,7 +46,7 @@ fn directed(ring: &Polyarc, way: Way) -> Polyarc {
     if way.climb == way.outward { ring.reversed() } else { ring.clone() }
 }
 
-/// What hangs on a node: where the link begins, what it leads to, and where it arrives.
+/// A branch that hangs on a node: where the link begins, what it leads to, and where it arrives.
 #[derive(Clone, Copy)]
 struct Branch {
     from: Place,
@@ -59,11 +59,11 @@ struct Tree {
     branches: Vec<Vec<Branch>>,
     /// Nodes with which paths begin, and where on them.
     roots: Vec<(usize, Place)>,
-    /// How many nodes hang below each one, one below the other.
+    /// Number of nodes that hang below each one, one below the other.
     height: Vec<usize>,
 }
 
-/// What is still to be done, the next thing last.
+/// A task that is still to be done; the next one is the last.
 enum Task {
     Visit { node: usize, entry: Place, last: bool },
     Follow(Polyarc),
@@ -204,7 +204,7 @@ impl Tree {
     }
 }
 
-/// Where a branch begins on a ring; at its start it is the end, so that the ring is cut first.
+/// Returns the place where a branch begins on a ring; at its start it is the end, so that the ring is cut first.
 fn place_on(ring: &Polyarc, branch: &Branch, end: Place) -> Place {
     if branch.from.at.distance(end.at) <= tol::SAME_PLACE_MM {
         return end;

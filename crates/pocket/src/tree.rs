@@ -126,7 +126,7 @@ fn shortest(rings: &[Polyarc], listed: &Listed, names: &[usize]) -> Vec<Option<L
     best.into_iter().map(|found| found.map(|(link, _)| link)).collect()
 }
 
-/// Where links from a ring may begin: its vertices and the middles of its segments.
+/// Returns the places where links from a ring may begin: its vertices and the middles of its segments.
 fn places(ring: &Polyarc) -> impl Iterator<Item = Place> + '_ {
     ring.segments()
         .enumerate()

@@ -22,12 +22,12 @@ use crate::{Cleared, Cutter, PocketError};
 use kerf_geom::{Offsetter, Point2, Polyarc, Transform2};
 use serde::{Deserialize, Serialize};
 
-/// How the lines run.
+/// Course of the lines: their direction, the finish at the walls, and the way along them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Zigzag {
     /// Their direction, degrees counter-clockwise from X.
     pub angle_deg: f64,
-    /// What they leave at the walls for a last way round, millimetres; no more than the tool's radius.
+    /// Width that they leave at the walls for a last way round, millimetres; no more than the tool's radius.
     pub finish_mm: f64,
     /// With the material on the right along the walls.
     pub climb: bool,

@@ -1,5 +1,5 @@
-//! What height control did: the tool over the sheet along the path, and how far the gap was from what was
-//! wanted.
+//! The diagram of height control: the tool over the sheet along the path, and how far the gap was from what
+//! was wanted.
 //!
 //! ```text
 //!  z      tool  ‾‾╲__╱‾‾      the sheet below it
@@ -28,13 +28,13 @@ const EM: f64 = 2.6;
 /// A reading of the height sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
-    /// Where on the path, mm.
+    /// Place on the path, mm.
     pub at_mm: f64,
     /// Z of the tool, mm.
     pub z_mm: f64,
     /// Z of the sheet below it, mm.
     pub sheet_mm: f64,
-    /// How far the gap is from what is wanted, mm.
+    /// Difference of the gap from what is wanted, mm.
     pub error_mm: f64,
 }
 
@@ -43,7 +43,7 @@ pub struct Reading {
 pub struct HeightPlot {
     /// The heading.
     pub title: String,
-    /// What stands below it.
+    /// Text below the heading.
     pub note: String,
     /// Errors inside this are good, mm.
     pub accuracy_mm: f64,
@@ -125,7 +125,7 @@ impl HeightPlot {
         reading.error_mm.abs() > self.accuracy_mm
     }
 
-    /// Where the readings begin and end on the path.
+    /// Returns where the readings begin and end on the path.
     fn along(&self) -> [f64; 2] {
         span(self.readings.iter().map(|it| it.at_mm))
     }

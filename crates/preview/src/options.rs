@@ -1,4 +1,4 @@
-//! How a picture is made, where a person may want it otherwise.
+//! Options of a picture, where a person may want it otherwise.
 
 /// Choices that do not come from the program.
 #[derive(Clone, Copy, Debug, PartialEq)]

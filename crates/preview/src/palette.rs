@@ -26,7 +26,7 @@ pub const EDGE: Rgb = Rgb([0x8d, 0x96, 0x9e]);
 pub const JOG: Rgb = Rgb([0xd6, 0x28, 0x28]);
 /// Cutting moves above the surface.
 pub const AIR: Rgb = Rgb([0x9a, 0xa1, 0xa8]);
-/// Where a cut begins.
+/// Beginning of a cut.
 pub const BEGIN: Rgb = Rgb([0xff, 0xd2, 0x1f]);
 /// The X axis, and errors.
 pub const AXIS_X: Rgb = Rgb([0xb3, 0x26, 0x1e]);

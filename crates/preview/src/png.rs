@@ -16,7 +16,7 @@ const THINNEST_PX: f64 = 0.7;
 /// 10⁻⁵ of the radius.
 const PIECE_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Why there is no picture.
+/// Reason why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum PngError {
     /// The size is zero or does not fit into memory.
@@ -73,7 +73,7 @@ struct Brush<'a> {
     corner: Point2,
     /// Pixels a millimetre.
     scale: f64,
-    /// Whether coordinates have Y up.
+    /// Coordinates have Y up.
     flip: bool,
     clip: Option<&'a Mask>,
     fonts: &'a [Font; 2],

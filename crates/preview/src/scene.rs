@@ -1,4 +1,4 @@
-//! What a picture shows: the motion of one program and the facts of its legend.
+//! The scene that a picture shows: the motion of one program and the facts of its legend.
 //!
 //! Lengths are millimetres in the working frame, times seconds. A scene is plain data: whoever ran
 //! the program fills it in, and nothing in here is looked up elsewhere.
@@ -46,7 +46,7 @@ pub struct TableView {
     pub grid_mm: f64,
 }
 
-/// How a segment runs in X and Y; Z changes evenly along it.
+/// Course of a segment in X and Y; Z changes evenly along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// Straight.
@@ -65,9 +65,9 @@ pub enum Shape {
 pub struct Segment {
     /// Cut or jog.
     pub kind: MoveKind,
-    /// Where it starts, mm.
+    /// Start, mm.
     pub from: [f64; 3],
-    /// Where it ends, mm.
+    /// End, mm.
     pub to: [f64; 3],
     /// Straight or round.
     pub shape: Shape,
@@ -78,9 +78,9 @@ pub struct Segment {
 /// Something the run found that a person should know.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// How bad it is.
+    /// Severity.
     pub severity: Severity,
-    /// What it is, one sentence.
+    /// Description, one sentence.
     pub text: String,
     /// Line of the source file, 0 for none.
     pub line: u32,
@@ -93,7 +93,7 @@ pub struct ToolPath {
     pub name: String,
     /// The tool, empty when unknown.
     pub tool: String,
-    /// How long it takes, seconds.
+    /// Duration, seconds.
     pub seconds: f64,
     /// Index of its first segment.
     pub first_segment: usize,
@@ -102,7 +102,7 @@ pub struct ToolPath {
 /// Cuts that are drawn in one colour, instead of the colours of depth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coloured {
-    /// What they are, for the legend.
+    /// Description of the cuts, for the legend.
     pub name: String,
     /// Red, green and blue.
     pub colour: [u8; 3],
@@ -124,7 +124,7 @@ pub struct Scene {
     pub table: Option<TableView>,
     /// The motion in order.
     pub segments: Vec<Segment>,
-    /// When each segment ends, seconds since the start; empty when motion was not planned.
+    /// End of each segment, seconds since the start; empty when motion was not planned.
     pub times_s: Vec<f32>,
     /// Colours of cuts; empty for the colours of depth. With them the picture has the bounds of the
     /// cuts and a sign where each begins.
@@ -137,8 +137,8 @@ pub struct Scene {
     pub simulate: bool,
     /// Draw the cutter while the page plays (VP).
     pub draw_tool: bool,
-    /// Where the rotary axis about X stands at the start and at the end of each segment, degrees;
-    /// empty without one. With it the page can draw the motion on a cylinder.
+    /// Places of the rotary axis about X at the start and at the end of each segment, degrees; empty
+    /// without one. With it the page can draw the motion on a cylinder.
     pub turns_deg: Vec<[f32; 2]>,
     /// Diameter of the cutter, mm; 0 draws no width.
     pub cutter_mm: f64,
@@ -157,7 +157,7 @@ pub struct Scene {
     pub bounds: Bounds3,
     /// Program lines executed.
     pub lines_executed: u64,
-    /// What the run found.
+    /// Findings of the run.
     pub findings: Vec<Finding>,
     /// Named parts in order.
     pub toolpaths: Vec<ToolPath>,
@@ -204,7 +204,7 @@ impl Scene {
 }
 
 impl Segment {
-    /// Whether it can be drawn: every number finite and within [`FARTHEST_MM`].
+    /// Returns `true` if it can be drawn: every number finite and within [`FARTHEST_MM`].
     pub fn is_drawable(&self) -> bool {
         let near = |v: &f64| v.abs() <= FARTHEST_MM;
         let shape = match &self.shape {

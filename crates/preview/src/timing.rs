@@ -27,10 +27,10 @@ const EM: f64 = 2.6;
 /// Times stand no closer than this, mm.
 const CLOSE: f64 = 9.0;
 
-/// What a track shows.
+/// Course of a track.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Course {
-    /// Where an axis is, mm; it goes evenly between these moments.
+    /// The place of an axis, mm; it goes evenly between these moments.
     Place(Vec<(f64, f64)>),
     /// A value that is 0, then this from these moments on.
     Value(Vec<(f64, f64)>),
@@ -45,10 +45,10 @@ pub enum Course {
 pub struct Track {
     /// Its name.
     pub name: String,
-    /// What it does.
+    /// Course of the track.
     pub course: Course,
-    /// Where this is not 0, of each grain of so many seconds only the first, the least, the greatest and the
-    /// last point are here.
+    /// Grain, seconds: where this is not 0, of each grain only the first, the least, the greatest and the last
+    /// point are here.
     pub grain_s: f64,
 }
 
@@ -63,7 +63,7 @@ pub fn corners(steps: &[(f64, f64)]) -> Vec<(f64, f64)> {
 pub struct Timing {
     /// The heading.
     pub title: String,
-    /// Where it ends, seconds.
+    /// End of the diagram, seconds.
     pub end_s: f64,
     /// The lines, from above.
     pub tracks: Vec<Track>,
@@ -193,7 +193,7 @@ fn rising(
     heights.corners(points)
 }
 
-/// Where the values of a track lie on the page.
+/// Heights of the values of a track on the page.
 struct Heights {
     low: f64,
     high: f64,
@@ -215,7 +215,8 @@ impl Heights {
         self.bottom - (self.bottom - self.top) * (value - self.low) / span
     }
 
-    /// Where the value comes to rest, and what it is there; told once, however long it rests.
+    /// Returns the moments at which the value comes to rest, and the value there; each is told once, however
+    /// long it rests.
     fn corners(&self, points: &[(f64, f64)]) -> Vec<(f64, String)> {
         let rests =
             points.windows(2).filter(|pair| pair[0].1 == pair[1].1 && pair[1].0 > pair[0].0);

@@ -27,9 +27,9 @@ const COARSEST_MM: f64 = 1.0;
 pub struct Trail {
     /// The segments.
     pub segments: Vec<Segment>,
-    /// When each ends, seconds.
+    /// End of each segment, seconds.
     pub times_s: Vec<f32>,
-    /// Where the rotary axis is at its start and its end, degrees.
+    /// Places of the rotary axis at the start and the end of each segment, degrees.
     pub turns_deg: Vec<[f32; 2]>,
     /// The number of the move that each begins with, from 0.
     moves: Vec<u32>,
@@ -78,12 +78,12 @@ impl Trail {
         behind.saturating_sub(1)
     }
 
-    /// How far a place may lie from the path that was made, mm; 0 when nothing was thinned.
+    /// Returns how far a place may lie from the path that was made, mm; 0 when nothing was thinned.
     pub fn tolerance_mm(&self) -> f64 {
         2.0 * self.tolerance_mm
     }
 
-    /// How many moves were added.
+    /// Returns the number of moves that were added.
     pub const fn moves(&self) -> u32 {
         self.made
     }
@@ -143,7 +143,7 @@ impl Trail {
         end
     }
 
-    /// Whether a segment goes on straight on as the one before it does: of one kind, without a gap or a turn.
+    /// Returns `true` if a segment goes on straight on as the one before it does: of one kind, without a gap or a turn.
     fn joins(&self, at: usize) -> bool {
         let (before, here) = (&self.segments[at - 1], &self.segments[at]);
         let straight = before.shape == Shape::Line && here.shape == Shape::Line;

@@ -74,8 +74,8 @@ impl Axes {
         self.zip(other, |a, b| a - b)
     }
 
-    /// Whether going from here to there moves nothing: what is left of a change of units in the
-    /// last bits of a number is no motion.
+    /// Returns `true` if going from here to there moves nothing: what is left of a change of units in
+    /// the last bits of a number is no motion.
     pub fn same_place(&self, there: &Self) -> bool {
         self.0.iter().zip(&there.0).all(|(a, b)| (a - b).abs() <= 1e-9)
     }
@@ -141,7 +141,7 @@ impl AxisSet {
         Self(self.0 & !other.0)
     }
 
-    /// Whether the axis is in the set.
+    /// Returns `true` if the axis is in the set.
     pub const fn contains(self, axis: Axis) -> bool {
         self.0 & (1 << axis.index()) != 0
     }

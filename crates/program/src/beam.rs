@@ -7,7 +7,7 @@ use std::sync::Arc;
 /// Values that intensity and discretized speed can have: 0 … 127.
 pub const LEVELS: usize = 128;
 
-/// What the intensity output does.
+/// Behaviour of the intensity output.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Beam {
     /// Nothing.
@@ -24,7 +24,7 @@ pub enum Beam {
     Follow(Arc<IntensityLaw>),
 }
 
-/// How intensity depends on speed.
+/// Law by which intensity depends on speed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct IntensityLaw {
     /// Intensity of each discretized speed; [`LEVELS`] of them.

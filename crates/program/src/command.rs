@@ -6,7 +6,7 @@ use kerf_diag::Diagnostic;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc as Shared;
 
-/// Where in the sources a command comes from. The producer keeps the table of files.
+/// Place in the sources that a command comes from. The producer keeps the table of files.
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
 )]
@@ -22,11 +22,11 @@ pub struct At {
 pub struct Sourced {
     /// Its place in the sources.
     pub at: At,
-    /// What to do.
+    /// The command itself.
     pub command: Command,
 }
 
-/// Whether material is cut or the tool only travels.
+/// Kind of a move: material is cut, or the tool only travels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum MoveKind {
@@ -36,7 +36,7 @@ pub enum MoveKind {
     Jog,
 }
 
-/// How fast a move may go.
+/// Feed of a move: the speed that it may have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Feed {
     /// The speeds of [`Settings::speeds`]: XY vector speed when X or Y moves, reduced so that no
@@ -54,9 +54,9 @@ pub enum Feed {
 pub struct Line {
     /// Cut or jog.
     pub kind: MoveKind,
-    /// Where it ends, machine frame.
+    /// End, machine frame.
     pub to: Axes,
-    /// How fast.
+    /// Feed of the move.
     pub feed: Feed,
 }
 
@@ -69,11 +69,11 @@ pub struct Arc {
     pub centre: [f64; 2],
     /// Swept angle in radians, positive counter-clockwise.
     pub sweep_rad: f64,
-    /// Where it ends, machine frame.
+    /// End, machine frame.
     pub to: Axes,
-    /// How fast.
+    /// Feed of the move.
     pub feed: Feed,
-    /// How many chords the circle resolution of VU asks for; machines that know only lines use it.
+    /// Number of chords that the circle resolution of VU asks for; machines that know only lines use it.
     pub chords: u32,
     /// Below the small circle size of VR: run at ramp speed.
     pub small: bool,
@@ -83,7 +83,7 @@ pub struct Arc {
 /// say the arc whole takes it instead of them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Chorded {
-    /// How many lines.
+    /// Number of lines.
     pub chords: u32,
     /// The axes of the plane, as indices; turning from the first to the second is counter-clockwise.
     pub axes: [usize; 2],
@@ -91,13 +91,13 @@ pub struct Chorded {
     pub centre: [f64; 2],
     /// Swept angle in radians, positive counter-clockwise.
     pub sweep_rad: f64,
-    /// Where it ends, machine frame.
+    /// End, machine frame.
     pub to: Axes,
-    /// How fast, all of it.
+    /// Feed of the whole arc.
     pub feed: Feed,
 }
 
-/// What made an output change.
+/// Cause of the change of an output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum OutputReason {
@@ -115,7 +115,7 @@ pub enum OutputReason {
     End,
 }
 
-/// What happened to a file of the user.
+/// Operation on a file of the user.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[allow(missing_docs)]
@@ -151,7 +151,7 @@ pub struct ToolPathStart {
     pub tool: Option<Shared<str>>,
 }
 
-/// How closely the path is followed where moves meet (G61, G61.1, G64 of G-code).
+/// Closeness with which the path is followed where moves meet (G61, G61.1, G64 of G-code).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum PathControl {
     /// Every programmed point is visited, slowing down as little as that allows.
@@ -160,14 +160,14 @@ pub enum PathControl {
     ExactStop,
     /// Corners may be rounded to keep up speed.
     Blend {
-        /// How far the path may leave the programmed one, mm; `None`: as the machine likes.
+        /// Largest distance of the path from the programmed one, mm; `None`: as the machine likes.
         tolerance_mm: Option<f64>,
         /// Points that lie so close to a line may be left out, mm.
         merge_mm: Option<f64>,
     },
 }
 
-/// How a spindle or laser is driven (M3, M4, M5 of G-code).
+/// Drive of a spindle or laser (M3, M4, M5 of G-code).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Turn {
@@ -181,7 +181,7 @@ pub enum Turn {
     Dynamic,
 }
 
-/// What a machine is asked to do.
+/// An order to a machine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Command {
     /// A straight move.
@@ -240,7 +240,7 @@ pub enum Command {
     State {
         /// Its name.
         name: Shared<str>,
-        /// Why, when there is something to say.
+        /// Reason, when there is something to say.
         why: Shared<str>,
     },
     /// Speed of a spindle (TR); `on` as far as known.
@@ -264,9 +264,9 @@ pub enum Command {
         /// Flood.
         flood: bool,
     },
-    /// How closely the path is followed from here on. Does not end motion.
+    /// Closeness with which the path is followed from here on. Does not end motion.
     PathControl(PathControl),
-    /// Whether the operator's overrides hold from here on.
+    /// Effect of the operator's overrides from here on: `true` where they hold.
     Overrides {
         /// Of the feed.
         feed: bool,
@@ -277,7 +277,7 @@ pub enum Command {
     Independent {
         /// The axis.
         axis: Axis,
-        /// What it does.
+        /// Its motion.
         motion: Independent,
     },
     /// Cut motor power and turn all outputs off (MO).
@@ -288,7 +288,7 @@ pub enum Command {
     Print {
         /// The text.
         text: Shared<str>,
-        /// Whether a line end follows.
+        /// A line end follows.
         newline: bool,
     },
     /// A comment shown to the operator.
@@ -300,7 +300,7 @@ pub enum Command {
     Diagnostic(Box<Diagnostic>),
     /// A file of the user was used.
     File {
-        /// What happened.
+        /// The operation.
         op: FileOp,
         /// Its path as the host resolved it.
         path: Shared<str>,
@@ -322,9 +322,9 @@ pub enum Command {
 }
 
 impl Command {
-    /// Whether the stack of moves ends with this command: motion comes to rest before it, and it is
-    /// carried out before anything behind it is read (OpenSBP handbook, "Movement stacks"). A jog is
-    /// a stack of its own.
+    /// Returns `true` if the stack of moves ends with this command: motion comes to rest before it, and
+    /// it is carried out before anything behind it is read (OpenSBP handbook, "Movement stacks"). A jog
+    /// is a stack of its own.
     pub const fn ends_stack(&self) -> bool {
         match self {
             Self::Line(Line { kind, .. }) | Self::Arc(Arc { kind, .. }) => {
@@ -350,7 +350,7 @@ impl Command {
         }
     }
 
-    /// Whether this is motion.
+    /// Returns `true` if this is motion.
     pub const fn is_motion(&self) -> bool {
         matches!(self, Self::Line(_) | Self::Arc(_))
     }

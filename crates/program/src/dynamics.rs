@@ -1,4 +1,4 @@
-//! What a machine's axes can do, for planners that use it all.
+//! The limits of a machine's axes, for planners that use them to the full.
 
 use crate::settings::Speeds;
 use crate::{AXES, Axes, Axis};
@@ -17,7 +17,7 @@ pub struct Dynamics {
     /// Highest jerk of each axis, mm/s³ or degrees/s³; `None` leaves it free.
     #[serde(default, deserialize_with = "free_where_null")]
     pub jerk_mm_s3: Option<Axes>,
-    /// How far the path may leave the programmed one, mm (rotary axes count a degree as a
+    /// Largest distance of the path from the programmed one, mm (rotary axes count a degree as a
     /// millimetre).
     pub tolerance_mm: f64,
 }
@@ -29,7 +29,7 @@ fn free_where_null<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Axes>, D
 }
 
 impl Dynamics {
-    /// What the axes of a mid-size router can do, where nothing else is known: jog speeds, a modest
+    /// Returns the limits of a mid-size router's axes, where nothing else is known: jog speeds, a modest
     /// acceleration, a hundredth of a millimetre at corners. The last two are guesses.
     pub fn usual(speeds: &Speeds) -> Self {
         Self {

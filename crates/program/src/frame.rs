@@ -11,7 +11,7 @@
 use crate::{Axes, Axis};
 use serde::{Deserialize, Serialize};
 
-/// Where the zero points of the table base and of the working locations lie.
+/// Zero points of the table base and of the working locations.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Frame {
     /// Machine position of working zero.

@@ -1,4 +1,4 @@
-//! Where a program is taken up.
+//! The place at which a program is taken up.
 
 use serde::{Deserialize, Serialize};
 

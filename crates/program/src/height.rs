@@ -10,7 +10,7 @@ const AT_FLOOR_MM: f64 = 1e-6;
 /// The largest reading.
 const MOST: f64 = 255.0;
 
-/// How the height is sensed.
+/// Sensing of the height.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Gauge {
     /// Two inputs, by their numbers: too high moves Z down, too low moves it up.
@@ -34,10 +34,10 @@ pub enum Gauge {
     },
 }
 
-/// How Z follows.
+/// Law by which Z follows the height.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeightLaw {
-    /// What tells the height.
+    /// The gauge of the height.
     pub gauge: Gauge,
     /// Highest speed of Z, mm/s.
     pub speed_mm_s: f64,
@@ -62,7 +62,7 @@ impl HeightLaw {
         x + (y - x) * dy.abs().atan2(dx.abs()) / std::f64::consts::FRAC_PI_2
     }
 
-    /// What the sensor says of a gap, mm, before it is rounded and held within 0 … 255.
+    /// Returns the reading of the sensor for a gap, mm, before it is rounded and held within 0 … 255.
     pub fn reading(&self, gap_mm: f64) -> f64 {
         let Gauge::Proportional { gain_mm, scale_mm, .. } = self.gauge else { return 0.0 };
         let units = gap_mm / scale_mm;

@@ -1,4 +1,4 @@
-//! What an interpreter asks of the world around it.
+//! The requests of an interpreter to the world around it.
 //!
 //! Preview, a real run, a test, the debugger and the language server differ only in the host.
 
@@ -11,7 +11,7 @@ use std::task::Poll;
 /// A question to the operator.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Question {
-    /// What kind of box.
+    /// Kind of box.
     pub kind: QuestionKind,
     /// The text in it.
     pub text: String,
@@ -21,7 +21,7 @@ pub struct Question {
     pub buttons: Vec<Button>,
     /// Index of the button that ENTER presses.
     pub default: usize,
-    /// What stands in the entry field at first, for INPUT.
+    /// Text in the entry field at first, for INPUT.
     pub prefill: String,
     /// Icon of a MSGBOX: 0, 16, 32, 48 or 64.
     pub icon: u16,
@@ -128,7 +128,7 @@ pub enum Answer {
 /// Which file an interpreter wants to run.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FileRequest {
-    /// Where it is looked for.
+    /// Folder in which it is looked for.
     pub folder: Folder,
     /// The name as the program gives it: any case, `/` or `\`, perhaps a drive.
     pub name: String,
@@ -156,7 +156,7 @@ pub struct SourceFile {
     pub bytes: Arc<[u8]>,
 }
 
-/// How a user file is opened.
+/// Mode in which a user file is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum FileMode {
     /// For reading.
@@ -172,7 +172,7 @@ pub enum FileMode {
 pub struct ShellCall {
     /// The command line.
     pub line: String,
-    /// How its window appears: 0-4 or 6.
+    /// Appearance of its window: 0-4 or 6.
     pub display: u8,
     /// Wait until it ends.
     pub wait: bool,
@@ -183,11 +183,11 @@ pub struct ShellCall {
 pub struct ToolCall {
     /// The letter behind the T.
     pub letter: char,
-    /// What it is given, as it stands in the line.
+    /// Arguments of the tool, as they stand in the line.
     pub arguments: String,
 }
 
-/// Why the host did not do what was asked.
+/// Reason why the host did not do what was asked.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum HostError {
     /// There is no such file; the text tells where it was looked for.
@@ -208,7 +208,7 @@ pub const SPINDLE_STATUS: &str = "SpindleStatus";
 /// The output that starts the spindle.
 pub const SPINDLE_OUTPUT: u8 = 1;
 
-/// What became of a request to convert a file (FC).
+/// Outcome of a request to convert a file (FC).
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FileConversion {
     /// It was written here.
@@ -228,30 +228,30 @@ pub enum FileConversion {
 pub struct ConversionRequest {
     /// The file, in the part folder.
     pub name: String,
-    /// What it is, where its name does not say it: an extension as `nc` or `dxf`.
+    /// Kind of the file, where its name does not say it: an extension as `nc` or `dxf`.
     pub kind: Option<String>,
     /// Writes over a part file that is there already.
     pub overwrite: bool,
     /// The unit of the part file, where the file says none.
     pub unit: Option<LinearUnit>,
-    /// How a drawing or a picture is cut.
+    /// Choices for cutting a drawing or a picture.
     pub cut: Option<CutChoice>,
 }
 
-/// How a drawing or a picture is cut, which its file does not say.
+/// Choices for cutting a drawing or a picture, which its file does not say.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CutChoice {
-    /// How deep is cut, or the deepest place of a picture, mm.
+    /// Depth of the cut, or of the deepest place of a picture, mm.
     pub depth_mm: f64,
-    /// Where the tool travels above the surface, mm.
+    /// Height of travel above the surface, mm.
     pub safe_mm: f64,
-    /// How much larger it becomes; nothing where it has a size of its own.
+    /// Factor of enlargement; nothing where it has a size of its own.
     pub scale: Option<f64>,
-    /// Whether white is deepest, not black; nothing for drawings.
+    /// White is deepest, not black; nothing for drawings.
     pub white_deepest: Option<bool>,
 }
 
-/// What an interpreter asks of the world.
+/// The world around an interpreter, which answers its requests.
 ///
 /// Every method that may have to wait returns [`Poll`]; on `Pending` the interpreter's step has no
 /// effect and is repeated later. Methods without `Poll` answer at once.
@@ -359,12 +359,12 @@ pub trait Host {
         Err(HostError::Refused("no firmware on the simulated machine".into()))
     }
 
-    /// What drives the machine.
+    /// Returns the name of what drives the machine.
     fn driver(&mut self) -> String {
         "simulated machine".into()
     }
 
-    /// Whether the controller answers.
+    /// Returns `true` while the controller answers.
     fn is_connected(&mut self) -> bool {
         true
     }
@@ -373,7 +373,7 @@ pub trait Host {
     fn firmware(&mut self) -> i32;
 }
 
-/// What is told of a letter that no tool has.
+/// Returns the message for a letter that no tool has.
 pub fn no_such_tool(letter: char) -> String {
     format!("no such tool: T{letter}")
 }

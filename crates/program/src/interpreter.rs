@@ -1,4 +1,4 @@
-//! What every interpreter is to those who run programs: a value that is stepped.
+//! The trait that every interpreter offers to those who run programs: a value that is stepped.
 //!
 //! OpenSBP and G-code are two languages and one machine; whoever runs a program, draws it or steps
 //! through it works with this trait and need not know which language it is.
@@ -8,7 +8,7 @@ use kerf_diag::Diagnostic;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// How a run ended.
+/// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Status {
@@ -24,7 +24,7 @@ pub enum Status {
     Limit,
 }
 
-/// What a step did.
+/// Result of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     /// A line was executed.
@@ -66,20 +66,20 @@ impl Watch {
     }
 }
 
-/// Where motion was when something stopped it.
+/// Place of the motion when something stopped it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Halted {
     /// The number (as [`Interpreter::motions`] counts) of the motion command that was interrupted, or
     /// of the first one not yet begun; it and all later ones were dropped. `None` when none was left
     /// to do.
     pub motion: Option<u64>,
-    /// Where the machine was when the stop began, machine frame.
+    /// Place of the machine when the stop began, machine frame.
     pub began: Axes,
-    /// Where it stands, machine frame.
+    /// Place where it stands, machine frame.
     pub stands: Axes,
 }
 
-/// Who stopped a machine whose program takes stops itself.
+/// Cause of a stop, told to a program that takes stops itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StoppedBy {
     /// The operator: key Stop.
@@ -93,14 +93,14 @@ pub enum StoppedBy {
     PowerCut,
 }
 
-/// How a part file is called (FP).
+/// Parameters of a call of a part file (FP).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FileCall {
     /// Proportions X, Y, Z.
     pub proportion: [f64; 3],
     /// 0 none, 1 the present X, Y, Z is the temporary zero, 2 only X and Y.
     pub offset: u8,
-    /// How often the file runs.
+    /// Number of times that the file runs.
     pub repetitions: u32,
     /// Change of Z before each repetition, mm.
     #[serde(default)]
@@ -129,8 +129,8 @@ pub trait Interpreter: Send {
     /// when none was left to do. `position` is where the machine stopped, machine frame.
     fn interrupt(&mut self, watch: &Watch, motion: Option<u64>, position: Axes);
 
-    /// Whether it carries out stops itself (see [`Interpreter::stopped`]); else whoever runs it holds
-    /// the machine and lets it go on.
+    /// Returns `true` if it carries out stops itself (see [`Interpreter::stopped`]); else whoever runs it
+    /// holds the machine and lets it go on.
     fn takes_stops(&self) -> bool {
         false
     }
@@ -171,7 +171,7 @@ pub trait Interpreter: Send {
     /// Name of a file of [`At`]; `None` when so many files were not read.
     fn file_name(&self, file: u32) -> Option<Arc<str>>;
 
-    /// How such a file was called the last time; nothing where no program calls files.
+    /// Returns the last call of such a file; nothing where no program calls files.
     fn file_call(&self, _file: u32) -> Option<FileCall> {
         None
     }
@@ -191,7 +191,7 @@ pub trait Interpreter: Send {
     /// The frames in force.
     fn frame(&self) -> &Frame;
 
-    /// Where the program has sent the machine, machine frame.
+    /// Returns the place to which the program has sent the machine, machine frame.
     fn position(&self) -> Axes;
 
     /// The user's variables, name and value as people write them, in order of names.

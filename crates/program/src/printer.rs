@@ -1,4 +1,4 @@
-//! What every printer is to those who write programs: it takes commands and gives text.
+//! The trait that every printer offers to those who write programs: it takes commands and gives text.
 //!
 //! The counterpart of [`Interpreter`](crate::Interpreter): OpenSBP and G-code each have a printer, and
 //! whoever converts a program works with this trait. What a language has no words for is never left
@@ -12,7 +12,7 @@ use crate::{At, AxisSet, Frame, Sourced};
 pub struct Lost {
     /// The line of the source that it comes from.
     pub at: At,
-    /// What is not said, as part of a sentence: `output 3 on`.
+    /// The part that is not said, as part of a sentence: `output 3 on`.
     pub what: String,
     /// The tool would go another way without it.
     pub is_motion: bool,
@@ -23,16 +23,16 @@ pub struct Lost {
 pub struct Written {
     /// Its text.
     pub text: String,
-    /// What the text does not say, in order.
+    /// Parts that the text does not say, in order.
     pub lost: Vec<Lost>,
 }
 
-/// Where a program waits for the operator.
+/// A place where a program waits for the operator.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hold {
     /// The line that waits.
     pub at: At,
-    /// What the operator reads; empty for nothing in particular.
+    /// Text for the operator; empty for nothing in particular.
     pub text: String,
     /// An input, 1 … 12, and the state that ends the waiting too.
     pub until: Option<(u8, bool)>,

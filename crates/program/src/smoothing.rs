@@ -1,5 +1,5 @@
-//! How the `profiler` model of motion goes round corners (Profiler reference, "Tool Path
-//! Smoothing", "Maximum Machine Cutting Speeds"; function 40).
+//! The corners of the `profiler` model of motion (Profiler reference, "Tool Path Smoothing", "Maximum
+//! Machine Cutting Speeds"; function 40).
 
 use serde::{Deserialize, Serialize};
 
@@ -26,10 +26,10 @@ impl RampModel {
     }
 }
 
-/// What decides about corners and curves in the `profiler` model.
+/// Parameters of corners and curves in the `profiler` model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Smoothing {
-    /// How far the smooth curve may leave the segments, in [`FACTOR_MM`]; 0 smooths nothing.
+    /// Largest distance of the smooth curve from the segments, in [`FACTOR_MM`]; 0 smooths nothing.
     pub factor: f64,
     /// Corners outside smoothed sections that turn by less are passed without slowing, degrees.
     pub stop_angle_deg: f64,
@@ -58,7 +58,7 @@ impl Default for Smoothing {
 }
 
 impl Smoothing {
-    /// How far the smooth curve may leave the segments, mm.
+    /// Returns the largest distance of the smooth curve from the segments, mm.
     pub const fn limit_mm(&self) -> f64 {
         FACTOR_MM * self.factor
     }

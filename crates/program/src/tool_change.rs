@@ -6,7 +6,7 @@
 
 use crate::{Command, ToolPathStart};
 
-/// Where a change of tools stands.
+/// State of a change of tools.
 #[derive(Debug, Default)]
 pub struct Changing {
     under_way: bool,
@@ -14,11 +14,11 @@ pub struct Changing {
     ended: bool,
     /// The tool that it puts in, where that is known before.
     tool: Option<String>,
-    /// What the operator was told while it was under way.
+    /// Text shown to the operator while it was under way.
     told: Option<String>,
 }
 
-/// What is to be written for a change.
+/// Words to be written for a change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ChangeWords {
     /// Put this tool in.
@@ -41,7 +41,7 @@ impl Changing {
         self.under_way
     }
 
-    /// Whether a change is under way.
+    /// Returns `true` while a change is under way.
     pub const fn is_under_way(&self) -> bool {
         self.under_way
     }
@@ -61,7 +61,7 @@ impl Changing {
         }
     }
 
-    /// What is to be written when nothing more comes.
+    /// Returns what is to be written when no more commands come.
     pub fn end(&mut self) -> Option<ChangeWords> {
         let told = std::mem::take(&mut self.ended).then(|| self.told.take());
         told.flatten().map(ChangeWords::Hold)

@@ -111,7 +111,7 @@ impl Context<'_> {
         Err(self.fail_at(span, Code::OutOfRange, "the text is longer than a million bytes", hint))
     }
 
-    /// What stands in the line at a span.
+    /// Returns the text of the line at a span.
     pub(crate) fn spelled(&self, span: Span) -> String {
         let line = self.program.line_text(self.at.line);
         line.get(span.start as usize..span.end as usize).unwrap_or("").trim().to_string()

@@ -78,9 +78,9 @@ impl Index<PathId> for Expressions {
 /// An expression and where it stands in its line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expr {
-    /// What it is.
+    /// Kind of the expression.
     pub node: ExprNode,
-    /// Where it stands.
+    /// Place of the expression in its line.
     pub span: Span,
 }
 
@@ -109,14 +109,14 @@ pub enum ExprNode {
     Member(PathId),
 }
 
-/// Where a part of an array or object is found (FabMo).
+/// Way to a part of an array or object (FabMo).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
     /// `$name` instead of `&name`.
     pub persistent: bool,
     /// The name before the first bracket or dot.
     pub name: NameId,
-    /// What stands behind it.
+    /// Steps behind the name.
     pub steps: Vec<PathStep>,
 }
 
@@ -165,7 +165,7 @@ pub enum BinaryOp {
 }
 
 impl BinaryOp {
-    /// How tightly it binds; larger binds tighter. Unary minus stands at 9, NOT at 3.
+    /// Returns the strength with which it binds; larger binds tighter. Unary minus stands at 9, NOT at 3.
     pub const fn precedence(self) -> u8 {
         match self {
             Self::Power => 10,
@@ -185,7 +185,7 @@ impl BinaryOp {
         }
     }
 
-    /// How it is written.
+    /// Returns the operator as it is written.
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::Power => "^",
@@ -216,9 +216,9 @@ macro_rules! functions {
         impl Function {
             /// Every function.
             pub const ALL: &[Self] = &[$(Self::$name,)*];
-            /// How it is written.
+            /// Returns the function's name as it is written.
             pub const fn name(self) -> &'static str { match self { $(Self::$name => $text,)* } }
-            /// What it gives.
+            /// Describes the value that it gives.
             pub const fn doc(self) -> &'static str { match self { $(Self::$name => $doc,)* } }
         }
     };

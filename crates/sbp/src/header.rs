@@ -1,4 +1,4 @@
-//! What the head of a part file tells about its job.
+//! The fields that the head of a part file tells about its job.
 //!
 //! A header is the first block of comment lines when it fills in fields: `'Material: birch, 18 mm`.
 //! The tool that writes headers (TH) uses these fields; files that people head by hand count as well.

@@ -29,7 +29,7 @@ impl Program {
         named.collect()
     }
 
-    /// Whether a line changes the part folder (FS): names may then mean other files than at first.
+    /// Returns `true` if a line changes the part folder (FS): names may then mean other files than at first.
     pub fn changes_folder(&self) -> bool {
         let changes =
             |s: &Statement| matches!(s, Statement::Command { spec, .. } if spec.letters == "FS");

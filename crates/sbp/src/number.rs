@@ -1,4 +1,4 @@
-//! How numbers are shown.
+//! The form in which numbers are shown.
 
 /// The shortest decimal form with at most 7 significant digits, without an exponent below 1e15.
 ///

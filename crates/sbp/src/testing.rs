@@ -28,15 +28,15 @@ pub(crate) struct FakeHost {
     pub(crate) stored: BTreeMap<String, String>,
     pub(crate) shells: Vec<ShellCall>,
     pub(crate) folder: String,
-    /// How often `settle` answers Pending before it is ready.
+    /// Number of times that `settle` answers Pending before it is ready.
     pub(crate) busy: u32,
-    /// Where the machine is: the end of the last move, or what a test puts here.
+    /// Place of the machine: the end of the last move, or what a test puts here.
     pub(crate) machine: [f64; 6],
-    /// Where hand controls or an axis moving by itself take the machine.
+    /// Place to which hand controls or an axis moving by itself take the machine.
     pub(crate) strays_to: Option<[f64; 6]>,
     /// The machine is moving: `settle` is not ready.
     pub(crate) moving: bool,
-    /// Whatever may wait waits once; `hesitated` says that it did.
+    /// Everything that may wait waits once; `hesitated` says that it did.
     pub(crate) hesitant: bool,
     pub(crate) hesitated: bool,
     /// Letters of virtual tools, and how they were called.
@@ -45,7 +45,7 @@ pub(crate) struct FakeHost {
     /// Settings files by name.
     pub(crate) settings: BTreeMap<String, String>,
     pub(crate) log_forgotten: bool,
-    /// What UI loads.
+    /// Firmware that UI loads.
     pub(crate) firmware: Option<&'static str>,
 }
 
@@ -237,7 +237,7 @@ pub(crate) fn run_as(text: &str, mut host: FakeHost, session: Session, options: 
 }
 
 impl Ran {
-    /// Where the tool is in the user's units.
+    /// Returns the place of the tool in the user's units.
     pub(crate) fn location(&self) -> Axes {
         let s = &self.session;
         s.settings.to_user(s.frame.working(s.position))
@@ -284,7 +284,7 @@ impl Ran {
             .collect()
     }
 
-    /// What was printed, lines joined by `\n`.
+    /// Returns the text that was printed, lines joined by `\n`.
     pub(crate) fn printed(&self) -> String {
         self.commands.iter().fold(String::new(), |mut all, c| {
             if let Command::Print { text, newline } = &c.command {

@@ -41,7 +41,7 @@ pub struct Program {
     pub lines: Vec<LineNode>,
     /// The literal values of [`Node::Move`] lines, in order, only those given.
     pub numbers: Vec<f64>,
-    /// What [`Node::Statement`] points to.
+    /// Statements that [`Node::Statement`] points to.
     pub statements: Vec<Statement>,
     /// The values given to commands.
     pub args: Args,
@@ -55,11 +55,11 @@ pub struct Program {
     pub names: Vec<Arc<str>>,
     /// Everything wrong or doubtful, in order of lines.
     pub diagnostics: Vec<Diagnostic>,
-    /// What its lines are written in.
+    /// Language of its lines.
     pub language: Language,
 }
 
-/// What the lines of a file are written in.
+/// Language of the lines of a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Language {
     /// OpenSBP; single lines may be G-code.
@@ -74,13 +74,13 @@ pub enum Language {
 /// A line: what it is and where its text begins.
 #[derive(Clone, Copy, Debug)]
 pub struct LineNode {
-    /// What the line is.
+    /// Kind of the line.
     pub node: Node,
     /// Byte offset of the line in [`Program::text`].
     pub start: u32,
 }
 
-/// What a line is.
+/// Kind of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Node {
     /// Nothing.
@@ -105,7 +105,7 @@ pub enum Node {
 }
 
 impl Node {
-    /// Whether it is a move of literal numbers.
+    /// Returns `true` if it is a move of literal numbers.
     pub fn is_move(self) -> bool {
         matches!(self, Self::Move { .. })
     }
@@ -144,12 +144,12 @@ pub struct Label {
     pub line: u32,
 }
 
-/// Where a jump goes.
+/// Target of a jump.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Target {
     /// The label.
     pub label: LabelId,
-    /// Where the name stands.
+    /// Place of the name in its line.
     pub span: Span,
 }
 
@@ -186,7 +186,7 @@ impl Args {
 }
 
 impl ArgList {
-    /// How many values it has.
+    /// Returns the number of values.
     pub fn len(self) -> usize {
         self.count as usize
     }
@@ -209,13 +209,13 @@ impl Index<ArgList> for Args {
 /// A value given to a command.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arg {
-    /// Where it stands.
+    /// Place of the value in its line.
     pub span: Span,
-    /// What was written.
+    /// The value as it was written.
     pub kind: ArgKind,
 }
 
-/// What was written for a parameter.
+/// Value of a parameter as it was written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ArgKind {
     /// Nothing.
@@ -226,7 +226,7 @@ pub enum ArgKind {
     Word(Arc<str>),
 }
 
-/// What an assignment gives.
+/// Value of an assignment.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Assigned {
     /// Nothing (`&x=`).
@@ -237,7 +237,7 @@ pub enum Assigned {
     Text(Arc<str>),
 }
 
-/// How the items of PRINT and WRITE are put together.
+/// Manner in which the items of PRINT and WRITE are put together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Separator {
     /// First separator is a comma (or there is none).
@@ -255,7 +255,7 @@ pub struct Output {
     pub write: bool,
     /// The items. In comma mode quoted text is already split at its commas.
     pub items: Vec<Expr>,
-    /// How they are joined.
+    /// Manner in which they are joined.
     pub separator: Separator,
     /// False after a trailing semicolon.
     pub newline: bool,
@@ -313,7 +313,7 @@ pub struct Shell {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(missing_docs)]
 pub struct Dialog {
-    /// What it says.
+    /// Its message.
     pub text: Expr,
     /// The variable that takes an answer.
     pub variable: Option<NameId>,
@@ -342,7 +342,7 @@ pub enum Registry {
     GetPartFileName,
 }
 
-/// How a file is opened; the same as [`kerf_program::FileMode`].
+/// Mode in which a file is opened; the same as [`kerf_program::FileMode`].
 pub use kerf_program::FileMode;
 
 /// Everything that is not a plain move.
@@ -466,7 +466,7 @@ impl Program {
         text
     }
 
-    /// Whether some lines are G-code.
+    /// Returns `true` if some lines are G-code.
     pub fn has_gcode(&self) -> bool {
         let gcode = |s: &Statement| matches!(s, Statement::Gcode(_));
         self.statements.iter().any(|s| s.with_inner().any(gcode))

@@ -46,7 +46,7 @@ fn belongs_into_files(program: &Program, node: Node) -> bool {
 }
 
 impl Program {
-    /// Whether a line of it changes what the machine is set to.
+    /// Returns `true` if a line of it changes what the machine is set to.
     pub fn sets_machine(&self) -> bool {
         self.statements.iter().any(sets_machine)
     }

@@ -1,4 +1,4 @@
-//! What a variable can hold.
+//! The values that a variable can hold.
 
 use crate::format_number;
 use serde::{Deserialize, Serialize};

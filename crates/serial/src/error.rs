@@ -1,8 +1,8 @@
-//! What goes wrong with a port, and what to do about it.
+//! Errors of a port, and what to do about them.
 
 use std::io;
 
-/// Why a port cannot be used.
+/// Reason why a port cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SerialError {
     /// There is no such port.
@@ -32,7 +32,7 @@ pub enum SerialError {
         path: String,
         /// The rate asked for.
         baud: u32,
-        /// What the system says.
+        /// Words of the system.
         why: String,
     },
     /// It was there and is gone.
@@ -40,13 +40,13 @@ pub enum SerialError {
     Gone {
         /// Its path.
         path: String,
-        /// What the system says.
+        /// Words of the system.
         why: String,
     },
 }
 
 impl SerialError {
-    /// What the system said when a port was opened.
+    /// Returns the error for what the system said when a port was opened.
     pub(crate) fn opening(path: &str, baud: u32, error: &serialport::Error) -> Self {
         let path = path.to_owned();
         match error.kind {
@@ -57,7 +57,7 @@ impl SerialError {
         }
     }
 
-    /// What the system said while a port was in use.
+    /// Returns the error for what the system said while a port was in use.
     pub(crate) fn using(path: &str, error: &io::Error) -> Self {
         Self::Gone { path: path.to_owned(), why: error.to_string() }
     }

@@ -32,7 +32,7 @@ impl Port {
         Self { path: path.to_owned(), line }
     }
 
-    /// What it was opened by.
+    /// Returns the path by which it was opened.
     pub fn path(&self) -> &str {
         &self.path
     }

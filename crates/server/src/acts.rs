@@ -1,4 +1,4 @@
-//! What pages ask for, and what is done then; the [gate](crate::gate) says who may.
+//! Carries out what pages ask for; the [gate](crate::gate) says who may.
 
 use crate::app::{App, Open, lock, problem};
 use crate::asker::Asker;
@@ -21,7 +21,7 @@ use kerf_wire::{
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What came of an act: what was noticed, or why it was not done.
+/// Outcome of an act: what was noticed, or why it was not done.
 pub type Done = Result<Vec<String>, Problem>;
 
 /// The questions of programs in which the tool may be lifted and moved, and goes back by itself.
@@ -279,7 +279,7 @@ impl App {
         }
     }
 
-    /// What was previewed is what runs: the file, and those that it calls.
+    /// Checks that what was previewed is what runs: the file, and those that it calls.
     fn unchanged(&self, open: &Open, preview: &Preview) -> Result<(), Problem> {
         let changed = |what: &str| {
             let text = format!("{what} was changed since it was previewed; open the file again");
@@ -442,7 +442,7 @@ impl App {
     }
 }
 
-/// Why a file that has mistakes is not started.
+/// Says why a file that has mistakes is not started.
 fn mistakes(preview: &Preview) -> String {
     let first = preview.findings.iter().find(|found| found.level == Level::Error);
     first.map_or("the file cannot run".into(), |Finding { line, message, .. }| {
@@ -483,7 +483,7 @@ impl From<GripError> for Problem {
     }
 }
 
-/// Whether a jog goes anywhere.
+/// Returns `true` if a jog goes somewhere and its numbers are within bounds.
 fn makes_sense(order: &Order) -> bool {
     let Order::Jog { direction, distance, speed } = order else { return false };
     let goes = direction.iter().any(|way| *way != 0.0);

@@ -39,38 +39,38 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// Everything that requests share.
 pub struct App {
-    /// How the server was started.
+    /// Options with which the server was started.
     pub options: Options,
-    /// What pages show.
+    /// State that pages show.
     pub hub: Arc<Hub>,
-    /// What the running machine is told.
+    /// Wishes for the running machine.
     pub link: Arc<Link>,
-    /// What it does next.
+    /// Its next orders.
     pub orders: Mutex<Sender<Order>>,
     /// The part folder.
     pub parts: PartFolder,
     /// The drawing that is not saved, in the data folder.
     pub draft: Counted,
-    /// What is written into it.
+    /// Writes files of the part folder.
     pub saves: Saves,
-    /// What is typed in the editor and not saved.
+    /// Texts that are typed in the editor and not saved.
     pub texts: Texts,
     /// The file that is open.
     pub open: Mutex<Open>,
-    /// What the last run left.
+    /// The machine and its files as the last run left them.
     pub left: Arc<Mutex<Left>>,
-    /// Where the job that runs took its origin, X and Y from home, mm, and the key of its preview.
+    /// Key of the preview of the job that runs, and the origin that it took, X and Y from home, mm.
     pub taken: Mutex<Option<(String, [f64; 2])>>,
     /// Builds the shelf of previews.
     pub builders: Builders,
-    /// Who gave the password of the settings.
+    /// Pages and scripts that gave the password of the settings.
     pub unlocked: Unlocked,
     /// Wrong passwords of the settings, by the device that they came from. It is held while one is tried: one at a
     /// time.
     pub passwords: Mutex<Tries<String>>,
     /// Paired devices.
     pub devices: Devices,
-    /// Whoever sits at the machine, where others may connect as well.
+    /// Token of whoever sits at the machine, where others may connect as well.
     pub here: Option<Here>,
     /// Connected pages.
     pub pages: Pages,
@@ -82,7 +82,7 @@ pub struct App {
     pub desk: Mutex<Desk>,
     /// The drawing that is being read to be opened.
     pub reading: Readings,
-    /// Who keeps drafts of it is told here that it changed.
+    /// Tells the thread that keeps drafts that the drawing changed.
     pub changed: OnceLock<Sender<()>>,
     /// The hand console: what happens to it.
     pub hand_console: OnceLock<Sender<Happening>>,
@@ -90,7 +90,7 @@ pub struct App {
     pub charts: Charts,
     /// Does what takes longer than a moment.
     pub pool: Arc<Pool>,
-    /// Whether memory is tight.
+    /// State of the memory: tight or not.
     pub memory: Memory,
     /// Room for what is sent.
     pub bodies: Bodies,
@@ -107,14 +107,14 @@ pub struct Open {
     pub name: String,
     /// Its bytes, as they were previewed.
     pub bytes: Arc<[u8]>,
-    /// What they were before each shape that was added since the job was saved: first as in the file.
+    /// Its bytes before each shape that was added since the job was saved: first as in the file.
     pub unsaved: Vec<Arc<[u8]>>,
-    /// What it is run by: their hash, that of the parameters, and those of the files they call as soon as
+    /// Hash by which it is run: that of the bytes, of the parameters, and of the files they call as soon as
     /// the preview knows them.
     pub hash: String,
-    /// How it is run.
+    /// Parameters with which it is run.
     pub parameters: FileParameters,
-    /// How it is cut, when it is a job.
+    /// Choices with which it is cut, when it is a job.
     pub choice: JobChoice,
     /// Key of the preview.
     pub key: String,
@@ -141,7 +141,7 @@ pub fn hash(bytes: &[u8]) -> String {
     hex(&Sha256::digest(bytes))
 }
 
-/// What a file is run by: the hash of its bytes, and of parameters other than the usual.
+/// Returns the hash by which a file is run: that of its bytes, and of parameters or choices other than the usual.
 fn hash_of(bytes: &[u8], parameters: &FileParameters, choice: &JobChoice) -> String {
     if *choice != JobChoice::default() {
         let JobChoice { start, offset, origin, finish, lift } = choice;
@@ -158,7 +158,7 @@ fn hash_of(bytes: &[u8], parameters: &FileParameters, choice: &JobChoice) -> Str
 }
 
 impl Open {
-    /// Whether these are still the bytes of its file.
+    /// Returns `true` if these are still the bytes of its file.
     pub fn is_of(&self, bytes: &[u8]) -> bool {
         **self.unsaved.first().unwrap_or(&self.bytes) == *bytes
     }
@@ -173,7 +173,7 @@ pub fn hex(bytes: &[u8]) -> String {
         .collect()
 }
 
-/// What a job is named by: the hash of its file, or of the hashes of all files when it calls others.
+/// Returns the hash by which a file is run: its own, or that of the hashes of all files when it calls others.
 fn job_hash(own: String, called: &Called) -> String {
     if called.is_empty() {
         return own;
@@ -183,7 +183,7 @@ fn job_hash(own: String, called: &Called) -> String {
     hash((own + &called.iter().map(one).collect::<String>()).as_bytes())
 }
 
-/// What an app is made of besides its options.
+/// Parts that an app is made of, besides its options.
 pub struct Parts {
     pub hub: Arc<Hub>,
     pub link: Arc<Link>,
@@ -377,7 +377,7 @@ impl App {
         self.pool.give(Lane::Long, KERF, move || app.preview(open))
     }
 
-    /// What pages are told of a file before its preview is there.
+    /// Returns what pages are told of a file before its preview is there.
     fn opened_of(&self, open: &Open) -> Opened {
         let opened = Opened {
             name: open.name.clone(),
@@ -457,7 +457,7 @@ impl App {
         preview.timing(&lock(&self.left).session)
     }
 
-    /// What survives, where anything does.
+    /// Returns the journal of what survives, where there is one.
     pub fn journal(&self) -> Option<Journal> {
         lock(&self.left).journal.clone()
     }

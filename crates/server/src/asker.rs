@@ -1,4 +1,4 @@
-//! What is asked for, from its arrival to its beginning: what was stopped in between does not begin.
+//! Requests from their arrival to their beginning: what was stopped in between does not begin.
 //!
 //! ```text
 //!  act arrives ── Asker: stops so far ── waits its turn, reads files ── begins, unless one came since
@@ -16,9 +16,9 @@ use kerf_wire::{Change, Machine, Problem, Snapshot, State, Who, Why};
 /// Somebody who asks for something.
 #[derive(Clone, Debug)]
 pub struct Asker {
-    /// Who.
+    /// The one who asks.
     pub who: Who,
-    /// What is asked for, as long as somebody waits for it.
+    /// The request, as long as somebody waits for it.
     pub awaited: Awaited,
     /// Stops that had come when it arrived.
     stops: Stops,
@@ -91,7 +91,7 @@ impl App {
         self.send(order)
     }
 
-    /// Whether something may begin; if so, from here on a stop counts for it.
+    /// Checks whether something may begin; if so, from here on a stop counts for it.
     fn may_begin(
         &self,
         now: &Snapshot,
@@ -182,7 +182,7 @@ mod tests {
         ]
     }
 
-    /// Whatever is so about a bench behind an arrival, what arrived does not begin.
+    /// Checks that no motion begins if something happens at a bench after the motion arrived.
     #[track_caller]
     fn check(meanwhile: fn(&Bench), expected: Why) {
         for order in moving() {

@@ -96,7 +96,7 @@ impl Bench {
         self.does(&self.driver, Act::Arm { lease: self.lease() });
     }
 
-    /// What the machine did is over.
+    /// Puts the machine at rest: what it did is over.
     pub fn stands(&self) {
         self.app.hub.changing(|now| {
             let machine = Machine { state: State::Idle, ..now.machine.clone() };

@@ -1,4 +1,4 @@
-//! What a page has a machine do by hand that stands: moves to somewhere, bits of the card, single steps.
+//! Acts by hand, for pages, on a machine that stands: moves to somewhere, bits of the card, single steps.
 
 use crate::app::{App, problem};
 use crate::asker::Asker;

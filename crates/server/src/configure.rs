@@ -13,7 +13,7 @@ use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, Why, ZHe
 use std::sync::mpsc::{Sender, channel};
 use std::time::Duration;
 
-/// Whoever changes a setting waits so long for the disk.
+/// Time that whoever changes a setting waits for the disk.
 const ON_DISK_WITHIN: Duration = Duration::from_secs(10);
 
 /// The setting that holds the password's hash: no page sees it, and only [`App::protect`] changes it.
@@ -34,7 +34,7 @@ pub fn form(configuration: &Configuration) -> Vec<SettingArea> {
     table::areas().map(area).collect()
 }
 
-/// What pages that work on drawings go by.
+/// Returns the settings that pages follow which work on drawings.
 pub fn setup(session: &Session) -> Setup {
     let configuration = &session.configuration();
     let letters = |axes: AxisSet| axes.iter().map(Axis::letter).collect();
@@ -96,7 +96,7 @@ fn kind(setting: &Setting) -> SettingKind {
     }
 }
 
-/// Whether a setting has a value for each axis.
+/// Returns `true` if a setting has a value for each axis.
 const fn is_of_axes(setting: &Setting) -> bool {
     matches!(setting.unit, Unit::AxisSpeed | Unit::AxisAccel | Unit::AxisJerk)
 }

@@ -22,10 +22,10 @@ use std::sync::Mutex;
 /// Begins the line of the count. A file of an earlier version has none.
 const WRITTEN: &str = "written ";
 
-/// What the mark says of a file that was written.
+/// Word of the mark for a file that was written.
 const KEPT: &str = "kept";
 
-/// What it says of one that was taken away.
+/// Word of the mark for a file that was taken away.
 const NONE: &str = "none";
 
 /// A file that is counted, under a name.
@@ -38,7 +38,7 @@ pub struct Counted {
     count: Mutex<u64>,
 }
 
-/// What lies in a counted file's place.
+/// Content of a counted file's place.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Found {
     /// Nothing, as Kerf left it.
@@ -62,7 +62,7 @@ impl Counted {
         Self { is_secret: true, ..Self::new(file) }
     }
 
-    /// Where it lies.
+    /// Returns its path.
     pub fn path(&self) -> &Path {
         &self.file
     }
@@ -172,7 +172,7 @@ mod tests {
         (folder, file)
     }
 
-    /// Whoever starts anew knows nothing but the files.
+    /// Reads a file as a new start does, which knows nothing but the files.
     fn read(file: &Path) -> Found {
         Counted::new(file.into()).read().unwrap()
     }

@@ -38,7 +38,7 @@ pub struct Desk {
     pub(crate) job: Option<Job>,
     open: bool,
     pub(crate) notes: Vec<String>,
-    /// Where the head goes when the job is done, from its origin.
+    /// Place to which the head goes when the job is done, from its origin.
     pub(crate) finish: Option<Point2>,
 }
 
@@ -109,7 +109,7 @@ impl App {
         Heights { top_mm, surface_mm, bottom_mm }
     }
 
-    /// What is done to shapes before paths are made of them.
+    /// Returns what is done to shapes before paths are made of them.
     pub fn shaping(&self) -> Shaping {
         let Configuration { program, options, .. } = lock(&self.left).session.configuration();
         Shaping { factor: program.smoothing.factor, filter_mm: options.filter_mm }
@@ -295,7 +295,7 @@ impl Desk {
     }
 }
 
-/// What a file holds of drawings.
+/// Reads the drawing that a file holds.
 pub(crate) fn drawing_in(name: &str, bytes: &[u8]) -> Result<Imported, Problem> {
     drawing_until(name, bytes, &|| false)
 }
@@ -319,7 +319,7 @@ fn drawing_until(
     reading::whole(name, read)
 }
 
-/// What is lost of a drawing in a file of this name.
+/// Tells what is lost of a drawing in a file of this name.
 fn unkept(name: &str, drawing: &Drawing) -> Option<&'static str> {
     let foreign = ["dxf", "svg"].contains(&extension(name).as_str());
     foreign.then(|| kerf_formats::unkept(drawing)).flatten()

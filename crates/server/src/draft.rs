@@ -22,17 +22,17 @@ const FILE: &str = "drawing.draft";
 /// It is written at once, and then not again for so long: with the way to the disk that stays below half a second.
 const REST: Duration = Duration::from_millis(400);
 
-/// What is told of it on the sheet.
+/// Note about it on the sheet.
 const AGAIN: &str = "It was not saved when Kerf ended: here it is again.";
 
-/// What is told where the draft is not the one that was written last.
+/// Note where the draft is not the one that was written last.
 const OLDER: &str = "The drawing that was not saved is an older copy, without what was drawn since. Its file \
                      (drawing.draft in the data folder) was replaced.";
 
-/// What is told where there is none and should be one.
+/// Note where there is none and should be one.
 const GONE: &str = "The drawing that was not saved is gone: its file (drawing.draft) was taken out of the data folder.";
 
-/// What is told where its file is another by now.
+/// Note where its file is another by now.
 const CHANGED: &str = "Its file was changed since it was opened: Save asks before it is replaced.";
 
 /// A drawing that is not saved.
@@ -40,7 +40,7 @@ const CHANGED: &str = "Its file was changed since it was opened: Save asks befor
 struct Draft {
     /// The file it came from or was saved in last.
     name: Option<String>,
-    /// Where the head goes when its job is done, mm from its origin; nothing for where the machine has it.
+    /// Place to which the head goes when its job is done, mm from its origin; nothing for that of the machine.
     finish: Option<[f64; 2]>,
     /// It as an RSG.
     drawing: String,
@@ -147,7 +147,7 @@ pub fn file_in(data: &Path) -> Counted {
 }
 
 impl Desk {
-    /// What would be lost.
+    /// Returns the draft of what would be lost.
     fn draft(&self) -> Option<Draft> {
         let drawing = &self.editor.drawing;
         let finish = self.finish.map(|at| [at.x, at.y]);

@@ -91,7 +91,7 @@ impl PartFolder {
         is_there.then(|| self.read(name)).transpose()
     }
 
-    /// When a file was changed: seconds since 1970.
+    /// Returns the time of a file's last change: seconds since 1970.
     ///
     /// # Errors
     /// As of [`PartFolder::read`].
@@ -121,7 +121,7 @@ impl PartFolder {
         RealDisk.write(&place, bytes).map_err(|error| problem(name, &error))
     }
 
-    /// What a folder holds, folders first; the part folder itself for an empty name.
+    /// Lists a folder, folders first; the part folder itself for an empty name.
     ///
     /// # Errors
     /// It is not there or lies elsewhere.

@@ -29,17 +29,17 @@ pub enum Way<'a> {
     Wish(&'a Wish),
     /// The machine's thread begins it.
     Order(&'a Order),
-    /// What runs goes on.
+    /// The run goes on.
     GoOn,
     /// A value of the registry is written over the network, under this key; a command comes as an act.
     Value(&'a str),
     /// A program on this computer passed a command in.
     PassedIn,
-    /// Whoever started Kerf here wrote it into the start-up line.
+    /// The start-up line with which Kerf was started here asks for it.
     StartUp,
 }
 
-/// What it takes.
+/// Conditions for something that is to be done.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Need {
     role: Role,
@@ -65,12 +65,12 @@ const fn need(role: Role) -> Need {
     Need { role, turn: Turn::Anybody, armed: false, unlocked: false }
 }
 
-/// Whoever drives may, also while the machine is disarmed.
+/// Returns the conditions for an act of the driver, also while the machine is disarmed.
 const fn holding(lease: u32) -> Need {
     Need { turn: Turn::Number(lease), ..need(Role::Operator) }
 }
 
-/// Whoever drives may, with the machine armed.
+/// Returns the conditions for an act of the driver, with the machine armed.
 const fn driving(turn: Turn) -> Need {
     Need { turn, armed: true, ..need(Role::Operator) }
 }
@@ -189,13 +189,13 @@ fn needs_of_answer(now: &Snapshot, question: Option<u32>, words: &str) -> Result
 const NO_MOTION: &str = "no answer moves the tool: hold a key of the keypad (jogStart), or nudge (nudge); both \
                          work while the question is open";
 
-/// Whether lines change what the machine is set to: the V commands and others that set it.
+/// Returns `true` if lines change what the machine is set to: the V commands and others that set it.
 fn changes_settings(lines: &str) -> bool {
     kerf_sbp::read_typed("command".into(), &format!("{lines}\n")).sets_machine()
 }
 
 impl Need {
-    /// Whether the machine may move by it, so that no stop may have come since it was asked for.
+    /// Returns `true` if the machine may move by it, so that no stop may have come since it was asked for.
     pub const fn moves(self) -> bool {
         self.armed
     }
@@ -234,7 +234,7 @@ pub fn pass(now: &Snapshot, who: &Who, way: Way<'_>) -> Result<Need, Problem> {
     need.met(now, who).map(|()| need)
 }
 
-/// Who has the machine, and how it is had from there.
+/// Refuses because somebody else drives: says who has the machine, and how it is had from there.
 pub fn driven_by(Lease { device, .. }: &Lease) -> Problem {
     let who = if device.is_empty() { "another page" } else { device };
     let text = format!(
@@ -288,7 +288,7 @@ fn open_here(options: &Options, act: &Act) -> Result<(), Problem> {
     Ok(())
 }
 
-/// Whether an act leaves the machine alone: it is about drawings and files, or it only stops.
+/// Returns `true` if an act leaves the machine alone: it is about drawings and files, or it only stops.
 const fn is_of_drawings(act: &Act) -> bool {
     matches!(
         act,
@@ -309,7 +309,7 @@ const fn is_of_drawings(act: &Act) -> bool {
     )
 }
 
-/// Whether an act is refused where only files are run.
+/// Returns `true` if an act is refused where only files are run.
 fn is_by_hand(act: &Act) -> bool {
     match act {
         Act::Command { line, .. } => {

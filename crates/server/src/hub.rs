@@ -1,4 +1,4 @@
-//! What every page shows, and who is told when it changes.
+//! The snapshot that every page shows, and those who are told when it changes.
 
 use crate::preview::Typed;
 use crate::problems::ProblemLog;
@@ -17,7 +17,7 @@ pub struct Hub {
     snapshot: Mutex<Arc<Snapshot>>,
     pages: broadcast::Sender<Arc<Told>>,
     problems: OnceLock<ProblemLog>,
-    /// How files ran.
+    /// Record of how files ran.
     pub ran: Ran,
     typed: Mutex<Typed>,
 }
@@ -121,12 +121,12 @@ impl Hub {
         });
     }
 
-    /// What was typed, as it is drawn.
+    /// Returns the path of what was typed, as it is drawn.
     pub fn typed(&self) -> MutexGuard<'_, Typed> {
         self.typed.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What was typed until now is not drawn any more.
+    /// Clears the path of what was typed until now.
     pub fn draws_typed_anew(&self) {
         self.changing(|now| {
             let mut typed = self.typed();

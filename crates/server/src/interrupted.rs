@@ -7,7 +7,7 @@ use kerf_control::Shelf;
 use kerf_control::journal::Journal;
 use kerf_wire::Interrupted;
 
-/// What the open file is known by, where it is what was cut short: pages show it as that which runs.
+/// Returns the hash of the open file, where that is what was cut short: pages show it as that which runs.
 pub fn hash_of_open(interrupted: &Interrupted, open: Open) -> Option<String> {
     let same_text = interrupted.hash.as_ref().is_none_or(|text| *text == hash(&open.bytes));
     (open.name == interrupted.file && same_text).then_some(open.hash)

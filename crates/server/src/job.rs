@@ -16,7 +16,7 @@ use kerf_toolpath::Job;
 use kerf_wire::{FileKind, JobChoice, JobPath, JobView, Problem, ShapePath, State, Why};
 use std::sync::Arc;
 
-/// What sort of file a name belongs to.
+/// Returns the sort of file that a name belongs to.
 pub fn kind_of(name: &str) -> FileKind {
     match extension(name).as_str() {
         job_file::EXTENSION => FileKind::Job,
@@ -26,7 +26,7 @@ pub fn kind_of(name: &str) -> FileKind {
 }
 
 impl App {
-    /// What an open file has the machine do.
+    /// Returns the work that an open file has for the machine.
     ///
     /// # Errors
     /// It is a drawing, or a path of a job has no room for its offset.
@@ -48,7 +48,7 @@ impl App {
         chosen(&open.choice).of(work).map_err(no_room)
     }
 
-    /// How many paths an open job has.
+    /// Returns the number of paths of an open job.
     pub fn path_count(&self, open: &Open) -> u32 {
         if kind_of(&open.name) == FileKind::Job {
             kerf_toolpath::read(&open.bytes).0.paths.len() as u32
@@ -228,7 +228,7 @@ impl App {
     }
 }
 
-/// What stands before the extension of a name.
+/// Returns a name without its extension.
 fn stem(name: &str) -> &str {
     name.rsplit_once('.').map_or(name, |(stem, _)| stem)
 }

@@ -1,4 +1,4 @@
-//! What a person at the machine does to the open job: where it lies, where it ends, which path is near.
+//! Acts of a person at the machine on the open job: where it lies, where it ends, which path is near.
 
 use crate::app::{App, Open, lock, problem};
 use crate::handconsole::Happening;
@@ -69,7 +69,7 @@ impl App {
         self.hold(&[(key, format!("{x},{y}"))], tells)
     }
 
-    /// Where the origin of the open job lies on the table, and where the head goes at its end; those of the
+    /// Returns the origin of the open job on the table, and the place of the head at its end; those of the
     /// machine where no job is open.
     pub(crate) fn lies(&self, open: &Open) -> [Point2; 2] {
         let (job, machine) = self.placed(open);

@@ -1,4 +1,4 @@
-//! What pages are told of a job as soon as its file is read, before its preview is there.
+//! Tells pages of a job as soon as its file is read, before its preview is there.
 
 use crate::app::Open;
 use kerf_control::job_file;

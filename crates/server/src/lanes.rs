@@ -6,7 +6,7 @@ use kerf_wire::Act;
 /// Longest line that is read in a moment, bytes.
 const LINE: usize = 4096;
 
-/// How long an act takes.
+/// Sorts acts by how long they take.
 pub trait Lanes {
     /// In which lane it is done; nothing for what is done at once. This is the list of what is fast: what is not on
     /// it is not.

@@ -89,12 +89,12 @@ use stop::{Door, StopWay};
 use tokio::net::TcpListener;
 use tokio::runtime::{Builder, Runtime};
 
-/// How often it is looked whether the server is to end.
+/// Time between two looks whether the server is to end.
 const LOOK: Duration = Duration::from_millis(100);
 
 /// A server that runs, until it is dropped.
 pub struct Server {
-    /// Where it listens.
+    /// Address at which it listens.
     pub address: SocketAddr,
     app: Arc<App>,
     /// Told when a part file closed Kerf.
@@ -174,7 +174,7 @@ impl Server {
         self.app.link.stop();
     }
 
-    /// Whether the machine moves.
+    /// Returns `true` while the machine moves.
     pub fn moves(&self) -> bool {
         self.app.state() == kerf_wire::State::Running
     }

@@ -8,19 +8,19 @@ use std::time::Duration;
 
 /// From here on long work is refused, bytes.
 const TIGHT: u64 = 400 << 20;
-/// How often it is looked.
+/// Time between two looks.
 const LOOK: Duration = Duration::from_millis(250);
 
-/// What is told where work is refused.
+/// Answer where work is refused.
 pub const REFUSED: &str =
     "the server's memory is used up by what it does: ask again when that is done";
 
-/// Whether memory is tight.
+/// State of the memory: tight or not.
 #[derive(Clone, Debug, Default)]
 pub struct Memory(Arc<AtomicBool>);
 
 impl Memory {
-    /// Whether long work is refused now.
+    /// Returns `true` while long work is refused.
     pub fn is_tight(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

@@ -1,4 +1,4 @@
-//! What pages show of a drawing: its state, its shapes, the paths of the tool.
+//! The drawing as pages show it: its state, its shapes, the paths of the tool.
 
 use crate::app::{App, lock};
 use crate::awaited::Awaited;
@@ -23,7 +23,7 @@ impl App {
         }
     }
 
-    /// What the drawing becomes when it is machined. Where there are no paths, the notes say why.
+    /// Returns what the drawing becomes when it is machined. Where there are no paths, the notes say why.
     pub fn tool_paths(&self, awaited: &Awaited) -> ToolPaths {
         let shaping = self.shaping();
         // On a copy, which shares the shapes: hands need not wait for paths.

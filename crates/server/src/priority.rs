@@ -1,14 +1,14 @@
-//! How important threads are. The machine's thread and that of STOP are above all others: whatever else this server
+//! Priorities of threads. The machine's thread and that of STOP are above all others: whatever else this server
 //! does gives way to them.
 
-/// How far a thread gives way.
+/// Degree to which a thread gives way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Yields {
     /// Connections: what pages ask and are told.
     Front,
-    /// What is done for pages in a moment, drafts.
+    /// Work of a moment for pages, drafts.
     Aside,
-    /// What takes a while: tool paths, previews, checks.
+    /// Work that takes a while: tool paths, previews, checks.
     Last,
 }
 

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 /// Its name in the data folder.
 const FILE: &str = "problem.log";
-/// What is kept of it when the server starts, bytes.
+/// Size of what is kept of it when the server starts, bytes.
 const KEPT: usize = 64 * 1024;
 /// Lines that a request for help shows.
 const SHOWN: usize = 100;
@@ -64,7 +64,7 @@ impl ProblemLog {
 }
 
 impl App {
-    /// What somebody who helps has to know: versions and places, and the last of the problem log.
+    /// Returns what somebody who helps has to know: versions and places, and the last of the problem log.
     ///
     /// # Errors
     /// The files of the machine cannot be looked at.

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, TryLockError};
 use std::time::Duration;
 
-/// How long a page may change settings after it gave the password.
+/// Time for which a page may change settings after it gave the password.
 const OPEN: Duration = Duration::from_secs(15 * 60);
 
 /// Pages and scripts that gave the password, and until when it counts.
@@ -26,7 +26,7 @@ impl Unlocked {
         Self { clock, until: Mutex::default() }
     }
 
-    /// Whether somebody has given it, and it still counts.
+    /// Returns `true` if somebody has given it, and it still counts.
     pub fn has(&self, client: u32) -> bool {
         lock(&self.until).get(&client).is_some_and(|until| *until > self.clock.now())
     }
@@ -82,7 +82,7 @@ impl App {
         Ok(())
     }
 
-    /// Whether somebody may change settings.
+    /// Checks that somebody may change settings.
     ///
     /// # Errors
     /// The settings are protected, and the password is missing or wrong.
@@ -131,7 +131,7 @@ impl App {
     }
 }
 
-/// What is kept of a new password.
+/// Returns what is kept of a new password.
 fn kept(new: &str, again: &str) -> Result<String, Problem> {
     if new != again {
         return Err(problem(Why::Mistake, "the two passwords are not the same"));

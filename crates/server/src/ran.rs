@@ -19,7 +19,7 @@ const FILE: &str = "ran";
 #[derive(Debug, Default)]
 pub struct Ran {
     runs: Mutex<BTreeMap<String, LastRun>>,
-    /// Where they are kept; nowhere in a hub of a test.
+    /// File in which they are kept; none in a hub of a test.
     file: OnceLock<PathBuf>,
 }
 

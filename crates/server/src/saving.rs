@@ -22,9 +22,9 @@ const ANY: &str = "*";
 pub enum Leave {
     /// Only where nothing lies under the name.
     Nothing,
-    /// Where the file there has this hash: it is the one that was read, or that somebody was asked about.
+    /// Only where the file there has this hash: it is the one that was read, or that somebody was asked about.
     Of(String),
-    /// Whatever lies there.
+    /// Over anything that lies there.
     Anything,
 }
 
@@ -150,7 +150,7 @@ impl Saves {
     }
 }
 
-/// What lies under a name.
+/// Describes the file under a name.
 ///
 /// # Errors
 /// Nothing does, or it cannot be read.

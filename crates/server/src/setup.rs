@@ -1,4 +1,4 @@
-//! What the server is given: the machine, its folders, how pages may reach it.
+//! Equipment of the server: the machine, its folders, how pages may reach it.
 
 use kerf_control::{Session, Shelf, Started};
 use std::io;
@@ -6,10 +6,10 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// How the server is started.
+/// Options with which the server is started.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// Where it listens.
+    /// Address at which it listens.
     pub listen: SocketAddr,
     /// Other machines may connect, after pairing.
     pub lan: bool,
@@ -23,7 +23,7 @@ pub struct Options {
     pub drawing_only: bool,
     /// Opened at the start: a file of the part folder.
     pub open: Option<String>,
-    /// What a start-up line says of pages.
+    /// Settings of a start-up line for pages.
     pub start: Option<kerf_wire::StartUp>,
     /// Lines that are carried out at once, one after the other.
     pub begin_with: Vec<String>,

@@ -1,4 +1,4 @@
-//! What pages ask for besides driving: how a file is run, the folder it comes from, the recorder, what is
+//! Acts of pages besides driving: how a file is run, the folder it comes from, the recorder, what is
 //! watched, switches of the simulated machine.
 
 use crate::app::{App, hash, lock, problem};
@@ -15,7 +15,7 @@ const MOST_WATCHED: usize = 50;
 /// Longest line that is recorded, and longest name that is watched, characters.
 const LONGEST: usize = 1000;
 
-/// Whether parameters make sense.
+/// Checks that parameters make sense.
 ///
 /// # Errors
 /// Which of them does not.

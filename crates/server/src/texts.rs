@@ -16,10 +16,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// What the files of drafts end with.
+/// Extension of the files of drafts.
 const DRAFT: &str = "draft";
 
-/// What those end with that cannot be read.
+/// Extension of those that cannot be read.
 const UNREAD: &str = "unread";
 
 /// The drafts of the editor.
@@ -193,7 +193,7 @@ mod tests {
         }
     }
 
-    /// What a page types into a file, having seen a text of it.
+    /// Keeps what a page types into a file, having seen a text of it.
     fn typed(texts: &Texts, page: &str, text: &str, seen: &str) -> bool {
         let seen = if seen.is_empty() { String::new() } else { revision(seen) };
         let typed = TextDraft { page: page.into(), revision: seen, ..draft("a.sbp", text, "") };

@@ -33,7 +33,7 @@ pub fn digitized(points: &Digitizer, origin: [f64; 2]) -> Digitized {
     }
 }
 
-/// How a run ended, for whoever waits for it: why, when it did not come to its end.
+/// Tells how a run ended, for whoever waits for it: why, when it did not come to its end.
 /// Nothing more is told of one that did.
 pub fn outcome(driven: &Result<Summary, JournalError>) -> Result<String, String> {
     let summary = driven.as_ref().map_err(ToString::to_string)?;
@@ -44,7 +44,7 @@ pub fn outcome(driven: &Result<Summary, JournalError>) -> Result<String, String>
     }
 }
 
-/// What a run came to.
+/// Returns the summary of a run.
 pub fn summary(summary: &Summary) -> RunSummary {
     let tally = &summary.tally;
     let bounds = (!tally.bounds.is_empty()).then_some([tally.bounds.min, tally.bounds.max]);
@@ -65,12 +65,12 @@ pub fn positions(frame: &Frame, machine: Axes) -> Positions {
     Positions { working: frame.working(machine).0, base: frame.base(machine).0, machine: machine.0 }
 }
 
-/// What running a file means: SP draws only, SM moves.
+/// Returns the effect of running a file: SP draws only, SM moves.
 pub const fn mode(session: &Session) -> Mode {
     if session.memory.before_preview.is_some() { Mode::Preview } else { Mode::Simulated }
 }
 
-/// What a person reads lengths in.
+/// Returns the units in which a person reads lengths.
 pub fn units(settings: &Settings) -> Units {
     let axes = Axis::ALL.into_iter().map(|axis| axis_units(settings, axis)).collect();
     Units {
@@ -145,7 +145,7 @@ pub fn named(values: impl IntoIterator<Item = (String, String)>) -> Vec<NamedVal
     values.into_iter().map(|(name, value)| NamedValue { name, value }).collect()
 }
 
-/// How a diagnostic is meant.
+/// Returns the tone in which a diagnostic is told.
 pub const fn tone(found: &Diagnostic) -> Tone {
     match found.severity {
         Severity::Error => Tone::Error,

@@ -1,4 +1,4 @@
-//! How a turn at driving ends that nobody gave up: a page ends it by going; a script, which has no connection that
+//! Ends turns at driving that nobody gave up: a page ends one by going; a script, which has no connection that
 //! could end, by not being heard; and both when their device is revoked.
 
 use crate::app::{App, lock};
@@ -12,10 +12,10 @@ use std::time::Duration;
 /// So long a script drives that is not heard.
 pub const SILENCE: Duration = Duration::from_secs(10);
 
-/// How often it is looked whether one is.
+/// Time between two looks whether a script is silent.
 const LOOK: Duration = Duration::from_millis(250);
 
-/// What is known of the turn that goes on.
+/// The turn that goes on, as far as it is known.
 #[derive(Debug)]
 pub struct Turn {
     clock: Clock,
@@ -24,7 +24,7 @@ pub struct Turn {
 
 #[derive(Debug, Default)]
 struct Inner {
-    /// When whoever drives was heard last.
+    /// Moment when whoever drives was heard last.
     heard: Duration,
     /// The turn in which what runs was begun.
     run_of: u32,
@@ -36,7 +36,7 @@ impl Turn {
         Self { clock, inner: Mutex::default() }
     }
 
-    /// Whoever drives was heard.
+    /// Notes that whoever drives was heard.
     pub fn heard(&self) {
         lock(&self.inner).heard = self.clock.now();
     }
@@ -46,7 +46,7 @@ impl Turn {
         lock(&self.inner).run_of = lease;
     }
 
-    /// Whether whoever has this turn is not heard any more. While something of the turn runs it goes on.
+    /// Returns `true` if whoever has this turn is not heard any more. While something of the turn runs it goes on.
     fn is_silent(&self, lease: u32, runs: bool) -> bool {
         let mut inner = lock(&self.inner);
         if runs && inner.run_of == lease {

@@ -1,5 +1,6 @@
-//! Who may what, where no request names it: wishes of the hand console, and every kind of question. Each cell is tried at
-//! an app without a network; what acts, values and routes are told over the network is tried in `tests/who_may_what`.
+//! Table of who may what, where no request names it: wishes of the hand console, and every kind of question. Each
+//! cell is tried at an app without a network; what acts, values and routes are told over the network is tried in
+//! `tests/who_may_what`.
 
 use crate::bench::{Bench, bench};
 use crate::people::Grip;
@@ -15,7 +16,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::channel;
 
-/// Who asks, and whether that is whoever drives.
+/// Callers, and whether each is whoever drives.
 const CALLERS: [(&str, Role, bool); 6] = [
     ("observer", Role::Observer, false),
     ("operator", Role::Operator, false),
@@ -25,7 +26,7 @@ const CALLERS: [(&str, Role, bool); 6] = [
     ("owner", Role::Owner, false),
 ];
 
-/// What the machine does, and whether it is armed.
+/// States of the machine, and whether it is armed.
 const STATES: [(char, State, bool); 8] = [
     ('D', State::Idle, false),
     ('A', State::Idle, true),
@@ -37,7 +38,7 @@ const STATES: [(char, State, bool); 8] = [
     ('q', State::Asking, false),
 ];
 
-/// What is asked for.
+/// The request of a row.
 enum Asks {
     Wish(Wish),
     Answer(QuestionKind, &'static str),
@@ -51,7 +52,7 @@ struct Row {
     moves: bool,
 }
 
-/// What a wish is called, and whether it takes whoever drives. A wish that is none of these does not compile.
+/// Returns the name of a wish, and whether it takes whoever drives. A wish that is none of these does not compile.
 const fn of_wish(wish: &Wish) -> (&'static str, bool) {
     match wish {
         Wish::Stop => ("stop", false),
@@ -97,8 +98,8 @@ fn wishes() -> Vec<Row> {
     all.into_iter().map(row).collect()
 }
 
-/// What is answered to a kind of question, and whether the machine goes on by it. A kind that is none of these does not
-/// compile.
+/// Returns the answers to a kind of question, and whether the machine goes on by each. A kind that is none of these
+/// does not compile.
 const fn words(kind: QuestionKind) -> &'static [(&'static str, bool)] {
     const JOG: (&str, bool) = ("jog 0,400,0,0,0,0 1", true);
     match kind {
@@ -135,7 +136,7 @@ fn questions() -> Vec<Row> {
     KINDS.iter().flat_map(|kind| words(*kind).iter().map(|said| row(*kind, said))).collect()
 }
 
-/// What somebody is told who asks for that.
+/// Returns what somebody is told who asks for that.
 fn told(
     bench: &Bench,
     row: &Row,
@@ -206,7 +207,7 @@ fn word(done: Result<(), Problem>) -> String {
     .into()
 }
 
-/// What is told in every state, or each word with the states in which it is.
+/// Returns what is told in every state, or each word with the states in which it is.
 fn cell(told: &[(char, String)]) -> String {
     let mut words: Vec<(&str, String)> = Vec::new();
     for (state, word) in told {

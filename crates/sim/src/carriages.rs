@@ -1,4 +1,4 @@
-//! Where axes truly are, and what their home switches tell of it.
+//! True places of the axes, and what their home switches tell of them.
 //!
 //! The controller believes an axis to be where it has sent it. Each motor's carriage is off from that by
 //! what nobody told the controller: where the machine stood when it was switched on, a push by hand, a
@@ -14,7 +14,7 @@ use kerf_program::{AXES, Axes, Axis};
 /// Time between two looks at a switch, seconds.
 const LOOK_S: f64 = 0.001;
 
-/// How exactly the moment of a change is sought, seconds.
+/// Precision with which the moment of a change is sought, seconds.
 const EXACT_S: f64 = 1e-9;
 
 /// The carriages of all axes.
@@ -26,7 +26,7 @@ pub(crate) struct Carriages {
     alone: Option<(Axis, usize)>,
 }
 
-/// What one motor carries.
+/// Carriage that one motor moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Carriage {
     /// True place less the place that is believed.
@@ -39,7 +39,7 @@ struct Carriage {
 }
 
 impl Carriage {
-    /// What the switch reads at a true place.
+    /// Returns the state that the switch reads at a true place.
     fn reads(&self, place: f64, hysteresis: f64) -> bool {
         let Some(at) = self.switch_at else { return false };
         let beyond = self.side * (place - at);
@@ -66,7 +66,7 @@ impl Carriages {
         Self { axes, hysteresis: simulated.hysteresis, alone: None }
     }
 
-    /// How far each carriage is off.
+    /// Returns how far each carriage is off.
     pub fn astray(&self) -> Vec<Vec<f64>> {
         self.axes.iter().map(|axis| axis.iter().map(|it| it.astray).collect()).collect()
     }
@@ -78,7 +78,7 @@ impl Carriages {
         }
     }
 
-    /// Whether a switch of these motors is on.
+    /// Tells whether a switch of these motors is on.
     pub fn is_on(&self, axis: Axis, which: Which) -> bool {
         let axis = &self.axes[axis.index()];
         match which {
@@ -126,7 +126,7 @@ impl Carriages {
         self.settle(believed);
     }
 
-    /// What was believed to be a place is zero from now on.
+    /// Makes a place that was believed the zero from now on.
     pub fn zeroed(&mut self, axis: Axis, place: f64) {
         self.axes[axis.index()].iter_mut().for_each(|it| it.astray += place);
     }
@@ -141,7 +141,7 @@ impl Carriages {
         }
     }
 
-    /// When lines of switches change while a plan is made: seconds of the plan, line, state.
+    /// Returns when lines of switches change while a plan is carried out: seconds of the plan, line, state.
     pub fn foresee(&self, plan: &Plan) -> Vec<(f64, u8, bool)> {
         if self.axes.iter().flatten().all(|it| it.switch_at.is_none()) {
             return Vec::new();
@@ -161,7 +161,7 @@ impl Carriages {
         changes
     }
 
-    /// Whether a switch can change on the way of a move.
+    /// Tells whether a switch can change on the way of a move.
     fn may_change(&self, made: &Move) -> bool {
         let bulge = match made.path {
             Path::Arc { centre, .. } => {
@@ -206,7 +206,7 @@ impl Carriages {
         *self = after;
     }
 
-    /// When one switch is passed between two moments.
+    /// Finds the moment at which one switch is passed, between two others, seconds of the plan.
     fn moment_of(
         &self,
         plan: &Plan,
@@ -248,7 +248,7 @@ impl Carriages {
         }
     }
 
-    /// When the lines change between two moments, to the first change.
+    /// Finds the moment at which the lines first change, between two others, seconds of the plan.
     fn moment(&self, plan: &Plan, from: Axes, [mut low_s, mut high_s]: [f64; 2]) -> f64 {
         let changed = |t_s: f64| {
             let mut there = self.clone();

@@ -24,7 +24,7 @@ impl Chance {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// Whether something happens that does so in so many of a hundred cases.
+    /// Returns `true` in so many of a hundred cases, by chance.
     pub fn happens(&mut self, percent: u32) -> bool {
         self.next() % 100 < u64::from(percent)
     }

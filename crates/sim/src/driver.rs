@@ -6,10 +6,10 @@ use kerf_machine::driver::{
 use kerf_program::Axes;
 use std::collections::VecDeque;
 
-/// How quickly it gains and loses speed, mm/s².
+/// Acceleration with which it gains and loses speed, mm/s².
 const ACCEL_MM_S2: f64 = 500.0;
 
-/// Who hears nothing for so long stops by itself, seconds.
+/// Silence after which a driver that still has orders stops by itself, seconds.
 const WATCHDOG_S: f64 = 1.0;
 
 /// Time is followed in steps of this, seconds.
@@ -56,12 +56,12 @@ impl Default for SimDriver {
 }
 
 impl SimDriver {
-    /// What was carried out to its end, in order.
+    /// Returns the orders that were carried out to their end, in order.
     pub fn made(&self) -> &[Sent] {
         &self.made
     }
 
-    /// Where it is.
+    /// Returns its place, whether it moves, its outputs and the last order that is done.
     pub fn standing(&self) -> Standing {
         let (position, outputs, done) = (self.position, self.outputs, self.done);
         Standing { position, moving: self.speed_mm_s > 0.0, outputs, done }

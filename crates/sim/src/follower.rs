@@ -9,7 +9,7 @@ pub(crate) const TICK_S: f64 = 0.001;
 /// Without a reading for so long the sensor counts as lost, seconds (ledger notes, 84).
 const SILENCE_S: f64 = 0.1;
 
-/// What the head senses.
+/// State that the head senses.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Sensed {
     /// Distance of the sensor to the sheet, mm, when there is one: less what a way between paths is higher than a
@@ -30,21 +30,21 @@ pub(crate) struct Sensed {
 /// A reading of the sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reading {
-    /// What it says, 0 … 255.
+    /// Value of the reading, 0 … 255.
     pub value: u8,
-    /// How far the gap is from what is wanted, mm.
+    /// Difference of the gap from the one that is wanted, mm.
     pub error_mm: f64,
 }
 
-/// How far Z has been carried beside the plan, and how it moves.
+/// Distance that Z has been carried beside the plan, and its motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Follower {
-    /// How far, mm.
+    /// Distance from the plan, mm.
     pub offset_mm: f64,
     mm_s: f64,
-    /// Where it is to go.
+    /// Distance from the plan to which it is to go, mm.
     target_mm: f64,
-    /// When the next reading comes, seconds of machine time.
+    /// Time of the next reading, seconds of machine time.
     reading_s: f64,
     /// For how long a reading has been missing, seconds.
     silent_s: f64,
@@ -76,7 +76,7 @@ impl Follower {
         self.silent_s = if missing { self.silent_s + TICK_S } else { 0.0 };
     }
 
-    /// Whether readings have been missing for too long.
+    /// Tells whether readings have been missing for too long.
     pub fn is_lost(&self) -> bool {
         self.silent_s > SILENCE_S - 1e-9
     }
@@ -155,7 +155,7 @@ mod tests {
         }
     }
 
-    /// What Z does from one millisecond to the next while an input is on and after, mm.
+    /// Returns the steps of Z from one millisecond to the next while an input is on and after, mm.
     fn ways(low: bool, on_ms: u32) -> Vec<f64> {
         let gauge = Gauge::Simple { high: 17, low: 20 };
         let (law, mut z) = (HeightLaw { gauge, ..law() }, Follower::default());

@@ -21,15 +21,15 @@ pub struct Watched {
 /// A moment at which motion is stopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Halt {
-    /// When the input changed, seconds of machine time.
+    /// Time at which the input changed, seconds of machine time.
     pub t_s: f64,
-    /// Why.
+    /// Cause of the halt.
     pub cause: HaltCause,
-    /// Whether motion slows along its ramp.
+    /// Motion slows along its ramp.
     pub ramped: bool,
 }
 
-/// Why motion is stopped.
+/// Cause for which motion is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HaltCause {
     /// A watched input changed; the index into the list of watches.
@@ -44,7 +44,7 @@ pub enum HaltCause {
     Stall,
 }
 
-/// What stops a machine beside stops and what is watched.
+/// Inputs that stop a machine beside stops and watched ones.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Heeds<'a> {
     /// Limits; where nothing moves they have nothing to stop.

@@ -11,9 +11,9 @@ use serde::{Deserialize, Serialize};
 pub struct Push {
     /// The axis.
     pub axis: Axis,
-    /// When, seconds of machine time.
+    /// Time of the push, seconds of machine time.
     pub at_s: f64,
-    /// How far, mm or degrees.
+    /// Distance of the push, mm or degrees.
     pub by: f64,
 }
 
@@ -22,7 +22,7 @@ pub struct Push {
 pub(crate) struct Hand {
     /// The next one last.
     script: Vec<Push>,
-    /// How far the axes are from where the controller believes them.
+    /// Distance of each axis from where the controller believes it, mm or degrees.
     pub astray: Axes,
 }
 

@@ -3,9 +3,9 @@
 
 use kerf_program::settings::{Height, IoModes};
 
-/// Where it stands without heat, degrees.
+/// Temperature without heat, degrees.
 const AMBIENT: f64 = 20.0;
-/// How far full heat brings it above that in the end, degrees.
+/// Rise above it that full heat brings in the end, degrees.
 const FULL: f64 = 600.0;
 /// In such a time it comes to within 37 % of where it tends, seconds.
 const TIME_S: f64 = 60.0;
@@ -30,7 +30,7 @@ impl Default for Heater {
     }
 }
 
-/// Whether VN and VH let it be controlled: analog inputs are 3 to 5 of VN's third value.
+/// Returns `true` if VN and VH let it be controlled: analog inputs are 3 to 5 of VN's third value.
 pub(crate) const fn active(height: &Height, modes: &IoModes) -> bool {
     height.on && modes.analog >= 3 && height.temperature > 0.0
 }
@@ -46,7 +46,7 @@ impl Heater {
         self.degrees
     }
 
-    /// Whether it heats.
+    /// Tells whether it heats.
     pub(crate) const fn heats(&self) -> bool {
         self.heats
     }

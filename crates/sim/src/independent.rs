@@ -2,7 +2,7 @@
 
 use kerf_program::Independent;
 
-/// What an axis does beside the planned motion.
+/// Motion of an axis beside the planned one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spin {
     since_s: f64,
@@ -47,12 +47,12 @@ impl Spin {
         self.since_s -= by_s;
     }
 
-    /// What it does now.
+    /// Returns its motion now.
     pub(crate) const fn motion(&self) -> Independent {
         self.motion
     }
 
-    /// Whether it moves.
+    /// Tells whether it moves.
     pub(crate) fn moves(&self) -> bool {
         self.motion != Independent::Off
     }

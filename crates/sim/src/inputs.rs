@@ -12,7 +12,7 @@ use std::str::FromStr;
 pub struct Change {
     /// Its number.
     pub input: u8,
-    /// When, seconds of machine time.
+    /// Time of the change, seconds of machine time.
     pub at_s: f64,
     /// Its state from then on.
     pub on: bool,
@@ -54,7 +54,7 @@ pub fn input_number(text: &str) -> Result<u8, String> {
     number.or_else(named).ok_or_else(unknown)
 }
 
-/// What an input does to motion (command reference, VN).
+/// Effect of an input on motion (command reference, VN).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Duty {
     /// Nothing.
@@ -88,11 +88,11 @@ const ALL: usize = LINES + NOTICED + 1;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inputs {
     script: Vec<Change>,
-    /// How many changes of the script have happened.
+    /// Number of changes of the script that have happened.
     done: usize,
-    /// What the sensors of the head will tell while the machine follows its plan, in order of time.
+    /// Changes that the sensors of the head will tell while the machine follows its plan, in order of time.
     foreseen: VecDeque<Change>,
-    /// How the pins of the ports are wired.
+    /// Wiring of the pins of the ports.
     pins: IoMap,
     /// Contact closed or open, of a port the level of its pin; `None` for an input no script speaks of: it
     /// stays at rest.
@@ -159,13 +159,13 @@ impl Inputs {
         self.script.insert(place, change);
     }
 
-    /// Whether a script moves an input, or somebody has by hand: nothing that is simulated does then.
+    /// Returns `true` if a script moves an input, or somebody has by hand: then nothing that is simulated moves it.
     pub(crate) fn is_told(&self, number: u8) -> bool {
         let by_hand = index(number).and_then(|i| self.by_hand.get(i)).is_some_and(Option::is_some);
         by_hand || self.script.iter().any(|change| change.input == number)
     }
 
-    /// What a program reads: ON or OFF. The emergency stop reads ON when it is pressed, however it
+    /// Returns what a program reads: ON or OFF. The emergency stop reads ON when it is pressed, however it
     /// is wired.
     pub fn reads(&self, number: u8, modes: &IoModes) -> bool {
         index(number).is_some_and(|i| signal(number, self.closed(i, modes), modes))
@@ -188,7 +188,7 @@ impl Inputs {
         Some(t_s)
     }
 
-    /// Whether an input now forbids motion, and its number.
+    /// Returns the number of the first input that forbids motion now; nothing when none does.
     pub(crate) fn stopping(&self, modes: &IoModes) -> Option<u8> {
         let active = |n: &u8| {
             let i = usize::from(*n) - 1;
@@ -278,7 +278,7 @@ impl Inputs {
         self.foreseen = changes.into_iter().map(level).collect();
     }
 
-    /// Whether a contact is closed; of a pin, what its input reads.
+    /// Tells whether a contact is closed; of a pin, what its input reads.
     fn closed(&self, i: usize, modes: &IoModes) -> bool {
         let number = number_of(i);
         match self.contact[i] {
@@ -309,7 +309,7 @@ pub(crate) fn signal(number: u8, closed: bool, modes: &IoModes) -> bool {
     if number == STOP_INPUT { triggers(number, closed, modes) } else { closed }
 }
 
-/// Whether a contact in this state triggers the input.
+/// Tells whether a contact in this state triggers the input.
 pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
     closed != normally_closed(number, modes)
 }
@@ -326,7 +326,7 @@ fn switches(modes: &IoModes) -> impl Iterator<Item = u8> {
     (1..=last).chain(beyond)
 }
 
-/// What an input does to motion.
+/// Returns the effect of an input on motion.
 pub fn duty(number: u8, modes: &IoModes) -> Duty {
     match number {
         CABLE => return Duty::Cable,

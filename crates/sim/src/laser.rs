@@ -10,7 +10,7 @@ const LASER: u8 = 2;
 /// The channel a laser is connected to.
 pub(crate) const CHANNEL: u8 = 1;
 
-/// Whether the laser is controlled now.
+/// Tells whether the laser is controlled now.
 pub(crate) const fn active(height: &Height, modes: &IoModes) -> bool {
     height.on && modes.analog == LASER
 }

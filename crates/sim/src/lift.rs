@@ -1,4 +1,4 @@
-//! How height control carries Z beside the plan over one move.
+//! Distances by which height control carries Z beside the plan over one move.
 
 /// The distance that Z is carried at each moment; evenly between two moments, constant before the first and after the last.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -1,13 +1,13 @@
-//! What happened, and when.
+//! Log of what happened, and when.
 
 use kerf_program::{AXES, Axis, Independent, OutputReason};
 
 /// One thing that happened.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Happening {
-    /// When, seconds of machine time.
+    /// Time, seconds of machine time.
     pub t_s: f64,
-    /// What.
+    /// Event with its details.
     pub what: What,
 }
 
@@ -31,7 +31,7 @@ pub enum What {
         number: u8,
         /// Its state from now on.
         on: bool,
-        /// What made it change.
+        /// Cause of the change.
         why: OutputReason,
     },
     /// The duty of a PWM channel changed; between two changes of one move it changes evenly.
@@ -52,16 +52,16 @@ pub enum What {
     },
     /// Height control took a reading.
     Height {
-        /// Where the tool is, Z of the machine frame, mm.
+        /// Height of the tool, Z of the machine frame, mm.
         z_mm: f64,
-        /// How far the gap is from what is wanted, mm.
+        /// Difference of the gap from the one that is wanted, mm.
         error_mm: f64,
-        /// What the sensor said, 0 … 255.
+        /// Reading of the sensor, 0 … 255.
         reading: u8,
     },
     /// Height control carried Z as far as here: it turns round, comes to rest, or the move is over.
     Carried {
-        /// Where the tool is, Z of the machine frame, mm.
+        /// Height of the tool, Z of the machine frame, mm.
         z_mm: f64,
     },
     /// The pulse frequency of a laser was set, Hz.
@@ -72,7 +72,7 @@ pub enum What {
         number: u8,
         /// Revolutions a minute.
         rpm: f64,
-        /// Whether its output is on.
+        /// Its output is on.
         on: bool,
     },
     /// The warning light before and during motion.
@@ -83,7 +83,7 @@ pub enum What {
     Pushed {
         /// The axis.
         axis: Axis,
-        /// How far it gave way, mm or degrees: not at all while its motor holds it.
+        /// Distance that it gave way, mm or degrees: none while its motor holds it.
         by: f64,
     },
     /// Coarser steps began or ended, each axis by its factor (command reference, VU).
@@ -92,7 +92,7 @@ pub enum What {
     Independent {
         /// The axis.
         axis: Axis,
-        /// What it does.
+        /// Its motion from now on.
         motion: Independent,
     },
 }

@@ -36,16 +36,16 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Machine {
     clock_s: f64,
-    /// Where planned motion has brought it, machine frame.
+    /// Position that planned motion has reached, machine frame.
     position: Axes,
     frame: Frame,
     settings: Arc<Settings>,
     inputs: Inputs,
     outputs: Outputs,
     spins: [Spin; AXES],
-    /// How far the torch has carried Z.
+    /// Motion of Z by the torch, beside the plan.
     torch: Spin,
-    /// How fast it does so now.
+    /// Speed of that motion now, mm/s, upwards or downwards.
     torch_mm_s: f64,
     heater: Heater,
     motors: Motors,
@@ -54,23 +54,23 @@ pub struct Machine {
     /// Axes that may have been moved by hand while they had none.
     unverified: AxisSet,
     hand: Hand,
-    /// Where the axes truly are.
+    /// True places of the axes.
     carriages: Carriages,
-    /// Where each axis may go, machine frame.
+    /// Range in which each axis may go, machine frame.
     bounds: [Option<(f64, f64)>; AXES],
     /// Factors of coarser steps.
     coarse: [u8; AXES],
     pwm_percent: f64,
     beam: Beam,
-    /// When the beam that follows the speed goes off, in the move under way.
+    /// Time at which the beam that follows the speed goes off, in the move under way.
     beam_ends_s: Option<f64>,
     sheet: Option<Sheet>,
-    /// What switches feel where the tool is.
+    /// Bodies on the table, and the inputs that change where the tool is inside of them.
     touches: Arc<[Touch]>,
     /// Height control, while it is on.
     law: Option<HeightLaw>,
     follower: Follower,
-    /// What the intensity output gives: value and burn bit.
+    /// State of the intensity output: value and burn bit.
     intensity: (u8, bool),
     light: bool,
     /// Outputs of mode 2 that a stop switched off: they come back when motion goes on.
@@ -174,7 +174,7 @@ impl Machine {
         self
     }
 
-    /// Whether commands are only drawn (SP): outputs, waits and inputs have no effect.
+    /// Returns `true` while commands are only drawn (SP): outputs, waits and inputs have no effect.
     pub const fn draws(&self) -> bool {
         self.drawing_from.is_some()
     }
@@ -184,12 +184,12 @@ impl Machine {
         self.clock_s
     }
 
-    /// Where planned motion has brought it, machine frame.
+    /// Returns the position that planned motion has reached, machine frame.
     pub const fn position(&self) -> Axes {
         self.position
     }
 
-    /// Where it is, axes that move on their own included, machine frame.
+    /// Returns its position, axes that move on their own included, machine frame.
     pub fn true_position(&self) -> Axes {
         let mut place = self.position;
         for axis in Axis::ALL {
@@ -205,7 +205,7 @@ impl Machine {
         moving.fold(AxisSet::EMPTY, AxisSet::with)
     }
 
-    /// What moves by itself.
+    /// Lists the axes that move by themselves, with their motions.
     pub fn moving_alone(&self) -> Vec<(Axis, Independent)> {
         self.spinning().iter().map(|axis| (axis, self.spins[axis.index()].motion())).collect()
     }
@@ -225,7 +225,7 @@ impl Machine {
         &self.outputs
     }
 
-    /// What happened since this was asked last.
+    /// Returns the log of what happened since it was last emptied.
     pub const fn log(&mut self) -> &mut Log {
         &mut self.log
     }

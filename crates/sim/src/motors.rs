@@ -9,7 +9,7 @@ use kerf_program::{AXES, Axes, Settings};
 pub(crate) struct Motors {
     /// Steps made, with the part of a step still to come.
     turned: [f64; AXES],
-    /// Where the axes were when that was worked out, machine frame.
+    /// Places of the axes when that was worked out, machine frame.
     seen: Axes,
 }
 

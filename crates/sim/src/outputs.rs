@@ -13,7 +13,7 @@ impl Outputs {
         self.0.get(i).copied().unwrap_or_default()
     }
 
-    /// Whether any is on.
+    /// Tells whether any is on.
     pub fn is_any_on(&self) -> bool {
         self.0.contains(&true)
     }
@@ -28,7 +28,7 @@ impl Outputs {
 /// The output that follows motion (command reference, SO).
 pub(crate) const MOTION_OUTPUT: u8 = 4;
 
-/// When an output is switched without a command (command reference, VN fields 15-26).
+/// Occasion on which an output is switched without a command (command reference, VN fields 15-26).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Occasion {
     /// A part file starts.

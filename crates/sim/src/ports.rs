@@ -4,7 +4,7 @@
 use kerf_machine::settings::motors::{MOTORS, Motor};
 use kerf_machine::wiring::{Bit, OUTPUT_BITS, Port};
 
-/// What the ports say, and how many steps each motor has been given.
+/// Bytes of the ports, and the number of steps that each motor has been given.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Ports {
     /// Outputs A, B, C.
@@ -15,7 +15,7 @@ pub struct Ports {
     steps: [i64; MOTORS],
 }
 
-/// Why diagnostics do nothing.
+/// Reason why diagnostics do nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Refusal {
     /// A job runs.
@@ -47,7 +47,7 @@ impl Ports {
         self.steps[motor.index()]
     }
 
-    /// Whether a bit is on.
+    /// Tells whether a bit is on.
     pub fn is_on(&self, is_output: bool, bit: &Bit) -> bool {
         let byte = if is_output { self.output(bit.port) } else { self.input(bit.port) };
         byte & bit.mask() != 0
@@ -106,7 +106,7 @@ impl Ports {
         bytes.chain(steps).collect::<Vec<_>>().join(" ")
     }
 
-    /// What was written; nothing when the text is something else.
+    /// Reads what was written; nothing when the text is something else.
     pub fn read(text: &str) -> Option<Self> {
         let words: Vec<&str> = text.split_whitespace().collect();
         let (bytes, steps) = words.split_at_checked(5)?;

@@ -16,7 +16,7 @@ use kerf_machine::settings::motors::{Direction, MOTORS, Motor};
 use kerf_motion::Step;
 use kerf_program::Axis;
 
-/// What an edge is of.
+/// Output of a motor that has an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Line {
     /// The direction output.
@@ -28,7 +28,7 @@ pub enum Line {
 /// An output of a motor changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Edge {
-    /// When, nanoseconds.
+    /// Time of the edge, nanoseconds.
     pub t_ns: u64,
     /// Whose.
     pub motor: Motor,

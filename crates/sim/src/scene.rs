@@ -43,12 +43,12 @@ pub struct Touch {
     pub input: u8,
     /// Its state inside; outside it has the other.
     pub on: bool,
-    /// Where.
+    /// Body that it feels.
     pub body: Body,
 }
 
 impl Body {
-    /// Whether a place is inside or on its surface.
+    /// Tells whether a place is inside or on its surface.
     pub fn holds(&self, at: [f64; 3]) -> bool {
         match *self {
             Self::Box { low, high } => (0..3).all(|i| {

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 pub struct Sheet {
     /// Height of its surface at machine home, mm, machine frame.
     pub at_mm: f64,
-    /// How it rises along X, mm a mm.
+    /// Slope along X, mm a mm.
     pub slope_x: f64,
-    /// How it rises along Y.
+    /// Slope along Y, mm a mm.
     pub slope_y: f64,
     /// A wave along X: how high, mm.
     pub wave_mm: f64,

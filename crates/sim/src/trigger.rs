@@ -4,7 +4,7 @@ use kerf_motion::Plan;
 use kerf_program::settings::Trigger;
 use kerf_program::{Axes, Axis};
 
-/// When a move switches the triggered output, seconds of the plan, and to which state.
+/// Finds when a move switches the triggered output, seconds of the plan, and to which state.
 ///
 /// Only vertical moves trigger: X and Y stand still. Downwards the output comes on when the axis
 /// passes the ON threshold, at once when it starts below it; upwards it goes off when the axis passes

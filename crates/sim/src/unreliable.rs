@@ -4,7 +4,7 @@
 use crate::chance::Chance;
 use kerf_machine::driver::{Driver, Garbled, Reply, Sent, Signal};
 
-/// How often things go wrong, of a hundred.
+/// Rates at which things go wrong, of a hundred.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Faults {
     /// Orders and signals that never arrive.

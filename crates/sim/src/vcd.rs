@@ -65,7 +65,7 @@ impl Vcd {
         }
     }
 
-    /// What a signal reads before its first change.
+    /// Sets what a signal reads before its first change.
     pub fn starts_at(&mut self, id: Id, value: f64) {
         self.signals[id.0].value = value;
     }

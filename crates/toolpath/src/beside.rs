@@ -6,7 +6,7 @@ use kerf_program::job::{Job, JobShape, Note, Plunge};
 use std::collections::BTreeSet;
 use thiserror::Error;
 
-/// Why a job is not offset.
+/// Reason why a job is not offset.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum NoRoom {
     /// The path has no way beside it.
@@ -14,7 +14,7 @@ pub enum NoRoom {
     Lost {
         /// The shape.
         number: u32,
-        /// How far.
+        /// Distance beside the path, millimetres.
         by_mm: f64,
     },
     /// A path with heights of its own.

@@ -17,7 +17,7 @@ use kerf_geom::{Polyarc, Segment, Transform2, Vec2, tol};
 /// The most segments of a lead: an arc of more than half a turn has two.
 const LONGEST_LEAD: usize = 2;
 
-/// How far from tangential leads may be, radians: they are drawn exactly and then written with digits.
+/// Greatest deviation of leads from tangential, radians: they are drawn exactly and then written with digits.
 const TANGENT_RAD: f64 = 1e-4;
 
 /// A closed path, and the leads that come to it and go away from it.
@@ -54,7 +54,7 @@ fn split(path: &Polyarc, before: usize, after: usize) -> Option<Led> {
     (comes && goes).then_some(Led { closed, lead_in, lead_out })
 }
 
-/// Whether a path is one arc.
+/// Returns `true` if a path is one arc.
 fn is_lead(path: &Polyarc) -> bool {
     let mut arcs = path.segments().map(|segment| match segment {
         Segment::Arc { centre, .. } => Some(centre),
@@ -67,7 +67,7 @@ fn is_lead(path: &Polyarc) -> bool {
     first.is_some() && arcs.all(same)
 }
 
-/// Whether one path goes on in the direction in which another ends.
+/// Returns `true` if one path goes on in the direction in which another ends.
 fn meets(path: &Polyarc, next: &Polyarc) -> bool {
     let (end, start) = (end_of(path), start_of(next));
     end.cross(start).atan2(end.dot(start)).abs() < TANGENT_RAD
@@ -107,7 +107,7 @@ mod tests {
     use kerf_geom::{Point2, Polyarc};
     use std::sync::Arc;
 
-    /// What is cut of the clauses when the whole job is offset.
+    /// Returns the paths that are cut of the clauses when the whole job is offset.
     fn offset(clauses: &str, by_mm: f64) -> Vec<Arc<Polyarc>> {
         let mut editor = Editor::default();
         for (_, op) in script(clauses).unwrap() {

@@ -1,4 +1,4 @@
-//! What a tag really leaves: the material between where the cut of a closed shape begins and where it ends.
+//! The bridge that a tag really leaves: the material between where the cut of a closed shape begins and where it ends.
 //!
 //! ```text
 //!        end of the cut        tag        beginning          the tool is as wide as the cut: it takes half its
@@ -17,14 +17,14 @@ const MOST_OF_A_PATH: f64 = 0.3;
 /// Bridges narrower than this hold nothing, millimetres: rounding, far below what any saw blade leaves.
 const NOTHING_MM: f64 = 1e-6;
 
-/// What the tags of one group leave.
+/// Bridges that the tags of one group leave.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Bridges {
     /// The narrowest bridge of the group, its shape and its width, millimetres.
     narrowest: Option<(usize, f64)>,
     /// The first shape that nothing holds, with how much it lacks, millimetres.
     loose: Option<(usize, f64)>,
-    /// How many there are.
+    /// Number of shapes that nothing holds.
     loose_count: usize,
     /// A shape with a tag, cut by a tool whose width nobody knows.
     unknown: Option<usize>,
@@ -52,7 +52,7 @@ impl Bridges {
         }
     }
 
-    /// What is to be told of a group.
+    /// Returns the warnings of a group.
     pub fn told(&self, settings: &GroupSettings) -> Vec<Warning> {
         let tag = settings.tag_mm;
         let narrowest = self.narrowest.map(|(shape, left_mm)| {

@@ -1,9 +1,9 @@
-//! How deep each pass of a group goes.
+//! The depth of each pass of a group.
 
 use kerf_drawing::{GroupSettings, Height};
 pub use kerf_program::job::{Depth, Depths, Heights, LowError};
 
-/// How deep the shapes of a group are cut.
+/// Returns the depth to which the shapes of a group are cut.
 pub const fn depth(settings: &GroupSettings) -> Depth {
     match settings.height {
         Height::Thru => Depth::Thru,

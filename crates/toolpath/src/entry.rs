@@ -28,10 +28,11 @@ const STEPS: f64 = 1000.0;
 /// So often the interval that holds the largest radius is halved.
 const HALVINGS: usize = 40;
 
-/// What helices of a drawing may cut into: its contours, and those of the blocks beside it in its arrays.
+/// Surroundings that helices of a drawing may cut into: its contours, and those of the blocks beside it in its
+/// arrays.
 pub(crate) struct Surroundings<'a> {
     contours: &'a Contours,
-    /// Where the blocks lie, this one first.
+    /// Places of the blocks, this one first.
     blocks: Vec<Vec2>,
 }
 
@@ -109,7 +110,7 @@ pub fn too_flat(job: &Job, heights: &Heights) -> Vec<Warning> {
     cut.filter_map(of).filter(|warning| told.insert(warning.shape)).collect()
 }
 
-/// How far from their shapes the helices of a drawing reach at the most, with the tool.
+/// Returns how far from their shapes the helices of a drawing reach at the most, with the tool.
 fn widest(drawing: &Drawing) -> f64 {
     let of = |settings: &GroupSettings| match plunge(settings, None) {
         Plunge::Helix { radius_mm, .. } => {
@@ -134,13 +135,13 @@ impl Sought<'_> {
         self.cleared.is_none_or(|group| self.around.contours.group(shape) != group)
     }
 
-    /// What a helix cuts into.
+    /// Finds what a helix cuts into.
     fn hit(&self, circle: &Polyarc) -> Option<Hit> {
         let (contours, wall) = (self.around.contours, |shape| self.is_wall(shape));
         self.seek(|by| contours.cut_by_ring(&moved(circle, by), self.tool, wall))
     }
 
-    /// Whether nothing lies in what a helix and all smaller ones cut.
+    /// Returns `true` if nothing lies in what a helix and all smaller ones cut.
     fn is_free(&self, radius_mm: f64) -> bool {
         let Some(circle) = helix_circle(self.path, radius_mm) else { return true };
         let (contours, wall) = (self.around.contours, |shape| self.is_wall(shape));

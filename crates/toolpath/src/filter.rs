@@ -25,7 +25,7 @@ pub fn too_near(path: &Polyarc, distance_mm: f64) -> Vec<usize> {
     gone
 }
 
-/// Whether everything from here on lies near the end.
+/// Returns `true` if everything from here on lies near the end.
 fn ends_here(rest: &[Point2], end: Point2, near: impl Fn(Point2, Point2) -> bool) -> bool {
     rest.iter().all(|at| near(*at, end))
 }

@@ -1,4 +1,4 @@
-//! Whether a lead cuts into a part.
+//! Finds leads that cut into a part.
 
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, Kind, Shape, crosses};

@@ -43,26 +43,26 @@ pub struct CutPath {
     pub room_mm: Option<f64>,
 }
 
-/// What is cut, and how.
+/// Paths to cut, and how they are cut.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Job {
     /// The paths, in cutting order, arrays laid out.
     pub paths: Vec<CutPath>,
     /// The drawing that it was made from, without its shapes: settings of the groups, comments.
     pub drawing: Drawing,
-    /// Where the drawing's origin lies on the table, millimetres from home; nothing for the origin of the machine.
+    /// Place of the drawing's origin on the table, millimetres from home; nothing for the origin of the machine.
     pub origin: Option<Point2>,
-    /// Where the head goes at the end, millimetres from the origin; nothing for the finish of the machine.
+    /// Place of the head at the end, millimetres from the origin; nothing for the finish of the machine.
     pub finish: Option<Point2>,
     /// The path with which the job begins, counted from 1.
     pub start: usize,
     /// The smoothing factor that the paths were made with; nothing for paths that were not made.
     pub smoothing: Option<f64>,
-    /// Whether its paths were changed by hand since they were made.
+    /// Its paths were changed by hand since they were made.
     pub edited: bool,
 }
 
-/// Why there is no job.
+/// Reason why there is no job.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum JobError {
     /// Arrays without bound.
@@ -84,7 +84,7 @@ pub enum JobError {
     GivenUp,
 }
 
-/// Where the copies of a shape come from and go.
+/// Origin of a path, as files keep it: its shape, its pass, and the room of its helix.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Origin {
     pub from: usize,
@@ -112,7 +112,7 @@ pub fn smoothed_job(drawing: &Drawing, factor: f64) -> Result<(Job, Vec<Warning>
     shaped_job(drawing, Shaping { factor, ..Shaping::default() })
 }
 
-/// What is done to the shapes of a drawing before paths are made of them.
+/// Changes that are made to the shapes of a drawing before paths are made of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shaping {
     /// The smoothing factor; 0 smooths nothing.

@@ -1,4 +1,4 @@
-//! Whether the copies that arrays make of a block cut into each other.
+//! Finds copies of a block in arrays that cut into each other.
 //!
 //! Copies lie on a grid, so that it is enough to look at one block and at the few steps that lead to another
 //! one so near that they may meet:
@@ -57,7 +57,8 @@ pub(crate) fn check(
     warnings.extend(hit.into_iter().map(|((from, shape), by)| told(from, shape, by)));
 }
 
-/// Where the blocks lie that something may reach that leaves its block by no more than so much, this one first.
+/// Returns the places of the blocks that something may reach that leaves its block by no more than so much, this one
+/// first.
 pub(crate) fn blocks(drawing: &Drawing, reach_mm: f64) -> Vec<Vec2> {
     let size = drawing.bounds().map_or(Vec2::default(), |bounds| bounds.size());
     let near = size + Vec2::new(reach_mm, reach_mm);
@@ -83,7 +84,7 @@ pub(crate) fn away(by: Vec2) -> String {
     format!(" of the block {x},{y} away")
 }
 
-/// What a path takes away lies in here.
+/// Returns a box that holds all that a path takes away.
 fn reach(drawing: &Drawing, path: &CutPath) -> Bounds2 {
     path.shape.path.bounds().grown(drawing.settings(path.shape.group).offset_mm.abs())
 }

@@ -98,8 +98,8 @@ fn is_cut(settings: &GroupSettings) -> bool {
     settings.on && !settings.traversal
 }
 
-/// Whether a closed shape of a group may cut free what lies in it. The paths that clear an area, cut as they
-/// are with a tool of known width, lie in each other, and their own order is meant.
+/// Returns `true` if a closed shape of a group may cut free what lies in it. The paths that clear an area, cut as
+/// they are with a tool of known width, lie in each other, and their own order is meant.
 fn frees(settings: &GroupSettings) -> bool {
     let clears = settings.offset_mm == 0.0 && settings.cutter_mm.is_some();
     let deep = match settings.height {

@@ -1,4 +1,4 @@
-//! Whether the cut of one part takes from another.
+//! Finds cuts of one part that take from another.
 
 use crate::gouge::Contours;
 use crate::shape_paths::{Pass, ShapePath};
@@ -90,7 +90,7 @@ fn told_across(drawing: &Drawing, a: usize, b: usize) -> Option<Warning> {
     as_deep.then(|| Warning::new(open, text))
 }
 
-/// Whether two paths cross; of two open ones nothing is a part.
+/// Returns `true` if two paths cross; of two open ones nothing is a part.
 fn are_across(a: &Polyarc, b: &Polyarc) -> bool {
     match (a.closed, b.closed) {
         (true, _) => crosses(a, b),

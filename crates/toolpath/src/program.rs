@@ -58,7 +58,7 @@ struct Writing<'a> {
     top: f64,
     at: At,
     group: Option<Group>,
-    /// Where the head is.
+    /// Place of the head.
     head: Spot,
 }
 

@@ -20,15 +20,15 @@ const STRAIGHT_MM: f64 = 1e-4;
 pub struct Relief<'a> {
     /// Dots of a row.
     pub columns: usize,
-    /// How bright each dot is, 0 black … 1 white, row by row from the top.
+    /// Brightness of each dot, 0 black … 1 white, row by row from the top.
     pub grey: &'a [f32],
     /// Distance of the first from the last dot in X and in Y, millimetres.
     pub size: Vec2,
-    /// How deep the deepest dot is, millimetres below zero.
+    /// Depth of the deepest dot, millimetres below zero.
     pub depth_mm: f64,
-    /// Whether white is deepest, not black.
+    /// White is deepest, not black.
     pub white_deepest: bool,
-    /// Where the tool travels, millimetres above zero.
+    /// Height at which the tool travels, millimetres above zero.
     pub safe_mm: f64,
 }
 

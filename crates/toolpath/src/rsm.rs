@@ -11,7 +11,7 @@ use kerf_geom::Point2;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// What an RSM has besides the data of an RSG.
+/// Data of an RSM besides those of an RSG.
 #[derive(Default, Serialize, Deserialize)]
 struct Head {
     origin: Point2,
@@ -70,7 +70,7 @@ pub fn write(job: &Job) -> String {
     rsg::write_with(&drawing, Some(serde_json::to_value(head).unwrap_or_default()))
 }
 
-/// Why a job is not cut: what its file says of it cannot all be read.
+/// Reason why a job is not cut: what its file says of it cannot all be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the job is damaged and is not cut ({0}): make it anew from its drawing")]
 pub struct Damaged(String);
@@ -117,7 +117,7 @@ fn read_with_damage(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Job, Imported
     (Job { paths, drawing, origin, finish, start, smoothing, edited }, read, damage)
 }
 
-/// What a file with these shapes says of its job, and what is wrong with that.
+/// Reads what a file with these shapes says of its job, and finds what is wrong with that.
 fn head(own: Own, drawing: &Drawing) -> (Head, Option<String>) {
     let value = match own {
         Own::Nothing | Own::Read(None) => return (Head::default(), None),

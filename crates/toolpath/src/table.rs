@@ -1,11 +1,11 @@
-//! Whether a job stays on the table.
+//! Checks that a job stays on the table.
 
 use crate::job::Job;
 use crate::warning::Warning;
 use kerf_geom::Bounds2;
 use std::collections::BTreeSet;
 
-/// What sticks out by less is rounding, millimetres.
+/// Overhang below which it is rounding, millimetres.
 const ALLOWED_MM: f64 = 1e-6;
 
 /// Warns of shapes whose paths leave a table, given in the coordinates of the job: the centre of the tool

@@ -7,13 +7,13 @@ use std::collections::BTreeMap;
 /// Places in units of this are one, millimetres: far below what a cutter shows.
 const UNIT_MM: f64 = 1e-3;
 
-/// How many are told one by one.
+/// Number of shapes that are told one by one.
 const MOST_TOLD: usize = 20;
 
 /// A place of the drawing, in units.
 type Spot = [i64; 3];
 
-/// What a shape goes along, whichever way round and from wherever: its segments in order.
+/// Course of a shape, whichever way round and from wherever: its segments in order.
 type Way = Vec<(Spot, Spot, i64)>;
 
 /// For each shape that has been drawn before, in the same group, the first one that is alike.

@@ -1,4 +1,4 @@
-//! What a person should look at before cutting.
+//! Warnings of what a person should look at before cutting.
 
 use kerf_drawing::{Shape, spot};
 use kerf_geom::Point2;
@@ -10,9 +10,9 @@ use std::sync::Arc;
 pub struct Warning {
     /// Number of the shape in the drawing, counted from 1.
     pub shape: usize,
-    /// Where the matter is: usually where the shape begins.
+    /// Place of the matter: usually where the shape begins.
     pub at: Option<Point2>,
-    /// What is the matter, and what helps.
+    /// Description of the matter, and what helps.
     pub text: String,
 }
 

@@ -18,7 +18,7 @@ pub struct AddIn {
     pub name: String,
     /// The command line that starts it; what the call gives stands behind.
     pub command: String,
-    /// Whether a part file waits until it ends.
+    /// A part file waits until the tool ends.
     pub wait: bool,
 }
 

@@ -27,7 +27,7 @@ pub type Spot = [f64; 3];
 struct Edge {
     from: [f64; 2],
     to: [f64; 2],
-    /// How much outline lies before it.
+    /// Length of the outline before it.
     before: f64,
     contour: usize,
 }
@@ -142,7 +142,7 @@ fn inside_is_left(points: &[[f64; 2]], contours: &[Vec<[f64; 2]>]) -> bool {
     holds(contours, [middle[0] + n[0] * off, middle[1] + n[1] * off])
 }
 
-/// Whether a place lies in the shape: within an odd number of outlines.
+/// Returns `true` if a place lies in the shape: within an odd number of outlines.
 fn holds(contours: &[Vec<[f64; 2]>], at: [f64; 2]) -> bool {
     let mut inside = false;
     for points in contours {
@@ -157,7 +157,7 @@ fn holds(contours: &[Vec<[f64; 2]>], at: [f64; 2]) -> bool {
     inside
 }
 
-/// Whether any two edges cross.
+/// Returns `true` if any two edges cross.
 fn crosses(edges: &[Edge]) -> bool {
     let side = |edge: &Edge, p: [f64; 2]| cross(edge.way(), minus(p, edge.from));
     edges.iter().enumerate().any(|(n, a)| {
@@ -204,7 +204,7 @@ impl Walk<'_> {
         (k + self.own.len() - 1) % self.own.len()
     }
 
-    /// How the outline turns before an edge, radians; to the left where the corner stands out.
+    /// Returns the turn of the outline before an edge, radians; to the left where the corner stands out.
     fn turn(&self, k: usize) -> f64 {
         let (a, b) = (self.edge(self.before(k)).way(), self.edge(k).way());
         cross(a, b).atan2(dot(a, b))

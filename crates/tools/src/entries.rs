@@ -1,26 +1,26 @@
-//! What was entered into a form, checked field by field.
+//! Entries of a form, checked field by field.
 
 use crate::Folders;
 use crate::field::{Field, INCH_MM, Kind};
 use std::collections::BTreeMap;
 
-/// What is wrong with a field.
+/// Mistake in a field.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
     /// The field; empty when it is none of them alone.
     pub field: String,
-    /// What is wrong, and what helps.
+    /// Description of the mistake, and what helps.
     pub text: String,
 }
 
 impl Mistake {
-    /// What is wrong with a field.
+    /// Tells what is wrong with a field.
     pub fn new(field: &str, text: impl Into<String>) -> Self {
         Self { field: field.into(), text: text.into() }
     }
 }
 
-/// What was entered. Every field has a value that its kind allows.
+/// Entries of a form. Every field has a value that its kind allows.
 pub struct Entries<'a> {
     values: BTreeMap<&'static str, String>,
     metric: bool,
@@ -68,7 +68,7 @@ impl<'a> Entries<'a> {
         if mistakes.is_empty() { Ok(entries) } else { Err(mistakes) }
     }
 
-    /// Whether lengths are millimetres.
+    /// Returns `true` if lengths are millimetres.
     pub fn metric(&self) -> bool {
         self.metric
     }
@@ -78,7 +78,7 @@ impl<'a> Entries<'a> {
         if self.metric { inches * INCH_MM } else { inches }
     }
 
-    /// What stands in a field.
+    /// Returns the text of a field.
     pub fn text(&self, key: &str) -> &str {
         self.values.get(key).map_or("", String::as_str)
     }
@@ -88,7 +88,7 @@ impl<'a> Entries<'a> {
         self.text(key).parse().unwrap_or_default()
     }
 
-    /// Whether a choice is this word.
+    /// Returns `true` if a choice is this word.
     pub fn is(&self, key: &str, word: &str) -> bool {
         self.text(key) == word
     }

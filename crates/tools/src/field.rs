@@ -1,4 +1,4 @@
-//! What a form asks.
+//! The fields of a form.
 
 /// Millimetres in an inch.
 pub const INCH_MM: f64 = 25.4;
@@ -6,19 +6,19 @@ pub const INCH_MM: f64 = 25.4;
 /// A field of a form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Field {
-    /// What it is called in a line.
+    /// Name in a line.
     pub key: &'static str,
-    /// What it is called in a form.
+    /// Name in a form.
     pub label: &'static str,
-    /// What may be entered.
+    /// Kind of the entries that are allowed.
     pub kind: Kind,
-    /// What stands in it at first.
+    /// Value at first.
     pub default: &'static str,
-    /// What is to be known about it; may be empty.
+    /// Note about the field; may be empty.
     pub doc: &'static str,
 }
 
-/// What may be entered.
+/// Kind of the entries that a field allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// A length in the unit of the form, at least so long; defaults are inches.
@@ -89,7 +89,7 @@ pub const fn file(default: &'static str) -> Field {
 }
 
 impl Field {
-    /// What stands in it at first: lengths in millimetres or inches.
+    /// Returns the value at first: lengths in millimetres or inches.
     pub fn shown_default(&self, metric: bool) -> String {
         let Kind::Length(_) = self.kind else { return self.default.into() };
         match self.default.parse::<f64>() {

@@ -73,7 +73,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
     Ok(Made::part(entries.text("file"), lines, vec![note]))
 }
 
-/// Where the middles of the flutes lie, from the lower edge of the blank: as many as have room,
+/// Returns the places of the middles of the flutes, from the lower edge of the blank: as many as have room,
 /// with equal margins.
 fn places(entries: &Entries<'_>) -> Result<Vec<f64>, Vec<Mistake>> {
     let (width, blank) = (entries.number("width"), entries.number("blank_width"));
@@ -103,7 +103,7 @@ fn places(entries: &Entries<'_>) -> Result<Vec<f64>, Vec<Mistake>> {
     Ok((0..=gaps as u32).map(|n| first + f64::from(n) * spacing).collect())
 }
 
-/// How deep the bit goes for a flute of the width.
+/// Returns the depth of the bit for a flute of the width.
 fn depth(entries: &Entries<'_>) -> Result<f64, Vec<Mistake>> {
     let (width, bit) = (entries.number("width"), entries.number("bit"));
     if width > bit + 1e-9 {

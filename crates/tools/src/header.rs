@@ -45,7 +45,7 @@ pub const TOOL: Tool = Tool {
     make,
 };
 
-/// What a header tells, in its order.
+/// Lines that a header may have, in their order: the word, and the key of its field.
 const TOLD: [(&str, &str); 8] = [
     ("Contact", "contact"),
     ("Restrictions", "restrictions"),

@@ -33,34 +33,34 @@ pub struct Tool {
     pub letter: char,
     /// Its name, as a menu shows it.
     pub name: &'static str,
-    /// What it does.
+    /// Description of what it does.
     pub doc: &'static str,
-    /// What its form asks, in order.
+    /// Fields of its form, in order.
     pub fields: &'static [Field],
     make: fn(&Entries<'_>) -> Result<Made, Vec<Mistake>>,
 }
 
-/// What a tool made.
+/// Result of a tool.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Made {
     /// The files, the one to be opened first.
     pub files: Vec<MadeFile>,
-    /// What a person should know.
+    /// Notes for a person.
     pub notes: Vec<String>,
 }
 
 /// A file that a tool made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MadeFile {
-    /// Where it belongs.
+    /// Folder to which it belongs.
     pub place: Place,
     /// Its name.
     pub name: String,
-    /// What is in it.
+    /// Content.
     pub text: String,
 }
 
-/// Where a file belongs.
+/// Folder to which a file belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// The part folder.
@@ -69,7 +69,7 @@ pub enum Place {
     Custom,
 }
 
-/// What a tool may read.
+/// Folders from which a tool may read.
 pub trait Folders {
     /// The text of a file in the part folder.
     fn text(&self, name: &str) -> Option<String>;
@@ -123,7 +123,7 @@ impl Tool {
         (self.make)(&Entries::new(self.fields, entered, metric, folders)?)
     }
 
-    /// What was entered in a line: `KEY=VALUE` items between commas, or values in the order of the
+    /// Reads what was entered in a line: `KEY=VALUE` items between commas, or values in the order of the
     /// form; blank ones keep what the form shows.
     pub fn read_line(&self, line: &str) -> Vec<(String, String)> {
         let item = |(n, item): (usize, &str)| {
@@ -147,7 +147,7 @@ impl Made {
 mod testing {
     use super::*;
 
-    /// What a tool makes of a line: its first file, or its mistakes, a line each.
+    /// Returns what a tool makes of a line: its first file, or its mistakes, a line each.
     pub fn made(letter: char, line: &str) -> String {
         let tool = tool(letter).expect("a tool");
         match tool.make(&tool.read_line(line), false, &()) {

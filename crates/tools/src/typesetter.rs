@@ -134,7 +134,7 @@ struct Outline {
     contours: Vec<Vec<[f64; 2]>>,
     scale: f64,
     at: [f64; 2],
-    /// Where it is, in units of the font.
+    /// Place of the pen, in units of the font.
     here: [f64; 2],
 }
 

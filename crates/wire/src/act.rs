@@ -1,4 +1,4 @@
-//! What a page asks for.
+//! Requests of pages: the acts they ask for.
 
 use crate::{AXES, ByHand, FileParameters, JobChoice, Op};
 use schemars::JsonSchema;
@@ -11,11 +11,11 @@ use ts_rs::TS;
 pub struct Request {
     /// Comes back in the reply. A page counts.
     pub id: u32,
-    /// What is to be done.
+    /// The act that is to be done.
     pub act: Act,
 }
 
-/// What is to be done. Those that move the machine carry the number of the lease.
+/// An act that is to be done. Those that move the machine carry the number of the lease.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", rename_all_fields = "camelCase", tag = "do", deny_unknown_fields)]
 pub enum Act {
@@ -59,19 +59,19 @@ pub enum Act {
     Open {
         /// Its name below the part folder.
         name: String,
-        /// How it is run.
+        /// Parameters with which it is run.
         #[serde(default)]
         #[ts(optional, as = "Option<FileParameters>")]
         parameters: FileParameters,
     },
     /// Runs the open file otherwise: its preview is made anew, and its hash is another.
     Parameters {
-        /// How it is run.
+        /// Parameters with which it is run.
         parameters: FileParameters,
     },
     /// Cuts the open job otherwise: its preview is made anew, and its hash is another. Not while a job runs.
     Choose {
-        /// How it is cut.
+        /// Choices with which it is cut.
         choice: JobChoice,
     },
     /// Writes the origin that was chosen for the open job into its file. Not while a job runs.
@@ -137,7 +137,7 @@ pub enum Act {
         lease: u32,
         /// Which input, from 1.
         number: u8,
-        /// Whether its contact is closed.
+        /// Its contact is closed.
         on: bool,
     },
     /// Changes a setting of the machine's configuration.
@@ -156,8 +156,8 @@ pub enum Act {
         /// Grows with every jog of a page, by a million at most; one that comes behind its own stop is dropped.
         #[ts(type = "number")]
         seq: u64,
-        /// When the key was held for sure: the server's clock, which answers to pings tell, as the page reckons it
-        /// now, ms.
+        /// Moment when the key was held for sure: the server's clock, which answers to pings tell, as the page
+        /// reckons it now, ms.
         clock_ms: f64,
         /// Direction of each axis: -1, 0, 1 or between.
         direction: [f64; AXES],
@@ -212,7 +212,7 @@ pub enum Act {
         lease: u32,
         /// Letter of the axis.
         axis: char,
-        /// How far.
+        /// Length of the shift.
         distance: f64,
     },
     /// Moves a machine by hand that does nothing else.
@@ -255,7 +255,7 @@ pub enum Act {
     Acknowledge,
     /// Makes a change of the drawing.
     Draw {
-        /// What.
+        /// The change.
         op: Op,
     },
     /// Gives the password of the settings: this page may change them for a while.

@@ -1,4 +1,4 @@
-//! What the server tells without being asked.
+//! Changes that the server tells without being asked.
 
 use crate::preview::TypedPath;
 use crate::{
@@ -112,18 +112,18 @@ pub enum Change {
     },
 }
 
-/// What comes over the socket to the page: one JSON text a message.
+/// A message over the socket to the page: one JSON text each.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", tag = "tell")]
 pub enum ToPage {
     /// The first message, and again whenever the page missed changes.
     Snapshot {
-        /// Who the page is.
+        /// The page: its number, role and device.
         who: Who,
         /// Everything.
         snapshot: Box<Snapshot>,
     },
-    /// What changed, in order.
+    /// The changes, in order.
     Changes {
         /// At least one.
         changes: Vec<Change>,

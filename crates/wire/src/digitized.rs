@@ -16,9 +16,9 @@ pub struct Digitized {
     pub bulges: Vec<f64>,
     /// Number of the current point, from 1; 0 without points.
     pub current: u32,
-    /// Whether heights count.
+    /// Heights count.
     pub three_d: bool,
-    /// Whether the next point is an arc point.
+    /// The next point is an arc point.
     pub next_arc: bool,
     /// There are points that no shape was saved of as they are.
     pub unsaved: bool,
@@ -34,7 +34,7 @@ pub struct DigitizedPoint {
     pub arc: bool,
 }
 
-/// What pages are to have in sight.
+/// Part of the picture that pages are to have in sight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub enum Look {
@@ -48,12 +48,12 @@ pub enum Look {
     Out,
 }
 
-/// What pages were last told to have in sight.
+/// Part of the picture that pages were last told to have in sight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Looked {
     /// Grows with each time.
     pub number: u32,
-    /// What.
+    /// That part.
     pub at: Look,
 }

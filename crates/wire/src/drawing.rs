@@ -33,7 +33,7 @@ pub enum Op {
     Undo,
     /// Makes it again.
     Redo,
-    /// Where the head goes when the job of the drawing is done.
+    /// Sets the place to which the head goes when the job of the drawing is done.
     Finish {
         /// Mm from the origin.
         at: [f64; 2],
@@ -48,7 +48,7 @@ pub enum Op {
     },
 }
 
-/// What a page shows of the drawing. Its shapes come over HTTP: `/api/drawing/shapes`.
+/// The drawing as a page shows it. Its shapes come over HTTP: `/api/drawing/shapes`.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct DrawingState {
@@ -58,33 +58,33 @@ pub struct DrawingState {
     pub revision: u32,
     /// Its revision when it was opened or begun.
     pub begun: u32,
-    /// How many shapes.
+    /// Number of shapes.
     pub shapes: u32,
     /// The shapes that operations act on: numbers from 1.
     pub selection: Vec<u32>,
     /// The shapes that were picked to be sequenced, in that order: numbers from 1.
     pub picked: Vec<u32>,
-    /// Whether there is something to take back.
+    /// There is something to take back.
     pub can_undo: bool,
-    /// Whether there is something to make again.
+    /// There is something to make again.
     pub can_redo: bool,
-    /// Whether it differs from its file.
+    /// It differs from its file.
     pub changed: bool,
-    /// How many shapes are on the clipboard.
+    /// Number of shapes on the clipboard.
     pub clipboard: u32,
     /// The eight groups and how their shapes are cut.
     pub groups: Vec<GroupState>,
     /// The basic block of data: bounds of the drawing before it is arrayed. Nothing without shapes.
     pub block: Option<Block>,
-    /// Where the head goes when its job is done, from the origin.
+    /// Place to which the head goes when its job is done, from the origin.
     pub finish: [f64; 2],
-    /// How near ends are joined when nothing else is said: as near as the last time.
+    /// Distance at which ends are joined when nothing else is said: that of the last time.
     pub join: f64,
     /// The comments that are kept with it.
     pub comments: Vec<String>,
     /// Its two levels of repetition: blocks in a job, then jobs on the table.
     pub arrays: Vec<ArrayState>,
-    /// What the last operation, or reading the file, had to tell.
+    /// Notes of the last operation, or of reading the file.
     pub notes: Vec<String>,
 }
 
@@ -118,15 +118,15 @@ pub struct Block {
     pub z: Option<[f64; 2]>,
 }
 
-/// How the shapes of a group are cut: what the operation `set` changes. Lengths in mm, angles in degrees.
+/// Cut of the shapes of a group, as the operation `set` changes it. Lengths in mm, angles in degrees.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct GroupState {
     /// Its colour.
     pub name: String,
-    /// Whether its shapes are cut.
+    /// Its shapes are cut.
     pub on: bool,
-    /// Whether the head only follows them, to get round obstacles.
+    /// The head only follows them, to get round obstacles.
     pub traversal: bool,
     /// Cut on both sides of the shape.
     pub double: bool,
@@ -145,9 +145,9 @@ pub struct GroupState {
     pub levels: Vec<f64>,
     /// Distance of the path, right of travel.
     pub offset: f64,
-    /// What the rough pass leaves.
+    /// Material that the rough pass leaves.
     pub rough: f64,
-    /// What is left out at the beginning.
+    /// Length that is left out at the beginning.
     pub tag: f64,
     /// Radius and angle of the arc onto the path.
     pub lead_in: [f64; 2],
@@ -175,7 +175,7 @@ pub struct ShapeList {
     pub shapes: Vec<ShapePath>,
 }
 
-/// What a drawing becomes when it is machined.
+/// Tool paths that a drawing becomes when it is machined.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct ToolPaths {
@@ -187,7 +187,7 @@ pub struct ToolPaths {
     pub smoothed: Vec<ShapePath>,
     /// Vertices that are left out because they lie too near to the one before: X and Y by turns.
     pub filtered: Vec<f64>,
-    /// What was noticed while they were made, or why there are none.
+    /// Notes from their making, or the reason why there are none.
     pub notes: Vec<String>,
 }
 
@@ -223,13 +223,13 @@ pub struct ShapePath {
     pub number: u32,
     /// Its group: black, blue, green, cyan, red, magenta, brown, white.
     pub group: String,
-    /// Whether its end is its start.
+    /// Its end is its start.
     pub closed: bool,
     /// Three numbers a vertex: X, Y and the bulge of the segment behind it, the tangent of a quarter
     /// of the angle of an arc, positive counter-clockwise; 0 is a line.
     pub points: Vec<f64>,
     /// Height of each vertex, for a 3D shape.
     pub z: Option<Vec<f64>>,
-    /// Whether the machine halts before it.
+    /// The machine halts before it.
     pub pause: bool,
 }

@@ -4,18 +4,18 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// What a file is that would be replaced.
+/// A file that would be replaced.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct FileAbout {
     /// Its name below the part folder.
     pub name: String,
-    /// What it is: `a part program of 412 lines`.
+    /// Description: `a part program of 412 lines`.
     pub what: String,
     /// Bytes.
     #[ts(type = "number")]
     pub bytes: u64,
-    /// When it was changed: seconds since 1970.
+    /// Time of its last change: seconds since 1970.
     #[ts(type = "number")]
     pub changed: u64,
     /// SHA-256 of its content, in hexadecimal digits: who saw it names it as what may be replaced.
@@ -44,11 +44,11 @@ pub struct TextDraft {
     pub name: String,
     /// The text; its lines end with a line feed.
     pub text: String,
-    /// What the lines of the file end with.
+    /// Line ending of the file.
     pub ends: String,
     /// SHA-256 of the file as it was read; empty for a new one.
     pub base: String,
-    /// Whether the file is another by now.
+    /// The file is another by now.
     #[serde(default)]
     pub changed_on_disk: bool,
     /// The page that typed it, by a name that it gives itself.

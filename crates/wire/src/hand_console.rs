@@ -10,7 +10,7 @@ use ts_rs::TS;
 pub struct HandConsole {
     /// Its lines, of 20 characters at most.
     pub lines: [String; 2],
-    /// How often it has beeped.
+    /// Number of beeps so far.
     pub beeps: u32,
     /// Its serial link, in a sentence: the port it is at, or why it is not. Empty where there is none.
     pub link: String,

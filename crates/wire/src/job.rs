@@ -11,32 +11,32 @@ use ts_rs::TS;
 pub struct FileInfo {
     /// Its name below the part folder, `/` between folders.
     pub name: String,
-    /// Whether it is a folder.
+    /// It is a folder.
     pub folder: bool,
     /// Bytes.
     #[ts(type = "number")]
     pub bytes: u64,
-    /// When it was changed: seconds since 1970.
+    /// Time of its last change: seconds since 1970.
     #[ts(type = "number")]
     pub changed: u64,
-    /// What its head tells about the job.
+    /// Text of its head about the job.
     pub header: Option<String>,
-    /// Whether it is a part file: one that the mask of the part folder lets through, or G-code.
+    /// It is a part file: one that the mask of the part folder lets through, or G-code.
     pub part: bool,
 }
 
-/// How a part file is run: the parameters of FP.
+/// Parameters with which a part file is run: those of FP.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 #[ts(optional_fields = false)]
 pub struct FileParameters {
     /// Scales X, Y and Z.
     pub proportion: [f64; 3],
-    /// How often the file runs, at least once.
+    /// Number of runs of the file, at least one.
     pub repetitions: u32,
     /// 0: places as written. 1: the present place is X 0, Y 0, Z 0 of the file. 2: X 0, Y 0.
     pub offset: u8,
-    /// How far Z moves before each repetition, mm.
+    /// Distance that Z moves before each repetition, mm.
     pub plunge: f64,
     /// Leave tabs on the last repetition.
     pub tabs: bool,
@@ -67,7 +67,7 @@ pub struct Pause {
 pub struct Sound {
     /// Sounds are counted: each is heard once.
     pub number: u32,
-    /// What it is fetched as, below `/api/media/`.
+    /// Name by which it is fetched, below `/api/media/`.
     pub name: String,
 }
 
@@ -85,7 +85,7 @@ pub struct Folder {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Recorder {
-    /// Whether what is typed is recorded (RA, RI).
+    /// Typed commands are recorded (RA, RI).
     pub on: bool,
     /// The lines, oldest first.
     pub lines: Vec<String>,
@@ -97,16 +97,16 @@ pub struct Recorder {
 pub struct Opened {
     /// Its name below the part folder.
     pub name: String,
-    /// What it is run by, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are
+    /// Hash by which it is run, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are
     /// others than the usual, or when the preview is ready and knows the program files that it calls.
     pub hash: String,
     /// SHA-256 of its bytes alone.
     pub content: String,
-    /// What sort of file it is.
+    /// Sort of file.
     pub kind: FileKind,
-    /// How it is run, when it is a part program.
+    /// Parameters with which it is run, when it is a part program.
     pub parameters: FileParameters,
-    /// How it is run, when it is a job.
+    /// Choices with which it is cut, when it is a job.
     pub choice: JobChoice,
     /// The origin of a job on the table, X and Y from home, mm; nothing of other files.
     pub origin: Option<[f64; 2]>,
@@ -120,7 +120,7 @@ pub struct Opened {
     pub preview: PreviewState,
     /// Planned time, seconds; 0 until the preview is there.
     pub seconds: f64,
-    /// What is wrong with it or worth knowing.
+    /// Mistakes in it, and whatever else is worth knowing.
     pub findings: Vec<Finding>,
     /// It has mistakes that keep it from running: the first errors of the findings.
     pub broken: bool,
@@ -134,16 +134,16 @@ pub struct Opened {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct LastRun {
-    /// How it ended, as [`Job`] has it.
+    /// Word for its end, as [`Job`] has it.
     pub ended: String,
-    /// When: seconds since 1970.
+    /// Time of its end: seconds since 1970.
     #[ts(type = "number")]
     pub at: u64,
     /// The line of the last move; the path of a job.
     pub line: u32,
 }
 
-/// Whether a preview is there.
+/// State of a preview.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", tag = "state")]
 pub enum PreviewState {
@@ -157,7 +157,7 @@ pub enum PreviewState {
     },
     /// The program does not run.
     Failed {
-        /// Why.
+        /// Reason of the failure.
         why: String,
     },
 }
@@ -180,7 +180,7 @@ pub struct Interrupted {
     pub moved: bool,
 }
 
-/// What runs.
+/// The run that is under way, or the last one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Job {
@@ -201,22 +201,22 @@ pub struct Job {
     /// The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to
     /// its end; empty before the first move.
     pub tool_file: String,
-    /// Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm, as they
+    /// Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm, as they
     /// are in force in a job. Pauses and height control change them.
     pub heights: Option<[f64; 3]>,
-    /// What a pause has changed for the rest of a job; nothing while it is as it was set.
+    /// Settings as a pause has changed them for the rest of a job; nothing while they are as they were set.
     pub in_force: Option<InForce>,
-    /// How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs.
+    /// Word for its end: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs.
     pub ended: Option<String>,
-    /// What ended it, when it was an error.
+    /// The error that ended it, when one did.
     pub error: Option<Finding>,
-    /// What it came to, for whoever had it run and sees no page; nothing while it runs.
+    /// Summary, for whoever had it run and sees no page; nothing while it runs.
     #[ts(skip)]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub summary: Option<RunSummary>,
 }
 
-/// What a run came to.
+/// Summary of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct RunSummary {
@@ -238,7 +238,7 @@ pub struct RunSummary {
     pub millimetres: bool,
 }
 
-/// What holds for the rest of a job.
+/// Settings that hold for the rest of a job.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct InForce {
@@ -276,9 +276,9 @@ pub struct Asked {
     pub buttons: Vec<String>,
     /// The button that ENTER presses: its place in the list.
     pub default: u32,
-    /// What stands in the entry field.
+    /// Text that stands in the entry field.
     pub prefill: String,
-    /// Whether it has an entry field.
+    /// It has an entry field.
     pub entry: bool,
     /// 0 none, 16 critical, 32 question, 48 warning, 64 information.
     pub icon: u32,
@@ -289,11 +289,11 @@ pub struct Asked {
     pub file: String,
     /// Its line.
     pub line: u32,
-    /// What the machine was doing.
+    /// State that the machine was in.
     pub was: State,
 }
 
-/// How a message is meant.
+/// Sort of message.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub enum Tone {
@@ -312,7 +312,7 @@ pub enum Tone {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Message {
-    /// How it is meant.
+    /// Its sort.
     pub tone: Tone,
     /// The text.
     pub text: String,

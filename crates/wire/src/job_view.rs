@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// What sort of file is open.
+/// Sort of the open file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub enum FileKind {
@@ -18,20 +18,20 @@ pub enum FileKind {
     Drawing,
 }
 
-/// What the person who starts a job decides about it. Its file stays as it is.
+/// Choices of the person who starts a job. Its file stays as it is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", default, deny_unknown_fields)]
 #[ts(optional_fields = false)]
 pub struct JobChoice {
     /// The path with which it begins, counted from 1 in cutting order; that of the file for nothing.
     pub start: Option<u32>,
-    /// How far beside itself every path is cut, mm, to the right of travel.
+    /// Distance beside itself at which every path is cut, mm, to the right of travel.
     pub offset: f64,
-    /// Where its origin lies on the table, X and Y from home, mm; that of the file for nothing.
+    /// Place of its origin on the table, X and Y from home, mm; that of the file for nothing.
     pub origin: Option<[f64; 2]>,
-    /// Where the head goes at the end, X and Y from the origin, mm; that of the file for nothing.
+    /// Place to which the head goes at the end, X and Y from the origin, mm; that of the file for nothing.
     pub finish: Option<[f64; 2]>,
-    /// How much higher the paths with heights of their own lie than in the file, mm.
+    /// Height that the paths with heights of their own are raised above those of the file, mm.
     pub lift: f64,
 }
 
@@ -43,21 +43,21 @@ pub struct JobView {
     pub hash: String,
     /// Its paths in cutting order, arrays laid out, mm from the origin.
     pub paths: Vec<JobPath>,
-    /// Where the origin lies on the table, X and Y from home, mm.
+    /// Place of the origin on the table, X and Y from home, mm.
     pub origin: [f64; 2],
-    /// Where the head goes at the end, X and Y from the origin, mm.
+    /// Place to which the head goes at the end, X and Y from the origin, mm.
     pub finish: [f64; 2],
     /// The path with which it begins, from 1.
     pub start: u32,
-    /// How often it is cut.
+    /// Number of times that it is cut.
     pub repeats: u32,
     /// Cutting speed.
     pub cut_mm_s: f64,
     /// Plunging speed.
     pub plunge_mm_s: f64,
-    /// Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm.
+    /// Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm.
     pub heights: [f64; 3],
-    /// Whether the tool rises when the job is paused.
+    /// The tool rises when the job is paused.
     pub raise: bool,
     /// Reaches of X and Y, from home, mm.
     pub table: [[f64; 2]; 2],

@@ -1,11 +1,11 @@
-//! What an editor of part files and a fill-in sheet ask.
+//! Answers for an editor of part files and a fill-in sheet.
 
 use crate::Folder;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// How bad a finding is.
+/// Severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub enum Level {
@@ -21,7 +21,7 @@ pub enum Level {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Finding {
-    /// How bad.
+    /// Severity.
     pub level: Level,
     /// Its code.
     pub code: String,
@@ -33,17 +33,17 @@ pub struct Finding {
     pub column: u32,
     /// Characters.
     pub length: u32,
-    /// What is wrong.
+    /// Description of what is wrong.
     pub message: String,
-    /// How to mend it.
+    /// Advice how to mend it.
     pub hint: String,
 }
 
-/// What a text that is being edited is like.
+/// Findings about a text that is being edited.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Checked {
-    /// What is wrong with it.
+    /// The findings.
     pub findings: Vec<Finding>,
 }
 
@@ -57,11 +57,11 @@ pub struct Completion {
     pub kind: String,
     /// A few words beside it.
     pub detail: String,
-    /// What it does.
+    /// Description of its effect.
     pub doc: String,
 }
 
-/// What is known of the word at a place.
+/// Explanation of the word at a place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Hover {
@@ -85,7 +85,7 @@ pub struct Hint {
     pub parameters: Vec<String>,
     /// The place of the one that is being written.
     pub at: u32,
-    /// What is told of it.
+    /// Explanation.
     pub doc: String,
 }
 
@@ -100,9 +100,9 @@ pub struct CommandEntry {
     /// The menu it belongs to: `move`, `jog`, `cut`, `file`, `settings`, `values`, `zero`, `record`,
     /// `tools`, `utilities`, `help`.
     pub group: String,
-    /// What it does.
+    /// Description of its effect.
     pub doc: String,
-    /// Whether it moves the machine.
+    /// It moves the machine.
     pub moves: bool,
     /// Its parameters, in order.
     pub parameters: Vec<Parameter>,
@@ -114,13 +114,13 @@ pub struct CommandEntry {
 pub struct Parameter {
     /// Its name.
     pub name: String,
-    /// What may be written.
+    /// Kind of value that may be written.
     pub kind: ParameterKind,
     /// `in`, `mm`, `in/s`, `deg` … or nothing.
     pub unit: String,
-    /// Whether it has to be given.
+    /// It has to be given.
     pub required: bool,
-    /// What it means when left blank, as it would be written; nothing when the present value stays.
+    /// Value that counts when it is left blank, as it would be written; nothing when the present value stays.
     pub default: Option<String>,
     /// The present value, for one that shows a setting.
     pub present: Option<String>,
@@ -130,11 +130,11 @@ pub struct Parameter {
     pub least: Option<f64>,
     /// Greatest value, included.
     pub most: Option<f64>,
-    /// What it is for.
+    /// Its purpose.
     pub doc: String,
 }
 
-/// What may be written for a parameter.
+/// Kind of value that may be written for a parameter.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", tag = "is")]
 pub enum ParameterKind {
@@ -160,7 +160,7 @@ pub enum ParameterKind {
     Obsolete,
 }
 
-/// What the machine remembers, to be looked at.
+/// Values that the machine remembers, to be looked at.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Values {
@@ -170,7 +170,7 @@ pub struct Values {
     pub variables: Vec<NamedValue>,
     /// The lines of OpenSBP that set what is set now.
     pub settings: Vec<String>,
-    /// What helps to find a fault (UD): versions, places, switches, the last error.
+    /// Facts that help to find a fault (UD): versions, places, switches, the last error.
     pub diagnostics: Vec<NamedValue>,
     /// The folder of part files and which of them lists show (FS).
     pub folder: Folder,
@@ -182,17 +182,17 @@ pub struct Values {
     pub data: String,
 }
 
-/// What a system variable reads.
+/// A system variable and its value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct SystemValue {
     /// The number in its brackets.
     pub number: u8,
-    /// What it tells.
+    /// Meaning of its value.
     pub name: String,
     /// Its unit; empty for none.
     pub unit: String,
-    /// What it reads.
+    /// Its value.
     pub value: String,
 }
 
@@ -202,6 +202,6 @@ pub struct SystemValue {
 pub struct NamedValue {
     /// Its name with `&` or `$`.
     pub name: String,
-    /// What it holds.
+    /// Its value.
     pub value: String,
 }

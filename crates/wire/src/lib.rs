@@ -1,4 +1,4 @@
-//! What server and console say to each other.
+//! Messages between server and console.
 //!
 //! ```text
 //!  server ── Snapshot, then Change, Change … ──► page       one WebSocket, /ws

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// What the machine is doing.
+/// Activity of the machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub enum State {
@@ -26,7 +26,7 @@ pub enum State {
     Alarm,
 }
 
-/// What running a file means.
+/// Effect of running a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub enum Mode {
@@ -43,35 +43,35 @@ pub enum Mode {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Machine {
-    /// What it is doing.
+    /// Its activity.
     pub state: State,
-    /// What running a file means.
+    /// Effect of running a file.
     pub mode: Mode,
-    /// Whether it may be moved: not after a start, a lost link, an alarm, until somebody arms it.
+    /// It may be moved: not after a start, a lost link, an alarm, until somebody arms it.
     pub armed: bool,
-    /// Why it is disarmed, held or in alarm, for a person.
+    /// Reason why it is disarmed, held or in alarm, for a person.
     pub why: Option<String>,
     /// Its name.
     pub name: String,
 }
 
-/// Where the machine is. Sent about 25 times a second while it moves.
+/// Position and motion of the machine. Sent about 25 times a second while it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Motion {
-    /// Where the axes are.
+    /// Positions of the axes.
     pub at: Positions,
     /// Speed along the path.
     pub speed_mm_s: f64,
     /// Machine time since the run began, seconds.
     pub t: f64,
-    /// Whether it is a cut; a jog otherwise.
+    /// It is a cut; a jog otherwise.
     pub cutting: bool,
     /// Line of the part file that makes the move; 0 when none does.
     pub line: u32,
     /// Moves of the job made so far: segments of the preview before this are done.
     pub made: u32,
-    /// How far the job is, 0 … 1 of its planned time.
+    /// Progress of the job, 0 … 1 of its planned time.
     pub progress: f64,
     /// Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster.
     pub remaining: f64,
@@ -89,7 +89,7 @@ pub struct Positions {
     pub machine: [f64; AXES],
 }
 
-/// What a person reads lengths in.
+/// Units in which a person reads lengths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Units {
@@ -99,7 +99,7 @@ pub struct Units {
     pub mm: f64,
     /// Each axis.
     pub axes: Vec<AxisUnits>,
-    /// Whether the numbers of moves are places (SA) or distances (SR).
+    /// The numbers of moves are places (SA); distances otherwise (SR).
     pub absolute: bool,
 }
 
@@ -109,7 +109,7 @@ impl Default for Units {
     }
 }
 
-/// What a person reads an axis in.
+/// Unit in which a person reads an axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct AxisUnits {
@@ -119,7 +119,7 @@ pub struct AxisUnits {
     pub unit: String,
     /// Internal units (mm or degrees) in one of them.
     pub scale: f64,
-    /// Whether the machine has it.
+    /// The machine has it.
     pub used: bool,
 }
 
@@ -135,7 +135,7 @@ pub struct Speeds {
     pub rpm: f64,
 }
 
-/// What an input is assigned to (VN).
+/// Duty that is assigned to an input (VN).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub enum Duty {
@@ -154,11 +154,11 @@ pub enum Duty {
 pub struct Lamp {
     /// Its number, from 1.
     pub number: u8,
-    /// Whether it is on.
+    /// It is on.
     pub on: bool,
-    /// What it is for, when something is known.
+    /// Its purpose, when something is known.
     pub label: String,
-    /// What it is assigned to, when it is an input.
+    /// Duty that is assigned to it, when it is an input.
     pub duty: Duty,
 }
 
@@ -198,7 +198,7 @@ pub struct PortBit {
     pub place: u8,
     /// Its name on this machine.
     pub name: String,
-    /// What it is for.
+    /// Its purpose.
     pub about: String,
 }
 

@@ -10,7 +10,7 @@ use ts_rs::TS;
 pub struct OperationEntry {
     /// Its first word.
     pub name: String,
-    /// What it does.
+    /// Description of its effect.
     pub doc: String,
     /// The ways to say it.
     pub variants: Vec<OperationVariant>,
@@ -22,7 +22,7 @@ pub struct OperationEntry {
 pub struct OperationVariant {
     /// As it is written.
     pub form: String,
-    /// What is said, in order.
+    /// Its parts, in order.
     pub parts: Vec<OperationPart>,
 }
 
@@ -30,9 +30,9 @@ pub struct OperationVariant {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct OperationPart {
-    /// What stands before the value: `about `, `tool=`; alone it is a word that is always said.
+    /// Text before the value: `about `, `tool=`; alone it is a word that is always said.
     pub lead: String,
-    /// What is entered; nothing for a word alone.
+    /// Value that is entered; nothing for a word alone.
     pub value: Option<OperationValue>,
     /// It may be left out.
     pub optional: bool,
@@ -40,7 +40,7 @@ pub struct OperationPart {
     pub repeats: bool,
 }
 
-/// What is entered for a part.
+/// Kind of value that is entered for a part.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", tag = "is")]
 pub enum OperationValue {
@@ -81,7 +81,7 @@ pub enum OperationValue {
     WordsOr {
         /// The words.
         words: Vec<String>,
-        /// Whether the number is a length.
+        /// The number is a length.
         length: bool,
     },
     /// A drawing of the part folder.

@@ -1,10 +1,10 @@
-//! Who is connected, and who drives.
+//! Connected pages, their roles, and the lease of the driver.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
-/// What a device may do. Each may do what those before it may.
+/// Rights of a device. Each role may do what those before it may.
 #[derive(
     Clone,
     Copy,
@@ -32,13 +32,13 @@ pub enum Role {
     Owner,
 }
 
-/// Who a page is.
+/// Identity of a page.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Who {
     /// Its number, as long as it is connected.
     pub client: u32,
-    /// What it may do.
+    /// Its role.
     pub role: Role,
     /// Name of the device; empty for a page on the machine itself.
     pub device: String,
@@ -50,19 +50,19 @@ pub struct Who {
 pub struct Client {
     /// Its number.
     pub client: u32,
-    /// What it may do.
+    /// Its role.
     pub role: Role,
     /// Name of the device.
     pub device: String,
 }
 
-/// Who drives: one at a time. Every command that moves the machine carries the number.
+/// The turn at driving, one at a time. Every command that moves the machine carries the number.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Lease {
     /// Grows with every lease; a command with an old number is refused.
     pub number: u32,
-    /// Who has it.
+    /// Number of the page or script that has it.
     pub client: u32,
     /// Name of the device.
     pub device: String,

@@ -39,17 +39,17 @@ pub const PIECE: usize = 1 << 16;
 pub struct TypedPath {
     /// Changes when it begins anew.
     pub key: u32,
-    /// How many segments it has: they can be asked for as `/api/typed/KEY/FROM`.
+    /// Number of its segments, which can be asked for as `/api/typed/KEY/FROM`.
     pub segments: u32,
 }
 
-/// What a page knows before it asks for pieces.
+/// Facts that a page knows before it asks for pieces.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct PreviewInfo {
-    /// What vertices are relative to: mm, machine frame.
+    /// Origin of the vertices: mm, machine frame.
     pub origin: [f64; 3],
-    /// Where the working zero was: mm, machine frame.
+    /// Place that the working zero had: mm, machine frame.
     pub zero: [f64; 3],
     /// Corner of the table with the least X and Y: mm, machine frame.
     pub table: [f64; 2],
@@ -81,7 +81,7 @@ pub struct PreviewInfo {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Detail {
-    /// How far it is from the true path at most, mm.
+    /// Greatest distance from the true path, mm.
     pub tolerance: f64,
     /// Segments.
     pub segments: u32,
@@ -110,15 +110,15 @@ pub const TIMING_POINTS: usize = 20_000;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Timing {
-    /// Where it ends, seconds of machine time.
+    /// Its end, seconds of machine time.
     pub seconds: f64,
-    /// Whether it holds all of a run that came to its end.
+    /// It holds all of a run that came to its end.
     pub whole: bool,
-    /// Whether it ends before the run because that has more edges than a chart holds.
+    /// It ends before the run because that has more edges than a chart holds.
     pub full: bool,
-    /// How the run ended: `ok`, `ended`, `failed`, `stopped`, `limit`.
+    /// Word for the end of the run: `ok`, `ended`, `failed`, `stopped`, `limit`.
     pub status: String,
-    /// Why it ended before its end.
+    /// Reason why the run ended before its end.
     pub finding: Option<Finding>,
     /// Its lines, from above.
     pub lines: Vec<TimingLine>,
@@ -128,11 +128,11 @@ pub struct Timing {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct TimingLine {
-    /// What it shows.
+    /// Kind of line.
     pub kind: TimingKind,
     /// Its name.
     pub name: String,
-    /// Where this is not 0 the line has more points than a chart holds: of each grain of so many seconds,
+    /// Length of a grain, seconds. If it is not 0 the line has more points than a chart holds: of each grain,
     /// counted from 0, only the first, the least, the greatest and the last are here.
     pub grain: f64,
     /// Moments, seconds, and the value there. An axis goes evenly between them; a value or a bit is 0 before
@@ -140,11 +140,11 @@ pub struct TimingLine {
     pub points: Vec<[f64; 2]>,
 }
 
-/// What a line of a timing chart shows.
+/// Kind of a line of a timing chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub enum TimingKind {
-    /// Where an axis is, mm: from the working zero for a program, from the machine's for a job.
+    /// Place of an axis, mm: from the working zero for a program, from the machine's for a job.
     Axis,
     /// A value: intensity, pulses a second.
     Value,

@@ -10,9 +10,9 @@ use ts_rs::TS;
 pub struct Reply {
     /// Of the request.
     pub id: u32,
-    /// Why nothing was done; nothing when it was.
+    /// Reason why nothing was done; nothing when it was.
     pub problem: Option<Problem>,
-    /// What was noticed although it was done: warnings of a drawing operation.
+    /// Notes on an act that was done all the same: warnings of a drawing operation.
     pub notes: Vec<String>,
     /// The server's clock when it answered a ping, ms since it began.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -20,7 +20,7 @@ pub struct Reply {
     pub clock_ms: Option<f64>,
 }
 
-/// Why something was not done.
+/// Reason why something was not done.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Problem {

@@ -22,25 +22,25 @@ pub struct SettingArea {
 pub struct SettingEntry {
     /// Its name, dotted: `homing.x.fast_mm_s`.
     pub key: String,
-    /// What may be written.
+    /// Kind of value that may be written.
     pub kind: SettingKind,
     /// `mm`, `s`, `%` … or nothing.
     pub unit: String,
-    /// What it accepts beside its kind, in words; empty for anything of that kind.
+    /// Bounds of its values beside their kind, in words; empty for anything of that kind.
     pub bound: String,
     /// Least value, included.
     pub least: Option<f64>,
     /// Greatest value, included.
     pub most: Option<f64>,
-    /// What it is in a new configuration, as it is written.
+    /// Its value in a new configuration, as it is written.
     pub default: String,
-    /// What it is now, as it is written.
+    /// Its present value, as it is written.
     pub value: String,
-    /// What it is for.
+    /// Its purpose.
     pub doc: String,
 }
 
-/// What may be written for a setting.
+/// Kind of value that may be written for a setting.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase", tag = "is")]
 pub enum SettingKind {
@@ -60,7 +60,7 @@ pub enum SettingKind {
     Text,
     /// Several values between brackets, with commas.
     List {
-        /// How many.
+        /// Number of values.
         length: u32,
         /// The setting may be absent.
         none: bool,

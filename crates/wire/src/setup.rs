@@ -1,4 +1,4 @@
-//! What the machine is set to, as far as drawings are worked on with it.
+//! Settings of the machine, as far as drawings are worked on with it.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -10,11 +10,11 @@ use ts_rs::TS;
 pub struct Setup {
     /// The special positions of Z, from its home.
     pub heights: ZHeights,
-    /// How far X and Y reach from their home; 0 is without bounds.
+    /// Reaches of X and Y from their home; 0 is without bounds.
     pub reach: [f64; 2],
-    /// Whether changing settings asks for a password.
+    /// Changing settings asks for a password.
     pub protected: bool,
-    /// Whether outputs stay on when a machine that stands is stopped, disarmed or left.
+    /// Outputs stay on when a machine that stands is stopped, disarmed or left.
     pub outputs_stay_on: bool,
     /// A click selects what lies so near, pixels.
     pub pick_radius: f64,
@@ -31,7 +31,7 @@ pub struct Setup {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct ZHeights {
-    /// Where the tool travels.
+    /// Height at which the tool travels.
     pub top: f64,
     /// The surface of the material.
     pub surface: f64,

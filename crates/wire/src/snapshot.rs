@@ -15,7 +15,7 @@ const PRINTED: usize = 1000;
 /// Messages that are kept.
 const MESSAGES: usize = 200;
 
-/// What a start-up line says of pages (programming handbook, Command Line Options).
+/// Settings of a start-up line for pages (programming handbook, Command Line Options).
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct StartUp {
@@ -40,15 +40,15 @@ pub struct Snapshot {
     pub revision: u32,
     /// The port of STOP's own way, beside that of the console; 0 where there is none.
     pub stop_port: u16,
-    /// Whether only drawings are worked on here.
+    /// Only drawings are worked on here.
     pub drawing_only: bool,
     /// The machine.
     pub machine: Machine,
-    /// Where it is.
+    /// Its position and motion.
     pub motion: Motion,
-    /// What a person reads lengths in.
+    /// Units in which a person reads lengths.
     pub units: Units,
-    /// What the machine is set to, as far as drawings are worked on with it.
+    /// Settings of the machine, as far as drawings are worked on with it.
     pub setup: Setup,
     /// Speeds in force.
     pub speeds: Speeds,
@@ -56,13 +56,13 @@ pub struct Snapshot {
     pub io: Io,
     /// The file that is open.
     pub opened: Option<Opened>,
-    /// What runs, or ran last.
+    /// The run that is under way, or the last one.
     pub job: Option<Job>,
     /// The path of what was typed.
     pub typed: TypedPath,
     /// A run that can be taken up where it was cut short.
     pub interrupted: Option<Interrupted>,
-    /// How Kerf was started, where a start-up line says what pages show.
+    /// Settings with which Kerf was started, where a start-up line says what pages show.
     pub start: Option<StartUp>,
     /// The question that is open.
     pub asked: Option<Asked>,
@@ -76,9 +76,9 @@ pub struct Snapshot {
     pub printed: Vec<String>,
     /// Messages, oldest first.
     pub messages: Vec<Message>,
-    /// Who drives.
+    /// The turn at driving that goes on.
     pub lease: Option<Lease>,
-    /// Who is connected.
+    /// Connected pages.
     pub clients: Vec<Client>,
     /// The drawing that is open.
     pub drawing: Option<DrawingState>,
@@ -96,7 +96,7 @@ pub struct Snapshot {
     pub hand_console: HandConsole,
     /// The points that are being digitized; nothing while none are.
     pub digitized: Option<Digitized>,
-    /// What pages were told to have in sight.
+    /// Part of the picture that pages were last told to have in sight.
     pub looked: Option<Looked>,
 }
 

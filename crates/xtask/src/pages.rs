@@ -5,9 +5,9 @@ use anyhow::{Context, Result};
 
 /// A page that is made and never edited.
 struct Page {
-    /// Where it lies.
+    /// Path of the page.
     path: &'static str,
-    /// What it is made by.
+    /// Function that makes its text.
     text: fn(&Tree) -> Result<String>,
     /// The command that makes it anew.
     command: &'static str,

@@ -15,7 +15,7 @@ pub struct Finding {
     pub file: String,
     /// Line counted from 1, or 0 for the whole file.
     pub line: usize,
-    /// What is wrong and what to do.
+    /// Description of what is wrong and what to do.
     pub message: String,
 }
 
@@ -95,7 +95,7 @@ impl Tree {
         Ok(())
     }
 
-    /// Where the checkout lies.
+    /// Returns the folder of the checkout.
     pub fn root(&self) -> &Path {
         &self.root
     }
@@ -119,7 +119,7 @@ impl Tree {
         self.texts().filter(move |(p, _)| p.starts_with(prefix) && p.ends_with(suffix))
     }
 
-    /// Whether a file, or a folder with files in it, exists.
+    /// Returns `true` if a file, or a folder with files in it, exists.
     pub fn exists(&self, path: &str) -> bool {
         let inside = format!("{path}/");
         let mut all = self.texts.keys().chain(&self.binaries);

@@ -13,7 +13,7 @@ use kerf_program::{At, Axes, OutputReason};
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
-/// What a driver hangs on. Errors are told to people as they are.
+/// Line that a driver hangs on. Errors are told to people as they are.
 pub trait Line {
     /// The bytes that came, waiting for the first of them at most so long; 0 when none did.
     fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, String>;
@@ -22,7 +22,7 @@ pub trait Line {
     fn write(&mut self, bytes: &[u8]) -> Result<(), String>;
 }
 
-/// How long one look at the line takes when nothing comes.
+/// Time that one look at the line takes when nothing comes.
 const NAP: Duration = Duration::from_millis(4);
 
 /// A controller that has not told who it is after this is none, seconds.
@@ -43,7 +43,7 @@ const MIST: u8 = 3;
 /// While it has nothing to do the controller is asked so often how it is, seconds.
 const ASK_S: f64 = 0.2;
 
-/// What is on its way to the controller at most: orders that are not done.
+/// Most orders on their way to the controller that are not done.
 const AHEAD: usize = 64;
 
 /// A line that somebody else has.
@@ -133,7 +133,7 @@ impl Connection {
         self.offset
     }
 
-    /// Why it takes no orders: it is locked until it is homed.
+    /// Tells why it takes no orders: it is locked until it is homed.
     pub fn locked(&mut self) -> Option<String> {
         match self.link.driver().trouble() {
             Some(trouble @ Trouble::Locked { .. }) => Some(format!("{}: {trouble}", self.name)),
@@ -180,7 +180,7 @@ impl Connection {
         }
     }
 
-    /// Where it stands in its own machine frame.
+    /// Returns where it stands in its own machine frame.
     pub fn stands(&mut self) -> Axes {
         self.link.driver().stands().map_or(Axes::default(), |standing| standing.position)
     }
@@ -218,7 +218,7 @@ impl Connection {
         self.since.elapsed().as_secs_f64()
     }
 
-    /// Where it was when it told last, machine frame.
+    /// Returns its place when it told last, machine frame.
     fn place(&mut self) -> Option<Axes> {
         let standing = self.link.driver().stands()?;
         Some(standing.position.plus(self.offset))
@@ -320,7 +320,7 @@ impl Connection {
         Some(ticket)
     }
 
-    /// Whether another move may be handed over.
+    /// Tells whether another move may be handed over.
     const fn has_room(&self) -> bool {
         self.open < AHEAD && self.failure.is_none()
     }

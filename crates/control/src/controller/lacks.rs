@@ -1,4 +1,4 @@
-//! What a program asks for that a controller does not have, found before anything moves.
+//! Finds, before anything moves, what a program asks for that a controller does not have.
 
 use crate::event::MoveEvent;
 use crate::{Event, Made, Sink};
@@ -16,14 +16,14 @@ pub struct Lacks {
     facts: Facts,
     /// A place of the machine less that of the controller.
     offset: Axes,
-    /// Where the last move comes from.
+    /// File of the last move.
     file: Arc<str>,
     line: u32,
     seen: BTreeSet<String>,
     found: Vec<Diagnostic>,
 }
 
-/// Why a controller cannot go to a place.
+/// Tells why a controller cannot go to a place.
 pub(super) fn out_of_reach(facts: &Facts, from: Axes, to: Axes, offset: Axes) -> Option<String> {
     let lacks =
         Axis::ALL.into_iter().find(|axis| axis.index() >= facts.axes && from[*axis] != to[*axis]);
@@ -47,7 +47,7 @@ impl Lacks {
         Self { name, facts, offset, file, line: 0, seen, found }
     }
 
-    /// What it lacks, and what it does slower.
+    /// Returns what it lacks, and what it does slower.
     pub fn found(self) -> Vec<Diagnostic> {
         self.found
     }
@@ -91,8 +91,8 @@ impl Lacks {
     }
 }
 
-/// Whether an output is asked for that there is not. A light that is on while something moves is none that
-/// a program needs.
+/// Returns `true` if the controller lacks an output that a program needs. It does not need a light that is on while
+/// something moves.
 pub(super) fn needs(facts: &Facts, number: u8, why: OutputReason) -> bool {
     let lacks = wired(number).is_some_and(|line| facts.outputs & (1 << (line - 1)) == 0);
     lacks && why != OutputReason::Motion
@@ -109,7 +109,7 @@ pub(super) fn wired(number: u8) -> Option<u8> {
     }
 }
 
-/// What goes up and down with the first tool.
+/// Tells whether an output follows the first tool up and down.
 fn is_followed(number: u8) -> bool {
     matches!(Output::of_number(number), Some(Output::Tool1 | Output::Cut1))
 }
@@ -148,7 +148,7 @@ impl Sink for Lacks {
     }
 }
 
-/// What an event sets, as far as machines may lack it.
+/// Returns the actuator that an event sets, as far as machines may lack it.
 fn set_by(event: &Event) -> Option<Actuator> {
     Some(match *event {
         Event::Output { n: number, on, why, .. } => Actuator::Output { number, on, why },
@@ -159,7 +159,7 @@ fn set_by(event: &Event) -> Option<Actuator> {
     })
 }
 
-/// What no controller has that is driven move by move, where something asks for it.
+/// Names what an actuator asks for and no controller has that is driven move by move.
 pub(super) fn lacked(actuator: &Actuator) -> Option<&'static str> {
     match *actuator {
         Actuator::Output { on: true, why: OutputReason::Trigger, .. } => {

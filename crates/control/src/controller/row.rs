@@ -28,7 +28,7 @@ impl Handed {
         self.chords.last().map_or(0, |chord| chord.ticket)
     }
 
-    /// How far a place lies from what is not done of it, and the share of the move there.
+    /// Returns the distance of a place from what is not done of it, and the share of the move there.
     fn nearest(&self, done: Ticket, place: Axes) -> Option<(f64, f64)> {
         let (mut from, mut begin, mut best) = (self.from, 0.0, None::<(f64, f64)>);
         for chord in &self.chords {

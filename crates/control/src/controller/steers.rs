@@ -12,25 +12,25 @@ use std::time::{Duration, Instant};
 /// seconds: the next piece is planned meanwhile, and the machine does not stop between them.
 const LEAD_S: f64 = 0.5;
 
-/// How long one look takes when nothing comes.
+/// Time that one look takes when nothing comes.
 const NAP: Duration = Duration::from_millis(4);
 
-/// How long a machine that is wanted stopped may take to make its last moves: longer than what is sent ahead takes.
+/// Time limit for the last moves of a machine that is wanted stopped: longer than what is sent ahead takes.
 pub(super) const PATIENCE: Duration = Duration::from_secs(2);
 
 /// Lets the machine decide how machine time passes; what the operator wants comes from another pace.
 pub struct Steers<'a> {
     machine: Driven,
     operator: &'a mut dyn Pace,
-    /// What the operator wanted while something else came first.
+    /// Wish of the operator that came while something else came first.
     kept: Option<(f64, Wish)>,
     /// It was stopped on the way: what is left of the plan is made already.
     braked: bool,
     failure: Option<Fault>,
     looked: Instant,
-    /// When it began to stand at a moment of machine time: an input on the way does not begin it anew.
+    /// Moment of machine time at which it stands, and since when: an input on the way does not begin it anew.
     stood: Option<(f64, Instant)>,
-    /// How the inputs are wired.
+    /// Wiring of the inputs.
     io: IoModes,
 }
 
@@ -42,7 +42,7 @@ impl<'a> Steers<'a> {
         Self { machine, operator, kept, braked: false, failure, looked, stood: None, io }
     }
 
-    /// What the operator wants by a moment.
+    /// Returns the wish of the operator up to a moment.
     fn wish(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
         let kept = self.kept.take().map(|(at_s, wish)| (at_s.max(from_s), wish));
         kept.or_else(|| self.operator.pass(from_s, to_s))
@@ -139,7 +139,7 @@ impl<'a> Steers<'a> {
     }
 }
 
-/// Whether the run goes on without waiting for the machine.
+/// Returns `true` if the run goes on without waiting for the machine.
 fn leads(going: Going<'_>, until_s: f64) -> bool {
     let plan = going.plan;
     let last = plan.span(plan.moves().len().saturating_sub(1));

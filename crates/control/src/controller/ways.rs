@@ -37,7 +37,7 @@ fn curve_chords(made: &Move, tolerance_mm: f64) -> usize {
     count
 }
 
-/// How far the middle of a chord lies from the path, at most.
+/// Returns the largest distance of the middle of a chord from the path.
 fn sagitta(made: &Move, count: usize) -> f64 {
     let at = |n: f64| made.position(n / count as f64);
     let one = |n: usize| {
@@ -63,7 +63,7 @@ pub fn speed_mm_s(made: &Move, chords: &[(f64, Axes)]) -> f64 {
     if way > 0.0 && seconds > 0.0 { way / seconds } else { made.top_mm_s() }
 }
 
-/// How far a place lies from a straight way, and at what share of it.
+/// Returns the distance of a place from a straight way, and the share of the way at which it is nearest.
 pub fn nearest(from: Axes, to: Axes, place: Axes) -> (f64, f64) {
     let way = to.minus(from);
     let square: f64 = way.0.iter().map(|v| v * v).sum();

@@ -11,16 +11,16 @@ pub trait Disk {
     /// Names in a folder, sorted.
     fn names(&self, folder: &Path) -> io::Result<Vec<String>>;
 
-    /// Whether there is such a file.
+    /// Tells whether there is such a file.
     fn is_file(&self, path: &Path) -> bool;
 
-    /// Whether there is such a folder.
+    /// Tells whether there is such a folder.
     fn is_folder(&self, path: &Path) -> bool;
 
     /// The path with symbolic links resolved, as far as it exists.
     fn real_path(&self, path: &Path) -> PathBuf;
 
-    /// Whether a file could be written there; changes nothing.
+    /// Checks that a file could be written there; changes nothing.
     fn may_write(&self, path: &Path) -> io::Result<()>;
 
     /// Makes a folder and those above it.
@@ -29,7 +29,7 @@ pub trait Disk {
     /// Puts a whole file in place: afterwards it is there complete, or as it was before.
     fn write(&mut self, path: &Path, bytes: &[u8]) -> io::Result<()>;
 
-    /// Whether a program wrote the file that lies there, in a space of its own.
+    /// Tells whether a program wrote the file that lies there, in a space of its own.
     fn is_scratch(&self, _: &Path) -> bool {
         false
     }

@@ -9,18 +9,18 @@ use kerf_program::{Folder, HostError};
 use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
 
-/// What Windows installations call the folder of part files.
+/// Paths of the folder of part files in Windows installations.
 const WINDOWS_PARTS: [&[&str]; 2] = [&["sbparts"], &["shopbot", "parts"]];
 
-/// What they call the folder of custom cuts in it.
+/// Name of the folder of custom cuts in it.
 const CUSTOM: &str = "custom";
 
 /// The folders that programs may name files in.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Folders {
-    /// Where part files are at the start.
+    /// Folder of part files at the start.
     start: PathBuf,
-    /// Where they are now (FS).
+    /// Folder of part files now (FS).
     parts: PathBuf,
     /// Folders of custom cuts, the first that has a file wins.
     custom: Vec<PathBuf>,
@@ -28,7 +28,7 @@ pub struct Folders {
     allowed: Vec<PathBuf>,
 }
 
-/// What a path is wanted for.
+/// Purpose for which a path is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// The file has to be there.
@@ -123,7 +123,7 @@ impl Folders {
         paths.filter(|path| !disk.is_folder(path)).find(|path| below(path) && free(path))
     }
 
-    /// Where a name may lie: base folders and the rest of the name.
+    /// Returns the places where a name may lie: base folders and the rest of the name.
     fn places(
         &self,
         disk: &dyn Disk,
@@ -194,21 +194,21 @@ fn clean(name: &str) -> String {
     name.trim().trim_matches('"').trim().replace('\\', "/")
 }
 
-/// What follows a drive, without the first slash.
+/// Returns what follows a drive, without the first slash.
 fn after_drive(name: &str) -> Option<&str> {
     let mut letters = name.chars();
     let drive = letters.next()?.is_ascii_alphabetic() && letters.next()? == ':';
     drive.then(|| letters.as_str().trim_start_matches('/'))
 }
 
-/// What follows the folder of part files, as Windows installations call it.
+/// Returns what follows the folder of part files, as Windows installations call it.
 fn inside_parts(path: &str) -> Option<&str> {
     WINDOWS_PARTS.iter().find_map(|folders| {
         folders.iter().try_fold(path, |rest, folder| strip_folder(rest, folder))
     })
 }
 
-/// What follows a folder of the same name as this one.
+/// Returns what follows a folder of the same name as this one.
 fn behind_folder(path: &str, folder: &Path) -> Option<String> {
     let name = folder.file_name()?.to_str()?;
     let mut parts = path.split('/');
@@ -216,7 +216,7 @@ fn behind_folder(path: &str, folder: &Path) -> Option<String> {
     Some(parts.collect::<Vec<_>>().join("/"))
 }
 
-/// What follows a first folder of this name, in any case.
+/// Returns what follows a first folder of this name, in any case.
 fn strip_folder<'a>(path: &'a str, folder: &str) -> Option<&'a str> {
     let (first, rest) = path.split_once('/').unwrap_or((path, ""));
     first.eq_ignore_ascii_case(folder).then_some(rest)

@@ -18,7 +18,7 @@ struct OpenFile {
     path: PathBuf,
     mode: FileMode,
     text: String,
-    /// Where reading goes on, bytes.
+    /// Place at which reading goes on, bytes.
     next: usize,
 }
 
@@ -69,7 +69,7 @@ impl OpenFiles {
     }
 }
 
-/// What a file holds that is opened.
+/// Returns the bytes that a file holds when it is opened.
 pub fn to_open(disk: &dyn Disk, path: &Path, mode: FileMode) -> Result<Vec<u8>, HostError> {
     if mode == FileMode::Input || mode == FileMode::Append && disk.is_file(path) {
         return disk.read(path).map_err(|e| refused("read", path, &e));

@@ -87,7 +87,7 @@ fn replace(path: &Path, bytes: &[u8], beside: io::Result<NamedTempFile>) -> io::
     Ok(())
 }
 
-/// What the system said, without the name of a file that nobody asked for.
+/// Cuts the name of a file that nobody asked for from what the system said.
 fn without_path(error: io::Error) -> io::Error {
     match error.to_string().split_once(" at path ") {
         Some((said, _)) => io::Error::new(error.kind(), said),

@@ -21,7 +21,7 @@ impl<D: Disk> Scratch<D> {
         Self { below, written: MemoryDisk::default(), bytes: 0 }
     }
 
-    /// What was written.
+    /// Returns the disk with the files that were written.
     pub const fn written(&self) -> &MemoryDisk {
         &self.written
     }

@@ -12,7 +12,7 @@ const VERSION: i64 = 2;
 /// The version before.
 const FIRST: i64 = 1;
 
-/// How long to wait for another process that writes.
+/// Longest wait for another process that writes.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 const TABLES: &str = "
@@ -23,7 +23,7 @@ const TABLES: &str = "
     CREATE TABLE history (key PRIMARY KEY, text NOT NULL, sum INTEGER NOT NULL) WITHOUT ROWID;
     PRAGMA user_version = 2;";
 
-/// How a database is opened.
+/// Way in which a database is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Access {
     /// To change it.
@@ -32,7 +32,7 @@ pub(super) enum Access {
     Look,
 }
 
-/// What the database says, or what is wrong with a row of it.
+/// Error that the database reports, or a fault in a row of it.
 #[derive(Debug)]
 pub(super) enum Trouble {
     /// SQLite says so.
@@ -122,8 +122,8 @@ fn made_meanwhile(connection: &Connection, error: rusqlite::Error) -> Result<(),
     if made { Ok(()) } else { Err(error.into()) }
 }
 
-/// Where the folder cannot be written, readers cannot tell each other of themselves: then the file
-/// is read as it is.
+/// Opens the file to read it. Where the folder cannot be written, readers cannot tell each other of themselves:
+/// then the file is read as it is.
 pub(super) fn look(file: &Path) -> Result<Connection, Trouble> {
     let flags = OpenFlags::SQLITE_OPEN_READ_ONLY;
     let usual = Connection::open_with_flags(file, flags);
@@ -150,7 +150,7 @@ pub(super) fn as_it_is(file: &Path) -> rusqlite::Result<Connection> {
     Connection::open_with_flags(uri, flags)
 }
 
-/// Whether the pages of the file fit together.
+/// Checks that the pages of the file fit together.
 pub(super) fn sound(connection: &Connection) -> Result<(), Trouble> {
     let found: String = connection.query_row("PRAGMA quick_check(1)", [], |row| row.get(0))?;
     match found.as_str() {
@@ -178,7 +178,7 @@ fn version(connection: &Connection) -> rusqlite::Result<i64> {
     connection.pragma_query_value(None, "user_version", |row| row.get(0))
 }
 
-/// Whether each commit waits for the disk.
+/// Sets whether each commit waits for the disk.
 pub(super) fn synchronous(connection: &Connection, each: bool) -> Result<(), Trouble> {
     Ok(connection.pragma_update(None, "synchronous", if each { "FULL" } else { "NORMAL" })?)
 }

@@ -1,10 +1,10 @@
-//! Why the journal cannot be used, in words that say what to do.
+//! Reasons for which the journal cannot be used, in words that say what to do.
 
 use crate::Summary;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why the journal cannot be used.
+/// Reason for which the journal cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum JournalError {
     /// The folder or the file cannot be written.
@@ -16,7 +16,7 @@ pub enum JournalError {
     ReadOnly {
         /// The file or folder.
         path: PathBuf,
-        /// What the system says.
+        /// Words of the system.
         why: String,
     },
     /// There is no room.
@@ -33,7 +33,7 @@ pub enum JournalError {
     Damaged {
         /// The file.
         path: PathBuf,
-        /// What was found.
+        /// Damage that was found.
         what: String,
     },
     /// A later version wrote it.
@@ -51,9 +51,9 @@ pub enum JournalError {
     /// The run is over, and what it left cannot be kept.
     #[error("what the run left is not kept: {why}")]
     NotKept {
-        /// How it ended.
+        /// Outcome of the run.
         summary: Box<Summary>,
-        /// Why.
+        /// Reason.
         why: Box<JournalError>,
     },
     /// No run was cut short.
@@ -62,7 +62,7 @@ pub enum JournalError {
         /// The data folder.
         folder: PathBuf,
     },
-    /// What is kept does not lead where the run was.
+    /// The record does not lead where the run was.
     #[error("the run cannot be taken up: {0}")]
     Unfit(String),
     /// The settings of the machine have a mistake.
@@ -76,7 +76,7 @@ pub enum JournalError {
     Other {
         /// The file.
         path: PathBuf,
-        /// What it says.
+        /// Words of the database.
         why: String,
     },
 }

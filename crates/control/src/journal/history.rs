@@ -15,11 +15,11 @@ pub struct Past {
     pub file: String,
     /// Hash of its bytes, in hexadecimal digits.
     pub hash: String,
-    /// When it started, as a person reads it; nobody computes with it.
+    /// Time and date of its start, as a person reads them; nobody computes with them.
     pub started: Option<Started>,
     /// Machine time it took, seconds.
     pub seconds: f64,
-    /// How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; `cut short` when the process died.
+    /// Outcome: `ok`, `ended`, `failed`, `stopped`, `limit`; `cut short` when the process died.
     pub status: String,
 }
 

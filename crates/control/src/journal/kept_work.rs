@@ -1,4 +1,4 @@
-//! What a run carries out, as it is kept: the text of a part file, or a job with the machine whose
+//! Work of a run, as it is kept: the text of a part file, or a job with the machine whose
 //! sequence it takes.
 
 use super::contents::hash;
@@ -13,7 +13,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// How bytes are read back.
+/// Format in which bytes are read back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum WorkKind {
@@ -28,9 +28,9 @@ pub(crate) enum WorkKind {
 pub(crate) struct KeptWork<'a> {
     /// Name shown to people.
     pub name: String,
-    /// How the bytes are read.
+    /// Format of the bytes.
     pub kind: WorkKind,
-    /// They.
+    /// The bytes.
     pub bytes: Cow<'a, [u8]>,
 }
 
@@ -40,12 +40,12 @@ struct KeptJob {
     job: Job,
     /// The machine, as its file would be written.
     machine: String,
-    /// What options of the run made of its settings of motion.
+    /// Its settings of motion, as options of the run have changed them.
     program: Settings,
 }
 
 impl<'a> KeptWork<'a> {
-    /// What is kept of something.
+    /// Turns work into what is kept of it.
     ///
     /// # Errors
     /// A job holds what cannot be written.
@@ -80,7 +80,7 @@ impl<'a> KeptWork<'a> {
 }
 
 impl CutShort {
-    /// What the run carried out.
+    /// Reads back the work that the run carried out.
     pub(super) fn work(&self, contents: &BTreeMap<String, Vec<u8>>) -> Result<Work, JournalError> {
         let run = &self.run;
         let bytes = contents

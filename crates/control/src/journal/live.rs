@@ -1,4 +1,4 @@
-//! What other programs see of a machine that runs: the status byte and the bytes of its switches
+//! State of a machine that runs, as other programs see it: the status byte and the bytes of its switches
 //! (programming handbook, Registry Interface; notes A-46).
 
 use super::progress::{PROGRESS, Reached};
@@ -12,7 +12,7 @@ use std::fs::{File, TryLockError};
 /// Inputs or outputs that a byte of the registry tells; those beyond are in another.
 const IN_A_BYTE: u32 = 8;
 
-/// What other programs see. All zero where no Kerf is at the machine.
+/// State of the machine as other programs see it. All zero where no Kerf is at the machine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Live {
     /// The sum of [`flag`]s.
@@ -37,7 +37,7 @@ impl Live {
         Self { status, inputs, outputs }
     }
 
-    /// Whether the machine tells the value of a key, so that nobody sets it.
+    /// Tells whether the machine gives a key its value, so that nobody sets it.
     pub(crate) fn tells(key: &str) -> bool {
         Self::default().values().iter().any(|(name, _)| *name == key)
     }
@@ -56,7 +56,7 @@ impl Live {
 }
 
 impl Reached {
-    /// What other programs see of it.
+    /// Returns the state that other programs see.
     pub(super) fn live(&self) -> Live {
         let moves = if self.moving { flag::STACK_RUNNING } else { 0 };
         Live { status: self.live.status | moves, ..self.live }
@@ -64,7 +64,7 @@ impl Reached {
 }
 
 impl Journal {
-    /// What the machine does now. A machine that nobody runs does nothing.
+    /// Reads what the machine does now. A machine that nobody runs does nothing.
     ///
     /// # Errors
     /// As the file cannot be read.
@@ -94,7 +94,7 @@ impl Journal {
         if self.is_owned() { Ok(()) } else { mirror::publish(self, rest) }
     }
 
-    /// Whether a process runs the machine.
+    /// Tells whether a process runs the machine.
     fn is_owned(&self) -> bool {
         let file = File::open(self.folder().join(OWNER_FILE));
         file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))

@@ -12,10 +12,10 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// What other programs read.
+/// Name of the file that other programs read.
 pub const MIRROR_FILE: &str = "registry.txt";
 
-/// What other programs write.
+/// Name of the file that other programs write.
 pub const INCOMING_FILE: &str = "registry.in";
 
 /// More than this is no list of values, bytes.

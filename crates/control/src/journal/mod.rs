@@ -81,9 +81,9 @@ pub struct Journal {
     reader: Arc<Mutex<Option<Connection>>>,
     database: Arc<Mutex<Opened>>,
     folder: Arc<Path>,
-    /// What `machine.toml` said when it was looked at last.
+    /// State of `machine.toml` when it was looked at last.
     known: Arc<Mutex<settings::Known>>,
-    /// What it said of the machine when that was read last, or left by this process.
+    /// Record of where the machine stands, as it was read last or left by this process.
     seen: Arc<Mutex<Option<Standing>>>,
     /// Words about all that was found wrong since it was opened.
     told: Arc<Mutex<Vec<String>>>,
@@ -262,7 +262,7 @@ impl Journal {
         self.read(stated::values)
     }
 
-    /// Whether a commit has to survive a power cut at once, or the death of the process only.
+    /// Sets whether a commit has to survive a power cut at once, or the death of the process only.
     pub(crate) fn each_commit_lasts(&self, lasts: bool) -> Result<(), JournalError> {
         let mut opened = self.opened();
         opened.lasts = lasts;

@@ -1,9 +1,9 @@
-//! Where the machine is.
+//! Place of the machine.
 
 use kerf_program::{Axes, Axis, Frame};
 use serde::{Deserialize, Serialize};
 
-/// Where the machine is, and what that place is called.
+/// Place of the machine, with the zero points that name it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Placed {
     /// Machine frame.
@@ -13,7 +13,7 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// Where the machine is in the frames of another moment: somebody may have zeroed axes since,
+    /// Returns the place of the machine in the frames of another moment: somebody may have zeroed axes since,
     /// because the machine was not where it was believed to be. Then their word counts, that about
     /// the table base before that about the working zero.
     pub fn seen_from(&self, then: &Frame) -> Axes {

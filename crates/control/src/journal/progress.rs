@@ -1,4 +1,4 @@
-//! How far a run is: written while it goes on, so that a kill at any instant loses at most the
+//! Progress of a run: written while it goes on, so that a kill at any instant loses at most the
 //! motion in flight.
 
 use super::scribe::{Hurry, Scribe, Writer};
@@ -10,16 +10,16 @@ use std::time::{Duration, Instant};
 /// Name of the fact.
 pub(super) const PROGRESS: &str = "progress";
 
-/// Where machine time is not the time of the world, so much of the latter passes between two
-/// writings; a move takes a microsecond then and a writing twenty.
+/// Time between two writings where machine time is not the time of the world; a move takes a microsecond then and a
+/// writing twenty.
 pub(crate) const EVERY: Duration = Duration::from_millis(10);
 
-/// How far a run is.
+/// Progress of a run.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Reached {
     /// Moves made since it began.
     pub made: u64,
-    /// How much of the move behind those is made, 0 … 1.
+    /// Share of the move behind those that is made, 0 … 1.
     #[serde(default)]
     pub within: f64,
     /// The operator stopped it there and gave it up.
@@ -27,9 +27,9 @@ pub(crate) struct Reached {
     pub stopped: bool,
     /// The machine moves: it is near `place`.
     pub moving: bool,
-    /// Where it was last.
+    /// Place where it was last.
     pub place: Placed,
-    /// What other programs see, but for the machine's motion.
+    /// State that other programs see, but for the machine's motion.
     #[serde(default)]
     pub live: Live,
     /// The part file of the last move.
@@ -87,9 +87,9 @@ pub(crate) struct Progress {
     next_step: Option<i64>,
     written: Option<Reached>,
     last: Instant,
-    /// Why it cannot be written; the run goes on.
+    /// Reason for which it cannot be written; the run goes on.
     trouble: Option<String>,
-    /// That was told.
+    /// The reason was told.
     told: bool,
 }
 
@@ -239,7 +239,7 @@ impl Progress {
         }
     }
 
-    /// Why the file cannot be written, when that was not told yet.
+    /// Returns why the file cannot be written, when that was not told yet.
     pub(crate) fn new_trouble(&mut self) -> Option<String> {
         if let Hand::Scribe(scribe) = &self.hand {
             self.trouble = scribe.trouble();

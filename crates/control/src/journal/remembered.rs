@@ -1,4 +1,4 @@
-//! What the machine remembers between commands: where it is, what G-code keeps; and, beside the
+//! Memory of the machine between commands: where it is, what G-code keeps; and, beside the
 //! journal, its settings.
 
 use super::progress::{PROGRESS, Reached};
@@ -10,7 +10,7 @@ use kerf_machine::Configuration;
 use kerf_program::{Axis, AxisSet, Settings};
 use std::sync::{Arc, MutexGuard, PoisonError};
 
-/// Where settings were kept before they had a file of their own.
+/// Key of the settings before they had a file of their own.
 const SETTINGS: &str = "settings";
 const PLACE: &str = "place";
 const GCODE: &str = "gcode";
@@ -20,24 +20,24 @@ const TRUTH: &str = "truth";
 /// The texts of what is on record of where the machine stands: place, G-code, progress, homed axes, truth.
 pub(super) type Standing = [Option<String>; 5];
 
-/// What the machine remembers.
+/// Memory of the machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remembered {
     /// Settings, frames, position.
     pub memory: kerf_sbp::Session,
-    /// What the machine is; the settings of V commands are those of `memory`.
+    /// Configuration of the machine; the settings of V commands are those of `memory`.
     pub machine: Arc<Configuration>,
-    /// What G-code remembers.
+    /// Memory of G-code.
     pub gcode: kerf_gcode::State,
-    /// Whether the machine is where the memory says.
+    /// Certainty of the place that the memory has.
     pub whereabouts: Whereabouts,
     /// Axes that were homed.
     pub homed: AxisSet,
-    /// How far the simulated machine is from where it is believed to be.
+    /// Distances of the simulated machine from where it is believed to be.
     pub truth: Vec<Vec<f64>>,
 }
 
-/// Whether the machine is where it is believed to be.
+/// Certainty of the place at which the machine is believed to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Whereabouts {
     /// It stood there when it was written, and nothing has moved it since.
@@ -47,7 +47,7 @@ pub enum Whereabouts {
 }
 
 impl Journal {
-    /// What the machine remembers; `None` when it has never run.
+    /// Reads what the machine remembers; `None` when it has never run.
     ///
     /// # Errors
     /// As the file cannot be read, or a setting in it is no longer allowed.
@@ -77,7 +77,7 @@ impl Journal {
         Ok(Some(Remembered { memory, machine, gcode, whereabouts, homed, truth }))
     }
 
-    /// What is on record of where the machine stands.
+    /// Reads the record of where the machine stands.
     fn standing(&self) -> Result<Standing, JournalError> {
         self.read(|rows| {
             let fact = |key| rows.text(Table::Fact, key);
@@ -85,7 +85,7 @@ impl Journal {
         })
     }
 
-    /// Whether another process has had the machine since this one knew where it stands.
+    /// Tells whether another process has had the machine since this one knew where it stands.
     pub(crate) fn another_had_it(&self) -> Result<bool, JournalError> {
         let standing = self.standing()?;
         Ok(self.seen().as_ref().is_some_and(|seen| *seen != standing))

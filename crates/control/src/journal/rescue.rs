@@ -1,4 +1,4 @@
-//! What to do with a journal that is damaged: everything that can still be read is saved, row by
+//! Rescue of a journal that is damaged: everything that can still be read is saved, row by
 //! row, what is newer comes from the copy made when the last run was over. The damaged file stays, under
 //! another name.
 
@@ -166,7 +166,7 @@ fn next(sources: &[Source], seal: Option<&Seal>) -> Mark {
     Mark { journal, generation: generation.saturating_add(1) }
 }
 
-/// What was saved of a table, unless all was empty.
+/// Sums up what was saved of a table, unless all was empty.
 fn summed_up(table: Table, found: &Found) -> Option<String> {
     let from_copy = found.values().filter(|(origin, _)| *origin == Origin::Copy).count();
     let of = |n: usize| if n == 1 { "1 row".into() } else { format!("{n} rows") };

@@ -10,11 +10,11 @@ pub(super) type Result<T> = std::result::Result<T, Trouble>;
 /// The tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Table {
-    /// What is known of the machine, by name.
+    /// Facts that are known of the machine, by name.
     Fact,
-    /// What programs keep.
+    /// Values that programs keep.
     Value,
-    /// What the world told the run under way, by number.
+    /// Steps that the world told the run under way, by number.
     Step,
     /// Files by the hash of their bytes.
     Content,
@@ -82,7 +82,7 @@ impl Rows<'_> {
         }
     }
 
-    /// Whether there is such a key.
+    /// Tells whether there is such a key.
     pub(super) fn has(&self, table: Table, key: &str) -> Result<bool> {
         let sql = format!("SELECT 1 FROM {} WHERE key = ?1", table.name());
         Ok(self.0.prepare_cached(&sql)?.exists([key])?)

@@ -213,7 +213,7 @@ mod tests {
         all.into_iter().map(|(_, text)| text).collect()
     }
 
-    /// Whoever holds the database is a disk that does not answer.
+    /// A database that is held stands for a disk that does not answer.
     #[test]
     fn nobody_waits_for_a_disk_while_the_machine_is_to_stop() {
         let folder = tempfile::tempdir().unwrap();

@@ -13,7 +13,7 @@ use kerf_machine::{Configuration, table};
 use kerf_program::Settings;
 use std::sync::{Arc, MutexGuard, PoisonError};
 
-/// What the file said when it was looked at last.
+/// State of the file when it was looked at last.
 #[derive(Debug, Default)]
 pub(super) struct Known {
     /// Another file than that of the data folder.

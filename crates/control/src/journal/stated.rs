@@ -1,5 +1,5 @@
-//! What the machine says of itself, in the journal: among the facts, where nothing that programs and other software write
-//! gets. Journals of the first version have it among the values.
+//! Words of the machine about itself, in the journal: they are among the facts, where nothing gets that programs and
+//! other software write. Journals of the first version have them among the values.
 
 use super::database;
 use super::rows::{Result, Rows, Table};

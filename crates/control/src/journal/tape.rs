@@ -1,4 +1,4 @@
-//! What the world tells a run, kept so that it can be told again.
+//! Record of what the world tells a run, kept so that it can be told again.
 //!
 //! A run is decided by its program, its settings, and what the world tells it on the way: answers,
 //! what the operator wants and when, files that are read, values that other programs set. Everything
@@ -24,7 +24,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 
-/// What the world is asked.
+/// Kind of a question to the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Kind {
@@ -32,7 +32,7 @@ pub(crate) enum Kind {
     Answer,
     /// The operator wants something of a machine that runs.
     Wish,
-    /// When the operator lets a held machine go on.
+    /// The operator says when a held machine goes on.
     Resume,
     /// A program file is read.
     Source,
@@ -67,7 +67,7 @@ pub(crate) struct Step {
     told: serde_json::Value,
 }
 
-/// Who answers a question.
+/// Source of the answer to a question.
 pub(crate) enum Turn<T> {
     /// The world, and nobody writes it down.
     Live,
@@ -77,7 +77,7 @@ pub(crate) enum Turn<T> {
     Open(u64),
 }
 
-/// What the world tells one run.
+/// Record of what the world tells one run.
 #[derive(Debug, Default)]
 pub(crate) struct Tape {
     played: BTreeMap<Kind, VecDeque<Step>>,
@@ -86,7 +86,7 @@ pub(crate) struct Tape {
     told: u64,
     /// Moves that were made before.
     made_before: u64,
-    /// How much of the next one was.
+    /// Share of the next one that was made.
     within_before: f64,
     /// The step with which the operator wanted something last.
     last_wish: Option<i64>,
@@ -98,13 +98,13 @@ pub(crate) struct Tape {
     back: Option<(i64, (u64, f64))>,
     /// The switches that the operator moved since the run went on last, each with the step.
     pressed: Vec<(u8, i64)>,
-    /// How often the run was taken up.
+    /// Number of times that the run was taken up.
     reentries: u64,
-    /// What followed on a stop when the power went is left to whoever takes the run up, until he does.
+    /// `true` while the sequel of a stop at which the power went is left to whoever takes the run up.
     open: bool,
-    /// How switches are now, when the run is taken up; and how they were when this was looked at last.
+    /// Switches as they are now, when the run is taken up; and as they were when this was looked at last.
     switches: [Switches; 2],
-    /// Where the run is.
+    /// Progress of the run.
     reached: Reached,
     writing: Option<Progress>,
     /// Nothing is written and the world is not asked: what happens has happened before.
@@ -177,7 +177,7 @@ impl Tape {
         }
     }
 
-    /// Why the tape does not fit the run.
+    /// Tells why the tape does not fit the run.
     pub(crate) fn unfit(&self) -> Option<&str> {
         self.unfit.as_deref()
     }
@@ -237,7 +237,7 @@ impl Tape {
         }
     }
 
-    /// Who answers a question that the world hardly ever has an answer to.
+    /// Decides who answers a question that the world hardly ever has an answer to.
     pub(crate) fn turn<T: DeserializeOwned>(&mut self, kind: Kind) -> Turn<T> {
         if self.writing.is_none() {
             return Turn::Live;
@@ -252,7 +252,7 @@ impl Tape {
         if self.silent { Turn::Told(None) } else { Turn::Open(call) }
     }
 
-    /// What the world answered to such a question.
+    /// Keeps what the world answered to such a question.
     pub(crate) fn heard<T: Serialize>(&mut self, kind: Kind, call: u64, told: Option<&T>) {
         if let Some(told) = told {
             self.add(kind, call, told);
@@ -274,15 +274,15 @@ impl Tape {
         self.wish = self.wish.filter(|_| self.wish != last);
     }
 
-    /// What the operator wants is asked again at once, after a wish of which nothing came: that is one question, as it
-    /// will be when the run is taken up.
+    /// Counts a question less: the operator is asked for his wish again at once, after one of which nothing came. That
+    /// is one question, as it will be when the run is taken up.
     pub(crate) fn asks_again(&mut self) {
         if self.writing.is_some() && !self.silent {
             self.calls.entry(Kind::Wish).and_modify(|calls| *calls = calls.saturating_sub(1));
         }
     }
 
-    /// Whether nothing came of what was told last: the power went.
+    /// Tells whether nothing came of what was told last: the power went.
     pub(crate) fn is_last_told(&self) -> bool {
         self.silent && !self.plays() && !self.is_within()
     }
@@ -328,7 +328,7 @@ impl Tape {
         self.goes_on();
     }
 
-    /// Whether the power went before the wish that was told last was done, when this was gone through before.
+    /// Tells whether the power went before the wish that was told last was done, when this was gone through before.
     pub(crate) fn was_overtaken(&mut self) -> bool {
         let call = self.last_call(Kind::Wish);
         let next = self.played.get(&Kind::Overtaken).and_then(VecDeque::front);

@@ -197,10 +197,10 @@ fn damaged(damage: impl Fn(&mut Vec<u8>)) -> (TempDir, Journal, Vec<String>) {
     (folder, journal, told)
 }
 
-/// What happens to the bytes of a file.
+/// Change to the bytes of a file.
 type Damage = Box<dyn Fn(&mut Vec<u8>)>;
 
-/// Where some bytes are.
+/// Finds the place of some bytes.
 fn find(bytes: &[u8], part: &[u8]) -> usize {
     bytes.windows(part.len()).position(|w| w == part).unwrap()
 }
@@ -292,7 +292,7 @@ fn opened_after(
     (told, position.unwrap_or_default(), values, verified)
 }
 
-/// What becomes of the bytes of a file, or of a file that is not there.
+/// Change to the bytes of a file, or to a file that is not there.
 type Loss = Box<dyn Fn(&mut Option<Vec<u8>>)>;
 
 #[test]

@@ -19,10 +19,10 @@ use std::sync::Arc;
 
 const RUN: &str = "run";
 
-/// How far the run under way came, while other commands are carried out.
+/// Key of the progress of the run under way, while other commands are carried out.
 const REACHED: &str = "reached";
 
-/// What a run was begun from.
+/// Everything that a run was begun from.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct RunUnderWay {
     /// The version of Kerf: another may read the same part file otherwise.
@@ -31,20 +31,20 @@ pub struct RunUnderWay {
     pub file: String,
     /// Hash of its bytes.
     hash: String,
-    /// What the bytes are.
+    /// Format of the bytes.
     pub(super) kind: WorkKind,
     session: kerf_part::Session,
     /// Values that programs had kept.
     pub(crate) values: BTreeMap<String, String>,
-    /// How it is run.
+    /// Options with which it is run.
     pub(crate) options: RunOptions,
     /// The settings that stay, where options replace them for this run.
     pub(crate) settings: Option<Settings>,
-    /// Where its files are.
+    /// Folders of its files.
     pub(crate) folders: Folders,
-    /// What SHELL does.
+    /// Effect of SHELL.
     pub(crate) shell: Shell,
-    /// What the machine was beside the session's settings, as its file tells it.
+    /// Configuration of the machine beside the session's settings, as its file tells it.
     #[serde(default)]
     machine: String,
 }
@@ -52,9 +52,9 @@ pub struct RunUnderWay {
 /// A run that was cut short: the process died.
 #[derive(Clone, Debug)]
 pub struct CutShort {
-    /// What it was begun from.
+    /// Everything that it was begun from.
     pub run: RunUnderWay,
-    /// How far it came.
+    /// Progress that it made.
     pub(crate) reached: Reached,
 }
 
@@ -64,17 +64,17 @@ impl CutShort {
         &self.run.file
     }
 
-    /// Whether a job was cut short: then its shapes are what lines are of a part file.
+    /// Returns `true` if a job was cut short: then its shapes are what lines are of a part file.
     pub fn is_job(&self) -> bool {
         self.run.kind == WorkKind::Job
     }
 
-    /// Where the last move was that was made to its end: file and line.
+    /// Returns file and line of the last move that was made to its end.
     pub fn last_move(&self) -> (&str, u32) {
         (&self.reached.file, self.reached.line)
     }
 
-    /// Whether the operator stopped it and gave it up; else Kerf was killed.
+    /// Returns `true` if the operator stopped it and gave it up; else Kerf was killed.
     pub const fn stopped(&self) -> bool {
         self.reached.stopped
     }
@@ -84,7 +84,7 @@ impl CutShort {
         self.run.options.controller.as_deref()
     }
 
-    /// Whether the machine moved when it was cut short.
+    /// Returns `true` if the machine moved when it was cut short.
     pub const fn moved(&self) -> bool {
         self.reached.moving
     }
@@ -225,7 +225,7 @@ impl Journal {
         Ok(Some(CutShort { run, reached }))
     }
 
-    /// What a run that was cut short was begun from: its work, how it was run, and the session; the shelf is as it was.
+    /// Returns work, options and session from which a run that was cut short was begun; the shelf is as it was.
     ///
     /// # Errors
     /// As the file cannot be read, or its text was not kept.
@@ -241,7 +241,7 @@ impl Journal {
         Ok((work, run.options.clone(), cut.session()))
     }
 
-    /// What a run carried out that was cut short, and the tape of what the world told it. The machine is at
+    /// Returns the work of a run that was cut short, and the tape of what the world told it. The machine is at
     /// this place now, its switches are so; how far the run is, is told by its own progress again.
     pub(crate) fn take_up(
         &self,
@@ -297,7 +297,7 @@ impl RunUnderWay {
     }
 }
 
-/// How far the run came that was cut short: it can still be taken up after what comes now.
+/// Keeps the progress of the run that was cut short: it can still be taken up after what comes now.
 pub(super) fn keep_reached(rows: &Rows<'_>, earlier: Option<&CutShort>) -> rows::Result<()> {
     match earlier {
         Some(earlier) => rows.put(Table::Fact, REACHED, &json(&earlier.reached)?),

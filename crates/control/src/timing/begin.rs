@@ -1,4 +1,4 @@
-//! What is so before a run: what a chart of it begins with.
+//! State before a run, with which a chart of it begins.
 
 use super::Lines;
 use super::zero::Zero;

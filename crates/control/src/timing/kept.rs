@@ -12,14 +12,14 @@
 /// Moments, seconds, and the value there.
 pub(super) type Points = Vec<(f64, f64)>;
 
-/// What lies this near to the line between its neighbours says nothing: in mm less than a step of any motor.
+/// Distance from the line between its neighbours at which a point says nothing: in mm less than a step of any motor.
 const STRAIGHT: f64 = 1e-6;
 /// The shortest grain, seconds.
 const FINEST_S: f64 = 0.005;
 /// Two grains have room in any bound.
 const FEWEST: usize = 8;
 
-/// What a value does between two points.
+/// Course of a value between two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Between {
     /// It changes evenly.
@@ -35,7 +35,7 @@ pub(super) struct Kept {
     between: Between,
     /// So many of them were looked through.
     settled: usize,
-    /// How long a grain is, seconds; 0 while it is kept as it is.
+    /// Length of a grain, seconds; 0 while it is kept as it is.
     grain_s: f64,
     /// Points that it has at most.
     most: usize,

@@ -1,4 +1,4 @@
-//! Where the locations of a chart count from, which a program may set.
+//! Zero that the locations of a chart count from, which a program may set.
 
 use crate::event::Partial;
 use kerf_program::settings::LinearUnit;

@@ -4,7 +4,7 @@
 //!  0x16 0x4b  kind  number (4)  length (2)  payload  CRC-32 of kind … payload (4)      little-endian
 //! ```
 
-/// How a frame begins.
+/// First bytes of a frame.
 const MARK: [u8; 2] = [0x16, 0x4b];
 
 /// Bytes of a frame before its payload.

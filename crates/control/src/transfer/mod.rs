@@ -29,7 +29,7 @@ const HOLD_S: f64 = 1.0;
 /// The largest file, bytes: more than a day at 2400 baud.
 pub const LARGEST: usize = 1 << 24;
 
-/// What a transfer is doing.
+/// State of a transfer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum State {
     /// Nothing has begun: the receiver waits for an offer, the sender for an answer.
@@ -47,13 +47,13 @@ pub enum State {
 }
 
 impl State {
-    /// Whether nothing more will happen.
+    /// Returns `true` if nothing more will happen.
     pub const fn is_over(&self) -> bool {
         matches!(self, Self::Done | Self::Stopped | Self::Failed(_))
     }
 }
 
-/// How far a transfer is.
+/// Progress of a transfer.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Progress {
     /// The file.

@@ -34,12 +34,12 @@ impl Default for Receiver {
 }
 
 impl Receiver {
-    /// What it does.
+    /// Returns its state.
     pub const fn state(&self) -> &State {
         &self.state
     }
 
-    /// How far it is.
+    /// Returns its progress.
     pub fn progress(&self) -> Progress {
         Progress { name: self.name.clone(), done: self.bytes.len(), total: self.size }
     }
@@ -157,7 +157,7 @@ impl Receiver {
         self.answer(moving);
     }
 
-    /// What is to be sent now.
+    /// Returns the bytes that are to be sent now.
     pub fn speak(&mut self) -> Vec<u8> {
         std::mem::take(&mut self.out)
     }

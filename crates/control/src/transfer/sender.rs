@@ -19,7 +19,7 @@ pub struct Sender {
     reader: Reader,
     /// The block that the other end wants; nothing until it has answered the offer.
     next: Option<u32>,
-    /// When the frame at hand is sent, again.
+    /// Time at which the frame at hand is sent or sent again, s.
     due_s: f64,
     heard_s: Option<f64>,
     last: Option<Frame>,
@@ -47,12 +47,12 @@ impl Sender {
         })
     }
 
-    /// What it does.
+    /// Returns its state.
     pub const fn state(&self) -> &State {
         &self.state
     }
 
-    /// How far it is.
+    /// Returns its progress.
     pub fn progress(&self) -> Progress {
         let done = (self.next.unwrap_or(0) as usize * BLOCK).min(self.bytes.len());
         Progress { name: self.name.clone(), done, total: self.bytes.len() }
@@ -94,7 +94,7 @@ impl Sender {
         }
     }
 
-    /// What is to be sent now.
+    /// Returns the bytes that are to be sent now.
     pub fn speak(&mut self, now_s: f64) -> Vec<u8> {
         if let Some(last) = self.last.take() {
             return last.bytes();

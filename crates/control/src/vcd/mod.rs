@@ -23,13 +23,13 @@ pub struct VcdSink<W> {
     machine: Configuration,
     signals: Signals,
     pulses: Pulses,
-    /// Where the motors are; nothing before the first move.
+    /// Places of the motors; nothing before the first move.
     stepper: Option<Stepper>,
     beam: Beam,
     failed: Option<io::Error>,
 }
 
-/// What the board of a laser sees.
+/// Signals that the board of a laser sees.
 #[derive(Default)]
 struct Beam {
     byte: u8,
@@ -61,7 +61,7 @@ impl<W: Write> VcdSink<W> {
         sink
     }
 
-    /// What inputs read that nobody has moved.
+    /// Traces the readings of inputs that nobody has moved.
     fn inputs_at_rest(&mut self) {
         let untouched = Machine::default().equipped(&self.machine, AxisSet::EMPTY);
         let reads = INPUT_BITS.iter().map(line_of_pin).filter(|line| untouched.input(*line));

@@ -53,7 +53,7 @@ pub(super) struct Signals {
     /// Of each parallel port.
     pub intensity: [Id; 2],
     pub laser_hz: [Id; 2],
-    /// What the board of the laser gives, percent.
+    /// Power that the board of the laser gives, percent.
     pub power: Id,
 }
 

@@ -31,7 +31,7 @@ fn traced(machine: Configuration, program: &str, inputs: Vec<Change>) -> String 
     String::from_utf8(out).unwrap()
 }
 
-/// When a signal changes and to what, nanoseconds.
+/// Returns the changes of a signal: moment, nanoseconds, and value.
 fn changes(trace: &str, name: &str) -> Vec<(u64, String)> {
     let end = format!(" {name} $end");
     let declares = |line: &&str| line.starts_with("$var") && line.ends_with(&end);

@@ -17,7 +17,7 @@ fn is_location(number: f64) -> bool {
     LOCATIONS.contains(&number) && number.fract() == 0.0
 }
 
-/// Where an axis is, as the file counts: `%(1)` counts from the working zero, whatever FP does.
+/// Writes the place of an axis, as the file counts: `%(1)` counts from the working zero, whatever FP does.
 pub(super) fn location(axis: usize) -> String {
     format!("((%({}) - %({})) / %({}))", axis + 1, axis + 61, axis + 66)
 }
@@ -46,7 +46,7 @@ pub(super) fn number_of(expr: &Expr) -> Option<f64> {
     }
 }
 
-/// Whether an expression asks where the tool is.
+/// Returns `true` if an expression asks where the tool is.
 pub(super) fn asks_location(expr: &Expr) -> bool {
     let mut asks = false;
     each(expr, &mut |part| asks |= number_of(part).is_some_and(is_location));

@@ -94,7 +94,7 @@ impl Keeper<'_> {
         }
     }
 
-    /// How often a loop turns: a count is rounded to the nearest whole number, halves to the even one.
+    /// Writes how often a loop turns: a count is rounded to the nearest whole number, halves to the even one.
     fn count(&mut self, line: u32, flow: &Flow, label: &str) -> Result<(), Unkept> {
         let turns = format!("&turns_{label}");
         let count = self.words(line).value(first(flow))?;

@@ -49,7 +49,7 @@ pub(super) struct Keeper<'a> {
     pub(super) survey: Survey,
     unit: LinearUnit,
     coolant: [u8; 2],
-    /// What is run, and the subroutines behind it.
+    /// Text of what is run, and the subroutines behind it.
     text: String,
     subs: String,
     /// The subroutine that is being written.
@@ -331,7 +331,7 @@ impl Keeper<'_> {
         Ok(())
     }
 
-    /// What comes last in a block.
+    /// Writes what comes last in a block.
     fn ends(&mut self, words: &[(u8, String)]) {
         for (_, code) in words.iter().filter(|(letter, _)| *letter == b'M') {
             match code.as_str() {
@@ -347,7 +347,7 @@ impl Keeper<'_> {
     }
 }
 
-/// Whether an expression asks for any parameter.
+/// Returns `true` if an expression asks for any parameter.
 fn asks_parameter(expr: &Expr) -> bool {
     let mut asks = false;
     each(expr, &mut |part| asks |= matches!(part, Expr::Numbered(_) | Expr::Named(_)));

@@ -13,7 +13,7 @@ pub(super) enum Known<T> {
 }
 
 impl<T: PartialEq> Known<T> {
-    /// What is known where two ways meet.
+    /// Joins what is known on two ways where they meet.
     fn or(self, other: Self) -> Self {
         if self == other { self } else { Self::Depends }
     }
@@ -38,7 +38,7 @@ impl Modes {
         Self { motion: self.motion.or(other.motion), tool: self.tool.or(other.tool) }
     }
 
-    /// What holds where a stretch of lines may have run any number of times.
+    /// Returns the modes that hold where a stretch of lines may have run any number of times.
     pub(super) fn around(mut self, changes: &Changes) -> Self {
         for motion in &changes.motions {
             self.motion = self.motion.or(Known::Is(*motion));
@@ -50,7 +50,7 @@ impl Modes {
     }
 }
 
-/// What a stretch of lines sets the modes to, in any order.
+/// Modes that a stretch of lines sets, in any order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Changes {
     pub(super) motions: Vec<Option<u8>>,
@@ -60,7 +60,7 @@ pub(super) struct Changes {
 /// Modes at a place; nothing where no way leads.
 pub(super) type Here = Option<Modes>;
 
-/// Where two ways meet.
+/// Joins the modes of two ways where they meet.
 pub(super) fn meet(a: Here, b: Here) -> Here {
     match (a, b) {
         (Some(a), Some(b)) => Some(a.or(b)),

@@ -67,7 +67,7 @@ impl Keeper<'_> {
         Ok(())
     }
 
-    /// Whether the motion in force is an arc.
+    /// Returns `true` if the motion in force is an arc.
     fn turns(&mut self) -> bool {
         matches!(self.ways.modes().motion, Known::Is(Some(2 | 3)))
     }

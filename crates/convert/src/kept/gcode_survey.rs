@@ -1,4 +1,4 @@
-//! What stands in a program, looked at before it is written.
+//! A survey of what stands in a program, made before it is written.
 
 use super::Unkept;
 use super::gcode_expressions::{each, number_of};
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Parameters up to this belong to the subroutine, or to the file.
 const LAST_LOCAL: u32 = 30;
 
-/// What was found.
+/// Findings of the survey.
 #[derive(Debug, Default)]
 pub(super) struct Survey {
     /// The parameters of each subroutine that are its own.
@@ -165,7 +165,7 @@ fn called_within(program: &Program, (from, to): (u32, u32)) -> BTreeSet<(u32, u3
     found
 }
 
-/// What the lines of a stretch set the modes to, with the subroutines they call.
+/// Collects the modes that the lines of a stretch set, with the subroutines they call.
 pub(super) fn changes(program: &Program, from: u32, to: u32) -> Changes {
     let mut all = Changes::default();
     let within = called_within(program, (from, to));
@@ -188,7 +188,7 @@ pub(super) fn changes(program: &Program, from: u32, to: u32) -> Changes {
     all
 }
 
-/// Whether a line anywhere cuts along Z together with X or Y.
+/// Returns `true` if a line anywhere cuts along Z together with X or Y.
 fn slopes(program: &Program) -> bool {
     (1..=program.line_count()).any(|line| {
         let plain = program.move_of(line);
@@ -203,7 +203,7 @@ fn slopes(program: &Program) -> bool {
     })
 }
 
-/// Whether a block names G0.
+/// Returns `true` if a block names G0.
 fn jogs(words: &[Word]) -> bool {
     words.iter().any(|word| word.letter == b'G' && word.value == Value::Number(0.0))
 }

@@ -16,7 +16,7 @@ use super::Unkept;
 use kerf_sbp::Expr;
 use kerf_sbp::tree::{Node, Program, Statement, Target};
 
-/// Where an unconditional or conditional jump of a line goes.
+/// An unconditional or conditional jump of a line, and where it goes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Jump {
     /// The condition; `None` when it is always made.

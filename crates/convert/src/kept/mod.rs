@@ -20,7 +20,7 @@ mod sbp_moves;
 use crate::{Conversion, Language, Source};
 use kerf_gcode::Dialect;
 
-/// How far a kept program may lie from its source, mm: variables of OpenSBP have seven digits.
+/// Greatest distance of a kept program from its source, mm: variables of OpenSBP have seven digits.
 pub const KEPT_MM: f64 = 2e-4;
 
 /// A construct that the other language cannot say.
@@ -28,7 +28,7 @@ pub const KEPT_MM: f64 = 2e-4;
 pub struct Unkept {
     /// Its line, from 1.
     pub line: u32,
-    /// What it is, as part of a sentence.
+    /// Name of the construct, as part of a sentence.
     pub what: String,
 }
 

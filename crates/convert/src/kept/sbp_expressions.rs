@@ -124,8 +124,8 @@ impl Words<'_> {
         Ok(format!("[{} EQ 0]", self.condition(expr)?))
     }
 
-    /// Whether a condition asks for the unit, and then what it is for a file in a unit (0 inches,
-    /// 1 mm): the converted file says its unit itself.
+    /// Returns the value of a condition that asks for the unit, for a file in a unit (0 inches, 1 mm);
+    /// nothing for other conditions: the converted file says its unit itself.
     pub(super) fn of_unit(self, expr: &Expr, unit: f64) -> Option<bool> {
         let ExprNode::Binary(op, a, b) = expr.node else { return None };
         let [a, b] = [a, b].map(|id| self.program.expressions[id]);

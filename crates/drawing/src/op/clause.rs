@@ -4,7 +4,7 @@ use super::words::{WordError, Words};
 use super::{ENTRIES, Entry, Operation};
 use thiserror::Error;
 
-/// What is wrong with a clause of a script.
+/// Mistake in a clause of a script.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("clause {number} `{clause}`: {why}{}", form_of(*.entry))]
 pub struct ClauseError {
@@ -12,7 +12,7 @@ pub struct ClauseError {
     pub number: usize,
     /// Its words.
     pub clause: String,
-    /// What is wrong.
+    /// Description of the mistake.
     pub why: String,
     /// Number of its entry in [`ENTRIES`], when the operation is known.
     pub entry: Option<usize>,
@@ -64,7 +64,7 @@ fn unknown(name: &str) -> String {
     }
 }
 
-/// Whether two words begin alike or have the same letters.
+/// Tells whether two words begin alike or have the same letters.
 fn alike(a: &str, b: &str) -> bool {
     let b = b.to_ascii_lowercase();
     let sorted = |word: &str| {

@@ -22,12 +22,12 @@ pub struct Clearing {
     pub all: bool,
     /// Diameter of the tool, millimetres.
     pub tool_mm: f64,
-    /// How much neighbouring paths overlap, millimetres.
+    /// Overlap of neighbouring paths, millimetres.
     pub overlap_mm: f64,
     /// The group of the paths; `None` is the first one that has no shapes.
     #[serde(default)]
     pub group: Option<Group>,
-    /// How deep they are cut; `None` leaves it to the group, which must not be one that cuts through.
+    /// Depth to which they are cut; `None` leaves it to the group, which must not be one that cuts through.
     #[serde(default)]
     pub depth: Option<Height>,
     /// The outlines stay in their group and are cut as well.
@@ -35,7 +35,7 @@ pub struct Clearing {
     pub outlines_cut: bool,
 }
 
-/// How the paths of a pocket run.
+/// Pattern in which the paths of a pocket run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "pattern", rename_all = "lowercase")]
 pub enum Pattern {
@@ -80,7 +80,7 @@ pub(super) fn read_pocket(w: &mut Words) -> Result<Operation, WordError> {
     Ok(Operation::Pocket { clearing, pattern: pocket.pattern()? })
 }
 
-/// What is said of a pocket's pattern.
+/// Words about a pocket's pattern.
 #[derive(Default)]
 struct PocketWords {
     climb: bool,

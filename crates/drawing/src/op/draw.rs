@@ -27,7 +27,7 @@ pub(super) fn point(draft: &mut Editor, at: Point2) {
     draft.drawing.add(Shape::point(at));
 }
 
-/// Whether lines that end where they began go round something: then they are closed (Profiler reference,
+/// Tells whether lines that end where they began go round something: then they are closed (Profiler reference,
 /// glossary, "Polyline"). A way there and back along itself is not.
 fn comes_back(vertices: &[Vertex]) -> bool {
     let [first, inner @ .., last] = vertices else { return false };

@@ -15,7 +15,7 @@ pub struct Entry {
     pub name: &'static str,
     /// Its words; brackets hold what may be left out.
     pub form: &'static str,
-    /// What it does.
+    /// Description of what it does.
     pub doc: &'static str,
     pub(super) read: fn(&mut Words) -> Read,
 }

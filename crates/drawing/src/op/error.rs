@@ -1,15 +1,15 @@
-//! Why an operation was not carried out, and what was noticed when it was.
+//! Reasons why an operation was not carried out, and what was noticed when it was.
 
 use crate::{CommentError, GapError, SettingsError};
 use kerf_geom::Point2;
 use thiserror::Error;
 
-/// What an operation that succeeded has to tell.
+/// Messages of an operation that succeeded.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
-    /// What the user should look at, a sentence each.
+    /// Warnings that the user should look at, a sentence each.
     pub warnings: Vec<String>,
-    /// What the user may like to know, a sentence each.
+    /// Notes that the user may like to know, a sentence each.
     pub notes: Vec<String>,
 }
 
@@ -19,7 +19,7 @@ pub fn spot(at: Option<Point2>) -> String {
     at.map_or_else(String::new, |at| format!(" at {},{}", thousandths(at.x), thousandths(at.y)))
 }
 
-/// Why an operation was not carried out. The drawing is as it was.
+/// Reason why an operation was not carried out. The drawing is as it was.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum OpError {
     /// There is nothing to act on.
@@ -60,9 +60,9 @@ pub enum OpError {
     Shape {
         /// Its number.
         shape: usize,
-        /// Where it begins; whoever carries the operation out fills it in.
+        /// Place where it begins; whoever carries the operation out fills it in.
         at: Option<Point2>,
-        /// What is the matter and what helps.
+        /// Description of the problem and of what helps.
         why: String,
     },
     /// No order is being picked.
@@ -81,7 +81,7 @@ pub enum OpError {
     Setting {
         /// The group.
         group: crate::Group,
-        /// What is wrong.
+        /// Mistake in the setting.
         source: SettingsError,
     },
     /// A tool or an overlap that clears nothing.

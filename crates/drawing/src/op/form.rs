@@ -16,16 +16,16 @@ use super::Entry;
 pub struct Variant {
     /// As the table writes it.
     pub form: String,
-    /// What follows the operation's name, in order.
+    /// Parts that follow the operation's name, in order.
     pub parts: Vec<Part>,
 }
 
 /// A part of what is said.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// What stands before the value: `about `, `tool=`. Without a value, a word.
+    /// Text before the value: `about `, `tool=`. Without a value, a word.
     pub lead: String,
-    /// What is entered; nothing for a word alone.
+    /// Value to be entered; nothing for a word alone.
     pub value: Option<Value>,
     /// It may be left out.
     pub optional: bool,
@@ -33,7 +33,7 @@ pub struct Part {
     pub repeats: bool,
 }
 
-/// What is entered for a part.
+/// Kind of value that is entered for a part.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value {
     /// `x,y`: a place or a displacement.
@@ -129,7 +129,7 @@ fn tokens(text: &str) -> Vec<&str> {
     found
 }
 
-/// Whether a token is written as it stands.
+/// Tells whether a token is written as it stands.
 fn is_word(token: &str) -> bool {
     !token.contains(['|', '=']) && token.chars().all(|c| c.is_ascii_lowercase() || c == '-')
 }
@@ -173,7 +173,7 @@ mod tests {
     use super::*;
     use crate::op::ENTRIES;
 
-    /// What a hand would say for a part; places of a clause differ.
+    /// Returns what a person would write for a part; places of a clause differ.
     fn said(part: usize, value: &Value) -> String {
         match value {
             Value::Pair | Value::Vertex => format!("10,{part}"),

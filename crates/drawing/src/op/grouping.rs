@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "setting", content = "value", rename_all = "kebab-case")]
 pub enum Change {
-    /// Whether its shapes are cut.
+    /// Its shapes are cut.
     On(bool),
-    /// Whether its shapes only lead the head.
+    /// Its shapes only lead the head.
     Traversal(bool),
     /// The tool control output.
     Tool(u8),
@@ -24,11 +24,11 @@ pub enum Change {
     Pass(Option<f64>),
     /// Distance of the path, millimetres, positive right of travel.
     Offset(f64),
-    /// What a rough pass leaves, millimetres.
+    /// Stock that a rough pass leaves, millimetres.
     Rough(f64),
     /// Both sides.
     DoubleLine(bool),
-    /// What is left out at the start, millimetres.
+    /// Length that is left out at the start, millimetres.
     Tag(f64),
     /// The way onto the path.
     LeadIn(Lead),

@@ -52,30 +52,30 @@ pub enum Operation {
     Select {
         /// Which.
         choice: Choice,
-        /// Whether they are added to those chosen before, or taken from them.
+        /// Effect on those chosen before: they are replaced, or these are added to them or taken from them.
         #[serde(default)]
         how: How,
     },
     /// Moves the selected shapes.
     Move {
-        /// How far.
+        /// Displacement.
         by: Vec2,
     },
     /// Adds moved copies of the selected shapes at the end of the sequence.
     Copy {
-        /// How far.
+        /// Displacement of the copies.
         by: Vec2,
     },
     /// Turns the selected shapes.
     Rotate {
-        /// How far, counter-clockwise.
+        /// Angle, counter-clockwise.
         angle_deg: f64,
         /// The centre.
         about: Point2,
     },
     /// Scales the selected shapes.
     Scale {
-        /// How much larger, above 0.
+        /// Factor of the sizes, above 0.
         factor: f64,
         /// The place that stays.
         about: Point2,
@@ -102,7 +102,7 @@ pub enum Operation {
     },
     /// Cuts corners of the selected shapes off.
     Chamfer {
-        /// How far from the corner, above 0.
+        /// Distance from the corner, above 0.
         length_mm: f64,
         /// Only the corner nearest to this place; else every corner.
         #[serde(default)]
@@ -110,7 +110,7 @@ pub enum Operation {
     },
     /// Replaces the selected shapes by paths beside them.
     Offset {
-        /// How far to the right of travel; negative is to the left.
+        /// Distance to the right of travel; negative is to the left.
         distance_mm: f64,
         /// Keep the shapes too.
         #[serde(default)]
@@ -118,7 +118,7 @@ pub enum Operation {
     },
     /// Joins the selected open shapes where their ends are near each other.
     Join {
-        /// How near; `None` is as near as the last time.
+        /// Greatest distance of ends that are joined; `None` is that of the last time.
         distance_mm: Option<f64>,
         /// Let the ends be one place instead of putting a line between them.
         #[serde(default)]
@@ -128,7 +128,7 @@ pub enum Operation {
     Break {
         /// The shape.
         shape: usize,
-        /// Where.
+        /// Place of the break.
         at: Point2,
     },
     /// Takes the part of a shape at a place out, between its meetings with the selected shapes.
@@ -147,7 +147,7 @@ pub enum Operation {
     },
     /// Adds the selected shapes again round a centre, turned with the angle.
     ArrayRound {
-        /// How many there are then, the selected ones counted.
+        /// Number of places round the centre, that of the selected shapes counted.
         count: u32,
         /// The centre.
         centre: Point2,
@@ -176,7 +176,7 @@ pub enum Operation {
         shape: usize,
         /// Which vertex.
         at: Point2,
-        /// Where it goes.
+        /// New place of the vertex.
         to: Point2,
     },
     /// Moves the vertices of the selected shapes that lie in a window; arcs keep their bulge.
@@ -185,7 +185,7 @@ pub enum Operation {
         a: Point2,
         /// The opposite one.
         b: Point2,
-        /// How far.
+        /// Displacement of the vertices.
         by: Vec2,
     },
     /// Moves the vertices of the selected shapes nearest to places; arcs keep their bulge.
@@ -218,21 +218,21 @@ pub enum Operation {
     },
     /// Adds a place to drill.
     Point {
-        /// Where.
+        /// Place to drill.
         at: Point2,
     },
     /// Adds lines and arcs.
     Polyarc {
         /// Places, each with the bulge of the segment that leaves it.
         vertices: Vec<Vertex>,
-        /// Whether the last segment returns to the start.
+        /// The last segment returns to the start.
         closed: bool,
     },
     /// Adds straight lines with heights.
     SpaceLine {
         /// X, Y and height above ZSurface of each place.
         places: Vec<[f64; 3]>,
-        /// Whether the last segment returns to the start.
+        /// The last segment returns to the start.
         closed: bool,
     },
     /// Turns the cutting direction of the selected shapes.
@@ -243,12 +243,12 @@ pub enum Operation {
     Start {
         /// The shape.
         shape: usize,
-        /// Where.
+        /// Place near which the cut is to begin.
         at: Point2,
     },
     /// Lets the machine halt before the selected shapes, or not any more.
     Pause {
-        /// Whether it halts.
+        /// The machine halts.
         on: bool,
     },
     /// Puts the selected shapes into a group.
@@ -265,7 +265,7 @@ pub enum Operation {
     Set {
         /// The group.
         group: Group,
-        /// What is changed, in order.
+        /// Changes, in order.
         changes: Vec<Change>,
     },
     /// Adds paths that clear the areas of shapes, holes left out: rings from the wall inwards.
@@ -286,14 +286,14 @@ pub enum Operation {
     },
     /// A step of picking a new order.
     Pick {
-        /// What is picked or taken back.
+        /// Shapes or groups that are picked or taken back.
         picking: Picking,
     },
     /// Sets a level of the drawing's arrays.
     Array {
         /// Which level.
         level: Level,
-        /// How it repeats.
+        /// Rows, columns, gaps and order of the level.
         array: ArrayLevel,
     },
     /// Moves the drawing so that its bounds begin at the origin.
@@ -331,9 +331,9 @@ pub enum Operation {
     ClearClipboard,
     /// Adds the shapes of the clipboard.
     Paste {
-        /// Where.
+        /// Place for the shapes.
         at: Point2,
-        /// Whether `at` is where the origin of the shapes goes, else the lower left of their bounds.
+        /// The origin of the shapes goes to `at`, else the lower left of their bounds does.
         #[serde(default)]
         absolute: bool,
     },
@@ -365,7 +365,7 @@ impl Operation {
     }
 }
 
-/// What a choice does to the selection.
+/// Effect of a choice on the selection.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum How {

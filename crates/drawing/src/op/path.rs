@@ -1,4 +1,4 @@
-//! Where a cut begins and which way it goes (Profiler reference, "Path").
+//! Start of a cut and its direction (Profiler reference, "Path").
 
 use super::OpError;
 use crate::{Editor, Nesting, Shape};

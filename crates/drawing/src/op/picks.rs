@@ -9,7 +9,7 @@ use crate::{Drawing, Editor, Group};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
-/// What has been picked so far, in order. It lasts until the drawing changes.
+/// Shapes or groups that have been picked so far, in order. They last until the drawing changes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Picks {
     /// Shapes, as places in the drawing.
@@ -25,7 +25,7 @@ impl Default for Picks {
 }
 
 impl Picks {
-    /// Whether nothing is picked.
+    /// Tells whether nothing is picked.
     pub const fn is_empty(&self) -> bool {
         match self {
             Self::Shapes(places) => places.is_empty(),

@@ -98,7 +98,7 @@ fn bounds_an_area(shape: &Shape) -> bool {
     flat && shape.path.signed_area().abs() > NO_AREA_MM2
 }
 
-/// What goes round less than this bounds nothing, such as a line drawn to and fro.
+/// Area below which a shape bounds nothing, such as a line drawn to and fro.
 const NO_AREA_MM2: f64 = 1e-6;
 
 /// Closed shapes and how they lie to each other.

@@ -19,15 +19,15 @@ pub enum Sequencing {
     Groups(Vec<Group>),
     /// The groups of these shapes in this order, by number.
     GroupsOf(Vec<usize>),
-    /// What was picked, in the order in which it was; then nothing is picked any more.
+    /// Shapes or groups that were picked, in the order in which they were; then nothing is picked any more.
     Picked,
     /// The old order backwards.
     Reverse,
-    /// What lies inside first; side by side by the distance of starts from a place.
+    /// Inner shapes first; side by side by the distance of starts from a place.
     Auto(Point2),
     /// Shapes that lie side by side within one shape, in this order; what lies in them goes along.
     Level(Vec<usize>),
-    /// What lies inside first; else with the least time between the cuts.
+    /// Inner shapes first; else with the least time between the cuts.
     Travel(Search),
 }
 

@@ -3,7 +3,7 @@
 use kerf_geom::{Point2, Vec2};
 use thiserror::Error;
 
-/// What is wrong with the words of a clause.
+/// Mistake in the words of a clause.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum WordError {
     /// The clause ends too early.
@@ -14,7 +14,7 @@ pub enum WordError {
     NotA {
         /// The word.
         word: String,
-        /// What was wanted: "a number", "a point as x,y".
+        /// Description of what was wanted: "a number", "a point as x,y".
         wanted: &'static str,
     },
     /// Words that nobody asked for.

@@ -162,8 +162,8 @@ pub(super) fn swap_gain(tour: &Tour, first: usize, middle: usize, last: usize) -
         - tour.leg(b, n)
 }
 
-/// What turning a part gains: only stops that may be turned are turned, so that the legs within stay as
-/// long as they are.
+/// Returns the seconds that turning a part gains: only stops that may be turned are turned, so that the legs within
+/// stay as long as they are.
 fn turn_gain(tour: &Tour, first: usize, last: usize) -> f64 {
     let (p, a, b, n) = (tour.at(first - 1), tour.at(first), tour.at(last), tour.at(last + 1));
     let turned = [tour.ends(a), tour.ends(b)];
@@ -173,7 +173,7 @@ fn turn_gain(tour: &Tour, first: usize, last: usize) -> f64 {
         - tour.site.seconds(turned[0].enter, tour.ends(n).enter, tools(a, n))
 }
 
-/// Whether what lies inside still comes first.
+/// Tells whether what lies inside still comes first.
 pub(super) fn allowed(tour: &Tour, exchange: &Exchange) -> bool {
     match *exchange {
         Exchange::Swap { first, middle, last } => swap_allowed(tour, first, middle, last),

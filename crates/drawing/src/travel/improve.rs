@@ -12,7 +12,7 @@ use super::tour::Tour;
 
 /// The longest part that a kick swaps.
 const LONGEST_KICK: usize = 30;
-/// Where the numbers without pattern begin; any will do.
+/// Seed of the numbers without pattern; any will do.
 const SEED: u64 = 4;
 
 /// Makes a tour shorter by so many tries.

@@ -1,4 +1,4 @@
-//! Where the stops lie, so that those near a place are found without a look at all.
+//! Places of the stops, so that those near a place are found without a look at all.
 
 use super::site::Site;
 use kerf_geom::{Bounds2, BoxTree};
@@ -19,7 +19,7 @@ impl Map {
         Self { tree, stops: order.into_iter().map(|place| stops[place]).collect() }
     }
 
-    /// How many stops it has.
+    /// Returns the number of its stops.
     pub fn len(&self) -> usize {
         self.stops.len()
     }
@@ -31,7 +31,7 @@ impl Map {
         side.max(size.x.max(size.y) / self.len().max(1) as f64).max(1e-3)
     }
 
-    /// Whether everything lies in an area.
+    /// Tells whether everything lies in an area.
     pub fn lies_in(&self, area: &Bounds2) -> bool {
         self.stops.is_empty() || area.holds_box(&self.tree.bounds())
     }

@@ -39,18 +39,17 @@ use tour::Tour;
 /// Up to so many shapes every order is compared.
 pub const EXACT_STOPS: usize = 12;
 
-/// What to search for.
+/// Terms of a search.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Search {
-    /// Where the head comes from and returns to.
+    /// Place that the head comes from and returns to.
     pub from: Point2,
-    /// Whether closed shapes may begin elsewhere and open ones be turned where nothing but the
-    /// direction changes.
+    /// Closed shapes may begin elsewhere, and open ones be turned where nothing but the direction changes.
     pub starts: bool,
-    /// How fast the head travels.
+    /// Speed and times of the head between the cuts.
     #[serde(default)]
     pub rapids: Rapids,
-    /// How often a change of the tour is tried; `None` is what such a drawing deserves.
+    /// Number of times that a change of the tour is tried; `None` is what such a drawing deserves.
     #[serde(default)]
     pub tries: Option<u32>,
 }
@@ -75,7 +74,7 @@ impl Search {
 pub(crate) struct Trip {
     /// The shapes of the groups that are on, in the order of cutting.
     pub order: Vec<usize>,
-    /// Where shapes begin from now on; the others begin where they did.
+    /// New starts of shapes; the others begin where they did.
     pub starts: Vec<(usize, Point2)>,
 }
 
@@ -106,7 +105,7 @@ pub(crate) fn trip(drawing: &Drawing, search: &Search) -> Trip {
     told(&tour)
 }
 
-/// How many tries so many shapes deserve.
+/// Returns the number of tries that so many shapes deserve.
 fn deserved(stops: usize) -> u32 {
     let stops = u32::try_from(stops).unwrap_or(u32::MAX).max(1);
     stops.saturating_mul(TRIES_PER_STOP).clamp(TRIES.0, TRIES.1).min(MOST_WORK / stops)
@@ -119,7 +118,7 @@ fn told(tour: &Tour) -> Trip {
     Trip { order, starts: starts.map(|stop| (site.shape(stop), tour.ends(stop).enter)).collect() }
 }
 
-/// How far and how long the head travels between the cuts of a drawing as it is, from a place and back.
+/// Measures how far and how long the head travels between the cuts of a drawing as it is, from a place and back.
 pub fn travelled(drawing: &Drawing, from: Point2, rapids: &Rapids) -> Travelled {
     let cut = drawing.shapes.iter().filter(|shape| drawing.settings(shape.group).on);
     let mut sum = Travelled::default();

@@ -6,7 +6,7 @@ use super::tour::Tour;
 use crate::Drawing;
 use kerf_geom::{Point2, Segment};
 
-/// How often all contours are gone over; each time only gains.
+/// Number of times that all contours are gone over; each time only gains.
 const ROUNDS: usize = 8;
 /// Steps of the search within a segment: the width shrinks by the golden section each time.
 const STEPS: usize = 40;

@@ -1,8 +1,8 @@
-//! How long the head travels: seconds for a distance.
+//! Time that the head travels: seconds for a distance.
 
 use serde::{Deserialize, Serialize};
 
-/// How fast the head gets from cut to cut.
+/// Speed and times of the head on the way from cut to cut.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Rapids {
@@ -35,7 +35,7 @@ impl Rapids {
         }
     }
 
-    /// Where speeding up to full speed meets slowing down from it, millimetres.
+    /// Returns the distance on which speeding up to full speed meets slowing down from it, millimetres.
     fn ramps_mm(&self) -> f64 {
         if self.accel_mm_s2 > 0.0 {
             self.speed_mm_s * self.speed_mm_s / self.accel_mm_s2
@@ -45,14 +45,14 @@ impl Rapids {
     }
 }
 
-/// What lies between the cuts.
+/// Travel between the cuts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Travelled {
     /// Length of all rapids, millimetres.
     pub length_mm: f64,
     /// Rapids, lifts and tool changes, seconds.
     pub seconds: f64,
-    /// How often the tool is changed.
+    /// Number of tool changes.
     pub tool_changes: usize,
 }
 

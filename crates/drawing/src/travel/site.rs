@@ -1,11 +1,11 @@
-//! What has to be visited, and how it may be.
+//! Stops that have to be visited, and the ways to cut each.
 
 use super::{Rapids, Search};
 use crate::{Drawing, GroupSettings, Kind, Nesting, Shape};
 use kerf_geom::{Bounds2, Point2};
 use std::sync::Arc;
 
-/// Where a cut begins and ends.
+/// Places where a cut begins and ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Way {
     pub enter: Point2,
@@ -23,7 +23,7 @@ impl Way {
 pub(super) struct Stop {
     /// Its place in the drawing.
     pub shape: usize,
-    /// How it may be cut: places of a closed one, both directions of an open one.
+    /// Ways in which it may be cut: places of a closed one, both directions of an open one.
     pub ways: Vec<Way>,
     /// The stop that must come later, because this one lies in it.
     pub parent: Option<usize>,
@@ -31,9 +31,9 @@ pub(super) struct Stop {
     pub children: Vec<usize>,
     pub tool: Option<u8>,
     pub bounds: Bounds2,
-    /// Whether its cut takes the same ways in a tour that is run backwards.
+    /// Its cut takes the same ways in a tour that is run backwards.
     pub turnable: bool,
-    /// Whether the best of all places of its contour may be taken.
+    /// The best of all places of its contour may be taken.
     pub free: bool,
 }
 
@@ -65,7 +65,7 @@ impl Site {
         Self { stops, rapids: search.rapids }
     }
 
-    /// How many stops there are, home not counted.
+    /// Returns the number of stops, home not counted.
     pub fn stops(&self) -> usize {
         self.stops.len() - 1
     }
@@ -86,7 +86,7 @@ impl Site {
         self.stops[stop].shape
     }
 
-    /// Whether the start of a stop may be another one after the search.
+    /// Tells whether the start of a stop may be another one after the search.
     pub fn is_free(&self, stop: usize) -> bool {
         self.stops[stop].ways.len() > 1 || self.stops[stop].free
     }
@@ -152,8 +152,8 @@ fn both_ways(shape: &Shape) -> Vec<Way> {
     vec![there, Way { enter: there.leave, leave: there.enter }]
 }
 
-/// Whether an open shape may be cut the other way round: nothing of its path lies on one side of it or
-/// at one end.
+/// Returns `true` if an open shape may be cut the other way round: nothing of its path lies on one side of it or at
+/// one end.
 fn may_turn(settings: &GroupSettings) -> bool {
     let GroupSettings { offset_mm, rough_mm, tag_mm, lead_in, lead_out, .. } = settings;
     let plain = *offset_mm == 0.0 && *rough_mm == 0.0 && *tag_mm == 0.0;

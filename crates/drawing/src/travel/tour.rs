@@ -7,11 +7,11 @@ use super::site::{Site, Way};
 pub(super) struct Tour<'a> {
     pub site: &'a Site,
     order: Vec<usize>,
-    /// Where in the order each stop is.
+    /// Position of each stop in the order.
     place: Vec<usize>,
     /// Which of its ways each stop takes.
     way: Vec<usize>,
-    /// Where each stop is entered and left.
+    /// Places where each stop is entered and left.
     ends: Vec<Way>,
     tools: Vec<Option<u8>>,
 }
@@ -34,7 +34,7 @@ impl<'a> Tour<'a> {
         self.order.iter().skip(1).copied()
     }
 
-    /// How many stops there are with home.
+    /// Returns the number of stops with home.
     pub fn len(&self) -> usize {
         self.order.len()
     }

@@ -19,7 +19,7 @@ const RX: usize = 128;
 /// Time is followed in steps of this, seconds.
 const STEP_S: f64 = 0.001;
 
-/// How fast homing is over, seconds.
+/// Duration of homing, seconds.
 const HOMING_S: f64 = 0.5;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +42,7 @@ pub struct Fake {
     /// A line that waits until there is room, or until everything is made.
     waiting: Option<Words>,
     out: Vec<u8>,
-    /// Where lines lead.
+    /// Place to which the lines lead.
     planned: Axes,
     feed_mm_min: f64,
     spindle: bool,
@@ -112,17 +112,17 @@ impl Fake {
         fake
     }
 
-    /// Where it is.
+    /// Returns the place of the machine.
     pub const fn position(&self) -> Axes {
         self.motion.position
     }
 
-    /// Whether the spindle turns, and how fast.
+    /// Returns the speed of the spindle while it turns.
     pub const fn spindle(&self) -> Option<f64> {
         if self.spindle { Some(self.spindle_rpm) } else { None }
     }
 
-    /// How often it came to a stand on its way.
+    /// Returns the number of times it came to a stand on its way.
     pub const fn stands(&self) -> usize {
         self.motion.stands
     }
@@ -188,7 +188,7 @@ impl Fake {
         self.read_on();
     }
 
-    /// What it sends up to a time.
+    /// Returns what it sends up to a time.
     pub fn speak(&mut self, now_s: f64) -> Vec<u8> {
         self.follow(now_s);
         std::mem::take(&mut self.out)

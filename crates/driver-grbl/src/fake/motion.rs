@@ -1,4 +1,4 @@
-//! How the fake moves: along the moves of its planner, as fast as it can still slow down for what lies
+//! The motion of the fake: along the moves of its planner, as fast as it can still slow down for what lies
 //! ahead.
 
 use kerf_machine::driver::{Axes, way_mm};
@@ -7,10 +7,10 @@ use std::collections::VecDeque;
 /// Moves that the planner holds.
 const PLANNER: usize = 15;
 
-/// How quickly it gains and loses speed along the path, mm/s².
+/// Acceleration along the path, whether it gains or loses speed, mm/s².
 const ACCEL_MM_S2: f64 = 400.0;
 
-/// How far a corner may be cut in thought, mm: the faster it is passed the larger this.
+/// Distance by which a corner may be cut in thought, mm: the larger this is, the faster the corner is passed.
 const JUNCTION_MM: f64 = 0.01;
 
 /// A move leaves the planner so long before its end, seconds.
@@ -26,7 +26,7 @@ struct Block {
     entry_mm_s: f64,
 }
 
-/// What moves.
+/// Moves of the planner, and the state of the motion.
 #[derive(Clone, Debug, Default)]
 pub struct Motion {
     blocks: VecDeque<Block>,
@@ -52,7 +52,7 @@ impl Motion {
         self.blocks.push_back(Block { to, way, length_mm, speed_mm_s, entry_mm_s });
     }
 
-    /// Whether nothing is left to make.
+    /// Returns `true` if nothing is left to make.
     pub fn is_empty(&self) -> bool {
         self.blocks.is_empty()
     }
@@ -129,7 +129,7 @@ fn left(block: &Block, position: Axes) -> f64 {
     way_mm(position, block.to)
 }
 
-/// How fast the corner between a move and the next one may be passed.
+/// Returns the speed at which the corner between a move and the next one may be passed.
 fn corner(before: &Block, way: Axes) -> f64 {
     let cosine: f64 = before.way.0.iter().zip(way.0).map(|(a, b)| a * b).sum();
     let half_sine = ((1.0 + cosine) / 2.0).max(0.0).sqrt();

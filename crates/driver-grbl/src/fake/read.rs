@@ -1,6 +1,6 @@
 //! Lines of G-code that the fake understands.
 
-/// What a line asks for.
+/// Words of a line.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Words {
     pub moves: bool,

@@ -3,10 +3,10 @@
 use super::tag::{Tag, Value};
 use crate::finding::Findings;
 
-/// What a binary file begins with (DXF reference, "Binary DXF files").
+/// First bytes of a binary file (DXF reference, "Binary DXF files").
 const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
-/// What follows the sentinel, when it is a binary file.
+/// Returns what follows the sentinel, when it is a binary file.
 pub fn body(bytes: &[u8]) -> Option<&[u8]> {
     bytes.strip_prefix(SENTINEL)
 }

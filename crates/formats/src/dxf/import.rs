@@ -14,7 +14,7 @@ use crate::rsg::MARK;
 use kerf_drawing::{Drawing, Shape};
 use kerf_geom::{Point2, Polyarc, fit, tol};
 
-/// How a file is to be read.
+/// Options with which a file is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Draw what blocks hold where INSERT places them; else each INSERT is only counted.
@@ -26,7 +26,7 @@ pub struct Options {
     /// Leave entities that bear a comment of Kerf as they are written: paths of a job whose end is their start are open,
     /// with leads before and behind.
     pub as_written: bool,
-    /// How far arcs may stray from ellipses and splines, millimetres.
+    /// Greatest distance of arcs from the ellipses and splines they replace, millimetres.
     pub tolerance_mm: f64,
     /// Entities that INSERT draws, at the most, beyond those that the file writes: blocks in blocks can multiply without
     /// bound.
@@ -113,7 +113,7 @@ fn unit(file: &File, options: &Options, findings: &mut Findings) -> f64 {
     }
 }
 
-/// Where entities go: into the world, or into the world by way of a block.
+/// Destination of entities: the world, or the world by way of a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<'a> {
     /// From the frame of the entities to the world.
@@ -140,7 +140,7 @@ pub(super) struct OpenBlock<'f, 'a> {
     pub line: u32,
 }
 
-/// What is being made of a file.
+/// State of an import.
 pub(super) struct Import<'f, 'a, 'g> {
     pub file: &'f File<'f, 'a>,
     pub options: Options,

@@ -53,9 +53,9 @@ impl Vec3 {
 /// An affine map of space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Map3 {
-    /// Where the unit vectors go.
+    /// Images of the unit vectors.
     axes: [Vec3; 3],
-    /// Where the origin goes.
+    /// Image of the origin.
     origin: Vec3,
 }
 
@@ -102,18 +102,18 @@ impl Map3 {
         Self { axes: self.axes.map(|axis| next.turn(axis)), origin: next.apply(self.origin) }
     }
 
-    /// Where a place goes.
+    /// Maps a place.
     pub fn apply(&self, place: Vec3) -> Vec3 {
         self.turn(place).plus(self.origin)
     }
 
-    /// Where a direction goes.
+    /// Maps a direction.
     pub fn turn(&self, v: Vec3) -> Vec3 {
         let [x, y, z] = self.axes;
         x.times(v.x).plus(y.times(v.y)).plus(z.times(v.z))
     }
 
-    /// What it does to a plane at a height, seen from above.
+    /// Returns what it does to a plane at a height, seen from above.
     pub fn plane(&self, height: f64) -> Transform2 {
         let [x, y, _] = self.axes;
         let origin = self.apply(Vec3::new(0.0, 0.0, height));
@@ -124,7 +124,7 @@ impl Map3 {
         }
     }
 
-    /// Whether a level plane stays level.
+    /// Tells whether a level plane stays level.
     pub fn keeps_level(&self) -> bool {
         let [x, y, _] = self.axes;
         let size = x.x.hypot(x.y).max(y.x.hypot(y.y));

@@ -100,7 +100,8 @@ pub(super) fn old<'f, 'a>(
     add(import, entity, place, vertices, closed, height);
 }
 
-/// What belongs to a POLYLINE: its vertices, its end, and what stands between them under a name that nobody knows.
+/// Tells whether an entity belongs to a POLYLINE: its vertices, its end, and what stands between them under a name
+/// that nobody knows.
 fn is_part(name: &[u8]) -> bool {
     matches!(name, b"VERTEX" | b"SEQEND") || skipped::is_foreign(name)
 }

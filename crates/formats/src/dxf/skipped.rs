@@ -65,7 +65,7 @@ const KNOWN: [&str; 60] = [
     "XLINE",
 ];
 
-/// Whether a name is one of DXF.
+/// Tells whether a name is one of DXF beside those that are drawn.
 pub(super) fn is_known(name: &[u8]) -> bool {
     KNOWN.binary_search_by(|known| known.as_bytes().cmp(name)).is_ok()
 }
@@ -88,7 +88,7 @@ const DRAWN: [&[u8]; 14] = [
     b"EOF",
 ];
 
-/// Whether a name is none of DXF.
+/// Tells whether a name is none of DXF.
 pub(super) fn is_foreign(name: &[u8]) -> bool {
     !is_known(name) && !DRAWN.contains(&name)
 }

@@ -9,7 +9,7 @@ use crate::finding::Findings;
 /// A group code with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tag<'a> {
-    /// What the value means (DXF reference, "Group codes").
+    /// Group code, which gives the value its meaning (DXF reference, "Group codes").
     pub code: u16,
     /// The value as it stands in the file.
     pub value: Value<'a>,
@@ -122,8 +122,8 @@ fn text_tags<'a>(bytes: &'a [u8], findings: &mut Findings) -> Vec<Tag<'a>> {
     tags
 }
 
-/// Where a line is missing, or one too many, the `0` before the name of an entity is read as a value. The name
-/// that follows shows it, and puts codes and values in step again.
+/// Tells whether a line in the place of a code is the name of an entity. Where a line is missing, or one too many,
+/// the `0` before the name is read as a value; the name shows it, and puts codes and values in step again.
 fn begins_an_entity(line: &[u8], before: Option<&Tag>) -> bool {
     let zero = before.is_some_and(|tag| tag.name() == b"0");
     let letter = |byte: &u8| byte.is_ascii_uppercase() || byte.is_ascii_digit() || *byte == b'_';

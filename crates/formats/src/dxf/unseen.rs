@@ -1,4 +1,4 @@
-//! What drawing programs do not show: entities on layers that are off or frozen, and those that are invisible.
+//! Entities that drawing programs do not show: those on layers that are off or frozen, and those that are invisible.
 //!
 //! Nobody wants cut what is not seen. It is left out, counted by layer and told.
 
@@ -23,7 +23,7 @@ const DRAWN: [&[u8]; 9] = [
 /// Bit of group code 70 of a layer.
 const FROZEN: i64 = 1;
 
-/// Why a layer is not seen.
+/// Reason why a layer is not seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Switched {
     /// Its colour is negative. What a block that is placed on it has on other layers is seen.
@@ -50,7 +50,7 @@ fn switched(layer: &Entity) -> Option<Switched> {
     whole(62).is_some_and(|colour| colour < 0).then_some(Switched::Off)
 }
 
-/// What was left out because nobody sees it.
+/// Entities that were left out because nobody sees them.
 #[derive(Clone, Debug, Default)]
 pub struct Unseen<'a> {
     /// By layer, or without one for entities that are invisible themselves: where the first is, and how many.
@@ -58,7 +58,7 @@ pub struct Unseen<'a> {
 }
 
 impl<'a> Unseen<'a> {
-    /// Whether an entity on a layer is not seen; then it is counted.
+    /// Tells whether an entity on a layer is not seen; then it is counted.
     pub fn hides(&mut self, entity: &Entity<'_, 'a>, layer: &'a [u8], layers: &Layers) -> bool {
         if !DRAWN.contains(&entity.name) {
             return false;

@@ -3,14 +3,14 @@
 use kerf_drawing::{Drawing, Group, Kind, Shape};
 use std::fmt::{Display, Write};
 
-/// What goes into a file besides lines and arcs.
+/// Contents of a file besides lines and arcs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Notes {
     /// Comment lines at the head of the file.
     pub head: Vec<String>,
     /// A comment for each shape.
     pub shapes: Vec<String>,
-    /// Whether each group has a layer of its name and colour; else all shapes are on layer 0.
+    /// Each group has a layer of its name and colour; else all shapes are on layer 0.
     pub layers: bool,
 }
 

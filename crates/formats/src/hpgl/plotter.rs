@@ -11,25 +11,25 @@ use kerf_geom::{Point2, Polyarc, Vec2, Vertex, tol};
 /// plotters' own.
 const CHORD_DEG: f64 = 5.0;
 
-/// What a plotter knows between two instructions. Places are in the units of the file.
+/// State of a plotter between two instructions. Places are in the units of the file.
 #[derive(Debug, Default)]
 pub(super) struct Plotter {
     scale: Scale,
     at: Point2,
     down: bool,
-    /// Whether nothing was drawn since it went down.
+    /// Nothing was drawn since the pen went down.
     lowered: bool,
     relative: bool,
     /// The pen: none before the first SP, 0 when it was put away.
     pen: Option<u32>,
-    /// What the pen has drawn since it went down, millimetres.
+    /// Path that the pen has drawn since it went down, millimetres.
     run: Vec<Vertex>,
-    /// Whether a polygon is being defined (PM), and its contours.
+    /// A polygon is being defined (PM); `polygon` has its contours.
     in_polygon: bool,
     polygon: Vec<Polyarc>,
     /// The line of the instruction at hand.
     line: u32,
-    /// What was drawn: the pen, the line at which it was done, the shape.
+    /// Shapes that were drawn: the pen, the line at which it was done, the shape.
     shapes: Vec<(u32, u32, Shape)>,
 }
 
@@ -290,8 +290,8 @@ impl Plotter {
         }
     }
 
-    /// What was drawn becomes a shape, or a contour of the polygon; a pen that is down begins the next. A
-    /// pen that goes down and up again has drawn a point.
+    /// Makes a shape of what was drawn, or a contour of the polygon; a pen that is down begins the next. A pen that
+    /// goes down and up again has drawn a point.
     fn end_run(&mut self) {
         let vertices = std::mem::take(&mut self.run);
         let dot = std::mem::take(&mut self.lowered) && !self.in_polygon;
@@ -306,7 +306,7 @@ impl Plotter {
         }
     }
 
-    /// Where the pen is, millimetres.
+    /// Returns the place of the pen, millimetres.
     fn here(&self) -> Vertex {
         Vertex { at: self.scale.place(self.at), bulge: 0.0 }
     }

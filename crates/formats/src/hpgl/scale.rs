@@ -5,7 +5,7 @@ use kerf_geom::{Point2, Vec2};
 /// Millimetres of a plotter unit: 1016 are an inch.
 const UNIT_MM: f64 = 0.025;
 
-/// How places of the file lie on the paper.
+/// Map of places of the file onto the paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
     /// P1 and P2 in plotter units, when IP has set them.
@@ -40,7 +40,7 @@ impl Default for Scale {
     }
 }
 
-/// Where P1 and P2 of a plotter with A4 paper are when the file does not say.
+/// Places of P1 and P2, in plotter units, of a plotter with A4 paper when the file does not say.
 const PAPER: [Point2; 2] = [Point2::new(603.0, 521.0), Point2::new(10603.0, 7721.0)];
 
 impl Scale {
@@ -115,13 +115,13 @@ impl Scale {
         good
     }
 
-    /// Whether circles stay circles.
+    /// Tells whether circles stay circles.
     pub fn keeps_circles(&self) -> bool {
         let Vec2 { x, y } = self.per_unit;
         (x.abs() - y.abs()).abs() <= 1e-3 * x.abs()
     }
 
-    /// Whether the scale turns counter-clockwise into clockwise.
+    /// Tells whether the scale turns counter-clockwise into clockwise.
     pub fn mirrors(&self) -> bool {
         self.per_unit.x * self.per_unit.y < 0.0
     }

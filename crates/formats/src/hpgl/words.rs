@@ -128,7 +128,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// How many bytes belong to the number in front.
+/// Counts the bytes that belong to the number in front.
 fn number_length(bytes: &[u8]) -> usize {
     let sign = usize::from(matches!(bytes.first(), Some(b'-' | b'+')));
     let digit = |byte: &u8| byte.is_ascii_digit() || *byte == b'.';

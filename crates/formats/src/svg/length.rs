@@ -7,10 +7,10 @@ use kerf_geom::Vec2;
 /// The size of letters where a file does not tell it: CSS's `medium`, in units of the file.
 pub const LETTER: f64 = 16.0;
 
-/// How high an x is, in sizes of its letter, where the font is not known (CSS Values 4, 6.1.1).
+/// Height of an x, in sizes of its letter, where the font is not known (CSS Values 4, 6.1.1).
 const X_HEIGHT: f64 = 0.5;
 
-/// What a percentage is a part of.
+/// Length of which a percentage is a part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Along {
     /// The width of the viewport.
@@ -22,7 +22,7 @@ pub enum Along {
 }
 
 impl Along {
-    /// What percentages of an attribute refer to.
+    /// Returns what percentages of an attribute refer to.
     pub fn of(name: &str) -> Self {
         match name {
             "x" | "x1" | "x2" | "cx" | "rx" | "width" => Self::Width,
@@ -40,7 +40,7 @@ impl Along {
     }
 }
 
-/// What relative lengths at a place in a file refer to, all in units of the file.
+/// Sizes that relative lengths at a place in a file refer to, all in units of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
     /// The nearest viewport; nothing where the file does not tell its size.
@@ -120,7 +120,7 @@ pub fn split(text: &str) -> Result<(f64, String), String> {
     Ok((number, unit.to_owned()))
 }
 
-/// Where the number ends with which a text begins. The first letter of `em` and `ex` is no exponent.
+/// Returns the end of the number with which a text begins. The first letter of `em` and `ex` is no exponent.
 fn number_end(text: &[u8]) -> usize {
     let sign = |at: usize| usize::from(matches!(text.get(at), Some(b'+' | b'-')));
     let digits = |at: usize| text[at..].iter().take_while(|byte| byte.is_ascii_digit()).count();

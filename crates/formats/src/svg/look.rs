@@ -1,4 +1,4 @@
-//! How an element looks: its properties by style sheets, by itself, and from what it stands in.
+//! Looks of an element: its properties by style sheets, by itself, and from what it stands in.
 
 use super::length::{Along, Measure};
 use super::sheet::{Declaration, Sheet};
@@ -18,7 +18,7 @@ impl<'a> Look<'a> {
         Self { node, declared: sheet.declared(node) }
     }
 
-    /// What a style says of a property.
+    /// Returns what a style says of a property.
     pub fn styled(&self, name: &str) -> Option<&'a str> {
         let named = self.declared.iter().rev().find(|it| it.name.eq_ignore_ascii_case(name));
         named.map(|declaration| declaration.value)
@@ -37,7 +37,7 @@ impl<'a> Look<'a> {
         measure.units(text, Along::of(name)).map(Some).map_err(told)
     }
 
-    /// Why nothing within the element is seen, where that is so.
+    /// Returns the reason why nothing within the element is seen, where that is so.
     pub fn hidden(&self) -> Option<&'static str> {
         if self.value("display") == Some("none") {
             return Some("display: none");
@@ -47,7 +47,7 @@ impl<'a> Look<'a> {
     }
 }
 
-/// What elements have from those they stand in.
+/// Properties that elements have from those they stand in.
 #[derive(Clone, Copy, Debug)]
 pub struct Inherited {
     /// Not `visibility: hidden`.
@@ -66,7 +66,7 @@ impl Default for Inherited {
 }
 
 impl Inherited {
-    /// What an element hands on.
+    /// Returns the properties that an element hands on.
     #[must_use]
     pub fn with(&self, look: &Look) -> Self {
         let set = |name| look.value(name).filter(|text| *text != "inherit");

@@ -9,15 +9,15 @@ use svgtypes::{Align, AspectRatio, ViewBox};
 /// Millimetres in a unit of a file that does not tell its size otherwise.
 const UNIT_MM: f64 = 25.4 / 96.0;
 
-/// Where the lower left of the page lies in the drawing it was made from, millimetres, `x,y`: what Kerf writes
+/// Attribute with the lower left of the page in the drawing it was made from, millimetres, `x,y`: what Kerf writes
 /// comes back where it was.
 pub const ORIGIN: &str = "data-origin";
 
-/// What the outermost element says of everything within it.
+/// Properties that the outermost element gives to everything within it.
 pub struct Page {
     /// From the units of the file to millimetres with Y upwards, the lower edge of the page at 0.
     pub map: Transform2,
-    /// What percentages refer to, in units of the file.
+    /// Size that percentages refer to, in units of the file.
     pub room: Option<Vec2>,
     /// The size of the page in pixels.
     pub sheet: Option<Vec2>,
@@ -60,8 +60,8 @@ fn origin(root: Node) -> Point2 {
     near.map_or(Point2::default(), |(x, y)| Point2::new(x, y))
 }
 
-/// What a symbol or an SVG within an SVG is moved and scaled by, and how large it is to what stands in it: `user`
-/// tells where it stands and how large it is, itself or the `use` that draws it.
+/// Returns what a symbol or an SVG within an SVG is moved and scaled by, and how large it is to what stands in it:
+/// `user` tells where it stands and how large it is, itself or the `use` that draws it.
 ///
 /// # Errors
 /// A length in it cannot be read, or it has no size.
@@ -113,7 +113,7 @@ fn fitted(node: Node, view: ViewBox, wide: f64, tall: f64) -> Transform2 {
     scaled.then(&Transform2::moved(spare))
 }
 
-/// How much of the spare room is to the left, and above.
+/// Returns the shares of the spare room to the left, and above.
 fn shares(align: Align) -> (f64, f64) {
     use Align as A;
     let left = match align {

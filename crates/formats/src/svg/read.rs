@@ -67,7 +67,7 @@ fn imported(
     Imported { drawing: Drawing::of(shapes), findings: findings.finish(), layers, skipped, ended }
 }
 
-/// Where and how an element is drawn.
+/// Place and circumstances in which an element is drawn.
 #[derive(Clone, Copy)]
 struct Place<'a> {
     map: Transform2,
@@ -194,7 +194,7 @@ impl<'a, 'g> Reading<'a, 'g> {
         self.effort.tell(&what, at, mend, &mut self.findings);
     }
 
-    /// Whether nothing of an element is seen, which is told.
+    /// Tells whether nothing of an element is seen, and if so warns of it.
     fn is_hidden(&mut self, look: &Look) -> bool {
         let Some(why) = look.hidden() else { return false };
         self.tell_hidden(look.node, why);
@@ -214,7 +214,7 @@ impl<'a, 'g> Reading<'a, 'g> {
         }
     }
 
-    /// Where an element is drawn; nothing where that cannot be told.
+    /// Returns the place in which an element is drawn; nothing where that cannot be told.
     fn place_of(&mut self, look: &Look<'a>, place: &Place<'a>) -> Option<Place<'a>> {
         let inherited = place.inherited.with(look);
         match transform(look, &inherited.measure) {
@@ -252,7 +252,7 @@ impl<'a, 'g> Reading<'a, 'g> {
         self.element(ways[chosen], place);
     }
 
-    /// What stands in a symbol or in an SVG within an SVG; `user` says where and how large that is.
+    /// Draws what stands in a symbol or in an SVG within an SVG; `user` says where and how large that is.
     fn view(&mut self, look: &Look<'a>, user: &Look<'a>, place: &Place<'a>) {
         match inner(look, user, &place.inherited.measure) {
             Err(why) => self.warn("shape", user.node, format!("{why}: left out")),
@@ -370,7 +370,7 @@ fn used_name<'a>(user: Node<'a, 'a>) -> &'a str {
     name.trim().trim_start_matches('#')
 }
 
-/// Whether a way of a `<switch>` asks for nothing that Kerf has not.
+/// Tells whether a way of a `<switch>` asks for nothing that Kerf has not.
 fn is_for_us(way: Node) -> bool {
     let english = |names: &str| {
         names.split(',').any(|name| name.trim().to_ascii_lowercase().starts_with("en"))

@@ -9,13 +9,13 @@ use roxmltree::Node;
 use std::f64::consts::TAU;
 use svgtypes::PointsParser;
 
-/// What an element draws.
+/// Paths that an element draws.
 #[derive(Debug, Default)]
 pub struct Drawn {
     pub paths: Vec<Polyarc>,
     /// The mistake at which the reading of it ended.
     pub wrong: Option<String>,
-    /// How many segments have no length.
+    /// Number of segments without length.
     pub repeated: usize,
 }
 
@@ -29,7 +29,7 @@ pub fn spot(look: &Look, measure: &Measure) -> Option<Result<Point2, String>> {
     is_spot.then(|| Sized { look, measure }.point("cx", "cy"))
 }
 
-/// What an element draws; nothing for elements that have no outline.
+/// Returns the paths that an element draws; nothing for elements that have no outline.
 ///
 /// # Errors
 /// What is wrong with it.

@@ -13,7 +13,7 @@ const MOST_RULES: usize = 2000;
 /// At-rules that change nothing of the shapes.
 const HARMLESS: [&str; 5] = ["charset", "font-face", "keyframes", "-webkit-keyframes", "namespace"];
 
-/// What is wrong in a sheet, and at which byte of the file.
+/// Byte of the file at which a sheet has a mistake, and the mistake.
 pub type Wrong = (usize, String);
 
 /// A property that is set: `fill: none`.
@@ -25,7 +25,7 @@ pub struct Declaration<'a> {
     pub important: bool,
 }
 
-/// What a list of declarations sets. What is none is passed over, as CSS wants it.
+/// Reads a list of declarations. What is none is passed over, as CSS wants it.
 pub fn declarations(css: &str) -> Vec<Declaration<'_>> {
     let (bytes, mut all, mut at) = (css.as_bytes(), Vec::new(), 0);
     while at < css.len() {
@@ -126,7 +126,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// What is declared of an element, by rules and by itself, the weakest first.
+    /// Returns the declarations of an element, by rules and by itself, the weakest first.
     pub fn declared(&self, node: Node<'a, 'a>) -> Vec<Declaration<'a>> {
         let of_rules = self.rules.iter().filter(|(selector, _)| selector.matches(&Held(node)));
         let mut all: Vec<_> = of_rules.flat_map(|(_, declared)| declared.iter().copied()).collect();
@@ -143,7 +143,7 @@ enum Statement {
     At(Range<usize>),
     /// `.cut, #hole { … }`.
     Rule { selectors: Range<usize>, body: Range<usize> },
-    /// What begins here has no end.
+    /// Beginning of something that has no end.
     Open(usize),
 }
 
@@ -207,7 +207,7 @@ fn find(bytes: &[u8], from: usize, wanted: impl Fn(u8) -> bool) -> Option<usize>
     None
 }
 
-/// Where the block ends whose inside begins at a place.
+/// Finds the end of the block whose inside begins at a place.
 fn closing(bytes: &[u8], from: usize) -> Option<usize> {
     let (mut depth, mut at) = (0usize, from);
     loop {

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// What packed files begin with (RFC 1952).
+/// First bytes of packed files (RFC 1952).
 const GZIP: [u8; 2] = [0x1f, 0x8b];
 
 /// The text of a file in UTF-8, or in UTF-16 where it begins with the mark of that.

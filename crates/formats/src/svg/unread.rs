@@ -1,11 +1,11 @@
-//! What Kerf does not draw, in words for people.
+//! Parts of a file that Kerf does not draw, in words for people.
 
 use super::look::Look;
 use crate::finding::Weight;
 use roxmltree::Node;
 use std::collections::BTreeMap;
 
-/// What elements are that have no outline of their own; nothing for those that nobody expects to be cut.
+/// Returns the message about an element without an outline; nothing for those that nobody expects to be cut.
 pub fn element(name: &str) -> Option<&'static str> {
     Some(match name {
         "text" | "flowRoot" => "<text> is left out: turn it into paths in the program that drew it",
@@ -15,7 +15,7 @@ pub fn element(name: &str) -> Option<&'static str> {
     })
 }
 
-/// Whether an element draws nothing by itself.
+/// Tells whether an element draws nothing by itself.
 pub fn draws_nothing(name: &str) -> bool {
     matches!(
         name,
@@ -49,7 +49,7 @@ pub fn draws_nothing(name: &str) -> bool {
     )
 }
 
-/// What of the looks of an element does not come out as it looks.
+/// Lists what of the looks of an element does not come out as it looks.
 pub fn looks(look: &Look, ids: &BTreeMap<&str, Node>) -> Vec<(Weight, String)> {
     let given = |name: &str| look.value(name).filter(|it| !matches!(*it, "" | "none" | "inherit"));
     let mut all = Vec::new();

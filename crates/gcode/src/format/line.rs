@@ -7,7 +7,7 @@ use crate::tree::{Block, Keyword, Program, Span};
 /// The pieces of a line in their order.
 pub(super) struct Pieces(Vec<(Span, Kind)>);
 
-/// What a piece is.
+/// Kind of a piece.
 #[derive(Clone, Copy)]
 enum Kind {
     Word,
@@ -91,7 +91,7 @@ fn push_between(gap: &str, line: &mut String) -> Option<()> {
     Some(())
 }
 
-/// What stands behind the last piece: comments, with their distance.
+/// Appends the text behind the last piece: comments, with their distance.
 fn push_tail(tail: &str, line: &mut String) {
     let tail = trim_end(tail);
     if !line.is_empty() && !tail.is_empty() && !tail.starts_with(blank) {
@@ -100,7 +100,7 @@ fn push_tail(tail: &str, line: &mut String) {
     line.push_str(tail);
 }
 
-/// How long the comment is that the text begins with; `None` for one with parentheses within,
+/// Returns the length of the comment that the text begins with; `None` for one with parentheses within,
 /// which controllers read differently.
 fn comment_length(text: &str) -> Option<usize> {
     let end = text.find(')')?;
@@ -127,7 +127,7 @@ fn push_piece(text: &str, kind: Kind, line: &mut String) -> Option<()> {
     Some(())
 }
 
-/// Whether a number goes on behind a blank.
+/// Returns `true` if a number goes on behind a blank.
 fn has_gap(text: &str) -> bool {
     let number = |b: u8| b.is_ascii_digit() || b == b'.';
     let mut before = 0;
@@ -145,7 +145,7 @@ fn has_gap(text: &str) -> bool {
     false
 }
 
-/// What stands before and behind the `=` of a setting; names may hold one.
+/// Splits a setting into the text before and behind its `=`; names may hold one.
 fn split_setting(text: &str) -> Option<(&str, &str)> {
     let mut in_name = false;
     let at = text.bytes().position(|b| {

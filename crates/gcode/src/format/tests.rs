@@ -11,7 +11,7 @@ fn check(text: &str, expected: &str) {
     assert_eq!(format(expected), expected, "formatting twice: {text:?}");
 }
 
-/// What a line means, without where its parts stand.
+/// Describes the meaning of a line, without the places of its parts.
 fn meaning(program: &Program, index: u32) -> String {
     match program.line(index + 1).unwrap().node() {
         Node::Move => {

@@ -4,7 +4,7 @@ use super::blank;
 use crate::expr::Operator;
 use crate::tree::Keyword;
 
-/// How many digits a text begins with.
+/// Returns the number of digits that a text begins with.
 pub(super) fn digits(text: &str) -> usize {
     text.bytes().take_while(u8::is_ascii_digit).count()
 }

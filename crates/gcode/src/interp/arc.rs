@@ -80,13 +80,13 @@ fn sweep(from: [f64; 2], centre: [f64; 2], to: [f64; 2], clockwise: bool) -> f64
     if clockwise { -turn } else { turn }
 }
 
-/// Whether two radii count as one.
+/// Returns `true` if two radii count as one.
 fn agree(r1: f64, r2: f64) -> bool {
     let difference = (r1 - r2).abs();
     difference <= RADII_MM || difference <= RADII_MOST_MM && difference <= RADII_SHARE * r1.max(r2)
 }
 
-/// Whether two places lie on one circle about a centre.
+/// Returns `true` if two places lie on one circle about a centre.
 pub(super) fn is_round(from: [f64; 2], centre: [f64; 2], to: [f64; 2]) -> bool {
     let (r1, r2) = (distance(from, centre), distance(to, centre));
     r1 > 0.0 && r2 > 0.0 && agree(r1, r2)
@@ -130,7 +130,7 @@ pub(super) fn command(
     }
 }
 
-/// How many chords of an arc stay within a tolerance.
+/// Returns the number of chords with which an arc stays within a tolerance.
 pub(super) fn chords_within(radius: f64, sweep: f64, tolerance: f64) -> u32 {
     let share = (1.0 - tolerance / radius.max(tolerance)).clamp(-1.0, 1.0);
     let step = (2.0 * share.acos()).clamp(1e-3, PI / 4.0);
@@ -335,7 +335,7 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// What the chords of an arc follow: a circle, unless FP stretches or the system turns it.
+    /// Returns the circle that the chords of an arc follow, unless FP stretches or the system turns it.
     fn chorded(
         &self,
         flat: &Flat,

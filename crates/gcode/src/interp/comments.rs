@@ -6,7 +6,7 @@ use kerf_program::{Command, ToolPathStart};
 use std::fmt::Write as _;
 use std::sync::Arc;
 
-/// What CAM programs write before the name of a tool path.
+/// Words that CAM programs write before the name of a tool path.
 const NAMED: [&str; 5] = ["toolpath name", "toolpath", "tool path", "operation", "cut name"];
 
 impl Context<'_> {

@@ -1,4 +1,4 @@
-//! What a block works with: the state, the host, the list of commands.
+//! The surroundings that a block works with: the state, the host, the list of commands.
 
 use super::Core;
 use crate::gathered::Fault;
@@ -10,12 +10,12 @@ use kerf_program::{
 use std::sync::Arc;
 use std::task::Poll;
 
-/// Why a block did not complete.
+/// Reason why a block did not complete.
 #[derive(Debug)]
 pub(super) enum Stop {
     /// The host has no answer yet; nothing has happened.
     Waiting,
-    /// What was given so far is done first, then the block begins again.
+    /// The commands given so far are carried out first, then the block begins again.
     Again,
     /// An error.
     Failed(Box<Diagnostic>),
@@ -23,7 +23,7 @@ pub(super) enum Stop {
     Finished(Status),
 }
 
-/// What a block works with.
+/// The surroundings that a block works with.
 pub(super) struct Context<'a> {
     pub(super) core: &'a mut Core,
     pub(super) host: &'a mut dyn Host,

@@ -1,4 +1,4 @@
-//! What the controllers of the dialects refuse: grbl 1.1, grblHAL, Mach3, LinuxCNC.
+//! The codes and words that the controllers of the dialects refuse: grbl 1.1, grblHAL, Mach3, LinuxCNC.
 //!
 //! grbl is as its parser has it (gcode.c of version 1.1h, built as it is shipped). Of grblHAL and Mach3 only what
 //! their own lists of codes lack is refused.
@@ -30,7 +30,7 @@ const LINUXCNC: &str = "run it with --dialect linuxcnc";
 const GRBLHAL: &str = "grblHAL has it: run it with --dialect grblhal";
 const GENERIC: &str = "run it with --dialect generic";
 
-/// Whether a controller has no such words.
+/// Returns `true` if a controller has no such words.
 pub(super) fn lacks_words(dialect: Dialect, what: &str) -> bool {
     match dialect {
         Dialect::Grbl => true,
@@ -63,7 +63,7 @@ pub(super) fn refuses(
     if dialect == Dialect::Grbl { words_of_grbl(g, motion, plane) } else { None }
 }
 
-/// Whether a controller lacks a code.
+/// A function that returns `true` if a controller lacks a code.
 type Lacks = fn(i32) -> bool;
 
 /// The first code of a block that a controller does not have.
@@ -89,7 +89,7 @@ const fn grbl_has(code: i32) -> bool {
     motion || once || modes || matches!(code, 400 | 431 | 490 | 540 | 550 | 560 | 570 | 580 | 590)
 }
 
-/// What grblHAL adds.
+/// Returns `true` if grblHAL adds this code.
 const fn hal_has(code: i32) -> bool {
     let motion = matches!(code, 50 | 51 | 730 | 810 | 820 | 830 | 850 | 860 | 890);
     motion || matches!(code, 430 | 591..=593 | 922 | 923 | 950 | 980 | 990)

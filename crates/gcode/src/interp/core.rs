@@ -26,8 +26,8 @@ pub(super) struct Core {
     pub(super) over: bool,
     pub(super) settings: Arc<Settings>,
     pub(super) frame: Frame,
-    /// Where the program has sent the machine, machine frame; with compensation the place on the
-    /// programmed path.
+    /// Place to which the program has sent the machine, machine frame; with compensation the place on
+    /// the programmed path.
     pub(super) position: Axes,
     pub(super) state: State,
     /// Modes kept by M70 outside subroutines.
@@ -45,7 +45,7 @@ pub(super) struct Core {
     /// The second control point of the last G5, as an offset from its end.
     pub(super) spline_end: Option<[f64; 2]>,
     pub(super) compensator: Option<Compensator>,
-    /// Where the tool was left by G40, until the next move brings it to the path.
+    /// Place at which G40 left the tool, until the next move brings it to the path.
     pub(super) beside: Option<Axes>,
     /// A probe move that is under way.
     pub(super) probing: Option<Probe>,
@@ -77,14 +77,14 @@ pub(super) struct Core {
     /// Only the line of this index is executed.
     #[serde(default)]
     pub(super) only: Option<u32>,
-    /// What is told only once was told.
+    /// Marks of messages that are told only once.
     pub(super) told: Told,
-    /// How the lines are gone through.
+    /// Way in which the lines are gone through.
     #[serde(default)]
     pub(super) stepping: Stepping,
 }
 
-/// What is told only once.
+/// Marks of messages that are told only once: `true` once told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Told {
     pub(super) units: bool,
@@ -118,7 +118,7 @@ pub(super) struct Call {
     pub(super) restore: bool,
 }
 
-/// How it was called.
+/// Kind of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum CallKind {
     /// The file that the operator started.
@@ -129,7 +129,7 @@ pub(super) enum CallKind {
     Fanuc {
         /// Runs left after this one.
         again: u64,
-        /// Where it begins.
+        /// Index of its first line.
         first: u32,
     },
 }
@@ -217,13 +217,13 @@ impl Core {
         (self.started, self.over, self.only) = (true, false, Some(index));
     }
 
-    /// Whether the only line to execute has been executed.
+    /// Returns `true` if the only line to execute has been executed.
     pub(super) fn only_is_done(&self) -> bool {
         let at = |index| matches!(&*self.calls, [main] if main.next != index);
         self.only.is_some_and(at) && self.probing.is_none()
     }
 
-    /// Whether the operator is asked before the spindle turns so.
+    /// Returns `true` if the operator is asked before the spindle turns so.
     pub(super) fn would_ask_spindle(&self, turn: Turn) -> bool {
         let starts = turn != Turn::Off && self.state.modal.turn == Turn::Off;
         let options = &self.options;
@@ -308,7 +308,7 @@ impl Core {
         self.unturn(machine.minus(self.zero))
     }
 
-    /// Where the program is, in the units of the file.
+    /// Returns the place of the program, in the units of the file.
     pub(super) fn user_position(&self) -> Axes {
         self.to_user(self.place_of(self.position))
     }

@@ -10,17 +10,17 @@ use kerf_diag::Code;
 use kerf_program::{Command, MoveKind, Turn};
 use serde::{Deserialize, Serialize};
 
-/// How far above the last bottom a peck begins again: LinuxCNC's 0.010 in.
+/// Height above the last bottom at which a peck begins again: LinuxCNC's 0.010 in.
 const AGAIN_MM: f64 = 0.254;
 /// Repeats of one block; more is a number out of all proportion.
 const MOST_REPEATS: f64 = 100_000.0;
 /// Pecks of one hole.
 const MOST_PECKS: f64 = 10_000.0;
 
-/// What holds from block to block while cycles follow each other. Lengths in mm.
+/// Values that hold from block to block while cycles follow each other. Lengths in mm.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Cycle {
-    /// Where the drilling axis was before the first of them.
+    /// Place of the drilling axis before the first of them.
     initial: f64,
     /// The word R as written, in the unit of the plane's axis.
     r: Option<f64>,
@@ -53,14 +53,14 @@ pub(super) struct Hole {
     clear: f64,
     dwell: f64,
     peck: f64,
-    /// Where G87 goes in, from the hole.
+    /// Place where G87 goes in, from the hole.
     beside: [f64; 2],
-    /// Where G87 bores to.
+    /// Place that G87 bores to.
     middle: f64,
 }
 
 impl Hole {
-    /// Whether a place lies farther out of the hole than another.
+    /// Returns `true` if a place lies farther out of the hole than another.
     fn is_above(&self, place: f64, other: f64) -> bool {
         (place - other) * self.out > 0.0
     }
@@ -190,8 +190,8 @@ impl Context<'_> {
         Ok(hole)
     }
 
-    /// Where G87 goes in, from the hole, and the height that it bores to. The tool's nose stands where
-    /// the spindle stops, so the way beside the hole is not turned by FP.
+    /// Returns the place where G87 goes in, from the hole, and the height that it bores to. The tool's
+    /// nose stands where the spindle stops, so the way beside the hole is not turned by FP.
     fn beside(&self, code: i32, cycle: &Cycle, bottom: f64) -> Result<([f64; 2], f64), Stop> {
         if code != 870 {
             return Ok(([0.0; 2], bottom));

@@ -37,7 +37,7 @@ impl Context<'_> {
         outcome
     }
 
-    /// Whether the block starts the spindle and the operator is asked first.
+    /// Returns `true` if the block starts the spindle and the operator is asked first.
     fn starts_spindle(&self, g: &Gathered) -> bool {
         matches!(g.m[SPINDLE], Some(3 | 4)) && self.core.would_ask_spindle(Turn::Clockwise)
     }
@@ -75,7 +75,7 @@ impl Context<'_> {
         self.stop(g)
     }
 
-    /// What a block does besides its path.
+    /// Carries out what a block does besides its path.
     fn machine_codes(&mut self, g: &Gathered) -> Result<(), Stop> {
         self.inputs_and_outputs(g)?;
         self.tool_change(g)?;
@@ -216,7 +216,7 @@ impl Context<'_> {
     }
 }
 
-/// Whether a block waits for the machine, the operator or an input.
+/// Returns `true` if a block waits for the machine, the operator or an input.
 fn stops(g: &Gathered) -> bool {
     g.m[TOOL] == Some(6) || g.m[IO] == Some(66) || matches!(g.g[MOTION], Some(382..=385))
 }

@@ -49,7 +49,7 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
     road.arrive(core, first, out.len() == before);
 }
 
-/// Whether nothing special holds.
+/// Returns `true` if nothing special holds.
 fn holds(core: &Core) -> bool {
     let modal = &core.state.modal;
     core.started
@@ -68,7 +68,7 @@ fn holds(core: &Core) -> bool {
         && core.options.proportion[0] == core.options.proportion[1]
 }
 
-/// What the moves of a run share, and what they change.
+/// Values that the moves of a run share, and those that they change.
 struct Road {
     settings: Arc<Settings>,
     file: u32,
@@ -83,7 +83,7 @@ struct Road {
     grbl: bool,
     /// Millimetres of a unit.
     unit: f64,
-    /// How many lines of the file lie behind.
+    /// Number of lines of the file that lie behind.
     line: u32,
     position: Axes,
     motion: Option<i32>,

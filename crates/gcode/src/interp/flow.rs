@@ -237,7 +237,7 @@ impl Context<'_> {
     }
 }
 
-/// Whether an O-word has the partner it needs; the reader told where it has not.
+/// Returns `true` if an O-word has the partner it needs; the reader told where it has not.
 fn is_linked(flow: &Flow) -> bool {
     match flow.keyword {
         Keyword::Elseif | Keyword::Else | Keyword::Break | Keyword::Continue => flow.end > 0,

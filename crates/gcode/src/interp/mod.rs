@@ -76,12 +76,12 @@ impl Interpreter {
         self.core.adopt(settings, frame, position);
     }
 
-    /// Whether cutter compensation is on: the tool is beside the path, and moves are held back.
+    /// Returns `true` while cutter compensation is on: the tool is beside the path, and moves are held back.
     pub const fn compensates(&self) -> bool {
         self.core.compensator.is_some()
     }
 
-    /// Whether the program came to its end (M2, M30).
+    /// Returns `true` if the program came to its end (M2, M30).
     pub fn is_over(&self) -> bool {
         self.core.over
     }
@@ -174,7 +174,7 @@ impl Interpreter {
         &self.core.frame
     }
 
-    /// Where the program has sent the machine, machine frame.
+    /// Returns the place to which the program has sent the machine, machine frame.
     pub fn position(&self) -> Axes {
         self.core.tool_position()
     }
@@ -184,7 +184,7 @@ impl Interpreter {
         &self.core.state
     }
 
-    /// Whether the operator is still asked before each line.
+    /// Returns `true` while the operator is asked before each line.
     pub const fn is_stepped(&self) -> bool {
         self.core.stepping.asks
     }
@@ -194,7 +194,7 @@ impl Interpreter {
         parameters::all(&self.core)
     }
 
-    /// What stays after the run: settings, frames, position, offsets, parameters.
+    /// Returns the state that stays after the run: settings, frames, position, offsets, parameters.
     pub fn into_session(self) -> Session {
         self.core.into_session()
     }

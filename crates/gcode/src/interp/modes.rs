@@ -217,7 +217,7 @@ impl Context<'_> {
         self.relocate();
     }
 
-    /// Whether millimetres hold though nobody said so: told once, at the first motion.
+    /// Warns that a unit holds though the file never said it: told once, at the first motion.
     pub(super) fn doubt_unit(&mut self) {
         if self.core.state.modal.unit_said || std::mem::replace(&mut self.core.told.units, true) {
             return;

@@ -1,4 +1,4 @@
-//! Where zero is: G10, G28, G30, G43, G49, G52 … G59.3, G92.
+//! The zero points: G10, G28, G30, G43, G49, G52 … G59.3, G92.
 
 use super::context::{Context, Stop};
 use super::state::{CoordinateSystem, Tool};

@@ -22,7 +22,7 @@ pub(super) struct Probe {
     /// Its line, from 1.
     #[serde(default)]
     line: u32,
-    /// Where the machine was when the probe changed.
+    /// Place of the machine when the probe changed.
     contact: Option<Axes>,
 }
 

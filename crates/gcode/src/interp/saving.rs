@@ -1,10 +1,10 @@
-//! How an interpreter is saved: the text of its programs once, then the state.
+//! The saved form of an interpreter: the text of its programs once, then the state.
 
 use super::{Core, Interpreter};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// What is written: programs as name and text, read again when restored.
+/// Saved form: programs as name and text, read again when restored.
 #[derive(Serialize, Deserialize)]
 pub(super) struct Saved {
     programs: Vec<(String, String)>,

@@ -1,4 +1,4 @@
-//! What a run starts from and what stays after it.
+//! The state and options from which a run starts, and the state that stays after it.
 
 use super::state::State;
 use kerf_program::{Axes, Frame, GoTo, Settings};
@@ -22,12 +22,12 @@ pub enum Dialect {
 }
 
 impl Dialect {
-    /// Whether doubtful blocks only give warnings.
+    /// Returns `true` if doubtful blocks only give warnings.
     pub const fn is_lenient(self) -> bool {
         matches!(self, Self::Generic | Self::Mach3)
     }
 
-    /// Whether it reads as grbl and its descendants do: millimetres, G0 at the start, lines with `$`.
+    /// Returns `true` if it reads as grbl and its descendants do: millimetres, G0 at the start, lines with `$`.
     pub const fn is_of_grbl(self) -> bool {
         matches!(self, Self::Grbl | Self::GrblHal)
     }
@@ -63,13 +63,13 @@ pub struct Session {
     /// The frames. The working zero is the one of the coordinate system in force: where another
     /// language moved it, the system's offset follows.
     pub frame: Frame,
-    /// Where the machine is, machine frame.
+    /// Place of the machine, machine frame.
     pub position: Axes,
-    /// What belongs to G-code alone: offsets, parameters, tools, modes.
+    /// State of G-code alone: offsets, parameters, tools, modes.
     pub state: State,
 }
 
-/// How a program is run.
+/// Options with which a program is run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Options {
     /// Which reading of the language.
@@ -109,27 +109,27 @@ pub struct Options {
     /// coolant do nothing.
     #[serde(default)]
     pub path_only: bool,
-    /// How far chords may lie from a curve that is no circle in XY, mm.
+    /// Largest distance of chords from a curve that is no circle in XY, mm.
     pub tolerance_mm: f64,
-    /// What X, Y and Z of the file are multiplied with (FP).
+    /// Factors by which X, Y and Z of the file are multiplied (FP).
     pub proportion: [f64; 3],
     /// Working location that is zero for the file, mm (FP).
     pub temporary_zero_mm: [f64; 3],
     /// The operator is asked before each line (FG).
     #[serde(default)]
     pub stepped: bool,
-    /// Where the program begins; at its first line when nothing is given.
+    /// Start of the program; its first line when nothing is given.
     #[serde(default)]
     pub from: Option<GoTo>,
 }
 
 impl Options {
-    /// Whether the proportions turn the plane over: left is right then, and clockwise the other way.
+    /// Returns `true` if the proportions turn the plane over: left is right then, and clockwise the other way.
     pub(super) fn mirrors(&self) -> bool {
         self.proportion[0] * self.proportion[1] < 0.0
     }
 
-    /// Whether a circle in XY stays one.
+    /// Returns `true` if a circle in XY stays one.
     pub(super) fn keeps_circles(&self) -> bool {
         self.proportion[0].abs() == self.proportion[1].abs()
     }

@@ -46,7 +46,7 @@ pub(super) struct Spatial {
     sweep: f64,
 }
 
-/// Why three places are no arc.
+/// Reason why three places are no arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum NoArc {
     /// Distances of the ends from the centre.

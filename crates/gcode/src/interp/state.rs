@@ -1,4 +1,4 @@
-//! What G-code remembers: modes, offsets, parameters, tools.
+//! The memory of G-code: modes, offsets, parameters, tools.
 
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axes, PathControl, Turn};
@@ -39,7 +39,7 @@ impl Plane {
     }
 }
 
-/// How F is meant.
+/// Meaning of F.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FeedMode {
     /// G93: one over the minutes a move takes.
@@ -82,7 +82,7 @@ pub struct Modal {
     pub relative: bool,
     /// G90.1: arc centres are places.
     pub arc_absolute: bool,
-    /// How F is meant.
+    /// Meaning of F.
     pub feed_mode: FeedMode,
     /// The unit of the file.
     pub unit: LinearUnit,
@@ -140,7 +140,7 @@ impl Default for Modal {
 pub struct CoordinateSystem {
     /// Its zero in the machine frame, mm and degrees.
     pub offset: Axes,
-    /// How far it is turned about Z, degrees.
+    /// Turn about Z, degrees.
     pub rotation_deg: f64,
 }
 
@@ -174,7 +174,7 @@ pub struct Tool {
     pub offset: Axes,
 }
 
-/// What G-code remembers between blocks and between runs. All lengths are millimetres.
+/// State that G-code remembers between blocks and between runs. All lengths are millimetres.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// The modes.
@@ -191,9 +191,9 @@ pub struct State {
     pub tool: u32,
     /// The tool that M6 puts in (T).
     pub selected: u32,
-    /// Where G28 and G30 go, machine frame.
+    /// Places to which G28 and G30 go, machine frame.
     pub home: [Axes; 2],
-    /// Where the last probe move ended, machine frame.
+    /// End of the last probe move, machine frame.
     pub probed: Axes,
     /// The last probe move made contact.
     pub probe_hit: bool,

@@ -25,7 +25,7 @@ use std::sync::Arc;
 const MODES: [usize; 9] =
     [PLANE, DISTANCE, ARC_DISTANCE, FEED_MODE, UNITS, RETURN, SYSTEM, PATH, TOOL_LENGTH];
 
-/// How a file is gone through.
+/// Way in which a file is gone through.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Stepping {
     /// The operator is asked before each line.
@@ -41,7 +41,7 @@ impl Stepping {
         Self { asks, granted: false, skip_to: None }
     }
 
-    /// Whether lines run as in any file.
+    /// Returns `true` if lines run as in any file.
     pub(super) const fn is_off(&self) -> bool {
         !self.asks && self.skip_to.is_none()
     }

@@ -1,4 +1,4 @@
-//! Where a program holds, changes its tool, or ends.
+//! Holds, tool changes and ends of a program.
 
 use super::context::{Context, Stop};
 use super::core::CallKind;

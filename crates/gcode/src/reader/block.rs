@@ -84,7 +84,7 @@ impl File {
         Node::Block(self.blocks.len() as u32 - 1)
     }
 
-    /// What is accepted, but may not be meant.
+    /// Reports what is accepted, but may not be meant.
     fn doubt(&mut self, compact: &Compact) {
         if let Some(at) = compact.gap {
             let span = Span { start: at, end: at + 1 };

@@ -8,15 +8,15 @@ use kerf_diag::Code;
 /// A line without blanks and comments.
 #[derive(Debug, Default)]
 pub(super) struct Compact {
-    /// What is left, in capitals.
+    /// Bytes that are left, in capitals.
     pub(super) bytes: Vec<u8>,
     /// For each byte, where it stands in the line.
     places: Vec<u32>,
     /// The comments, in order.
     pub(super) comments: Vec<Comment>,
-    /// Where a number goes on behind blanks or a comment.
+    /// Place where a number goes on behind blanks or a comment.
     pub(super) gap: Option<u32>,
-    /// Where a comment holds an opening parenthesis.
+    /// Place where a comment holds an opening parenthesis.
     pub(super) nested: Option<u32>,
     length: u32,
 }
@@ -106,7 +106,7 @@ impl Compact {
     }
 }
 
-/// What a comment asks for, and its text.
+/// Returns the request that a comment makes, and its text.
 fn kind(text: &str) -> (CommentKind, &str) {
     let Some((word, rest)) = text.split_once(',') else { return (CommentKind::Plain, text.trim()) };
     let word: String = word.chars().filter(|c| !c.is_whitespace()).collect();

@@ -18,7 +18,7 @@ pub(super) struct Reader<'a> {
     pub(super) compact: &'a Compact,
     pub(super) file: &'a mut File,
     pub(super) at: usize,
-    /// Where the words of this line begin.
+    /// Index of the first word of this line.
     pub(super) first_word: usize,
 }
 
@@ -201,7 +201,7 @@ impl<'a> Reader<'a> {
         Ok(String::from_utf8_lossy(&rest[..length]).to_lowercase())
     }
 
-    /// What stands between two places, for messages.
+    /// Returns the stretch from `start` to the present place, for messages.
     pub(super) fn span_from(&self, start: usize) -> Span {
         self.compact.span(start, self.at)
     }

@@ -1,4 +1,4 @@
-//! What is gathered while a file is read.
+//! The parts of a program as they are gathered while its file is read.
 
 use super::compact::Compact;
 use super::{MOST_DIAGNOSTICS, MOST_LINE_BYTES, ends, foreign, is_blank, link, moves};
@@ -214,7 +214,7 @@ fn characters(program: &Program, mut found: Vec<Diagnostic>) -> Vec<Diagnostic> 
     found
 }
 
-/// Where the line that begins at `start` ends, and where the next one begins.
+/// Returns the end of the line that begins at `start`, and the beginning of the next one.
 fn line_end(bytes: &[u8], start: usize) -> (usize, usize) {
     let Some(length) = memchr::memchr2(b'\n', b'\r', &bytes[start..]) else {
         return (bytes.len(), bytes.len());
@@ -223,12 +223,12 @@ fn line_end(bytes: &[u8], start: usize) -> (usize, usize) {
     (end, after_line_end(bytes, end))
 }
 
-/// Where the next line begins.
+/// Returns the beginning of the next line.
 pub(crate) fn next_line(bytes: &[u8], start: usize) -> usize {
     line_end(bytes, start.min(bytes.len())).1
 }
 
-/// Where the next line begins when the line end starts at `end`.
+/// Returns the beginning of the next line when the line end starts at `end`.
 pub(crate) fn after_line_end(bytes: &[u8], end: usize) -> usize {
     let both = bytes.get(end) == Some(&b'\r') && bytes.get(end + 1) == Some(&b'\n');
     (end + 1 + usize::from(both)).min(bytes.len())

@@ -3,7 +3,7 @@
 use crate::tree::{Node, Program};
 use kerf_diag::{Code, Diagnostic, Place};
 
-/// Whether a line is one of Fanuc's macro language: a condition in brackets, a jump to a line's number.
+/// Returns `true` for a line of Fanuc's macro language: a condition in brackets, a jump to a line's number.
 pub fn looks_like_fanuc(line: &str) -> bool {
     let line: String = line.chars().filter(|c| !c.is_whitespace()).take(40).collect();
     let line = line.to_ascii_uppercase();
@@ -16,7 +16,7 @@ pub fn looks_like_fanuc(line: &str) -> bool {
         || ["GOTO", "END", "DO"].into_iter().any(numbered)
 }
 
-/// Whether a line is OpenSBP and surely no G-code: a command with commas, a comment behind an
+/// Returns `true` if a line is OpenSBP and surely no G-code: a command with commas, a comment behind an
 /// apostrophe, a variable, a statement.
 pub fn looks_like_opensbp(line: &str) -> bool {
     let line = line.trim();
@@ -69,7 +69,7 @@ pub(super) fn judge(program: &mut Program, foreign: usize) {
     }
 }
 
-/// What a text is by the way it begins, and what to do with it.
+/// Names the language of a text by the way it begins, and what to do with it.
 fn other_language(text: &str) -> Option<(&'static str, &'static str)> {
     const CONVERT: &str = "kerf convert makes a program of it";
     let head = text.trim_start();

@@ -169,7 +169,7 @@ impl Linker<'_> {
         }
     }
 
-    /// What was begun within and not ended.
+    /// Closes what was begun within and not ended, and reports it.
     fn close_above(&mut self, at: usize) {
         for open in self.open.split_off(at + 1) {
             self.unclosed(&open);

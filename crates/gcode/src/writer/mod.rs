@@ -24,10 +24,10 @@ use std::sync::Arc;
 use switches::Switches;
 use words::{comment, comments};
 
-/// How long M66 waits for an input, seconds: it needs a bound.
+/// Time that M66 waits for an input, seconds: it needs a bound.
 const WAIT_S: u32 = 86_400;
 
-/// How G-code is written.
+/// Dialect, unit and starting state with which G-code is written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Writing {
     /// For which controller.
@@ -36,7 +36,7 @@ pub struct Writing {
     pub unit: LinearUnit,
     /// The frames at the start.
     pub frame: Frame,
-    /// Where the machine is at the start, machine frame.
+    /// Place of the machine at the start, machine frame.
     pub position: Axes,
     /// The settings at the start: moves without a feed of their own take their speeds.
     pub settings: Arc<Settings>,
@@ -183,7 +183,7 @@ impl<'a> Writer<'a> {
         self.line(&format!("{unit} {rest}"));
     }
 
-    /// What cannot be said, and is no motion.
+    /// Notes something that cannot be said, and is no motion.
     fn unsaid(&mut self, what: impl Into<String>) {
         self.lose(Lost { at: self.at, what: what.into(), is_motion: false });
     }

@@ -19,7 +19,7 @@ impl Writer<'_> {
         std::array::from_fn(|i| self.value(i, working.0[i]))
     }
 
-    /// Whether the controller has no such axis.
+    /// Returns `true` if the controller has no such axis.
     pub(super) fn lacks(&self, axis: usize) -> bool {
         self.is_grbl() && axis >= 3
     }
@@ -90,7 +90,7 @@ impl Writer<'_> {
         self.line(format!("{code}{words}").trim_start());
     }
 
-    /// Whether an arc names its end; grbl wants that of a whole turn too.
+    /// Returns `true` if an arc names its end; grbl wants that of a whole turn too.
     fn names_end(&self, is_turn: bool) -> bool {
         !is_turn || self.is_grbl()
     }
@@ -236,7 +236,7 @@ impl Writer<'_> {
     }
 }
 
-/// How long a move takes at the speeds of the axes, seconds.
+/// Returns the time that a move takes at the speeds of the axes, seconds.
 fn slowest(speeds: &PerGroup, xy: f64, delta: Axes) -> f64 {
     let others = Axis::ALL[2..].iter().map(|a| delta[*a].abs() / speeds.of(*a).max(1e-9));
     others.fold(xy / speeds.xy.max(1e-9), f64::max)

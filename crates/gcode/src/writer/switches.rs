@@ -3,7 +3,7 @@
 use super::Writer;
 use kerf_program::{Turn, decimal};
 
-/// What is switched on, as far as it was written.
+/// Switches that are on, as far as it was written.
 #[derive(Debug)]
 pub(super) struct Switches {
     pub(super) turn: Turn,

@@ -42,7 +42,7 @@ pub(super) fn comments(text: &str) -> Vec<String> {
     parts
 }
 
-/// Whether a controller would take a comment as a request.
+/// Returns `true` if a controller would take a comment as a request.
 fn asks(text: &str) -> bool {
     let head: String = text.chars().filter(|c| !c.is_whitespace()).take(12).collect();
     let head = head.to_ascii_lowercase();

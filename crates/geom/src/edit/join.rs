@@ -3,7 +3,7 @@
 use crate::{Point2, Polyarc, Segment};
 use std::collections::BTreeMap;
 
-/// What becomes of two ends that are joined.
+/// Treatment of two ends that are joined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ends {
     /// Both stay, with a line between them where they differ.

@@ -18,9 +18,9 @@ pub fn broken(path: &Polyarc, at: &Place) -> Vec<Polyarc> {
     vec![Polyarc::open(before), Polyarc::open(split.vertices[vertex..].to_vec())]
 }
 
-/// What remains of a shape when the stretch at `picked` is taken out, from the cutter's crossing before it
-/// to the one after it. A cutter equal to the shape trims the loops the shape makes with itself; what
-/// remains on both sides of such a loop stays one shape.
+/// Returns what remains of a shape when the stretch at `picked` is taken out, from the cutter's crossing before it to
+/// the one after it. A cutter equal to the shape trims the loops the shape makes with itself; what remains on both
+/// sides of such a loop stays one shape.
 ///
 /// # Errors
 /// No crossing bounds the picked stretch.
@@ -62,7 +62,7 @@ fn open_rest(path: &Polyarc, before: Option<&Place>, next: Option<&Place>) -> Op
     }
 }
 
-/// Where the cutters cross the path, in the order of travel.
+/// Finds the places where the cutters cross the path, in the order of travel.
 fn cuts(path: &Polyarc, cutters: &[Polyarc]) -> Vec<Place> {
     let mut cuts = Vec::new();
     for cutter in cutters {

@@ -7,7 +7,7 @@ use thiserror::Error;
 /// The highest degree taken: drawing programs write 3, some up to 5.
 const MOST_DEGREE: usize = 11;
 
-/// Why a spline is none.
+/// Reason why a spline is none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum NurbsError {
     /// No degree a curve has.

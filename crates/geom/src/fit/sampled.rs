@@ -3,9 +3,8 @@
 use super::biarc::{Station, biarc};
 use crate::{GeomError, Point2, Polyarc, Segment, Transform2, Vec2, tol};
 
-/// How often a piece of a curve may be halved. The distance of a biarc falls with the cube of its length,
-/// so 2^13 pieces follow an arc of a kilometre within a micrometre; what needs more lies where doubles
-/// have no micrometres.
+/// Most halvings of a piece of a curve. The distance of a biarc falls with the cube of its length, so 2^13 pieces
+/// follow an arc of a kilometre within a micrometre; what needs more lies where doubles have no micrometres.
 const MOST_HALVINGS: u32 = 13;
 
 /// Places of a piece that are held against its arcs, besides its ends.
@@ -76,7 +75,7 @@ impl Fitting<'_> {
         })
     }
 
-    /// Whether a part whose ends meet does not go anywhere between them.
+    /// Tells whether a part whose ends meet goes nowhere between them.
     fn is_still(&self, from: f64, to: f64) -> bool {
         let start = (self.at)(from).0;
         let place = |n| (self.at)(from + (to - from) * f64::from(n) / f64::from(PROBES)).0;

@@ -50,7 +50,7 @@ struct Runs {
     segments: Vec<Segment>,
     /// For each segment its direction and length if it is a line.
     ways: Vec<Option<(Vec2, f64)>>,
-    /// How many lines the run of each segment has.
+    /// Number of lines in the run of each segment.
     long: Vec<usize>,
 }
 
@@ -172,7 +172,7 @@ mod tests {
         Polyarc::lines((0..sides).map(place), true)
     }
 
-    /// Whether a polygon becomes the circle round it.
+    /// Checks that a polygon becomes the circle round it, or stays as it is.
     fn check(sides: u32, radius: f64, limit: f64, round: bool) {
         let shape = polygon(sides, radius);
         let found = smoothed(&shape, limit);

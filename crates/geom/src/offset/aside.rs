@@ -52,7 +52,7 @@ pub(super) fn follows_origin(wanted: &Wanted, segment: &Segment, origin: &Origin
     if forward || short() { Ok(()) } else { unproved("on the wrong side", middle) }
 }
 
-/// Whether a line certainly goes beside another one: both its ends do, and it goes the same way.
+/// Returns `true` if a line certainly goes beside another one: both its ends do, and it goes the same way.
 fn goes_beside(wanted: &Wanted, segment: &Segment, of: &Segment, way: Vec2) -> bool {
     let Wanted { distance, within, .. } = *wanted;
     let long = (of.end() - of.start()).dot(way);
@@ -67,7 +67,7 @@ fn goes_beside(wanted: &Wanted, segment: &Segment, of: &Segment, way: Vec2) -> b
     forward && beside(segment.start()) && beside(segment.end())
 }
 
-/// Whether an arc certainly turns about a corner, or beside an arc: its centre and radius are those that
+/// Returns `true` if an arc certainly turns about a corner, or beside an arc: its centre and radius are those that
 /// it should have, it turns the same way, and it faces the other one.
 fn turns_about(wanted: &Wanted, segment: &Segment, of: &Segment, corner: bool) -> bool {
     let Wanted { distance, within, .. } = *wanted;
@@ -93,7 +93,7 @@ fn beside(of: &Segment, place: Point2) -> Vec2 {
     }
 }
 
-/// How far a place lies to the right of a segment's line or circle, if its foot lies on the segment; else
+/// Returns how far a place lies to the right of a segment's line or circle, if its foot lies on the segment; else
 /// not a number, which is no distance at all.
 fn right_of(of: &Segment, place: Point2, within: f64) -> f64 {
     match *of {

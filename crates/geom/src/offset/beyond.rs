@@ -3,7 +3,7 @@
 use crate::segment::square;
 use crate::{Point2, Segment, Vec2};
 
-/// What lies at least a limit away from one segment, as far as it is quickly seen.
+/// Region at least a limit away from one segment, as far as it is quickly seen.
 ///
 /// Beside a line everything beyond a parallel line is. Beside an arc it is everything beyond its circle, and
 /// what lies behind lines square to the radii of both ends: then it lies behind those of all radii between.
@@ -45,7 +45,7 @@ impl<'a> Beyond<'a> {
         Self { segment, limit, shape }
     }
 
-    /// Whether another segment, which leaves in some direction, certainly lies at least the limit away.
+    /// Returns `true` if another segment, which leaves in some direction, certainly lies at least the limit away.
     pub fn has(&self, other: &Segment, leaves: Vec2) -> bool {
         let limit = self.limit;
         match (&self.shape, self.segment, other) {
@@ -77,7 +77,7 @@ impl<'a> Beyond<'a> {
     }
 }
 
-/// Whether all of a segment lies on one side of a line and as far from it as the limit.
+/// Tells whether all of a segment lies on one side of a line and as far from it as the limit.
 fn is_aside(line: &Segment, left: Vec2, other: &Segment, limit: f64) -> bool {
     let (low, high) = extent(other, line.start(), left);
     low >= limit || high <= -limit
@@ -99,7 +99,7 @@ fn extent(segment: &Segment, from: Point2, along: Vec2) -> (f64, f64) {
     (low, high)
 }
 
-/// Whether a line keeps its distance from a whole circle, outside or inside.
+/// Tells whether a line keeps its distance from a whole circle, outside or inside.
 fn off_circle(line: &Segment, left: Vec2, centre: Point2, radius: f64, limit: f64) -> bool {
     let inner = radius - limit;
     let within = |at: Point2| square(at - centre) <= inner * inner;
@@ -107,11 +107,11 @@ fn off_circle(line: &Segment, left: Vec2, centre: Point2, radius: f64, limit: f6
         || (inner > 0.0 && within(line.start()) && within(line.end()))
 }
 
-/// What is lost to rounding here is less.
+/// Bound of the losses by rounding here.
 const ROUNDING_MM: f64 = 1e-9;
 
-/// Whether a line inside a circle lies past one end of its arc, as beside a rounded inner corner. With x along
-/// the tangent, h along the radius at the end, a place (x, h) with x ≥ 0 and h ≥ 0 is √(r² + h² − 2hr cos φ) or
+/// Returns `true` if a line inside a circle lies past one end of its arc, as beside a rounded inner corner. With x
+/// along the tangent, h along the radius at the end, a place (x, h) with x ≥ 0 and h ≥ 0 is √(r² + h² − 2hr cos φ) or
 /// more from the place φ before the end, so r − h or more from all.
 fn is_past_end(line: &Segment, arc: &Segment, limit: f64) -> bool {
     let Segment::Arc { start, end, centre, radius, sweep_rad } = *arc else { return false };
@@ -130,13 +130,13 @@ fn is_past_end(line: &Segment, arc: &Segment, limit: f64) -> bool {
     })
 }
 
-/// Whether two circles keep their distance, side by side or one in the other.
+/// Tells whether two circles keep their distance, side by side or one in the other.
 fn circles_apart(between_squared: f64, a: f64, b: f64, limit: f64) -> bool {
     let (outer, inner) = (a + b + limit, (a - b).abs() - limit);
     between_squared >= outer * outer || (inner >= 0.0 && between_squared <= inner * inner)
 }
 
-/// Whether a segment lies behind lines square to the radii at the ends of an arc, this far from its centre.
+/// Tells whether a segment lies behind lines square to the radii at the ends of an arc, this far from its centre.
 fn behind(ends: Option<[Vec2; 2]>, centre: Point2, edge: f64, other: &Segment) -> bool {
     ends.is_some_and(|ends| {
         edge >= 0.0 && ends.iter().all(|out| extent(other, centre, *out).1 <= edge)
@@ -148,7 +148,7 @@ mod tests {
     use super::*;
     use crate::offset::chains::Chord;
 
-    /// What is dismissed without measuring is never nearer than the limit.
+    /// Segments and places that are dismissed without measuring are never nearer than the limit.
     #[test]
     fn what_lies_beyond_is_no_nearer() {
         let mut seed = 3u64;

@@ -35,7 +35,7 @@ pub(super) fn drop_buried(pieces: &mut Vec<Piece>, source: &Source, distance: f6
 /// Ends of pieces are dropped in parts no shorter than this share of the distance.
 const LEAST_PART: f64 = 1.0 / 64.0;
 
-/// What lies too near to the source.
+/// Finder of parts that lie too near to the source.
 struct Buried<'a, 's> {
     source: &'a Source<'s>,
     distance: f64,
@@ -52,7 +52,7 @@ impl Buried<'_, '_> {
         from.zip(to).map_or([1.0, 0.0], |(from, to)| [from, to])
     }
 
-    /// Where the first part begins, or the last one ends, of which something may remain.
+    /// Finds the beginning of the first part, or the end of the last one, of which something may remain.
     fn first(
         &self,
         segment: &Segment,
@@ -77,7 +77,7 @@ impl Buried<'_, '_> {
 /// Fewer pieces than this are never many too many.
 const FEW: usize = 200;
 
-/// Whether pieces crowd together, so that most of them must be buried. A quick look at a part of the path
+/// Tells whether pieces crowd together, so that most of them must be buried. A quick look at a part of the path
 /// tells enough.
 pub(super) fn is_crowded(tree: &BoxTree) -> bool {
     if tree.len() < FEW {

@@ -5,7 +5,7 @@ use super::source::{Range2, Source};
 use crate::segment::square;
 use crate::{Point2, Segment};
 
-/// What is quickly known of a segment: its ends and how far it strays from the line between them.
+/// Ends of a segment and how far it strays from the line between them: what is quickly known of it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chord {
     start: Point2,
@@ -35,7 +35,7 @@ impl Chord {
         Self { start, end, slack: quarter + rise * (most + most + rise) }
     }
 
-    /// Whether the segment may be nearer to a place than a limit, of which the square is given.
+    /// Returns `false` only if the segment is no nearer to a place than a limit, of which the square is given.
     pub fn may_be_nearer(&self, place: Point2, limit_squared: f64) -> bool {
         let nearer = square(self.start - place).min(square(self.end - place));
         nearer < limit_squared + self.slack
@@ -95,7 +95,7 @@ impl<'a> Chains<'a> {
         Self { chords, blocks }
     }
 
-    /// Whether a segment of a run lies nearer to a place than a limit.
+    /// Tells whether a segment of a run lies nearer to a place than a limit.
     pub fn is_nearer(
         &self,
         source: &Source,

@@ -53,7 +53,7 @@ pub(super) fn too_near(
     None
 }
 
-/// How many of the first segments are looked at together, and the box around them.
+/// Returns the number of first segments to look at together, and the box around them.
 fn group(segments: &[Segment], size: f64, boxes: &mut [Bounds2]) -> (usize, Bounds2) {
     let extent = |b: &Bounds2| b.size().x + b.size().y;
     let (mut count, mut least, mut whole) = (0, f64::INFINITY, Bounds2::default());
@@ -70,11 +70,11 @@ fn group(segments: &[Segment], size: f64, boxes: &mut [Bounds2]) -> (usize, Boun
     (count, whole)
 }
 
-/// What of the source may be nearer to some segments than a limit.
+/// Part of the source that may be nearer to some segments than a limit.
 struct Near<'n, 's> {
     source: &'n Source<'s>,
     limit: f64,
-    /// What is shorter than this is looked at in its middle only.
+    /// Square of the length below which a segment is looked at in its middle only.
     short_squared: f64,
     runs: &'n [Range2],
     chains: &'n OnceCell<Chains<'s>>,

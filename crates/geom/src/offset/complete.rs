@@ -43,7 +43,7 @@ impl<'a> Coverage<'a> {
         Self { segments, first, next, index: OnceCell::new(), within, room }
     }
 
-    /// Whether a place lies on the result, whatever element it came from, or so near that what lies
+    /// Tells whether a place lies on the result, whatever element it came from, or so near that what lies
     /// between has no room. At corners that all but do not bend a parallel goes on beyond its end.
     fn is_near(&self, place: Point2) -> bool {
         let boxes = || BoxTree::new(self.segments.iter().map(Segment::bounds));
@@ -70,7 +70,7 @@ impl<'a> Coverage<'a> {
         own.next().map_or([1.0, 0.0], |s| [curve.share_of(s.start()), curve.share_of(s.end())])
     }
 
-    /// Whether one segment of the result is the whole of a raw curve between two places.
+    /// Tells whether one segment of the result is the whole of a raw curve between two places.
     fn covers_all(&self, element: usize, corner: bool, start: Point2, end: Point2) -> bool {
         let near = |a: Point2, b: Point2| square(a - b) <= self.within * self.within;
         self.own(element, corner).any(|s| near(s.start(), start) && near(s.end(), end))
@@ -127,7 +127,7 @@ fn corner_present(
     present(wanted, coverage, (element, true), &arc, out)
 }
 
-/// Whether every place of a raw curve that has room beyond it is on the result.
+/// Checks that every place of a raw curve that has room beyond it is on the result.
 fn present(
     wanted: &Wanted,
     coverage: &Coverage,
@@ -162,7 +162,7 @@ fn present(
     Ok(())
 }
 
-/// Whether a place at its distance from an element is beyond another part of the source: nearer to it, or
+/// Tells whether a place at its distance from an element is beyond another part of the source: nearer to it, or
 /// behind a crack whose sides cannot be told apart.
 fn is_behind(wanted: &Wanted, element: usize, place: Point2) -> bool {
     let Wanted { source, distance, within } = *wanted;

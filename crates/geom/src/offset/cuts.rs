@@ -1,11 +1,11 @@
-//! Where the raw offset crosses itself.
+//! Crossings of the raw offset with itself.
 
 use super::raw::Piece;
 use super::scratch::{Buffer, Scratch};
 use crate::segment::square;
 use crate::{BoxTree, Point2, Segment, Vec2, tol};
 
-/// Where on a piece the raw offset is cut.
+/// Number of a piece, and the share of it at which the raw offset is cut.
 pub(super) type Cut = (usize, f64);
 
 /// All cuts, by piece and share.
@@ -62,7 +62,7 @@ pub(super) fn cuts<'a>(
     Some(cuts)
 }
 
-/// Whether a piece goes on into another so that they share nothing but their joint: two lines, curves that
+/// Tells whether a piece goes on into another so that they share nothing but their joint: two lines, curves that
 /// are tangent there, and a line that leaves a circle and does not come back to it.
 fn goes_on(pieces: &[Piece], from: usize, to: usize) -> bool {
     if pieces[from].next != Some(to) {
@@ -88,7 +88,7 @@ fn goes_on(pieces: &[Piece], from: usize, to: usize) -> bool {
     }
 }
 
-/// Whether travel goes straight on from one segment into another.
+/// Tells whether travel goes straight on from one segment into another.
 fn is_tangent(before: &Segment, after: &Segment) -> bool {
     let (u, v) = (way_at(before, before.end()), way_at(after, after.start()));
     u.dot(v) > 0.0 && u.cross(v).powi(2) < TANGENT_RAD * TANGENT_RAD * square(u) * square(v)
@@ -102,7 +102,7 @@ fn way_at(segment: &Segment, end: Point2) -> Vec2 {
     }
 }
 
-/// Whether a line from a place of a circle does not come to its other crossing with the circle, after
+/// Tells whether a line from a place of a circle does not come to its other crossing with the circle, after
 /// −2 w·ρ / w² of it, where ρ is the radius at the place and w the line.
 fn leaves_for_good(arc: &Segment, place: Point2, line: Vec2) -> bool {
     let Segment::Arc { centre, .. } = *arc else { return false };

@@ -43,7 +43,7 @@ use prepared::Prepared;
 use scratch::Scratch;
 use std::fmt;
 
-/// What a segment of an offset is parallel to.
+/// Element of the source to which a segment of an offset is parallel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Origin {
     /// Number of the contour.
@@ -61,20 +61,20 @@ pub struct OffsetPath {
     pub path: Polyarc,
     /// For each segment of the path what it is parallel to.
     pub origins: Vec<Origin>,
-    /// How far the path may be from its distance: [`CHECK_MM`], unless it had to be made of chords; then
-    /// a person should be told.
+    /// Tolerance of the path's distance from its source: [`CHECK_MM`], unless it had to be made of chords; then a
+    /// person should be told.
     pub within_mm: f64,
 }
 
 /// An offset that could not be made exactly; its message tells a person.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coarse {
-    /// How far it may be off.
+    /// Greatest error, mm.
     pub within_mm: f64,
 }
 
 impl Coarse {
-    /// What there is to tell of some paths; nothing when all are as exact as usual.
+    /// Sums up some paths; nothing when all are as exact as usual.
     pub fn of(paths: &[OffsetPath]) -> Option<Self> {
         let within_mm = paths.iter().map(|path| path.within_mm).fold(0.0, f64::max);
         (within_mm > CHECK_MM).then_some(Self { within_mm })
@@ -117,7 +117,7 @@ pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPa
     Offsetter::default().region(contours, distance)
 }
 
-/// What proposes an offset of contours by a distance, or nothing. The contours lie about the origin, have no
+/// Function that proposes an offset of contours by a distance, or nothing. The contours lie about the origin, have no
 /// segment without length and no arc of more than half a circle.
 pub type Proposer<'a> = dyn Fn(&[Polyarc], f64) -> Option<Vec<OffsetPath>> + 'a;
 

@@ -11,7 +11,7 @@ pub(super) struct Prepared<'s> {
     contours: Vec<Polyarc>,
     /// For each segment of all prepared contours the segment it was.
     were: Buffer<'s, usize>,
-    /// Where those of each contour begin.
+    /// Place in `were` at which the segments of each contour begin.
     first: Buffer<'s, usize>,
     middle: Point2,
 }
@@ -88,7 +88,7 @@ impl<'s> Prepared<'s> {
         Some(found)
     }
 
-    /// Where a contour crosses itself or another, if one does: what has no inside has no offset.
+    /// Finds a contour that crosses itself or another, if there is one: what has no inside has no offset.
     fn crossing(&self) -> Option<GeomError> {
         let back = self.middle - Point2::default();
         let boxes = BoxTree::new(self.contours.iter().map(Polyarc::bounds));
@@ -122,7 +122,7 @@ impl<'s> Prepared<'s> {
     }
 }
 
-/// What is tried when the first attempt fails its check: the shape turned by some angle, which makes other
+/// Attempts after the first one fails its check: the shape turned by some angle, which makes other
 /// roundings of coincident curves, and in the end an offset that differs by less than the check can see.
 const SECOND_ATTEMPTS: [(f64, f64); 4] = [(0.7, 0.0), (2.9, 0.0), (1.3, 2e-7), (0.3, -2e-7)];
 

@@ -28,8 +28,8 @@ pub(super) type Trim = Option<[f64; 2]>;
 /// Angles whose arc about a corner would be shorter than this are no corners.
 const NO_CORNER_MM: f64 = tol::CONTACT_MM;
 
-/// Where curves turn back by less than this from half a turn, their bends tell the side to which: at smaller angles
-/// arcs that seem to cross right behind the corner do so by less than can be told.
+/// Difference from half a turn below which the bends of curves that turn back tell the side to which: at smaller
+/// angles arcs that seem to cross right behind the corner do so by less than can be told.
 ///
 /// ```text
 ///    ╲╱  bent to the left: a crack between them, so that       ╭╮╭╮  to the right: a needle,
@@ -125,7 +125,7 @@ pub(crate) fn parallel(segment: &Segment, distance: f64) -> Option<Segment> {
     }
 }
 
-/// Whether a corner may open on the side of an offset; it does not where travel goes on or closes.
+/// Tells whether a corner may open on the side of an offset; it does not where travel goes on or closes.
 pub(super) fn may_open([u, v]: [Vec2; 2], distance: f64) -> bool {
     u.dot(v) <= 0.0 || u.cross(v) * distance > 0.0
 }
@@ -158,7 +158,7 @@ pub(super) fn corner(
     Some(Segment::Arc { start, end, centre, radius: distance.abs(), sweep_rad: turn_rad })
 }
 
-/// How much a segment bends, 1/mm, to the left.
+/// Returns the bend of a segment, 1/mm, to the left.
 fn bend(segment: &Segment) -> f64 {
     match segment {
         Segment::Line { .. } => 0.0,

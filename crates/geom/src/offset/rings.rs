@@ -9,7 +9,7 @@ use crate::segment::square;
 use crate::stitch::{Strand, Turn, stitch};
 use crate::{Point2, Polyarc, Segment, Vec2, Vertex, tol};
 
-/// How far along a strand is looked for the way it goes, as a share of the offset: tangent curves
+/// Distance along a strand at which its direction is taken, as a share of the offset: tangent curves
 /// have parted by then, and neighbouring corners are not yet reached.
 const LOOK_AHEAD: f64 = 1e-3;
 
@@ -126,7 +126,7 @@ pub(super) fn path(mut parts: Buffer<'_, Part>, closed: bool) -> Option<OffsetPa
     Some(OffsetPath { path, origins, within_mm: CHECK_MM })
 }
 
-/// Whether a segment has some extent.
+/// Tells whether a segment has some extent.
 fn is_long(segment: &Segment) -> bool {
     match segment {
         Segment::Line { start, end } => {
@@ -136,7 +136,7 @@ fn is_long(segment: &Segment) -> bool {
     }
 }
 
-/// Whether a ring encloses no more than a strip along itself, as where it goes there and back.
+/// Tells whether a ring encloses no more than a strip along itself, as where it goes there and back.
 ///
 /// Most enclose so much that it is seen from the chords: an arc adds no more than the rectangle about it, c²·b/2,
 /// to the area and is no longer than two chords, as none turns by more than half a circle.

@@ -24,9 +24,9 @@ const MOST_BYTES: usize = 1 << 24;
 /// Lists of one type that wait.
 type Shelf<T> = RefCell<Vec<Vec<T>>>;
 
-/// What lists are kept of.
+/// Type of the elements of lists that are kept.
 pub(super) trait Kept: Copy {
-    /// Where they wait.
+    /// Returns the shelf on which its lists wait.
     fn shelf(scratch: &Scratch) -> &Shelf<Self>;
 }
 

@@ -119,7 +119,7 @@ fn sliced<'a>(scratch: &'a Scratch, pieces: &[Piece], cuts: &[Cut]) -> Slices<'a
     slices
 }
 
-/// Whether each piece goes on into the one after it, and the last into the first.
+/// Tells whether each piece goes on into the one after it, and the last into the first.
 fn is_one_ring(pieces: &[Piece]) -> bool {
     let goes_on = |k: usize| if k + 1 < pieces.len() { k + 1 } else { 0 };
     !pieces.is_empty() && pieces.iter().enumerate().all(|(k, piece)| piece.next == Some(goes_on(k)))

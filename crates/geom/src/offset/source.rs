@@ -10,11 +10,11 @@ pub(super) struct Source<'a> {
     pub contours: &'a [Polyarc],
     /// Number of the first segment of each contour.
     pub first: Buffer<'a, usize>,
-    /// Where lists of what is made of it wait.
+    /// Store of the lists that later steps fill.
     pub scratch: &'a Scratch,
     indexed: Indexed,
     ways: Buffer<'a, Ways>,
-    /// How often the contours wind round what lies to the left of one of them: the one that was asked last, as
+    /// Number of times the contours wind round what lies to the left of one of them: the one that was asked last, as
     /// questions come in the order of contours.
     left_of: Cell<Option<(usize, Option<i32>)>>,
 }
@@ -94,7 +94,7 @@ impl<'a> Source<'a> {
         });
     }
 
-    /// Whether there are so few segments that all of them are looked at, wherever something is asked.
+    /// Returns `true` if there are so few segments that all of them are looked at, wherever something is asked.
     pub fn is_small(&self) -> bool {
         self.indexed.tree().is_small()
     }
@@ -104,12 +104,12 @@ impl<'a> Source<'a> {
         self.indexed.tree().leaves()
     }
 
-    /// How often the contours wind round a place.
+    /// Counts how often the contours wind round a place.
     pub fn winding(&self, place: Point2) -> i32 {
         self.indexed.winding(place)
     }
 
-    /// How often they wind round places beside a segment, on the side of an offset; nothing where some of them
+    /// Counts how often they wind round places beside a segment, on the side of an offset; nothing where some of them
     /// are open. To the left of a contour it is once more than to its right.
     pub fn winding_beside(&self, segment: usize, distance: f64) -> Option<i32> {
         if self.contours.iter().any(|c| !c.closed) {
@@ -132,13 +132,13 @@ impl<'a> Source<'a> {
         Some(around + i32::from(contour.signed_area() > 0.0))
     }
 
-    /// Whether a segment or one beside it lies nearer to a place than `limit`.
+    /// Tells whether a segment or one beside it lies nearer to a place than `limit`.
     pub fn neighbours_nearer(&self, segment: usize, place: Point2, limit: f64) -> bool {
         let neighbours = segment.saturating_sub(1)..(segment + 2).min(self.segments().len());
         self.segments()[neighbours].iter().any(|s| s.is_nearer(place, limit))
     }
 
-    /// Whether some segment lies nearer to a place than `limit`.
+    /// Tells whether some segment lies nearer to a place than `limit`.
     pub fn is_nearer(&self, place: Point2, limit: f64) -> bool {
         self.indexed.is_nearer(place, limit)
     }

@@ -16,8 +16,8 @@ use super::scratch::Buffer;
 use super::source::Source;
 use crate::{GeomError, Point2, Polyarc, Segment};
 
-/// How exactly a result has to be at its distance. A hundredth of the 1e-4 mm that is promised, a
-/// thousand times what rounding accounts for.
+/// Tolerance of a result's distance from its source. A hundredth of the 1e-4 mm that is promised, a thousand times
+/// what rounding accounts for.
 pub const CHECK_MM: f64 = 1e-6;
 
 /// A place is wrongly missing only if there is so many times the tolerance of room beyond it. A slot exactly
@@ -26,7 +26,7 @@ const ROOM: f64 = 10.0;
 
 pub(super) type Checked = Result<(), GeomError>;
 
-/// What is checked: against which source, at which distance, how exactly.
+/// Terms of a check: the source, the distance, the tolerance.
 #[derive(Clone, Copy)]
 pub(super) struct Wanted<'a> {
     pub source: &'a Source<'a>,
@@ -41,7 +41,7 @@ impl Wanted<'_> {
     }
 }
 
-/// Whether `found` is the offset of the source within a tolerance, usually [`CHECK_MM`].
+/// Checks that `found` is the offset of the source within a tolerance, usually [`CHECK_MM`].
 pub(super) fn validate(
     source: &Source,
     distance: f64,

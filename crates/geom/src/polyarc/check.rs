@@ -1,11 +1,11 @@
-//! What has to hold before anything is computed, and the tidying that makes it hold.
+//! Conditions that have to hold before anything is computed, and the tidying that makes them hold.
 
 use super::{Polyarc, Vertex};
 use crate::segment::square;
 use crate::{GeomError, Point2, tol};
 
 impl Polyarc {
-    /// Whether every number is finite and every place, the tops of arcs too, within
+    /// Checks that every number is finite and every place, the tops of arcs too, within
     /// [`tol::FARTHEST_MM`].
     ///
     /// # Errors

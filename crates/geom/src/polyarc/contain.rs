@@ -3,7 +3,7 @@
 use super::Polyarc;
 use crate::{Point2, Segment, Vec2, tol};
 
-/// How a place lies to a closed contour.
+/// Position of a place relative to a closed contour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Position {
     /// The contour winds round it.
@@ -15,7 +15,7 @@ pub enum Position {
 }
 
 impl Polyarc {
-    /// How often the contour winds counter-clockwise round a place that is not on it. An open
+    /// Counts how often the contour winds counter-clockwise round a place that is not on it. An open
     /// polyarc is closed by a straight line.
     ///
     /// Counts crossings of the ray from the place to the right: up +1, down −1. Each segment is cut
@@ -29,8 +29,8 @@ impl Polyarc {
         self.segments().map(|s| winding_of(&s, place)).sum::<i32>() + closing
     }
 
-    /// Whether the contour winds round a place (in either direction). For a contour that crosses
-    /// itself, loops count as inside however they are turned.
+    /// Returns the position of a place: inside if the contour winds round it, in either direction. For a contour that
+    /// crosses itself, loops count as inside however they are turned.
     pub fn position(&self, place: Point2) -> Position {
         if self.segments().any(|s| s.distance(place) <= tol::SAME_PLACE_MM) {
             Position::OnEdge
@@ -41,7 +41,7 @@ impl Polyarc {
         }
     }
 
-    /// Whether another polyarc lies inside this closed one. The two may touch; they must not cross
+    /// Tells whether another polyarc lies inside this closed one. The two may touch; they must not cross
     /// ([`Polyarc::crossings`] tells), as the contours of a part and its holes do not.
     pub fn contains(&self, other: &Self) -> bool {
         if !self.bounds().grown(tol::SAME_PLACE_MM).holds_box(&other.bounds()) {
@@ -55,7 +55,7 @@ impl Polyarc {
     }
 }
 
-/// What a segment adds to the winding number of a place: its chord's share, and one turn more when the
+/// Returns what a segment adds to the winding number of a place: its chord's share, and one turn more when the
 /// place lies in the cap between chord and arc.
 pub(crate) fn winding_of(segment: &Segment, place: Point2) -> i32 {
     let (start, end) = (segment.start(), segment.end());

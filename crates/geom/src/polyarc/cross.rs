@@ -1,4 +1,4 @@
-//! Where polyarcs cross each other and themselves.
+//! Crossings of polyarcs with each other and with themselves.
 
 use super::{Place, Polyarc};
 use crate::{Bounds2, BoxTree, Segment, tol};
@@ -55,12 +55,12 @@ impl Polyarc {
         found.pop()
     }
 
-    /// Whether it is closed and neither crosses nor touches itself.
+    /// Returns `true` if the polyarc is closed and neither crosses nor touches itself.
     pub fn is_simple(&self) -> bool {
         self.closed && self.segment_count() > 1 && self.crosses_itself().is_none()
     }
 
-    /// Whether a crossing is only the joint between a segment and the next.
+    /// Tells whether a crossing is only the joint between a segment and the next.
     fn is_joint(&self, c: &Crossing, count: usize) -> bool {
         let near = |place: &Place, segment: usize, end: bool| {
             place.segment == segment && {

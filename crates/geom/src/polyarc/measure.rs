@@ -11,7 +11,7 @@ pub struct Place {
     pub segment: usize,
     /// Share of the segment's path, 0 … 1.
     pub share: f64,
-    /// Where it is.
+    /// Coordinates of the place.
     pub at: Point2,
 }
 

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 /// counter-clockwise, 0 for a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Vertex {
-    /// Where it is.
+    /// Place of the vertex.
     pub at: Point2,
     /// The curve of the segment that starts here. The last vertex of an open polyarc has none.
     pub bulge: f64,
@@ -41,7 +41,7 @@ impl Vertex {
 pub struct Polyarc {
     /// The places and curves, in the order of travel.
     pub vertices: Vec<Vertex>,
-    /// Whether travel returns to the first vertex.
+    /// Travel returns to the first vertex.
     pub closed: bool,
 }
 
@@ -62,7 +62,7 @@ impl Polyarc {
         Self { vertices, closed }
     }
 
-    /// How many segments there are.
+    /// Returns the number of segments.
     pub fn segment_count(&self) -> usize {
         match (self.vertices.len(), self.closed) {
             (0 | 1, _) => 0,
@@ -86,12 +86,12 @@ impl Polyarc {
         (0..self.segment_count()).map(|number| self.segment(number))
     }
 
-    /// Where travel begins.
+    /// Returns the place where travel begins.
     pub fn start(&self) -> Option<Point2> {
         self.vertices.first().map(|v| v.at)
     }
 
-    /// Where travel ends; for a closed polyarc where it began.
+    /// Returns the place where travel ends; for a closed polyarc where it began.
     pub fn end(&self) -> Option<Point2> {
         if self.closed { self.start() } else { self.vertices.last().map(|v| v.at) }
     }

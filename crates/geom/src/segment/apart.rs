@@ -1,4 +1,4 @@
-//! How far two segments lie apart.
+//! Distance between two segments.
 
 use super::Segment;
 use crate::Point2;

@@ -29,7 +29,7 @@ impl Segment {
         bounds
     }
 
-    /// Whether a place, seen from the centre, lies in the direction of the arc. A counter-clockwise
+    /// Tells whether a place, seen from the centre, lies in the direction of the arc. A counter-clockwise
     /// arc is the part of its circle right of its chord, whatever its sweep below a turn.
     pub(crate) fn faces(&self, place: Point2) -> bool {
         match *self {

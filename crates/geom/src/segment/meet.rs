@@ -1,4 +1,4 @@
-//! Where two segments meet.
+//! Places where two segments meet.
 
 use super::{Segment, square};
 use crate::{Point2, Vec2, tol};

@@ -25,16 +25,16 @@ use serde::{Deserialize, Serialize};
 pub enum Segment {
     /// Straight from start to end.
     Line {
-        /// Where travel begins.
+        /// Start of travel.
         start: Point2,
-        /// Where it ends.
+        /// End of travel.
         end: Point2,
     },
     /// Along a circle; less than a full turn.
     Arc {
-        /// Where travel begins.
+        /// Start of travel.
         start: Point2,
-        /// Where it ends.
+        /// End of travel.
         end: Point2,
         /// Centre of the circle.
         centre: Point2,
@@ -94,14 +94,14 @@ impl Segment {
         there_is.then(|| Self::bulged(start, end, bulge))
     }
 
-    /// Where travel begins.
+    /// Returns the place where travel begins.
     pub const fn start(&self) -> Point2 {
         match *self {
             Self::Line { start, .. } | Self::Arc { start, .. } => start,
         }
     }
 
-    /// Where travel ends.
+    /// Returns the place where travel ends.
     pub const fn end(&self) -> Point2 {
         match *self {
             Self::Line { end, .. } | Self::Arc { end, .. } => end,

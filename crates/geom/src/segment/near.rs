@@ -1,4 +1,4 @@
-//! Whether two segments come nearer to each other than a limit, decided exactly.
+//! Decides exactly whether two segments come nearer to each other than a limit.
 //!
 //! Two curves are nearest to each other where they cross, at an end of one of them, or where the line between
 //! the nearest places is square to both. For circles that line passes through their centres.
@@ -7,7 +7,7 @@ use super::{Segment, square};
 use crate::{Point2, Vec2};
 
 impl Segment {
-    /// Whether some place of the path lies nearer to some place of another one than `limit`.
+    /// Tells whether some place of the path lies nearer to some place of another one than `limit`.
     pub(crate) fn comes_nearer(&self, other: &Self, limit: f64) -> bool {
         self.is_nearer(other.start(), limit)
             || self.is_nearer(other.end(), limit)

@@ -10,7 +10,7 @@ pub struct Foot {
     pub at: Point2,
     /// Share of the segment's path, 0 … 1.
     pub share: f64,
-    /// How far away it is.
+    /// Distance from the given place.
     pub distance: f64,
 }
 
@@ -44,7 +44,7 @@ impl Segment {
         }
     }
 
-    /// Whether some place of the path lies nearer than `limit`.
+    /// Tells whether some place of the path lies nearer to a place than `limit`.
     pub(crate) fn is_nearer(&self, place: Point2, limit: f64) -> bool {
         match self {
             Self::Line { .. } => self.line_distance_squared(place) < limit * limit,

@@ -1,4 +1,4 @@
-//! What is asked while digitizing: a function, its numbers, whether points may be lost.
+//! Questions while digitizing: a function, its numbers, whether points may be lost.
 
 use super::table::{Does, Entry, FUNCTIONS};
 use super::{Digitizing, heading, stand};
@@ -8,7 +8,7 @@ use crate::functions::{Stepping, function};
 use crate::{COLUMNS, Key, Screen, View};
 use kerf_digitize::{Digitizer, Stand};
 
-/// What is asked, or shown.
+/// The open question, or the display.
 #[derive(Clone, Debug, Default)]
 pub(crate) enum Asks {
     /// Nothing: which point is current.
@@ -25,11 +25,11 @@ pub(crate) enum Asks {
     },
     /// The numbers of a function.
     Numbers(Stepping),
-    /// Whether something is to be done by which points are lost.
+    /// Confirmation of something by which points are lost.
     Losing(Losing),
 }
 
-/// What loses points.
+/// Act by which points are lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Losing {
     /// All are forgotten.
@@ -46,7 +46,7 @@ impl Asks {
         Self::Function { typed: Typed::default(), refused: false }
     }
 
-    /// Whether keys are answers.
+    /// Returns `true` if keys are answers.
     pub const fn is_open(&self) -> bool {
         !matches!(self, Self::Nothing | Self::Place)
     }

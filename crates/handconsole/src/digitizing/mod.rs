@@ -45,7 +45,7 @@ impl Digitizing {
         }
     }
 
-    /// What came of what was wished last; gives what it is called when it is done.
+    /// Takes the outcome of the last wish; returns its name where a shape was being saved, else an empty text.
     pub fn told(&mut self, done: bool) -> &'static str {
         if !std::mem::take(&mut self.saving) {
             return "";
@@ -154,7 +154,7 @@ impl Digitizing {
     }
 }
 
-/// Where the tool stands, from the job origin.
+/// Returns the place of the tool, from the job origin.
 pub(crate) fn stand(view: &View) -> Stand {
     let [x0, y0] = view.machine.job.origin_mm;
     let at = &view.position;

@@ -16,12 +16,12 @@ pub struct Entry {
     pub number: u32,
     /// Its name: with the number and a blank 20 characters at most.
     pub name: &'static str,
-    /// What it does, for the book.
+    /// Its effect, for the book.
     pub doc: &'static str,
     pub(super) does: Does,
 }
 
-/// What a function does.
+/// Effect of a function.
 #[derive(Debug)]
 pub(super) enum Does {
     /// It changes the points.
@@ -38,7 +38,7 @@ pub(super) enum Does {
     Place,
     /// It moves the tool to a place that is typed, in 2D or in 3D.
     Moves { flat: &'static Function, in_space: &'static Function },
-    /// What the function of this number does outside of digitizing.
+    /// It does what the function of this number does outside of digitizing.
     AsAtRest(&'static str),
 }
 

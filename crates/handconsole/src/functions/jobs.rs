@@ -66,7 +66,7 @@ fn placed(wish: JobWish, what: &str, [x, y]: [f64; 2]) -> Done {
     Done::from(vec![Wish::Job(wish)]).saying(said)
 }
 
-/// Where the tool is in the plane, from home.
+/// Returns the place of the tool in the plane, from home.
 fn here(view: &View) -> [f64; 2] {
     [Axis::X, Axis::Y].map(|axis| super::tidy(view.position[axis]))
 }

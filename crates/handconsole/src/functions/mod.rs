@@ -24,23 +24,23 @@ pub struct Function {
     pub number: &'static str,
     /// Its name: with the number and a blank 20 characters at most.
     pub name: &'static str,
-    /// What it does, for the book.
+    /// Its effect, for the book.
     pub doc: &'static str,
-    /// What it asks for, in this order.
+    /// Steps in which it asks for numbers and heights, in this order.
     pub steps: &'static [Step],
-    /// What it wants done with what was answered; or why that cannot be.
+    /// Returns what it wants done with the answers; or why that cannot be.
     pub does: fn(&[f64], &View) -> Result<Done, Refusal>,
 }
 
-/// Why something cannot be, in words that a small screen has room for.
+/// Reason why something cannot be, in words that a small screen has room for.
 pub type Refusal = String;
 
-/// What a function wants done.
+/// Wishes of a function, and a line about them.
 #[derive(Debug)]
 pub struct Done {
     /// The wishes, in this order.
     pub wishes: Vec<Wish>,
-    /// What the second line says then, until the next key: 20 characters at most.
+    /// Text of the second line afterwards, until the next key: 20 characters at most.
     pub says: String,
 }
 
@@ -61,14 +61,14 @@ impl From<Vec<Wish>> for Done {
 pub enum Step {
     /// A number.
     Number {
-        /// What is typed, with its unit: 20 characters at most.
+        /// Name of the number that is typed, with its unit: 20 characters at most.
         prompt: &'static str,
-        /// What it is now, shown until something is typed; Enter alone keeps it.
+        /// Returns the present value, shown until something is typed; Enter alone keeps it.
         now: fn(&View) -> Option<f64>,
     },
     /// A height: Z goes there, is moved with the keys 5 and 0 beside the others, and Enter records it.
     Height {
-        /// What is recorded: 20 characters at most.
+        /// Name of the height that is recorded: 20 characters at most.
         prompt: &'static str,
         /// The errands that go there.
         there: fn(&View) -> Vec<Errand>,

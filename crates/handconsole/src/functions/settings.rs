@@ -36,7 +36,7 @@ macro_rules! decides {
     };
 }
 
-/// How a setting spells no and yes.
+/// Words with which a setting spells no and yes.
 type NoYes = [&'static str; 2];
 
 const FLAG: NoYes = ["false", "true"];
@@ -214,7 +214,7 @@ fn changed(view: &View, values: &[(&'static str, String)]) -> Result<Configurati
     }
 }
 
-/// What does not go together, in words that a small screen has room for.
+/// Names the settings that do not go together, in words that a small screen has room for.
 fn in_short(crossed: &Contradiction, wanted: &Configuration) -> Refusal {
     let most = wanted.program.axis_dynamics().speed_mm_s;
     let at_most = |axis: Axis| format!("at most {} mm/min", super::shown(most[axis] * PER_MIN));

@@ -25,7 +25,7 @@ impl Stepping {
         self.function.steps.get(self.answers.len())
     }
 
-    /// What it asks next; when it knows everything it is done.
+    /// Goes on to the next question; finishes when everything is known.
     fn go_on(self, view: &View) -> Next {
         match self.step() {
             None => self.finish(view),

@@ -158,7 +158,7 @@ impl Shop {
         Ok(Self { session, shelf, machine, real })
     }
 
-    /// Whether the machine stands, and it is known where in X and Y.
+    /// Fails unless the machine stands, and its place in X and Y is known.
     fn stands_for_sure(&self) -> Result<()> {
         if let Some(journal) = self.shelf.journal() {
             drop(journal.own()?);
@@ -371,7 +371,7 @@ fn drive_there(shop: &mut Shop, height: Height, to: Option<f64>) -> Result<Exit>
     exit
 }
 
-/// Where the axes are, and which are homed.
+/// Prints the places of the axes, and which are homed.
 pub fn pos(which: &Which) -> Result<Exit> {
     let shop = Shop::open(which, false)?;
     let position = shop.session.memory.position;

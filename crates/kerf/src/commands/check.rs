@@ -70,7 +70,7 @@ fn as_json(found: &[Diagnostic]) -> String {
     json::to_string(&events) + "\n"
 }
 
-/// How long a file takes and what it covers.
+/// Tells the duration of a file and the bounds of its cuts.
 fn told(file: &Path, summary: &Summary) -> String {
     let cutting = out::bounds(summary).map_or_else(String::new, |b| format!(", cutting {b}"));
     format!("{}: {}{cutting}\n", file.display(), out::duration(summary.seconds))

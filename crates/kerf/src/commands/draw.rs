@@ -56,7 +56,7 @@ impl DrawArgs {
     }
 }
 
-/// What stands below the options: every operation, from the table.
+/// Writes the text below the options: every operation, from the table.
 fn help() -> String {
     let mut text = String::from("Operations:\n");
     for entry in ENTRIES {

@@ -45,7 +45,7 @@ pub fn run(args: &FmtArgs) -> Result<Exit> {
 /// The name of standard input.
 const STREAM: &str = "-";
 
-/// What is no part file by its name stays as it is: to a formatter every text is one.
+/// Refuses what is no part file by its name: to a formatter every text is one.
 fn refuse_others(file: &Path) -> Result<()> {
     let name = file.to_string_lossy();
     if name != STREAM && !kerf_sbp::is_part_name(&name) && !kerf_sbp::is_gcode_name(&name) {
@@ -59,7 +59,7 @@ fn refuse_others(file: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What became of a file.
+/// Outcome of formatting a file.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     /// It is as it should be.
@@ -93,7 +93,7 @@ fn one(file: &Path, args: &FmtArgs) -> Result<Outcome> {
     Ok(if changes { Outcome::Changes } else { Outcome::Same })
 }
 
-/// Why a file as a whole is no program.
+/// Returns the error by which a file as a whole is no program.
 fn refusal(file: &Path, bytes: &[u8], dialect: Dialect) -> Option<Diagnostic> {
     let name = file.to_string_lossy();
     let told = kerf_part::read_as(name.as_ref().into(), bytes, dialect).diagnostics;

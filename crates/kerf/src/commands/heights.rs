@@ -61,7 +61,7 @@ struct Timed {
 struct Readings {
     sheet: Sheet,
     readings: Vec<Reading>,
-    /// When each of them came, and when its cut began.
+    /// Time of each reading, and of the beginning of its cut.
     times: Vec<[f64; 2]>,
     /// Readings of the move that was made last.
     waiting: Vec<Timed>,

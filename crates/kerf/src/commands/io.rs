@@ -98,7 +98,7 @@ enum Way {
 /// Under which key the ports are kept.
 const KEY: &str = "IoPorts";
 
-/// How often changes are looked for.
+/// Interval at which changes are looked for.
 const LOOK: Duration = Duration::from_millis(50);
 
 pub fn run(args: &IoArgs) -> Result<Exit> {

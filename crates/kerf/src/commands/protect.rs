@@ -22,7 +22,7 @@ pub fn open(machine: &Configuration, given: Option<&str>) -> Result<()> {
     self::given(machine, Some(&ask("password of the settings: ")?)).map(drop)
 }
 
-/// Whether settings may be changed: there is no password, or it was given. A wrong one is a mistake.
+/// Tells whether settings may be changed: there is no password, or it was given. A wrong one is a mistake.
 pub fn given(machine: &Configuration, given: Option<&str>) -> Result<bool> {
     let Some(kept) = &machine.options.password else { return Ok(true) };
     let Some(given) = of_option(given) else { return Ok(false) };

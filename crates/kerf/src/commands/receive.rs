@@ -80,10 +80,10 @@ pub fn beside(
     }
 }
 
-/// How often it is looked whether the machine moves.
+/// Interval at which it is looked whether the machine moves.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// Whether the machine of a data folder moves.
+/// Watch over the machine of a data folder: does it move?
 struct Watch {
     folder: PathBuf,
     /// Its journal, once there is one.

@@ -106,7 +106,7 @@ pub fn run(args: &RegistryArgs) -> Result<Exit> {
     Ok(Exit::Good)
 }
 
-/// What the machine keeps itself: its status and its switches.
+/// Returns a value that the machine keeps itself: its status and its switches.
 fn live(data: &Path, key: &str) -> Result<Option<String>> {
     let live = journal(data)?.map(|j| j.live()).transpose()?.unwrap_or_default();
     let found = live.values().into_iter().find(|(name, _)| *name == key);

@@ -126,7 +126,7 @@ enum PaceName {
     Real,
 }
 
-/// What of it reaches a server: the rest is refused, for nobody would heed it there.
+/// Options that reach a server: the rest is refused, for nobody would heed it there.
 const REACHES_SERVERS: Heeded = Heeded {
     options: &[
         "server",
@@ -148,7 +148,7 @@ const REACHES_SERVERS: Heeded = Heeded {
     instead: OWN_MACHINE,
 };
 
-/// What is heeded of it when a run is taken up; on a controller nothing is taken up, which is told by itself.
+/// Options that are heeded when a run is taken up; on a controller nothing is taken up, which is told by itself.
 const TAKES_UP: Heeded = Heeded {
     options: &[
         "resume",
@@ -206,7 +206,7 @@ fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
     Ok(told_by_server(&ended, args.machine.quiet()))
 }
 
-/// How a server runs the file, as the options say.
+/// Returns the way in which a server runs the file, as the options say.
 fn how_remotely(file: &Path, args: &RunCommand) -> Result<How> {
     let (run, beside_mm) = (&args.run, args.machine.offset_job);
     match drawings::is_drawing(file) {
@@ -257,7 +257,7 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
     }
 }
 
-/// Who has a machine of his own is told when a run does not take it.
+/// Tells a user with a machine of his own when a run does not take it.
 fn tell_fresh(place: &PlaceArgs) {
     let fresh = place.config.is_none() && !memory::is_kept(place, false);
     let Ok(kept) = machine_file::of_data(&place.data) else { return };
@@ -269,7 +269,7 @@ fn tell_fresh(place: &PlaceArgs) {
     }
 }
 
-/// What a job is cut with: to be looked at before the start.
+/// Describes what a job is cut with: to be looked at before the start.
 fn in_force(job: &Job, machine: &Configuration) -> String {
     let speeds = &machine.program.speeds;
     let cut = machine.program.smoothing.cut_speed_mm_s.unwrap_or(speeds.cut.xy);
@@ -411,13 +411,13 @@ fn keep_origin(at: [f64; 2], session: &Session, place: &PlaceArgs) -> Result<()>
     Ok(machine_file::of_data_to_change(&place.data)?.keep_one(setting, &machine)?)
 }
 
-/// What is shown of a run.
+/// Data from which a run is shown.
 struct Show {
     name: Arc<str>,
     /// Lines of the part file; 0 where nobody counts them.
     lines: usize,
     talk: Talk,
-    /// What is shown where something is wrong.
+    /// Lines of the files, shown where something is wrong.
     source: FileLines,
     /// Whose signals are traced.
     machine: Configuration,

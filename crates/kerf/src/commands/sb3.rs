@@ -134,7 +134,7 @@ fn make_current(args: &Sb3Args, path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Where the file of the line is: as it is named here, or below the part folder.
+/// Finds the file of the line: as it is named here, or below the part folder.
 fn found(line: &StartUp, place: &PlaceArgs) -> Result<PathBuf> {
     let below = place.parts.iter().map(|parts| parts.join(&line.file));
     let all: Vec<_> = once(PathBuf::from(&line.file)).chain(below).collect();

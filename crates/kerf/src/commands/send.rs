@@ -18,7 +18,7 @@ use kerf_control::transfer::Sender;
 use kerf_serial::Port;
 use std::path::Path;
 
-/// What the lines are kept as, in the part folder, as SI does.
+/// Name under which the lines are kept in the part folder, as SI does.
 const FILE: &str = "temp_code.sbp";
 
 /// Carries out command lines at once, as if they were typed at the machine; or sends a file
@@ -55,7 +55,7 @@ pub struct SendArgs {
     run: RunArgs,
 }
 
-/// What of it reaches a server.
+/// Options that reach a server.
 const REACHES_SERVERS: Heeded =
     Heeded { options: &["server", "folder", "password", "quiet"], instead: OWN_MACHINE };
 
@@ -82,7 +82,7 @@ impl SendArgs {
         Some((Path::new(file), To::of(to)?))
     }
 
-    /// Whether a file is sent, and nothing carried out.
+    /// Returns `true` if a file is sent, and nothing carried out.
     pub fn is_file(&self) -> bool {
         self.file().is_some()
     }

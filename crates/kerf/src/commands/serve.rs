@@ -95,13 +95,13 @@ impl ServeArgs {
         Visit { opening, ..Visit::default() }
     }
 
-    /// Whether it begins in preview.
+    /// Returns `true` if the visit begins in preview.
     fn draws(&self) -> bool {
         let open = self.line.as_ref().map(|line| line.open);
         matches!(open, Some(OpenMethod::Preview | OpenMethod::SheetInPreview))
     }
 
-    /// What pages show, and what is carried out at once.
+    /// Returns what pages show, and the lines that are carried out at once.
     fn start(&self) -> (Option<kerf_server::StartUp>, Vec<String>) {
         let Some(line) = &self.line else { return (None, Vec::new()) };
         let file = self.file.clone().unwrap_or_default();
@@ -182,7 +182,7 @@ fn mark(args: &ServeArgs, server: &Server) -> Result<Option<Served>> {
     Served::begin(&folder, address).with_context(|| folder.display().to_string())
 }
 
-/// Why nothing is served, with the mend.
+/// Returns the error of a server that cannot serve, with the mend.
 fn cannot(address: SocketAddr, why: io::Error) -> Error {
     let mend = match why.kind() {
         ErrorKind::AddrInUse => {

@@ -43,7 +43,7 @@ impl TimingArgs {
 /// Pixels of a .png.
 const PIXELS: u32 = 2400;
 
-/// What the diagram shows, as numbers: edges of switches, courses of values, seconds.
+/// Returns the content of the diagram as numbers: edges of switches, courses of values, seconds.
 fn data(timing: &Timing) -> serde_json::Value {
     let tracks: serde_json::Map<String, serde_json::Value> = timing
         .tracks

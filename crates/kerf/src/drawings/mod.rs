@@ -17,7 +17,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-/// How drawings are read.
+/// Options of reading drawings.
 #[derive(Clone, Copy, Debug)]
 pub struct Reading {
     /// Each layer becomes a group.
@@ -26,7 +26,7 @@ pub struct Reading {
     pub scale: bool,
     /// Blocks are drawn.
     pub explode: bool,
-    /// What a .dxf hides is drawn.
+    /// Hidden parts of a .dxf are drawn.
     pub hidden: bool,
     /// The unit in which programs are followed; nothing for what is usual.
     pub units: Option<LinearUnit>,
@@ -217,7 +217,7 @@ fn name(file: &Path) -> String {
     file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
-/// Whether a file is a drawing or a job made of one.
+/// Returns `true` if a file is a drawing or a job made of one.
 pub fn is_drawing(file: &Path) -> bool {
     matches!(extension(file).as_str(), "dxf" | "svg" | "plt" | "hpg" | "hpgl" | "rsg" | "rsm")
 }
@@ -238,13 +238,13 @@ pub fn job_to_edit(file: &Path) -> Result<Job> {
     Ok(job)
 }
 
-/// Whether a file is a job that was changed by hand.
+/// Returns `true` if a file is a job that was changed by hand.
 pub fn is_edited(file: &Path) -> bool {
     extension(file) == "rsm"
         && fs::read(file).is_ok_and(|bytes| kerf_toolpath::read(&bytes).0.edited)
 }
 
-/// Whether the shapes of a file can be put onto the clipboard.
+/// Returns `true` if the shapes of a file can be put onto the clipboard.
 pub fn is_loadable(file: &Path) -> bool {
     matches!(extension(file).as_str(), "dxf" | "svg" | "rsg" | "rsm")
 }

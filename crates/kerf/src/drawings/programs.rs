@@ -12,7 +12,7 @@ use kerf_program::Axes;
 use kerf_program::settings::{LinearUnit, Settings};
 use std::path::{Path, PathBuf};
 
-/// Whether a file is a program that can be drawn.
+/// Returns `true` if a file is a program that can be drawn.
 pub fn is_program(file: &Path) -> bool {
     language(file).is_some()
 }
@@ -21,9 +21,9 @@ fn language(file: &Path) -> Option<Language> {
     Language::of_file(&file.display().to_string(), Dialect::Generic)
 }
 
-/// What a program cuts. It is followed as in a preview, from zeros, in the unit that is named; else a part file in
-/// inches as it is run, and in millimetres where it does not run in inches, and G-code in millimetres. A program that
-/// does not run to its end gives no drawing.
+/// Reads what a program cuts. It is followed as in a preview, from zeros, in the unit that is named; else a part file
+/// in inches as it is run, and in millimetres where it does not run in inches, and G-code in millimetres. A program
+/// that does not run to its end gives no drawing.
 pub fn read(file: &Path, bytes: &[u8], units: Option<LinearUnit>) -> Result<Imported> {
     let Some(from) = language(file) else { bail!("{} is no program", file.display()) };
     let usual = if from == Language::OpenSbp { LinearUnit::Inch } else { LinearUnit::Mm };
@@ -59,7 +59,7 @@ fn has_errors(passage: &Passage) -> bool {
     passage.diagnostics.iter().any(kerf_diag::Diagnostic::is_error)
 }
 
-/// Whether a program ran to its end and cut something.
+/// Returns `true` if a program ran to its end and cut something.
 fn draws(passage: &Passage) -> bool {
     !has_errors(passage)
         && !motion::read(passage.commands(), passage.start).drawing.shapes.is_empty()

@@ -11,7 +11,7 @@ use std::thread::sleep;
 /// The mend where a page drives the machine.
 const BESIDE: &str = "nothing was switched: a page drives the machine. Press \"Give up control\" there, or use its page of the card's ports";
 
-/// How often it is looked for a bit that was switched: two seconds.
+/// Number of looks for a bit that was switched: two seconds.
 const LOOKS: u32 = 40;
 
 /// The card of a server's machine.

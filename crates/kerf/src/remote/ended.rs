@@ -1,4 +1,4 @@
-//! How a run of a server ended, and what is wrong with a file, as the server tells it.
+//! The end of a run of a server, and what is wrong with a file, as the server tells it.
 
 use super::number_of_run;
 use kerf_control::{Summary, Tally};
@@ -7,9 +7,9 @@ use kerf_program::settings::LinearUnit;
 use kerf_sbp::Status;
 use serde_json::Value;
 
-/// How a run ended.
+/// End of a run.
 pub struct Ended {
-    /// What it came to.
+    /// Summary of the run.
     pub summary: Summary,
     /// The error that ended it, and what else is worth knowing of that.
     pub told: Vec<Diagnostic>,
@@ -55,7 +55,7 @@ fn summary(status: Status, came: &Value) -> Summary {
     }
 }
 
-/// What a preview found in the file that is open.
+/// Returns the findings of the preview of the file that is open.
 pub(super) fn findings(state: &Value) -> Vec<Diagnostic> {
     let found = state["opened"]["findings"].as_array();
     found.into_iter().flatten().filter_map(diagnostic).collect()

@@ -22,18 +22,18 @@ use std::path::Path;
 use std::thread::sleep;
 use std::time::Duration;
 
-/// How often it is looked whether the machine is done.
+/// Interval at which it is looked whether the machine is done.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// Why a server does not heed an option, and what to do instead.
+/// Reason why a server does not heed an option, and what to do instead.
 pub const OWN_MACHINE: &str = "by a server, which has its own machine, folders and settings: leave it out, set the \
     machine at the server (kerf machine set, its console), or run it here without --server";
 
-/// What to do where a page has the machine.
+/// Advice where a page has the machine.
 const BESIDE: &str = "the lines were not sent. A line that may be carried out beside a page that drives is \
     passed in: kerf registry set uCommand 'MX,2'";
 
-/// What a server did not do.
+/// Error of a request that a server refused.
 #[derive(Debug, thiserror::Error)]
 #[error("{text}")]
 struct Refused {
@@ -45,7 +45,7 @@ struct Refused {
 /// A server.
 pub struct Remote {
     address: String,
-    /// What shows that this is the user of the server's computer, where the server asks for it.
+    /// Token that shows that this is the user of the server's computer, where the server asks for it.
     token: Option<String>,
 }
 
@@ -159,7 +159,7 @@ pub fn beside(data: &DataArgs, config: Option<&Path>) -> Result<Option<Remote>> 
     Remote::new(&address, data).map(Some)
 }
 
-/// Whether an address is one of this computer: the token is for nobody else.
+/// Returns `true` if an address is one of this computer: the token is for nobody else.
 fn is_here(address: &str) -> bool {
     let found = address.to_socket_addrs();
     found.is_ok_and(|mut all| all.all(|one| one.ip().to_canonical().is_loopback()))

@@ -11,14 +11,14 @@ use kerf_program::{Button, Question};
 use serde_json::{Value, json};
 use std::thread::sleep;
 
-/// What to do where a page has the machine.
+/// Message where a page has the machine.
 const BESIDE: &str = "the file was not run: a page has the machine";
 
-/// Whoever goes along with a run.
+/// Functions of somebody who goes along with a run.
 pub struct Along<'a> {
     /// Answers its questions; a page may be first.
     pub operator: &'a mut dyn Operator,
-    /// Whether it is to be stopped.
+    /// Returns `true` once the run is to be stopped.
     pub stopped: &'a dyn Fn() -> bool,
     /// Takes the lines that it prints.
     pub print: &'a mut dyn FnMut(&str),
@@ -26,7 +26,7 @@ pub struct Along<'a> {
     pub show: &'a dyn Fn(&Diagnostic),
 }
 
-/// How a file is run.
+/// Kind of file that is run, with its options.
 pub enum How {
     /// A part file, with the parameters of FP, and line by line where that is wanted.
     Part(FileArgs),
@@ -35,7 +35,7 @@ pub enum How {
 }
 
 impl How {
-    /// Whether it is gone through line by line.
+    /// Returns `true` if the file is gone through line by line.
     const fn steps(&self) -> bool {
         matches!(self, Self::Part(FileArgs { step: true, .. }))
     }
@@ -53,7 +53,7 @@ impl How {
         })
     }
 
-    /// What is chosen of a job, where anything is.
+    /// Returns what is chosen of a job, where anything is.
     fn choice(&self) -> Option<Value> {
         match self {
             Self::Job(choice) if *choice != Choice::default() => {
@@ -155,7 +155,7 @@ impl Remote {
     }
 }
 
-/// Whether a server did not start a file because of what is wrong with it.
+/// Returns `true` if a server did not start a file because of what is wrong with it.
 fn is_mistake(why: &anyhow::Error) -> bool {
     why.downcast_ref::<Refused>().is_some_and(|refused| refused.mistake)
 }
@@ -166,7 +166,7 @@ fn lines(state: &Value) -> Vec<String> {
     lines.filter_map(|line| line.as_str().map(str::to_owned)).collect()
 }
 
-/// What came to a list that forgets its oldest lines.
+/// Returns the lines that came to a list that forgets its oldest lines.
 fn news<'a>(before: &[String], now: &'a [String]) -> &'a [String] {
     let still = (0..=before.len()).find(|from| now.starts_with(&before[*from..]));
     &now[before.len() - still.unwrap_or(before.len())..]

@@ -9,7 +9,7 @@ use kerf_serial::Port;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// How long one look at the line takes when nothing comes.
+/// Duration of one look at the line when nothing comes.
 const NAP: Duration = Duration::from_millis(5);
 
 /// An end that is done stays on the line for so long: its last answer may have been lost.
@@ -39,13 +39,13 @@ pub fn send_over_line(
     }
 }
 
-/// Where files that are received are kept, and when none may come.
+/// Place for files that are received, and when none may come.
 pub struct Folder<'a> {
     /// The folder.
     pub path: &'a Path,
-    /// Whether the machine moves.
+    /// Returns `true` while the machine moves.
     pub moves: &'a dyn Fn() -> bool,
-    /// What a file was that is written over is kept here.
+    /// Versions, which keep what a file was that is written over.
     pub versions: &'a Versions,
     /// A file was kept.
     pub kept: &'a dyn Fn(),

@@ -13,7 +13,7 @@ use anyhow::{Result, bail};
 use kerf_control::transfer::State;
 use kerf_machine::Configuration;
 
-/// Where a file is sent, or from where one comes.
+/// Target of a file that is sent, or source of one that comes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum To {
     /// One of the ports 1 to 4 of the settings; the one they name for file sending.
@@ -60,7 +60,7 @@ impl To {
     }
 }
 
-/// How a transfer ended, told and as an exit code.
+/// Tells how a transfer ended, and returns that as an exit code.
 pub fn ended(name: &str, state: &State) -> Exit {
     match state {
         State::Failed(why) => {

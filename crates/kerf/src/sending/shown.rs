@@ -1,10 +1,10 @@
-//! How far a transfer is, for whoever watches it.
+//! The progress of a transfer, for people who watch it.
 
 use kerf_control::transfer::{Progress, State};
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 
-/// How often it is told.
+/// Interval between reports.
 const OFTEN: Duration = Duration::from_secs(1);
 
 /// Tells name, bytes and rate: on a terminal in one line, else line by line.

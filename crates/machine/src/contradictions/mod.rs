@@ -1,4 +1,4 @@
-//! What settings say together: contradictions, refused by name before anything moves.
+//! Settings that contradict each other, refused by name before anything moves.
 
 mod motors;
 mod pendant;
@@ -13,9 +13,9 @@ use crate::Configuration;
 pub struct Contradiction {
     /// The settings, the one most likely wrong first.
     pub keys: Vec<&'static str>,
-    /// What is wrong; names the settings.
+    /// The contradiction in words; names the settings.
     pub message: String,
-    /// How to mend it.
+    /// Way to mend it.
     pub hint: &'static str,
 }
 

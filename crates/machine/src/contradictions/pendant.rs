@@ -34,7 +34,7 @@ fn keys_of(c: &Configuration) -> Vec<(&'static str, u8)> {
     axes.chain(others).filter(|(_, input)| *input != 0).collect()
 }
 
-/// Whether it is a limit, a stop, or the enclosure.
+/// Returns `true` if it is a limit, a stop, or the enclosure.
 fn stops(c: &Configuration, input: u8) -> bool {
     let io = &c.program.io;
     let limit = matches!(io.inputs.get(usize::from(input) - 1), Some(1 | 2));

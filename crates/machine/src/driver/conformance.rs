@@ -1,4 +1,4 @@
-//! What every driver has to hold, as a list of checks.
+//! List of checks that every driver has to pass.
 //!
 //! ```ignore
 //! for case in kerf_machine::driver::conformance::CASES {
@@ -14,7 +14,7 @@ use kerf_program::{Axes, Axis};
 
 /// One thing that has to hold.
 pub struct Case {
-    /// What.
+    /// The requirement in words.
     pub name: &'static str,
     /// The check; the error tells what was seen instead.
     pub check: fn(&mut dyn Driver) -> Result<(), String>,
@@ -35,7 +35,7 @@ pub const CASES: &[Case] = &[
 /// Time between two looks at a driver, seconds.
 const TICK_S: f64 = 0.01;
 
-/// What takes longer is taken for never, seconds.
+/// Time after which something is taken never to come, seconds.
 const LONG_S: f64 = 20.0;
 
 /// A driver with a clock.

@@ -13,7 +13,7 @@ const LOST_S: f64 = 2.0;
 /// While something is to be done the controller is asked so often where it is, seconds.
 const ASK_S: f64 = 0.1;
 
-/// Whether the controller can be trusted.
+/// State of the link: tells whether the controller can be trusted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LinkState {
     /// It answers.
@@ -24,7 +24,7 @@ pub enum LinkState {
     Lost,
 }
 
-/// What became known.
+/// News from a controller.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Told {
     /// An order is done.
@@ -66,7 +66,7 @@ pub struct Link<D> {
     open: VecDeque<Sent>,
     /// Every ticket up to this was sent once.
     sent: Ticket,
-    /// When orders were sent last.
+    /// Time at which orders were sent last.
     sent_s: f64,
     asked_s: f64,
     heard_s: f64,
@@ -109,17 +109,17 @@ impl<D: Driver> Link<D> {
         self.open.clear();
     }
 
-    /// Whether the link is up.
+    /// Returns the state of the link.
     pub const fn state(&self) -> LinkState {
         self.state
     }
 
-    /// Where the controller was when it told last.
+    /// Returns where the controller was when it told last.
     pub const fn standing(&self) -> Option<Standing> {
         self.standing
     }
 
-    /// Whether every order is done.
+    /// Returns `true` if every order is done.
     pub fn is_idle(&self) -> bool {
         self.open.is_empty()
     }

@@ -1,4 +1,4 @@
-//! What a controller is asked and what it answers.
+//! The protocol between Kerf and a controller: orders, signals and replies.
 //!
 //! A [`Driver`] is the protocol of one kind of controller as a value: it takes [`Order`]s with
 //! tickets, gives [`Reply`]s, and learns from its owner how late it is. It blocks nowhere and opens no
@@ -23,14 +23,14 @@ pub use kerf_program::{AXES, Axes, Axis};
 /// The number of an order; they count up from 1.
 pub type Ticket = u32;
 
-/// What a controller can be asked to do.
+/// An order that a controller can be given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Order {
     /// A straight move, mm and mm/s (degrees and degrees/s of rotary axes).
     Move {
-        /// Where to, machine frame.
+        /// Target, machine frame.
         to: Axes,
-        /// How fast at most.
+        /// Highest speed.
         speed_mm_s: f64,
     },
     /// Switches an output.
@@ -51,7 +51,7 @@ pub enum Order {
     Unlock,
 }
 
-/// What is asked outside the row of orders, and carried out at once.
+/// A request outside the row of orders, carried out at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
     /// Tell where you are.
@@ -73,12 +73,12 @@ pub struct Sent {
     pub order: Order,
 }
 
-/// Where a controller is.
+/// State of a controller: its place, motion, outputs and progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Standing {
     /// Place of the axes, machine frame.
     pub position: Axes,
-    /// Whether anything moves.
+    /// Something moves.
     pub moving: bool,
     /// Outputs that are on, a bit each, line 1 lowest.
     pub outputs: u32,
@@ -86,7 +86,7 @@ pub struct Standing {
     pub done: Ticket,
 }
 
-/// What a controller answers.
+/// An answer of a controller.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reply {
     /// An order was taken and will be carried out. Orders are taken in the order of their tickets.
@@ -120,7 +120,7 @@ pub trait Driver {
     /// Hands a signal to the controller.
     fn signal(&mut self, signal: Signal, now_s: f64);
 
-    /// What came back up to a time.
+    /// Returns the replies that came back up to a time.
     fn replies(&mut self, now_s: f64) -> Vec<Result<Reply, Garbled>>;
 
     /// It cannot answer for a while, which is no fault: grbl does not while it goes home.
@@ -128,26 +128,26 @@ pub trait Driver {
         false
     }
 
-    /// How many orders may be with it at a time.
+    /// Returns the greatest number of orders that may be with it at a time.
     fn window(&self) -> usize {
         8
     }
 }
 
-/// What a controller told of itself.
+/// Facts that a controller told of itself.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Facts {
-    /// What it calls itself, with its version.
+    /// Name it gives itself, with its version.
     pub name: String,
-    /// How many axes it has, X first.
+    /// Number of its axes, X first.
     pub axes: usize,
     /// The fastest each axis goes, mm/s; `None` where it did not say.
     pub speed_mm_s: [Option<f64>; AXES],
-    /// Where each axis may go, its own machine frame, mm; `None` where it does not check.
+    /// Range of each axis, its own machine frame, mm; `None` where it does not check.
     pub travel_mm: [Option<(f64, f64)>; AXES],
     /// It knows where it is only after it was homed.
     pub homes: bool,
-    /// How far a chord of an arc may lie from it, mm.
+    /// Greatest distance of an arc's chord from the arc, mm.
     pub arc_tolerance_mm: f64,
     /// Outputs it has, a bit each, line 1 lowest.
     pub outputs: u32,
@@ -155,7 +155,7 @@ pub struct Facts {
     pub spindle_rpm: f64,
 }
 
-/// Why a controller does nothing more.
+/// Reason for which a controller does nothing more.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Trouble {
     /// It stopped by itself; whether it knows where it is.
@@ -171,7 +171,7 @@ pub enum Trouble {
     /// It was locked when it was connected.
     #[error("it is locked: {why}")]
     Locked {
-        /// Why, and how that ends.
+        /// The reason, and the way to end it.
         why: &'static str,
     },
     /// It refused an order.
@@ -195,13 +195,13 @@ pub trait Wired: Driver {
     /// Bytes that are to be sent now.
     fn speak(&mut self, now_s: f64) -> Vec<u8>;
 
-    /// What the controller told of itself; nothing until it has told all.
+    /// Returns the facts that the controller told of itself; nothing until it has told all.
     fn facts(&self) -> Option<&Facts>;
 
-    /// What it told last of where it stands.
+    /// Returns the state that it told last.
     fn stands(&self) -> Option<Standing>;
 
-    /// Why it does nothing more.
+    /// Returns the reason for which it does nothing more.
     fn trouble(&self) -> Option<&Trouble>;
 
     /// It was stopped and stands: takes orders again, beginning with ticket 1. Tells whether it does.
@@ -230,7 +230,7 @@ impl<D: Wired + ?Sized> Driver for Box<D> {
     }
 }
 
-/// Whether an order can be carried out by any machine.
+/// Returns `true` if an order can be carried out by some machine.
 pub fn is_sound(order: &Order) -> bool {
     match order {
         Order::Move { to, speed_mm_s } => {

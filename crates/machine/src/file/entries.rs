@@ -1,4 +1,4 @@
-//! What a TOML text says: dotted keys, their values and where they stand.
+//! Entries of a TOML text: dotted keys, their values and where they stand.
 
 use crate::value::Value;
 use std::ops::Range;
@@ -9,19 +9,19 @@ use toml::de::{DeTable, DeValue};
 pub(super) struct Entry {
     /// The key with its sections, dotted.
     pub key: String,
-    /// Where the key stands, bytes.
+    /// Place of the key, bytes.
     pub key_span: Range<usize>,
     /// The value; nothing for dates, which no setting is.
     pub value: Option<Value>,
-    /// Where the value stands, bytes.
+    /// Place of the value, bytes.
     pub value_span: Range<usize>,
 }
 
 /// Text that is no TOML.
 pub(super) struct Unreadable {
-    /// What is wrong.
+    /// The mistake in words.
     pub message: String,
-    /// Where, bytes.
+    /// Place of the mistake, bytes.
     pub span: Range<usize>,
 }
 

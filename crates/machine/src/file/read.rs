@@ -94,7 +94,7 @@ const NEEDLESS: [(&str, &str); 2] = [
     ("general.irq", "the system knows the interrupts of its ports: options.devices names them"),
 ];
 
-/// What a configuration says that means nothing here.
+/// Returns a note for each setting of a configuration that means nothing here.
 pub fn notes(file: &Arc<str>, text: &str) -> Vec<Diagnostic> {
     let (entries, _) = entries(text);
     let source = Source { file, text };

@@ -1,4 +1,4 @@
-//! What a person wants of the machine by hand.
+//! Errands: the moves that a person orders by hand.
 
 use crate::settings::Configuration;
 use kerf_geom::{Point2, Polyarc, Segment};
@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// Without a bound a key that is held moves so far, mm or degrees.
 pub const FAR: f64 = 10_000.0;
 
-/// What a person wants.
+/// A move that a person orders by hand.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Errand {
     /// Find the home switches of these axes.
@@ -40,7 +40,7 @@ pub enum Errand {
 }
 
 impl Errand {
-    /// What it is called.
+    /// Returns its name.
     pub const fn name(&self) -> &'static str {
         match self {
             Self::FindHome(_) => "homing",
@@ -84,7 +84,7 @@ pub struct Held {
 pub struct Keypad {
     /// Which way, mm or degrees of each axis.
     pub way: [f64; AXES],
-    /// How many times that at most; without it as far as the axes go.
+    /// Greatest number of times it moves that way; without it, the key moves as far as the axes go.
     pub times: Option<f64>,
     /// Share of the jog speeds, 0.01 … 1.
     pub speed: f64,

@@ -1,4 +1,4 @@
-//! What follows when a move by hand is stopped.
+//! Stops of a move by hand, and how it goes on.
 
 use super::Hand;
 use super::ways::Leg;
@@ -11,7 +11,7 @@ use kerf_program::{
 use std::task::Poll;
 
 impl Hand {
-    /// What follows on a stop: the table says whether the tool rises; the rest of the way is kept.
+    /// Halts after a stop: the table says whether the tool rises; the rest of the way is kept.
     pub(super) fn halt(&mut self, event: Event, halted: &Halted) {
         self.position = halted.stands;
         self.given = false;

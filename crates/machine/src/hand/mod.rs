@@ -35,15 +35,15 @@ pub struct Hand {
     position: Axes,
     /// Ways still to go.
     legs: VecDeque<Leg>,
-    /// Where the rest leads, while the machine is stopped.
+    /// Legs of the rest of the way, while the machine is stopped.
     rest: Option<VecDeque<Leg>>,
     given: bool,
     begun: bool,
     state: State,
     motions: u64,
-    /// Why it is not moving.
+    /// Reason for which it is not moving.
     why: Arc<str>,
-    /// What is said when it is done.
+    /// Message to the operator when it is done.
     note: Option<Arc<str>>,
     over: Option<(Status, Option<Box<Diagnostic>>)>,
 }

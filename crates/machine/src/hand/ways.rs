@@ -1,4 +1,4 @@
-//! Where a move by hand leads, and whether it may.
+//! Ways of a move by hand, and the bounds they must keep.
 
 use super::Hand;
 use super::errand::{Errand, FAR, Stretch};
@@ -31,7 +31,7 @@ impl From<Axes> for Leg {
 }
 
 impl Hand {
-    /// Where it leads, one way after the other.
+    /// Returns its ways, one after the other.
     pub(super) fn ways(&mut self) -> VecDeque<Leg> {
         if let Errand::Along(stretches) = &self.errand {
             return self.along(stretches);
@@ -113,7 +113,7 @@ impl Hand {
         [up, there].into()
     }
 
-    /// Where a key that is held leads: to the first bound on its way.
+    /// Returns the place to which a held key leads: the first bound on its way.
     fn as_far_as_allowed(&mut self, way: [f64; AXES], most: f64) -> Axes {
         let ways = Axis::ALL.into_iter().zip(way);
         let mut far = most;
@@ -131,7 +131,7 @@ impl Hand {
         to
     }
 
-    /// What is said at the end of an axis; at the keypad in the words and units of part files.
+    /// Returns the message at the end of an axis; at the keypad in the words and units of part files.
     fn ends_at(&self, axis: Axis, end: f64) -> Arc<str> {
         if !matches!(self.errand, Errand::Keypad(_)) {
             let name = self.machine.motors.axis_name(axis);
@@ -143,7 +143,7 @@ impl Hand {
         format!("Out of bounds: {} ends at {shown}{words}", axis.letter()).into()
     }
 
-    /// Where an axis may go, machine frame: the soft bounds, the table limits while they are checked,
+    /// Returns the range of an axis, machine frame: the soft bounds, the table limits while they are checked,
     /// Z no lower than Z bottom.
     fn allowed(&self, axis: Axis) -> (f64, f64) {
         let by_hand = |homed| bounds_by_hand(&self.machine, axis, homed);
@@ -161,7 +161,7 @@ impl Hand {
         (low, high)
     }
 
-    /// Why it is not done: it leads out of bounds.
+    /// Refuses a move that leads out of bounds, with the reason.
     pub(super) fn refusal(&self) -> Option<Box<Diagnostic>> {
         if matches!(self.errand, Errand::Keypad(_)) && self.settings.mode == Mode::Preview {
             let place = Place::line(self.errand.name().into(), 0);

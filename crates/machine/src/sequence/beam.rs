@@ -12,7 +12,7 @@ use std::sync::Arc;
 const MS: f64 = 1e3;
 
 impl Sequence {
-    /// How intensity depends on speed, as far as the machine outputs any.
+    /// Returns the dependence of intensity on speed, as far as the machine outputs any.
     pub(super) fn intensity_law(&self) -> Option<IntensityLaw> {
         let (intensity, laser) = (&self.machine.intensity, &self.machine.laser);
         if !intensity.output {
@@ -36,7 +36,7 @@ impl Sequence {
         [low.clamp(0.0, 255.0) as u8, (value(laser.max_pulse_us) + 1e-9).clamp(0.0, 127.0) as u8]
     }
 
-    /// Why the laser cannot make any pulse that is asked for.
+    /// Returns the reason for which the laser can make no pulse, if there is one.
     pub(super) fn no_pulse(&self) -> Option<&'static str> {
         let laser = &self.machine.laser;
         if !laser.use_laser {
@@ -48,12 +48,12 @@ impl Sequence {
         (kind == LaserType::Pulsed && none).then_some("no valid laser pulse width")
     }
 
-    /// Whether shapes of a cut output are engraved: never pierced.
+    /// Returns `true` if shapes of a cut output are engraved: never pierced.
     fn engraves(&self, shape: &JobShape) -> bool {
         self.machine.laser.engrave_cut == Some(shape.cut)
     }
 
-    /// Whether a shape is pierced before it is cut.
+    /// Returns `true` if a shape is pierced before it is cut.
     pub(super) fn pierces(&self, shape: &JobShape) -> bool {
         let laser = &self.machine.laser;
         laser.use_laser && laser.pierce.use_sequence && !self.engraves(shape)

@@ -31,14 +31,14 @@ pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> 
     Arc::new(placed)
 }
 
-/// Where the origin of a job lies on the table, and where the head goes at its end: those of the machine, where
+/// Returns the origin of a job on the table and its finish position: those of the machine, where
 /// the job says nothing of them.
 pub fn lies(job: &Job, machine: &Configuration) -> [Point2; 2] {
     let set = [machine.job.origin_mm, machine.job.finish_mm].map(|[x, y]| Point2::new(x, y));
     [job.origin.unwrap_or(set[0]), job.finish.unwrap_or(set[1])]
 }
 
-/// What the planner works with: millimetres, the machine's own model of motion, nothing that part
+/// Returns the settings of the planner: millimetres, the machine's own model of motion, nothing that part
 /// files switch beside it.
 pub fn settings(machine: &Configuration) -> Settings {
     let mut settings = machine.program.clone();
@@ -197,7 +197,7 @@ impl Sequence {
         ]
     }
 
-    /// Why the job does not begin.
+    /// Returns the reason if the job cannot begin.
     fn refusal(&self) -> Option<Diagnostic> {
         let problem = self.no_pulse().map(|why| (0, why.to_owned()));
         if let Some((line, message)) = problem.or_else(|| self.too_low()) {
@@ -214,7 +214,7 @@ impl Sequence {
         })
     }
 
-    /// Where the job stands in its file: the number of the shape.
+    /// Returns the place of the job in its file: the number of the shape.
     pub(super) fn at(&self) -> At {
         At { file: 0, line: self.here.shape(&self.job).map_or(0, |shape| shape.number) }
     }

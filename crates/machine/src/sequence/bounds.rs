@@ -1,4 +1,4 @@
-//! Where a job leads: everything it reaches is known before the first move, and nothing of it may lie where an
+//! Places that a job reaches: all are known before the first move, and none of them may lie where an
 //! axis cannot go.
 
 use super::Sequence;
@@ -35,7 +35,7 @@ impl Reached {
 }
 
 impl Sequence {
-    /// How far an axis may go, machine frame; `None` when it has no bounds.
+    /// Returns the range of an axis, machine frame; `None` when it has no bounds.
     pub fn reach(&self, axis: Axis) -> Option<[f64; 2]> {
         let (soft, table) = (soft_bounds(&self.machine, axis), table_bounds(&self.machine, axis));
         match (soft, table) {
@@ -70,7 +70,7 @@ impl Sequence {
         reach.is_some_and(|[low, high]| !(low - SLACK..=high + SLACK).contains(&reached.value))
     }
 
-    /// Where a shape leads: its path, the way down beside it, its heights.
+    /// Returns the places that a shape reaches: its path, the way down beside it, its heights.
     fn reached_by(&self, shape: &JobShape) -> Vec<Reached> {
         let mut bounds = shape.path.bounds();
         let mut heights = Vec::new();
@@ -119,7 +119,7 @@ impl Sequence {
         bounds
     }
 
-    /// Where the job leads beside its shapes: to the finish position, at the height of travel.
+    /// Returns the places that the job reaches beside its shapes: the finish position, the height of travel.
     fn reached_beside(&self) -> Vec<Reached> {
         let Point2 { x, y } = self.job.on_table(self.job.finish.unwrap_or_default());
         let finish = [(Axis::X, x), (Axis::Y, y)];
@@ -157,7 +157,7 @@ impl Sequence {
         None
     }
 
-    /// How the knife stands in a pass, one turn after the other.
+    /// Returns the angles of the knife in a pass, one turn after the other.
     fn turns_of(&mut self, shape: &JobShape, pass: usize) -> Vec<f64> {
         self.here = Here { pass, along: Along::Before, ..self.here };
         let mut turns = Vec::new();

@@ -25,7 +25,7 @@ impl Sequence {
         }
     }
 
-    /// What happens instead of the way down that a shape asks for, if something does.
+    /// Tells what happens instead of the way down that a shape asks for, if something does.
     fn other_entry(&self, shape: &JobShape) -> Option<String> {
         let asked = match shape.plunge {
             _ if shape.traversal => return None,

@@ -1,4 +1,4 @@
-//! What forbids motion while the operator is asked: a stop that is pressed then is none that stopped the machine,
+//! Stops that forbid motion while the operator is asked: one that is pressed then did not stop the machine,
 //! and nothing moves and nothing comes on before it is released.
 
 use super::Sequence;
@@ -8,7 +8,7 @@ use crate::state::RELEASE_S;
 use kerf_program::Host;
 use kerf_program::settings::IoModes;
 
-/// What forbids motion.
+/// A stop that forbids motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Forbids {
     /// The emergency stop.
@@ -18,7 +18,7 @@ pub(super) enum Forbids {
 }
 
 impl Forbids {
-    /// What the operator is told.
+    /// Returns the words to the operator.
     pub(super) const fn text(self) -> &'static str {
         match self {
             Self::EmergencyStop => "release the emergency stop",
@@ -27,14 +27,14 @@ impl Forbids {
     }
 }
 
-/// Whether any stop input is active.
+/// Returns `true` if any stop input is active.
 pub(crate) fn stop_input(io: &IoModes, host: &mut dyn Host) -> bool {
     let mut inputs = io.stop_inputs();
     inputs.any(|number| io.stops(number, host.input(number)))
 }
 
 impl Sequence {
-    /// What forbids motion now.
+    /// Returns the stop that forbids motion now.
     pub(super) fn forbids(&self, host: &mut dyn Host) -> Option<Forbids> {
         if host.input(Input::EmergencyStop.number()) == self.machine.estop.active {
             return Some(Forbids::EmergencyStop);

@@ -21,7 +21,7 @@ const CARRIED_MM: f64 = 1e-6;
 const ALONG_X: Vec2 = Vec2 { x: 1.0, y: 0.0 };
 
 impl Sequence {
-    /// How Z follows the sheet in a shape; only THRU shapes are followed.
+    /// Returns the law by which Z follows the sheet in a shape; only THRU shapes are followed.
     pub(super) fn height_law(&self, shape: &JobShape) -> Option<HeightLaw> {
         let height = &self.machine.height;
         if !height.on || shape.depth != Depth::Thru || shape.traversal {
@@ -83,7 +83,7 @@ impl Sequence {
         steps
     }
 
-    /// How Z follows the sheet in the first shape in which it does.
+    /// Returns the law by which Z follows the sheet in the first shape in which it does.
     pub fn follows_sheet(&self) -> Option<HeightLaw> {
         self.job.shapes.iter().find_map(|shape| self.height_law(shape))
     }
@@ -141,7 +141,7 @@ impl Sequence {
         self.heights = Heights { top_mm, surface_mm, ..self.heights };
     }
 
-    /// What height control watches while a path is followed, and what is said then.
+    /// Returns the inputs that height control watches while a path is followed, and the message of each.
     pub(super) fn height_faults(&self) -> &'static [(Input, &'static str)] {
         if self.controlled { &FAULTS } else { &[] }
     }
@@ -158,10 +158,10 @@ fn end_of(shape: &JobShape) -> Vec2 {
     last.map_or(ALONG_X, |last| shape.path.segment(last).direction(1.0))
 }
 
-/// What is said where two switches do not tell that the head is too high, high above the sheet.
+/// Message where two switches do not tell that the head is too high, high above the sheet.
 pub(super) const NOTHING_FELT: &str = "no height readings: zhigh is off at Z top";
 
-/// What the controller notices of height control, and what is said.
+/// Faults of height control that the controller notices, and the message of each.
 pub(super) const FAULTS: [(Input, &str); 3] = [
     (Input::HeightSilent, "no height readings"),
     (Input::HeightConflict, "height sensors conflict"),

@@ -66,12 +66,12 @@ pub struct Sequence {
     job: Arc<Job>,
     /// The job that was given, where the one at hand is a part of it.
     whole: Arc<Job>,
-    /// What there is to do about the door.
+    /// State of the wait for the door.
     door: Door,
     /// The jig being cut, or cut last.
     jig: Option<Jig>,
     machine: Arc<Configuration>,
-    /// What the planner works with.
+    /// Settings of the planner.
     settings: Arc<Settings>,
     frame: Frame,
     /// The heights in force: a pause or height control moves them.
@@ -80,7 +80,7 @@ pub struct Sequence {
     plunge_mm_s: f64,
     raise: bool,
     state: State,
-    /// Why it is not running.
+    /// Reason for which it is not running.
     why: Arc<str>,
     stage: Stage,
     here: Here,
@@ -95,13 +95,13 @@ pub struct Sequence {
     followed: Followed,
     /// Outputs that are on, a bit each.
     on: u32,
-    /// Where the last input fired.
+    /// Place where the last input fired.
     began: Halted,
-    /// Where the sheet was felt, Z of the machine frame.
+    /// Place where the sheet was felt, Z of the machine frame.
     felt_mm: f64,
     /// The height from which height control carried Z, machine frame.
     begun_mm: f64,
-    /// How Z follows the sheet, or followed it last.
+    /// Law by which Z follows the sheet, or followed it last.
     law: Option<Arc<HeightLaw>>,
     /// Height control is on.
     controlled: bool,
@@ -166,7 +166,7 @@ impl Sequence {
         }
     }
 
-    /// What the machine is doing.
+    /// Returns the state of the machine.
     pub const fn state(&self) -> State {
         self.state
     }
@@ -181,7 +181,7 @@ impl Sequence {
         self.cut_mm_s
     }
 
-    /// What a pause may have changed.
+    /// Returns the values that a pause may have changed.
     const fn in_force(&self) -> InForce {
         InForce { cut_mm_s: self.cut_mm_s, plunge_mm_s: self.plunge_mm_s, raise: self.raise }
     }

@@ -45,7 +45,7 @@ impl Sequence {
         self.stop_for(Event::Fault, why);
     }
 
-    /// What follows on an event, all the way to the question.
+    /// Carries out what follows on an event, all the way to the question.
     fn stop_for(&mut self, event: Event, why: &str) {
         self.given = false;
         // What an earlier stop switches off goes off, whoever stops the machine again in the same moment.
@@ -73,7 +73,7 @@ impl Sequence {
         self.steps.push_back(Small::Ask);
     }
 
-    /// Whether the machine halts by itself before a shape that is about to begin.
+    /// Returns `true` if the machine halts by itself before a shape that is about to begin.
     pub(super) fn is_marked(&self, shape: &JobShape) -> bool {
         shape.pause && self.here.pass == 0 && !self.halted_before
     }
@@ -137,7 +137,7 @@ impl Sequence {
         steps
     }
 
-    /// What the operator is asked.
+    /// Returns the question to the operator.
     pub(super) fn question(&self) -> Question {
         // A pause mark is where a job is meant to wait: without an operator it goes on.
         let preparing = self.state == State::Waiting && self.why.is_empty();
@@ -316,7 +316,7 @@ impl Sequence {
         }
     }
 
-    /// Why ZBottom cannot be at a height, if it cannot.
+    /// Tells why ZBottom cannot be at a height, if it cannot.
     fn no_bottom(&self, z_mm: f64) -> Option<String> {
         let surface_mm = self.heights.surface_mm;
         let end = self.reach(Axis::Z).map(|[low, _]| low).filter(|low| z_mm < *low);

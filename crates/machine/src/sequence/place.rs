@@ -1,9 +1,9 @@
-//! Where a job stands.
+//! The place of a job: its stage, shape, pass and path.
 
 use kerf_geom::{Point2, Polyarc};
 use kerf_program::job::{Depths, Job, JobShape};
 
-/// What a job is doing.
+/// Stage of a job.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Stage {
     /// Nothing has happened.
@@ -19,7 +19,7 @@ pub(crate) enum Stage {
     Finish,
 }
 
-/// How far a path has been made.
+/// Progress along a path.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) enum Along {
     /// Not at all.
@@ -38,7 +38,7 @@ pub(crate) enum Along {
 pub(crate) struct Spot {
     /// The segment, counted from 0.
     pub segment: usize,
-    /// How much of it lies behind, 0 … 1.
+    /// Share of it that lies behind, 0 … 1.
     pub share: f64,
     /// The place itself, millimetres from the job's origin.
     pub at: Point2,
@@ -67,7 +67,7 @@ pub(crate) struct Here {
     pub nth: usize,
     /// Which pass, counted from 0.
     pub pass: usize,
-    /// How far.
+    /// Progress along the path.
     pub along: Along,
 }
 
@@ -87,7 +87,7 @@ impl Here {
     }
 }
 
-/// How many passes a path takes.
+/// Returns the number of passes that a path takes.
 pub(crate) fn passes(depths: &Depths) -> usize {
     match depths {
         Depths::Level(levels) => levels.len(),

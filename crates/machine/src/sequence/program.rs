@@ -135,7 +135,7 @@ impl Interpreter for Sequence {
 }
 
 impl Sequence {
-    /// What the step at hand waits for, or what must not happen during it.
+    /// Returns the inputs that the step at hand waits for, or that must not change during it.
     fn watched_by_step(&self) -> Vec<Watch> {
         let (arc, close) = (Input::EndBottomDelay.number(), Input::WHome.number());
         match self.steps.front() {

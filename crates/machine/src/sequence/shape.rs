@@ -20,7 +20,7 @@ use kerf_program::job::JobShape;
 use kerf_program::{Axis, Beam};
 
 impl Sequence {
-    /// What is left of the pass at hand.
+    /// Returns the steps that are left of the pass at hand.
     pub(super) fn pass_steps(&self) -> Vec<Small> {
         let Some(shape) = self.here.shape(&self.job) else { return Vec::new() };
         let mut steps = Vec::new();

@@ -75,7 +75,7 @@ pub(crate) enum Small {
 }
 
 impl Small {
-    /// Whether it switches something off, or tells that the machine is in a state that it stopped in.
+    /// Returns `true` if it switches something off, or tells that the machine is in a state that it stopped in.
     pub fn belongs_to_stop(&self, state: crate::State) -> bool {
         match self {
             Self::Switch(_, on) => !on,
@@ -92,8 +92,8 @@ impl Small {
 pub(crate) struct Awaited {
     /// The input.
     pub input: Input,
-    /// How long, seconds.
+    /// Longest wait, seconds.
     pub timeout_s: f64,
-    /// What is said when it does not come; without words the job goes on.
+    /// Message when it does not come; without words the job goes on.
     pub missing: Option<&'static str>,
 }

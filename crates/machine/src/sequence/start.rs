@@ -1,4 +1,4 @@
-//! What comes before the first motion: the door, the jigs, the second Start and the choice of the
+//! Steps before the first motion: the door, the jigs, the second Start and the choice of the
 //! first shape (Profiler reference, "Two Jig Machines", "Using an External Job Start Input").
 
 use super::Sequence;
@@ -63,7 +63,7 @@ pub fn straddling(job: &Job, machine: &Configuration) -> Vec<String> {
     job.shapes.iter().filter(both).map(told).collect()
 }
 
-/// What there is to do about the door.
+/// State of the wait for the door.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Door {
     /// The job waits until it is shut.
@@ -89,7 +89,7 @@ impl Sequence {
         self
     }
 
-    /// What has to come before the job begins; often nothing.
+    /// Returns the steps before the job begins; often none.
     pub(super) fn before_start(&self) -> Vec<Small> {
         let mut steps = Vec::new();
         if self.machine.job.external_start && self.door != Door::Shut {

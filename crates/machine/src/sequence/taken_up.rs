@@ -9,7 +9,7 @@ use crate::state::State;
 use kerf_program::{Axis, Halted};
 
 impl Sequence {
-    /// What goes on when the job is taken up from there, in order.
+    /// Returns the outputs that go on when the job is taken up from there, in order.
     pub(super) fn comes_on_again(&self, halted: &Halted) -> Vec<u8> {
         let mut ahead = self.clone();
         ahead.take_up(halted);

@@ -1,4 +1,4 @@
-//! What the operator may say in a pause.
+//! The operator's orders in a pause.
 
 use kerf_program::Axis;
 
@@ -23,7 +23,7 @@ pub enum Word {
     Previous,
     /// The set points of height control along X and Y by distances, mm.
     AdjustHeight([f64; 2]),
-    /// Whether the tool rises in pauses.
+    /// The tool rises in pauses, or does not.
     Raise(bool),
     /// An axis moves by a distance, mm or degrees.
     Move(Axis, f64),
@@ -33,7 +33,7 @@ pub enum Word {
 const PER_MIN: f64 = 60.0;
 
 impl Word {
-    /// Whether something moves or comes on when it is obeyed.
+    /// Returns `true` if something moves or comes on when it is obeyed.
     pub(super) const fn moves(self) -> bool {
         match self {
             Self::Continue | Self::Shape(_) | Self::Next | Self::Previous | Self::Move(..) => true,

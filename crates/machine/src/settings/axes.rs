@@ -18,7 +18,7 @@ pub const Z2: Axis = Axis::A;
 pub struct AxisSettings {
     /// Length of travel from the home position, mm or degrees; 0 means no bounds on that axis.
     pub length: Axes,
-    /// Whether motion that would leave the lengths is refused ("Limit Movement").
+    /// Motion that would leave the lengths is refused ("Limit Movement").
     pub limit_movement: bool,
 }
 

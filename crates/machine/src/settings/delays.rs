@@ -3,7 +3,7 @@
 use super::words;
 
 words! {
-    /// What ends the wait at the bottom.
+    /// End of the wait at the bottom.
     BottomDelayType {
         /// A fixed time.
         Time = "time",
@@ -13,7 +13,7 @@ words! {
 }
 
 words! {
-    /// What happens when the input does not come.
+    /// Action when the input does not come.
     TimeoutAction {
         /// The cut output goes off and the job pauses.
         Pause = "pause",
@@ -29,13 +29,13 @@ pub struct Delays {
     pub router_start_s: f64,
     /// After a tool output goes on and after it goes off, at each shape.
     pub air_tool_s: f64,
-    /// What ends the wait at the bottom.
+    /// End of the wait at the bottom.
     pub bottom_type: BottomDelayType,
     /// The wait at the bottom; after the input where one is waited for.
     pub bottom_s: f64,
-    /// How long the input is waited for.
+    /// Longest wait for the input.
     pub bottom_timeout_s: f64,
-    /// What happens then.
+    /// Action when it does not come.
     pub bottom_timeout: TimeoutAction,
     /// After the cut output is off and before raising.
     pub end_s: f64,

@@ -3,7 +3,7 @@
 use super::words;
 
 words! {
-    /// How the height is sensed.
+    /// Means by which the height is sensed.
     HeightMode {
         /// Two inputs, too high and too low.
         Simple = "simple",
@@ -17,7 +17,7 @@ words! {
 pub struct HeightControl {
     /// Used for THRU shapes ("Do Height Control").
     pub on: bool,
-    /// How the height is sensed.
+    /// Means by which the height is sensed.
     pub mode: HeightMode,
     /// Highest speed of Z under height control, mm/s; at most that of the axis.
     pub speed_mm_s: f64,

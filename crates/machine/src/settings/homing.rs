@@ -4,7 +4,7 @@ use super::words;
 use kerf_program::{AXES, Axis, AxisSet};
 
 words! {
-    /// What happens when a run begins and an axis with a home switch was not homed.
+    /// Action when a run begins and an axis with a home switch was not homed.
     BeforeRuns {
         /// It begins, with a note.
         Tell = "tell",
@@ -30,7 +30,7 @@ words! {
 pub struct HomeSwitch {
     /// The axis has a switch.
     pub fitted: bool,
-    /// Where.
+    /// End of the axis at which it sits.
     pub end: HomeEnd,
     /// Speed of the search, mm/s or degrees/s.
     pub fast: f64,
@@ -51,7 +51,7 @@ pub struct Homing {
     pub separate_y: bool,
     /// The second head moves by this further, mm, after it is off its switch.
     pub z2_adjustment_mm: f64,
-    /// What happens when a run begins before the axes were homed.
+    /// Action when a run begins before the axes were homed.
     pub before_runs: BeforeRuns,
     /// Axes homed when the program starts.
     pub at_program_start: AxisSet,

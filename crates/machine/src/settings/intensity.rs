@@ -3,10 +3,10 @@
 /// Entries of the intensity table.
 pub const LEVELS: usize = 128;
 
-/// How intensity follows speed.
+/// Output of intensity, and its dependence on speed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Intensity {
-    /// Whether intensity is sent to the port ("Output the Intensity").
+    /// Intensity is sent to the port ("Output the Intensity").
     pub output: bool,
     /// Intensity 0 … 127 of each discretized speed 0 … 127.
     pub table: [u8; LEVELS],

@@ -4,7 +4,7 @@
 use super::words;
 
 words! {
-    /// How the inputs are wired.
+    /// Card of the inputs, which decides at which level they are active.
     Card {
         /// No card: a pin that is high is active.
         None = "none",

@@ -1,4 +1,4 @@
-//! How jobs are started, placed and repeated (Profiler reference, "Machining the Job").
+//! Start, place and repetition of jobs (Profiler reference, "Machining the Job").
 
 use super::words;
 
@@ -17,17 +17,17 @@ words! {
 pub struct JobSettings {
     /// Each Start takes the present position as job origin.
     pub change_origin_at_start: bool,
-    /// Where the job origin lies, X and Y from machine home, mm.
+    /// Place of the job origin, X and Y from machine home, mm.
     pub origin_mm: [f64; 2],
-    /// Where the head goes when a job is done, X and Y from the job origin, mm.
+    /// Place to which the head goes when a job is done, X and Y from the job origin, mm.
     pub finish_mm: [f64; 2],
-    /// How often a job is cut.
+    /// Number of times a job is cut.
     pub repeats: u32,
     /// The input shared with W home starts jobs, or is the door that must be shut.
     pub external_start: bool,
     /// Two jigs with a start input each.
     pub two_jigs: bool,
-    /// What lies left of this X from machine home is jig 1, mm.
+    /// Divider of the jigs, X from machine home, mm: jig 1 lies left of it.
     pub divider_mm: f64,
     /// Which heads cut.
     pub heads: Heads,

@@ -71,13 +71,13 @@ pub struct CutGas {
 const FULL: f64 = 127.0;
 
 impl Laser {
-    /// How long each pulse of a pulsed laser is at an intensity 0 … 127, microseconds ("Intensity Output
+    /// Returns the length of each pulse of a pulsed laser at an intensity 0 … 127, microseconds ("Intensity Output
     /// Example").
     pub fn pulse_us(hz: f64, value: u8) -> f64 {
         1e6 / hz * f64::from(value) / FULL
     }
 
-    /// What the board of the laser makes of its port and its cut outputs, percent of full power: an old one
+    /// Returns the power that a laser's board makes of its port and its cut outputs, percent of full power: an old one
     /// turns full on with the burn bit and cut 1, and off with the burn bit and cut 2.
     pub fn power_percent(&self, value: u8, burn: bool, [cut1, cut2]: [bool; 2]) -> f64 {
         if !self.use_laser {

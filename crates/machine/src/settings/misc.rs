@@ -1,4 +1,4 @@
-//! What belongs nowhere else (Profiler reference, "Miscellaneous Configuration Options").
+//! Settings that belong nowhere else (Profiler reference, "Miscellaneous Configuration Options").
 
 /// Miscellaneous options of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

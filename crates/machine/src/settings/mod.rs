@@ -29,7 +29,7 @@ use kerf_program::{Axis, Settings};
 /// Everything that is set of one machine.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Configuration {
-    /// What part files see: units, speeds, ramps, limits, modes of switches, steps, dynamics and the
+    /// Settings that part files see: units, speeds, ramps, limits, modes of switches, steps, dynamics and the
     /// smoothing of paths. The V commands are views of it.
     pub program: Settings,
     /// Lengths and soft bounds.
@@ -42,7 +42,7 @@ pub struct Configuration {
     pub speeds: speeds::MachineSpeeds,
     /// Waits in the cutting sequence.
     pub delays: delays::Delays,
-    /// What pausing does.
+    /// Effects of pausing.
     pub pause: pause::Pause,
     /// Which inputs are keys of a pendant.
     pub pendant: pendant::Pendant,
@@ -60,13 +60,13 @@ pub struct Configuration {
     pub homing: homing::Homing,
     /// The emergency stop.
     pub estop: estop::EmergencyStop,
-    /// What belongs nowhere else.
+    /// Settings that belong nowhere else.
     pub misc: misc::Miscellaneous,
-    /// How jobs are started, placed and repeated.
+    /// Start, place and repetition of jobs.
     pub job: job::JobSettings,
     /// Options of the program beside the machine.
     pub options: options::Options,
-    /// Where the switches of the simulated machine sit.
+    /// Switches, start place and delays of the simulated machine.
     pub simulated: simulated::Simulated,
 }
 
@@ -77,7 +77,7 @@ impl Configuration {
         self.options.devices.get(port).map(String::as_str)
     }
 
-    /// What an input is on this machine, where that is not its usual name.
+    /// Returns the name of an input on this machine, where that is not its usual name.
     pub fn name_in_use(&self, input: Input) -> Option<&'static str> {
         match input {
             Input::EndBottomDelay if self.plasma.use_sequence => Some("arc"),
@@ -87,7 +87,7 @@ impl Configuration {
         }
     }
 
-    /// What is worth knowing of a setting on this very machine, where there is something.
+    /// Returns advice on a setting of this very machine, where there is some.
     pub fn advice(&self, key: &str) -> Option<String> {
         match key {
             "height.k" => {
@@ -102,7 +102,7 @@ impl Configuration {
         }
     }
 
-    /// How long a step output is on: one output delay of the machine and what the step delay adds,
+    /// Returns the time that a step output is on: one output delay of the machine and what the step delay adds,
     /// nanoseconds ("Microstepping Drive Parameters").
     pub const fn step_pulse_ns(&self) -> u32 {
         self.simulated.output_delay_ns.saturating_add(self.motors.step_delay_ns)

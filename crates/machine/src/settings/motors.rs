@@ -103,7 +103,7 @@ impl Motors {
         moved.fold(AxisSet::EMPTY, AxisSet::with)
     }
 
-    /// What the Profiler tables call an axis: A is `z2` where it is the second head, C is `w`.
+    /// Returns the name of an axis in the Profiler tables: A is `z2` where it is the second head, C is `w`.
     pub const fn axis_name(&self, axis: Axis) -> &'static str {
         match axis {
             Axis::X => "x",

@@ -1,4 +1,4 @@
-//! What pausing does (Profiler reference, "Pausing the Machine").
+//! Effects of pausing (Profiler reference, "Pausing the Machine").
 
 /// Settings of a pause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

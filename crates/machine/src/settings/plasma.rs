@@ -11,7 +11,7 @@ pub struct Plasma {
     pub initial_wait_s: f64,
     /// From the start of cutting the arc input is ignored for so long, seconds.
     pub debounce_s: f64,
-    /// How long the arc is waited for, seconds.
+    /// Longest wait for the arc, seconds.
     pub arc_timeout_s: f64,
 }
 

@@ -3,10 +3,10 @@
 use super::motors::MOTORS;
 use kerf_program::AXES;
 
-/// What is true of the simulated machine, whatever the controller believes.
+/// True places and delays of the simulated machine, whatever the controller believes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Simulated {
-    /// Where each motor's homing switch turns on, in true coordinates of its axis, mm or degrees.
+    /// Place where each motor's homing switch turns on, in true coordinates of its axis, mm or degrees.
     /// Motors without a switch of their own have none.
     pub switch_at: [Option<f64>; MOTORS],
     /// Way from turning on to turning off again, mm or degrees.

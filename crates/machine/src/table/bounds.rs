@@ -3,7 +3,7 @@
 use crate::value::Value;
 use kerf_program::settings::MM_PER_INCH;
 
-/// What a number is measured in.
+/// Unit of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum Unit {
@@ -35,7 +35,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// How it is written behind a number; empty for numbers without unit.
+    /// Returns the symbol behind a number; empty for numbers without unit.
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::None => "",
@@ -87,7 +87,7 @@ impl Unit {
     }
 }
 
-/// What a setting accepts beside its type; of a list, each value.
+/// Values that a setting accepts beside its type; of a list, each value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Bounds {
     /// Every finite number, every word of its choice.
@@ -107,7 +107,7 @@ pub enum Bounds {
 }
 
 impl Bounds {
-    /// Whether every number of a value fits; the error says what is accepted.
+    /// Checks that every number of a value fits; the error says what is accepted.
     pub(super) fn check(self, value: &Value) -> Result<(), String> {
         match value {
             Value::Number(number) if !self.holds(*number) => Err(self.to_string()),
@@ -116,7 +116,7 @@ impl Bounds {
         }
     }
 
-    /// What a value means: 0 may say that there is none.
+    /// Returns the meaning of a value: 0 may say that there is none.
     pub(super) fn meant(self, value: Value) -> Value {
         let none = matches!(self, Self::RangeOrNone(..)) && value == Value::Number(0.0);
         if none { Value::none() } else { value }

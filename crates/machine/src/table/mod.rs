@@ -20,11 +20,11 @@ use crate::value::Value;
 pub struct Setting {
     /// Its name, dotted.
     pub key: &'static str,
-    /// What numbers are measured in.
+    /// Unit of its numbers.
     pub unit: Unit,
-    /// What it accepts beside its type.
+    /// Values that it accepts beside its type.
     pub bounds: Bounds,
-    /// What it is for.
+    /// Its purpose.
     pub doc: &'static str,
     get: fn(&Configuration) -> Value,
     put: fn(&mut Configuration, &Value) -> Result<(), String>,
@@ -47,15 +47,15 @@ pub struct Area {
     pub rows: &'static [Setting],
 }
 
-/// Why a value was refused: what the setting accepts.
+/// A value that was refused, and what the setting accepts.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{key} must be {wanted}, not {got}")]
 pub struct Refused {
     /// The setting.
     pub key: &'static str,
-    /// What it accepts.
+    /// Values that it accepts.
     pub wanted: String,
-    /// What was given.
+    /// The value that was given.
     pub got: Value,
 }
 
@@ -109,7 +109,7 @@ impl Area {
 }
 
 impl Setting {
-    /// Whether it says anything on a machine: those of a laser or plasma torch do not where there is none.
+    /// Returns `true` if it has a meaning on a machine: settings of a laser or plasma torch have none without one.
     pub fn applies(&self, c: &Configuration) -> bool {
         // What has to be said before there is a laser or a torch.
         let first = ["laser.use", "laser.type", "plasma.use"].contains(&self.key);

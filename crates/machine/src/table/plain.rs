@@ -1,4 +1,4 @@
-//! How the types of fields become values and take them.
+//! Converts the types of fields to values and back.
 
 use crate::settings::Words;
 use crate::value::Value;
@@ -21,7 +21,7 @@ pub(super) trait Plain {
 pub(super) trait Single: Sized {
     /// It as a value.
     fn show(&self) -> Value;
-    /// What a value says, or what was wanted.
+    /// Reads a value, or tells what was wanted.
     fn read(value: &Value) -> Result<Self, String>;
     /// The words of a choice.
     fn words() -> Vec<&'static str> {

@@ -1,4 +1,4 @@
-//! What moves part files: units, speeds, ramps, limits, steps and the models of motion.
+//! Settings that part files run by: units, speeds, ramps, limits, steps and the models of motion.
 
 use super::Bounds::{Any, NotNegative, Positive, PositiveOrInfinite, Range};
 use super::plain::Plain;

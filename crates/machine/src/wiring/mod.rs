@@ -1,4 +1,4 @@
-//! What every bit of the ports is, and where it comes out on a card (Profiler reference, "Hardware
+//! Bits of the ports, and the terminals of a card on which they come out (Profiler reference, "Hardware
 //! Input and Output", "PCI Card", "I/O Card", "Output and Input Pin Configuration"; ledger notes 51
 //! to 57).
 
@@ -18,7 +18,7 @@ pub struct Terminal {
     pub pin: &'static str,
     /// The bit, a supply, or `not used`.
     pub signal: &'static str,
-    /// What else there is to say.
+    /// Further notes.
     pub note: &'static str,
 }
 

@@ -33,7 +33,7 @@ pub struct Bit {
     pub name: &'static str,
     /// Other names.
     pub aliases: &'static [&'static str],
-    /// What it is for.
+    /// Its purpose.
     pub about: &'static str,
 }
 
@@ -48,7 +48,7 @@ impl Bit {
         1 << self.place
     }
 
-    /// Whether a word means it: its name, another name of it, its address.
+    /// Returns `true` if a word means it: its name, another name of it, its address.
     pub fn is_called(&self, word: &str) -> bool {
         let named = |name: &&str| name.eq_ignore_ascii_case(word);
         named(&self.name) || self.aliases.iter().any(named) || named(&self.address().as_str())

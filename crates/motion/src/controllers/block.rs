@@ -1,4 +1,4 @@
-//! What the models share: directions of moves, lengths in space, and the time of a trapezoid.
+//! Calculations that the models share: directions of moves, lengths in space, and the time of a trapezoid.
 
 use crate::moves::Move;
 use kerf_program::{AXES, Axes, MoveKind};

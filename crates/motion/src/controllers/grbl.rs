@@ -137,7 +137,7 @@ impl Grbl {
         (0.5 * length / reach).floor().clamp(1.0, MOST_CHORDS) as u32
     }
 
-    /// When each block is made, seconds.
+    /// Computes the time at which each block is made, seconds.
     fn ends_s(&self, blocks: &[Block]) -> Vec<f64> {
         let room = self.blocks.max(2) - 1;
         let (mut ends, mut known) = (Vec::with_capacity(blocks.len()), Vec::new());
@@ -162,7 +162,7 @@ impl Grbl {
         ends
     }
 
-    /// When the next block gets into the buffer.
+    /// Returns the time at which the next block gets into the buffer.
     fn read_s(&self, blocks: &[Block], known: &[f64], ends: &[f64], line: &mut Line) -> f64 {
         let (next, room) = (known.len(), self.blocks.max(2) - 1);
         let freed_s = next.checked_sub(room).and_then(|k| ends.get(k)).copied().unwrap_or(0.0);
@@ -183,7 +183,7 @@ fn entry(blocks: &[Block]) -> f64 {
     blocks.iter().rev().fold(0.0, |exit: f64, b| b.corner_sqr.min(exit + 2.0 * b.accel * b.mm))
 }
 
-/// What was said last, so that lines say only what is new.
+/// Words that were sent last, so that lines say only what is new.
 #[derive(Default)]
 struct Words {
     motion: u8,

@@ -20,7 +20,7 @@ impl Default for Link {
     }
 }
 
-/// When lines arrive.
+/// Traffic on a serial line, from which the arrival of lines is computed.
 #[derive(Debug)]
 pub(super) struct Line {
     link: Option<Link>,
@@ -35,7 +35,7 @@ impl Line {
         Self { link, sent: VecDeque::new(), in_flight: 0, free_s: 0.0 }
     }
 
-    /// When the next line has arrived, seconds. Every line before has been read.
+    /// Computes the time at which the next line has arrived, seconds. Every line before has been read.
     pub fn arrival_s(&mut self, bytes: usize) -> f64 {
         let Some(link) = self.link else { return 0.0 };
         let room = link.buffer.saturating_sub(1).max(bytes);

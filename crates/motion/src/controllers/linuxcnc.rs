@@ -61,7 +61,7 @@ struct Piece {
     mm: f64,
     top_mm_s: f64,
     accel: f64,
-    /// Whether the machine stands before it.
+    /// The machine stands before it.
     stands: bool,
 }
 
@@ -73,7 +73,7 @@ struct Blend {
     mm_s: f64,
 }
 
-/// What happens between two legs.
+/// Passage from one leg to the next.
 #[derive(Clone, Copy, Debug)]
 enum Joint {
     Stop,

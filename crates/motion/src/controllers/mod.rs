@@ -1,4 +1,4 @@
-//! How long other controllers take for the same moves.
+//! Times that other controllers take for the same moves.
 //!
 //! The same path takes quite different times on different machines, and not for the speed of the
 //! axes: controllers differ in how they pass corners, how far they look ahead, and how fast they are

@@ -7,7 +7,7 @@ use kerf_program::MoveKind;
 /// So many points are looked at before a line ends in any case.
 const MOST: usize = 100;
 
-/// How many moves from the first on become one line.
+/// Returns the number of moves, from the first on, that become one line.
 pub(super) fn merged(moves: &[Move], tolerance_mm: f64) -> usize {
     let feeds = |m: &Move| m.kind == MoveKind::Cut && m.path == Path::Line && flat(m);
     if !moves.first().is_some_and(feeds) {
@@ -24,12 +24,12 @@ pub(super) fn merged(moves: &[Move], tolerance_mm: f64) -> usize {
     count
 }
 
-/// Whether only X, Y and Z move.
+/// Returns `true` if only X, Y and Z move.
 fn flat(m: &Move) -> bool {
     m.from.0[3..] == m.to.0[3..]
 }
 
-/// Whether the points between lie near the line from the first to the last, and between its ends.
+/// Returns `true` if the points between lie near the line from the first to the last, and between its ends.
 fn fits(moves: &[Move], tolerance_mm: f64) -> bool {
     let (from, to) = (moves[0].from.first3(), moves[moves.len() - 1].to.first3());
     let minus = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

@@ -15,7 +15,7 @@ const FRESH: u32 = 64;
 /// Shorter cells are none, mm.
 const NOTHING_MM: f64 = 1e-10;
 
-/// Where the polynomials of a bump change, as shares of its width: its triangles begin, they peak,
+/// Places where the polynomials of a bump change, as shares of its width: its triangles begin, they peak,
 /// and they end in reverse order.
 const PLACES: [f64; 2 * PARTS + 1] = {
     let mut places = [0.0; 2 * PARTS + 1];
@@ -40,7 +40,7 @@ pub(crate) struct Frame<const N: usize> {
 }
 
 impl<const N: usize> Frame<N> {
-    /// What they are after a length, the last one being constant.
+    /// Returns slope and derivatives after a length, the last one being constant.
     pub fn after(&self, h: f64) -> Self {
         let at = |k: usize| self.slope[k] + h * (self.bend[k] + 0.5 * h * self.twist[k]);
         Self {
@@ -59,7 +59,7 @@ impl<const N: usize> Frame<N> {
 /// A part of the smoothed path on which the last derivative is constant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cell<const N: usize> {
-    /// Where it begins, mm along the track.
+    /// Place where it begins, mm along the track.
     pub at_mm: f64,
     /// Its length.
     pub h: f64,
@@ -72,7 +72,7 @@ pub(crate) struct Cell<const N: usize> {
 }
 
 impl<const N: usize> Cell<N> {
-    /// What lies after a place in it.
+    /// Returns the part of it that lies after a place.
     pub fn after(&self, at_mm: f64) -> Self {
         let way = at_mm - self.at_mm;
         Self { at_mm, h: self.h - way, frame: self.frame.after(way), ..*self }
@@ -85,7 +85,7 @@ impl<const N: usize> Cell<N> {
     }
 }
 
-/// What a walk goes on: a path as far as its widths are final.
+/// The path of a walk as far as its widths are final.
 #[derive(Clone, Copy)]
 pub(crate) struct Known<'a> {
     pub track: &'a Track,
@@ -107,7 +107,7 @@ pub(crate) struct Cells<const N: usize> {
     at_mm: f64,
     frame: Frame<N>,
     age: u32,
-    /// What is left of an interval that is cut into equal cells.
+    /// Number of cells left of an interval that is cut into equal ones.
     pieces: u32,
     piece_mm: f64,
 }
@@ -164,7 +164,7 @@ impl<const N: usize> Cells<N> {
         (vertex..path.last).find(changes).unwrap_or(path.last.max(vertex))
     }
 
-    /// Where the next bump has one of its places.
+    /// Returns the place where the next bump has one of its [`PLACES`].
     fn event(&self, path: &Known<'_>, which: usize) -> f64 {
         let j = self.next[which];
         if j >= path.last {
@@ -232,7 +232,7 @@ impl<const N: usize> Cells<N> {
         frame
     }
 
-    /// Where the interval that begins here ends.
+    /// Returns the end of the interval that begins here.
     fn interval_end(&self, path: &Known<'_>) -> f64 {
         let at = &path.track.at_mm;
         let events = (0..PLACES.len()).map(|which| self.event(path, which));
@@ -295,7 +295,7 @@ fn twists<const N: usize>(turn: &[f64; N], c: f64) -> [f64; PARTS] {
     Kernel::Triangle.parts(norm(turn)).map(|(share, width)| share / (c * width * c * width))
 }
 
-/// Whether another speed holds after a vertex.
+/// Returns `true` if another speed holds after a vertex.
 fn feed_changes(path: &Known<'_>, vertex: usize) -> bool {
     let of = |segment: usize| &path.moves[path.track.owner[segment] as usize];
     let (a, b) = (of(vertex - 1), of(vertex));

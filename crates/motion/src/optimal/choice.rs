@@ -28,7 +28,7 @@ pub(crate) struct Choice {
     pub done: usize,
     /// For how many vertices is decided.
     decided: usize,
-    /// Whether the narrow smoothing was chosen last.
+    /// The narrow smoothing was chosen last.
     narrow: bool,
     before: f64,
     /// Samples of a block.
@@ -40,7 +40,7 @@ pub(crate) struct Choice {
 struct Sample {
     y: f64,
     way_mm: f64,
-    /// What the squared speed can change on it.
+    /// Greatest change of the squared speed on that way.
     gain: f64,
 }
 

@@ -7,10 +7,10 @@
 const SPARE: f64 = 0.2;
 const PULL: f64 = 100.0;
 
-/// How far a step goes to the nearest barrier.
+/// Share of the way to the nearest barrier that a step goes at most.
 pub(crate) const NEARLY: f64 = 0.95;
 
-/// How many conditions stand side by side.
+/// Number of conditions that stand side by side.
 pub(crate) const LANES: usize = 4;
 
 /// One number of each of them.
@@ -24,7 +24,7 @@ pub(crate) struct Conditions<'a> {
     pub value: Lanes,
     pub rows: &'a Rows,
     pub limit: Lanes,
-    /// How the limits change.
+    /// Coefficients by which the limits change.
     pub tangent: Option<&'a Rows>,
 }
 
@@ -35,7 +35,7 @@ pub(crate) struct Force {
 }
 
 impl Conditions<'_> {
-    /// Whether all are met.
+    /// Returns `true` if all are met.
     #[inline]
     pub fn kept(&self) -> bool {
         let [above, below] = self.slacks();
@@ -44,7 +44,7 @@ impl Conditions<'_> {
         sum(&met) == LANES as f64
     }
 
-    /// What is left above and below the values; less than zero where the limit is exceeded.
+    /// Returns the slack above and below the values; less than zero where the limit is exceeded.
     #[inline]
     fn slacks(&self) -> [Lanes; 2] {
         let (value, limit) = (&self.value, &self.limit);
@@ -80,7 +80,7 @@ impl Conditions<'_> {
         [second * (slack - SPARE * scale), second]
     }
 
-    /// How much of a step, at most so much, can be made with room to spare.
+    /// Returns the share of a step, at most so much, that can be made with room to spare.
     #[inline]
     pub fn room(&self, step: &[f64; 3], most: f64) -> f64 {
         let change = dots(self.rows, step);

@@ -14,7 +14,7 @@ const FINE: f64 = 0.15;
 /// No piece is cut shorter, mm.
 const LEAST_MM: f64 = 1e-4;
 
-/// What lies at an end of a window.
+/// End of a window: at rest or in motion.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum End {
     /// Rest, and the way from it or to it.
@@ -24,7 +24,7 @@ pub(crate) enum End {
 }
 
 impl End {
-    /// How much of the path it takes.
+    /// Returns the length of path that it takes.
     pub const fn way_mm(&self) -> f64 {
         match self {
             Self::Rest(launch) => launch.way_mm,
@@ -33,7 +33,7 @@ impl End {
     }
 }
 
-/// What a window is made of.
+/// A window of path: its cells, its limits and its ends.
 pub(crate) struct Window<'a, const N: usize> {
     pub cells: &'a [Cell<N>],
     pub bounds: &'a Bounds<N>,
@@ -108,7 +108,7 @@ impl<const N: usize> Window<'_, N> {
     }
 }
 
-/// What the jerk allows, as z = x^(3/4): from a slow place it can grow as the distance does.
+/// Speeds that the jerk allows, as z = x^(3/4): from a slow place z can grow as the distance does.
 struct Slow<'a, const N: usize> {
     cells: &'a [Cell<N>],
     /// In each cell, and at its start; one more at the end.
@@ -149,7 +149,7 @@ impl<'a, const N: usize> Slow<'a, N> {
     }
 }
 
-/// What the speed would be without a limit of jerk.
+/// Speeds without a limit of jerk.
 struct Speeds<'a> {
     guide: &'a [Node],
     place: usize,

@@ -38,7 +38,7 @@ const LONG: f64 = 3.0;
 const SHORT: f64 = 1.6;
 const LONGER: f64 = 1.3;
 
-/// What the barriers may cost at the end, as a share of the time; and in short windows, of which
+/// Cost that the barriers may have at the end, as a share of the time; and in short windows, of which
 /// little is final.
 const GAP: f64 = 2e-3;
 const GAP_SHORT: f64 = 2e-2;
@@ -67,7 +67,7 @@ pub(crate) struct Horizon<const N: usize> {
     /// The vertex at which the run begins, and up to which its end was looked for.
     first: usize,
     searched: usize,
-    /// What is not planned for good.
+    /// Cells that are not planned for good.
     cells: Vec<Cell<N>>,
     /// Nothing before counts.
     from_mm: f64,
@@ -260,12 +260,12 @@ impl<const N: usize> Horizon<N> {
         Some(pieces[count].at_mm)
     }
 
-    /// Whether windows are short, to be ready soon.
+    /// Returns `true` while windows are short, to be ready soon.
     fn is_short(&self) -> bool {
         self.long < LONG
     }
 
-    /// How long braking takes from the greatest speed without a limit of jerk, mm.
+    /// Returns the way of braking from the greatest speed of the motion without a limit of jerk, mm.
     fn brakes_mm(&self, cells: &[Cell<N>], guide: &[Node]) -> f64 {
         let v = guide.iter().map(|node| node.v).fold(0.0, f64::max);
         let along = |limits: &[f64; N]| {

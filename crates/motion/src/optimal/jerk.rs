@@ -34,14 +34,14 @@ const SLOWER_YET: f64 = 0.9999;
 /// Whole steps in a row with the full weight, after which nothing is left to gain.
 const CALM: u32 = 1;
 
-/// How much the weight of the time against the barriers grows, and after which share of a step.
+/// Growth of the weight of the time against the barriers, and the share of a step after which it grows.
 const SHARPER: f64 = 5.0;
 const CENTRED: f64 = 0.3;
 
 /// A problem with what is the same in every step of the iteration.
 struct Search<'a, const N: usize> {
     problem: &'a Problem<'a, N>,
-    /// How the outer ordinates of each piece are made of the neighbours' middle ones.
+    /// Shares of the neighbours' middle ordinates in the outer ordinates of each piece.
     shares: Vec<[[f64; 2]; 2]>,
     /// Rows of the conditions on the speed in each piece.
     caps: Vec<Lanes>,
@@ -120,7 +120,7 @@ impl<'a, const N: usize> Search<'a, N> {
         x
     }
 
-    /// How they change with the unknowns.
+    /// Returns the change of the ordinates of a piece with the unknowns.
     fn change(&self, b: &[f64], k: usize) -> [f64; 3] {
         let [[l0, l1], [r0, r1]] = self.shares[k];
         let before = if k > 0 { l0 * b[k - 1] } else { 0.0 };

@@ -52,7 +52,7 @@ impl Kernel {
         if self.is_corner(turn) { &CORNER } else { &[(1.0, 1.0)] }
     }
 
-    /// Whether the kernel for a turn is that of a corner.
+    /// Returns `true` if the kernel for a turn is that of a corner.
     pub fn is_corner(self, turn: f64) -> bool {
         self == Self::Triangle && turn * turn > SHARP * SHARP
     }

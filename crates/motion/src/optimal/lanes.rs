@@ -1,4 +1,4 @@
-//! What finds widths and speeds along a track: with and without a limit of jerk, for three axes as long as no
+//! Finds widths and speeds along a track: with and without a limit of jerk, for three axes as long as no
 //! other moves.
 
 use super::choice::Choice;
@@ -17,7 +17,7 @@ use kerf_program::{AXES, Dynamics};
 /// Speeds are looked for when at least so many cells wait for theirs.
 const ENOUGH: usize = 1024;
 
-/// Where somebody waits for the plan it begins with so few, and doubles from time to time.
+/// Number of cells that are enough at first where the plan is waited for; it doubles from time to time.
 const ENOUGH_SOON: usize = 128;
 
 /// With as many axes as move.
@@ -90,7 +90,7 @@ impl Lanes {
         }
     }
 
-    /// Whether no way was found from the motion in which it began.
+    /// Returns `true` if no way was found from the motion in which it began.
     pub fn is_lost(&self) -> bool {
         match self {
             Self::ThreeWithJerk(lane) => lane.lost,

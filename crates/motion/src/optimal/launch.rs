@@ -87,7 +87,7 @@ impl Launch {
         x.powf(1.5) / (4.5 * self.way_mm * self.way_mm)
     }
 
-    /// How long it takes to a squared speed.
+    /// Returns the time it takes to reach a squared speed.
     pub fn takes_s(&self, x: f64) -> f64 {
         (6.0 * self.way_mm / self.jerk(x)).cbrt()
     }

@@ -87,12 +87,12 @@ impl OptimalPlanner {
         self.0.take_early()
     }
 
-    /// What the axes can do.
+    /// Returns the limits of the axes.
     pub(crate) const fn dynamics(&self) -> &Dynamics {
         &self.0.dynamics
     }
 
-    /// Whether no way was found from the motion in which it began.
+    /// Returns `true` if no way was found from the motion in which it began.
     pub(crate) fn is_lost(&self) -> bool {
         self.0.is_lost()
     }

@@ -1,4 +1,4 @@
-//! What a piece of path asks of the axes, as conditions on the squared speed along it.
+//! Demands of a piece of path on the axes, as conditions on the squared speed along it.
 //!
 //! On a piece of length h the squared speed is a parabola with Bézier ordinates x₀, x₁, x₂. Path
 //! slope q′ is quadratic and curvature q″ linear there, so the acceleration of an axis, q′·x′/2 +
@@ -57,12 +57,12 @@ impl<const N: usize> Part<N> {
         self.accel.iter().zip(&self.gain).take(self.count)
     }
 
-    /// How many axes move.
+    /// Returns the number of axes that move.
     pub const fn count(&self) -> usize {
         self.count
     }
 
-    /// What the motion at the beginning has settled, by x₀ and x₁, is no condition any more.
+    /// Drops the conditions that the motion at the beginning has settled by x₀ and x₁.
     fn settle(&mut self) {
         for rows in self.accel.iter_mut().chain(&mut self.gain) {
             for lane in 0..LANES {

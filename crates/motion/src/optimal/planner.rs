@@ -22,7 +22,7 @@ use kerf_program::{Axes, Dynamics};
 const BLOCK: usize = 512;
 const BLOCK_WITH_JERK: usize = 32;
 
-/// Where somebody waits for the plan it begins with so few, and doubles from time to time.
+/// Number of moves looked at together at first where the plan is waited for; it doubles from time to time.
 const BLOCK_SOON: usize = 64;
 
 /// An axis whose jerk is free reaches its acceleration within this, seconds: the search needs a number.
@@ -35,7 +35,7 @@ pub(crate) struct Stream {
     block: usize,
     /// Moves of which not all is in a piece.
     moves: Vec<Move>,
-    /// How many of them are on the track.
+    /// Number of them that are on the track.
     seen: usize,
     track: Track,
     /// The vertex at which the next piece begins.
@@ -43,7 +43,7 @@ pub(crate) struct Stream {
     lanes: Lanes,
 }
 
-/// Where a plan is joined that was left on the way: what it does from there on.
+/// The place at which a plan that was left on the way is joined, and the motion from there on.
 #[derive(Clone, Debug)]
 pub(crate) struct Running {
     /// The move, and how much of it lies before.
@@ -94,7 +94,7 @@ impl Stream {
         stream
     }
 
-    /// Whether no way was found from the motion in which it began.
+    /// Returns `true` if no way was found from the motion in which it began.
     pub fn is_lost(&self) -> bool {
         self.lanes.is_lost()
     }

@@ -1,4 +1,4 @@
-//! What is sought under a limit of jerk: the limits, the pieces, and where the search starts.
+//! Problem of the search under a limit of jerk: the limits, the pieces, and where the search starts.
 
 use super::condition::{Lanes, dots, lanes};
 use super::grid::End;
@@ -14,7 +14,7 @@ const SLOW: f64 = 0.4;
 /// From a motion that is given on, slowing comes into its full within this share of the way.
 const SLOWED: f64 = 0.2;
 
-/// Where the search starts, as a share of what is expected.
+/// Start of the search, as a share of what is expected.
 const BEGIN: f64 = 0.6;
 
 /// Limits, pieces and the unknowns.
@@ -28,7 +28,7 @@ pub(crate) struct Problem<'a, const N: usize> {
     /// pieces as far as it goes; for the first pieces, so many, it has the same.
     pub before: &'a [f64],
     pub kept: usize,
-    /// What the barriers may cost at the end, as a share of the time.
+    /// Cost that the barriers may have at the end, as a share of the time.
     pub gap: f64,
 }
 
@@ -45,7 +45,7 @@ impl<const N: usize> Problem<'_, N> {
         self.pieces.iter().map(|p| 1.0 - (1.0 - SLOWER) * share(p)).collect()
     }
 
-    /// Where the search starts: about what the jerk allows. From a slow place x^(3/4) can grow as
+    /// Returns the start of the search: about what the jerk allows. From a slow place x^(3/4) can grow as
     /// the distance does; so it is kept from changing faster, at a good part of that rate.
     pub fn start(&self) -> Vec<f64> {
         let jerk = self.jerk.iter().copied().fold(f64::INFINITY, f64::min);
@@ -119,7 +119,7 @@ impl<const N: usize> Problem<'_, N> {
         x
     }
 
-    /// How the outer ordinates are made of the neighbours' middle ones.
+    /// Returns the shares of the neighbours' middle ordinates in the outer ordinates of a piece.
     pub fn shares(&self, k: usize) -> [[f64; 2]; 2] {
         let h = |i: usize| self.pieces[i].h;
         let mean = |i: usize| {

@@ -66,9 +66,9 @@ impl<const N: usize> Passes<N> {
         self.gates.drain(..known);
     }
 
-    /// Whatever comes, what can be slowed from lies between what it is if the machine must stand
-    /// after the last cell and what it is if nothing slows it there. From where both agree on, all
-    /// before is final.
+    /// Returns the number of cells whose speeds are final, whatever comes. The speed that can be slowed from lies
+    /// between its value if the machine must stand after the last cell and its value if nothing slows it there. From
+    /// where both agree on, all before is final.
     fn agreed(&mut self) -> usize {
         let mut low = 0.0;
         for i in (1..self.gates.len()).rev() {

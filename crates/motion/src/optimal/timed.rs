@@ -11,7 +11,7 @@ use kerf_program::{AXES, Axes, Dynamics};
 /// Halvings in search of a time.
 const HALVINGS: u32 = 50;
 
-/// How the motion goes on after a node where jerk is limited.
+/// Motion after a node where jerk is limited.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Push {
     /// s̈ at the node.
@@ -24,7 +24,7 @@ pub(crate) struct Push {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Timed {
     pub track: Track,
-    /// Where the first move begins on the track; the first node may lie behind.
+    /// Place on the track where the first move begins; the first node may lie behind.
     pub from_mm: f64,
     pub widths: Vec<f64>,
     pub kernel: Kernel,
@@ -88,7 +88,7 @@ impl Timed {
         (ways, true)
     }
 
-    /// When a place on the path is reached.
+    /// Returns the time at which a place on the path is reached.
     pub fn time_at(&self, at_mm: f64) -> f64 {
         let later = self.nodes.partition_point(|n| n.at_mm < at_mm);
         let (Some(a), Some(b)) = (self.nodes.get(later.wrapping_sub(1)), self.nodes.get(later))
@@ -105,12 +105,12 @@ impl Timed {
         a.t_s + within.min(b.t_s - a.t_s)
     }
 
-    /// When the first node is passed; not zero for a later piece of a stack.
+    /// Returns the time at which the first node is passed; not zero for a later piece of a stack.
     fn start_s(&self) -> f64 {
         self.nodes.first().map_or(0.0, |n| n.t_s)
     }
 
-    /// Where a move begins on the track; beyond the last, where the plan ends.
+    /// Returns the place on the track where a move begins; beyond the last, where the plan ends.
     pub fn start_mm(&self, index: usize) -> f64 {
         if index == 0 {
             return self.from_mm;
@@ -137,7 +137,7 @@ impl Timed {
         (index, [self.start_mm(index), self.start_mm(index + 1)])
     }
 
-    /// What the machine does at a time.
+    /// Returns the state of the machine at a time.
     pub fn at(&self, t_s: f64, moves: &[Move]) -> State {
         let along = self.along(t_s);
         let segment = self.track.segment(along.at_mm);
@@ -228,7 +228,7 @@ impl Timed {
     }
 }
 
-/// How much of a move from one place to another lies before a third.
+/// Returns the share of a move from one place to another that lies before a third.
 fn share_of(at_mm: f64, a: f64, b: f64) -> f64 {
     let share = if b > a { (at_mm - a) / (b - a) } else { 1.0 };
     share.clamp(0.0, 1.0)

@@ -30,7 +30,7 @@ pub(crate) struct Track {
     pub dims: usize,
     /// Coordinates of the vertices, `dims` each.
     pub coords: Vec<f64>,
-    /// Where the axes stand that are not stored.
+    /// Places of the axes that are not stored.
     rest: Axes,
     /// Length from the start to each vertex, mm.
     pub at_mm: Vec<f64>,
@@ -47,7 +47,7 @@ impl Track {
         Self { dims, tolerance_mm: tolerance_mm.max(0.0), ..Self::default() }
     }
 
-    /// Whether the axes that are not stored stand still in a move.
+    /// Returns `true` if the axes that are not stored stand still in a move.
     pub fn holds(&self, m: &Move) -> bool {
         let still = |k: usize| m.from.0[k] == m.to.0[k];
         let stays = |k: usize| self.len() == 0 || m.from.0[k] == self.rest.0[k];
@@ -162,7 +162,7 @@ impl Track {
         std::array::from_fn(|k| b[k] - a[k])
     }
 
-    /// How far the path may leave the polyline at a vertex, mm.
+    /// Returns the greatest distance of the path from the polyline at a vertex, mm.
     pub fn tolerance_mm(&self, vertex: usize, moves: &[Move]) -> f64 {
         let (before, after) = (self.owner[vertex - 1], self.owner[vertex]);
         let arc = |owner: u32| matches!(moves[owner as usize].path, Path::Arc { .. });
@@ -173,7 +173,7 @@ impl Track {
         self.tolerance_mm * share
     }
 
-    /// Whether another speed holds after a vertex.
+    /// Returns `true` if another speed holds after a vertex.
     pub fn feed_changes(&self, vertex: usize, moves: &[Move]) -> bool {
         let (a, b) = (self.owner[vertex - 1], self.owner[vertex]);
         let (a, b) = (&moves[a as usize], &moves[b as usize]);

@@ -13,7 +13,7 @@ const FRESH: u32 = 64;
 /// Shorter cells are none, mm.
 const NOTHING_MM: f64 = 1e-9;
 
-/// Where a walk stands.
+/// State of a walk along a smoothed path.
 #[derive(Clone, Debug)]
 pub(crate) struct Walk<const N: usize> {
     /// The segment on which it is.
@@ -27,7 +27,7 @@ pub(crate) struct Walk<const N: usize> {
     age: u32,
 }
 
-/// What it walks on.
+/// The smoothed path of a walk.
 pub(crate) struct Smoothed<'a, const N: usize> {
     pub track: &'a Track,
     pub smoothing: &'a Smoothing<N>,
@@ -99,7 +99,7 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    /// Whether the machine stands here: another direction may follow.
+    /// Returns `true` if the machine stands here: another direction may follow.
     fn stands(&self, path: &Smoothed<'_, N>) -> bool {
         path.smoothing.stops(self.segment)
             && self.at_mm <= path.track.at_mm[self.segment] + NOTHING_MM
@@ -166,7 +166,7 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    /// Where the interval that begins here ends.
+    /// Returns the end of the interval that begins here.
     fn interval_end(&self, path: &Smoothed<'_, N>) -> f64 {
         let (at, widths) = (&path.track.at_mm, path.widths);
         let mut end = f64::INFINITY;

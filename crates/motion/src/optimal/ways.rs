@@ -1,4 +1,4 @@
-//! How a window of path begins: at rest, or in the motion that the window before found.
+//! Beginnings of a window of path: at rest, or in the motion that the window before found.
 
 use super::launch::Launch;
 use super::pieces::Piece;
@@ -13,7 +13,7 @@ pub(crate) struct Way {
     pub x: [f64; 3],
 }
 
-/// How the path goes on where a window begins.
+/// Beginning of a window's path.
 #[derive(Clone, Debug)]
 pub(crate) enum Begin {
     Rest,

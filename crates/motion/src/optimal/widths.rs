@@ -1,4 +1,4 @@
-//! How wide each corner is smoothed.
+//! Finds the width with which each corner is smoothed.
 //!
 //! A bump of half-width c at a vertex whose tangent turns by D is D·h(s), and its height is
 //! proportional to c. Where bumps overlap their sum, which is convex between vertices, is greatest at
@@ -42,7 +42,7 @@ pub(crate) struct Smoothing<const N: usize> {
     kernel: Kernel,
     /// Direction of the segment after the vertex.
     pub directions: Vec<[f64; N]>,
-    /// How much the tangent changes; for a stop more than it can.
+    /// Change of the tangent; for a stop more than it can be.
     turns: Vec<f64>,
     /// The widest bump that stays on its own half of the segments.
     pub narrow: Vec<f64>,
@@ -50,7 +50,7 @@ pub(crate) struct Smoothing<const N: usize> {
     pub wide: Vec<f64>,
     /// By how much the widest bumps must be narrowed.
     factors: Vec<f64>,
-    /// How far each pass has come.
+    /// Progress of each pass.
     done: Done,
     /// Width before the vertex at which the first and the fourth pass stand.
     before: [f64; 2],
@@ -67,7 +67,7 @@ struct Done {
     wide: usize,
 }
 
-/// What stands for the turn at a stop.
+/// Value of the turn at a stop.
 const STOP: f64 = f64::INFINITY;
 
 impl<const N: usize> Smoothing<N> {
@@ -120,12 +120,12 @@ impl<const N: usize> Smoothing<N> {
         }
     }
 
-    /// Whether the machine stands at a vertex.
+    /// Returns `true` if the machine stands at a vertex.
     pub fn stops(&self, vertex: usize) -> bool {
         self.turns[vertex] == STOP
     }
 
-    /// Whether there is nothing to smooth at a vertex.
+    /// Returns `true` if there is nothing to smooth at a vertex.
     pub fn is_straight(&self, vertex: usize) -> bool {
         self.turns[vertex] <= STRAIGHT
     }
@@ -271,7 +271,7 @@ impl<const N: usize> Smoothing<N> {
         back(&mut self.wide, at, range);
     }
 
-    /// What overlaps too much: a bump shrinks at least as its width does, so narrowing all that reach
+    /// Narrows bumps that overlap too much: a bump shrinks at least as its width does, so narrowing all that reach
     /// a vertex by the same factor brings their sum there within the tolerance.
     fn sum(&mut self, track: &Track, moves: &[Move], range: Range<usize>) {
         for j in range {

@@ -1,4 +1,4 @@
-//! How fast one move may be, and how steep its ramps: every axis within its speed and acceleration,
+//! Limits on the speed of one move and on its ramps: every axis within its speed and acceleration,
 //! curves within the centripetal share, cuts within the speed of their direction.
 
 use super::spline::curvature;
@@ -6,10 +6,10 @@ use crate::moves::{Basis, Move, Path};
 use kerf_program::{Axes, Dynamics, MoveKind, Smoothing};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Where a curve is looked at; the first and last are its ends.
+/// Places at which a curve is looked at; the first and last are its ends.
 const PLACES: [f64; 5] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// What the machine allows.
+/// Limits of the machine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits<'a> {
     pub dynamics: &'a Dynamics,
@@ -30,7 +30,7 @@ impl Limits<'_> {
         slowest(&self.dynamics.accel_mm_s2, &self.greatest_shares(m))
     }
 
-    /// How fast each axis goes at most, for a speed of 1 along the reference length.
+    /// Returns the greatest speed of each axis, for a speed of 1 along the reference length.
     fn greatest_shares(&self, m: &Move) -> Axes {
         let mut share = match m.path {
             Path::Line => m.derivative(0.0),
@@ -91,7 +91,7 @@ impl Limits<'_> {
     }
 }
 
-/// Whether a direction that turns passes X and Y, whichever way along them.
+/// Tells for X and Y whether a direction that turns passes them, whichever way along them.
 fn passed_axes(from_rad: f64, turn_rad: f64) -> [bool; 2] {
     let (low, high) = if turn_rad < 0.0 {
         (from_rad + turn_rad, from_rad)

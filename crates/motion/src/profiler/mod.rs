@@ -144,7 +144,7 @@ impl ProfilerPlanner {
         self.ahead.caps.push(cap);
     }
 
-    /// Whether the machine does not slow at the joint of two moves.
+    /// Returns `true` if the machine does not slow at the joint of two moves.
     fn passes(&self, a: &Move, b: &Move) -> bool {
         let [before, after] = [a.derivative(1.0), b.derivative(0.0)].map(|d| unit(d.first3()));
         let turn = match (before, after) {

@@ -17,7 +17,7 @@ const SHARP_RAD: f64 = std::f64::consts::FRAC_PI_4;
 const ANGLE_TOLERANCE_RAD: f64 = 1e-6;
 /// Shorter runs are corners and not curves.
 const FEWEST: usize = 3;
-/// What becomes of a move depends on so many of its neighbours on either side: a direction on two
+/// Number of neighbours on either side that may decide what becomes of a move: a direction depends on two
 /// segments, the choice of a segment on its directions, its ends on the choice of its neighbours.
 pub(crate) const CONTEXT: usize = 8;
 /// Directions closer than this make a straight line, radians.
@@ -38,7 +38,7 @@ pub(crate) fn smooth(moves: &mut [Move], limit_mm: f64) {
     }
 }
 
-/// How many moves from here on make a run; 0 where none begins.
+/// Returns the number of moves from here on that make a run; 0 where none begins.
 fn run(moves: &[Move]) -> usize {
     let straight = |m: &Move| m.kind == MoveKind::Cut && m.path == Path::Line && way(m).is_some();
     if !moves.first().is_some_and(straight) {

@@ -31,7 +31,7 @@ const SCRIPTS: [&str; 9] = [
 /// Colours of the depth scale given to the page.
 const STOPS: u32 = 16;
 
-/// What the page knows besides the motion.
+/// Facts of the page besides the motion.
 #[derive(Serialize)]
 struct Facts<'a> {
     title: &'a str,

@@ -14,7 +14,7 @@ use kerf_program::MoveKind;
 /// The most chords of one arc; a bound for arcs of very many turns.
 const MOST_CHORDS: f64 = 4096.0;
 
-/// What a piece is.
+/// Kind of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// Nothing: the next segment starts elsewhere.
@@ -75,12 +75,12 @@ impl Motion {
         motion
     }
 
-    /// How many pieces there are.
+    /// Returns the number of pieces.
     pub fn len(&self) -> usize {
         self.kinds.len()
     }
 
-    /// Whether planned times are in it.
+    /// Returns `true` if the motion has planned times.
     pub fn has_times(&self) -> bool {
         self.has_times
     }

@@ -40,7 +40,7 @@ impl Cylinder {
         self.axis_z
     }
 
-    /// Where a place of the tool is on the work when that has turned so far.
+    /// Returns the place on the work of a place of the tool, when the work has turned so far.
     pub fn roll(&self, [x, y, z]: [f64; 3], turn_deg: f64) -> [f64; 3] {
         let finite = if turn_deg.is_finite() { turn_deg } else { 0.0 };
         let (sin, cos) = (finite % 360.0).to_radians().sin_cos();

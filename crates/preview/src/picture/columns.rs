@@ -1,4 +1,4 @@
-//! How the legend's blocks flow into columns. Heights are in em.
+//! The flow of the legend's blocks into columns. Heights are in em.
 
 use super::facts::{Block, Row};
 use super::legend::{BETWEEN, MAP, WIDER};

@@ -35,7 +35,7 @@ impl DepthScale {
         self.top - self.bottom
     }
 
-    /// Whether all cutting is at one height.
+    /// Returns `true` if all cutting is at one height.
     pub fn is_flat(&self) -> bool {
         self.range() <= SAME_MM
     }

@@ -1,4 +1,4 @@
-//! How far the drawable part of a scene reaches.
+//! The extent of the drawable part of a scene.
 
 use super::tracks::{arc, length};
 use crate::scene::{Scene, Segment};

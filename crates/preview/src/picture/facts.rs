@@ -1,4 +1,4 @@
-//! What the legend says, as blocks of rows; how they look is the legend's own matter.
+//! The content of the legend, as blocks of rows; how they look is the legend's own matter.
 
 use super::depth::DepthScale;
 use super::rulers::grid_spacing;
@@ -23,7 +23,7 @@ pub enum Sample {
     Coloured(Rgb, bool),
     /// Drilled places of one colour.
     Drilled(Rgb),
-    /// Where a cut begins.
+    /// Beginning of a cut.
     Begin,
     /// The bounds of all cuts.
     Bounds,
@@ -48,7 +48,7 @@ pub enum Sample {
 pub enum Row {
     /// Heading of a block.
     Head(String),
-    /// What and how much.
+    /// A name and its value.
     Pair(String, String),
     /// Four columns.
     Cells([String; 4]),
@@ -65,7 +65,7 @@ pub enum Row {
 /// Rows that stay together.
 pub type Block = Vec<Row>;
 
-/// What is on the paper besides the scene.
+/// Content of the paper besides the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
     /// Depth scale of the cuts, when there are any.

@@ -28,7 +28,7 @@ const WIDE: f64 = 1.7;
 /// Letters in a viewer's own font may be so much wider than ours.
 pub const WIDER: f64 = 1.08;
 
-/// Where the legend's columns stand.
+/// Layout of the legend's columns.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Legend {
     columns: Vec<Vec<Block>>,

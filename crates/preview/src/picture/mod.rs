@@ -29,11 +29,11 @@ use legend::Legend;
 use tracks::{Detail, Tracks};
 use view::View;
 
-/// How much of the paper is in the band that shows the cutter's width.
+/// Share of the paper's colour in the band that shows the cutter's width.
 const BAND: f64 = 0.66;
 /// Widest and thinnest line of a cut, em.
 const LINE_EM: [f64; 2] = [0.035, 0.16];
-/// How far the rulers reach below the drawing, em.
+/// Reach of the rulers below the drawing, em.
 const BELOW_EM: f64 = 3.6;
 /// Margin of the page, em.
 const MARGIN_EM: f64 = 2.0;
@@ -107,7 +107,7 @@ struct Ink {
 }
 
 impl Ink {
-    /// Whether the cutter is wider than the line that shows its middle.
+    /// Returns `true` if the cutter is wider than the line that shows its middle.
     fn has_band(&self) -> bool {
         self.cutter_mm > 1.5 * self.line
     }
@@ -171,7 +171,7 @@ fn shade_colour(scene: &Scene, shade: usize) -> Rgb {
     given.unwrap_or_else(|| DepthScale::colour(shade.min(SHADES - 1)))
 }
 
-/// How wide the cutter is of the cuts of a shade, mm.
+/// Returns the width of the cutter of the cuts of a shade, mm.
 fn band_width(scene: &Scene, shade: usize, ink: &Ink) -> f64 {
     scene.colours.get(shade).map_or(ink.cutter_mm, |colour| colour.width_mm.min(ink.cutter_mm))
 }

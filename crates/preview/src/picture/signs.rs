@@ -58,7 +58,8 @@ pub fn bounds_paint(em: f64) -> Paint {
     Paint::dashed(AXIS_Y, 0.08 * em, [0.5 * em, 0.35 * em])
 }
 
-/// Where cuts begin, and in which direction: smaller signs for many, and one where they would lie on each other.
+/// Draws signs where cuts begin, and in which direction: smaller ones for many, and one where they would lie on each
+/// other.
 pub fn starts(scene: &Scene, em: f64) -> Layer {
     let mut layer = Layer::new("starts", Frame::Working, true);
     let begins = begins(scene);
@@ -86,7 +87,7 @@ fn begins(scene: &Scene) -> Vec<(Point2, Vec2)> {
     begins
 }
 
-/// How far apart so many places are that are spread over all cuts, mm.
+/// Returns the distance between so many places that are spread over all cuts, mm.
 fn spacing(scene: &Scene, count: usize) -> f64 {
     let ([w, h, _], count) = (scene.bounds.size(), count.max(1) as f64);
     (w * h / count).sqrt().max(w.max(h) / count)
@@ -164,7 +165,7 @@ pub fn plunges(tracks: &Tracks, radius: f64, em: f64, colour: impl Fn(usize) -> 
     layer
 }
 
-/// What the cutter takes away where it plunges to a shade.
+/// Returns the discs that the cutter takes away where it plunges to a shade.
 pub fn bores(tracks: &Tracks, shade: usize, cutter_mm: f64) -> Outline {
     let mut discs = Outline::default();
     let same = tracks.plunges.iter().filter(|p| p.1 == Some(shade));

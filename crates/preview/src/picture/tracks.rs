@@ -7,7 +7,7 @@ use kerf_geom::{Arc2, Point2};
 use kerf_program::MoveKind;
 use std::collections::BTreeMap;
 
-/// What is drawn of the motion.
+/// Outlines that are drawn of the motion.
 ///
 /// All cuts of one shade are one path, so that a long program needs few elements and the deepest
 /// cuts lie on top.
@@ -21,11 +21,11 @@ pub struct Tracks {
     pub jogs: Outline,
     /// Places of straight plunges with their deepest shade (none above the surface).
     pub plunges: Vec<(Point2, Option<usize>)>,
-    /// Where motion starts and ends.
+    /// Start and end of the motion.
     pub ends: Option<[Point2; 2]>,
 }
 
-/// How closely tracks follow the program.
+/// Detail in which tracks follow the program.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Detail {
     /// Moves shorter than this in X and Y are points when they go up or down, mm.
@@ -94,7 +94,8 @@ impl Pen {
         }
     }
 
-    /// Whether a cut goes down on the spot. Many cuts too short to be seen are a line together when they do not.
+    /// Returns `true` if a cut goes down on the spot. Many cuts too short to be seen are a line together when they do
+    /// not.
     fn is_plunge(&self, segment: &Segment, length: f64) -> bool {
         let steep = (segment.to[2] - segment.from[2]).abs() >= length;
         steep && length <= self.detail.point_mm

@@ -29,7 +29,7 @@ pub struct View {
     pub panel: Rect,
     /// Height of normal text, mm.
     pub em: f64,
-    /// Whether the table is shown in a map beside the drawing instead of in full.
+    /// The table is shown in a map beside the drawing instead of in full.
     pub map: bool,
     /// The table, if it is one that can be drawn.
     pub table: Option<TableView>,
@@ -57,7 +57,7 @@ pub fn table_rect(table: &TableView) -> Rect {
     Rect { x: table.origin[0], y: -table.origin[1] - h, w, h }
 }
 
-/// Whether a table has a size and a place.
+/// Returns `true` if a table has a size and a place.
 pub fn drawable(table: &TableView) -> bool {
     let near = |v: &f64| v.abs() <= FARTHEST_MM;
     table.origin.iter().all(near)
@@ -66,7 +66,7 @@ pub fn drawable(table: &TableView) -> bool {
         && table.size_mm[1] > SMALLEST_MM
 }
 
-/// What moves, with half a cutter around the cuts and zero where it is not far off.
+/// Returns the box of what moves, with half a cutter around the cuts and zero where it is not far off.
 fn drawn_rect(extent: &Extent, cutter_mm: f64) -> Option<Rect> {
     if extent.drawn.is_empty() {
         return None;

@@ -20,7 +20,7 @@ pub struct Curve {
     buckets: Vec<Bucket>,
 }
 
-/// What is kept of the points whose x have the same place on the grid of widths.
+/// Points that are kept of those whose x have the same place on the grid of widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Bucket {
     place: u64,

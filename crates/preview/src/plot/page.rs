@@ -14,7 +14,7 @@ use kerf_geom::Point2;
 /// The page, an A4 sheet on its side, mm.
 const PAGE: Rect = Rect { x: 0.0, y: 0.0, w: 297.0, h: 210.0 };
 const MARGIN: f64 = 10.0;
-/// Where the charts' block begins and ends.
+/// Beginning and end of the charts' block.
 const TOP: f64 = 39.0;
 const BOTTOM: f64 = 192.0;
 /// Room for the numbers left of a chart, and between charts.
@@ -22,7 +22,7 @@ const LEFT: f64 = 15.0;
 const GAP: f64 = 9.0;
 /// Height of the strip that tells cut, jog and stand.
 const STRIP: f64 = 2.2;
-/// What the three charts show and their shares of the height.
+/// Name of each of the three charts, the power of the second in its unit, and its share of the height.
 const CHARTS: [(&str, &str, f64); 3] =
     [("Speed", "s", 0.44), ("Acceleration", "s²", 0.28), ("Jerk, over 1 ms", "s³", 0.28)];
 

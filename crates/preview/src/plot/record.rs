@@ -1,5 +1,5 @@
-//! What a plot is made of: the motion of a run, moment by moment, and what belongs to stretches of
-//! it.
+//! The record that a plot is made of: the motion of a run, moment by moment, and what belongs to
+//! stretches of it.
 
 use super::curve::Curve;
 use crate::scene::Unit;
@@ -28,7 +28,7 @@ pub struct Moment {
     pub axes: [Rates; AXES],
 }
 
-/// What the machine does in a stretch of time.
+/// Activity of the machine in a stretch of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Doing {
     /// It cuts.

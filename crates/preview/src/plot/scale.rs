@@ -22,7 +22,7 @@ pub struct Tick {
 }
 
 impl Scale {
-    /// Where a value lies on the page.
+    /// Returns the place of a value on the page.
     pub fn at(&self, value: f64) -> f64 {
         self.start + (value - self.low) / (self.high - self.low) * (self.end - self.start)
     }

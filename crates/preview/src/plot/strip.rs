@@ -1,5 +1,5 @@
-//! What belongs to stretches of the motion: cut, jog or stand as a strip of colour, lines of the
-//! program as ticks on it, tool paths as lines through all charts.
+//! The marks of stretches of the motion: cut, jog or stand as a strip of colour, lines of the program as
+//! ticks on it, tool paths as lines through all charts.
 
 use super::chart::{EM, words};
 use super::record::{Doing, Plot};

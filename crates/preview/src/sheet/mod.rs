@@ -46,7 +46,7 @@ pub struct Stroke {
     pub dash: Option<[f64; 2]>,
 }
 
-/// How a path is painted; the stroke lies over the fill.
+/// Paint of a path; the stroke lies over the fill.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Paint {
     /// Inside.
@@ -55,7 +55,7 @@ pub struct Paint {
     pub stroke: Option<Stroke>,
 }
 
-/// Where text stands relative to its place.
+/// Place of text relative to its point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
     /// Begins there.
@@ -90,9 +90,9 @@ pub struct Text {
 pub enum Mark {
     /// A path.
     Path {
-        /// Where it runs.
+        /// Outline.
         outline: Outline,
-        /// How it looks.
+        /// Paint.
         paint: Paint,
     },
     /// A line of text.
@@ -106,9 +106,9 @@ pub struct Layer {
     pub id: &'static str,
     /// Frame of its coordinates.
     pub frame: Frame,
-    /// Whether it ends at the drawing's frame.
+    /// The layer ends at the drawing's frame.
     pub clip: bool,
-    /// What is in it.
+    /// Marks of the layer.
     pub marks: Vec<Mark>,
 }
 

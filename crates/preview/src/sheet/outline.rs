@@ -14,7 +14,7 @@ pub enum Op {
     Arc {
         /// Centre.
         centre: Point2,
-        /// Where it ends; not quite on the circle when the program was not exact.
+        /// End; not quite on the circle when the program was not exact.
         to: Point2,
         /// Swept angle, radians.
         sweep_rad: f64,

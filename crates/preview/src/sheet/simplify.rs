@@ -59,7 +59,7 @@ fn end_of(op: &Op) -> Option<Point2> {
     }
 }
 
-/// How far an arc stands off its chord.
+/// Returns the greatest distance of an arc from its chord.
 fn sagitta(from: Point2, centre: Point2, sweep_rad: f64) -> f64 {
     let radius = from.distance(centre);
     if sweep_rad.abs() >= std::f64::consts::PI {
@@ -85,7 +85,7 @@ impl Sleeve {
         Self { anchor, end: anchor, near: 0.5 * tolerance, reach: 0.0, cone: None }
     }
 
-    /// Whether the line may go on to `to`; if so it ends there now.
+    /// Returns `true` if the line may go on to `to`; if so it ends there now.
     fn takes(&mut self, to: Point2) -> bool {
         let step = to - self.anchor;
         let distance = step.length();

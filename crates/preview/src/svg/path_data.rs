@@ -38,7 +38,7 @@ struct PathData {
     out: String,
     origin: Vec2,
     decimals: u32,
-    /// Where the pen is, exactly and on the grid.
+    /// Place of the pen, exactly and on the grid.
     pen: Point2,
     at: [i64; 2],
     start: [i64; 2],

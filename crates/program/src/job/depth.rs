@@ -1,9 +1,9 @@
-//! How deep each pass goes.
+//! The depth of each pass.
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// How deep a shape is cut.
+/// Depth at which a shape is cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Depth {
     /// Through the material: at ZBottom.
@@ -23,7 +23,7 @@ pub enum Depth {
 /// The three heights of a machine, millimetres, upwards.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Heights {
-    /// Where the tool travels.
+    /// Height at which the tool travels.
     pub top_mm: f64,
     /// The surface of the material.
     pub surface_mm: f64,
@@ -42,7 +42,7 @@ impl Default for Heights {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("it would be cut at {z_mm} mm, below ZBottom at {bottom_mm} mm")]
 pub struct LowError {
-    /// Where it would be cut.
+    /// Height at which it would be cut.
     pub z_mm: f64,
     /// ZBottom.
     pub bottom_mm: f64,

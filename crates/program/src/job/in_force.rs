@@ -1,4 +1,4 @@
-//! What a pause can change of a job beside its heights.
+//! The values of a job that a pause can change beside its heights.
 
 use serde::{Deserialize, Serialize};
 

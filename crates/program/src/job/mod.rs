@@ -26,9 +26,9 @@ pub struct JobShape {
     pub path: Arc<Polyarc>,
     /// Height above ZSurface at each vertex, for [`Depth::ThreeD`]; fewer mean 0.
     pub z_mm: Arc<[f64]>,
-    /// How deep it is cut.
+    /// Depth of the cut.
     pub depth: Depth,
-    /// How the tool goes down.
+    /// Way in which the tool goes down.
     pub plunge: Plunge,
     /// The tool control output, 1 … 3: on while the tool is down.
     pub tool: u8,
@@ -44,31 +44,31 @@ pub struct JobShape {
     pub group: Arc<str>,
 }
 
-/// What a person should know of a job before it is cut.
+/// Something that a person should know of a job before it is cut.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Note {
     /// Number of the shape.
     pub shape: u32,
-    /// What was changed, and why.
+    /// The change, and the reason for it.
     pub text: Arc<str>,
 }
 
-/// What is cut, in order, and where.
+/// The shapes to cut, in order, and their place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Job {
     /// The name shown to people.
     pub name: Arc<str>,
     /// The paths, in cutting order, arrays laid out.
     pub shapes: Arc<[JobShape]>,
-    /// Where the job's origin lies on the table, millimetres from home; nothing for that of the machine.
+    /// Place of the job's origin on the table, millimetres from home; nothing for that of the machine.
     pub origin: Option<Point2>,
-    /// Where the head goes at the end, millimetres from the origin; nothing for that of the machine.
+    /// Place of the head at the end, millimetres from the origin; nothing for that of the machine.
     pub finish: Option<Point2>,
     /// The shape with which it begins, counted from 1.
     pub start: usize,
-    /// How many times it is cut.
+    /// Number of times that it is cut.
     pub repeats: u32,
-    /// What was changed after the job was made: told when it begins.
+    /// Changes made after the job was made: told when it begins.
     #[serde(default)]
     pub notes: Arc<[Note]>,
 }
@@ -105,12 +105,12 @@ impl JobShape {
         }
     }
 
-    /// Where it begins.
+    /// Returns the place where it begins.
     pub fn start(&self) -> Point2 {
         self.path.start().unwrap_or_default()
     }
 
-    /// Where it ends.
+    /// Returns the place where it ends.
     pub fn end(&self) -> Point2 {
         if self.path.closed { self.start() } else { self.path.end().unwrap_or_default() }
     }
@@ -123,7 +123,7 @@ impl JobShape {
 }
 
 impl Job {
-    /// Where a place of the job lies on the table.
+    /// Returns the place on the table of a place of the job.
     pub fn on_table(&self, place: Point2) -> Point2 {
         let origin = self.origin.unwrap_or_default();
         place + Vec2::new(origin.x, origin.y)

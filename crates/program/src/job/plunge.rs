@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use std::fmt;
 
-/// How the tool goes down into the material.
+/// Way in which the tool goes down into the material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Plunge {
@@ -23,7 +23,7 @@ pub enum Plunge {
     Straight,
     /// Down along the path.
     Ramp {
-        /// How steeply, degrees below the level.
+        /// Steepness, degrees below the level.
         angle_deg: f64,
     },
     /// Down round a circle that touches the path at its start.
@@ -31,7 +31,7 @@ pub enum Plunge {
         /// Radius of the circle, millimetres. It lies to the right of travel, to the left when the radius is
         /// negative.
         radius_mm: f64,
-        /// How steeply, degrees below the level.
+        /// Steepness, degrees below the level.
         angle_deg: f64,
     },
 }
@@ -42,9 +42,9 @@ const MOST_ROUNDS: f64 = 1000.0;
 /// A way down that is made steeper than was asked; its message tells a person.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TooFlat {
-    /// How steeply it should go down, degrees below the level.
+    /// Steepness that was asked for, degrees below the level.
     pub asked_deg: f64,
-    /// How steeply it does, rounded up to three digits: a way this steep is as it was asked.
+    /// Steepness in fact, rounded up to three digits: a way this steep is as it was asked.
     pub least_deg: f64,
 }
 
@@ -62,7 +62,7 @@ impl fmt::Display for TooFlat {
 /// A part of a way down: the height is that of its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slope {
-    /// Where it leads in the plane.
+    /// Path of the part in the plane.
     pub segment: Segment,
     /// The height at its end, millimetres.
     pub z_mm: f64,
@@ -87,7 +87,7 @@ impl Plunge {
         falling(&way, from_mm, to_mm)
     }
 
-    /// Whether the way down by a height in millimetres would go round too often.
+    /// Returns the angles if the way down by a height in millimetres would go round too often.
     pub fn too_flat(self, path: &Polyarc, drop_mm: f64) -> Option<TooFlat> {
         let (asked_deg, round_mm) = match self {
             Self::Straight => return None,

@@ -1,5 +1,5 @@
-//! What the controller can do, and how it is reached: from the machine's configuration, no V command
-//! sets it.
+//! The controller's abilities and its connections: from the machine's configuration, no V command
+//! sets them.
 
 use super::SWITCHES;
 use super::table::Driver;
@@ -21,7 +21,7 @@ pub struct Controller {
     pub pwm: bool,
     /// Axes can move beside the others (MI).
     pub independent: bool,
-    /// What each port of VI is: a serial device, a TCP address, or `sim`; blank is the simulated
+    /// Address of each port of VI: a serial device, a TCP address, or `sim`; blank is the simulated
     /// machine too.
     pub ports: [String; PORTS],
 }
@@ -34,13 +34,13 @@ impl Default for Controller {
 }
 
 impl Controller {
-    /// What a port is.
+    /// Returns the address of a port.
     pub fn address(&self, port: u8) -> &str {
         let address = self.ports.get(usize::from(port).wrapping_sub(1));
         address.map(|it| it.trim()).filter(|it| !it.is_empty()).unwrap_or(SIM)
     }
 
-    /// Whether a port is that of the simulated machine.
+    /// Returns `true` if a port is that of the simulated machine.
     pub fn is_simulated(&self, port: u8) -> bool {
         self.address(port).eq_ignore_ascii_case(SIM)
     }
@@ -57,7 +57,7 @@ impl Driver {
         }
     }
 
-    /// How the controller is reached, in words: `port 3, /dev/ttyUSB0, 460800 baud`.
+    /// Describes the connection to the controller in words: `port 3, /dev/ttyUSB0, 460800 baud`.
     pub fn connection(&self, controller: &Controller) -> String {
         let (port, address) = (self.port, controller.address(self.port));
         if controller.is_simulated(port) {

@@ -17,7 +17,7 @@ pub enum PlungeSign {
 /// The output that Z or A switches (VC 8-12).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trigger {
-    /// Whether it is active; ends with the part file.
+    /// The trigger is active; ends with the part file.
     pub active: bool,
     /// ON when passing this working location downwards, mm.
     pub on_at_mm: f64,

@@ -52,8 +52,8 @@ impl IoModes {
         by_mode.chain(self.interlock)
     }
 
-    /// Whether an input that reads this stops motion and forbids it: the emergency stop when it is
-    /// pressed, the enclosure when it is open, stop inputs by their modes.
+    /// Returns `true` if an input that reads this stops motion and forbids it: the emergency stop when it
+    /// is pressed, the enclosure when it is open, stop inputs by their modes.
     pub fn stops(&self, number: u8, reads: bool) -> bool {
         let mode = self.inputs.get(usize::from(number).wrapping_sub(1));
         match mode {

@@ -63,7 +63,7 @@ pub struct Settings {
     pub io: IoModes,
     pub height: Height,
     pub driver: Driver,
-    /// What the controller can do, and how it is reached.
+    /// The controller's abilities and its connections.
     #[serde(default)]
     pub controller: Controller,
     pub tool_offset: ToolOffset,
@@ -78,7 +78,7 @@ pub struct Settings {
     /// A device takes the speeds that programs give spindles (TR); without one the operator sets them.
     #[serde(default = "yes")]
     pub spindle_device: bool,
-    /// What the axes can do; from the machine's configuration, no V command sets it.
+    /// Limits of the axes; from the machine's configuration, no V command sets them.
     #[serde(default)]
     pub dynamics: Option<Dynamics>,
     /// Moves that the stack takes before the tool pulls up and the rest is read; no limit when not
@@ -88,7 +88,7 @@ pub struct Settings {
     /// The model of motion; the configuration or an option names it.
     #[serde(default)]
     pub ramp_model: Option<RampModel>,
-    /// How the `profiler` model goes round corners.
+    /// Rounding of corners in the `profiler` model.
     #[serde(default)]
     pub smoothing: Smoothing,
 }
@@ -105,12 +105,12 @@ impl Settings {
         self.ramp_model.unwrap_or(usual)
     }
 
-    /// What the axes can do, as far as it is known.
+    /// Returns the limits of the axes, as far as they are known.
     pub fn axis_dynamics(&self) -> Dynamics {
         self.dynamics.unwrap_or_else(|| Dynamics::usual(&self.speeds))
     }
 
-    /// What the user measures an axis in.
+    /// Returns the unit in which the user measures an axis.
     pub const fn axis_unit(&self, axis: Axis) -> AxisUnit {
         match axis {
             Axis::X | Axis::Y | Axis::Z => AxisUnit::Linear(self.linear_unit),
@@ -133,7 +133,7 @@ impl Settings {
         self.axis_unit(axis).scale()
     }
 
-    /// Whether torch height is controlled now: enabled in VN and switched on by VH.
+    /// Returns `true` while torch height is controlled: enabled in VN and switched on by VH.
     pub const fn torch_on(&self) -> bool {
         self.height.on && self.io.analog == TORCH
     }

@@ -11,7 +11,7 @@ pub struct Limits {
     pub low: Axes,
     /// Highest values.
     pub high: Axes,
-    /// Whether they are checked.
+    /// The limits are checked.
     pub check: bool,
 }
 

@@ -33,7 +33,7 @@ impl LinearUnit {
     }
 }
 
-/// What an axis is measured in.
+/// Unit in which an axis is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum AxisUnit {
     /// A length, shown in this unit.

@@ -1,4 +1,4 @@
-//! What is shown, and how (VP, VD).
+//! The settings of the preview's view and of the display (VP, VD).
 
 use super::unit::inch;
 use serde::{Deserialize, Serialize};
@@ -42,7 +42,7 @@ pub struct Display {
     pub comments: bool,
     /// Tap distance of the keypad, mm.
     pub keypad_fixed_mm: f64,
-    /// What moves the tool at the keypad: 0 mouse and keys, 1 also a pendant on inputs, 2 also another
+    /// Source of moves at the keypad: 0 mouse and keys, 1 also a pendant on inputs, 2 also another
     /// program.
     pub keypad_remote: u8,
     /// Write the part file log.
@@ -77,7 +77,7 @@ impl Default for Display {
 }
 
 impl Display {
-    /// Whether keys of a pendant, wired to inputs, move the tool at the keypad.
+    /// Returns `true` if keys of a pendant, wired to inputs, move the tool at the keypad.
     pub const fn has_pendant(&self) -> bool {
         self.keypad_remote == 1
     }

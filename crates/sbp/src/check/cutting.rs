@@ -35,7 +35,7 @@ pub(super) fn spindle_off(facts: &Facts<'_>) -> Vec<Diagnostic> {
     vec![facts.finding(Code::SpindleOff, line, span, message, hint)]
 }
 
-/// Whether some line may turn the spindle on: an output, G-code, or a person at a question.
+/// Returns `true` if some line may turn the spindle on: an output, G-code, or a person at a question.
 fn spindle_may_turn(facts: &Facts<'_>) -> bool {
     facts.uses("SO")
         || facts.uses("TR")

@@ -1,4 +1,4 @@
-//! What the rules want to know about a file.
+//! The facts about a file that the rules need.
 
 use crate::expr::{Expr, ExprNode};
 use crate::tree::{ArgKind, ArgList, Node, Program, Span, Statement};
@@ -65,13 +65,13 @@ impl<'a> Facts<'a> {
         }
     }
 
-    /// Whether an argument is given at all.
+    /// Returns `true` if an argument is given at all.
     pub(super) fn given(&self, args: ArgList, index: usize) -> bool {
         let arg = self.program.args[args].get(index);
         arg.is_some_and(|arg| arg.kind != ArgKind::Blank)
     }
 
-    /// Whether a command stands anywhere in the file.
+    /// Returns `true` if a command stands anywhere in the file.
     pub(super) fn uses(&self, letters: &str) -> bool {
         self.commands.contains(letters)
     }

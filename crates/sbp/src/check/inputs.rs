@@ -1,4 +1,4 @@
-//! What a file says that inputs are for.
+//! The use of inputs as a file declares it.
 
 use super::facts::Facts;
 use crate::Program;
@@ -6,7 +6,7 @@ use crate::tree::Statement;
 use kerf_diag::{Code, Diagnostic};
 use kerf_program::settings::LinearUnit;
 
-/// Where the modes of inputs begin in VN, and the inputs that have them there.
+/// Index of the first input mode in VN, and the inputs that have their modes from there on.
 const FIRST: usize = 3;
 const INPUTS: [u8; 11] = [1, 2, 3, 5, 6, 7, 8, 9, 10, 11, 12];
 

@@ -105,7 +105,7 @@ pub(super) fn endless_loops(facts: &Facts<'_>) -> Vec<Diagnostic> {
     found
 }
 
-/// Whether the lines of a loop only compute and nothing in them can end it.
+/// Returns `true` if the lines of a loop only compute and nothing in them can end it.
 fn spins(facts: &Facts<'_>, first: u32, last: u32, condition: Option<&Expr>) -> bool {
     let mut changed: BTreeSet<NameId> = BTreeSet::new();
     for line in first..last {
@@ -137,7 +137,7 @@ fn stays(facts: &Facts<'_>, statement: &Statement, first: u32, last: u32) -> boo
     }
 }
 
-/// Whether an expression keeps its value while these variables change.
+/// Returns `true` if an expression keeps its value while these variables change.
 fn is_fixed(facts: &Facts<'_>, expr: &Expr, changed: &BTreeSet<NameId>) -> bool {
     !facts.program.expressions.any(expr, &|node| match node {
         ExprNode::System(_) | ExprNode::Persistent(_) | ExprNode::Call(Function::Rnd, _) => true,

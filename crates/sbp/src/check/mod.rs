@@ -1,4 +1,4 @@
-//! What is doubtful in a part file, told without running it.
+//! Finds what is doubtful in a part file, without running it.
 //!
 //! Reading tells what cannot be read; running tells what happens on the way that is taken. These
 //! rules look at the whole file, branches that no run takes included, for what experience says goes

@@ -56,7 +56,7 @@ fn is_unit_variable(facts: &Facts<'_>, node: &ExprNode) -> bool {
     facts.program.expressions[*index].node == ExprNode::Number(UNIT_VARIABLE)
 }
 
-/// Whether %(25) is read anywhere.
+/// Returns `true` if %(25) is read anywhere.
 fn asks_unit(facts: &Facts<'_>) -> bool {
     let mut found = false;
     for (_, statement) in facts.statements() {
@@ -65,14 +65,14 @@ fn asks_unit(facts: &Facts<'_>) -> bool {
     found
 }
 
-/// Whether VD changes the unit.
+/// Returns `true` if VD changes the unit.
 fn sets_unit(facts: &Facts<'_>) -> bool {
     facts.statements().any(|(_, statement)| {
         matches!(statement, Statement::Command { spec, args, .. } if spec.letters == "VD" && facts.given(*args, 2))
     })
 }
 
-/// What the comments at the head say: `FILE IN INCHES`, `UNITS:MM`.
+/// Returns the unit that the comments at the head say, and its line: `FILE IN INCHES`, `UNITS:MM`.
 fn header(facts: &Facts<'_>) -> Option<(u32, LinearUnit)> {
     let end = facts.literal_moves().next().map_or(u32::MAX, |(line, ..)| line);
     facts.comments().take_while(|(line, _)| *line < end).find_map(|(line, text)| {

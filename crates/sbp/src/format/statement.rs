@@ -61,7 +61,8 @@ impl<'a> Code<'a> {
         }
     }
 
-    /// What is ignored behind the seconds of PAUSE; behind a comma as it is written, for it may be read otherwise without.
+    /// Appends what is ignored behind the seconds of PAUSE; behind a comma as it is written, for it may be read
+    /// otherwise without.
     fn push_behind_seconds(self, end: usize, out: &mut String) {
         let rest = self.from(end).text();
         if !rest.starts_with(',') {

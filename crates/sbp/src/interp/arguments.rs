@@ -13,7 +13,7 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub struct Arguments<'a> {
     values: Vec<Option<Value>>,
-    /// What the line gives.
+    /// Arguments that the line gives.
     args: &'a [Arg],
     /// The command itself, where the line gives nothing.
     command: Span,
@@ -35,7 +35,7 @@ impl<'a> Arguments<'a> {
         Ok(Self { values, args, command: context.span })
     }
 
-    /// Whether the parameter has a value: given or by default.
+    /// Returns `true` if the parameter has a value: given or by default.
     pub fn given(&self, index: usize) -> bool {
         self.value(index).is_some()
     }
@@ -76,12 +76,12 @@ impl<'a> Arguments<'a> {
         self.values.get(index)?.as_ref()
     }
 
-    /// Where the argument stands.
+    /// Returns the place of the argument, or of the command where the line does not give it.
     pub fn span(&self, index: usize) -> Span {
         self.args.get(index).map_or(self.command, |arg| arg.span)
     }
 
-    /// How many parameters there are.
+    /// Returns the number of parameters.
     pub fn len(&self) -> usize {
         self.values.len()
     }

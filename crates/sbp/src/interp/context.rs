@@ -1,4 +1,4 @@
-//! What an effect works with: the state, the host, the list of commands.
+//! The surroundings that an effect works with: the state, the host, the list of commands.
 
 use super::{Core, Status};
 use crate::tree::{Program, Span};
@@ -9,7 +9,7 @@ use kerf_program::{
 use std::sync::Arc;
 use std::task::Poll;
 
-/// Why a statement did not complete.
+/// Reason why a statement did not complete.
 #[derive(Debug)]
 pub enum Stop {
     /// The host has no answer yet; nothing has happened.
@@ -20,7 +20,7 @@ pub enum Stop {
     Finished(Status),
 }
 
-/// What an effect works with.
+/// The surroundings that an effect works with.
 pub struct Context<'a> {
     pub(crate) core: &'a mut Core,
     /// The file of the line being executed.

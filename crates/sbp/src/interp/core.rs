@@ -24,7 +24,7 @@ pub struct Core {
     pub(crate) links: Vec<Arc<[u32]>>,
     /// Open files, outermost first.
     pub(crate) levels: Vec<Level>,
-    /// How files were called, each the last time.
+    /// Last call of each file.
     #[serde(default)]
     pub(crate) calls: BTreeMap<u32, FileCall>,
     /// The operator let the line that is next run, of a file that is stepped through.
@@ -33,10 +33,10 @@ pub struct Core {
     /// The first file has been opened.
     pub(crate) started: bool,
     pub(crate) settings: Arc<Settings>,
-    /// What temporary values return to when the run ends (SV moves it).
+    /// Settings to which temporary values return when the run ends (SV replaces them).
     pub(crate) kept: Arc<Settings>,
     pub(crate) frame: Frame,
-    /// Where the machine has been sent, machine frame.
+    /// Place to which the machine has been sent, machine frame.
     pub(crate) position: Axes,
     /// The part of `position` that the tool offset of VO contributes.
     pub(crate) offset_applied: Axes,
@@ -55,10 +55,10 @@ pub struct Core {
     pub(crate) given_by: Vec<u64>,
     /// Motion commands given so far.
     pub(crate) motions: u64,
-    /// What the step that waits was answered so far: it is repeated until it has every answer.
+    /// Answers so far to the step that waits: it is repeated until it has every answer.
     #[serde(default)]
     pub(crate) heard: Vec<Answer>,
-    /// How many of these it has taken.
+    /// Number of these that it has taken.
     #[serde(skip)]
     pub(crate) taken: usize,
     /// Everything given so far has been carried out.
@@ -133,7 +133,7 @@ pub(crate) struct Level {
     pub(crate) purpose: Purpose,
 }
 
-/// What a file was opened for.
+/// Purpose for which a file was opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Purpose {
     /// To be run, by the operator, FP or a custom cut.
@@ -146,7 +146,7 @@ pub(crate) enum Purpose {
 }
 
 impl Level {
-    /// Whether its cuts get tabs now, and those of files it calls.
+    /// Returns `true` if its cuts get tabs now, and those of files it calls.
     pub(crate) fn tabs_hold(&self) -> bool {
         self.tabs && self.repetitions_left == 0
     }
@@ -163,7 +163,7 @@ impl Level {
         }
     }
 
-    /// Whether its lines have to be looked at one by one.
+    /// Returns `true` if its lines have to be looked at one by one.
     pub(crate) const fn watched(&self) -> bool {
         self.stepped || self.skip_to.is_some()
     }
@@ -289,7 +289,7 @@ impl Core {
         }
     }
 
-    /// Whether an axis may be elsewhere than the program sent it: MI or torch height moves it.
+    /// Returns `true` if an axis may be elsewhere than the program sent it: MI or torch height moves it.
     pub(crate) fn wanders(&self, axis: Axis) -> bool {
         self.independent.contains(axis) || axis == Axis::Z && self.settings.torch_on()
     }

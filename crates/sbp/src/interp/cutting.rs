@@ -7,7 +7,7 @@ use kerf_program::settings::Tabs;
 use kerf_program::{Arc, At, Axes, Axis, Command, Feed, Line, MoveKind};
 use serde::{Deserialize, Serialize};
 
-/// Where a move in the tab filter comes from.
+/// Origin of a move in the tab filter.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Origin {
     /// Its line.
@@ -17,7 +17,7 @@ pub(crate) struct Origin {
 }
 
 impl Context<'_> {
-    /// What the geometry of a cut needs to know; places are working millimetres.
+    /// Returns the context that the geometry of a cut needs; places are working millimetres.
     pub(crate) fn cut_context(&self) -> kerf_cut::Context {
         let level = self.core.level();
         kerf_cut::Context {

@@ -1,4 +1,4 @@
-//! What only FabMo's dialect does: probes, dialogs, FAIL, data for programs beside the machine.
+//! The statements of FabMo's dialect alone: probes, dialogs, FAIL, data for programs beside the machine.
 
 use super::watch::Handler;
 use super::{Context, Stop, fields};

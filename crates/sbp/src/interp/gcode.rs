@@ -22,7 +22,7 @@ pub enum GcodeDue {
     Line(At),
 }
 
-/// How the file at hand places what is in it (FP).
+/// Placement of what is in the file at hand (FP).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilePlace {
     /// Proportions of X, Y and Z, those of its callers included.
@@ -33,7 +33,7 @@ pub struct FilePlace {
     pub tabs: bool,
     /// The operator is asked before each line (FG).
     pub stepped: bool,
-    /// Where the file begins, this time.
+    /// Start of the file, this time.
     pub from: Option<GoTo>,
 }
 
@@ -56,10 +56,10 @@ impl FilePlace {
     }
 }
 
-/// What G-code left behind.
+/// State that G-code left behind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GcodeDone {
-    /// Where it has sent the machine, machine frame.
+    /// Place to which it has sent the machine, machine frame.
     pub position: Axes,
     /// The frames in force.
     pub frame: Frame,
@@ -88,7 +88,7 @@ impl Core {
         due.then_some(GcodeDue::File(level.file))
     }
 
-    /// Whether a file is G-code.
+    /// Returns `true` if a file is G-code.
     pub(super) fn is_gcode(&self, level: &Level) -> bool {
         let program = self.programs.get(level.file as usize);
         program.is_some_and(|p| p.language == Language::Gcode)
@@ -149,17 +149,17 @@ impl Interpreter {
         }
     }
 
-    /// How the innermost file places what is in it.
+    /// Returns the placement of what is in the innermost file.
     pub fn file_place(&self) -> FilePlace {
         self.core.level().map(FilePlace::of).unwrap_or_default()
     }
 
-    /// Whether the program ended with EXIT SHOPBOT: what runs it is to close, too.
+    /// Returns `true` if the program ended with EXIT SHOPBOT: what runs it is to close, too.
     pub const fn closes(&self) -> bool {
         self.core.closes
     }
 
-    /// How many files are open within each other.
+    /// Returns the number of files that are open within each other.
     pub fn depth(&self) -> usize {
         self.core.levels.len()
     }

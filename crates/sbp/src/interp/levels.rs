@@ -231,7 +231,7 @@ impl Context<'_> {
         self.refresh_tabs();
     }
 
-    /// How many levels are open before a file is: that of what was typed.
+    /// Returns the number of levels that are open before a file is: that of what was typed.
     fn files_begin_at(&self) -> usize {
         usize::from(self.core.options.typed)
     }
@@ -256,7 +256,7 @@ impl Context<'_> {
     }
 }
 
-/// What follows the last point of a file name, unless a folder's name holds it.
+/// Returns the text behind the last point of a file name, unless a folder's name holds it.
 fn extension(name: &str) -> Option<&str> {
     let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
     file.rsplit_once('.').map(|(_, extension)| extension)

@@ -1,4 +1,4 @@
-//! How a run begins and ends.
+//! Beginning and end of a run.
 
 use super::registry::{CLEARED_VALUE, PART_FILE};
 use super::{Context, Core, Dialect, Status, Step, Stop};

@@ -49,7 +49,7 @@ impl Core {
         free + wanted
     }
 
-    /// Where the axis is, without the part that the tool offset contributes, machine frame.
+    /// Returns the place of the axis, without the part that the tool offset contributes, machine frame.
     pub(crate) fn free(&self, axis: Axis) -> f64 {
         self.position[axis] - self.offset_applied[axis]
     }
@@ -77,7 +77,7 @@ impl Core {
         }
     }
 
-    /// What a base coordinate of the program is ahead of the base location: see the head of the file.
+    /// Returns the lead of a base coordinate of the program over the base location: see the head of the file.
     fn base_ahead(&self, axis: Axis) -> f64 {
         if self.reads_base() { 0.0 } else { self.working()[axis] }
     }
@@ -104,13 +104,13 @@ impl Context<'_> {
         to
     }
 
-    /// Where some axes really are, once the machine is at rest.
+    /// Takes over where some axes really are, once the machine is at rest.
     pub(crate) fn take_machine_position(&mut self, axes: AxisSet) {
         self.core.take_position(axes, self.host);
     }
 
-    /// Where the machine is, with the true place of an axis that may have moved by itself. The machine
-    /// is at rest.
+    /// Returns the place of the machine, with the true place of an axis that may have moved by itself. The
+    /// machine is at rest.
     fn real_position(&mut self, axis: Axis) -> Axes {
         let mut position = self.core.position;
         if self.core.wanders(axis) {

@@ -11,7 +11,7 @@ use crate::tree::{Assigned, Span};
 use kerf_diag::Code;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
 
-/// What `[in]` and `[mm]` stand for.
+/// Indices that `[in]` and `[mm]` stand for.
 const UNITS: [(&str, &str); 2] = [("IN", "0"), ("MM", "1")];
 
 impl Context<'_> {

@@ -33,7 +33,7 @@ const BUTTONS: [&[Button]; 6] = [
 /// The variable that gets the word on the button.
 const ANSWER: &str = "MSGANSWER";
 
-/// How a box looks.
+/// Appearance of a box.
 #[derive(Debug, PartialEq)]
 struct Style {
     buttons: &'static [Button],

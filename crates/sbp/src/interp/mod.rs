@@ -71,7 +71,7 @@ const MOST_BEHIND: usize = 20_000;
 #[serde(from = "saving::Saved", into = "saving::Saved")]
 pub struct Interpreter {
     core: Core,
-    /// What an interrupt goes back to.
+    /// States that an interrupt goes back to.
     past: past::Past,
 }
 
@@ -172,7 +172,7 @@ impl Interpreter {
         self.core.programs.get(file as usize).map_or_else(|| Arc::from(""), |p| p.name.clone())
     }
 
-    /// How a file of [`At`] was called the last time.
+    /// Returns the last call of a file of [`At`].
     pub fn file_call(&self, file: u32) -> Option<FileCall> {
         self.core.calls.get(&file).copied()
     }
@@ -214,7 +214,7 @@ impl Interpreter {
         &self.core.frame
     }
 
-    /// Where the program has sent the machine, machine frame.
+    /// Returns the place to which the program has sent the machine, machine frame.
     pub fn position(&self) -> Axes {
         self.core.position
     }
@@ -234,7 +234,7 @@ impl Interpreter {
         context.system_variable(f64::from(number), span).ok()
     }
 
-    /// What stays after the run: settings, frames, position, variables.
+    /// Returns the state that stays after the run: settings, frames, position, variables.
     pub fn into_session(self) -> Session {
         self.core.into_session()
     }

@@ -63,7 +63,7 @@ impl Past {
         self.motions.clear();
     }
 
-    /// How many states are kept.
+    /// Returns the number of states that are kept.
     pub(super) fn len(&self) -> usize {
         self.states.len()
     }

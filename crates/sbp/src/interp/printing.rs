@@ -4,10 +4,10 @@ use super::{Context, Stop};
 use crate::tree::{Output, Separator};
 use kerf_program::Command;
 
-/// What PRINT puts between items separated by commas.
+/// Text that PRINT puts between items separated by commas.
 const PRINT_GAP: &str = "     ";
 
-/// What WRITE puts between items separated by commas.
+/// Text that WRITE puts between items separated by commas.
 const WRITE_GAP: &str = ", ";
 
 impl Context<'_> {

@@ -8,7 +8,7 @@ use kerf_diag::Code;
 use kerf_program::{Command, FileRequest, Folder, HostError, ShellCall};
 use std::task::Poll;
 
-/// How a window can be shown: hidden, normal, minimised, maximised with focus; normal and
+/// Ways in which a window can be shown: hidden, normal, minimised, maximised with focus; normal and
 /// minimised without.
 const DISPLAYS: [u8; 6] = [0, 1, 2, 3, 4, 6];
 

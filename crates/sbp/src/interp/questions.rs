@@ -1,4 +1,4 @@
-//! What all questions to the operator share.
+//! The parts that all questions to the operator share.
 
 use super::{Context, Status, Stop};
 use crate::tree::{DialogText, TextPart};

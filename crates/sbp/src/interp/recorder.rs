@@ -25,7 +25,7 @@ const OWN_FILE: u8 = 0;
 pub struct Replay<'a> {
     /// The lines.
     pub lines: &'a [String],
-    /// How many times.
+    /// Number of times that the lines run.
     pub times: u32,
 }
 

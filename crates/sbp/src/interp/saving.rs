@@ -1,4 +1,4 @@
-//! How an interpreter is saved: the text of its programs once, then the states.
+//! The saved form of an interpreter: the text of its programs once, then the states.
 
 use super::past::Past;
 use super::{Core, Interpreter};
@@ -6,7 +6,7 @@ use crate::{Dialect, Language, Program};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// What is written: programs as name and text, read again when restored.
+/// Saved form: programs as name and text, read again when restored.
 #[derive(Serialize, Deserialize)]
 pub(super) struct Saved {
     programs: Vec<SavedProgram>,

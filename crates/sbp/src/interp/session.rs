@@ -1,4 +1,4 @@
-//! What a run starts from and what stays after it.
+//! The state and options from which a run starts, and the state that stays after it.
 
 use super::Variables;
 use kerf_program::{Axes, AxisSet, FileCall, Frame, GoTo, Settings};
@@ -23,7 +23,7 @@ pub struct Session {
     pub settings: Settings,
     /// The frames.
     pub frame: Frame,
-    /// Where the machine is, machine frame.
+    /// Place of the machine, machine frame.
     pub position: Axes,
     /// The user's variables.
     pub variables: Variables,
@@ -41,12 +41,12 @@ pub struct Session {
     pub before_preview: Option<Box<BeforePreview>>,
 }
 
-/// Where the machine was when SP was given: a preview moves nothing.
+/// Place of the machine when SP was given: a preview moves nothing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BeforePreview {
     /// The frames.
     pub frame: Frame,
-    /// Where the machine really is, machine frame.
+    /// True place of the machine, machine frame.
     pub position: Axes,
     /// The part of it that the tool offset of VO contributes.
     pub offset_applied: Axes,
@@ -57,7 +57,7 @@ pub struct BeforePreview {
 pub struct FileParameters {
     /// Proportions X, Y, Z.
     pub proportion: [f64; 3],
-    /// How often the file runs.
+    /// Number of times that the file runs.
     pub repetitions: u32,
     /// 0 none, 1 the present X, Y, Z is the temporary zero, 2 only X and Y.
     pub offset: u8,
@@ -70,13 +70,13 @@ pub struct FileParameters {
     /// Go through it line by line, as FG does.
     #[serde(default)]
     pub stepped: bool,
-    /// Where it begins, the first time; at its first line when nothing is given.
+    /// Start of the file, the first time; its first line when nothing is given.
     #[serde(default)]
     pub from: Option<GoTo>,
 }
 
 impl FileParameters {
-    /// What is told of them to whoever looks at the run.
+    /// Returns those that are told to whoever looks at the run.
     pub const fn call(&self) -> FileCall {
         let Self { proportion, offset, repetitions, plunge_mm, tabs, plunge_from_zero, .. } = *self;
         FileCall { proportion, offset, repetitions, plunge_mm, tabs, plunge_from_zero }
@@ -98,7 +98,7 @@ impl Default for FileParameters {
     }
 }
 
-/// How a program is run.
+/// Options with which a program is run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Options {
     /// Which reading of the language.

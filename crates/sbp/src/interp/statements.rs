@@ -1,4 +1,4 @@
-//! What each statement does. The larger families have files of their own.
+//! The effect of each statement. The larger families have files of their own.
 
 use super::core::Purpose;
 use super::{Arguments, Context, Status, Stop};
@@ -73,7 +73,7 @@ impl Context<'_> {
         (spec.effect)(self, &arguments)
     }
 
-    /// What is typed sets the machine only with the password, where there is one.
+    /// Refuses a typed command that sets the machine while a password protects it.
     fn refuse_protected(&self, spec: &CommandSpec) -> Result<(), Stop> {
         let options = &self.core.options;
         let typed = options.typed && self.core.levels.len() == 1;
@@ -110,7 +110,7 @@ impl Context<'_> {
         Ok(())
     }
 
-    /// What an assignment gives.
+    /// Returns the value of an assignment.
     pub(super) fn assigned_value(&mut self, value: &Assigned) -> Result<Value, Stop> {
         match value {
             Assigned::Nothing => Ok(Value::text("")),

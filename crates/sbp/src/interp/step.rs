@@ -117,7 +117,7 @@ fn go_on_at(core: &mut Core, index: u32) {
     }
 }
 
-/// What a step that has to wait gives back.
+/// State that comes back when a step has to wait.
 struct Before {
     random: u64,
     settled: bool,

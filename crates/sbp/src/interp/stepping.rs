@@ -15,7 +15,7 @@ use crate::tree::{Node, Program, Span, Statement};
 use kerf_diag::Code;
 use kerf_program::{Answer, At, Button, GoTo, Host, Question, QuestionKind, Sourced};
 
-/// Whether the operator decides about the line that is next.
+/// Returns `true` if the operator decides about the line that is next.
 pub(super) fn asks(core: &Core, node: Node) -> bool {
     let stepped = core.level().is_some_and(|l| l.stepped && l.skip_to.is_none());
     stepped && !core.granted && !matches!(node, Node::Blank)
@@ -49,7 +49,7 @@ pub(super) fn passes_over(core: &mut Core, program: &Program, node: Node) -> boo
     !prepares
 }
 
-/// Whether a line only sets something up: a setting or an assignment.
+/// Returns `true` if a line only sets something up: a setting or an assignment.
 fn prepares(program: &Program, node: Node) -> bool {
     let Node::Statement(index) = node else { return false };
     program.statements.get(index as usize).is_some_and(statement_prepares)

@@ -71,7 +71,7 @@ impl Variables {
         self.values = Arc::default();
     }
 
-    /// How many have a value.
+    /// Returns the number of variables that have a value.
     pub fn count(&self) -> usize {
         self.values.iter().flatten().count()
     }

@@ -9,7 +9,7 @@ pub(crate) struct Handler {
     pub(crate) watch: Watch,
     /// The line of the ON INPUT statement.
     pub(crate) at: At,
-    /// How many files were open when it was armed; the last of them is the one of `at`.
+    /// Number of files that were open when it was armed; the last of them is the one of `at`.
     pub(crate) level: usize,
     /// Not a handler but a probe (FabMo): the move ends, nothing else happens.
     #[serde(default)]

@@ -1,4 +1,4 @@
-//! Whether a file moves Z by itself.
+//! Tells whether a file moves Z by itself.
 
 use crate::Program;
 use crate::table::{Group, Kind, Unit};

@@ -19,7 +19,7 @@ const SAME_MM: f64 = 1e-7;
 const LONG_RAD: f64 = 1.5 * PI;
 /// CG takes an end that lies no farther beside the circle, mm; its own bound and some room.
 const MOST_BESIDE_MM: f64 = 0.25;
-/// How far chords lie from an arc that CG cannot make, mm.
+/// Largest distance of chords from an arc that CG cannot make, mm.
 const CHORD_MM: f64 = 0.005;
 
 impl SbpPrinter<'_> {

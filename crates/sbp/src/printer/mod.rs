@@ -24,14 +24,14 @@ use kerf_program::{
 use places::Places;
 use std::sync::Arc;
 
-/// How OpenSBP is written.
+/// Unit and starting state with which OpenSBP is written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Printing {
     /// The unit of the file.
     pub unit: LinearUnit,
     /// The frames at the start.
     pub frame: Frame,
-    /// Where the machine is at the start, machine frame.
+    /// Place of the machine at the start, machine frame.
     pub position: Axes,
     /// The settings at the start.
     pub settings: Arc<Settings>,

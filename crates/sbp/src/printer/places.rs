@@ -1,4 +1,4 @@
-//! Where the machine is, and which values of it were written.
+//! The place of the machine, and which values of it were written.
 
 use super::Printing;
 use kerf_program::settings::AxisUnit;

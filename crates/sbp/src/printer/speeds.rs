@@ -28,7 +28,7 @@ impl Written {
         Self(GROUPS.map(|axis| Some(speeds.of(axis))))
     }
 
-    /// How long a move of these distances takes; `None` when the file has not said it.
+    /// Returns the time that a move of these distances takes; `None` when the file has not said it.
     fn time(&self, distances: &[f64; 4]) -> Option<f64> {
         let mut time = 0.0_f64;
         for (speed, distance) in self.0.iter().zip(distances) {

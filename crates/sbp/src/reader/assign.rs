@@ -38,7 +38,7 @@ impl Line<'_, '_> {
         Statement::Mention(span)
     }
 
-    /// What stands before `=` is no variable's name.
+    /// Reports that what stands before `=` is no variable's name.
     fn bad_name(&mut self, start: usize, end: usize) -> Failed {
         let equals = self.until(start, b'=');
         let name = Span { start: start as u32, end: end as u32 };
@@ -88,8 +88,8 @@ impl Line<'_, '_> {
         Ok(Assigned::Text(text.into()))
     }
 
-    /// Whether reading failed at an unknown function that was surely meant to be one: its parenthesis follows at once and
-    /// holds no words.
+    /// Returns `true` if reading failed at an unknown function that was surely meant to be one: its parenthesis follows
+    /// at once and holds no words.
     fn calls(&self, mark: usize) -> bool {
         let unknown = |found: &&Diagnostic| found.code == Code::UnknownFunction;
         let Some(found) = self.file.diagnostics[mark..].iter().find(unknown) else { return false };
@@ -162,7 +162,7 @@ impl Line<'_, '_> {
     }
 }
 
-/// Whether a part of an argument is a number, a variable or a function.
+/// Returns `true` if a part of an argument is a number, a variable or a function.
 fn is_computed(part: &str) -> bool {
     let number = !part.bytes().any(|b| b.is_ascii_alphabetic());
     number || part.starts_with(['&', '$']) || Function::from_name(part).is_some()

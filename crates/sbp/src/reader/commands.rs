@@ -172,7 +172,7 @@ impl Line<'_, '_> {
         result
     }
 
-    /// Whether the code at the cursor begins with a command and its separator.
+    /// Returns `true` if the code at the cursor begins with a command and its separator.
     pub(super) fn is_command(&self, at: usize) -> bool {
         let end = self.word_end(at);
         self.separated(end) && self.file.commands.find(self.slice(at, end)).is_some()

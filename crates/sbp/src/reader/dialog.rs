@@ -41,7 +41,7 @@ impl Line<'_, '_> {
         Ok(Statement::Input(Box::new(Input { text, default, variables, span })))
     }
 
-    /// Whether a `;` or `:` says that the variables before it belong to the text.
+    /// Returns `true` if a `;` or `:` says that the variables before it belong to the text.
     fn has_join(&self) -> bool {
         self.until(self.at, b';') < self.end || self.until(self.at, b':') < self.end
     }

@@ -11,7 +11,7 @@ const MOST_OPERATORS: u32 = 500;
 /// Parentheses, signs and functions within each other.
 const MOST_DEPTH: u32 = 64;
 
-/// How tightly the two prefix operators bind.
+/// Binding strength of the two prefix operators.
 const SIGN: u8 = 9;
 const NOT: u8 = 3;
 
@@ -22,7 +22,7 @@ fn is_stop(word: &str) -> bool {
     STOPS.iter().any(|stop| stop.eq_ignore_ascii_case(word))
 }
 
-/// What stands between two operands.
+/// Piece between two operands.
 enum Infix {
     Operator(BinaryOp, usize),
     /// A variable right behind a value: the join operator was left out.
@@ -253,7 +253,7 @@ impl Line<'_, '_> {
         self.fault(Code::BadExpression, span, format!("a value is expected, not {found}"), hint)
     }
 
-    /// What stands up to the closing parenthesis; the opening one is behind us.
+    /// Reads what stands up to the closing parenthesis; the opening one is behind us.
     fn parenthesised(&mut self, start: usize, adjacent: bool) -> Read<Expr> {
         let inner = self.deeper(start, |line| line.binary(0, adjacent))?;
         if self.take(b')') {
@@ -334,7 +334,7 @@ impl Line<'_, '_> {
         Ok(Expr { node: ExprNode::Word(self.file.expressions.add_text(text)), span })
     }
 
-    /// Whether the text goes on with another bare word.
+    /// Returns `true` if the text goes on with another bare word.
     fn more_words(&self) -> bool {
         if self.peek() == b'.' {
             return true;
@@ -343,7 +343,7 @@ impl Line<'_, '_> {
         !word.is_empty() && !is_stop(word)
     }
 
-    /// Whether the next word ends expressions.
+    /// Returns `true` if the next word ends expressions.
     fn at_stop(&self) -> bool {
         is_stop(self.slice(self.at, self.word_end(self.at)))
     }

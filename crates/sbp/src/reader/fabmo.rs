@@ -1,4 +1,4 @@
-//! What only FabMo's dialect has: arrays and objects, DIALOG, PAUSE with a text, FAIL, DATA_SEND.
+//! The syntax of FabMo's dialect alone: arrays and objects, DIALOG, PAUSE with a text, FAIL, DATA_SEND.
 //!
 //! Its commands (probes, SU, other orders of VA and VS) are entries of
 //! [`table::fabmo`](crate::table::fabmo).
@@ -10,7 +10,7 @@ use crate::expr::{Expr, ExprNode, Path, PathStep};
 use crate::tree::{Dialog, NameId, Span, Statement};
 use kerf_diag::Code;
 
-/// What to do about a file that is not in the dialect it is read in.
+/// Hint about a file that is not in the dialect it is read in.
 pub(super) const HINT: &str = "this is FabMo's dialect: --dialect fabmo";
 pub(super) const ARRAYS_HINT: &str =
     "arrays and objects are FabMo's dialect: --dialect fabmo; here use plain variables";
@@ -23,7 +23,7 @@ impl Line<'_, '_> {
         self.file.dialect == Dialect::Fabmo
     }
 
-    /// Whether a bracket or a dot behind the name of a variable says that it is a part of it.
+    /// Returns `true` if a bracket or a dot behind the name of a variable says that it is a part of it.
     pub(super) fn at_member(&self, start: usize) -> bool {
         let dotted = self.peek() == b'.' && self.byte(self.at + 1).is_ascii_alphabetic();
         self.peek() == b'[' || dotted && (self.is_fabmo() || self.byte(start) == b'$')
@@ -219,7 +219,7 @@ impl Line<'_, '_> {
         Ok(self.file.name_id(name))
     }
 
-    /// Whether the value of PAUSE makes it a dialog of the dialect.
+    /// Returns `true` if the value of PAUSE makes it a dialog of the dialect.
     pub(super) fn is_dialog_text(&self, value: &Expr) -> bool {
         self.is_fabmo()
             && self.file.expressions.any(value, &|node| matches!(node, ExprNode::Text(_)))

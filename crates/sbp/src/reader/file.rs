@@ -1,4 +1,4 @@
-//! What is gathered while a file is read.
+//! The parts of a program as they are gathered while its file is read.
 
 use super::commands::CommandIndex;
 use super::language::is_opensbp;
@@ -35,7 +35,7 @@ pub(super) struct File {
     pub(super) last_end: Option<u32>,
     /// The file has the ending of G-code: a line is OpenSBP only where it can be nothing else.
     pub(super) gcode_first: bool,
-    /// How many diagnostics were told but not kept, and whether errors are among them.
+    /// Number of diagnostics that were told but not kept, and whether errors are among them.
     untold: usize,
     untold_errors: bool,
 }
@@ -166,7 +166,7 @@ impl File {
         *first
     }
 
-    /// What stands behind the last END is never reached, so it is no reason not to run.
+    /// Makes warnings of the findings behind the last END: no run reaches them, so they are no reason not to run.
     ///
     /// Unless a jump misses its label: one of the lines may be that label, misspelt.
     fn soften_unreachable(&mut self) {

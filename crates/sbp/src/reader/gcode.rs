@@ -25,7 +25,7 @@ impl Line<'_, '_> {
         numbered && self.gcode_words(start) > 1
     }
 
-    /// How many G-code words the code consists of; 0 when it is something else.
+    /// Counts the G-code words that the code consists of; 0 when it is something else.
     pub(super) fn gcode_words(&self, start: usize) -> usize {
         const LETTERS: &[u8] = b"NGMXYZABCFSTIJKRPQLHDUVWE";
         let bytes = &self.text.as_bytes()[..self.end];
@@ -62,7 +62,7 @@ impl Line<'_, '_> {
         computed(bytes, &mut at) && bytes[at..].trim_ascii_start().starts_with(b"=")
     }
 
-    /// What is wrong with an O-word: it needs the lines around it.
+    /// Reports what is wrong with an O-word: it needs the lines around it.
     pub(super) fn o_word(&mut self, start: usize) -> Option<Failed> {
         let rest = self.text.as_bytes().get(start..self.end)?;
         if !matches!(rest, [b'O' | b'o', b'0'..=b'9' | b'<' | b'[' | b'#', ..]) {

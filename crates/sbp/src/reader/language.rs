@@ -20,12 +20,12 @@ pub const PART_ENDINGS: [&str; 3] = ["sbp", "sbc", "sbd"];
 /// Endings of G-code files.
 pub const GCODE_ENDINGS: [&str; 6] = ["nc", "tap", "ngc", "gcode", "cnc", "gc"];
 
-/// Whether the name of a file ends as those of G-code files do.
+/// Returns `true` if the name of a file ends as those of G-code files do.
 pub fn is_gcode_name(name: &str) -> bool {
     ends_in(name, &GCODE_ENDINGS)
 }
 
-/// Whether the name of a file ends as those of files in OpenSBP do.
+/// Returns `true` if the name of a file ends as those of files in OpenSBP do.
 pub fn is_part_name(name: &str) -> bool {
     ends_in(name, &PART_ENDINGS)
 }
@@ -117,7 +117,7 @@ fn disguised(program: &mut Program, message: &str, hint: &str) {
     program.diagnostics.insert(0, diagnostic.severity(Severity::Warning));
 }
 
-/// Whether no line is surely OpenSBP and some have a G word.
+/// Returns `true` if no line is surely OpenSBP and some have a G word.
 fn is_all_gcode(program: &Program) -> bool {
     let foreign = |node: Node| match node {
         Node::Comment | Node::Label(_) => true,
@@ -132,7 +132,7 @@ fn is_all_gcode(program: &Program) -> bool {
     program.statements.iter().any(has_g) && !program.lines.iter().any(|l| foreign(l.node))
 }
 
-/// Whether a statement is G-code, or could be: a command whose letters stand alone, as M2.
+/// Returns `true` if a statement is G-code, or could be: a command whose letters stand alone, as M2.
 fn may_be_gcode(statement: &Statement) -> bool {
     match statement {
         Statement::Gcode(_) => true,
@@ -141,7 +141,7 @@ fn may_be_gcode(statement: &Statement) -> bool {
     }
 }
 
-/// Whether a text with a G-code file's ending holds G-code, and whether it holds OpenSBP.
+/// Tells whether a text with a G-code file's ending holds G-code, and whether it holds OpenSBP.
 fn contents(text: &str, dialect: Dialect) -> (bool, bool) {
     let (mut gcode, mut opensbp) = (false, false);
     let mut commands = None;
@@ -176,8 +176,8 @@ fn may_be_opensbp(line: &[u8]) -> bool {
     }
 }
 
-/// Whether a line of a G-code file is surely OpenSBP: a two-letter command, a statement, a variable,
-/// a label, a comment behind an apostrophe.
+/// Returns `true` if a line of a G-code file is surely OpenSBP: a two-letter command, a statement, a
+/// variable, a label, a comment behind an apostrophe.
 pub(super) fn is_opensbp(line: &str, commands: &CommandIndex) -> bool {
     if !may_be_opensbp(line.as_bytes()) {
         return false;

@@ -9,7 +9,7 @@ use kerf_diag::{Code, Diagnostic, Place, Severity};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Failed;
 
-/// What reading a part of a line gives.
+/// Result of reading a part of a line.
 pub(super) type Read<T> = Result<T, Failed>;
 
 /// More diagnostics than this are not kept for one line.
@@ -21,9 +21,9 @@ pub(super) struct Line<'f, 't> {
     pub(super) file: &'f mut File,
     /// The line without its line end.
     pub(super) text: &'t str,
-    /// Where reading stands, in bytes.
+    /// Place of reading, in bytes.
     pub(super) at: usize,
-    /// Where the code ends; narrowed while a single value is read.
+    /// End of the code; narrowed while a single value is read.
     pub(super) end: usize,
     /// Its number, from 1.
     pub(super) number: u32,
@@ -31,7 +31,7 @@ pub(super) struct Line<'f, 't> {
     before: usize,
     /// Operators that the present expression may still have.
     pub(super) operators_left: u32,
-    /// How deep parentheses may still be nested.
+    /// Depth to which parentheses may still be nested.
     pub(super) depth_left: u32,
     /// The present expression has bare words in it.
     pub(super) words: bool,
@@ -115,7 +115,7 @@ impl<'f, 't> Line<'f, 't> {
         Span { start: self.at as u32, end: self.end as u32 }
     }
 
-    /// Where the word at `from` ends: letters, digits, underscores.
+    /// Returns the end of the word at `from`: letters, digits, underscores.
     pub(super) fn word_end(&self, from: usize) -> usize {
         let mut at = from;
         while is_name(self.byte(at)) {
@@ -124,7 +124,7 @@ impl<'f, 't> Line<'f, 't> {
         at
     }
 
-    /// Whether a word ends at a place as a command does: with a comma, a blank or the code.
+    /// Returns `true` if a word ends at a place as a command does: with a comma, a blank or the code.
     pub(super) fn separated(&self, at: usize) -> bool {
         at >= self.end || self.byte(at) == b',' || is_blank(self.byte(at))
     }
@@ -151,7 +151,7 @@ impl<'f, 't> Line<'f, 't> {
         result
     }
 
-    /// Where the field at the cursor ends: at a comma outside quotes, or with the code.
+    /// Returns the end of the field at the cursor: at a comma outside quotes, or with the code.
     pub(super) fn field_end(&self, from: usize) -> usize {
         self.until(from, b',')
     }

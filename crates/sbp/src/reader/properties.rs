@@ -1,4 +1,4 @@
-//! What holds for every text: no panic, one node a line, spans inside their lines.
+//! Tests of what holds for every text: no panic, one node a line, spans inside their lines.
 
 use super::read;
 use crate::tree::{ArgKind, Node, Program, Span, Statement};

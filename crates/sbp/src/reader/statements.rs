@@ -1,4 +1,4 @@
-//! What kind of statement a line is.
+//! Finds the kind of statement that a line is.
 
 use super::did_you_mean;
 use super::file::is_label;
@@ -226,7 +226,7 @@ impl Line<'_, '_> {
         }
     }
 
-    /// Whether the words at the cursor begin a statement or a command.
+    /// Returns `true` if the words at the cursor begin a statement or a command.
     pub(super) fn is_statement(&self) -> bool {
         let word = self.slice(self.at, self.word_end(self.at));
         Keyword::find(word).is_some() || self.file.commands.find(word).is_some()

@@ -11,7 +11,7 @@ pub(crate) fn blank(c: char) -> bool {
     u8::try_from(c).is_ok_and(is_blank)
 }
 
-/// Where the line that begins at `start` ends, and where the next one begins.
+/// Returns the end of the line that begins at `start`, and the beginning of the next one.
 pub(super) fn line_end(bytes: &[u8], start: usize) -> (usize, usize) {
     let Some(length) = memchr::memchr2(b'\n', b'\r', &bytes[start..]) else {
         return (bytes.len(), bytes.len());
@@ -20,13 +20,13 @@ pub(super) fn line_end(bytes: &[u8], start: usize) -> (usize, usize) {
     (end, after_line_end(bytes, end))
 }
 
-/// Where the next line begins when the line end starts at `end`.
+/// Returns the beginning of the next line when the line end starts at `end`.
 pub(super) fn after_line_end(bytes: &[u8], end: usize) -> usize {
     let both = bytes.get(end) == Some(&b'\r') && bytes.get(end + 1) == Some(&b'\n');
     (end + 1 + usize::from(both)).min(bytes.len())
 }
 
-/// Where the code of a line ends: before its comment, trailing blanks left out.
+/// Returns the end of the code of a line: before its comment, trailing blanks left out.
 ///
 /// An apostrophe between quotes is text.
 pub(crate) fn code_end(line: &[u8]) -> usize {

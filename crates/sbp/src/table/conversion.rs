@@ -7,7 +7,7 @@ use kerf_program::{
     Answer, Button, Command, ConversionRequest, CutChoice, FileConversion, QuestionKind, decimal,
 };
 
-/// What the machine wants to know is asked, one thing after the other, with what is usual in the entry.
+/// Converts a file; asks for what the host wants to know, one thing after the other, with the usual in the entry.
 pub(super) fn convert(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let name = a.text(0).unwrap_or_default().trim().to_string();
     if name.is_empty() {
@@ -44,7 +44,7 @@ pub(super) fn convert(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     }
 }
 
-/// What a file is whose name does not say it.
+/// Asks for the kind of a file whose name does not say it.
 fn ask_kind(c: &mut Context<'_>, name: &str) -> Result<String, Stop> {
     let question = c.entry(format!("What is {name}? DXF, HPGL, G-code or bitmap"), "");
     Ok(c.typed(&question)?.trim().to_ascii_lowercase())
@@ -91,7 +91,7 @@ fn ask_cut(
     })
 }
 
-/// What was typed; a blank is what is usual.
+/// Reads what was typed; a blank is what is usual.
 fn read_cut(typed: &str, unit: LinearUnit, usual: CutChoice) -> Option<CutChoice> {
     let mut words = typed.split(',').map(str::trim);
     let mut above_zero = |usual: f64, unit: f64| match words.next() {

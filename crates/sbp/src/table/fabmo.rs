@@ -121,10 +121,10 @@ pub static SPECS: [CommandSpec; 14] = [
     ),
 ];
 
-/// What SU takes for inches.
+/// Words that SU takes for inches.
 const INCHES: [&str; 4] = ["0", "IN", "INCH", "INCHES"];
 
-/// What SU takes.
+/// Words that SU takes.
 static UNITS: [&str; 8] = ["0", "IN", "INCH", "INCHES", "1", "MM", "MILLIMETER", "MILLIMETERS"];
 
 static LOCATIONS: [ParamSpec; 12] = [

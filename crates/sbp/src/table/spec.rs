@@ -1,4 +1,4 @@
-//! What an entry of the command table says.
+//! The entries of the command table.
 
 use super::Setting;
 use crate::interp::{Arguments, Context, Stop};
@@ -18,9 +18,9 @@ pub struct CommandSpec {
     pub group: Group,
     /// Its parameters in part-file order.
     pub params: &'static [ParamSpec],
-    /// What it does to the stack of moves.
+    /// Effect on the stack of moves.
     pub stack: Stack,
-    /// What it does, a sentence or two in our own words, with the manual's section where useful.
+    /// Description of its effect, a sentence or two in our own words, with the manual's section where useful.
     pub doc: &'static str,
     /// Carries it out.
     pub effect: Effect,
@@ -49,7 +49,7 @@ pub enum Group {
     Help,
 }
 
-/// What a command does to the stack of moves (notes A-95).
+/// Effect of a command on the stack of moves (notes A-95).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stack {
     /// Belongs to the stack, or does not disturb it (moves, cuts, VS).
@@ -63,19 +63,19 @@ pub enum Stack {
 pub struct ParamSpec {
     /// Its name, as a form shows it.
     pub name: &'static str,
-    /// What may be written.
+    /// Kind of value that may be written.
     pub kind: Kind,
-    /// What it means when left blank.
+    /// Meaning when left blank.
     pub default: Default,
     /// Values it accepts.
     pub bound: Bound,
-    /// What it is for; may be empty when the name says it.
+    /// Purpose; may be empty when the name says it.
     pub doc: &'static str,
     /// The place in the settings that it shows and changes, for parameters of that sort.
     pub setting: Option<Setting>,
 }
 
-/// What may be written for a parameter.
+/// Kind of value that may be written for a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// A number in a unit; the argument arrives in mm, mm/s, degrees … (see [`Unit`]).
@@ -123,7 +123,7 @@ pub enum Unit {
     Twips,
 }
 
-/// What a blank parameter means.
+/// Meaning of a blank parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Default {
     /// It must be given.
@@ -136,7 +136,7 @@ pub enum Default {
     Number(f64),
     /// This word.
     Word(&'static str),
-    /// What the documentation of the parameter says.
+    /// As the documentation of the parameter says.
     Special,
 }
 
@@ -278,7 +278,7 @@ impl CommandSpec {
         Self { letters, name, group, params, stack, doc, effect }
     }
 
-    /// Whether it changes what the machine is set to, which a password may protect.
+    /// Returns `true` if it changes what the machine is set to, which a password may protect.
     pub fn sets_machine(&self) -> bool {
         let value = self.group == Group::Values && self.letters != "VA";
         value || self.letters == "UR" || self.params.iter().any(|param| param.setting.is_some())

@@ -9,7 +9,7 @@ const fn value(name: &'static str) -> ParamSpec {
     ParamSpec::keep(name, Kind::Text)
 }
 
-/// What a tool is started with.
+/// Values with which a tool is started.
 const VALUES: &[ParamSpec] = &[
     value("Value 1").about(
         "Handed to the tool as it is. Tools of Kerf take KEY=VALUE, or values in the order of their form.",

@@ -14,7 +14,7 @@ const BITS: f64 = 10.0;
 /// Bytes that are on the line at a time; the rest waits with the sender.
 const ON_THE_LINE: usize = 256;
 
-/// What the cable does to bytes.
+/// Damage that the cable does to bytes.
 #[derive(Debug, Default)]
 struct Damage {
     /// No byte passes any more.
@@ -44,7 +44,7 @@ impl Cable {
         Ok(Self { ends, damage, pump: Some(pump) })
     }
 
-    /// Where its two ends are opened.
+    /// Returns the paths by which its two ends are opened.
     pub fn ends(&self) -> [&str; 2] {
         [&self.ends[0], &self.ends[1]]
     }
@@ -140,7 +140,7 @@ impl Wire {
 }
 
 impl Damage {
-    /// Whether this byte of the first end is one to spoil.
+    /// Returns `true` if this byte of the first end is one to spoil.
     fn strikes(&mut self) -> bool {
         match self.spoil_after.front_mut() {
             Some(0) => self.spoil_after.pop_front().is_some(),

@@ -41,7 +41,7 @@ impl Plug {
         Ok(Self { far: Port::of(&path, Box::new(far)), path, _near: near })
     }
 
-    /// Where the near end is opened.
+    /// Returns the path by which the near end is opened.
     pub fn path(&self) -> &str {
         &self.path
     }

@@ -18,7 +18,7 @@ use std::time::Duration;
 const LOOK: Duration = Duration::from_millis(30);
 const _: () = assert!(LOOK.as_millis() < 100);
 
-/// Who has the console.
+/// Owns the console.
 pub struct Keeper {
     app: Weak<App>,
     happens: Sender<Happening>,

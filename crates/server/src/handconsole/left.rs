@@ -12,7 +12,7 @@ use std::path::PathBuf;
 /// They lie under this name in the data folder.
 const FILE: &str = "digitized.draft";
 
-/// What is told of them when the server begins.
+/// Note about them when the server begins.
 const AGAIN: &str = "Points were being digitized when Kerf ended: function 70 goes on with them.";
 
 /// The points that are kept.

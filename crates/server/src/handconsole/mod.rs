@@ -26,7 +26,7 @@ use std::sync::Arc;
 use std::sync::mpsc::channel;
 use std::thread;
 
-/// What happens to the console.
+/// Event at the console.
 #[derive(Debug)]
 pub enum Happening {
     /// A key is pressed.
@@ -38,7 +38,7 @@ pub enum Happening {
         /// Which.
         key: Key,
     },
-    /// What a wish that lasts came to: what was found out, or why it is not done.
+    /// Outcome of a wish that lasts: what was found out, or why it is not done.
     Told(Result<String, String>),
 }
 

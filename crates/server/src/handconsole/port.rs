@@ -28,7 +28,7 @@ const AGAIN: Duration = Duration::from_secs(2);
 /// Bits on the line of a byte.
 const BITS: f64 = 10.0;
 
-/// What makes the console beep.
+/// Byte that makes the console beep.
 const BELL: u8 = 0x07;
 
 /// Begins the thread of the link, which ends with the server.
@@ -91,7 +91,7 @@ struct Link {
     /// Number of the key pressed last.
     seq: u64,
     last: Option<Key>,
-    /// What was sent last.
+    /// Screen that was sent last.
     drawn: Option<Screen>,
     beeps: u32,
     /// Until then the line is busy with what was sent.

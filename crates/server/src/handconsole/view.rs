@@ -1,4 +1,4 @@
-//! What the console shows of the machine and the job that is open.
+//! The machine and the open job as the console shows them.
 
 use crate::app::{App, Open, lock};
 use crate::desk::extension;
@@ -12,13 +12,13 @@ use kerf_program::Axes;
 use kerf_wire::{Asked, FileKind, Snapshot};
 use std::sync::Arc;
 
-/// What is known of the open job without reading it again, and which folder is the current one.
+/// Facts about the open job that are known without reading it again, and the current folder.
 #[derive(Debug, Default)]
 pub struct Facts {
     /// The preview that belongs to it, which changes whenever the job does.
     key: String,
     job: Option<Job>,
-    /// Where it lies on the table and where it ends, as far as it says so.
+    /// Its origin on the table and its finish, as far as it says so.
     placed: kerf_program::job::Job,
     /// Its paths, once a key has asked for them.
     paths: Option<Vec<Arc<Shape>>>,
@@ -29,7 +29,7 @@ pub struct Facts {
 }
 
 impl Facts {
-    /// What there is now; the files only for a key.
+    /// Returns the view of this moment; files and shapes only for a key.
     pub fn view(&mut self, app: &Arc<App>, lists: bool) -> View {
         let open = lock(&app.open).clone();
         if open.key != self.key {

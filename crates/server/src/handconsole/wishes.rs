@@ -1,4 +1,4 @@
-//! What the console wishes, done as if whoever pressed its keys had asked for it at a page.
+//! Grants the wishes of the console, as if whoever pressed its keys had asked for them at a page.
 
 use super::Happening;
 use crate::app::{App, lock, problem};

@@ -1,4 +1,4 @@
-//! How much a socket may ask: so many messages a second, and a number at once before that.
+//! Limit on what a socket may ask: so many messages a second, and a number at once before that.
 
 use tokio::time::{Duration, Instant, sleep_until};
 
@@ -7,7 +7,7 @@ use tokio::time::{Duration, Instant, sleep_until};
 pub struct Allowance {
     each: Duration,
     at_once: u32,
-    /// When everything that was asked so far is paid for.
+    /// Moment when everything that was asked so far is paid for.
     paid: Instant,
 }
 

@@ -16,7 +16,7 @@ struct Console;
 /// The page when the console was not built.
 const MINIMAL: &str = include_str!("minimal.html");
 
-/// What stands for the nonce in the page.
+/// Placeholder of the nonce in the page.
 const NONCE: &str = "__KERF_NONCE__";
 
 /// A file of the console; the page itself for every path that is none.
@@ -31,8 +31,8 @@ pub async fn asset(State(app): State<Arc<App>>, headers: HeaderMap, uri: Uri) ->
     }
 }
 
-/// Where pages reach STOP's own way: this machine as the browser calls it, at another port. An address of IPv6 is no
-/// name in a policy, so the port alone stands for it.
+/// Returns the address of STOP's own way: this machine as the browser calls it, at another port. An address of IPv6
+/// is no name in a policy, so the port alone stands for it.
 fn stop_way(headers: &HeaderMap, port: u16) -> String {
     let host = headers.get(header::HOST).and_then(|host| host.to_str().ok()).unwrap_or_default();
     let name = host.split_once(':').map_or(host, |(name, _)| name);
@@ -56,7 +56,7 @@ fn plain(path: &str, bytes: Vec<u8>) -> Response {
     (headers, bytes).into_response()
 }
 
-/// What a script that runs beside the page may do.
+/// Policy for a script that runs beside the page.
 const WORKER: &str = "default-src 'none'; script-src 'self'; connect-src 'self'";
 
 fn page(stop_way: &str) -> Response {

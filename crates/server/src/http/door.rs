@@ -1,4 +1,4 @@
-//! Who comes in: connections are counted, and those that say nothing are shown out.
+//! Lets connections in: they are counted, and those that say nothing are shown out.
 //!
 //! ```text
 //!  accept ─► Door: places of strangers, of an address ─► guard: known? ─► places of a device
@@ -66,7 +66,7 @@ pub struct Door {
 struct Places {
     /// Those that nobody knows, the oldest first.
     strangers: VecDeque<Arc<Visitor>>,
-    /// How many each device has.
+    /// Number of connections of each device.
     known: BTreeMap<u32, usize>,
     /// From where paired devices came, the newest last.
     acquainted: VecDeque<IpAddr>,

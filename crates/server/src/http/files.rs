@@ -26,7 +26,7 @@ pub struct Folder {
     mask: Option<String>,
 }
 
-/// What a folder holds.
+/// Lists a folder.
 pub async fn list(
     State(app): State<Arc<App>>,
     Query(query): Query<Folder>,
@@ -44,7 +44,7 @@ pub async fn list(
 }
 
 impl App {
-    /// Whether it is a part file, by the mask of part files, and what its head tells.
+    /// Enters whether it is a part file, by the mask of part files, and what its head tells.
     fn look(&self, file: &mut FileInfo, mask: &str) {
         let name = file_name(&file.name);
         let gcode = kerf_sbp::is_gcode_name(name);
@@ -56,7 +56,7 @@ impl App {
     }
 }
 
-/// Whether a file may be sent now, and has come as it was.
+/// Checks that a file may be sent now, and has come as it was.
 fn may_be_sent(app: &App, told: &HeaderValue, bytes: &[u8]) -> Result<(), Problem> {
     if app.state() == wire::State::Running {
         let text = "the machine moves: files are sent when it stands".into();
@@ -75,12 +75,12 @@ fn file_name(name: &str) -> &str {
     name.rsplit('/').next().unwrap_or(name)
 }
 
-/// What is wanted of a file besides its bytes.
+/// Query about a file, besides its bytes.
 #[derive(Debug, Default, Deserialize)]
 pub struct Look {
-    /// What it is, and its hash.
+    /// Asks for a description and the hash.
     about: Option<String>,
-    /// What is kept of what it was.
+    /// Asks for a list of the earlier contents that are kept.
     versions: Option<String>,
     /// The bytes of one of those.
     version: Option<u32>,
@@ -116,7 +116,7 @@ fn tagged(hash: &str) -> String {
     format!("\"{hash}\"")
 }
 
-/// How a file is written that is there already.
+/// Query that gives leave to write over a file.
 #[derive(Debug, Default, Deserialize)]
 pub struct Writing {
     /// `1` where any file may be replaced.

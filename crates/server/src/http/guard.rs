@@ -1,4 +1,4 @@
-//! Who may ask at all: the right name of this machine, no foreign page, a paired device.
+//! Lets requests in: the right name of this machine, no foreign page, a paired device.
 //!
 //! A page of a foreign site in the user's own browser must not reach the machine: its requests carry
 //! a foreign `Origin`, and where it points its own name at this address, a foreign `Host`.
@@ -21,10 +21,10 @@ use std::time::Duration;
 /// The cookie that holds a device's token.
 pub const TOKEN: &str = "kerf-device";
 
-/// What stands before the token of whoever sits at the machine, in the address that is printed.
+/// Name before the token of whoever sits at the machine, in the address that is printed.
 pub const IN_ADDRESS: &str = "token";
 
-/// What whoever is not let in is told.
+/// Answer to a device that is not let in.
 const UNPAIRED: &str = "this device is not paired with the machine; at the machine itself open the address that kerf \
     serve printed";
 
@@ -40,10 +40,10 @@ pub struct Peer {
     pub local: SocketAddr,
 }
 
-/// Who asks.
+/// The caller of a request.
 #[derive(Clone, Debug)]
 pub struct Caller {
-    /// What it may do; nothing for a device that is not paired.
+    /// Its role; nothing for a device that is not paired.
     pub role: Option<Role>,
     /// Number and name of the paired device; nothing at the machine itself.
     pub device: Option<(u32, String)>,
@@ -121,7 +121,7 @@ async fn pass(
 
 type Refusal = (StatusCode, &'static str);
 
-/// Who asks, if they may ask at all; pages come from the console, which listens at a port of its own.
+/// Finds out who asks, if they may ask at all; pages come from the console, which listens at a port of its own.
 fn admit(app: &App, peer: &Peer, console: u16, request: &Request) -> Result<Caller, Refusal> {
     let (headers, path) = (request.headers(), request.uri().path());
     let host = host(headers).filter(|host| is_ours(app, peer, host));
@@ -149,7 +149,7 @@ fn admit(app: &App, peer: &Peer, console: u16, request: &Request) -> Result<Call
     }
 }
 
-/// Where sockets are opened: only by pages, and only by those of this machine.
+/// Paths at which sockets are opened: only by pages, and only by those of this machine.
 const SOCKETS: [&str; 2] = ["/ws", "/stop"];
 
 /// The origin of the console's pages, for whoever calls this machine so.
@@ -168,7 +168,7 @@ fn host(headers: &HeaderMap) -> Option<&str> {
     hosts.next().is_none().then_some(host)
 }
 
-/// Whether a name with a port is one of this machine's.
+/// Returns `true` if a name with a port is one of this machine's.
 fn is_ours(app: &App, peer: &Peer, host: &str) -> bool {
     let (name, port) = match host.rsplit_once(':') {
         Some((name, port)) if !port.contains(']') => (name, port.parse().ok()),
@@ -186,7 +186,7 @@ fn is_ours(app: &App, peer: &Peer, host: &str) -> bool {
     ours && port == Some(peer.local.port())
 }
 
-/// Whether a request comes from this computer, and nothing says that it was handed on.
+/// Returns `true` if a request comes from this computer, and nothing says that it was handed on.
 fn is_here(peer: &Peer, headers: &HeaderMap) -> bool {
     let forwarded = FORWARDED.iter().any(|name| headers.contains_key(*name));
     let remote = peer.remote.ip().to_canonical();
@@ -220,8 +220,8 @@ fn enter(app: &App, peer: &Peer, request: &Request) -> Option<Response> {
     Some(answer)
 }
 
-/// Who asks: whoever sits at the machine owns it, and shows so where others may connect; everybody else is a paired
-/// device, or nobody.
+/// Finds out who asks: whoever sits at the machine owns it, and shows so where others may connect; everybody else is
+/// a paired device, or nobody.
 fn who(app: &App, peer: &Peer, console: u16, headers: &HeaderMap) -> Caller {
     let shows = |here: &Here| {
         let given = bearer(headers).or_else(|| cookie(headers, &here_cookie(console)));
@@ -249,7 +249,7 @@ fn cookie<'a>(headers: &'a HeaderMap, wanted: &str) -> Option<&'a str> {
     pairs.into_iter().find(|(name, _)| *name == wanted).map(|(_, value)| value)
 }
 
-/// What every answer says to the browser. Pages get their own policy, with a nonce.
+/// Adds what every answer says to the browser. Pages get their own policy, with a nonce.
 fn with_headers(mut response: Response) -> Response {
     let headers = response.headers_mut();
     let always = [

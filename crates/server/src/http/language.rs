@@ -1,4 +1,4 @@
-//! What editors, fill-in sheets and the display of values ask (see [`kerf_language`]).
+//! Answers editors, fill-in sheets and the display of values (see [`kerf_language`]).
 
 use super::{Refused, aside};
 use crate::app::{App, lock, problem};
@@ -49,7 +49,7 @@ pub async fn commands(State(app): State<Arc<App>>) -> Json<Vec<CommandEntry>> {
     Json(all)
 }
 
-/// What is wrong with a text.
+/// Tells what is wrong with a text.
 pub async fn check(
     State(app): State<Arc<App>>,
     Json(edited): Json<Text>,
@@ -71,7 +71,7 @@ pub async fn complete(Json(spot): Json<Spot>) -> Result<Json<Vec<Completion>>, R
     Ok(Json(aside(words).await?))
 }
 
-/// What the word at a place means.
+/// Explains the word at a place.
 pub async fn hover(Json(spot): Json<Spot>) -> Result<Json<Option<Hover>>, Refused> {
     let word = move || Ok(kerf_language::hover(&spot.text, spot.line, spot.column));
     Ok(Json(aside(word).await?))

@@ -33,7 +33,7 @@ fn of_media(app: &App, name: &str) -> Result<Vec<u8>, Problem> {
     media.read(same.as_ref().map_or(name, |file| &file.name))
 }
 
-/// What kind of sound a name says it is.
+/// Returns the media type of a sound, by the extension of its name.
 fn kind(name: &str) -> Option<&'static str> {
     let extension = name.rsplit_once('.')?.1.to_ascii_lowercase();
     Some(match extension.as_str() {

@@ -13,21 +13,21 @@ use kerf_wire::{Problem, Role, Tone, Why};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// What a device sends to be paired.
+/// Request of a device to be paired.
 #[derive(Debug, Deserialize, schemars::JsonSchema)]
 pub struct Pair {
     /// The code that the machine shows.
     code: String,
-    /// What the device is to be called.
+    /// Name for the device.
     name: String,
 }
 
-/// What it gets.
+/// Answer to a device that was paired.
 #[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Paired {
     /// Its token, for scripts; browsers keep it as a cookie.
     token: String,
-    /// What it may do.
+    /// Role of the device.
     role: Role,
 }
 

@@ -24,7 +24,7 @@ fn find(app: &App, key: &str) -> Result<Arc<Preview>, Problem> {
     preview.ok_or_else(|| problem(Why::File, "there is no such preview, or not any more"))
 }
 
-/// What is known of a preview.
+/// Returns the facts about a preview.
 pub async fn info(
     State(app): State<Arc<App>>,
     Path(key): Path<String>,
@@ -65,7 +65,7 @@ pub async fn typed(
     ([(header::CONTENT_TYPE, "application/octet-stream")], bytes).into_response()
 }
 
-/// What a timing chart is asked with.
+/// Query for a timing chart.
 #[derive(Deserialize)]
 pub struct Wanted {
     /// Changes of the simulated machine's inputs, `3@2.5=1,arc@4=1`.

@@ -1,4 +1,4 @@
-//! What scripts ask: the same acts as pages, over HTTP.
+//! Requests of scripts: the same acts as pages, over HTTP.
 
 use super::guard::Caller;
 use super::{Refused, aside, soon};
@@ -20,7 +20,7 @@ use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// What every page shows.
+/// Returns the snapshot that every page shows.
 pub async fn state(State(app): State<Arc<App>>) -> Json<Arc<Snapshot>> {
     Json(app.hub.now())
 }
@@ -72,7 +72,7 @@ async fn halted(app: &Arc<App>, who: &Who, mut halt: Halt, request: Request) -> 
     Json(Reply { id: 0, problem: None, notes: Vec::new(), clock_ms: None })
 }
 
-/// How long a body may take that only names a jog, and how long it may be, bytes.
+/// Longest time for a body that only names a jog, and its greatest length, bytes.
 const WITH_THE_HEAD: Duration = Duration::from_millis(200);
 const SHORT: usize = 4096;
 
@@ -108,7 +108,7 @@ pub fn who(caller: &Caller) -> Who {
     Who { client: script(number), role: caller.role.unwrap_or_default(), device: name }
 }
 
-/// Whether a caller has a role.
+/// Checks that a caller has a role.
 ///
 /// # Errors
 /// It has not.
@@ -119,7 +119,7 @@ pub fn demand(caller: &Caller, role: Role) -> Result<(), Problem> {
     Err(problem(Why::Role, format!("this needs the role {role:?}").to_lowercase()))
 }
 
-/// What somebody who helps has to know, as text.
+/// Returns what somebody who helps has to know, as text.
 pub async fn problems(State(app): State<Arc<App>>) -> Result<String, Refused> {
     let failed = |error: std::io::Error| problem(Why::Server, error.to_string());
     soon(move || app.problems().map_err(failed)).await
@@ -130,7 +130,7 @@ pub async fn shapes(State(app): State<Arc<App>>) -> Result<Json<ShapeList>, Refu
     Ok(Json(aside(move || Ok(app.shapes())).await?))
 }
 
-/// What the drawing becomes when it is machined.
+/// Returns what the drawing becomes when it is machined.
 pub async fn tool_paths(State(app): State<Arc<App>>) -> Result<Json<ToolPaths>, Refused> {
     let awaited = Awaited::default();
     let _asked = awaited.while_asked();

@@ -41,7 +41,7 @@ pub fn paths() -> Vec<&'static str> {
     served().into_iter().map(|(path, _)| path).collect()
 }
 
-/// What is served where. This is the one list.
+/// Lists every route and what serves it. This is the one list.
 fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
     let most = DefaultBodyLimit::max;
     let upload = get(files::read).put(files::write).post(files::restore).layer(most(bodies::FILE));

@@ -36,7 +36,7 @@ use tokio::time::{Instant, interval, timeout};
 
 /// A page that takes nothing for so long has gone.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// How often a page is asked whether it is there.
+/// Time between two questions to a page whether it is there.
 const BEAT: Duration = Duration::from_secs(2);
 /// Longest message of a page, bytes.
 const LONGEST: usize = 1 << 20;
@@ -102,7 +102,7 @@ async fn serve(app: Arc<App>, who: Who, presses: Presses, caller: Caller, socket
     writing.abort();
 }
 
-/// Who reads what a page sends.
+/// Reads what a page sends.
 struct Page {
     app: Arc<App>,
     who: Who,
@@ -111,7 +111,7 @@ struct Page {
     replies: mpsc::Sender<Owed>,
 }
 
-/// What a page is owed, or why it is told nothing more.
+/// A reply that a page is owed, or the reason why it is told nothing more.
 enum Owed {
     Reply(Reply),
     Leaves(&'static str),
@@ -141,7 +141,7 @@ impl Page {
         }
     }
 
-    /// Whether a message only stops; then that is done before anything else.
+    /// Does what a message that only stops asks for, before anything else; returns `true` if it was one.
     fn halts(&self, message: &[u8]) -> bool {
         let Some(pressed) = Halt::read(message) else { return false };
         let reply =
@@ -245,7 +245,7 @@ async fn writer(
     }
 }
 
-/// Why a page is told nothing more.
+/// Returns the last message to a page: the reason why it is told nothing more.
 fn closing(reason: &'static str) -> Message {
     Message::Close(Some(CloseFrame { code: close_code::POLICY, reason: reason.into() }))
 }

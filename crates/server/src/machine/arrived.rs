@@ -3,12 +3,12 @@
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use tokio::sync::Notify;
 
-/// How many stops had come at a moment.
+/// Number of stops that had come at a moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stops(u64);
 
 impl Stops {
-    /// How many of them stop what runs; the others only keep from beginning what was asked for before.
+    /// Returns the number of those that stop what runs; the others only keep from beginning what was asked for before.
     pub const fn halts(self) -> u64 {
         self.0 >> 32
     }
@@ -50,7 +50,7 @@ impl Arrived {
         self.disarms.fetch_sub(1, Ordering::SeqCst);
     }
 
-    /// Whether it is about to be disarmed.
+    /// Returns `true` if it is about to be disarmed.
     pub fn disarms(&self) -> bool {
         self.disarms.load(Ordering::SeqCst) > 0
     }

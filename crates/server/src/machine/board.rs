@@ -1,4 +1,4 @@
-//! What a run has to tell the pages, gathered so that they are told some thirty times a second and
+//! Gathers what a run has to tell the pages, so that they are told some thirty times a second and
 //! not a thousand.
 
 use super::planned::{Course, Planned};
@@ -39,7 +39,7 @@ pub struct Board {
     messages: Vec<Message>,
     pause: Option<Pause>,
     sound: Option<String>,
-    /// What the program said last, while nothing came behind it.
+    /// The program's last comment, while nothing came behind it.
     comment: Option<Arc<str>>,
     /// Number of the run.
     run: u32,
@@ -52,11 +52,11 @@ pub struct Board {
     live_mm_s: Option<f64>,
     /// A job runs, no part program.
     is_job: bool,
-    /// Where the machine was seen last, told or not.
+    /// Place where the machine was seen last, told or not.
     seen: Option<Positions>,
     /// Heights in force in a job.
     heights: Option<[f64; 3]>,
-    /// What else a pause has changed of it.
+    /// Other settings of the job that a pause has changed.
     in_force: Option<InForce>,
     /// VD has closed the message screen.
     silent: bool,
@@ -116,7 +116,7 @@ impl Board {
         self.run
     }
 
-    /// What runs is a typed line.
+    /// Takes the typed line that runs, where one does.
     pub fn typed(&mut self, typing: Option<Typing>) {
         self.typing = typing;
     }
@@ -126,7 +126,7 @@ impl Board {
         self.course.plan(planned);
     }
 
-    /// Where the machine is at a moment, and what else can be seen of it.
+    /// Looks where the machine is at a moment, and what else can be seen of it.
     pub fn see(&mut self, doing: &Doing<'_>, t_s: f64) {
         self.look_at(doing.machine, t_s);
         self.pause.take_if(|pause| pause.until <= t_s);
@@ -290,7 +290,7 @@ impl Board {
         self.tell();
     }
 
-    /// Where the run is in its files.
+    /// Notes where the run is in its files.
     pub fn stands(&mut self, files: &[OpenFile]) {
         let call = |open: &OpenFile| Call { file: self.parts.name_of(&open.file), line: open.line };
         self.calls = Some(files.iter().map(call).collect());
@@ -299,7 +299,7 @@ impl Board {
         }
     }
 
-    /// What the variables are that somebody wants to see.
+    /// Notes the values of the variables that somebody wants to see.
     pub fn watches(&mut self, watched: Vec<NamedValue>) {
         self.watched = Some(watched);
     }
@@ -319,7 +319,7 @@ impl Board {
         hub.changing(|now| self.differing(now));
     }
 
-    /// What of it differs from what pages know. It counts as told from now on.
+    /// Returns what of it differs from what pages know. It counts as told from now on.
     fn differing(&mut self, now: &Snapshot) -> Vec<Change> {
         self.told = Instant::now();
         let mut changes = Vec::new();

@@ -1,4 +1,4 @@
-//! What the owner of the machine does besides moving it: its files, recorder, switches, configuration.
+//! Chores of the machine's owner besides moving it: its files, recorder, switches, configuration.
 
 use super::arrived::Stops;
 use super::owner::Owner;
@@ -44,7 +44,7 @@ impl Owner {
         None
     }
 
-    /// What is passed in from here on, and is found when something else is over, came behind every stop until now.
+    /// Notes that a command passed in from now on, if found when something else is over, came behind every stop so far.
     pub(super) fn look_for_passed_in(&mut self) {
         let stops = self.link.stops();
         let journal = self.workshop.shelf.journal();

@@ -1,4 +1,4 @@
-//! Who takes part in a run of the server: a clock, an operator at any page, and whoever is told.
+//! Participants in a run of the server: a clock, an operator at any page, and whoever is told.
 //!
 //! The three share a [`Board`]; they live on the machine's thread.
 
@@ -27,14 +27,14 @@ const SLEPT: Duration = Duration::from_secs(5);
 /// Lamps follow their bits within a tenth of a second (Profiler reference, "I/O Card").
 const _: () = assert!(NAP.as_millis() + TELL.as_millis() < 100);
 
-/// What the three share.
+/// Parts that the three share.
 #[derive(Clone, Debug)]
 pub struct Shared {
-    /// What is told.
+    /// Gathers what is told.
     pub board: Rc<RefCell<Board>>,
-    /// Who is told.
+    /// Tells it to the pages.
     pub hub: Arc<Hub>,
-    /// What is wanted.
+    /// Carries what is wanted.
     pub link: Arc<Link>,
     /// Pages know files by their names below this.
     pub parts: PartFolder,
@@ -115,7 +115,7 @@ impl Clock {
         self.world.now(from_s)
     }
 
-    /// Whoever computed or waited for longer than a moment does not hurry afterwards.
+    /// Re-anchors the clock when the run lags behind it by more than 0.1 s, instead of catching up.
     fn stay_behind(&mut self, from_s: f64) {
         if self.now(from_s) > from_s + 0.1 * self.rate {
             self.world.begin_anew();
@@ -205,7 +205,7 @@ impl Pace for Clock {
     }
 }
 
-/// Whoever answers at a page.
+/// The operator: whoever answers at a page.
 #[derive(Debug)]
 pub struct Pages {
     shared: Shared,
@@ -223,7 +223,7 @@ impl Pages {
         Self { shared, asked, stopped: false, jogged: false, pressed: false }
     }
 
-    /// How many questions were asked.
+    /// Returns the number of questions that were asked.
     pub const fn asked(&self) -> u32 {
         self.asked
     }
@@ -305,8 +305,8 @@ impl Operator for Pages {
     }
 }
 
-/// Whether something stopped the machine in the middle: whoever does not answer ends the run. A job that
-/// waits before its start, or at a pause mark, was meant to.
+/// Returns `true` if something stopped the machine in the middle: whoever does not answer ends the run. A job
+/// that waits before its start, or at a pause mark, was meant to.
 fn stands(question: &Question) -> bool {
     match question.kind {
         QuestionKind::Hold => true,

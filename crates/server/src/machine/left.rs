@@ -1,4 +1,4 @@
-//! What the owner of the machine leaves for others to look at, whenever it is done with something.
+//! State that the owner of the machine leaves for others to look at, whenever it is done with something.
 
 use kerf_control::Session;
 use kerf_control::journal::Journal;
@@ -11,7 +11,7 @@ pub struct Left {
     pub session: Session,
     /// The part folder that FS chose.
     pub folder: PathBuf,
-    /// What survives.
+    /// Journal of what survives.
     pub journal: Option<Journal>,
     /// Which files lists show.
     pub mask: String,

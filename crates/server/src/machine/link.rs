@@ -1,4 +1,4 @@
-//! What pages want of a machine that runs, from the threads that hear it to the one that drives.
+//! Wishes of pages for a machine that runs, from the threads that hear them to the one that drives.
 //!
 //! Who holds the lock of the [`Hub`](crate::hub::Hub) may take that of the link, never the other way round. A stop takes
 //! neither: it is counted in [`Arrived`], and wakes the machine's thread.
@@ -16,13 +16,13 @@ use std::time::Duration;
 /// A jog ends when it is so long since its key was held for sure.
 pub const DEAD_MAN: Duration = Duration::from_millis(250);
 
-/// What pages want; whoever waits for it is woken.
+/// Carries what pages want; whoever waits for it is woken.
 #[derive(Debug)]
 pub struct Link {
     arrived: Arc<Arrived>,
     clock: Clock,
     wanted: Mutex<Wanted>,
-    /// Who waits for what is wanted: the machine's thread.
+    /// The thread that waits for what is wanted: that of the machine.
     waits: OnceLock<Thread>,
     /// Variables that are shown while programs run.
     watched: Mutex<Vec<String>>,
@@ -30,7 +30,7 @@ pub struct Link {
     plan: Mutex<Option<(u32, Planned)>>,
 }
 
-/// What pages want.
+/// Wishes of pages.
 #[derive(Debug, Default)]
 pub struct Wanted {
     /// Stops so far, those while nothing ran included.
@@ -70,7 +70,7 @@ pub struct Held {
     pub seq: u64,
     /// Whose.
     pub client: u32,
-    /// When it was held last, as whoever holds it says.
+    /// Moment when it was held last, as whoever holds it says.
     renewed: Duration,
     /// It was let go.
     pub released: bool,
@@ -93,14 +93,14 @@ impl Held {
         counts
     }
 
-    /// Whether nobody holds the key any more.
+    /// Returns `true` if nobody holds the key any more.
     pub const fn is_over(&self, now: Duration) -> bool {
         self.released || now.saturating_sub(self.renewed).as_nanos() > DEAD_MAN.as_nanos()
     }
 }
 
 impl Wanted {
-    /// What the run is to do now, told once. A jog ends at whatever is wanted.
+    /// Returns what the run is to do now, once. A jog ends at whatever is wanted.
     pub fn wish(&mut self) -> Option<Wish> {
         if let Some(held) = &mut self.jog {
             let halts = self.arrived.stops().halts();
@@ -122,7 +122,7 @@ impl Wanted {
         self.pressed().or_else(|| self.feed.take().map(Wish::Feed))
     }
 
-    /// Who waits for somebody stands already.
+    /// Drops a wanted hold: a machine that waits for somebody stands already.
     pub const fn stands(&mut self) {
         self.hold = false;
     }
@@ -163,7 +163,7 @@ impl Wanted {
         self.presses.pop_front().map(|Press { number, on }| Wish::Input { number, on })
     }
 
-    /// Whether a stop is wanted; it is heard now.
+    /// Returns `true` if a stop is wanted, which is heard now.
     pub fn hear_stop(&mut self) -> bool {
         let stop = self.is_to_stop();
         (self.stopping, self.ends) = (false, false);
@@ -172,13 +172,13 @@ impl Wanted {
         stop
     }
 
-    /// Whether a stop came while nothing ran; it is heard now. `stands` where nothing has begun.
+    /// Returns `true` if a stop came while nothing ran, which is heard now. `stands` where nothing has begun.
     pub fn hear_stop_at_rest(&mut self, stands: bool) -> bool {
         let now = stands && !self.leaves && self.hear_stop();
         std::mem::take(&mut self.rests) || now
     }
 
-    /// Whether whoever waits for somebody is to give up: a stop is wanted, and heard now, or nobody is there.
+    /// Returns `true` if whoever waits for somebody is to give up: a stop is wanted, and heard now, or Kerf ends.
     pub fn gives_up(&mut self) -> bool {
         self.hear_stop() || self.leaves
     }
@@ -194,7 +194,7 @@ impl Default for Link {
 }
 
 impl Link {
-    /// What is wanted.
+    /// Locks what is wanted.
     pub fn lock(&self) -> MutexGuard<'_, Wanted> {
         self.wanted.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -206,7 +206,7 @@ impl Link {
         result
     }
 
-    /// Whoever waits looks again at what is wanted, and for orders.
+    /// Wakes whoever waits, to look again at what is wanted, and for orders.
     pub fn wake(&self) {
         if let Some(thread) = self.waits.get() {
             thread.unpark();
@@ -292,13 +292,13 @@ impl Link {
         });
     }
 
-    /// What was asked for and has not begun yet does not begin; what runs goes on.
+    /// Keeps what was asked for and has not begun yet from beginning; what runs goes on.
     pub fn forestall(&self) {
         self.arrived.forestall();
         self.wake();
     }
 
-    /// How many stops have come.
+    /// Returns the number of stops that have come.
     pub fn stops(&self) -> Stops {
         self.arrived.stops()
     }

@@ -27,12 +27,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What the machine is to do next.
+/// An order that the machine carries out next.
 #[derive(Debug)]
 pub enum Order {
     /// Run a part file or a job.
     File {
-        /// What is in it.
+        /// Its content.
         work: Box<Work>,
         /// Its name, for pages.
         name: String,
@@ -40,14 +40,14 @@ pub enum Order {
         hash: String,
         /// Its plan.
         planned: Planned,
-        /// How a part file is run.
+        /// Parameters with which a part file is run.
         parameters: FileParameters,
-        /// What it sets may stay.
+        /// Settings that it makes may stay.
         opened: bool,
     },
     /// Take up the run that was cut short.
     TakeUp {
-        /// What pages know the open file by, where it is that which runs.
+        /// Hash by which pages know the open file, where it is that which runs.
         hash: Option<String>,
         /// The plan of all of it.
         planned: Planned,
@@ -72,7 +72,7 @@ pub enum Order {
     Jog {
         /// Direction of each axis.
         direction: [f64; AXES],
-        /// Where it ends by itself, mm or degrees.
+        /// Greatest multiple of the direction that it moves, mm or degrees.
         distance: Option<f64>,
         /// Share of the jog speed.
         speed: f64,
@@ -133,7 +133,7 @@ pub enum Order {
 }
 
 impl Order {
-    /// Whether it may move the machine: whoever asks for it drives, with the machine armed, when it begins.
+    /// Returns `true` if it may move the machine: whoever asks for it drives, with the machine armed, when it begins.
     pub const fn moves(&self) -> bool {
         match self {
             Self::File { .. }
@@ -157,26 +157,26 @@ impl Order {
     }
 }
 
-/// How often it is looked whether other software passed a command in.
+/// Time between two looks whether other software passed a command in.
 const LOOK: Duration = Duration::from_millis(100);
 
 /// The owner.
 pub struct Owner {
-    /// Who is told.
+    /// Tells the pages.
     pub hub: Arc<Hub>,
-    /// What is wanted meanwhile.
+    /// Carries what is wanted meanwhile.
     pub link: Arc<Link>,
     /// The machine and its files.
     pub workshop: Workshop,
     /// The part folder.
     pub parts: PartFolder,
-    /// What the last run left, for previews and forms.
+    /// The machine and its files as the last run left them, for previews and forms.
     pub left: Arc<Mutex<Left>>,
     /// Seconds of machine time in a second.
     pub rate: f64,
     /// Told after each order, with the file that a tool made.
     pub done: Box<dyn Fn(Option<String>) + Send>,
-    /// Where a file gets that a typed line runs.
+    /// Screen on which a file gets that a typed line runs.
     pub screen: Screen,
     /// Told when a part file closes Kerf (EXIT SHOPBOT), where it may.
     pub closing: Option<Sender<()>>,

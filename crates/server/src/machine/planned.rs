@@ -1,4 +1,4 @@
-//! How far a run is, by the plan of its preview.
+//! Progress of a run, by the plan of its preview.
 
 use kerf_control::Made;
 use kerf_machine::Going;
@@ -8,9 +8,9 @@ use std::sync::Arc;
 /// The moves of a run as they were planned in its preview.
 #[derive(Clone, Debug, Default)]
 pub struct Planned {
-    /// When each is over, seconds.
+    /// Time when each is over, seconds.
     pub times: Arc<[f32]>,
-    /// How much of that was cutting, which an override makes slower or faster.
+    /// Part of that time that was cutting, which an override makes slower or faster.
     pub cuts: Arc<[f32]>,
     /// Which path of a job each belongs to, and where it ends in the plane; empty for a part program.
     pub ends: Arc<[PathEnd]>,
@@ -37,7 +37,7 @@ impl Planned {
         course.progress()
     }
 
-    /// How many of the moves are made behind one that ends there, when so many were before. What a pause
+    /// Returns the number of moves made behind one that ends there, when so many were before. What a pause
     /// adds to a job is not in its plan.
     fn behind(&self, before: u32, (path, [x, y]): PathEnd) -> u32 {
         if self.ends.is_empty() {
@@ -91,8 +91,8 @@ impl Planning {
     }
 }
 
-/// Whether a move of the program is over: those beside it are in no plan, and an override makes one in several
-/// parts.
+/// Returns `true` if a move of the program is over: those beside it are in no plan, and an override makes one in
+/// several parts.
 const fn is_whole(made: &Made<'_>) -> bool {
     !made.beside && made.span.made.is_last_part
 }
@@ -108,7 +108,7 @@ fn behind(sums: &[f32], made: u32) -> f64 {
 pub struct Course {
     planned: Planned,
     made: u32,
-    /// What is left of the move under way, seconds at the speed that was planned; nothing where none of it was made.
+    /// Rest of the move under way, seconds at the speed that was planned; nothing where none of it was made.
     left_s: Option<f64>,
 }
 
@@ -153,12 +153,12 @@ impl Course {
             Some(((end_s - t_s).max(0.0) * share).min(self.present_s(&self.planned.times)));
     }
 
-    /// How long the next move is in a list of sums.
+    /// Returns the length of the next move in a list of sums.
     fn present_s(&self, sums: &[f32]) -> f64 {
         behind(sums, self.made + 1) - behind(sums, self.made)
     }
 
-    /// How much of the move under way is made, seconds at the speed that was planned.
+    /// Returns the part of the move under way that is made, seconds at the speed that was planned.
     fn within_s(&self) -> f64 {
         self.left_s.map_or(0.0, |left_s| self.present_s(&self.planned.times) - left_s)
     }

@@ -92,7 +92,7 @@ pub fn bits(machine: &Configuration) -> Vec<PortBit> {
     outputs.chain(INPUT_BITS.iter().map(|bit| named(bit, false))).collect()
 }
 
-/// How fast the machine may move for positions to be told: live drawing is a setting in tenths of its highest
+/// Returns the speed up to which positions are told: live drawing is a setting in tenths of the machine's highest
 /// speed, 10 for always and 0 for never (Profiler reference, "Miscellaneous Configuration Options").
 pub fn live_mm_s(machine: &Configuration) -> Option<f64> {
     match machine.misc.runtime_drawing {

@@ -1,11 +1,11 @@
-//! How far a jog goes.
+//! Reach of a jog.
 
 use kerf_program::{AXES, Axes, Axis, Settings};
 
 /// Longest way when no table limit is in its way, mm or degrees.
 const FAR: f64 = 10_000.0;
 
-/// How far it is from a table base coordinate in a direction, as a factor of it: the distance that
+/// Returns the way from a table base coordinate in a direction, as a factor of it: the distance that
 /// somebody wants, or to the table limits where they are checked.
 pub fn reach(
     settings: &Settings,

@@ -14,7 +14,7 @@ pub struct CalledFile {
     pub run: u32,
     /// Its name below the part folder.
     pub name: String,
-    /// How it is run.
+    /// Parameters with which it is run.
     pub parameters: FileParameters,
 }
 
@@ -59,7 +59,7 @@ impl Typing {
         }
     }
 
-    /// Whether a move is drawn as typed: that of a file on the screen is part of its picture.
+    /// Returns `true` if a move is drawn as typed: that of a file on the screen is part of its picture.
     pub const fn draws(&self, made: &Made<'_>) -> bool {
         !made.beside && (!self.shown || made.span.made.at.file == 0)
     }
@@ -70,7 +70,7 @@ fn parameters(call: FileCall) -> FileParameters {
     FileParameters { proportion, offset, repetitions, plunge: plunge_mm, tabs, plunge_from_zero }
 }
 
-/// Whether FP or FG is all that stands in a line.
+/// Returns `true` if FP or FG is all that stands in a line.
 fn runs_a_file(line: &str) -> bool {
     let line = line.trim();
     let letters = line.get(..2).map(str::to_ascii_uppercase);

@@ -24,11 +24,11 @@ const TELL: Duration = Duration::from_secs(1);
 /// The list, in the data folder.
 const FILE: &str = "devices.json";
 
-/// What to do where there is no list.
+/// Advice where there is no list.
 const ANEW: &str =
     "No device is paired now: pair each anew, or end Kerf and put a copy of the list in its place";
 
-/// What to do where the list is an older one.
+/// Advice where the list is an older one.
 const LOOK: &str = "Devices that were revoked since may be in it again, and others may be missing: look at the list of devices, \
                     and revoke what is not to drive the machine";
 
@@ -39,13 +39,13 @@ pub struct Device {
     pub number: u32,
     /// Its name.
     pub name: String,
-    /// What it may do.
+    /// Its role.
     pub role: Role,
     /// Hash of its token.
     hash: String,
 }
 
-/// Why a device was not paired.
+/// Reason why a device was not paired.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PairError {
     /// Nobody shows a code.
@@ -54,7 +54,7 @@ pub enum PairError {
     /// Another code is shown.
     #[error("this is not the code that the machine shows")]
     Wrong {
-        /// How many were tried while this code was shown, where that is to be told now.
+        /// Number of wrong codes tried while this one was shown, where that is to be told now.
         tell: Option<u32>,
     },
     /// A wrong code came from there a moment ago.
@@ -88,7 +88,7 @@ struct Shown {
     since: Duration,
     /// Wrong codes that were tried while it was shown.
     wrong: u32,
-    /// When that was told last.
+    /// Moment when that was told last.
     told: Option<Duration>,
 }
 
@@ -178,7 +178,7 @@ impl Devices {
         found
     }
 
-    /// Whether a device is still paired.
+    /// Returns `true` if a device is still paired.
     pub fn has(&self, number: u32) -> bool {
         lock(&self.inner).devices.iter().any(|device| device.number == number)
     }
@@ -256,7 +256,7 @@ fn damaged(file: &Counted, why: &io::Error) -> io::Result<(Vec<Device>, Option<S
     Ok((Vec::new(), Some(told)))
 }
 
-/// Whether two texts are the same, in a time that does not tell where they differ.
+/// Returns `true` if two texts are the same, in a time that does not tell where they differ.
 pub(super) fn same<T: ConstantTimeEq>(a: &[T], b: &[T]) -> bool {
     a.ct_eq(b).into()
 }
@@ -275,7 +275,7 @@ mod tests {
         (dir, devices)
     }
 
-    /// Where devices of a test are.
+    /// Address of the devices of a test.
     const DESK: IpAddr = IpAddr::V4(std::net::Ipv4Addr::new(192, 168, 1, 7));
 
     #[test]

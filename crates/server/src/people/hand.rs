@@ -18,11 +18,11 @@ const STEP: u64 = 1_000_000;
 pub struct Grip {
     /// Number of the jog.
     pub seq: u64,
-    /// When the key was held for sure, by the server's clock.
+    /// Moment when the key was held for sure, by the server's clock.
     pub at: Duration,
 }
 
-/// Why a sign of a hand does not count.
+/// Reason why a sign of a hand does not count.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum GripError {
     /// Its jog has ended, or a later one has begun.
@@ -41,19 +41,19 @@ pub enum GripError {
     Ahead(f64),
 }
 
-/// What the server knows of the hand of a page.
+/// The hand of a page, as far as the server knows it.
 #[derive(Debug, Default)]
 pub struct Hand {
     /// The jog with the greatest number that began or ended.
     jog: u64,
     /// The newest sign of it.
     newest: Option<Grip>,
-    /// How far the page's clock was ahead at most, ms.
+    /// Greatest lead of the page's clock so far, ms.
     ahead_ms: f64,
 }
 
 impl Hand {
-    /// How old what a page stamped is, ms.
+    /// Returns the age of what a page stamped; stamp and present time are in ms.
     ///
     /// # Errors
     /// It is of a time to come.

@@ -1,4 +1,4 @@
-//! Whoever sits at the machine, when others may connect as well.
+//! Tells who sits at the machine, when others may connect as well.
 //!
 //! A connection from this computer may come from anybody beyond a relay. So the owner has a token: in the address
 //! that is printed at the start, and in a file that only the user can read, for commands beside the server.
@@ -38,7 +38,7 @@ impl Here {
         &self.token
     }
 
-    /// Whether that is it.
+    /// Returns `true` if this is the token.
     pub fn is(&self, given: &str) -> bool {
         same(self.token.as_bytes(), given.as_bytes())
     }

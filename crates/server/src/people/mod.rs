@@ -1,4 +1,4 @@
-//! Who is connected, and which devices may.
+//! Connected pages, and the devices that may connect.
 
 mod devices;
 mod hand;

@@ -20,7 +20,7 @@ pub const fn script(device: u32) -> u32 {
     SCRIPTS - device
 }
 
-/// Whether a driver is a script.
+/// Returns `true` if a driver is a script.
 pub const fn is_script(client: u32) -> bool {
     client >= SCRIPTS - MOST_DEVICES
 }
@@ -48,7 +48,7 @@ struct Page {
     device: String,
     /// The number of the device; [`HERE`] for the machine itself, [`KERF`] for a hand console.
     number: u32,
-    /// What it pressed that only stops.
+    /// Its presses that only stop.
     presses: Presses,
     hand: Hand,
 }
@@ -79,7 +79,7 @@ impl Pages {
         lock(&self.inner).add(role, device, KERF).0
     }
 
-    /// What a page pressed on its own socket, if it is one of that device.
+    /// Returns what a page pressed on its own socket, if it is one of that device.
     pub fn presses(&self, client: u32, number: u32) -> Option<Presses> {
         let inner = lock(&self.inner);
         let page = inner.pages.get(&client).filter(|page| page.number == number);

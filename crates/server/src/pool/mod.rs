@@ -23,15 +23,15 @@ use turns::Turns;
 /// Threads for what is short: one may wait for the disk.
 const SHORT: usize = 2;
 
-/// Who asks: a paired device by its number; [`HERE`] at the machine itself.
+/// The one who asks: a paired device by its number; [`HERE`] at the machine itself.
 pub type Customer = u32;
 
-/// Whoever sits at the machine.
+/// Customer for whoever sits at the machine.
 pub const HERE: Customer = 0;
 /// The server itself: previews, and what follows on a run.
 pub const KERF: Customer = u32::MAX;
 
-/// How long something takes.
+/// Lane for work, by how long it takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lane {
     /// Usually a moment.
@@ -49,7 +49,7 @@ pub struct Pool {
     long: Arc<Queue>,
 }
 
-/// What waits in a lane.
+/// Work that waits in a lane.
 #[derive(Debug, Default)]
 struct Queue {
     turns: Mutex<Turns>,

@@ -1,4 +1,4 @@
-//! Who is next: everybody in turn, one job of each at a time.
+//! Turns of customers: everybody in turn, one job of each at a time.
 
 use super::Customer;
 use std::collections::{BTreeSet, VecDeque};
@@ -12,7 +12,7 @@ const ALL: usize = 512;
 /// Something to do.
 pub type Job = Box<dyn FnOnce() + Send>;
 
-/// What waits.
+/// Jobs that wait.
 #[derive(Default)]
 pub struct Turns {
     waiting: VecDeque<(Customer, VecDeque<Job>)>,
@@ -57,7 +57,7 @@ impl Turns {
         Some((customer, job))
     }
 
-    /// What was done for a customer is over.
+    /// Notes that the job of a customer is over.
     pub fn done(&mut self, customer: Customer) {
         self.busy.remove(&customer);
     }
@@ -68,7 +68,7 @@ impl Turns {
         self.waiting.clear();
     }
 
-    /// Whether that is so.
+    /// Returns `true` after the end.
     pub const fn is_over(&self) -> bool {
         self.over
     }

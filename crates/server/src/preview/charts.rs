@@ -14,11 +14,11 @@ pub type Answer = Result<Arc<Timing>, Problem>;
 #[derive(Debug, Default)]
 pub struct Charts {
     now: Mutex<Option<Arc<Chart>>>,
-    /// Whoever makes one holds this.
+    /// Lock that whoever makes one holds.
     turn: Mutex<()>,
 }
 
-/// What was asked for.
+/// Request for a chart.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Asked {
     /// The key of the preview.
@@ -71,7 +71,7 @@ impl Charts {
         (Waiting(chart.clone()), Some(chart))
     }
 
-    /// What is being made is given up.
+    /// Gives up what is being made.
     pub fn give_up(&self) {
         if let Some(chart) = lock(&self.now).take() {
             chart.given_up.store(true, Ordering::Relaxed);

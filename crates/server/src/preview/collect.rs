@@ -12,9 +12,9 @@ use kerf_program::Axis;
 pub struct Collector {
     /// The path.
     pub pen: Pen,
-    /// When each move is over.
+    /// Time when each move is over.
     pub plan: Planning,
-    /// What was found.
+    /// The findings.
     pub findings: Vec<Diagnostic>,
     /// Findings that come again and again.
     again: Repetitions,

@@ -47,7 +47,7 @@ const MOST_LINES: u64 = 5_000_000;
 /// A preview that is ready.
 #[derive(Debug)]
 pub struct Preview {
-    /// What is told of it.
+    /// Facts that pages are told of it.
     pub info: PreviewInfo,
     /// The path, from all of it to the coarsest.
     pub paths: Vec<Path>,
@@ -55,7 +55,7 @@ pub struct Preview {
     pub rolled: Option<Rolled>,
     /// The moves, as whoever follows the run needs them.
     pub planned: Planned,
-    /// What was found.
+    /// The findings.
     pub findings: Vec<Finding>,
     /// It has mistakes that keep it from running at all.
     pub failed: bool,
@@ -72,14 +72,14 @@ pub struct Preview {
 /// A path on a cylinder.
 #[derive(Debug)]
 pub struct Rolled {
-    /// What is told of it.
+    /// Facts that pages are told of it.
     pub info: PreviewInfo,
     /// The path, from all of it to the coarsest.
     pub paths: Vec<Path>,
 }
 
 impl Preview {
-    /// Whether the machine is not any more what it was made with.
+    /// Returns `true` if the machine is not any more what it was made with.
     pub fn is_stale(&self, session: &Session) -> bool {
         match &self.machine {
             // A job brings its own frame.
@@ -157,7 +157,7 @@ pub fn plan(work: Work, options: RunOptions, session: Session, shelf: &mut Shelf
     sink.plan.finish(machine.is_some())
 }
 
-/// How a preview runs.
+/// Returns the options with which a preview runs.
 fn options(parameters: FileParameters) -> RunOptions {
     let mut options = RunOptions::default();
     options.program.preview = true;

@@ -9,14 +9,14 @@ pub struct Path {
     /// One more than segments.
     vertices: Vec<[f32; 3]>,
     segments: Vec<Segment>,
-    /// How far it is from the true path at most, mm.
+    /// Greatest distance from the true path, mm.
     tolerance: f64,
 }
 
-/// What is known of a segment.
+/// Facts about a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// When it is over, seconds.
+    /// Time when it is over, seconds.
     pub end_s: f32,
     /// Line of the part file.
     pub line: u32,
@@ -32,12 +32,12 @@ impl Path {
         Self { origin: start, vertices: vec![[0.0; 3]], segments: Vec::new(), tolerance }
     }
 
-    /// What vertices are relative to.
+    /// Returns the origin of the vertices.
     pub const fn origin(&self) -> [f64; 3] {
         self.origin
     }
 
-    /// How many segments.
+    /// Returns the number of segments.
     pub fn len(&self) -> usize {
         self.segments.len()
     }
@@ -58,7 +58,7 @@ impl Path {
         Self { vertices: self.vertices.iter().enumerate().map(there).collect(), ..self.clone() }
     }
 
-    /// What a page is told of it.
+    /// Returns what a page is told of it.
     pub fn detail(&self) -> Detail {
         Detail {
             tolerance: self.tolerance,

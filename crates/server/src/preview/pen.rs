@@ -7,7 +7,7 @@ use kerf_motion::{Move, Path as Way};
 use kerf_program::{Axis, MoveKind};
 use kerf_wire::preview::{CUT, GAP, JOG};
 
-/// How far a chord may leave its arc, mm: finer than a pixel of any view.
+/// Greatest distance of a chord from its arc, mm: finer than a pixel of any view.
 const CHORD_MM: f64 = 0.01;
 /// Most chords of a move.
 const MOST: f64 = 720.0;
@@ -21,7 +21,7 @@ const JUMP_MM: f64 = 1e-3;
 pub struct Pen {
     /// The path.
     pub path: Path,
-    /// What the work has turned at each vertex, degrees; nothing where no axis turns it.
+    /// Angle by which the work has turned at each vertex, degrees; nothing where no axis turns it.
     pub turns_deg: Option<Vec<f32>>,
     at: [f64; 3],
 }
@@ -81,7 +81,7 @@ fn jumps(a: [f64; 3], b: [f64; 3]) -> bool {
     (0..3).any(|i| (a[i] - b[i]).abs() > JUMP_MM)
 }
 
-/// How many chords a move is drawn with.
+/// Returns the number of chords that a move is drawn with.
 fn chords(step: &Move) -> f64 {
     match step.path {
         Way::Line => 1.0,

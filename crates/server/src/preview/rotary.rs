@@ -10,7 +10,7 @@ const CHORD_DEG: f64 = 3.0;
 /// The most chords of one move; a bound for very many turns.
 const MOST_CHORDS: f64 = 4096.0;
 
-/// Whether a machine that is set so turns work about X: its fifth axis is B, in degrees.
+/// Returns `true` if a machine that is set so turns work about X: its fifth axis is B, in degrees.
 pub fn is_rotary(settings: &Settings) -> bool {
     settings.axis_count > 4 && settings.axis_unit(Axis::B) == AxisUnit::Degrees
 }

@@ -1,4 +1,4 @@
-//! What was typed, drawn as the machine makes it.
+//! Draws what was typed, as the machine makes it.
 
 use super::pen::Pen;
 use kerf_control::Made;
@@ -35,7 +35,7 @@ impl Typed {
         *self = Self { key: self.key + 1, ..Self::default() };
     }
 
-    /// What pages are told of it.
+    /// Returns what pages are told of it.
     pub fn told(&self) -> TypedPath {
         TypedPath { key: self.key, segments: self.pen.path.len() as u32 }
     }

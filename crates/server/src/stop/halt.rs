@@ -1,4 +1,4 @@
-//! What only stops, recognised in whatever form it comes.
+//! Recognises what only stops, in whatever form it comes.
 
 use crate::app::App;
 use crate::machine::Stops;
@@ -10,10 +10,10 @@ use std::time::Duration;
 /// Longer messages are none of these, bytes.
 const LONGEST: usize = 4096;
 
-/// How long somebody who pressed STOP waits to be told that the machine has heard it.
+/// Time that somebody who pressed STOP waits to be told that the machine has heard it.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// What only stops.
+/// A request that only stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Halt {
     /// Ramps down, lifts, asks.
@@ -31,17 +31,17 @@ pub enum Halt {
     },
 }
 
-/// What only stops, and the number of the request where it has one.
+/// A request that only stops, and its number where it has one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pressed {
-    /// What.
+    /// The request itself.
     pub halt: Halt,
     /// Number of the request; 0 where it has none that a page could have counted.
     pub id: u32,
 }
 
 impl Halt {
-    /// What a word means.
+    /// Returns the halt that a word names.
     pub fn named(word: &str) -> Option<Self> {
         let is = |name: &str| word.eq_ignore_ascii_case(name);
         Some(match () {
@@ -53,7 +53,7 @@ impl Halt {
         })
     }
 
-    /// What an act means.
+    /// Returns the halt that an act is; nothing for any other act.
     pub const fn of(act: &Act) -> Option<Self> {
         Some(match act {
             Act::Stop => Self::Stop,
@@ -64,7 +64,7 @@ impl Halt {
         })
     }
 
-    /// What a message means: a word, or an object that says what is to be done, whatever else is in it or missing.
+    /// Reads a message: a word, or an object that says what is to be done, whatever else is in it or missing.
     pub fn read(message: &[u8]) -> Option<Pressed> {
         let text = std::str::from_utf8(message.get(..message.len().min(LONGEST))?).ok()?;
         let word = text.trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\0');

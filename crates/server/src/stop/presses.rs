@@ -17,7 +17,7 @@ impl Default for Presses {
 }
 
 impl Presses {
-    /// Whether a press has not come on the other way before. One without a number always counts.
+    /// Returns `true` if a press has not come on the other way before. One without a number always counts.
     pub fn is_new(&self, id: u32) -> bool {
         id == 0 || self.0[id as usize % KNOWN].swap(id, Ordering::SeqCst) != id
     }

@@ -26,7 +26,7 @@ use tokio::runtime::{Builder, Handle};
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::{Instant, interval, timeout};
 
-/// How often a page is asked whether it is there, and how long it may not answer.
+/// Time between two questions to a page whether it is there, and the longest time that it may not answer.
 const BEAT: Duration = Duration::from_secs(2);
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Longest message, bytes.
@@ -40,7 +40,7 @@ const CROWD: usize = 1000;
 /// Replies that a page is owed.
 const OWED: usize = 32;
 
-/// What is said to whoever asks for anything else.
+/// Answer to whoever asks for anything else.
 const NOTHING_ELSE: &str =
     "only stop, hold, disarm and jogStop are heard here: ask the console for the rest";
 
@@ -50,7 +50,7 @@ pub struct StopWay {
     _ends: oneshot::Sender<()>,
 }
 
-/// Where it listens.
+/// Port at which the way listens.
 #[derive(Debug)]
 pub struct Door {
     /// The port of the console.
@@ -75,7 +75,7 @@ impl Door {
     }
 }
 
-/// What its thread knows.
+/// State of its thread.
 #[derive(Clone)]
 struct Way {
     app: Arc<App>,
@@ -135,7 +135,7 @@ impl Way {
     }
 }
 
-/// What scripts press.
+/// Carries out what scripts press.
 async fn act(
     State(way): State<Way>,
     Path(name): Path<String>,

@@ -16,7 +16,7 @@ pub struct Leg {
     pub axis: Axis,
     /// Which of its motors moved.
     pub which: Which,
-    /// When it began and ended, seconds.
+    /// Beginning and end, seconds.
     pub span_s: [f64; 2],
     /// True places, mm or degrees, of the first motor that moved.
     pub from: f64,
@@ -24,7 +24,7 @@ pub struct Leg {
     pub to: f64,
     /// Highest speed.
     pub peak: f64,
-    /// Where a switch changed that was waited for, true place.
+    /// True place where a switch changed that was waited for.
     pub edge: Option<f64>,
 }
 
@@ -35,7 +35,7 @@ struct Carried {
     place: f64,
     /// True place of what counts as zero.
     zero: f64,
-    /// Where its switch turns on.
+    /// True place at which its switch turns on.
     switch_at: Option<f64>,
     /// The switch is on.
     on: bool,
@@ -74,7 +74,7 @@ impl Bench {
         self.0.iter().flat_map(|shaft| shaft.legs.iter().copied()).collect()
     }
 
-    /// Where every axis truly is.
+    /// Returns the true place of every axis.
     pub fn places(&self) -> [f64; AXES] {
         std::array::from_fn(|i| self.0[i].place(0))
     }
@@ -113,12 +113,12 @@ impl Shaft {
         }
     }
 
-    /// Where a motor truly is; 0 for one that is not there.
+    /// Returns the true place of a motor; 0 for one that is not there.
     pub fn place(&self, motor: usize) -> f64 {
         self.motors.get(motor).map_or(0.0, |it| it.place)
     }
 
-    /// What the display shows for a motor.
+    /// Returns the place that the display shows for a motor; 0 for one that is not there.
     pub fn shown(&self, motor: usize) -> f64 {
         self.motors.get(motor).map_or(0.0, |it| it.place - it.zero)
     }

@@ -46,8 +46,8 @@ impl Machine {
         self
     }
 
-    /// How far axes are from where the controller believes them, because somebody pushed them: what
-    /// only the simulation knows, mm or degrees.
+    /// Returns how far axes are from where the controller believes them, because somebody pushed them: what only the
+    /// simulation knows, mm or degrees.
     pub const fn astray(&self) -> Axes {
         self.hand.astray
     }

@@ -19,18 +19,18 @@ struct Following<'a> {
     inputs: Inputs,
 }
 
-/// What a tick came to.
+/// Result of one tick.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tick {
     t_s: f64,
-    /// How far Z has been carried, mm.
+    /// Distance that Z has been carried, mm.
     offset_mm: f64,
-    /// Where the tool is, Z of the machine frame, mm.
+    /// Height of the tool, Z of the machine frame, mm.
     z_mm: f64,
     reading: Option<Reading>,
     /// The sensor sends nothing.
     silent: bool,
-    /// What the controller notices.
+    /// Faults that the controller looks for, and whether it notices each.
     faults: [(Input, bool); 3],
 }
 
@@ -77,7 +77,7 @@ impl Following<'_> {
         Tick { t_s, offset_mm, z_mm, reading: None, silent, faults }
     }
 
-    /// Whether the sensor sends nothing: its cable is broken, or there is no sheet that it could read.
+    /// Returns `true` if the sensor sends nothing: its cable is broken, or there is no sheet that it could read.
     fn is_silent(&self) -> bool {
         let modes = &self.machine.settings.io;
         self.machine.sheet.is_none() || self.inputs.reads(Input::NoReadings.number(), modes)
@@ -120,13 +120,13 @@ impl Following<'_> {
     }
 }
 
-/// Where a law acts.
+/// Moves in which a law acts.
 trait Acts {
-    /// Whether Z follows during a move: a cut whose Z is the plan's own, or a jog in the plane where the law
-    /// is for travel.
+    /// Tells whether Z follows during a move: a cut whose Z is the plan's own, or a jog in the plane where the law is
+    /// for travel.
     fn acts_in(&self, span: &Span<'_>) -> bool;
 
-    /// Whether readings are awaited during a move on which Z is the plan's own: the way down to the sheet.
+    /// Tells whether readings are awaited during a move on which Z is the plan's own: the way down to the sheet.
     fn listens_in(&self, span: &Span<'_>) -> bool;
 }
 
@@ -179,7 +179,7 @@ impl Machine {
         }
     }
 
-    /// What the switches of the head go by while height control is on, as far as no script moves them.
+    /// Lists the switches of the head and what they go by while height control is on, as far as no script moves them.
     fn switches_of_head(&self) -> Vec<(Input, Feels)> {
         let Some(law) = self.law.filter(|_| !self.draws()) else { return Vec::new() };
         let feels = |felt: Felt| Feels {
@@ -232,7 +232,7 @@ impl Machine {
         lift
     }
 
-    /// What height control will make of a plan from now on.
+    /// Foresees the ticks of height control over a plan from now on.
     pub(super) fn foreseen_ticks(&self, plan: &Plan, t0_s: f64) -> Vec<Tick> {
         let Some(mut following) = self.following() else { return Vec::new() };
         let from_s = (self.clock_s - t0_s).max(0.0);
@@ -244,7 +244,7 @@ impl Machine {
         ticks
     }
 
-    /// What height control will notice on the way, each fault off at first.
+    /// Foresees the faults that height control will notice on the way, each off at first.
     pub(super) fn foreseen_faults(&self, ticks: &[Tick]) -> Vec<Change> {
         if self.law.is_none() {
             return Vec::new();
@@ -263,7 +263,7 @@ impl Machine {
         all
     }
 
-    /// What the sensors of the head will tell, of a sheet or of none.
+    /// Foresees the changes of the head's sensors, over a sheet or over none.
     pub(super) fn foreseen_sensors(&self, plan: &Plan, t0_s: f64, ticks: &[Tick]) -> Vec<Change> {
         let at = |t_s: f64| {
             let mut at = plan.at(t_s).position;
@@ -309,7 +309,7 @@ enum Felt {
     Low,
 }
 
-/// How an input of the head depends on where the head is.
+/// Rule by which an input of the head depends on where the head is.
 #[derive(Clone, Copy, Debug)]
 struct Feels {
     sheet: Option<Sheet>,
@@ -319,7 +319,7 @@ struct Feels {
 }
 
 impl Feels {
-    /// What the input reads at a place, with the sensor silent or not.
+    /// Returns the state that the input reads at a place, with the sensor silent or not.
     fn at(&self, at: &Axes, silent: bool) -> bool {
         let gap_mm = self.sheet.map(|sheet| {
             let [x, y, z] = at.first3();
@@ -334,13 +334,13 @@ impl Feels {
     }
 }
 
-/// Whether the reading says that the head is above the band it is to keep.
+/// Tells whether the reading says that the head is above the band it is to keep.
 fn is_above_band(law: &HeightLaw, gap_mm: f64) -> bool {
     let Gauge::Proportional { gain_mm, set_points, .. } = law.gauge else { return false };
     (law.reading(gap_mm) - set_points[0]) * gain_mm.signum() >= 1.0
 }
 
-/// When something becomes true or false in a stretch of time, the state at its beginning first.
+/// Finds when something becomes true or false in a stretch of time, the state at its beginning first.
 pub(super) fn flips(from_s: f64, to_s: f64, is: &dyn Fn(f64) -> bool) -> Vec<(f64, bool)> {
     let mut states = vec![(from_s, is(from_s))];
     let slices = ((to_s - from_s) / SLICE_S).ceil().max(1.0) as u64;
@@ -356,7 +356,7 @@ pub(super) fn flips(from_s: f64, to_s: f64, is: &dyn Fn(f64) -> bool) -> Vec<(f6
     states
 }
 
-/// When a state ends between two moments.
+/// Finds the moment, between two others, at which a state ends.
 fn flip(mut from_s: f64, mut to_s: f64, before: bool, is: &dyn Fn(f64) -> bool) -> f64 {
     while to_s - from_s > EXACT_S {
         let middle_s = 0.5 * (from_s + to_s);

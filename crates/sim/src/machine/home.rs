@@ -30,8 +30,7 @@ impl Machine {
         self
     }
 
-    /// How far the carriage of each motor is from where the controller believes it: what only the
-    /// simulation knows.
+    /// Returns how far each motor's carriage is from where the controller believes it: what only the simulation knows.
     pub fn truth(&self) -> Vec<Vec<f64>> {
         self.carriages.astray()
     }
@@ -54,7 +53,7 @@ impl Machine {
         }
     }
 
-    /// Whether a home switch of an axis is on.
+    /// Tells whether a home switch of an axis is on.
     pub fn home_switch(&self, axis: Axis, which: Which) -> bool {
         self.carriages.is_on(axis, which)
     }
@@ -82,7 +81,7 @@ impl Machine {
         self.motors.say(self.true_position());
     }
 
-    /// What the home switches will tell while a plan is made.
+    /// Foresees the changes of the home switches while a plan is carried out.
     pub(super) fn foreseen_switches(&self, plan: &Plan, t0_s: f64) -> Vec<Change> {
         let change = |(t_s, input, on)| Change { input, at_s: t0_s + t_s, on };
         let ahead = self.carriages.foresee(plan).into_iter().map(change);
@@ -108,7 +107,7 @@ impl Machine {
         }
     }
 
-    /// Where an axis may go, machine frame: its soft bounds, and the table limits while they are checked.
+    /// Returns the range of an axis, machine frame: its soft bounds, and the table limits while they are checked.
     pub fn room(&self, axis: Axis) -> (f64, f64) {
         let (mut low, mut high) =
             self.bounds[axis.index()].unwrap_or((f64::NEG_INFINITY, f64::INFINITY));

@@ -1,4 +1,4 @@
-//! What jobs use beside the switches: intensity, pulse frequency, jigs.
+//! Intensity, pulse frequency, jigs: what jobs use beside the switches.
 
 use super::Machine;
 use super::height::flips;
@@ -13,7 +13,7 @@ use kerf_program::{Beam, IntensityLaw, MoveKind, OutputReason};
 /// Stretch of time in which speed is taken to only rise or only fall, seconds.
 pub(super) const SLICE_S: f64 = 0.001;
 
-/// How exactly the moment is sought at which the speed passes a step, seconds.
+/// Precision with which the moment is sought at which the speed passes a step, seconds.
 pub(super) const EXACT_S: f64 = 1e-7;
 
 impl Machine {
@@ -56,7 +56,7 @@ impl Machine {
         self
     }
 
-    /// What switches will feel on the way.
+    /// Foresees what switches will feel on the way.
     fn foreseen_touches(&self, plan: &Plan, t0_s: f64) -> Vec<Change> {
         let change = |input: u8| {
             let felt = |t_s: f64| {
@@ -137,8 +137,8 @@ impl Machine {
     }
 }
 
-/// When the discretized speed of a move changes, seconds of the plan, and to what: the whole of it is the speed that
-/// is asked for, as the operator overrides it.
+/// Finds when the discretized speed of a move changes, seconds of the plan, and to what: the whole of it is the speed
+/// that is asked for, as the operator overrides it.
 fn index_changes(plan: &Plan, span: &Span<'_>) -> Vec<(f64, u8)> {
     let full_mm_s = span.made.top_mm_s();
     let index = |t_s: f64| IntensityLaw::index(plan.at(t_s).path_speed_mm_s, full_mm_s);

@@ -7,12 +7,12 @@ use kerf_program::Settings;
 use std::collections::BTreeSet;
 
 impl Machine {
-    /// What an input, 1 … 12, reads.
+    /// Returns the state that an input, 1 … 12, reads.
     pub fn input(&self, number: u8) -> bool {
         self.inputs.reads(number, &self.settings.io)
     }
 
-    /// What programs read from inputs at a moment of the motion under way: the clock stands at its beginning.
+    /// Returns what programs read from inputs at a moment of the motion under way: the clock stands at its beginning.
     pub fn inputs_at(&self, t_s: f64) -> impl Fn(u8) -> bool {
         let inputs = self.inputs.at(t_s, &self.settings.io);
         move |number| inputs.reads(number, &self.settings.io)
@@ -41,12 +41,12 @@ impl Machine {
         self
     }
 
-    /// When an input reads a state: now, or at the time of a later change. `None` for never.
+    /// Returns when an input reads a state: now, or at the time of a later change. `None` for never.
     pub fn when_input(&self, number: u8, on: bool) -> Option<f64> {
         self.inputs.when(number, on, self.clock_s, &self.settings.io)
     }
 
-    /// When an input changes to a state the next time. `None` for never.
+    /// Returns when an input changes to a state the next time. `None` for never.
     pub fn when_pressed(&self, number: u8, on: bool) -> Option<f64> {
         let (now, modes) = (self.clock_s, &self.settings.io);
         let rests_s = self.inputs.when(number, !on, now, modes)?;
@@ -92,7 +92,7 @@ impl Machine {
         self.inputs.limiting(&self.settings.io, &self.overridden.switches)
     }
 
-    /// Whether the controller answers. What is only drawn needs none.
+    /// Tells whether the controller answers. What is only drawn needs none.
     pub fn is_connected(&self) -> bool {
         let Settings { driver, controller, io, .. } = &*self.settings;
         let answers = controller.is_simulated(driver.port) && self.inputs.reads(CABLE, io);

@@ -15,7 +15,7 @@ const HEATER_CHANNEL: u8 = 1;
 /// The outputs of the spindles.
 const SPINDLES: [u8; 2] = [1, 2];
 
-/// What was on when the power went off.
+/// Outputs and PWM that were on when the power went off.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WasOn {
     /// Outputs, by number.
@@ -25,7 +25,7 @@ pub struct WasOn {
 }
 
 impl WasOn {
-    /// Whether a spindle is among it: outputs 1 and 2, or the speed that a PWM channel sets.
+    /// Tells whether a spindle is among them: outputs 1 and 2, or the speed that a PWM channel sets.
     pub fn turns(&self) -> bool {
         self.outputs.iter().any(|n| SPINDLES.contains(n)) || self.pwm_percent > 0.0
     }
@@ -52,7 +52,7 @@ impl Machine {
         self.by_mode(Occasion::Start, OutputReason::Mode);
     }
 
-    /// Whether an output comes on when a part file starts.
+    /// Tells whether an output comes on when a part file starts.
     pub fn switches_on_at_start(&self) -> bool {
         !self.draws() && switched(&self.settings.io, Occasion::Start).any(|(_, on)| on)
     }
@@ -100,7 +100,7 @@ impl Machine {
         turned
     }
 
-    /// Whether a spindle turns, or an axis moves by itself.
+    /// Tells whether a spindle turns, or an axis moves by itself.
     pub fn turns(&self) -> bool {
         !self.spinning().is_empty() || SPINDLES.into_iter().any(|n| self.outputs.is_on(n))
     }

@@ -1,4 +1,4 @@
-//! What the machine does, and when.
+//! Tests of what the machine does, and when.
 
 use super::*;
 use crate::Change;

@@ -31,8 +31,7 @@ impl Machine {
         }
     }
 
-    /// How far the torch has carried Z belongs to the planned position from here on; motion that
-    /// begins now begins there.
+    /// Adds the way that torch and height control have carried Z to the planned position: the next motion begins there.
     pub fn land_torch(&mut self) {
         self.torch_mm_s = 0.0;
         self.steer_torch(self.clock_s);

@@ -65,7 +65,7 @@ fn entry(spec: &CommandSpec) -> String {
     text
 }
 
-/// What may be written, with its bounds.
+/// Describes what may be written, with its bounds.
 fn value(param: &ParamSpec) -> String {
     let kind = match param.kind {
         Kind::Number(unit) => unit_word(unit).to_owned(),

@@ -1,4 +1,4 @@
-//! What may be wrong with the score.
+//! Checks of the score.
 
 use super::SCORE;
 use super::ledger::{Row, SUITES};

@@ -15,7 +15,7 @@ const HEADER: &str = "\
 # are set by hand.
 ";
 
-/// How far a row is.
+/// Status of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 pub enum Status {
     /// Shown by tests.
@@ -47,11 +47,11 @@ impl Status {
     }
 }
 
-/// What is known of a row.
+/// Entry of a row in the score.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Entry {
-    /// How far it is.
+    /// Status.
     pub status: Status,
     /// By what its tests show it: follows from where they stand.
     #[serde(default)]
@@ -59,7 +59,7 @@ pub struct Entry {
     /// The tests that show it.
     #[serde(default)]
     pub tests: Vec<String>,
-    /// Why it is partial or not applicable.
+    /// Reason why it is partial or not applicable.
     pub why: Option<String>,
 }
 

@@ -20,13 +20,13 @@ pub const FILE: &str = "docs/conformance-shown.toml";
 /// The words for a row of the second list.
 pub const NOT_YET: &str = "not yet shown in the browser";
 
-/// How many rows the second list has: it may become shorter, then this number does, never longer.
+/// Number of rows of the second list: it may become shorter, then this number does, never longer.
 const MOST_NOT_YET: usize = 0;
 
 /// Rows that are not yet shown where a person sees them.
 pub type Unshown = BTreeSet<String>;
 
-/// Where a test looks.
+/// Level at which a test looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum By {
@@ -39,7 +39,7 @@ pub enum By {
 }
 
 impl By {
-    /// Where the tests of a file look.
+    /// Returns the level at which the tests of a file look.
     pub fn of_file(path: &str) -> Self {
         if path.starts_with("console/tests/browser/") {
             Self::Browser
@@ -50,7 +50,7 @@ impl By {
         }
     }
 
-    /// Where these tests look, each place once.
+    /// Returns the levels at which these tests look, each once.
     pub fn of_tests(names: &[String], tests: &Tests) -> Vec<Self> {
         let places: BTreeSet<Self> =
             names.iter().filter_map(|name| tests.get(name)).flatten().copied().collect();
@@ -67,7 +67,7 @@ impl By {
     }
 }
 
-/// What is known of rows that are not shown where their words say.
+/// Lists of rows that are not shown where their words say.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Shown {
@@ -77,7 +77,7 @@ pub struct Shown {
     pub not_yet: Unshown,
 }
 
-/// What of a person's world a row speaks of.
+/// Part of a person's world of which a row speaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum World {
     /// Something on the screen, or done to it.
@@ -180,7 +180,7 @@ mod tests {
         assert_eq!(By::of_file("console/src/draw/a.test.ts"), By::Library);
     }
 
-    /// What is found of a row with these words, shown so, that stands in these lists.
+    /// Returns the findings of a row with these words, shown so, that stands in these lists.
     fn check(words: &str, by: &str, lists: &str) -> Vec<String> {
         let text = format!("[opensbp.lang]\nSBP-A = {{ status = \"done\", by = [\"{by}\"] }}\n");
         let row = Row {

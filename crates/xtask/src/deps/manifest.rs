@@ -1,4 +1,4 @@
-//! What the Cargo manifests of the workspace say about dependencies.
+//! The dependencies that the Cargo manifests of the workspace name.
 
 use crate::Tree;
 use anyhow::{Context, Result};

@@ -39,7 +39,7 @@ const FORBIDDEN_WORDS: &[&str] = &[
     "thread_local!",
 ];
 
-/// What the sources of one crate reach for.
+/// Finds what the sources of one crate reach for that they may not.
 pub fn check(tree: &Tree, folder: &str) -> Vec<Finding> {
     let src = format!("{folder}src/");
     let tests: Vec<String> =
@@ -48,7 +48,7 @@ pub fn check(tree: &Tree, folder: &str) -> Vec<Finding> {
     files.flat_map(|(path, text)| check_file(path, text)).collect()
 }
 
-/// Where the modules of their own that a file declares for tests only lie, without `.rs` or `/`.
+/// Returns where the modules of their own that a file declares for tests only lie, without `.rs` or `/`.
 fn test_modules(path: &str, text: &str) -> Vec<String> {
     let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
     let folder = match file {
@@ -97,13 +97,13 @@ fn is_changing_global(line: &str) -> bool {
     item.starts_with("static ") && changing.iter().any(|kind| item.contains(kind))
 }
 
-/// Whether the word stands in the line and is not the tail of a longer one.
+/// Returns `true` if the word stands in the line and is not the tail of a longer one.
 fn has_word(line: &str, word: &str) -> bool {
     line.match_indices(word)
         .any(|(at, _)| !line[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_'))
 }
 
-/// Whether `item` is the path `bad` or lies below it.
+/// Returns `true` if `item` is the path `bad` or lies below it.
 fn begins_path(item: &str, bad: &str) -> bool {
     item.strip_prefix(bad)
         .is_some_and(|rest| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_'))

@@ -82,7 +82,7 @@ pub fn room(package: &str) -> Option<Room> {
     ROOMS.iter().copied().find(|r| r.name == package)
 }
 
-/// Whether `from` may depend on `to`; the error tells which rule forbids it.
+/// Checks that `from` may depend on `to`; the error tells which rule forbids it.
 pub fn may_know(from: &Room, to: &Room) -> Result<(), &'static str> {
     if to.level >= from.level {
         return Err("arrows point only downwards");

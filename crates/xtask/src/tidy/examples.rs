@@ -3,7 +3,7 @@
 use crate::{Finding, Tree};
 use std::collections::BTreeSet;
 
-/// What is missing in the folders of `examples/`.
+/// Finds what is missing in the folders of `examples/`.
 pub fn check(tree: &Tree) -> Vec<Finding> {
     folders(tree).iter().flat_map(|folder| check_folder(tree, folder)).collect()
 }

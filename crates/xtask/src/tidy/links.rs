@@ -22,7 +22,7 @@ fn check_page(tree: &Tree, path: &str, text: &str) -> Vec<Finding> {
     findings
 }
 
-/// What the links of a line point to, inline code left out.
+/// Returns the targets of the links of a line, inline code left out.
 fn targets(line: &str) -> Vec<&str> {
     let prose = line.split('`').step_by(2);
     prose

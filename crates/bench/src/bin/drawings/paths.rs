@@ -5,7 +5,7 @@ use crate::{plates, timed};
 use anyhow::Result;
 use kerf_drawing::{Drawing, Editor, script};
 
-/// How they are cut.
+/// Clauses by which the shapes are cut.
 const CUT: &str = "directions auto; set black offset=1 tag=1 lead-in=1,90 lead-out=1,45; \
                    array block 2x2 gap 10,10; array job 1x2 gap 20,20";
 

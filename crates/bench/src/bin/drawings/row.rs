@@ -2,15 +2,15 @@
 
 /// One figure.
 pub struct Row {
-    /// What was measured.
+    /// Name of what was measured.
     pub what: String,
     /// Whose it is.
     pub by: &'static str,
-    /// What came of it.
+    /// Result.
     pub result: String,
     /// Processor time, milliseconds.
     pub ms: f64,
-    /// What is asked, and whether it is met.
+    /// Goal, and whether it is met.
     pub goal: Option<(String, bool)>,
 }
 
@@ -20,7 +20,7 @@ impl Row {
         Self { what: what.into(), by, result, ms, goal: None }
     }
 
-    /// What is asked of it.
+    /// Sets the goal of the figure.
     #[must_use]
     pub fn asked(self, goal: impl Into<String>, met: bool) -> Self {
         Self { goal: Some((goal.into(), met)), ..self }

@@ -12,7 +12,7 @@ const LENGTH: Rapids =
 
 /// Plates by their contours, with the way between the cuts that is asked for, metres.
 const PLATES: [(usize, f64); 3] = [(104, 2.5), (311, 8.1), (978, 27.5)];
-/// How far above the bound a way to drill may be, percent.
+/// Greatest excess of a way to drill over the bound, percent.
 const OVER: f64 = 5.0;
 
 pub fn measure() -> Vec<Row> {

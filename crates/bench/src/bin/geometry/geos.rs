@@ -120,7 +120,7 @@ fn question(shape: &Polyarc, distance: f64, found: &[OffsetPath]) -> Value {
         "distance": outward, "rings": rings, "allowed": 1e-3 * distance.abs(), "chord": CHORD_MM})
 }
 
-/// What came out of the comparison of a family.
+/// Counts of the comparison of a family.
 #[derive(Default)]
 struct Tally {
     ours: u32,

@@ -18,7 +18,7 @@ mod usage;
 use anyhow::Result;
 use kerf_geom::{Indexed, Offsetter, Polyarc};
 
-/// What an offset gave: rings, vertices, area.
+/// Result of an offset: rings, vertices, area.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outcome {
     rings: usize,
@@ -77,7 +77,7 @@ fn main() -> Result<()> {
 /// Shares of a segment at which it is looked how far it is off.
 const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 
-/// How far places of offset rings are from their distance to the contours, at the most.
+/// Returns the greatest deviation of places of offset rings from their distance to the contours.
 fn deviation(contours: &[Polyarc], distance: f64, rings: &[Polyarc]) -> f64 {
     let indexed = Indexed::new(contours);
     let off = |place| indexed.nearest(place).map_or(f64::NAN, |(_, foot)| foot.distance);

@@ -10,7 +10,7 @@ use i_overlay::mesh::float::outline::offset::OutlineOffset;
 use i_overlay::mesh::float::style::{LineJoin, OutlineStyle};
 use kerf_geom::{Offsetter, Point2, Polyarc, Vertex};
 
-/// Where rings are kept to be looked at; while time is measured they are not.
+/// Rings that are kept to be looked at; while time is measured they are not.
 type Kept<'a> = Option<&'a mut Vec<Polyarc>>;
 
 /// Offsets contours one by one, positive outwards, and sums what comes out. Kerf's buffers are kept from run

@@ -1,4 +1,4 @@
-//! How many offsets of hard shapes are proved, family by family.
+//! Counts the offsets of hard shapes that are proved, family by family.
 
 use crate::families::FAMILIES;
 use kerf_geom::{Coarse, offset};

@@ -1,4 +1,4 @@
-//! How far a run is, and where it was given up.
+//! Progress of a run, and the place where it was given up.
 
 use super::Tape;
 use crate::journal::progress::{Progress, Reached};
@@ -63,12 +63,12 @@ impl Tape {
         self.given_up(place);
     }
 
-    /// Whether a move was made.
+    /// Returns `true` if a move was made.
     pub(crate) const fn has_moved(&self) -> bool {
         self.reached.made > 0
     }
 
-    /// How far a run is that was given up.
+    /// Returns the progress of a run that was given up.
     pub(in crate::journal) fn left_at(&self) -> Option<&Reached> {
         self.reached.stopped.then_some(&self.reached)
     }
@@ -86,7 +86,7 @@ impl Tape {
         }
     }
 
-    /// Where the run stands: its flags.
+    /// Sets the flags that tell where the run stands.
     pub(crate) const fn stands(&mut self, status: u8) {
         self.reached.live.status = status;
     }
@@ -119,7 +119,7 @@ impl Tape {
         }
     }
 
-    /// Why nothing can be written, when that was not told yet.
+    /// Returns why nothing can be written, when that was not told yet.
     pub(crate) fn new_trouble(&mut self) -> Option<String> {
         self.writing.as_mut()?.new_trouble()
     }

@@ -1,4 +1,4 @@
-//! Where a run was taken up, and where it was left while it was stopped.
+//! Points at which a run was taken up, and at which it was left while it was stopped.
 
 use super::{Kind, Tape};
 use crate::journal::{Placed, progress::Progress};
@@ -6,33 +6,33 @@ use crate::switches::Switches;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
-/// Where a run was taken up.
+/// Point at which a run was taken up.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Reentered {
-    /// Where the machine stood.
+    /// Place where the machine stood.
     pub place: Placed,
-    /// How much of the move at hand had been made.
+    /// Share of the move at hand that had been made.
     pub within: f64,
-    /// How many steps were told before.
+    /// Number of steps that were told before.
     #[serde(default)]
     told: u64,
     /// Switches that somebody has moved since the run was cut short.
     #[serde(default)]
     pub moved: Switches,
-    /// How all switches were left.
+    /// All switches as they were left.
     #[serde(default)]
     pub(super) left: Switches,
 }
 
 impl Tape {
-    /// Whether the run was taken up here before, and cut short again.
+    /// Tells whether the run was taken up here before, and cut short again.
     pub(crate) fn is_reentered(&self) -> bool {
         let told = |kind: &Kind| !matches!(kind, Kind::Reentry | Kind::Left);
         let others = || self.played.iter().any(|(kind, steps)| told(kind) && !steps.is_empty());
         self.next_reentry().is_some_and(|reentry| reentry.told <= self.told || !others())
     }
 
-    /// Whether the run is taken up in the middle of the next move: where it was before, or now.
+    /// Tells whether the run is taken up in the middle of the next move: where it was before, or now.
     pub(crate) fn reenters_within(&self) -> bool {
         let told = self.next_reentry().filter(|_| self.is_reentered());
         told.map_or(self.is_within(), |told| told.within > 0.0)
@@ -45,7 +45,7 @@ impl Tape {
         serde_json::from_value(next.told.clone()).ok()
     }
 
-    /// Where the run was taken up when it had come so far, if it was.
+    /// Returns the point at which the run was taken up when it had come so far, if it was.
     pub(crate) fn reentered(&mut self) -> Option<Reentered> {
         if !self.is_reentered() {
             return None;
@@ -56,7 +56,7 @@ impl Tape {
         self.pop(Kind::Reentry)
     }
 
-    /// Whether the power went here, then or now. What is between here and the next move is left to whoever takes
+    /// Tells whether the power went here, then or now. What is between here and the next move is left to whoever takes
     /// the run up.
     pub(crate) fn is_open(&mut self) -> bool {
         if self.open || !self.silent {

@@ -41,11 +41,11 @@ pub(super) struct Compensator {
     radius: f64,
     /// The entry move is still to come.
     first: bool,
-    /// Where the tool is, or will be when the move held back is made.
+    /// Place of the tool, or its place when the move held back is made.
     tool: Axes,
     /// The move held back.
     held: Option<Piece>,
-    /// What was given behind it.
+    /// Commands that were given behind it.
     behind: Vec<Sourced>,
 }
 
@@ -72,7 +72,7 @@ impl Compensator {
 }
 
 impl Core {
-    /// Where the tool has been sent.
+    /// Returns the place to which the tool has been sent.
     pub(super) fn tool_position(&self) -> Axes {
         let beside = self.beside.unwrap_or(self.position);
         self.compensator.as_ref().map_or(beside, |c| c.tool)
@@ -146,7 +146,7 @@ impl Context<'_> {
         diameter / 2.0
     }
 
-    /// What compensation does not allow.
+    /// Returns the error of something that compensation does not allow.
     pub(super) fn not_compensated(&self, what: &str) -> Stop {
         let message = format!("{what} while cutter compensation is on");
         self.fail(Code::Compensation, message, "write G40 before it")
@@ -412,8 +412,8 @@ impl Context<'_> {
     }
 }
 
-/// Whether a path that turns back on itself has its corner outside; `None` where it does not turn back, and the
-/// angle decides. `bend` is how much the two ways together bend towards the tool's side, 1/mm: with half a turn
+/// Tells whether a path that turns back on itself has its corner outside; `None` where it does not turn back, and
+/// the angle decides. `bend` is how much the two ways together bend towards the tool's side, 1/mm: with half a turn
 /// between them the way back lies beyond the way there when it is above zero, between the tool and it when below.
 ///
 /// ```text

@@ -19,7 +19,7 @@ pub(in crate::interp) struct Piece {
     pub(super) shape: Shape,
     /// Direction of the programmed path at its start and its end.
     pub(super) heading: [Vec2; 2],
-    /// How much the programmed path bends, 1/mm: above zero to the left.
+    /// Bend of the programmed path, 1/mm: above zero to the left.
     #[serde(default)]
     pub(super) bend: f64,
 }
@@ -103,7 +103,7 @@ impl Piece {
         Some(self)
     }
 
-    /// Whether an arc would have to go on beyond its end to reach a place.
+    /// Returns `true` if an arc would have to go on beyond its end to reach a place.
     fn ends_before(&self, p: Point2) -> bool {
         match self.shape {
             Shape::Line => false,
@@ -111,7 +111,7 @@ impl Piece {
         }
     }
 
-    /// Whether an arc would have to begin before its start to reach a place.
+    /// Returns `true` if an arc would have to begin before its start to reach a place.
     fn begins_behind(&self, p: Point2) -> bool {
         match self.shape {
             Shape::Line => false,

@@ -1,4 +1,4 @@
-//! What each controller refuses, as its own parser does.
+//! Tests of what each controller refuses, as its own parser does.
 
 use super::*;
 use Dialect::{Generic, Grbl, GrblHal, LinuxCnc, Mach3};

@@ -1,4 +1,4 @@
-//! What programs do, as data: a program and its motion, or what it tells.
+//! Tests of programs as data: a program and its motion, or what it tells.
 #![allow(clippy::unwrap_used)]
 
 mod beside;
@@ -37,7 +37,7 @@ fn fails(text: &str, expected: &str) {
     assert_eq!(ran.status, Status::Failed);
 }
 
-/// What is given beside motion.
+/// Checks the commands that are given beside motion.
 #[track_caller]
 fn others(text: &str, expected: &str) {
     let ran = run(&format!("G21 F100⏎{text}"));

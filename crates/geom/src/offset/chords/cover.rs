@@ -16,7 +16,7 @@ use super::{CHORD_MM, Polygon};
 use crate::{Point2, Polyarc, Segment, Vec2};
 use std::f64::consts::PI;
 
-/// How far pieces about corners reach over their neighbours.
+/// Angle by which pieces about corners reach over their neighbours.
 const OVER_RAD: f64 = 1e-3;
 
 /// Corners that close by more than this need no piece: those of the segments overlap.
@@ -30,7 +30,7 @@ pub(super) fn flattened(contour: &Polyarc) -> Polygon {
     contour.segments().flat_map(|s| chords(&s, false)).map(|p| [p.x, p.y]).collect()
 }
 
-/// What lies within the distance on the side of the offset.
+/// Returns pieces that cover what lies within the distance on the side of the offset.
 pub(super) fn one_side(source: &Source, distance: f64) -> Vec<Polygon> {
     let mut pieces = Vec::new();
     for contour in source.contours {
@@ -40,7 +40,7 @@ pub(super) fn one_side(source: &Source, distance: f64) -> Vec<Polygon> {
     pieces
 }
 
-/// What lies within the distance on both sides and about the ends.
+/// Returns pieces that cover what lies within the distance on both sides and about the ends.
 pub(super) fn both_sides(source: &Source, distance: f64) -> Vec<Polygon> {
     let mut pieces = one_side(source, distance);
     pieces.extend(one_side(source, -distance));
@@ -59,7 +59,7 @@ fn add_side(segments: &[Segment], closed: bool, distance: f64, pieces: &mut Vec<
     }
 }
 
-/// What lies within the distance of a segment, square to it.
+/// Covers what lies within the distance of a segment, square to it.
 fn beside(segment: &Segment, distance: f64) -> Polygon {
     let mut places = chords(segment, true);
     match (raw::parallel(segment, distance), segment) {
@@ -70,7 +70,7 @@ fn beside(segment: &Segment, distance: f64) -> Polygon {
     counter_clockwise(places)
 }
 
-/// What lies within the distance of a corner.
+/// Covers what lies within the distance of a corner.
 fn about(before: &Segment, after: &Segment, distance: f64) -> Option<Polygon> {
     let (u, v) = (before.direction(1.0), after.direction(0.0));
     let side = distance.signum();

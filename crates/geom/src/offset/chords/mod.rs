@@ -21,7 +21,7 @@ use i_overlay::float::overlay::{FloatOverlay, OverlayOptions};
 /// Chords lie no farther than this from their arcs.
 pub(super) const CHORD_MM: f64 = 1e-4;
 
-/// What a path of chords may be off when it is not exact: ten times the chords, and still a tenth of what a
+/// Tolerance of a path of chords that is not exact: ten times the chords, and still a tenth of what a
 /// good machine repeats to.
 pub(super) const LOOSE_MM: f64 = 1e-3;
 
@@ -98,7 +98,7 @@ impl Covered {
     }
 }
 
-/// Whether outer contours run clockwise; nothing when contours do not bound a region together.
+/// Returns `true` if outer contours run clockwise; nothing when contours do not bound a region together.
 fn runs_clockwise(contours: &[Polyarc]) -> Option<bool> {
     let around = |n: usize, at: Point2| {
         let others = contours.iter().enumerate().filter(|(other, _)| *other != n);

@@ -12,8 +12,8 @@ use crate::{BoxTree, Point2, Polyarc, Segment, tol};
 /// An edge belongs to a curve that it leaves by no more than this: a chord does by [`CHORD_MM`].
 const NEAR_MM: f64 = 2.0 * CHORD_MM;
 
-/// How far from the polygon's corner its curves may meet, as a share of the distance. Flat crossings lie
-/// far from those of the chords.
+/// Greatest gap between the polygon's corner and the place where its curves meet, as a share of the distance. Flat
+/// crossings lie far from those of the chords.
 const REACH: f64 = 0.05;
 
 /// Stretches shorter than this come from rounding.
@@ -149,7 +149,7 @@ impl Curves {
         rings::path(parts, closed)
     }
 
-    /// Where one curve goes over to another, near a corner of the polygon.
+    /// Finds the place where one curve goes over to another, near a corner of the polygon.
     fn meeting(&self, before: usize, after: usize, near: Point2) -> Option<Point2> {
         let (a, b) = (&self.list[before].0, &self.list[after].0);
         let joint = (a.end().distance(b.start()) <= tol::SAME_PLACE_MM).then(|| a.end());

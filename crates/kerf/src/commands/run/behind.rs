@@ -1,4 +1,4 @@
-//! What follows on a run: commands that other software passed in meanwhile, and the end of the visit.
+//! The work after a run: commands that other software passed in meanwhile, and the end of the visit.
 
 use super::{FileLines, MachineArgs, Show, VcdArgs, attended, editor, over};
 use crate::args::RunArgs;

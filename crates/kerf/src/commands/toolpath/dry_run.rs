@@ -8,7 +8,7 @@ use kerf_control::{Summary, Work};
 use kerf_preview::Scene;
 use std::path::Path;
 
-/// What was seen on the way.
+/// Result of a dry run.
 pub struct DryRun {
     pub scene: Scene,
     pub summary: Summary,

@@ -151,7 +151,7 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     Ok(dry.summary.status.into())
 }
 
-/// What is written.
+/// Kind of the file that is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Job,
@@ -173,7 +173,7 @@ impl Kind {
     }
 }
 
-/// What a dry run follows: the part program when one is written, else the job as `kerf run` runs it.
+/// Returns the work that a dry run follows: the part program when one is written, else the job as `kerf run` runs it.
 fn work(
     args: &ToolpathArgs,
     kind: Kind,

@@ -16,7 +16,7 @@ struct Report {
     paths: usize,
     /// Of the paths, each once.
     length_mm: f64,
-    /// How far the tool goes at cutting and plunging speed: every pass, and the way down to it.
+    /// Way of the tool at cutting and plunging speed: every pass, and the way down to it.
     cut_mm: f64,
     travel_mm: f64,
     groups: Vec<OfGroup>,

@@ -28,7 +28,7 @@ const LAST: u8 = 161;
 pub struct SystemVariable {
     /// Its number, 1 … 161.
     pub number: u8,
-    /// What it shows.
+    /// Name of the value that it shows.
     pub name: &'static str,
     /// Its unit, or the values it takes.
     pub unit: &'static str,
@@ -92,7 +92,7 @@ impl Context<'_> {
         }
     }
 
-    /// How far an axis is from where the program sent it: what moves by itself.
+    /// Returns the distance of an axis that moves by itself from where the program sent it; 0 for any other.
     fn drift(&mut self, axis: Axis) -> Result<f64, Stop> {
         if !self.core.wanders(axis) {
             return Ok(0.0);

@@ -6,7 +6,7 @@ use crate::{Interpreter, Options, Session, Status, Step, Value, read};
 use kerf_diag::Code;
 use kerf_program::{Command, MoveKind};
 
-/// What `PRINT` shows for an expression.
+/// Returns the text that `PRINT` shows for an expression.
 fn shown(expression: &str) -> String {
     run(&format!("&A={expression} ⏎ PRINT &A")).ended(Status::Ok).printed().trim_end().to_string()
 }

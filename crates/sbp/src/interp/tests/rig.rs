@@ -10,7 +10,7 @@ use kerf_program::{Axes, Command, Sourced};
 pub(super) struct Rig {
     pub(super) interpreter: Interpreter,
     pub(super) host: FakeHost,
-    /// What was given and is not dropped.
+    /// Commands that were given and are not dropped.
     pub(super) out: Vec<Sourced>,
     pub(super) done: Option<Status>,
     pub(super) error: String,

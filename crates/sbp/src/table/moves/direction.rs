@@ -45,7 +45,7 @@ fn direction(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     Ok(())
 }
 
-/// What the third value says, mm.
+/// Change of Z by the third value, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Change {
     To(f64),

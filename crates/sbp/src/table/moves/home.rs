@@ -41,7 +41,7 @@ fn home(c: &mut Context<'_>, kind: MoveKind) -> Result<(), Stop> {
     Ok(())
 }
 
-/// Where the tool is after lifting Z, and an A axis that moves up and down, to their safe heights.
+/// Returns the place of the tool after lifting Z, and an A axis that moves up and down, to their safe heights.
 fn lifted(c: &mut Context<'_>) -> Result<Axes, Stop> {
     let cutter = c.settings().cutter;
     let mut to = c.core.position;

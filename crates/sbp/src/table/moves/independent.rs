@@ -95,10 +95,10 @@ fn motion(c: &mut Context<'_>, a: &Arguments, axis: Axis) -> Result<Independent,
     }
 }
 
-/// Where nobody says how fast an axis is, so many times its jog speed is taken for impossible. A guess.
+/// Multiple of the jog speed that counts as impossible where nobody says how fast an axis is. A guess.
 const IMPOSSIBLE: f64 = 10.0;
 
-/// How fast an axis can move, as far as the configuration tells that.
+/// Returns the highest speed of an axis, as far as the configuration tells that.
 fn fastest_known(settings: &Settings, axis: Axis) -> f64 {
     match settings.dynamics {
         Some(dynamics) => dynamics.speed_mm_s[axis],

@@ -1,4 +1,4 @@
-//! What hands over to the operator.
+//! The commands that hand over to the operator.
 
 use crate::interp::{Arguments, Context, Stop};
 use crate::table::{CommandSpec, Group, Kind, ParamSpec, Stack};

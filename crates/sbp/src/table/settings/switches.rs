@@ -119,7 +119,7 @@ fn output_mode(c: &mut Context<'_>, a: &Arguments, number: u8, mode: i8) -> Resu
     Ok(())
 }
 
-/// Whether everything is only drawn.
+/// Returns `true` if everything is only drawn.
 fn draws(c: &Context<'_>) -> bool {
     c.core.options.preview || c.settings().mode == Mode::Preview
 }

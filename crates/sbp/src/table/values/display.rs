@@ -113,7 +113,7 @@ fn set_axis_unit(s: &mut Settings, axis: Axis, unit: AxisUnit) {
     }
 }
 
-/// Whether an axis changes between lengths and degrees.
+/// Returns `true` if an axis changes between lengths and degrees.
 fn is_turn(old: AxisUnit, new: AxisUnit) -> bool {
     (old == AxisUnit::Degrees) != (new == AxisUnit::Degrees)
 }

@@ -1,4 +1,4 @@
-//! Whatever a V command is given, it reads back so, in both units and after any number of changes.
+//! Tests that a V command reads back what it was given, in both units and after any number of changes.
 #![allow(clippy::unwrap_used)]
 
 use crate::table::{Bound, CommandSpec, Kind, ParamSpec, find};
@@ -7,8 +7,7 @@ use crate::{Options, Session, format_number};
 use kerf_program::settings::LinearUnit;
 use proptest::prelude::*;
 
-/// What keeps its values after a typed line, and how to read the parameters: VB's series and VD's
-/// units have tests of their own.
+/// Commands that keep their values after a typed line. VB's series and VD's units have tests of their own.
 const COMMANDS: [&str; 9] = ["VC", "VH", "VI", "VL", "VN", "VO", "VP", "VR", "VU"];
 
 fn typed(text: &str, session: Session) -> Session {
@@ -62,7 +61,7 @@ fn line(spec: &CommandSpec, shares: &[Option<u16>]) -> String {
     })
 }
 
-/// What was written for a parameter is what its setting shows now.
+/// Returns `true` if the setting of a parameter shows now what was written for it.
 fn shows(param: &ParamSpec, written: &str, present: Option<&str>) -> bool {
     let Some(present) = present else { return param.setting.is_none() };
     match (written.parse::<f64>(), present.parse::<f64>()) {

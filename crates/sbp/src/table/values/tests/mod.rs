@@ -15,7 +15,7 @@ fn settings(text: &str) -> Settings {
     ran.session.settings
 }
 
-/// What the settings are inside a file, before temporary values return.
+/// Returns the settings inside a file, before temporary values return.
 fn within(text: &str) -> Settings {
     let ran = run(text);
     assert!(ran.error.is_none(), "{text}: {:?}", ran.error);
@@ -304,7 +304,7 @@ fn sbp_val_vu_circres() {
     assert_eq!(chords("VU,,,,,.001⏎CC,4"), (None, true));
 }
 
-/// What a fill-in sheet shows of VR, by position from 1.
+/// Returns the value that a fill-in sheet shows of VR, by position from 1.
 fn vr_shows(text: &str, position: usize) -> String {
     let settings = settings(text);
     let lines = crate::table::settings_lines(&settings);

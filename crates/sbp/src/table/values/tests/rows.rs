@@ -1,4 +1,4 @@
-//! What a line does and what reads back, a line a row.
+//! Tests of the effect of a line and of what reads back, a line a row.
 
 use crate::testing::rows;
 
