@@ -1,6 +1,6 @@
 // Made from crates/wire by `cargo xtask wire`; changes are lost.
 
-/** What is to be done. Those that move the machine carry the number of the lease. */
+/** An act that is to be done. Those that move the machine carry the number of the lease. */
 export type Act = { "do": "stop" } | { "do": "hold" } | { "do": "resume",
 /** Number of the lease. */
 lease: number, } | { "do": "answer",
@@ -16,11 +16,11 @@ lease: number, } | { "do": "arm",
 lease: number, } | { "do": "disarm" } | { "do": "giveUp" } | { "do": "open",
 /** Its name below the part folder. */
 name: string,
-/** How it is run. */
+/** Parameters with which it is run. */
 parameters?: FileParameters, } | { "do": "parameters",
-/** How it is run. */
+/** Parameters with which it is run. */
 parameters: FileParameters, } | { "do": "choose",
-/** How it is cut. */
+/** Choices with which it is cut. */
 choice: JobChoice, } | { "do": "keepOrigin" } | { "do": "saveJob" } | { "do": "takeShapeBack" } | { "do": "machine",
 /** The drawing, a file of the part folder; nothing for the one that is drawn. */
 drawing: string | null,
@@ -50,7 +50,7 @@ names: Array<string>, } | { "do": "input",
 lease: number,
 /** Which input, from 1. */
 number: number,
-/** Whether its contact is closed. */
+/** Its contact is closed. */
 on: boolean, } | { "do": "set",
 /** Number of the lease. */
 lease: number,
@@ -62,7 +62,7 @@ value: string, } | { "do": "jogStart",
 lease: number,
 /** Grows with every jog of a page, by a million at most; one that comes behind its own stop is dropped. */
 seq: number,
-/** When the key was held for sure: the server's clock, which answers to pings tell, as the page reckons it now, ms. */
+/** Moment when the key was held for sure: the server's clock, which answers to pings tell, as the page reckons it now, ms. */
 clockMs: number,
 /** Direction of each axis: -1, 0, 1 or between. */
 direction: [number, number, number, number, number, number],
@@ -94,7 +94,7 @@ key: string, } | { "do": "nudge",
 lease: number,
 /** Letter of the axis. */
 axis: string,
-/** How far. */
+/** Length of the shift. */
 distance: number, } | { "do": "go",
 /** Number of the lease. */
 lease: number,
@@ -116,7 +116,7 @@ forward: boolean, } | { "do": "override",
 lease: number,
 /** Of the speed asked for, 10 … 200. */
 feedPercent: number, } | { "do": "sheetDone" } | { "do": "clearPrinted" } | { "do": "acknowledge" } | { "do": "draw",
-/** What. */
+/** The change. */
 op: Op, } | { "do": "unlock",
 /** The password. */
 password: string, } | { "do": "protect",
@@ -154,9 +154,9 @@ title: string,
 buttons: Array<string>,
 /** The button that ENTER presses: its place in the list. */
 default: number,
-/** What stands in the entry field. */
+/** Text that stands in the entry field. */
 prefill: string,
-/** Whether it has an entry field. */
+/** It has an entry field. */
 entry: boolean,
 /** 0 none, 16 critical, 32 question, 48 warning, 64 information. */
 icon: number,
@@ -166,10 +166,10 @@ edits: string | null,
 file: string,
 /** Its line. */
 line: number,
-/** What the machine was doing. */
+/** State that the machine was in. */
 was: State, };
 
-/** What a person reads an axis in. */
+/** Unit in which a person reads an axis. */
 export type AxisUnits = {
 /** Its letter. */
 letter: string,
@@ -177,7 +177,7 @@ letter: string,
 unit: string,
 /** Internal units (mm or degrees) in one of them. */
 scale: number,
-/** Whether the machine has it. */
+/** The machine has it. */
 used: boolean, };
 
 /** The smallest box round the shapes of a drawing, arcs counted exactly. */
@@ -216,16 +216,16 @@ line: number, };
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
 export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "typed", typed: TypedPath, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, } | { "change": "handConsole", handConsole: HandConsole, } | { "change": "digitized", digitized: Digitized | null, } | { "change": "looked", looked: Looked | null, };
 
-/** What a text that is being edited is like. */
+/** Findings about a text that is being edited. */
 export type Checked = {
-/** What is wrong with it. */
+/** The findings. */
 findings: Array<Finding>, };
 
 /** A page that is connected. */
 export type Client = {
 /** Its number. */
 client: number,
-/** What it may do. */
+/** Its role. */
 role: Role,
 /** Name of the device. */
 device: string, };
@@ -238,9 +238,9 @@ letters: string,
 name: string,
 /** The menu it belongs to: `move`, `jog`, `cut`, `file`, `settings`, `values`, `zero`, `record`, `tools`, `utilities`, `help`. */
 group: string,
-/** What it does. */
+/** Description of its effect. */
 doc: string,
-/** Whether it moves the machine. */
+/** It moves the machine. */
 moves: boolean,
 /** Its parameters, in order. */
 parameters: Array<Parameter>, };
@@ -253,7 +253,7 @@ label: string,
 kind: string,
 /** A few words beside it. */
 detail: string,
-/** What it does. */
+/** Description of its effect. */
 doc: string, };
 
 /** Depth of a cut: `thru`, `3d`, or mm above the surface. */
@@ -270,18 +270,18 @@ pass: CutPass,
 number: number,
 /** Its group: black, blue, green, cyan, red, magenta, brown, white. */
 group: string,
-/** Whether its end is its start. */
+/** Its end is its start. */
 closed: boolean,
 /** Three numbers a vertex: X, Y and the bulge of the segment behind it, the tangent of a quarter of the angle of an arc, positive counter-clockwise; 0 is a line. */
 points: Array<number>,
 /** Height of each vertex, for a 3D shape. */
 z: Array<number> | null,
-/** Whether the machine halts before it. */
+/** The machine halts before it. */
 pause: boolean, };
 
 /** The path at a level of detail. */
 export type Detail = {
-/** How far it is from the true path at most, mm. */
+/** Greatest distance from the true path, mm. */
 tolerance: number,
 /** Segments. */
 segments: number,
@@ -298,9 +298,9 @@ points: Array<DigitizedPoint>,
 bulges: Array<number>,
 /** Number of the current point, from 1; 0 without points. */
 current: number,
-/** Whether heights count. */
+/** Heights count. */
 threeD: boolean,
-/** Whether the next point is an arc point. */
+/** The next point is an arc point. */
 nextArc: boolean,
 /** There are points that no shape was saved of as they are. */
 unsaved: boolean, };
@@ -312,7 +312,7 @@ at: [number, number, number],
 /** The arc from the point before to the point behind goes through it; else it ends a line. */
 arc: boolean, };
 
-/** What a page shows of the drawing. Its shapes come over HTTP: `/api/drawing/shapes`. */
+/** The drawing as a page shows it. Its shapes come over HTTP: `/api/drawing/shapes`. */
 export type DrawingState = {
 /** The file it came from or was saved in last. */
 name: string | null,
@@ -320,47 +320,47 @@ name: string | null,
 revision: number,
 /** Its revision when it was opened or begun. */
 begun: number,
-/** How many shapes. */
+/** Number of shapes. */
 shapes: number,
 /** The shapes that operations act on: numbers from 1. */
 selection: Array<number>,
 /** The shapes that were picked to be sequenced, in that order: numbers from 1. */
 picked: Array<number>,
-/** Whether there is something to take back. */
+/** There is something to take back. */
 canUndo: boolean,
-/** Whether there is something to make again. */
+/** There is something to make again. */
 canRedo: boolean,
-/** Whether it differs from its file. */
+/** It differs from its file. */
 changed: boolean,
-/** How many shapes are on the clipboard. */
+/** Number of shapes on the clipboard. */
 clipboard: number,
 /** The eight groups and how their shapes are cut. */
 groups: Array<GroupState>,
 /** The basic block of data: bounds of the drawing before it is arrayed. Nothing without shapes. */
 block: Block | null,
-/** Where the head goes when its job is done, from the origin. */
+/** Place to which the head goes when its job is done, from the origin. */
 finish: [number, number],
-/** How near ends are joined when nothing else is said: as near as the last time. */
+/** Distance at which ends are joined when nothing else is said: that of the last time. */
 join: number,
 /** The comments that are kept with it. */
 comments: Array<string>,
 /** Its two levels of repetition: blocks in a job, then jobs on the table. */
 arrays: Array<ArrayState>,
-/** What the last operation, or reading the file, had to tell. */
+/** Notes of the last operation, or of reading the file. */
 notes: Array<string>, };
 
-/** What an input is assigned to (VN). */
+/** Duty that is assigned to an input (VN). */
 export type Duty = "standard" | "limit" | "stop";
 
-/** What a file is that would be replaced. */
+/** A file that would be replaced. */
 export type FileAbout = {
 /** Its name below the part folder. */
 name: string,
-/** What it is: `a part program of 412 lines`. */
+/** Description: `a part program of 412 lines`. */
 what: string,
 /** Bytes. */
 bytes: number,
-/** When it was changed: seconds since 1970. */
+/** Time of its last change: seconds since 1970. */
 changed: number,
 /** SHA-256 of its content, in hexadecimal digits: who saw it names it as what may be replaced. */
 hash: string, };
@@ -369,29 +369,29 @@ hash: string, };
 export type FileInfo = {
 /** Its name below the part folder, `/` between folders. */
 name: string,
-/** Whether it is a folder. */
+/** It is a folder. */
 folder: boolean,
 /** Bytes. */
 bytes: number,
-/** When it was changed: seconds since 1970. */
+/** Time of its last change: seconds since 1970. */
 changed: number,
-/** What its head tells about the job. */
+/** Text of its head about the job. */
 header: string | null,
-/** Whether it is a part file: one that the mask of the part folder lets through, or G-code. */
+/** It is a part file: one that the mask of the part folder lets through, or G-code. */
 part: boolean, };
 
-/** What sort of file is open. */
+/** Sort of the open file. */
 export type FileKind = "program" | "job" | "drawing";
 
-/** How a part file is run: the parameters of FP. */
+/** Parameters with which a part file is run: those of FP. */
 export type FileParameters = {
 /** Scales X, Y and Z. */
 proportion: [number, number, number],
-/** How often the file runs, at least once. */
+/** Number of runs of the file, at least one. */
 repetitions: number,
 /** 0: places as written. 1: the present place is X 0, Y 0, Z 0 of the file. 2: X 0, Y 0. */
 offset: number,
-/** How far Z moves before each repetition, mm. */
+/** Distance that Z moves before each repetition, mm. */
 plunge: number,
 /** Leave tabs on the last repetition. */
 tabs: boolean,
@@ -409,7 +409,7 @@ bytes: number, };
 
 /** Something a person should know about a file. */
 export type Finding = {
-/** How bad. */
+/** Severity. */
 level: Level,
 /** Its code. */
 code: string,
@@ -421,9 +421,9 @@ line: number,
 column: number,
 /** Characters. */
 length: number,
-/** What is wrong. */
+/** Description of what is wrong. */
 message: string,
-/** How to mend it. */
+/** Advice how to mend it. */
 hint: string, };
 
 /** The folder that part files are chosen from. */
@@ -433,13 +433,13 @@ name: string,
 /** Which files lists show: `*` any characters, `?` one. */
 mask: string, };
 
-/** How the shapes of a group are cut: what the operation `set` changes. Lengths in mm, angles in degrees. */
+/** Cut of the shapes of a group, as the operation `set` changes it. Lengths in mm, angles in degrees. */
 export type GroupState = {
 /** Its colour. */
 name: string,
-/** Whether its shapes are cut. */
+/** Its shapes are cut. */
 on: boolean,
-/** Whether the head only follows them, to get round obstacles. */
+/** The head only follows them, to get round obstacles. */
 traversal: boolean,
 /** Cut on both sides of the shape. */
 double: boolean,
@@ -457,9 +457,9 @@ pass: number | null,
 levels: Array<number>,
 /** Distance of the path, right of travel. */
 offset: number,
-/** What the rough pass leaves. */
+/** Material that the rough pass leaves. */
 rough: number,
-/** What is left out at the beginning. */
+/** Length that is left out at the beginning. */
 tag: number,
 /** Radius and angle of the arc onto the path. */
 leadIn: [number, number],
@@ -470,7 +470,7 @@ leadOut: [number, number], };
 export type HandConsole = {
 /** Its lines, of 20 characters at most. */
 lines: [string, string],
-/** How often it has beeped. */
+/** Number of beeps so far. */
 beeps: number,
 /** Its serial link, in a sentence: the port it is at, or why it is not. Empty where there is none. */
 link: string, };
@@ -485,10 +485,10 @@ name: string,
 parameters: Array<string>,
 /** The place of the one that is being written. */
 at: number,
-/** What is told of it. */
+/** Explanation. */
 doc: string, };
 
-/** What is known of the word at a place. */
+/** Explanation of the word at a place. */
 export type Hover = {
 /** The text. */
 text: string,
@@ -497,7 +497,7 @@ from: number,
 /** The column behind it. */
 to: number, };
 
-/** What holds for the rest of a job. */
+/** Settings that hold for the rest of a job. */
 export type InForce = {
 /** Highest cutting speed. */
 cutMmS: number,
@@ -532,7 +532,7 @@ ports: Ports,
 /** The mend that is needed before anything moves, while a pressed stop forbids motion. */
 forbidden: string | null, };
 
-/** What runs. */
+/** The run that is under way, or the last one. */
 export type Job = {
 /** Number of the run since the server began. */
 run: number,
@@ -550,26 +550,26 @@ silent: boolean,
 calls: Array<Call>,
 /** The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to its end; empty before the first move. */
 toolFile: string,
-/** Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm, as they are in force in a job. Pauses and height control change them. */
+/** Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm, as they are in force in a job. Pauses and height control change them. */
 heights: [number, number, number] | null,
-/** What a pause has changed for the rest of a job; nothing while it is as it was set. */
+/** Settings as a pause has changed them for the rest of a job; nothing while they are as they were set. */
 inForce: InForce | null,
-/** How it ended: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs. */
+/** Word for its end: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs. */
 ended: string | null,
-/** What ended it, when it was an error. */
+/** The error that ended it, when one did. */
 error: Finding | null, };
 
-/** What the person who starts a job decides about it. Its file stays as it is. */
+/** Choices of the person who starts a job. Its file stays as it is. */
 export type JobChoice = {
 /** The path with which it begins, counted from 1 in cutting order; that of the file for nothing. */
 start: number | null,
-/** How far beside itself every path is cut, mm, to the right of travel. */
+/** Distance beside itself at which every path is cut, mm, to the right of travel. */
 offset: number,
-/** Where its origin lies on the table, X and Y from home, mm; that of the file for nothing. */
+/** Place of its origin on the table, X and Y from home, mm; that of the file for nothing. */
 origin: [number, number] | null,
-/** Where the head goes at the end, X and Y from the origin, mm; that of the file for nothing. */
+/** Place to which the head goes at the end, X and Y from the origin, mm; that of the file for nothing. */
 finish: [number, number] | null,
-/** How much higher the paths with heights of their own lie than in the file, mm. */
+/** Height that the paths with heights of their own are raised above those of the file, mm. */
 lift: number, };
 
 /** One path of a job. */
@@ -582,13 +582,13 @@ tool: number,
 number: number,
 /** Its group: black, blue, green, cyan, red, magenta, brown, white. */
 group: string,
-/** Whether its end is its start. */
+/** Its end is its start. */
 closed: boolean,
 /** Three numbers a vertex: X, Y and the bulge of the segment behind it, the tangent of a quarter of the angle of an arc, positive counter-clockwise; 0 is a line. */
 points: Array<number>,
 /** Height of each vertex, for a 3D shape. */
 z: Array<number> | null,
-/** Whether the machine halts before it. */
+/** The machine halts before it. */
 pause: boolean, };
 
 /** A job, to be looked at and started. */
@@ -597,21 +597,21 @@ export type JobView = {
 hash: string,
 /** Its paths in cutting order, arrays laid out, mm from the origin. */
 paths: Array<JobPath>,
-/** Where the origin lies on the table, X and Y from home, mm. */
+/** Place of the origin on the table, X and Y from home, mm. */
 origin: [number, number],
-/** Where the head goes at the end, X and Y from the origin, mm. */
+/** Place to which the head goes at the end, X and Y from the origin, mm. */
 finish: [number, number],
 /** The path with which it begins, from 1. */
 start: number,
-/** How often it is cut. */
+/** Number of times that it is cut. */
 repeats: number,
 /** Cutting speed. */
 cutMmS: number,
 /** Plunging speed. */
 plungeMmS: number,
-/** Where the tool travels, the surface of the material, the lowest the tool goes: Z from home, mm. */
+/** Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm. */
 heights: [number, number, number],
-/** Whether the tool rises when the job is paused. */
+/** The tool rises when the job is paused. */
 raise: boolean,
 /** Reaches of X and Y, from home, mm. */
 table: [[number, number], [number, number]],
@@ -622,84 +622,84 @@ originAtStart: boolean, };
 export type Lamp = {
 /** Its number, from 1. */
 number: number,
-/** Whether it is on. */
+/** It is on. */
 on: boolean,
-/** What it is for, when something is known. */
+/** Its purpose, when something is known. */
 label: string,
-/** What it is assigned to, when it is an input. */
+/** Duty that is assigned to it, when it is an input. */
 duty: Duty, };
 
 /** The last run of a file, when it is over. */
 export type LastRun = {
-/** How it ended, as [`Job`] has it. */
+/** Word for its end, as [`Job`] has it. */
 ended: string,
-/** When: seconds since 1970. */
+/** Time of its end: seconds since 1970. */
 at: number,
 /** The line of the last move; the path of a job. */
 line: number, };
 
-/** Who drives: one at a time. Every command that moves the machine carries the number. */
+/** The turn at driving, one at a time. Every command that moves the machine carries the number. */
 export type Lease = {
 /** Grows with every lease; a command with an old number is refused. */
 number: number,
-/** Who has it. */
+/** Number of the page or script that has it. */
 client: number,
 /** Name of the device. */
 device: string, };
 
-/** How bad a finding is. */
+/** Severity of a finding. */
 export type Level = "error" | "warning" | "note";
 
-/** What pages are to have in sight. */
+/** Part of the picture that pages are to have in sight. */
 export type Look = "digitized" | "data" | "machine" | "out";
 
-/** What pages were last told to have in sight. */
+/** Part of the picture that pages were last told to have in sight. */
 export type Looked = {
 /** Grows with each time. */
 number: number,
-/** What. */
+/** That part. */
 at: Look, };
 
 /** The state of the machine. */
 export type Machine = {
-/** What it is doing. */
+/** Its activity. */
 state: State,
-/** What running a file means. */
+/** Effect of running a file. */
 mode: Mode,
-/** Whether it may be moved: not after a start, a lost link, an alarm, until somebody arms it. */
+/** It may be moved: not after a start, a lost link, an alarm, until somebody arms it. */
 armed: boolean,
-/** Why it is disarmed, held or in alarm, for a person. */
+/** Reason why it is disarmed, held or in alarm, for a person. */
 why: string | null,
 /** Its name. */
 name: string, };
 
 /** A line of the message area. */
 export type Message = {
-/** How it is meant. */
+/** Its sort. */
 tone: Tone,
 /** The text. */
 text: string,
 /** The run it belongs to; 0 when to none. */
 run: number, };
 
-/** What running a file means. */
+/** Effect of running a file. */
 export type Mode = "preview" | "simulated" | "cut";
 
-/** Where the machine is. Sent about 25 times a second while it moves. */
+/** Position and motion of the machine. Sent about 25 times a second while it moves. */
 export type Motion = {
-/** Where the axes are. */
+/** Positions of the axes. */
 at: Positions,
 /** Speed along the path. */
 speedMmS: number,
 /** Machine time since the run began, seconds. */
 t: number,
-/** Whether it is a cut; a jog otherwise. */
+/** It is a cut; a jog otherwise. */
 cutting: boolean,
 /** Line of the part file that makes the move; 0 when none does. */
 line: number,
 /** Moves of the job made so far: segments of the preview before this are done. */
 made: number,
-/** How far the job is, 0 … 1 of its planned time. */
+/** Progress of the job, 0 … 1 of its planned time. */
 progress: number,
 /** Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster. */
 remaining: number, };
@@ -708,7 +708,7 @@ remaining: number, };
 export type NamedValue = {
 /** Its name with `&` or `$`. */
 name: string,
-/** What it holds. */
+/** Its value. */
 value: string, };
 
 /** A change of the drawing. */
@@ -732,15 +732,15 @@ replaces: string | null, };
 export type Opened = {
 /** Its name below the part folder. */
 name: string,
-/** What it is run by, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are others than the usual, or when the preview is ready and knows the program files that it calls. */
+/** Hash by which it is run, in hexadecimal digits: SHA-256 of its bytes; of more, where its parameters are others than the usual, or when the preview is ready and knows the program files that it calls. */
 hash: string,
 /** SHA-256 of its bytes alone. */
 content: string,
-/** What sort of file it is. */
+/** Sort of file. */
 kind: FileKind,
-/** How it is run, when it is a part program. */
+/** Parameters with which it is run, when it is a part program. */
 parameters: FileParameters,
-/** How it is run, when it is a job. */
+/** Choices with which it is cut, when it is a job. */
 choice: JobChoice,
 /** The origin of a job on the table, X and Y from home, mm; nothing of other files. */
 origin: [number, number] | null,
@@ -754,7 +754,7 @@ header: string | null,
 preview: PreviewState,
 /** Planned time, seconds; 0 until the preview is there. */
 seconds: number,
-/** What is wrong with it or worth knowing. */
+/** Mistakes in it, and whatever else is worth knowing. */
 findings: Array<Finding>,
 /** It has mistakes that keep it from running: the first errors of the findings. */
 broken: boolean,
@@ -767,23 +767,23 @@ cleared: boolean, };
 export type OperationEntry = {
 /** Its first word. */
 name: string,
-/** What it does. */
+/** Description of its effect. */
 doc: string,
 /** The ways to say it. */
 variants: Array<OperationVariant>, };
 
 /** A part of what is said. */
 export type OperationPart = {
-/** What stands before the value: `about `, `tool=`; alone it is a word that is always said. */
+/** Text before the value: `about `, `tool=`; alone it is a word that is always said. */
 lead: string,
-/** What is entered; nothing for a word alone. */
+/** Value that is entered; nothing for a word alone. */
 value: OperationValue | null,
 /** It may be left out. */
 optional: boolean,
 /** It may be said several times. */
 repeats: boolean, };
 
-/** What is entered for a part. */
+/** Kind of value that is entered for a part. */
 export type OperationValue = { "is": "pair" } | { "is": "vertex" } | { "is": "triple" } | { "is": "length",
 /** Its name in the table: `RADIUS`, `D`. */
 name: string, } | { "is": "number",
@@ -793,14 +793,14 @@ name: string, } | { "is": "arc" } | { "is": "grid" } | { "is": "shape" } | { "is
 words: Array<string>, } | { "is": "wordsOr",
 /** The words. */
 words: Array<string>,
-/** Whether the number is a length. */
+/** The number is a length. */
 length: boolean, } | { "is": "file" } | { "is": "text" };
 
 /** One way to say an operation: its parts in order, after the name. */
 export type OperationVariant = {
 /** As it is written. */
 form: string,
-/** What is said, in order. */
+/** Its parts, in order. */
 parts: Array<OperationPart>, };
 
 /** The operator's overrides. */
@@ -812,13 +812,13 @@ feedPercent: number, };
 export type Parameter = {
 /** Its name. */
 name: string,
-/** What may be written. */
+/** Kind of value that may be written. */
 kind: ParameterKind,
 /** `in`, `mm`, `in/s`, `deg` … or nothing. */
 unit: string,
-/** Whether it has to be given. */
+/** It has to be given. */
 required: boolean,
-/** What it means when left blank, as it would be written; nothing when the present value stays. */
+/** Value that counts when it is left blank, as it would be written; nothing when the present value stays. */
 default: string | null,
 /** The present value, for one that shows a setting. */
 present: string | null,
@@ -828,10 +828,10 @@ bound: string,
 least: number | null,
 /** Greatest value, included. */
 most: number | null,
-/** What it is for. */
+/** Its purpose. */
 doc: string, };
 
-/** What may be written for a parameter. */
+/** Kind of value that may be written for a parameter. */
 export type ParameterKind = { "is": "number" } | { "is": "whole" } | { "is": "choice",
 /** As they are written. */
 words: Array<string>, } | { "is": "numberOrOff" } | { "is": "text" } | { "is": "file" } | { "is": "axis" } | { "is": "obsolete" };
@@ -853,7 +853,7 @@ port: string,
 place: number,
 /** Its name on this machine. */
 name: string,
-/** What it is for. */
+/** Its purpose. */
 about: string, };
 
 /** The ports of the card, a byte each. */
@@ -872,11 +872,11 @@ base: [number, number, number, number, number, number],
 /** The machine's own frame, in which previews are drawn. */
 machine: [number, number, number, number, number, number], };
 
-/** What a page knows before it asks for pieces. */
+/** Facts that a page knows before it asks for pieces. */
 export type PreviewInfo = {
-/** What vertices are relative to: mm, machine frame. */
+/** Origin of the vertices: mm, machine frame. */
 origin: [number, number, number],
-/** Where the working zero was: mm, machine frame. */
+/** Place that the working zero had: mm, machine frame. */
 zero: [number, number, number],
 /** Corner of the table with the least X and Y: mm, machine frame. */
 table: [number, number],
@@ -903,14 +903,14 @@ details: Array<Detail>,
 /** The tool paths that the program names. */
 toolpaths: Array<ToolPathInfo>, };
 
-/** Whether a preview is there. */
+/** State of a preview. */
 export type PreviewState = { "state": "working" } | { "state": "ready",
 /** Changes whenever the preview does. */
 key: string, } | { "state": "failed",
-/** Why. */
+/** Reason of the failure. */
 why: string, };
 
-/** Why something was not done. */
+/** Reason why something was not done. */
 export type Problem = {
 /** The sort of reason, for programs. */
 why: Why,
@@ -919,7 +919,7 @@ text: string, };
 
 /** Commands that were typed, and can be run again. */
 export type Recorder = {
-/** Whether what is typed is recorded (RA, RI). */
+/** Typed commands are recorded (RA, RI). */
 on: boolean,
 /** The lines, oldest first. */
 lines: Array<string>, };
@@ -928,9 +928,9 @@ lines: Array<string>, };
 export type Reply = {
 /** Of the request. */
 id: number,
-/** Why nothing was done; nothing when it was. */
+/** Reason why nothing was done; nothing when it was. */
 problem: Problem | null,
-/** What was noticed although it was done: warnings of a drawing operation. */
+/** Notes on an act that was done all the same: warnings of a drawing operation. */
 notes: Array<string>,
 /** The server's clock when it answered a ping, ms since it began. */
 clockMs?: number, };
@@ -939,10 +939,10 @@ clockMs?: number, };
 export type Request = {
 /** Comes back in the reply. A page counts. */
 id: number,
-/** What is to be done. */
+/** The act that is to be done. */
 act: Act, };
 
-/** What a device may do. Each may do what those before it may. */
+/** Rights of a device. Each role may do what those before it may. */
 export type Role = "observer" | "operator" | "setter" | "owner";
 
 /** Settings that belong together. */
@@ -958,30 +958,30 @@ settings: Array<SettingEntry>, };
 export type SettingEntry = {
 /** Its name, dotted: `homing.x.fast_mm_s`. */
 key: string,
-/** What may be written. */
+/** Kind of value that may be written. */
 kind: SettingKind,
 /** `mm`, `s`, `%` … or nothing. */
 unit: string,
-/** What it accepts beside its kind, in words; empty for anything of that kind. */
+/** Bounds of its values beside their kind, in words; empty for anything of that kind. */
 bound: string,
 /** Least value, included. */
 least: number | null,
 /** Greatest value, included. */
 most: number | null,
-/** What it is in a new configuration, as it is written. */
+/** Its value in a new configuration, as it is written. */
 default: string,
-/** What it is now, as it is written. */
+/** Its present value, as it is written. */
 value: string,
-/** What it is for. */
+/** Its purpose. */
 doc: string, };
 
-/** What may be written for a setting. */
+/** Kind of value that may be written for a setting. */
 export type SettingKind = { "is": "flag" } | { "is": "number",
 /** The setting may be absent. */
 none: boolean, } | { "is": "choice",
 /** As they are written. */
 words: Array<string>, } | { "is": "text" } | { "is": "list",
-/** How many. */
+/** Number of values. */
 length: number,
 /** The setting may be absent. */
 none: boolean, };
@@ -990,11 +990,11 @@ none: boolean, };
 export type Setup = {
 /** The special positions of Z, from its home. */
 heights: ZHeights,
-/** How far X and Y reach from their home; 0 is without bounds. */
+/** Reaches of X and Y from their home; 0 is without bounds. */
 reach: [number, number],
-/** Whether changing settings asks for a password. */
+/** Changing settings asks for a password. */
 protected: boolean,
-/** Whether outputs stay on when a machine that stands is stopped, disarmed or left. */
+/** Outputs stay on when a machine that stands is stopped, disarmed or left. */
 outputsStayOn: boolean,
 /** A click selects what lies so near, pixels. */
 pickRadius: number,
@@ -1018,13 +1018,13 @@ export type ShapePath = {
 number: number,
 /** Its group: black, blue, green, cyan, red, magenta, brown, white. */
 group: string,
-/** Whether its end is its start. */
+/** Its end is its start. */
 closed: boolean,
 /** Three numbers a vertex: X, Y and the bulge of the segment behind it, the tangent of a quarter of the angle of an arc, positive counter-clockwise; 0 is a line. */
 points: Array<number>,
 /** Height of each vertex, for a 3D shape. */
 z: Array<number> | null,
-/** Whether the machine halts before it. */
+/** The machine halts before it. */
 pause: boolean, };
 
 /** Everything a page shows, at one moment. */
@@ -1037,15 +1037,15 @@ kerf: string,
 revision: number,
 /** The port of STOP's own way, beside that of the console; 0 where there is none. */
 stopPort: number,
-/** Whether only drawings are worked on here. */
+/** Only drawings are worked on here. */
 drawingOnly: boolean,
 /** The machine. */
 machine: Machine,
-/** Where it is. */
+/** Its position and motion. */
 motion: Motion,
-/** What a person reads lengths in. */
+/** Units in which a person reads lengths. */
 units: Units,
-/** What the machine is set to, as far as drawings are worked on with it. */
+/** Settings of the machine, as far as drawings are worked on with it. */
 setup: Setup,
 /** Speeds in force. */
 speeds: Speeds,
@@ -1053,13 +1053,13 @@ speeds: Speeds,
 io: Io,
 /** The file that is open. */
 opened: Opened | null,
-/** What runs, or ran last. */
+/** The run that is under way, or the last one. */
 job: Job | null,
 /** The path of what was typed. */
 typed: TypedPath,
 /** A run that can be taken up where it was cut short. */
 interrupted: Interrupted | null,
-/** How Kerf was started, where a start-up line says what pages show. */
+/** Settings with which Kerf was started, where a start-up line says what pages show. */
 start: StartUp | null,
 /** The question that is open. */
 asked: Asked | null,
@@ -1073,9 +1073,9 @@ overrides: Overrides,
 printed: Array<string>,
 /** Messages, oldest first. */
 messages: Array<Message>,
-/** Who drives. */
+/** The turn at driving that goes on. */
 lease: Lease | null,
-/** Who is connected. */
+/** Connected pages. */
 clients: Array<Client>,
 /** The drawing that is open. */
 drawing: DrawingState | null,
@@ -1093,14 +1093,14 @@ settings: number,
 handConsole: HandConsole,
 /** The points that are being digitized; nothing while none are. */
 digitized: Digitized | null,
-/** What pages were told to have in sight. */
+/** Part of the picture that pages were last told to have in sight. */
 looked: Looked | null, };
 
 /** A sound that a program started (PLAY). */
 export type Sound = {
 /** Sounds are counted: each is heard once. */
 number: number,
-/** What it is fetched as, below `/api/media/`. */
+/** Name by which it is fetched, below `/api/media/`. */
 name: string, };
 
 /** Speeds; of axes that turn, degrees a second. */
@@ -1112,7 +1112,7 @@ jogMmS: [number, number, number, number, number],
 /** Spindle, revolutions a minute. */
 rpm: number, };
 
-/** What a start-up line says of pages (programming handbook, Command Line Options). */
+/** Settings of a start-up line for pages (programming handbook, Command Line Options). */
 export type StartUp = {
 /** The part file, as the FP sheet names it. */
 file: string,
@@ -1121,18 +1121,18 @@ sheet: boolean,
 /** 0 as last used, 1 with menus and the command line, 2 without, 9 files only: no commands, no keypad. */
 display: number, };
 
-/** What the machine is doing. */
+/** Activity of the machine. */
 export type State = "idle" | "running" | "jogging" | "held" | "asking" | "stopped" | "alarm";
 
-/** What a system variable reads. */
+/** A system variable and its value. */
 export type SystemValue = {
 /** The number in its brackets. */
 number: number,
-/** What it tells. */
+/** Meaning of its value. */
 name: string,
 /** Its unit; empty for none. */
 unit: string,
-/** What it reads. */
+/** Its value. */
 value: string, };
 
 /** Text of the editor that is not saved. */
@@ -1141,11 +1141,11 @@ export type TextDraft = {
 name: string,
 /** The text; its lines end with a line feed. */
 text: string,
-/** What the lines of the file end with. */
+/** Line ending of the file. */
 ends: string,
 /** SHA-256 of the file as it was read; empty for a new one. */
 base: string,
-/** Whether the file is another by now. */
+/** The file is another by now. */
 changedOnDisk: boolean,
 /** The page that typed it, by a name that it gives itself. */
 page: string,
@@ -1154,43 +1154,43 @@ revision: string, };
 
 /** Inputs and outputs of a run on the simulated machine, beside its motion. */
 export type Timing = {
-/** Where it ends, seconds of machine time. */
+/** Its end, seconds of machine time. */
 seconds: number,
-/** Whether it holds all of a run that came to its end. */
+/** It holds all of a run that came to its end. */
 whole: boolean,
-/** Whether it ends before the run because that has more edges than a chart holds. */
+/** It ends before the run because that has more edges than a chart holds. */
 full: boolean,
-/** How the run ended: `ok`, `ended`, `failed`, `stopped`, `limit`. */
+/** Word for the end of the run: `ok`, `ended`, `failed`, `stopped`, `limit`. */
 status: string,
-/** Why it ended before its end. */
+/** Reason why the run ended before its end. */
 finding: Finding | null,
 /** Its lines, from above. */
 lines: Array<TimingLine>, };
 
-/** What a line of a timing chart shows. */
+/** Kind of a line of a timing chart. */
 export type TimingKind = "axis" | "value" | "output" | "input";
 
 /** A line of a timing chart. */
 export type TimingLine = {
-/** What it shows. */
+/** Kind of line. */
 kind: TimingKind,
 /** Its name. */
 name: string,
-/** Where this is not 0 the line has more points than a chart holds: of each grain of so many seconds, counted from 0, only the first, the least, the greatest and the last are here. */
+/** Length of a grain, seconds. If it is not 0 the line has more points than a chart holds: of each grain, counted from 0, only the first, the least, the greatest and the last are here. */
 grain: number,
 /** Moments, seconds, and the value there. An axis goes evenly between them; a value or a bit is 0 before the first and keeps what it is to the next. */
 points: Array<[number, number]>, };
 
-/** What comes over the socket to the page: one JSON text a message. */
+/** A message over the socket to the page: one JSON text each. */
 export type ToPage = { "tell": "snapshot",
-/** Who the page is. */
+/** The page: its number, role and device. */
 who: Who,
 /** Everything. */
 snapshot: Snapshot, } | { "tell": "changes",
 /** At least one. */
 changes: Array<Change>, } | { "tell": "reply" } & Reply;
 
-/** How a message is meant. */
+/** Sort of message. */
 export type Tone = "note" | "program" | "warning" | "error";
 
 /** A tool path that the program names. */
@@ -1204,7 +1204,7 @@ seconds: number,
 /** Its first move. */
 firstMove: number, };
 
-/** What a drawing becomes when it is machined. */
+/** Tool paths that a drawing becomes when it is machined. */
 export type ToolPaths = {
 /** The revision of the drawing. */
 revision: number,
@@ -1214,17 +1214,17 @@ paths: Array<CutShape>,
 smoothed: Array<ShapePath>,
 /** Vertices that are left out because they lie too near to the one before: X and Y by turns. */
 filtered: Array<number>,
-/** What was noticed while they were made, or why there are none. */
+/** Notes from their making, or the reason why there are none. */
 notes: Array<string>, };
 
 /** The path of what was typed, so far. */
 export type TypedPath = {
 /** Changes when it begins anew. */
 key: number,
-/** How many segments it has: they can be asked for as `/api/typed/KEY/FROM`. */
+/** Number of its segments, which can be asked for as `/api/typed/KEY/FROM`. */
 segments: number, };
 
-/** What a person reads lengths in. */
+/** Units in which a person reads lengths. */
 export type Units = {
 /** `in` or `mm`. */
 linear: string,
@@ -1232,10 +1232,10 @@ linear: string,
 mm: number,
 /** Each axis. */
 axes: Array<AxisUnits>,
-/** Whether the numbers of moves are places (SA) or distances (SR). */
+/** The numbers of moves are places (SA); distances otherwise (SR). */
 absolute: boolean, };
 
-/** What the machine remembers, to be looked at. */
+/** Values that the machine remembers, to be looked at. */
 export type Values = {
 /** System variables, by number. */
 system: Array<SystemValue>,
@@ -1243,7 +1243,7 @@ system: Array<SystemValue>,
 variables: Array<NamedValue>,
 /** The lines of OpenSBP that set what is set now. */
 settings: Array<string>,
-/** What helps to find a fault (UD): versions, places, switches, the last error. */
+/** Facts that help to find a fault (UD): versions, places, switches, the last error. */
 diagnostics: Array<NamedValue>,
 /** The folder of part files and which of them lists show (FS). */
 folder: Folder,
@@ -1254,11 +1254,11 @@ parts: string,
 /** The folder of settings and logs. */
 data: string, };
 
-/** Who a page is. */
+/** Identity of a page. */
 export type Who = {
 /** Its number, as long as it is connected. */
 client: number,
-/** What it may do. */
+/** Its role. */
 role: Role,
 /** Name of the device; empty for a page on the machine itself. */
 device: string, };
@@ -1268,7 +1268,7 @@ export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "st
 
 /** Heights at which a job is cut. */
 export type ZHeights = {
-/** Where the tool travels. */
+/** Height at which the tool travels. */
 top: number,
 /** The surface of the material. */
 surface: number,
