@@ -5,9 +5,11 @@ SHELL := bash
 CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
+PREFIX ?= $(HOME)/.local
+DIST = kerf-$$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)-$$(rustc -vV | sed -n 's/^host: //p')
 
 .DEFAULT_GOAL := help
-.PHONY: help console console-browser console-check console-test rust-test run bench bench-geometry test properties check soak traces mutants fuzz format conformance book figures prepare peers
+.PHONY: help install dist console console-browser console-check console-test rust-test run bench bench-geometry test properties check soak traces mutants fuzz format conformance book figures prepare peers
 
 help: ## list these targets
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "  make %-14s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -65,6 +67,17 @@ book: ## write the generated pages of the user's book
 run: prepare console ## build everything and open the console on the simulated machine, a sample loaded
 	$(CARGO) build --release --locked --package kerf
 	target/release/kerf serve $(notdir $(PART)) --parts $(dir $(PART))
+
+install: prepare console ## build kerf and copy it to PREFIX/bin (PREFIX: ~/.local)
+	$(CARGO) build --release --locked --package kerf
+	install -D -m 755 target/release/kerf "$(DESTDIR)$(PREFIX)/bin/kerf"
+
+dist: prepare console ## build kerf and pack it with examples and licence into target/dist
+	$(CARGO) build --release --locked --package kerf
+	mkdir -p target/dist
+	tar --create --gzip --sort=name --owner=0 --group=0 --numeric-owner --transform 's,^target/release/,,;s,^,$(DIST)/,' \
+	  --file target/dist/$(DIST).tar.gz target/release/kerf README.md CHANGELOG.md LICENSE* examples
+	cd target/dist && sha256sum $(DIST).tar.gz >$(DIST).tar.gz.sha256
 
 figures: prepare console ## draw the pictures of README and book anew
 	$(CARGO) build --release --locked --package kerf

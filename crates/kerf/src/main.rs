@@ -29,6 +29,7 @@ mod date;
 mod drawings;
 mod estimate;
 mod exit;
+mod groups;
 mod heeded;
 mod job_options;
 mod machine_file;
@@ -83,7 +84,7 @@ Exit codes: 0 all went well, 1 the program failed or errors were found, 2 the co
 3 stopped by the operator or a limit";
 
 fn main() -> ExitCode {
-    let cli = parse::with_negative_numbers(Cli::command());
+    let cli = parse::with_negative_numbers(groups::grouped(Cli::command()));
     let given = cli.clone().get_matches();
     let Cli { command, edit_only } = Cli::from_arg_matches(&given).unwrap_or_else(|e| e.exit());
     let fits = command.restricted(edit_only).and_then(|it| it.heeding(&cli, &given));

@@ -70,8 +70,8 @@ fn tell(journal: &Journal, shelf: &Shelf, whereabouts: Whereabouts) -> Result<()
     }
     if !unconfirmed(shelf).is_empty() {
         eprintln!(
-            "kerf: a new run asks first whether they are right; home the machine or zero it, or say so in --answers: \
-             location=Continue"
+            "kerf: a new run asks first whether they are right; home the machine or zero it; a script answers \
+             with --answers FILE, where FILE has the line location=Continue"
         );
     }
     if let Some(cut) = cut {

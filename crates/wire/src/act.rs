@@ -161,7 +161,7 @@ pub enum Act {
         clock_ms: f64,
         /// Direction of each axis: -1, 0, 1 or between.
         direction: [f64; AXES],
-        /// Mm or degrees; motion ends there. Without it, at the table limits.
+        /// Factor of the direction: motion ends there. Without it, at the table limits.
         distance: Option<f64>,
         /// Share of the jog speed, 0 … 1.
         speed_share: f64,

@@ -55,7 +55,7 @@ pub struct Machine {
     pub name: String,
 }
 
-/// Position and motion of the machine. Sent about 25 times a second while it moves.
+/// Position and motion of the machine. Sent about 30 times a second while it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Motion {

@@ -2,6 +2,7 @@
 
 use crate::Cli;
 use crate::exit::{Exit, Usage};
+use crate::groups;
 use crate::out;
 use anyhow::{Result, bail};
 use clap::{Args, CommandFactory};
@@ -19,7 +20,9 @@ pub fn run(args: &HelpArgs) -> Result<Exit> {
     match words.as_slice() {
         ["terms"] => terms(),
         ["term", word @ ..] if !word.is_empty() => term(&word.join(" "))?,
-        [] | ["help"] => out::print(&Cli::command().render_long_help().to_string()),
+        [] | ["help"] => {
+            out::print(&groups::grouped(Cli::command()).render_long_help().to_string())
+        }
         [name, ..] => match options(name, &words[1..]) {
             Some(text) => out::print(&text),
             None => term(&words.join(" "))?,

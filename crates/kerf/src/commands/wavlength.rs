@@ -1,8 +1,8 @@
 //! `kerf wavlength`: how long a sound lasts, so that a part file can pause for it.
 
-use crate::exit::Exit;
+use crate::exit::{Exit, Usage};
 use crate::out;
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use clap::Args;
 use std::fs;
 use std::path::PathBuf;
@@ -19,7 +19,7 @@ pub struct WavlengthArgs {
 
 pub fn run(args: &WavlengthArgs) -> Result<Exit> {
     let name = args.file.display();
-    let bytes = fs::read(&args.file).with_context(|| format!("cannot read {name}"))?;
+    let bytes = fs::read(&args.file).map_err(|why| Usage(format!("cannot read {name}: {why}")))?;
     let Some(seconds) = seconds(&bytes) else { bail!("{name} is no .wav file") };
     out::print(&format!("{}\n", out::number(seconds, 3)));
     Ok(Exit::Good)
