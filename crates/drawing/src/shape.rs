@@ -19,7 +19,7 @@ pub struct Shape {
     /// Whether the machine halts before it by itself.
     #[serde(default)]
     pub pause: bool,
-    /// Whether the first vertex is there only because the cut begins at it (Profiler notes, 3.2).
+    /// Whether the first vertex is there only because the cut begins at it (readings, Start point).
     #[serde(default)]
     pub start_inserted: bool,
 }

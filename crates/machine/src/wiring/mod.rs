@@ -1,6 +1,6 @@
 //! What every bit of the ports is, and where it comes out on a card (Profiler reference, "Hardware
-//! Input and Output", "PCI Card", "I/O Card", "Output and Input Pin Configuration"; ledger notes 51
-//! to 57).
+//! Input and Output", "PCI Card", "I/O Card", "Output and Input Pin Configuration"; readings, P-51
+//! to P-57).
 
 mod card;
 mod connectors;
