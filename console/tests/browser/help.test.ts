@@ -40,8 +40,8 @@ async function answers(): Promise<number[]> {
 it("sbp_cmd_hb: bulletins tell the news, and their link opens on a click only, and leads somewhere", async () => {
   await typed("hb");
   const news = page.getByRole("region", { name: "News" });
-  await news.getByText("The beginning: OpenSBP part files on a simulated machine.").waitFor();
-  await news.getByRole("heading", { name: "Unreleased" }).waitFor();
+  await news.getByText("The first version: part files, G-code and drawings").waitFor();
+  await news.getByRole("heading", { name: "0.1.0 (unreleased)" }).waitFor();
   const links = page.locator(".help-page a");
   expect(await links.first().getAttribute("target")).toBe("_blank");
   expect(await answers()).toEqual([200]);

@@ -1,5 +1,5 @@
 //! Commands that other software passes in: the value `uCommand` (programming handbook, Registry
-//! Interface; notes A-47).
+//! Interface; readings, A-47).
 //!
 //! One command of two letters with its parameters is carried out once, when no file runs, and the
 //! value is empty from then on. What was left there before the start is not carried out.

@@ -1,5 +1,5 @@
 //! The start-up line: `file, port, open, timing, close, display, offset` (programming handbook,
-//! Command Line Options; notes ).
+//! Command Line Options; readings, A-119, A-120).
 
 use crate::system_log::Opening;
 

@@ -1,5 +1,5 @@
 //! The system log: a line when Kerf starts, changes between moving and drawing, has run a part file,
-//! or closes (programming handbook, SbSystem Log; notes A-118).
+//! or closes (programming handbook, SbSystem Log; readings, A-118).
 //!
 //! ```text
 //!  NFP,CUT,,,,,,14:03:05,2026-11-21,,sim,kerf-0.1.0,,,,,,,~1234567

@@ -1,5 +1,5 @@
 //! The status byte and the bytes of switches, as another program reads them while a run goes on
-//! (programming handbook, Registry Interface; notes A-46).
+//! (programming handbook, Registry Interface; readings, A-46).
 
 #![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
 

@@ -3,7 +3,7 @@
 //! The centre is `tool + (I, J)`. By diameter, of the two centres the one to the right of travel
 //! serves a clockwise arc, the one to the left a counter-clockwise one, so that the arc is half a
 //! turn at most. Everything is worked out on the nominal circle, as the user wrote it; proportions
-//! and the cutter come afterwards, as in CC (ledger notes, section 1; A-63).
+//! and the cutter come afterwards, as in CC (readings, Circle angles, A-63).
 
 use crate::circle::check_proportion;
 use crate::curve::{Anchor, Curve, SAME_PLACE_MM, Shape};

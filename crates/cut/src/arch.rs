@@ -3,7 +3,7 @@
 //! Span L and rise H give the circle: `R = H/2 + L²/(8H)`, swept angle `θ = 4·atan(2H/L)`. Clockwise
 //! the arch begins at the clock angle −θ/2 and runs to the right; counter-clockwise it is the mirror
 //! image, begins at θ/2 and runs to the left, still rising. The alignment adds to that angle, before
-//! the proportions of the table are applied (ledger notes, "Arch CA"; A-66 … A-69).
+//! the proportions of the table are applied (readings, Arches, A-66 … A-69).
 
 use crate::circle::{check_angle, check_proportion};
 use crate::curve::{Anchor, Curve, Shape};

@@ -9,7 +9,7 @@ use kerf_geom::Point2;
 /// Angles beyond this are mistakes; it keeps the remainder of a turn exact to a millionth degree.
 const MAX_ANGLE_DEG: f64 = 1.0e6;
 
-/// A swept angle this close to a whole turn is one: variables are single precision.
+/// A swept angle this close to a whole turn is one: variables are single precision (readings, A-05).
 const TURN_SLACK_DEG: f64 = 1e-4;
 
 /// Parameters of CC; CP has them too.

@@ -4,7 +4,7 @@
 //! the proportions; a negative proportion mirrors and so turns the sense of travel round. The path
 //! of the cutter runs beside that at half its diameter along the outward normal. With equal
 //! proportions that is a circle and stays an exact arc; otherwise it comes as chords no longer than
-//! the circle resolution. (Ledger notes, section 1, "Circle angle convention" and "Ellipse".)
+//! the circle resolution. (Readings, Circle angles and Ellipses.)
 
 use crate::passes::Outline;
 use crate::segments::chord_count;

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! The way back goes up to Safe-Z and jogs to the beginning of the path; it is needed when the path
-//! is open or is a pocket (command reference, CC; ledger notes A-73 … A-79).
+//! is open or is a pocket (command reference, CC; readings, A-73 … A-79).
 
 use crate::error::{MAX_STEPS, check_length};
 use crate::step::{Cut, Trail};

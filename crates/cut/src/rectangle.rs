@@ -6,7 +6,7 @@
 //!   4 ───── 3
 //! ```
 //!
-//! (Command reference, CR; ledger notes, "Rectangle CR" and "Pocket step-over".)
+//! (Command reference, CR; readings, Rectangles and Pockets.)
 
 use crate::error::check_positive;
 use crate::passes::{Outline, cut};

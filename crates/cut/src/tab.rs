@@ -11,7 +11,7 @@
 //! added to whatever Z the path has. Counting begins anew when Z comes to Safe-Z. A tab that does
 //! not fit in the rest of the path is left out; so a step in which a tab begins is held back until
 //! the path has come as far as the tab's end. Nothing else is held back. (Command reference, VB and
-//! FP; ledger notes, "Tabs"; .)
+//! FP; readings, Tabs, A-88, A-89.)
 
 use crate::CutError;
 use crate::error::check_length;

@@ -190,7 +190,7 @@ pub struct GapError {
 }
 
 impl Arrays {
-    /// Checks that copies of a block of this size go on by more than nothing (Profiler notes, "Arrays").
+    /// Checks that copies of a block of this size go on by more than nothing (readings, Array order).
     ///
     /// # Errors
     /// The first gap that is too small.

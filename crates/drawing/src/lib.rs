@@ -13,7 +13,7 @@
 //!
 //! Directions: X to the right, Y upwards, counter-clockwise is positive. Heights of a 3D shape are
 //! measured from ZSurface. The operations are those of the Profiler reference (chapters Draw, Edit,
-//! Layout, Clipboard, Path, Sequence), read as its notes say where it contradicts itself.
+//! Layout, Clipboard, Path, Sequence), read as `docs/readings.md` says where it contradicts itself.
 
 mod array;
 mod drawing;

@@ -5,7 +5,7 @@ use kerf_geom::{Bounds2, BoxTree, Place, Polyarc, Position, tol};
 use std::sync::Arc;
 
 /// The shapes of a drawing as a forest: a closed shape is the parent of what lies directly inside
-/// it. Open shapes and points are leaves (Profiler notes, 3.3 and 3.4).
+/// it. Open shapes and points are leaves (readings, Directions and Automatic sequence).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Nesting {
     parent: Vec<Option<usize>>,

@@ -214,7 +214,7 @@ impl GroupSettings {
 
     /// Distance of the rough path from the shape, millimetres, or nothing without a rough pass:
     /// the offset made larger by the rough amount; without an offset the sign of the rough amount
-    /// tells the side (Profiler notes, 3.7).
+    /// tells the side (readings, Rough pass).
     pub fn rough_offset_mm(&self) -> Option<f64> {
         if self.rough_mm == 0.0 {
             return None;

@@ -19,7 +19,7 @@ pub struct Shape {
     /// The machine halts before it by itself.
     #[serde(default)]
     pub pause: bool,
-    /// The first vertex is there only because the cut begins at it (Profiler notes, 3.2).
+    /// The first vertex is there only because the cut begins at it (readings, Start point).
     #[serde(default)]
     pub start_inserted: bool,
 }

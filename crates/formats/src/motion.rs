@@ -2,7 +2,7 @@
 //!
 //! A jog ends a shape; a run of cutting moves is one shape. Moves of Z alone at a run's ends are plunge
 //! and lift and are no part of it. A shape has heights when Z varies while X or Y moves; what is cut at
-//! one height is flat, and the height is told (Profiler notes, 4).
+//! one height is flat, and the height is told (readings, P-4).
 
 use crate::Imported;
 use crate::finding::Findings;

@@ -3,7 +3,7 @@
 //! The geometry is plain DXF Release 12, each group on a layer of its name and colour. What DXF has
 //! no place for stands in comments (group code 999), which other programs pass over: at the head of
 //! the file the settings of the groups, arrays, comments; in each entity what its shape has beyond
-//! its lines and arcs (Profiler notes, 7). Files of the old program, which have no such comments,
+//! its lines and arcs (readings, P-7). Files of the old program, which have no such comments,
 //! are read as drawings.
 
 use crate::dxf::{self, Notes, Options};

@@ -238,7 +238,7 @@ fn pro_io_vcd() {
     assert!(text.contains("$var wire 1 \" xstep $end") && text.lines().count() > 2 * 2500);
 }
 
-/// A data folder with the machine of the notes.
+/// A data folder with the machine SIM (readings, SIM).
 fn sim() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     told(folder.path(), &["use", "sim"]);

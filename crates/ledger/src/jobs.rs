@@ -1,4 +1,4 @@
-//! Jobs on the machine of the Profiler notes (SIM), and what their traces tell.
+//! Jobs on the machine SIM (readings, SIM), and what their traces tell.
 
 use kerf_control::answers::Answers;
 use kerf_control::event::MoveEvent;
@@ -15,7 +15,7 @@ use kerf_program::{Axes, AxisSet, MoveKind};
 use kerf_sim::{Change, Sheet};
 use std::sync::Arc;
 
-/// The standard simulated machine of the notes, section 1: the profile `sim`.
+/// The standard simulated machine (readings, SIM): the profile `sim`.
 pub fn sim() -> Configuration {
     let sim = profile("sim").expect("the profile");
     file::read(&"sim".into(), sim.text).expect("a profile without mistakes")

@@ -1,5 +1,5 @@
 //! Finding home: each axis goes to its switch and counts from there (Profiler reference, "Finding the
-//! Home Position on an Axis"; ledger notes 86 to 88).
+//! Home Position on an Axis"; readings, P-86 to P-88).
 //!
 //! ```text
 //!            1 ──────────────────►│   fast, until the switch turns on

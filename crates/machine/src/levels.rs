@@ -1,5 +1,5 @@
 //! From the levels at the pins to what inputs read (Profiler reference, "PCI Card", "I/O Card";
-//! ledger note 57).
+//! readings, P-57).
 //!
 //! A pin that nobody drives is open: on the PCI card its level is 1, for nothing pulls it to ground, else 0.
 //! An open pin is not active, unless its input is turned round, as one is for a switch that opens.

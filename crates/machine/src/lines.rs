@@ -1,5 +1,5 @@
 //! The one map of inputs and outputs: the names that jobs and people use, and the lines they stand
-//! for (Profiler reference, "Hardware Input and Output"; ledger notes 49 to 62).
+//! for (Profiler reference, "Hardware Input and Output"; readings, P-49 to P-62).
 //!
 //! Lines 1 … 12 are the switches of part files. Behind them come the ports of the card, a byte each:
 //! ports B and C for outputs, ports A and B for inputs.

@@ -1,5 +1,5 @@
-//! The speed at which a change of direction may be passed (command reference, Ramping; ledger notes, Ramps
-//! and A-106, A-109).
+//! The speed at which a change of direction may be passed (command reference, Ramping; readings, Ramps,
+//! A-106, A-109).
 //!
 //! ```text
 //!  speed ▲ v ───────┐ criterion(v)

@@ -1,5 +1,5 @@
 //! Commands to moves: which length a speed refers to, how fast the move may be, and how steep its
-//! ramps (command reference, VS, VR, VU; ledger notes A-57).
+//! ramps (command reference, VS, VR, VU; readings, A-57).
 
 use crate::moves::{Basis, Move, Path};
 use kerf_geom::{Arc2, Point2};
@@ -195,7 +195,7 @@ impl Extent {
         }
     }
 
-    /// the XY speed when X or Y moves, reduced so that no other axis exceeds its own; else
+    /// Readings, A-57: the XY speed when X or Y moves, reduced so that no other axis exceeds its own; else
     /// the slowest of the axes that move.
     fn by_axis(&self, speed: &PerGroup) -> (Basis, f64, f64) {
         let mut slowest = (Basis::Xy, self.xy, self.xy / speed.xy);

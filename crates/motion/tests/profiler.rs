@@ -112,7 +112,7 @@ fn pro_smoothing_factor() {
         assert_eq!(all_smooth(&plan), smooth, "{sides} sides at {factor}");
         assert_eq!(curves(&plan).contains(&true), smooth, "{sides} sides at {factor}");
     }
-    // The other polygons of the notes.
+    // More polygons (readings, Smoothing).
     assert!(all_smooth(&polygon(36, 10.0, 0.0, 0.6)));
     assert!(!curves(&polygon(12, 10.0, 0.0, 2.0)).contains(&true));
 }

@@ -16,7 +16,7 @@ use crate::Cutter;
 use crate::levels::{Levels, Offsets, depth};
 use kerf_geom::{Combine, GeomError, Polyarc, combine};
 
-/// Uncut pieces smaller than this are left, square millimetres (Profiler notes, 3.5); with tools so small
+/// Uncut pieces smaller than this are left, square millimetres (readings, Clearing); with tools so small
 /// that it would be much, those smaller than a thousandth of the square of the diameter.
 pub const SMALLEST_MM2: f64 = 0.01;
 

@@ -1,12 +1,12 @@
 //! Z that follows the sheet: the controller's side of automatic height control, tick by tick
-//! (Profiler reference, "Automatic Height Control"; ledger notes 3.12).
+//! (Profiler reference, "Automatic Height Control"; readings, Height control).
 
 use kerf_program::{Gauge, HeightLaw};
 
 /// Time from one look to the next, seconds.
 pub(crate) const TICK_S: f64 = 0.001;
 
-/// Without a reading for so long the sensor counts as lost, seconds (ledger notes, 84).
+/// Without a reading for so long the sensor counts as lost, seconds (readings, P-84).
 const SILENCE_S: f64 = 0.1;
 
 /// State that the head senses.

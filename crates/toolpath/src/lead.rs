@@ -6,7 +6,7 @@
 //!    ──────P───►  path         Q
 //! ```
 //!
-//! Source: Profiler notes, 3.6.
+//! Source: readings, Leads.
 
 use kerf_drawing::Lead;
 use kerf_geom::{Point2, Polyarc, Vec2};

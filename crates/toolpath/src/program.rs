@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  ZTop ──►─┐   ┌──►   the head travels at ZTop, plunges, cuts, rises; a closed path goes to its next
-//!           │   │      pass straight down, an open one by way of ZTop (Profiler notes, 41)
+//!           │   │      pass straight down, an open one by way of ZTop (readings, P-41)
 //!           └─►─┘
 //! ```
 //!

@@ -144,7 +144,7 @@ fn offset_paths(
     Ok((found.into_iter().map(base).collect(), coarse))
 }
 
-/// The height of each vertex: that of the nearest place of the shape (Profiler notes, 45).
+/// The height of each vertex: that of the nearest place of the shape (readings, P-45).
 fn heights_beside(shape: &Shape, path: &Polyarc) -> Vec<f64> {
     let nearest = |at| shape.path.nearest(at).map_or(0.0, |(place, _)| shape.height_at(&place));
     path.vertices.iter().map(|vertex| nearest(vertex.at)).collect()

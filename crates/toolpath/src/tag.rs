@@ -3,7 +3,7 @@
 use kerf_geom::{Place, Polyarc};
 
 /// The path without its first `tag_mm`; the end stays where it is. Nothing when the path is no longer
-/// than the tag (Profiler notes, 43).
+/// than the tag (readings, P-43).
 pub(crate) fn without_tag(path: &Polyarc, tag_mm: f64) -> Option<Polyarc> {
     if tag_mm == 0.0 {
         return Some(path.clone());

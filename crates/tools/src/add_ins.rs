@@ -23,7 +23,7 @@ pub struct AddIn {
 }
 
 /// The tools that a file adds, and what is wrong with it: line and words. Letters of built-in tools
-/// and of commands cannot be taken (notes A-121).
+/// and of commands cannot be taken (readings, A-121).
 pub fn add_ins(text: &str) -> (Vec<AddIn>, Vec<(usize, String)>) {
     let (mut found, mut mistakes): (Vec<AddIn>, _) = (Vec::new(), Vec::new());
     let mut current: Option<AddIn> = None;

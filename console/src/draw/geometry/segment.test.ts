@@ -8,7 +8,7 @@ const segment = (x0: number, y0: number, x1: number, y1: number, bulge = 0) => (
   bulge,
 });
 
-/** The table of bulges from (0,0) to (10,0) in the notes to the Profiler reference. */
+/** Bulges from (0,0) to (10,0): radius, centre and apex (readings, Bulge). */
 const bulges: readonly [bulge: number, radius: number, centre: [number, number], apex: number][] = [
   [1, 5, [5, 0], -5],
   [0.414214, 7.0711, [5, 5], -2.0711],

@@ -1,5 +1,5 @@
 //! State of a machine that runs, as other programs see it: the status byte and the bytes of its switches
-//! (programming handbook, Registry Interface; notes A-46).
+//! (programming handbook, Registry Interface; readings, A-46).
 
 use super::progress::{PROGRESS, Reached};
 use super::rows::Table;

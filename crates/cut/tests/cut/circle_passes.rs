@@ -169,7 +169,7 @@ fn sbp_cut_cc_from0() {
     let cut = cc("4,T,1,0,360,-.25,2,1,1,0,0,0", &from).unwrap();
     let heights: Vec<_> = cut.steps.iter().map(|s| number(s.to()[2] / IN)).collect();
     assert_eq!(heights, ["0.25", "0.25", "0", "0", "0.5"]);
-    // From below, Z comes up to 0 first.
+    // From below, Z comes up to 0 first (readings, A-74).
     let below = cc("4,T,1,0,360,-.25,1,1,1,0,0,1", &at(0.0, 0.0, -1.0)).unwrap();
     assert_eq!(below.steps[0].to()[2], 0.0);
 }

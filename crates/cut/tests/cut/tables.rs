@@ -1,4 +1,5 @@
-//! The worked tables of the ledger notes, section 1: every line of them. Inches and degrees.
+//! Worked tables of circles, arches, rectangles and pockets (readings, Circle angles and what follows).
+//! Inches and degrees.
 
 use crate::common::{IN, at, ca, cc, cg, cp, cr, legs, origin, passes, refused};
 use kerf_cut::{Context, Cut, CutError, Step};

@@ -192,8 +192,8 @@ pub(super) fn pocket(
     })
 }
 
-/// Rings from the wall to the middle, with the directions of the shapes reversed (Profiler notes, 32 to
-/// 34).
+/// Rings from the wall to the middle, with the directions of the shapes reversed (readings, P-32 to
+/// P-34).
 pub(super) fn engrave(draft: &mut Editor, clearing: &Clearing) -> Result<Outcome, OpError> {
     clear(draft, clearing, |region, cutter, offsetter| {
         kerf_pocket::rings(region, cutter, Way::default(), offsetter)

@@ -12,7 +12,7 @@ const MOST_SHAPES: u64 = 200_000;
 /// The most vertices of them.
 const MOST_VERTICES: u64 = 5_000_000;
 
-/// Spacing is the gap between neighbouring boxes (Profiler notes, 25).
+/// Spacing is the gap between neighbouring boxes (readings, P-25).
 pub(super) fn in_rows(
     draft: &mut Editor,
     rows: u32,
@@ -38,7 +38,7 @@ pub(super) fn in_rows(
     Ok(())
 }
 
-/// The number counts the original; each copy is turned with its angle (Profiler notes, 24).
+/// The number counts the original; each copy is turned with its angle (readings, P-24).
 pub(super) fn round(draft: &mut Editor, count: u32, centre: Point2) -> Result<(), OpError> {
     let shapes = selected_shapes(draft)?;
     fits(u64::from(count), &shapes)?;

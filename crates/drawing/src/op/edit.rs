@@ -40,7 +40,7 @@ pub(super) fn scale(draft: &mut Editor, factor: f64, about: Point2) -> Result<()
 }
 
 /// A mirror turns counter-clockwise into clockwise; a closed shape is turned back, so that a part
-/// stays a part and a hole a hole (Profiler notes, 20).
+/// stays a part and a hole a hole (readings, P-20).
 pub(super) fn mirror(draft: &mut Editor, a: Point2, b: Point2, raw: bool) -> Result<(), OpError> {
     if a == b {
         return Err(OpError::SamePlace("the two points of the mirror line"));

@@ -27,7 +27,7 @@ pub(super) fn bottom(draft: &mut Editor, bottom_mm: f64) -> Result<(), OpError> 
     Ok(())
 }
 
-/// Turned and put back at the origin: (x, y) goes to (height − y, x) (Profiler notes, 26).
+/// Turned and put back at the origin: (x, y) goes to (height − y, x) (readings, P-26).
 pub(super) fn rotate90(draft: &mut Editor) {
     left(draft);
     let turn = Transform2::turned(Point2::default(), std::f64::consts::FRAC_PI_2);

@@ -1,7 +1,7 @@
 //! Arcs in any plane: G2 and G3 with I, J and K whose ends lie on one circle in space.
 //!
 //! Controllers do not agree on them; the dialect `generic` reads what no reading in the plane of
-//! G17, G18 or G19 fits (Profiler notes, 6). The arc turns about the normal of the plane through
+//! G17, G18 or G19 fits (readings, P-6). The arc turns about the normal of the plane through
 //! start, centre and end, taken so that it looks the same way as the axis of the plane in force.
 
 use super::arc::{ArcWords, chords_within};

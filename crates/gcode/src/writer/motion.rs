@@ -236,7 +236,7 @@ impl Writer<'_> {
     }
 }
 
-/// Returns the time that a move takes at the speeds of the axes, seconds.
+/// Returns the time that a move takes at the speeds of the axes (readings, A-57), seconds.
 fn slowest(speeds: &PerGroup, xy: f64, delta: Axes) -> f64 {
     let others = Axis::ALL[2..].iter().map(|a| delta[*a].abs() / speeds.of(*a).max(1e-9));
     others.fold(xy / speeds.xy.max(1e-9), f64::max)

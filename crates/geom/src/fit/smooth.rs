@@ -1,5 +1,5 @@
 //! Runs of short lines replaced by the curve through their vertices (Profiler reference, "Tool Path
-//! Smoothing"; notes 3.11).
+//! Smoothing"; readings, Smoothing).
 //!
 //! A *run* is a chain of lines between corners of more than 45°. In a run of at least three lines every
 //! vertex gets the direction of the circle through it and its neighbours; a line becomes a pair of arcs

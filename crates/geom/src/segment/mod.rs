@@ -71,7 +71,7 @@ impl Segment {
     }
 
     /// The bulge of the arc from `start` to `end` through a third place: the tangent of half the angle by
-    /// which the second chord turns off the first (Profiler notes, 3.1).
+    /// which the second chord turns off the first (readings, Bulge).
     pub fn bulge_through(start: Point2, via: Point2, end: Point2) -> f64 {
         let (first, second) = (via - start, end - via);
         let turn = first.cross(second).atan2(first.dot(second));

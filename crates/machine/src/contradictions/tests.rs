@@ -5,7 +5,7 @@
 use crate::file;
 use std::sync::Arc;
 
-/// Abilities of the notes' SIM.
+/// Abilities of SIM (readings, SIM).
 const SIM: &str = "dynamics.speed_mm_s = [200, 200, 50, 50, 180, 180]\n\
     dynamics.accel_mm_s2 = [1000, 1000, 500, 500, 720, 720]\n\
     steps.per_unit = [250, 250, 250, 250, 100, 100]\n";

@@ -68,7 +68,7 @@ impl Sequence {
         Some(Output::tool(shape.tool))
     }
 
-    /// Piercing, then down to the height of the cut with the cut gas (notes, 76 to 79).
+    /// Piercing, then down to the height of the cut with the cut gas (readings, P-76 to P-79).
     pub(super) fn laser_start(&self, shape: &JobShape, z: f64) -> Vec<Small> {
         let (pierce, gas) = (self.machine.laser.pierce, self.machine.laser.gas);
         let pierce_gas = pierce.gas_tool.map(Output::tool);

@@ -1,5 +1,5 @@
 //! Height control in jobs: what the machine is told, and how ZSurface and ZTop follow (Profiler
-//! reference, "Automatic Height Control"; ledger notes 79 to 84 and 3.12).
+//! reference, "Automatic Height Control"; readings, P-79 to P-84, Height control).
 
 use super::Sequence;
 use super::place::Along;

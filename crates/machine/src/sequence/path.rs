@@ -114,7 +114,7 @@ impl Sequence {
     }
 
     /// The knife turns into the direction of what comes next: the short way, at once when the corner
-    /// is one, else along the way (notes, 3.10).
+    /// is one, else along the way (readings, Speeds).
     fn turn_into(&mut self, direction_rad: f64, number: usize, out: &mut Vec<Sourced>) {
         if !self.machine.misc.tangential {
             return;

@@ -1,5 +1,5 @@
 //! The start of a plasma cut, and what ends one early (Profiler reference, "Plasma Startup
-//! Sequence"; ledger notes 75, 85 and 3.13).
+//! Sequence"; readings, P-75, P-85, Events of a job).
 
 use super::Sequence;
 use super::small::{Awaited, Small};

@@ -86,7 +86,7 @@ pub fn changed<'a>(
     settings().filter(|setting| setting.get(before) != setting.get(after))
 }
 
-/// Settings that an area shows beside its own: one value, two places (ledger notes, 99).
+/// Settings that an area shows beside its own: one value, two places (readings, P-99).
 fn also(area: &Area) -> impl Iterator<Item = &'static Setting> {
     let keys: &[&str] = match area.title {
         "Options of the program" => {

@@ -1,6 +1,6 @@
 //! Bits of the ports, and the terminals of a card on which they come out (Profiler reference, "Hardware
-//! Input and Output", "PCI Card", "I/O Card", "Output and Input Pin Configuration"; ledger notes 51
-//! to 57).
+//! Input and Output", "PCI Card", "I/O Card", "Output and Input Pin Configuration"; readings, P-51 to
+//! P-57).
 
 mod card;
 mod connectors;

@@ -1,5 +1,5 @@
 //! The `profiler` model: smoothed sections at full speed, every other corner a stop (Profiler
-//! reference, "Tool Path Smoothing" and "Maximum Machine Cutting Speeds"; ledger notes 3.10, 3.11).
+//! reference, "Tool Path Smoothing" and "Maximum Machine Cutting Speeds"; readings, Speeds, Smoothing).
 //!
 //! Three steps.
 //!

@@ -1,5 +1,5 @@
 //! Which segments are smoothed, and into what curves (Profiler reference, "Tool Path Smoothing";
-//! ledger notes 3.11).
+//! readings, Smoothing).
 //!
 //! A *run* is a chain of straight cuts between corners of more than 45°. In a run of at least three
 //! segments every vertex gets the direction of the circle through it and its neighbours, and a

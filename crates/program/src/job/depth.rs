@@ -32,7 +32,7 @@ pub struct Heights {
 }
 
 impl Default for Heights {
-    /// Those of the machine of the Profiler notes (SIM).
+    /// Those of the machine SIM (readings, SIM).
     fn default() -> Self {
         Self { top_mm: -10.0, surface_mm: -20.0, bottom_mm: -30.0 }
     }
@@ -59,7 +59,7 @@ pub enum Depths {
 
 impl Depths {
     /// The passes of a shape. Multi-pass divides a depth below the surface into equal steps with a
-    /// last one that is smaller; above the surface there is one pass (Profiler notes, 3.8).
+    /// last one that is smaller; above the surface there is one pass (readings, Depths).
     ///
     /// `z_mm` are the heights of the shape's points above the surface; flat ones have none.
     ///

@@ -98,5 +98,5 @@ impl Default for Height {
     }
 }
 
-/// [`IoModes::analog`] for torch height (notes A-100).
+/// [`IoModes::analog`] for torch height (readings, A-100).
 pub(super) const TORCH: u8 = 1;

@@ -1,4 +1,4 @@
-//! Values between commas, as INPUT and INPUT # read them (notes A-38).
+//! Values between commas, as INPUT and INPUT # read them (readings, A-38).
 
 use crate::Value;
 use crate::eval::number_or_text;

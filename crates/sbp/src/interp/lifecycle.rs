@@ -153,7 +153,7 @@ impl Context<'_> {
         over
     }
 
-    /// VS, VI, VU and limits go back to what they were; VO and the VC trigger end.
+    /// VS, VI, VU and limits go back to what they were; VO and the VC trigger end (readings, A-91).
     fn restore_temporary(&mut self) {
         let kept = self.core.kept.clone();
         let unit = (self.core.options.dialect == Dialect::Fabmo).then_some(kept.linear_unit);

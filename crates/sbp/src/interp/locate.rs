@@ -139,7 +139,7 @@ impl Context<'_> {
     }
 
     /// Working and base locations of these axes were set: tells it, and ends the zero that the
-    /// file has of its own for the working ones (notes ).
+    /// file has of its own for the working ones (readings, A-85, A-128).
     pub(crate) fn location_set(&mut self, working: AxisSet, base: AxisSet) {
         let mut ended = String::new();
         for axis in working.iter() {

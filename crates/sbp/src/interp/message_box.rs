@@ -1,4 +1,4 @@
-//! MSGBOX: a box with buttons, its answer in `&msganswer` (handbook, MSGBOX; notes ).
+//! MSGBOX: a box with buttons, its answer in `&msganswer` (handbook, MSGBOX; readings, A-39, A-40).
 
 use super::{Context, Stop};
 use crate::Value;

@@ -32,7 +32,7 @@ impl Context<'_> {
     }
 
     /// PAUSE UNTIL: waits for the operator or for an input; goes on at once when the input is
-    /// already in the state (notes A-29).
+    /// already in the state (readings, A-29).
     pub(super) fn pause_until(&mut self, switch: &Expr, state: &Expr) -> Result<(), Stop> {
         let input = self.switch_number(switch)?;
         let on = self.switch_state(state)?;

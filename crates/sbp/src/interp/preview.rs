@@ -1,7 +1,7 @@
 //! SP and SM: commands that are only drawn, and the way back.
 //!
 //! A preview moves nothing: SM brings back the frames and the place. What was set meanwhile stays, as whoever sets up a
-//! machine in preview wants it (notes A-127); a file that is only looked at sets nothing.
+//! machine in preview wants it (readings, A-127); a file that is only looked at sets nothing.
 
 use super::{BeforePreview, Context};
 use kerf_program::settings::Mode;

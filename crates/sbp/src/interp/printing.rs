@@ -1,4 +1,4 @@
-//! PRINT, PRINT # and WRITE #: items into text (handbook, PRINT and WRITE; notes A-31 … A-35).
+//! PRINT, PRINT # and WRITE #: items into text (handbook, PRINT and WRITE; readings, A-31 … A-35).
 
 use super::{Context, Stop};
 use crate::tree::{Output, Separator};

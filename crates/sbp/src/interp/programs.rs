@@ -56,7 +56,7 @@ impl Context<'_> {
         })
     }
 
-    /// C#,n, CN,n and Cn: runs CustomN.sbc (notes A-130).
+    /// C#,n, CN,n and Cn: runs CustomN.sbc (readings, A-130).
     pub(super) fn custom_cut(&mut self, number: &Expr) -> Result<(), Stop> {
         let n = self.eval_number(number)?;
         if n.fract() != 0.0 || !(0.0..1e6).contains(&n) {

@@ -75,7 +75,7 @@ impl Context<'_> {
         }
     }
 
-    /// The operator ended the run here, as with a stop (notes A-30).
+    /// The operator ended the run here, as with a stop (readings, A-30).
     pub(crate) fn terminated(&mut self) -> Stop {
         self.note(Code::Terminated, "terminated by the user", "");
         Stop::Finished(Status::Stopped)

@@ -1,5 +1,5 @@
 //! SetUsrVal … GetPartFileName: values kept outside the program (handbook, additional registry
-//! commands; notes A-43 … A-45).
+//! commands; readings, A-43 … A-45).
 
 use super::{Context, Stop};
 use crate::Value;

@@ -1,4 +1,4 @@
-//! OPEN, CLOSE, INPUT # and the files behind WRITE # (handbook, OPEN … CLOSE; notes ).
+//! OPEN, CLOSE, INPUT # and the files behind WRITE # (handbook, OPEN … CLOSE; readings, A-38, A-48).
 
 use super::core::UserFile;
 use super::{Context, Stop, fields};

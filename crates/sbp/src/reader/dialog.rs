@@ -7,7 +7,7 @@ use crate::tree::{DialogText, Input, MsgBox, Registry, Shell, Span, Statement, T
 use kerf_diag::Code;
 
 impl Line<'_, '_> {
-    /// INPUT text ; : &default, &variables (notes A-36).
+    /// INPUT text ; : &default, &variables (readings, A-36).
     pub(super) fn input(&mut self, start: usize) -> Read<Statement> {
         if self.take(b'#') {
             return self.input_file(start);
@@ -118,7 +118,7 @@ impl Line<'_, '_> {
         DialogText::Parts(self.parts(self.slice(span.start as usize, span.end as usize)))
     }
 
-    /// Unquoted text as it is shown: `&name` is a variable, `[&]` an ampersand (notes A-19).
+    /// Unquoted text as it is shown: `&name` is a variable, `[&]` an ampersand (readings, A-19).
     fn parts(&mut self, text: &str) -> Vec<TextPart> {
         let mut parts = Vec::new();
         let mut literal = String::new();

@@ -1,4 +1,4 @@
-//! PRINT and WRITE: items and what joins them (handbook, "PRINT"; notes ).
+//! PRINT and WRITE: items and what joins them (handbook, "PRINT"; readings, A-31 to A-35).
 
 use super::line::{Line, Read};
 use crate::expr::{BinaryOp, Expr, ExprNode};

@@ -1,4 +1,4 @@
-//! R commands: what was typed is recorded and can be run again (notes A-132).
+//! R commands: what was typed is recorded and can be run again (readings, A-132).
 
 use super::{CommandSpec, Group, Kind, ParamSpec, Stack};
 use crate::interp::{Context, Replay, Stop};

@@ -49,7 +49,7 @@ pub enum Group {
     Help,
 }
 
-/// Effect of a command on the stack of moves (notes A-95).
+/// Effect of a command on the stack of moves (readings, A-95).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stack {
     /// Belongs to the stack, or does not disturb it (moves, cuts, VS).

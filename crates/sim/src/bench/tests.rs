@@ -1,4 +1,4 @@
-//! Homing on the simulated machine, with the numbers of the ledger notes (3.13).
+//! Homing on the simulated machine, with the numbers of readings, Events of a job.
 
 #![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
 

@@ -1,7 +1,7 @@
 //! System variables, `%(n)`: the state of the machine as programs read it.
 //!
 //! They are a table, like the commands: number, name, unit, and the function that reads it. The
-//! numbers are those of the handbook of 2013, which supersedes the lists before it (notes A-02,
+//! numbers are those of the handbook of 2013, which supersedes the lists before it (readings, A-02,
 //! Distances are in the user's units. What only the machine knows, inputs and outputs, is
 //! asked once motion has come to rest.
 
