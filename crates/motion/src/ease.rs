@@ -321,3 +321,18 @@ fn smooth(from: Tick, goal: f64, takes_s: f64) -> Vec<Tick> {
     ticks.push(Tick { rate: goal, gain: 0.0, push: 0.0, ..tick });
     ticks
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{PARTS, Tick, smooth};
+
+    #[test]
+    fn a_change_that_goes_on_already_ends_at_the_goal_too() {
+        for gain in [-2.0, 0.0, 2.0] {
+            let from = Tick { gain, ..Tick::plain(0.0, 0.0) };
+            let ticks = smooth(from, 0.25, 0.5);
+            let end = ticks[PARTS - 1].after(0.5 / PARTS as f64);
+            assert!((end.rate - 0.25).abs() < 0.01 && end.gain.abs() < 1e-9, "{end:?}");
+        }
+    }
+}

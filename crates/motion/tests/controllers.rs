@@ -158,6 +158,32 @@ fn a_slow_link_slows_what_needs_more_lines_than_it_brings() {
     near(total(&fed, &rectangle()), total(&grbl(0.05), &rectangle()), 0.1);
 }
 
+/// Half circles and lines in turn; the words of an arc are as long in either direction.
+fn waves(sweep_rad: f64) -> Vec<Move> {
+    let mut mover = mover(Axes::default());
+    let feed = Feed::Path(100.0);
+    (0..20)
+        .filter_map(|k| {
+            let x = 10.0 * f64::from(k);
+            let (centre, to) = ([x + 5.0, 0.0], Axes::xyz(x + 10.0, 0.0, 0.0));
+            if k % 2 == 0 {
+                return mover.line(At::default(), &Line { kind: MoveKind::Cut, to, feed });
+            }
+            let (kind, chords) = (MoveKind::Cut, 16);
+            let arc = Arc { kind, centre, sweep_rad, to, feed, chords, small: false };
+            mover.arc(At::default(), &arc)
+        })
+        .collect()
+}
+
+#[test]
+fn arcs_in_either_direction_are_words_of_their_own() {
+    let slow = Grbl { link: Some(Link { baud: 300.0, buffer: 128 }), ..grbl(0.05) };
+    let [right, left] = [-1.0, 1.0].map(|way| total(&slow, &waves(way * std::f64::consts::PI)));
+    assert!(right > 10.0, "the link decides: {right}");
+    near(left, right, 0.01);
+}
+
 #[test]
 fn arcs_become_chords_on_board() {
     // One line, so the link does not matter; look-ahead does.

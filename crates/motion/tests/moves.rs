@@ -3,7 +3,7 @@
 
 mod shop;
 
-use kerf_motion::{Mover, Plan, plan_stack};
+use kerf_motion::{Move, Mover, Path, Plan, plan_stack};
 use kerf_program::settings::MM_PER_INCH as INCH;
 use kerf_program::{Arc, At, Axes, Axis, Feed, Line, MoveKind, Settings};
 use shop::{joints, near, peaks, vs};
@@ -189,6 +189,29 @@ fn an_arc_runs_where_it_should_and_ends_where_it_is_told() {
     near(&a.to.first3(), &b.from.first3(), 0.0);
     near(&b.position(1.0 / 3.0).first3(), &made.position(0.5).first3(), 1e-9);
     near(&[a.length_mm + b.length_mm], &[made.length_mm], 1e-9);
+}
+
+#[test]
+fn an_arc_is_parted_with_its_chords_and_shifted_with_its_centre() {
+    let mut mover = Mover::new(Axes::xyz(10.0, 0.0, 0.0), &Settings::default());
+    let arc = Arc {
+        kind: MoveKind::Cut,
+        centre: [0.0, 0.0],
+        sweep_rad: PI,
+        to: Axes::xyz(-10.0, 0.0, 0.0),
+        feed: Feed::Axis,
+        chords: 40,
+        small: false,
+    };
+    let mut made = mover.arc(At::default(), &arc).unwrap();
+    let chords = |part: Move| match part.path {
+        Path::Arc { chords, .. } => chords,
+        _ => 0,
+    };
+    let (before, after) = made.split(0.25);
+    assert_eq!([before, after].map(chords), [10, 30]);
+    made.shift(Axes::xyz(1.0, 2.0, 3.0));
+    near(&made.position(0.5).first3(), &[1.0, 12.0, 3.0], 1e-9);
 }
 
 #[test]

@@ -144,6 +144,32 @@ fn a_single_line_is_a_trapezoid() {
 }
 
 #[test]
+fn spans_tell_how_fast_a_move_begins_is_made_and_ends() {
+    let moves = polyline(&[[50.0, 0.0, 0.0], [100.0, 0.0, 0.0]], 50.0);
+    let plan = plan(&moves, &dynamics(200.0, 500.0, 0.01));
+    let speeds = plan.iter().map(|span| [span.v_entry, span.v_peak, span.v_exit]);
+    for (got, expected) in speeds.zip([[0.0, 50.0, 50.0], [50.0, 50.0, 0.0]]) {
+        assert!(got.iter().zip(expected).all(|(v, w)| (v - w).abs() < 1e-6), "{got:?}");
+    }
+}
+
+/// What is summed up from corner to corner is summed anew now and then: nobody may see where.
+#[test]
+fn corners_that_are_alike_take_as_long_however_many_there_were() {
+    let place = |k: u32| {
+        let turn = f64::from(k) / 24.0 * std::f64::consts::TAU;
+        [50.0 - 50.0 * turn.cos(), 50.0 * turn.sin(), 0.0]
+    };
+    let moves = polyline(&(1..=240).map(place).collect::<Vec<_>>(), 200.0);
+    let plan = plan(&moves, &dynamics(200.0, 500.0, 2.0));
+    let takes = |k: usize| plan.span_s(k).1 - plan.span_s(k).0;
+    for k in 24..192 {
+        let (first, again) = (takes(k % 24 + 24), takes(k));
+        assert!((again - first).abs() < 1e-3 * first, "{k}: {again} and not {first}");
+    }
+}
+
+#[test]
 fn a_corner_without_tolerance_is_a_stop_and_with_it_is_not() {
     let moves = polyline(&[[10.0, 0.0, 0.0], [10.0, 10.0, 0.0]], 100.0);
     let exact = plan(&moves, &dynamics(200.0, 500.0, 0.0));

@@ -376,3 +376,16 @@ fn next_random(state: &mut u64) -> f64 {
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     ((z ^ (z >> 31)) >> 40) as f64 / f64::from(1u32 << 24)
 }
+
+#[cfg(test)]
+mod tests {
+    /// The numbers of SplitMix64 from the seed 1234567, as its authors' programs give them.
+    #[test]
+    fn random_numbers_are_those_of_splitmix64() {
+        let mut state = 1_234_567;
+        for whole in [6_457_827_717_110_365_317_u64, 3_203_168_211_198_807_973] {
+            let share = (whole >> 40) as f64 / 2f64.powi(24);
+            assert_eq!(super::next_random(&mut state), share);
+        }
+    }
+}

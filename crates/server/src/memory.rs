@@ -70,4 +70,17 @@ mod tests {
             assert_eq!((memory.is_tight(), hub.read(|now| now.messages.len())), (tight, told));
         }
     }
+
+    #[tokio::test]
+    async fn memory_is_looked_at_until_nobody_is_left_to_tell() {
+        let (hub, memory) = (Arc::new(Hub::new(Snapshot::default())), Memory::default());
+        memory.look(TIGHT + 1, &hub);
+        let watch = tokio::spawn(memory.clone().watch(Arc::downgrade(&hub)));
+        while memory.is_tight() {
+            tokio::time::sleep(LOOK / 10).await;
+            assert!(!watch.is_finished(), "it watches on");
+        }
+        drop(hub);
+        watch.await.expect("it ends without a hub");
+    }
 }

@@ -303,3 +303,34 @@ pub(crate) fn swing(from: &Node, accel: f64, rate: f64, s: f64) -> Along {
         accel: accel * c + rate * from.v * sine,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_swing_is_what_its_equation_says() {
+        let from = Node { at_mm: 3.0, v: 2.0, t_s: 0.0 };
+        for (rate, s) in [(4.0, 0.7), (-4.0, 0.7), (0.0, 0.7), (1e-7, 2.0), (-1e-7, 2.0)] {
+            let at = |s| swing(&from, 5.0, rate, s);
+            let (d, here) = (1e-4, at(s));
+            let (before, after) = (at(s - d), at(s + d));
+            let slope = |a: f64, b: f64| (b - a) / (2.0 * d);
+            assert!((slope(before.at_mm, after.at_mm) - here.v).abs() < 1e-5, "{rate}");
+            assert!((slope(before.v, after.v) - here.accel).abs() < 1e-5, "{rate}");
+            let due = 5.0 + rate * (here.at_mm - from.at_mm);
+            assert!((here.accel - due).abs() < 1e-9, "{rate}: {} and not {due}", here.accel);
+        }
+    }
+
+    #[test]
+    fn a_swing_by_series_goes_on_as_one_by_functions() {
+        let from = Node { at_mm: 0.0, v: 2.0, t_s: 0.0 };
+        for rate in [1e-2, -1e-2] {
+            // Where the one gives way to the other.
+            let [series, whole] =
+                [1.0 - 1e-9, 1.0 + 1e-9].map(|k| swing(&from, 5e8, rate, k * 1e-2));
+            assert!((series.at_mm / whole.at_mm - 1.0).abs() < 1e-8, "{series:?} {whole:?}");
+        }
+    }
+}

@@ -110,3 +110,23 @@ fn slowest(own: &Axes, share: &Axes) -> f64 {
     let limit = own.zip(*share, |own, share| if share > 0.0 { own / share } else { f64::INFINITY });
     limit.0.into_iter().fold(f64::INFINITY, f64::min)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::passed_axes;
+
+    #[test]
+    fn a_direction_that_turns_passes_axes_either_way() {
+        for (from, turn, passed) in [
+            (10.0, 20.0, [false, false]),
+            (10.0, -20.0, [true, false]),
+            (80.0, 20.0, [false, true]),
+            (100.0, -20.0, [false, true]),
+            (-10.0, 200.0, [true, true]),
+            (190.0, -200.0, [true, true]),
+        ] {
+            let got = passed_axes(f64::to_radians(from), f64::to_radians(turn));
+            assert_eq!(got, passed, "{from} {turn}");
+        }
+    }
+}

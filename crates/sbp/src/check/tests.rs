@@ -53,6 +53,7 @@ fn lines_that_nothing_reaches() {
 fn loops_that_never_move() {
     let endless = "W010 3:6+3 this loop over lines 1 to 3 never moves or ends";
     check("Top:⏎&n = 1⏎GOTO Top", &[endless]);
+    check("Top:⏎GOTO Mid⏎Mid:⏎GOTO Top", &["W010 4:6+3"]);
     check("Top:⏎PRINT 1⏎IF &go = 1 THEN GOTO Top⏎&go = 1", &["W010 3:22+3"]);
     for quiet in [
         "Top:⏎MX,1⏎GOTO Top",
@@ -113,6 +114,7 @@ fn unit_guards() {
     let hint = "begin with IF %(25) = 1 THEN GOTO UNIT_ERROR (0 for files in mm)";
     let told = format!("W005 4:1+6 the file does not say whether it is in inches or mm [{hint}]");
     assert_eq!(note("'box⏎MZ,-1⏎M2,1,2"), [told]);
+    assert!(note("MZ,-1⏎MY,2")[0].starts_with("W005 3:1+"), "Y alone cuts");
     for quiet in [
         "IF %(25)=1 THEN GOTO UNIT_ERROR⏎M3,1,2,-1⏎UNIT_ERROR:",
         "VD,,,1⏎M3,1,2,-1",

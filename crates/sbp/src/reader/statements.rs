@@ -350,6 +350,10 @@ mod tests {
                 "QQ,1",
                 "S002 1:1+2 unknown command QQ [a command has two letters and then a comma or a blank]",
             ),
+            (
+                "Q0,1",
+                "S002 1:1+2 unknown command Q0 [a command has two letters and then a comma or a blank]",
+            ),
             ("XM,1", "S002 1:1+2 unknown command XM [did you mean MX?]"),
             ("M23, 4.2", "S002 1:1+3 unknown command or missing separator: M23 [write M2,3, 4.2]"),
             ("MX;1", "S002 1:1+4 unknown command or missing separator: MX;1 [write MX,1]"),

@@ -95,3 +95,24 @@ fn kind(path: &str) -> &'static str {
         _ => "application/octet-stream",
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_the_console_are_told_with_their_kind_and_how_long_they_hold() {
+        for (path, kind, keep) in [
+            ("assets/page-1a2b.js", "text/javascript", "immutable"),
+            ("kerf.svg", "image/svg+xml", "no-cache"),
+            ("assets/unknown", "application/octet-stream", "immutable"),
+        ] {
+            let told = plain(path, b"text".to_vec());
+            let header = |name| told.headers()[name].to_str().unwrap();
+            assert!(header(header::CONTENT_TYPE).starts_with(kind), "{path}");
+            assert!(header(header::CACHE_CONTROL).contains(keep), "{path}");
+            assert_eq!(header(header::CONTENT_SECURITY_POLICY), WORKER, "{path}");
+        }
+    }
+}

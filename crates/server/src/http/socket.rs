@@ -199,7 +199,7 @@ fn answer(app: &Arc<App>, asker: &Asker, request: Request) -> Reply {
     let clock_ms = matches!(act, Act::Ping).then(|| app.clock.ms());
     match app.act(asker, act) {
         Ok(notes) => Reply { id, problem: None, notes, clock_ms },
-        Err(problem) => Reply { clock_ms, ..refused(id, problem) },
+        Err(problem) => refused(id, problem),
     }
 }
 

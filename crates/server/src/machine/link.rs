@@ -406,6 +406,18 @@ mod tests {
     }
 
     #[test]
+    fn a_jog_ends_at_a_stop_and_when_kerf_ends() {
+        for ends in [|link: &Link| _ = link.stop(), Link::leave] {
+            let link = Link::default();
+            let at = link.clock().now();
+            assert!(link.begin(None, Some(Held::pressed(3, Grip { seq: 1, at }))));
+            assert_eq!(link.lock().wish(), None, "it is held");
+            ends(&link);
+            assert_eq!(link.lock().wish(), Some(Wish::End));
+        }
+    }
+
+    #[test]
     fn a_switch_that_a_run_left_is_not_lost_to_the_next() {
         let link = Link::default();
         let press = Press { number: 4, on: false };

@@ -215,6 +215,26 @@ mod tests {
     }
 
     #[test]
+    fn a_move_that_is_made_is_the_next_one_that_ends_there() {
+        let ends =
+            [(1, [0.0, 0.0]), (1, [5.0, 0.0]), (1, [5.0, 2.0]), (2, [5.0, 0.0]), (1, [0.0, 0.0])];
+        let planned = Planned { ends: ends.into(), ..Planned::default() };
+        let check =
+            |before, end, behind| assert_eq!(planned.behind(before, end), behind, "{end:?}");
+        check(0, (1, [0.0, 0.0]), 1);
+        check(1, (1, [0.0, 0.0]), 5);
+        check(0, (1, [5.0, 2.0 + 1e-9]), 3);
+        check(0, (2, [5.0, 0.0]), 4);
+        check(4, (1, [5.0, 0.0]), 2);
+        check(3, (1, [7.0, 0.0]), 3);
+        assert_eq!(
+            Planned::default().behind(3, (1, [0.0, 0.0])),
+            4,
+            "without a plan they are counted"
+        );
+    }
+
+    #[test]
     fn without_a_plan_nothing_is_told() {
         let course = Course::new(Planned::default());
         assert_eq!((course.progress(), course.remaining_s(1.0)), (0.0, 0.0));

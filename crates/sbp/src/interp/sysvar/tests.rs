@@ -115,6 +115,19 @@ fn inputs_are_read_when_motion_has_come_to_rest() {
     assert_eq!((ran.variable("w"), ran.host.busy), ("0".into(), 0));
 }
 
+#[test]
+fn z_is_where_torch_height_has_it_and_the_others_are_where_they_were_sent() {
+    let places = |on: u8| {
+        let strays = Some([254.0, 0.0, 50.8, 0.0, 0.0, 0.0]);
+        let host = FakeHost { strays_to: strays, ..FakeHost::default() };
+        let text = format!("VN,,,1⏎VH,{on}⏎MX,1⏎&x=%(1)⏎&z=%(3)");
+        let ran = run_with(&text, host, Session::default());
+        (ran.variable("x"), ran.variable("z"))
+    };
+    assert_eq!(places(1), ("1".into(), "2".into()));
+    assert_eq!(places(0), ("1".into(), "0".into()));
+}
+
 fn nested(call: &str, part: &str) -> crate::testing::Ran {
     let mut host = FakeHost::default();
     host.files.insert("part.sbp".into(), part.into());

@@ -44,6 +44,14 @@ fn sbp_file_fp_last() {
 }
 
 #[test]
+fn a_file_that_is_called_again_is_the_same_file() {
+    let ran =
+        run_files("FP,B ⏎ FP,C ⏎ FP,B", &[("b.sbp", "MX,1 ⏎ MX,0"), ("c.sbp", "MX,2 ⏎ MX,0")]);
+    let moves = ran.commands.iter().filter(|c| matches!(c.command, Command::Line(_)));
+    assert_eq!(moves.map(|c| c.at.file).collect::<Vec<_>>(), [1, 1, 2, 2, 1, 1]);
+}
+
+#[test]
 fn sbp_file_nest_return() {
     run_files("MX,1 ⏎ FP,B ⏎ MX,5", &[("b.sbp", "MY,2")]).ended(Status::Ok).ends_at(5.0, 2.0, 0.0);
 }

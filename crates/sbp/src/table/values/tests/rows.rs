@@ -65,6 +65,7 @@ rows! {
         "VD,,5⏎VS,,,,.01" => "75=0.01";
 
     vu_values: "VU,0" => "error other than 0", "VU,157.48,157.48,-157.48" => "33=-157.48", "VU,,,,,.001" => "error at least 0.005", "VU,,,,,,,,,,0" => "error 1-10", "VU,,,,,,,,,,11" => "error 1-10";
+    vu_without_shifting_slows_jogs: "VU,,,,,,,,,,,,,,,,1⏎VS,1,1,1,1,17,5" => "warning jogs are limited to 16", "VU,,,,,,,,,,,,,,,,1⏎VS,1,1,1,1,16,5" => "no warning", "VS,1,1,1,1,17,5" => "no warning";
     vu_divider: "VU,,,,,,,,,,,,,,,4" => "150=4", "VU,,,,,,,,,,,,,,,101" => "error 1-100", "VU,,,,,,,,,,,,,,,0" => "error 1-100";
     a_unit_value_is_steps_for_the_users_unit: "VU,400" => "31=400", "VD,,,1⏎VU,16" => "31=16", "VD,,,1⏎VU,16⏎VD,,,0" => "31=406.4", "VD,,5⏎VU,,,,,,,,,13.8889⏎VD,,,1" => "35=13.8889";
     sbp_val_vv: "VV,&a=5" => "&a=5", "VV &a = 5" => "&a=5", "VV,&t=Table Surface" => "&t=Table Surface", "&a=1⏎VV,&a=&a+1" => "&a=2", "VV,5" => "error an assignment is expected", "VV" => "error assignment expected";
