@@ -29,13 +29,13 @@ check: prepare console-check ## formatting, lints and the project's own rules
 
 soak: prepare ## RUNS (1000000) random runs in the simulation, then the process is killed KILLS (1000) times
 	KERF_SIM_RUNS=$${RUNS:-1000000} KERF_SIM_SEED=$${SEED:-1} \
-	  $(CARGO) test --release --locked --package kerf-ledger --test simulated whole_runs -- --nocapture
+	  $(CARGO) test --release --locked --package kerf-ledger --test all simulated::whole_runs -- --nocapture
 	KERF_KILLS=$${KILLS:-1000} KERF_SEED=$${SEED:-1} \
-	  $(CARGO) test --locked --package kerf --test killed -- --nocapture
+	  $(CARGO) test --locked --package kerf --test all killed:: -- --nocapture
 
 traces: prepare console ## hashes of the traces of the corpus, the examples and 2,000 random runs: recorded the first time, then compared
 	KERF_TRACES="$(CURDIR)/target/traces" $(CARGO) test --release --locked --package kerf-ledger --package kerf \
-	  --test corpus --test simulated --test examples traces_are_the_recorded_ones -- --nocapture
+	  --test all traces_are_the_recorded_ones -- --nocapture
 
 mutants: prepare console ## break CRATES in SAMPLE (300) small ways by SEED, list the ones that no test notices
 	@CRATES="$(CRATES)" SAMPLE="$(SAMPLE)" SEED="$(SEED)" .ci/mutants
@@ -50,7 +50,7 @@ fuzz: prepare console ## throw bytes at all that reads them, FUZZ_SECONDS (60) a
 	done
 	seed=$${SEED:-$$(date +%s)}; echo "KERF_FUZZ_SEED=$$seed"; \
 	KERF_FUZZ_SEED=$$seed KERF_FUZZ_RUNS=$${FUZZ_MADE:-600} KERF_FUZZ_WHOLE=1 \
-	  $(CARGO) test --release --locked --package kerf --test structured -- --nocapture
+	  $(CARGO) test --release --locked --package kerf --test all structured:: -- --nocapture
 
 format: ## format every source file
 	$(CARGO) fmt --all

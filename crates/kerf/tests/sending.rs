@@ -1,12 +1,9 @@
 //! `kerf send FILE PORT` and `kerf receive`: job files from one computer to another.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, non_snake_case)]
 
-mod shop;
-
+use crate::shop::console::Console;
+use crate::shop::{Did, Shop};
 use kerf_serial::pretend::Cable;
-use shop::console::Console;
-use shop::{Did, Shop};
 use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};

@@ -4,6 +4,7 @@ mod dependencies;
 mod examples;
 mod links;
 mod sources;
+mod test_programs;
 mod wall_clock;
 
 use crate::{Finding, Tree};
@@ -21,6 +22,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         dependencies::check(tree)?,
         examples::check(tree),
         links::check(tree),
+        test_programs::check(tree),
         wall_clock::check(tree),
     ]
     .concat())
