@@ -13,7 +13,6 @@ mod hand_functions;
 mod job;
 mod jobs;
 mod jog;
-mod jog_link;
 mod language;
 mod ran;
 mod requests;

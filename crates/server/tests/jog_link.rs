@@ -1,4 +1,10 @@
 //! A jog over a bad link: when its key is let go the machine stands as soon as over a good one.
+//!
+//! A program of its own: what runs beside it would be measured with it.
+
+#![allow(clippy::unwrap_used, clippy::print_stdout)]
+
+mod support;
 
 use crate::support::rough::{Roughness, rough};
 use crate::support::{Page, Shop, shop};
