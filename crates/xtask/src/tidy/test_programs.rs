@@ -8,7 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub fn check(tree: &Tree) -> Vec<Finding> {
     let mut crates: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for (path, _) in tree.matching("crates/", ".rs") {
-        if let Some((name, file)) = path.split_once("/tests/").filter(|(_, file)| is_head(file)) {
+        let parts = path.split_once("/tests/").filter(|(name, _)| !name.contains("/src/"));
+        if let Some((name, file)) = parts.filter(|(_, file)| is_head(file)) {
             crates.entry(name).or_default().insert(file);
         }
     }
@@ -57,6 +58,7 @@ mod tests {
         let files = [
             ("crates/a/Cargo.toml", "autotests = false\n[[test]]\nname = \"alone\"\n"),
             ("crates/a/tests/all.rs", "mod held;\nmod shop;\n"),
+            ("crates/a/src/read/tests/mod.rs", ""),
             ("crates/a/tests/alone/main.rs", ""),
             ("crates/a/tests/alone/shop.rs", ""),
             ("crates/a/tests/forgotten.rs", ""),
