@@ -16,9 +16,11 @@ help: ## list these targets
 
 test: rust-test console-test console-browser ## run every test, once
 
-# The server is compiled with the page in it, so the page comes first.
+# The server is compiled with the page in it, so the page comes first. Many tests wait for a machine that moves in real
+# time: two for each core keep the cores busy.
 rust-test: prepare console ## tests of everything but the console
-	$(CARGO) test --workspace --locked --no-fail-fast -- --show-output | awk -f .ci/told-tests.awk
+	RUST_TEST_THREADS=$${RUST_TEST_THREADS:-$$((2 * $$(getconf _NPROCESSORS_ONLN)))} \
+	  $(CARGO) test --workspace --locked --no-fail-fast -- --show-output | awk -f .ci/told-tests.awk
 
 properties: prepare ## try the properties on new random cases
 	seed=$$(date +%s); echo "PROPTEST_RNG_SEED=$$seed"; \
@@ -31,13 +33,13 @@ check: prepare console-check ## formatting, lints and the project's own rules
 
 soak: prepare ## RUNS (1000000) random runs in the simulation, then the process is killed KILLS (1000) times
 	KERF_SIM_RUNS=$${RUNS:-1000000} KERF_SIM_SEED=$${SEED:-1} \
-	  $(CARGO) test --release --locked --package kerf-ledger --test simulated whole_runs -- --nocapture
+	  $(CARGO) test --release --locked --package kerf-ledger --test all simulated::whole_runs -- --nocapture
 	KERF_KILLS=$${KILLS:-1000} KERF_SEED=$${SEED:-1} \
-	  $(CARGO) test --locked --package kerf --test killed -- --nocapture
+	  $(CARGO) test --locked --package kerf --test all killed:: -- --nocapture
 
 traces: prepare console ## hashes of the traces of the corpus, the examples and 2,000 random runs: recorded the first time, then compared
 	KERF_TRACES="$(CURDIR)/target/traces" $(CARGO) test --release --locked --package kerf-ledger --package kerf \
-	  --test corpus --test simulated --test examples traces_are_the_recorded_ones -- --nocapture
+	  --test all traces_are_the_recorded_ones -- --nocapture
 
 mutants: prepare console ## break CRATES in SAMPLE (300) small ways by SEED, list the ones that no test notices
 	@CRATES="$(CRATES)" SAMPLE="$(SAMPLE)" SEED="$(SEED)" .ci/mutants
@@ -52,7 +54,7 @@ fuzz: prepare console ## throw bytes at all that reads them, FUZZ_SECONDS (60) a
 	done
 	seed=$${SEED:-$$(date +%s)}; echo "KERF_FUZZ_SEED=$$seed"; \
 	KERF_FUZZ_SEED=$$seed KERF_FUZZ_RUNS=$${FUZZ_MADE:-600} KERF_FUZZ_WHOLE=1 \
-	  $(CARGO) test --release --locked --package kerf --test structured -- --nocapture
+	  $(CARGO) test --release --locked --package kerf --test all structured:: -- --nocapture
 
 format: ## format every source file
 	$(CARGO) fmt --all

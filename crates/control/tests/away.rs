@@ -1,7 +1,5 @@
 //! A tool that the operator takes out of the cut while a program waits for him.
 
-#![allow(clippy::unwrap_used)]
-
 use kerf_control::event::Place;
 use kerf_control::{Event, Outcome, TextOptions, run_text};
 use kerf_sbp::Status;

@@ -1,9 +1,7 @@
 //! A journal whose files are damaged by dice: nothing panics, and nothing is lost without a word. The fuzz target `journal` throws
 //! more of it.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
-mod damaged;
+use crate::damaged;
 
 /// Damages that are tried; `MUTATIONS` asks for more.
 const TRIES: u64 = 60;

@@ -1,9 +1,10 @@
 //! A run that the operator stops and gives up is taken up where it stood.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod taking_up;
-
+use crate::taking_up::{
+    GivesUp, PowerCut, PowerCutBehind, PowerCutIn, PowerCutTold, READY, RELEASE, asked, job,
+    middle, motion, near, part, press, resume, resume_with, run, run_in, run_work, same_rest,
+    uninterrupted,
+};
 use kerf_control::answers::{Answers, Operator};
 use kerf_control::journal::Journal;
 use kerf_control::{Company, Event, Script, StopAt, Wish};
@@ -11,11 +12,6 @@ use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_program::MoveKind;
 use kerf_sbp::Status;
-use taking_up::{
-    GivesUp, PowerCut, PowerCutBehind, PowerCutIn, PowerCutTold, READY, RELEASE, asked, job,
-    middle, motion, near, part, press, resume, resume_with, run, run_in, run_work, same_rest,
-    uninterrupted,
-};
 use tempfile::tempdir;
 
 #[test]

@@ -1,7 +1,5 @@
 //! Runs that the operator stops in the middle: resumed, nudged, given up.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
 use kerf_control::answers::Answers;
 use kerf_control::event::Place;
 use kerf_control::files::MemoryDisk;

@@ -1,8 +1,6 @@
 //! Stop inputs and the emergency stop while a part file waits: nothing turns and nothing moves before they are
 //! released and somebody says so.
 
-#![allow(clippy::unwrap_used)]
-
 use kerf_control::answers::Operator;
 use kerf_control::files::MemoryDisk;
 use kerf_control::{Company, Event, Pace, RunOptions, Script, Session, Shelf, Summary, Wish};

@@ -1,7 +1,5 @@
 //! Cuts that look for a switch or a plate which is not there.
 
-#![allow(clippy::unwrap_used)]
-
 use kerf_control::{Event, Outcome, TextOptions, run_text};
 
 /// Runs lines on a table of 96 by 48 inches that is 6 inches deep, from X 30, Y 20, Z 1.

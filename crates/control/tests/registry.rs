@@ -1,8 +1,6 @@
 //! The status byte and the bytes of switches, as another program reads them while a run goes on
 //! (programming handbook, Registry Interface; readings, A-46).
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
 use kerf_control::answers::Operator;
 use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::{INCOMING_FILE, Journal, Live, MIRROR_FILE};

@@ -1,7 +1,5 @@
 //! What a run does where machine, planner and program meet.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
 use kerf_control::files::MemoryDisk;
 use kerf_control::{
     Company, Event, Outcome, RunOptions, Script, Session, Shelf, TextOptions, Wish, run_text,

@@ -1,7 +1,5 @@
 //! Settings files: saved, loaded, those that come with Kerf; and the virtual tools, on a machine.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
 use kerf_control::files::{Folders, MACHINES, MemoryDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{Company, Event, RunOptions, Session, Shelf, Summary};

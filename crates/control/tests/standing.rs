@@ -1,7 +1,5 @@
 //! Where a run stands, and nudging: what a console asks of a session.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
 use kerf_control::answers::Answers;
 use kerf_control::files::MemoryDisk;
 use kerf_control::{Company, Event, RunOptions, Session, Shelf, Sink, Standing, StopAt};

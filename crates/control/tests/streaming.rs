@@ -1,5 +1,4 @@
 //! Long stacks move while they are read; the operator holds, resumes and overrides.
-#![allow(clippy::unwrap_used)]
 
 use kerf_control::answers::Answers;
 use kerf_control::event::MoveEvent;

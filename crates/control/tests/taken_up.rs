@@ -1,10 +1,11 @@
 //! A run that was killed is taken up at the exact place: nothing is cut twice, nothing is left out,
 //! and the path is that of the uninterrupted run.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod taking_up;
-
+use crate::taking_up::{
+    PowerCut, PowerCutBehind, PowerCutHeld, PowerCutSaid, READY, RELEASE, asked,
+    asked_and_switched, behind, middle, motion, near, part, press, resume, resume_with, run,
+    run_work, same_rest, shelf, stands, uninterrupted,
+};
 use kerf_control::answers::Answers;
 use kerf_control::event::Place;
 use kerf_control::journal::Journal;
@@ -13,11 +14,6 @@ use kerf_machine::lines::Input;
 use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
 use kerf_sbp::Status;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use taking_up::{
-    PowerCut, PowerCutBehind, PowerCutHeld, PowerCutSaid, READY, RELEASE, asked,
-    asked_and_switched, behind, middle, motion, near, part, press, resume, resume_with, run,
-    run_work, same_rest, shelf, stands, uninterrupted,
-};
 use tempfile::{TempDir, tempdir};
 
 #[test]

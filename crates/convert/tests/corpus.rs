@@ -1,16 +1,11 @@
 //! Files as shops write them: what is converted moves as before, there and back, and takes as long.
 
-#![allow(clippy::unwrap_used, clippy::print_stderr)]
-
-#[path = "../../../tests/corpus/find.rs"]
-mod find;
-mod support;
-
+use crate::find;
+use crate::support::{GENERIC, GRBL, LINUXCNC, SBP, converted, followed, plain};
 use kerf_convert::{Language, cutting_s};
 use kerf_diag::Code;
 use kerf_program::settings::LinearUnit;
 use std::path::Path;
-use support::{GENERIC, GRBL, LINUXCNC, SBP, converted, followed, plain};
 
 /// Feeds may differ by this share: what VS leaves on shallow slopes.
 const SAME_SHARE: f64 = 0.006;

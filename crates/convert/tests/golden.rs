@@ -3,18 +3,14 @@
 //! Each source in `golden` has beside it what it is converted to, for every target that its first line
 //! names (`'to: linuxcnc grbl` or `(to: sbp)`; `linuxcnc-kept` keeps variables), with what was told at
 //! the end. When a conversion
-//! changes for a reason, `KERF_BLESS=1 cargo test -p kerf-convert --test golden` writes the new one;
+//! changes for a reason, `KERF_BLESS=1 cargo test -p kerf-convert --test all golden::` writes the new one;
 //! read the difference before keeping it.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support::{GENERIC, GRBL, LINUXCNC, SBP, converted, plain};
 use kerf_convert::{Conversion, Language};
 use kerf_program::settings::LinearUnit;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
-use support::{GENERIC, GRBL, LINUXCNC, SBP, converted, plain};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden")

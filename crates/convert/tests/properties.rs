@@ -1,12 +1,8 @@
 //! Random part files: what is converted moves as before, there and back, arcs as arcs.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support::{GENERIC, GRBL, LINUXCNC, SBP, converted, plain};
 use kerf_program::settings::LinearUnit;
 use proptest::prelude::*;
-use support::{GENERIC, GRBL, LINUXCNC, SBP, converted, plain};
 
 /// A line of a part file; numbers are hundredths.
 fn line() -> impl Strategy<Value = String> {

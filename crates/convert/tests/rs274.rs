@@ -1,15 +1,11 @@
 //! What is written for LinuxCNC is accepted by LinuxCNC's own interpreter, `rs274` of the Debian package
 //! `linuxcnc-uspace`. Where it is not installed the test says so and passes.
 
-#![allow(clippy::unwrap_used, clippy::print_stderr)]
-
-mod support;
-
+use crate::support::{LINUXCNC, SBP, converted, plain};
 use kerf_convert::Conversion;
 use kerf_program::settings::LinearUnit;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use support::{LINUXCNC, SBP, converted, plain};
 
 /// Runs a program; what `rs274` complains of.
 fn complaint(text: &str) -> Option<String> {

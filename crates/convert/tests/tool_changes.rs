@@ -1,11 +1,7 @@
 //! Behind a change of tools a part file comes down to the height that the G-code goes on at.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support::{GENERIC, SBP, converted, plain};
 use kerf_program::settings::LinearUnit;
-use support::{GENERIC, SBP, converted, plain};
 
 #[test]
 fn a_program_that_ends_behind_a_change_of_tools_is_converted() {

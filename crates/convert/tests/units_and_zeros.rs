@@ -1,13 +1,9 @@
 //! What both languages have to mean by the same words: zeros of the machine, units of linear axes.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support::{GENERIC, GRBL, LINUXCNC, SBP, converted, followed, plain};
 use kerf_convert::{Conversion, Language, Passage};
 use kerf_program::settings::LinearUnit::{self, Inch, Mm};
 use kerf_program::{Axes, Command};
-use support::{GENERIC, GRBL, LINUXCNC, SBP, converted, followed, plain};
 
 fn six_axes(from: Language, to: Language, unit: LinearUnit) -> Conversion {
     let mut how = plain(from, to, unit);

@@ -1,7 +1,5 @@
 //! Edits on digitized points (Profiler reference, table 27), as they are seen in the list.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
 use kerf_digitize::{Digitizer, Dimension, Kind, Refusal, Stand};
 use kerf_drawing::{Group, Shape};
 use kerf_geom::Segment;

@@ -1,8 +1,6 @@
 //! What holds for all points: a shape that is loaded and saved again is the same shape, and no edit leaves
 //! the list as it must not be.
 
-#![allow(clippy::unwrap_used)]
-
 use kerf_digitize::{Digitizer, Dimension, Kind, Stand, nearest_shape};
 use kerf_drawing::Shape;
 use kerf_geom::{Point2, Polyarc, Vertex};

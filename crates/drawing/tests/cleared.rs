@@ -2,20 +2,11 @@
 //! leaves the area, in the whole job and in a selection, however the shapes are drawn. `SEEDS` and `FROM` try
 //! other drawings.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-#[path = "../../pocket/tests/check/mod.rs"]
-mod check;
-#[path = "../../geom/tests/families/mod.rs"]
-mod families;
-#[path = "../../pocket/tests/random/mod.rs"]
-mod random;
-
-use families::Dice;
+use crate::families::Dice;
+use crate::random::{check_cleared, random_case, seeds};
 use kerf_drawing::{Drawing, Editor, Shape, script};
 use kerf_geom::{Point2, Polyarc, Transform2, Vec2};
 use kerf_pocket::Cutter;
-use random::{check_cleared, random_case, seeds};
 
 /// The operation of a seed; `scope` is `all` or nothing.
 fn operation(seed: u64, scope: &str, cutter: &Cutter) -> String {

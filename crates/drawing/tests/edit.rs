@@ -1,7 +1,5 @@
 //! Rows of the Profiler ledger about editing shapes.
 
-#![allow(clippy::unwrap_used, non_snake_case, missing_docs)]
-
 use kerf_drawing::{Drawing, Editor, Group, Shape, script};
 use kerf_geom::{Point2, Polyarc, Vertex};
 

@@ -1,11 +1,6 @@
 //! Rows of the Profiler ledger about engraving, and what a person may get wrong with it.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-#[path = "../../pocket/tests/check/mod.rs"]
-mod check;
-
-use check::look;
+use crate::check::look;
 use kerf_drawing::{Editor, Group, Height, Shape, script};
 use kerf_geom::{Bounds2, Point2, Polyarc};
 use std::f64::consts::PI;

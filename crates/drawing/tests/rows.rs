@@ -1,7 +1,5 @@
 //! Rows of the Profiler ledger that operations on a drawing show.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_drawing::{Choice, Drawing, Editor, Group, Height, Kind, Shape, script};
 use kerf_geom::{Point2, Polyarc, Vertex};
 

@@ -1,9 +1,6 @@
 //! The order of cutting with the least time between the cuts.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod plates;
-
+use crate::plates;
 use kerf_drawing::{
     Drawing, Editor, Group, Operation, Rapids, Search, Sequencing, Shape, script, travelled,
 };

@@ -1,8 +1,6 @@
 //! Files of a few hundred bytes that stand for more shapes than a memory holds: they are refused in words, and
 //! any reading can be given up.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_formats::dxf::{Options, read, read_until};
 use kerf_formats::{Ended, Imported, MOST_PLACED, Weight, svg};
 use std::cell::Cell;

@@ -1,11 +1,7 @@
 //! DXF files of the project's own and real ones: what is read of each is written and read again, and is the same; what
 //! is broken is told with its line.
 
-#![allow(clippy::print_stdout, clippy::unwrap_used, missing_docs)]
-
-#[path = "../../../tests/corpus/find.rs"]
-mod find;
-
+use crate::find;
 use kerf_drawing::Drawing;
 use kerf_formats::{Imported, Weight, dxf, rsg};
 use kerf_geom::Polyarc;

@@ -1,7 +1,5 @@
 //! DXF read: rows of the Profiler ledger, and files made to hurt.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_drawing::{Group, Kind, Shape};
 use kerf_formats::Imported;
 use kerf_formats::dxf::{Options, read};

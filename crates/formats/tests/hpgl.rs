@@ -1,7 +1,5 @@
 //! Plotter files that are broken: read as far as sense goes, never a panic.
 
-#![allow(missing_docs)]
-
 use kerf_formats::hpgl;
 use proptest::prelude::*;
 

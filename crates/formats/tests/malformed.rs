@@ -1,8 +1,6 @@
 //! Ten DXF files with a mistake each, as they come out of broken programs and broken disks: what is read of
 //! them and what is told, with its line.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_formats::dxf::{Options, read};
 
 /// Pairs of lines, parted by slashes: `0 LINE/10 0/20 0`.

@@ -1,8 +1,6 @@
 //! Drawings from the motion of programs: rows of the Profiler ledger are in `crates/kerf/tests/nc.rs`,
 //! from the file on; here what commands alone show.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_formats::motion;
 use kerf_program::{AXES, At, Axes, Command, Feed, Line, MoveKind, Sourced};
 

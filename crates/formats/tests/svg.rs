@@ -1,7 +1,5 @@
 //! SVG read and written.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_drawing::{Drawing, Editor, Group, Kind, script};
 use kerf_formats::{Imported, svg};
 

@@ -1,7 +1,5 @@
 //! What of an SVG is seen, where it lies and how large it is: styles, percentages, what is hidden.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_formats::{Imported, svg};
 
 /// An SVG of 100 × 50 mm, a unit a millimetre.

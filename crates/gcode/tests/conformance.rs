@@ -1,12 +1,9 @@
 //! Rows of the ledger that this crate shows by itself.
-#![allow(clippy::unwrap_used)]
 
-mod support;
-
+use crate::support::Quiet;
 use kerf_gcode::{Interpreter, Options, Session, read};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Command, Feed, Sourced, Status, Step};
-use support::Quiet;
 
 /// Runs lines parted by `⏎` on a machine in inches.
 fn run(text: &str, session: Session) -> (Vec<Sourced>, Status, String, [f64; 3]) {

@@ -1,16 +1,12 @@
 //! Programs with mistakes by dice: bytes left out, doubled, changed, put elsewhere, and files cut short.
 //!
 //! `MUTATIONS=10000` makes so many of each program instead of the usual few.
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
 
-#[path = "../../../tests/corpus/find.rs"]
-mod find;
-mod support;
-
+use crate::find;
+use crate::support::Quiet;
 use kerf_gcode::{Dialect, Interpreter, Options, Session, format, read};
 use kerf_program::{Command, Step};
 use std::path::PathBuf;
-use support::Quiet;
 
 /// Of each program, unless asked otherwise.
 const USUAL: u64 = 40;

@@ -1,13 +1,10 @@
 //! What must hold for any text and any program.
-#![allow(clippy::unwrap_used)]
 
-mod support;
-
+use crate::support::Quiet;
 use kerf_gcode::{Dialect, Interpreter, Options, Program, Session, Writing, read, write};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Arc, At, Axes, Command, Feed, Line, MoveKind, Sourced, Step};
 use proptest::prelude::*;
-use support::Quiet;
 
 fn session() -> Session {
     let mut session = Session::default();

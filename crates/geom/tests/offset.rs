@@ -1,7 +1,6 @@
 //! Offsets: known answers, families of hard shapes, and what must not change the result.
 
-mod families;
-
+use crate::families;
 use kerf_geom::fit::smoothed;
 use kerf_geom::{
     CHECK_MM, Coarse, GeomError, OffsetPath, Offsetter, Origin, Point2, Polyarc, Transform2, Vec2,

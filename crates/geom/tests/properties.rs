@@ -1,8 +1,7 @@
 //! What holds for every shape, held against many places of it: chords, samples, and other ways to the same.
 
-mod families;
-
-use families::Dice;
+use crate::families;
+use crate::families::Dice;
 use kerf_geom::edit::{Ends, broken, fillet, join, trimmed};
 use kerf_geom::{Bounds2, Combine, Point2, Polyarc, Transform2, Vec2, combine, parallel_path};
 

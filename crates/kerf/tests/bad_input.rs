@@ -1,10 +1,6 @@
 //! Whatever is given: a clear message, the right exit code, no panic.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 use std::io::Write;
 use std::process::Stdio;
 

@@ -1,11 +1,8 @@
 //! The command line beside a `kerf serve`, and what becomes of that.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod shop;
-
-use shop::console::Console;
-use shop::{Did, Shop, until};
+use crate::shop;
+use crate::shop::console::Console;
+use crate::shop::{Did, Shop, until};
 
 fn shop() -> Shop {
     let shop = Shop::new(&[("rel.sbp", "M2,1,0\n")]);

@@ -1,12 +1,9 @@
 //! Small files that stand for more than a memory holds: each is looked at in a gibibyte, and told what was left.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used)]
 
-mod shop;
-
-use shop::Shop;
-use shop::bounded::{Ended, bounded};
+use crate::shop::Shop;
+use crate::shop::bounded::{Ended, bounded};
 
 /// Memory a command may address, KiB.
 const MOST_KIB: u64 = 1 << 20;

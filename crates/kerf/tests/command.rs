@@ -1,10 +1,6 @@
 //! The subcommands as a person or a script uses them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 const BOX: &str = "JZ,.5\nJ2,1,1\nMZ,-.1\nMX,4\nMY,3\nMX,1\nMY,1\nJZ,.5\n";
 

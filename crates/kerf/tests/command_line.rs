@@ -1,11 +1,7 @@
 //! A command line with a mistake in it: what is wrong is named, and how to mend it.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod shop;
-
-use shop::console::Console;
-use shop::{Did, Shop};
+use crate::shop::console::Console;
+use crate::shop::{Did, Shop};
 use std::net::TcpListener;
 
 const BOX: &str = "JZ,.5\nJ2,1,1\nMZ,-.1\nMX,4\nMY,3\nMX,1\nMY,1\nJZ,.5\n";

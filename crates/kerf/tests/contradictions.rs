@@ -1,10 +1,6 @@
 //! Machines and jobs that cannot be: refused by name before anything moves, and what protects settings.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)] // rows and their variants
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 /// A shop with a machine that says this beside what the simulated one does, and a line to cut.
 fn shop(lines: &str) -> Shop {

@@ -1,15 +1,13 @@
 //! `kerf run --driver`: runs on a controller that is none, on a pseudo terminal.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, non_snake_case)]
 
-mod shop;
-
+use crate::shop;
+use crate::shop::{Did, Shop};
 use kerf_driver_grbl::fake::Fake;
 use kerf_serial::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use serde_json::Value;
-use shop::{Did, Shop};
 use std::process::{Child, Stdio};
 use std::sync::{Arc, Mutex};
 use std::thread::{JoinHandle, sleep, spawn};

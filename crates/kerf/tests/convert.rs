@@ -1,10 +1,6 @@
 //! Conversions as rows of the manuals ask for them, and as a person uses them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 const PROG: &str = "G0 X1\nG1 Z-.1 F60\nG2 X3 Y0 I1 J0\n";
 

@@ -1,17 +1,14 @@
 //! Each file of the data folder emptied, halved, changed in one bit, gone, or replaced by an older one; then `kerf serve`
 //! starts. Nothing is lost without a word. Makes the page docs/book/damaged-files.md: `KERF_BLESS=1 cargo test -p kerf
-//! --test damaged_files` writes it anew.
+//! --test all damaged_files::` writes it anew.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout)]
 
-mod shop;
-
+use crate::shop::console::Console;
+use crate::shop::{Shop, until};
 use kerf_control::journal::Journal;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
-use shop::console::Console;
-use shop::{Shop, until};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,14 +1,11 @@
 //! Connections of strangers and devices take no descriptor from files, and no place from who sits at the machine.
 
 #![cfg(target_os = "linux")]
-#![allow(clippy::unwrap_used)]
 
-mod shop;
-
+use crate::shop::Shop;
+use crate::shop::console::Console;
 use serde_json::json;
 use sha2::{Digest, Sha256};
-use shop::Shop;
-use shop::console::Console;
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::process::Command;

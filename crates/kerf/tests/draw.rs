@@ -1,7 +1,5 @@
 //! `kerf draw` as a user has it.
 
-#![allow(clippy::unwrap_used, missing_docs, non_snake_case)]
-
 use std::path::Path;
 use std::process::{Command, Output};
 

@@ -1,7 +1,6 @@
 //! Ctrl-C while a long file is read and planned: what runs stops, and the process ends.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used)]
 
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;

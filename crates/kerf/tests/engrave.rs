@@ -1,11 +1,7 @@
 //! Engraving from the drawing to the machine.
 
-#![allow(clippy::unwrap_used)]
-
-mod shop;
-
+use crate::shop::{Did, Shop};
 use serde_json::Value;
-use shop::{Did, Shop};
 
 const PLATE: &str = "line 0,0 100,0 100,60 0,60 close; engrave all tool=5 overlap=0.1 group=red; ";
 

@@ -3,8 +3,6 @@
 //! The expectation is short and made to be read: how the run ended, what was cut, what was
 //! switched, shown and asked. Times are left out; the planner's own tests hold them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
 use kerf_ledger::traces::{self, Traces};
 use serde_json::Value;
 use std::fmt::Write as _;

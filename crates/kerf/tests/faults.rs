@@ -2,12 +2,9 @@
 //! moves that is not on record, and what was kept is still there.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used)]
 
-mod shop;
-
+use crate::shop::{Did, Shop};
 use kerf_control::journal::Journal;
-use shop::{Did, Shop};
 use std::fs;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
 use std::os::unix::process::CommandExt;

@@ -1,12 +1,9 @@
 //! A server whose disk is full: what is to be saved is refused with the reason, and what lies there stays whole.
 
 #![cfg(target_os = "linux")]
-#![allow(clippy::unwrap_used)]
 
-mod shop;
-
-use shop::Shop;
-use shop::console::Console;
+use crate::shop::Shop;
+use crate::shop::console::Console;
 use std::fs;
 
 /// A server that writes no file longer than so many kilobytes, as on a full disk.

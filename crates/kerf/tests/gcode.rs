@@ -1,10 +1,6 @@
 //! The command on G-code, as on part files.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 const PART: &str = "\
 G21 G90 (all in mm)

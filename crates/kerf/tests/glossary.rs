@@ -1,10 +1,6 @@
 //! Words of the field, explained in the program.
 
-#![allow(clippy::unwrap_used)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 /// What `kerf help` says of some words.
 fn help(words: &str) -> String {

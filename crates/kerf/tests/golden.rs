@@ -1,10 +1,8 @@
 //! Whole traces, kept as files that a person can read.
 //!
 //! Each `golden/*.sbp` has its trace beside it. A first line `'options: …` gives options. When a trace
-//! changes for a reason, `KERF_BLESS=1 cargo test -p kerf --test golden` writes the new one; read the
+//! changes for a reason, `KERF_BLESS=1 cargo test -p kerf --test all golden::` writes the new one; read the
 //! difference before keeping it.
-
-#![allow(clippy::unwrap_used, clippy::expect_used)]
 
 use kerf_control::{TextOptions, json, run_text};
 use std::path::{Path, PathBuf};

@@ -1,10 +1,7 @@
 //! Height control as a user sees it: its error over a warped sheet, and the bytes of its readings.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)] // rows and their variants
-
-mod shop;
-
-use shop::Shop;
+use crate::shop;
+use crate::shop::Shop;
 
 /// What `make figures` draws: the folder of the book's figures.
 const FIGURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/figures");

@@ -2,12 +2,10 @@
 //! bounded memory, with an error that has a place, and never in a panic.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used)]
 
-mod shop;
-
+use crate::shop;
+use crate::shop::Shop;
 use serde_json::Value;
-use shop::Shop;
 use std::fs;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};

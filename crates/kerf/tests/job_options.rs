@@ -1,10 +1,6 @@
 //! What options and the machine of the data folder are to a run of a job.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod shop;
-
-use shop::{Did, Shop};
+use crate::shop::{Did, Shop};
 
 /// A shop with a job of two lines, 100 mm each.
 fn lines() -> Shop {

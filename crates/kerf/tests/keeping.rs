@@ -1,12 +1,8 @@
 //! G-code that became OpenSBP with its variables cuts the same path: with other values, under the
 //! proportions and offsets of FP, in a mirror.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
-mod shop;
-
+use crate::shop::Shop;
 use serde_json::Value;
-use shop::Shop;
 
 /// How a file is called; it is called after a move to X10 Y20 Z3. The last stretches circles, which each
 /// language then cuts as chords of its own.

@@ -1,10 +1,6 @@
 //! What the machine remembers between commands, and the commands that show it.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod shop;
-
-use shop::{Did, Shop};
+use crate::shop::{Did, Shop};
 
 /// Carries out lines as `kerf send` does.
 fn send(shop: &Shop, lines: &[&str]) -> Did {

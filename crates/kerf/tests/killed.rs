@@ -4,12 +4,9 @@
 //! KERF_SEED runs it again, though the instant of a kill is never exactly the same.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used)]
 
-mod shop;
-
+use crate::shop::Shop;
 use serde_json::Value;
-use shop::Shop;
 use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};

@@ -1,10 +1,6 @@
 //! The log of a part file, and taking up a run that ended early.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 const PART: &str = "MX,1\nMX,2\nMX,3\nMX,4\nMX,5\n";
 

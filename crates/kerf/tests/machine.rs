@@ -1,5 +1,4 @@
 //! `kerf machine` as a user meets it.
-#![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
 
 use std::path::Path;
 use std::process::{Command, Output};

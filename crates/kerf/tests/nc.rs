@@ -1,7 +1,5 @@
 //! Programs opened as drawings.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use serde_json::Value;
 use std::process::Command;
 

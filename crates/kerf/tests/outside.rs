@@ -1,11 +1,7 @@
 //! How other software starts Kerf and reads what became of it: the start-up line, the system log.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod shop;
-
-use shop::console::Console;
-use shop::{Did, Shop};
+use crate::shop::console::Console;
+use crate::shop::{Did, Shop};
 
 const PART: &str = "SA\nMX,1\nMX,2\n";
 

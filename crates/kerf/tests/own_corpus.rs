@@ -1,16 +1,11 @@
 //! The project's own part files and drawings, `tests/corpus`, through the commands that a shop uses.
 //!
 //! What each command makes of each file stands in `tests/corpus/summary.txt`, made to be read. When it changes for a
-//! reason, `KERF_BLESS=1 cargo test -p kerf --test own_corpus` writes it anew; read the difference before keeping it.
+//! reason, `KERF_BLESS=1 cargo test -p kerf --test all own_corpus::` writes it anew; read the difference before keeping it.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
-#[path = "../../../tests/corpus/find.rs"]
-mod find;
-mod shop;
-
+use crate::find;
+use crate::shop::{Did, Shop};
 use serde_json::Value;
-use shop::{Did, Shop};
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;

@@ -1,11 +1,7 @@
 //! Where a job lies, what it is cut with, and the whole of it offset.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)] // rows and their variants
-
-mod shop;
-
+use crate::shop::Shop;
 use serde_json::Value;
-use shop::Shop;
 
 /// A shop with the simulated machine and a drawing.
 fn shop(clauses: &str) -> Shop {

@@ -1,7 +1,5 @@
 //! `kerf plot`: what a plot says, as a user would read it.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
 use std::process::{Command, Output};
 
 /// Runs `kerf plot part.sbp` with options, words separated by blanks; gives what was written.

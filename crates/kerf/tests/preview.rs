@@ -1,7 +1,5 @@
 //! What VP says about the preview is what the picture shows (command reference, VP).
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
 use std::process::Command;
 
 /// The SVG that `kerf preview` draws of a program.

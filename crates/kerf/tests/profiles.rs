@@ -1,10 +1,6 @@
 //! Machines of the data folder: those that come with Kerf, and what is set in them.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod shop;
-
-use shop::{Did, Shop};
+use crate::shop::{Did, Shop};
 
 #[test]
 fn what_is_set_can_be_read_again() {

@@ -1,10 +1,6 @@
 //! Programs that are opened as what they cut.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 /// A box of 4 by 3, which tests the unit as part files do: 0 is inches.
 fn boxed(unit: u8) -> String {

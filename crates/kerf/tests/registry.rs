@@ -1,11 +1,7 @@
 //! The registry that other software reads and writes, and commands that it passes in.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod shop;
-
-use shop::console::Console;
-use shop::{Shop, until};
+use crate::shop::console::Console;
+use crate::shop::{Shop, until};
 
 fn shop() -> Shop {
     let shop = Shop::new(&[("a.sbp", "SA\nMX,1\nMX,2\n")]);

@@ -1,11 +1,8 @@
 //! Files that a command writes and that are there already.
 
-#![allow(clippy::unwrap_used)]
-
-mod shop;
-
+use crate::shop;
+use crate::shop::Shop;
 use kerf_control::versions::Versions;
-use shop::Shop;
 
 const PART: &str = "SA\nMX,1\nMY,2\n";
 

@@ -1,10 +1,6 @@
 //! Rows that need a disk, several files or exit codes.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 #[test]
 fn sbp_io_open_absolute() {

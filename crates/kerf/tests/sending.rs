@@ -1,12 +1,9 @@
 //! `kerf send FILE PORT` and `kerf receive`: job files from one computer to another.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, non_snake_case)]
 
-mod shop;
-
+use crate::shop::console::Console;
+use crate::shop::{Did, Shop, until};
 use kerf_serial::pretend::Cable;
-use shop::console::Console;
-use shop::{Did, Shop};
 use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -23,9 +20,18 @@ fn sample() -> Vec<u8> {
 }
 
 impl Bench {
+    /// With a cable as slow as its ports are set.
     fn new() -> Self {
-        let bench =
-            Self { office: Shop::new(&[]), workshop: Shop::new(&[]), cable: Cable::new().unwrap() };
+        Self::with(Cable::new().unwrap())
+    }
+
+    /// With a cable that takes an eighth of the time, where how long it takes is not what is shown.
+    fn hurried() -> Self {
+        Self::with(Cable::hurried(8.0).unwrap())
+    }
+
+    fn with(cable: Cable) -> Self {
+        let bench = Self { office: Shop::new(&[]), workshop: Shop::new(&[]), cable };
         bench.office.write("SAMPLE.RSM", &sample());
         std::fs::create_dir_all(bench.workshop.file("jobs")).unwrap();
         let [near, far] = bench.cable.ends();
@@ -51,6 +57,11 @@ impl Bench {
         // What is sent before it listens is sent again; that would only take longer.
         sleep(Duration::from_millis(300));
         child
+    }
+
+    /// Waits until part of the file is through.
+    fn is_under_way(&self) {
+        until("bytes on the cable", || self.cable.carried() > 1500);
     }
 
     fn arrived(&self) -> Option<Vec<u8>> {
@@ -114,7 +125,7 @@ fn pro_send_stop() {
     for at_sender in [true, false] {
         let bench = Bench::new();
         let (receiver, sender) = (bench.receives(""), bench.sends("com2"));
-        sleep(Duration::from_millis(1200));
+        bench.is_under_way();
         interrupt(if at_sender { &sender } else { &receiver });
         did(sender).exits(3).complains("stopped");
         did(receiver).exits(3).complains("stopped");
@@ -124,7 +135,7 @@ fn pro_send_stop() {
 
 #[test]
 fn pro_send_errors() {
-    let bench = Bench::new();
+    let bench = Bench::hurried();
     bench.cable.spoil_after(2500);
     let receiver = bench.receives("");
     did(bench.sends("com2")).exits(0);
@@ -133,7 +144,7 @@ fn pro_send_errors() {
 
     let bench = Bench::new();
     let (receiver, sender) = (bench.receives(""), bench.sends("com2"));
-    sleep(Duration::from_millis(1200));
+    bench.is_under_way();
     bench.cable.cut();
     let begin = Instant::now();
     did(sender).exits(1).complains("does not answer");
@@ -144,7 +155,7 @@ fn pro_send_errors() {
 
 #[test]
 fn pro_send_port() {
-    let bench = Bench::new();
+    let bench = Bench::hurried();
     let near = bench.cable.ends()[0].to_owned();
     bench.office.kerf("machine get options.devices").exits(0).says(&near);
     bench.office.kerf("machine set options.send_port 2").exits(0);
@@ -160,7 +171,7 @@ fn pro_send_port() {
 
 #[test]
 fn pro_send_speed() {
-    let bench = Bench::new();
+    let bench = Bench::hurried();
     let small: Vec<u8> = sample()[..512].to_vec();
     bench.office.write("SAMPLE.RSM", &small);
     for baud in [2400, 4800, 9600, 19_200, 38_400] {
@@ -190,7 +201,7 @@ fn pro_send_notmoving() {
     let bench = Bench::new();
     bench.workshop.write("long.sbp", LONG.as_bytes());
     let (receiver, sender) = (bench.receives(""), bench.sends("com2"));
-    sleep(Duration::from_millis(1000));
+    bench.is_under_way();
     let begin = Instant::now();
     did(start(&bench.workshop, "run long.sbp --pace real")).exits(0);
     let moved = begin.elapsed();
@@ -203,7 +214,7 @@ fn pro_send_notmoving() {
 
 #[test]
 fn pro_send_editonly() {
-    let bench = Bench::new();
+    let bench = Bench::hurried();
     let receiver = bench.receives("");
     did(start(&bench.office, "--edit-only send SAMPLE.RSM com2")).exits(0);
     did(receiver).exits(0);
@@ -268,7 +279,7 @@ fn pro_send_serial__into_a_server_that_moves() {
     let bench = Bench::new();
     let console = Console::begin(&bench.workshop, &["--receive", "--parts", "jobs"]);
     let sender = bench.sends("com2");
-    sleep(Duration::from_millis(1000));
+    bench.is_under_way();
     console.carry_out("MX,200");
     did(sender).exits(0).complains("held: the machine moves");
     assert!(bench.arrived() == Some(sample()), "the file is another");

@@ -1,10 +1,6 @@
 //! Smoothing of tool paths when they are made.
 
-#![allow(clippy::unwrap_used)]
-
-mod shop;
-
-use shop::{Did, Shop};
+use crate::shop::{Did, Shop};
 
 /// A shop with a drawing of a polygon of 72 sides, radius 50, offset 5.
 fn shop() -> Shop {

@@ -1,10 +1,6 @@
 //! What is refused before it does harm: files written over, moves beyond all reason, values nobody can read.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod shop;
-
-use shop::{Did, Shop};
+use crate::shop::{Did, Shop};
 
 #[test]
 fn a_run_does_not_write_over_what_it_reads() {

@@ -1,11 +1,8 @@
 //! What is so only where somebody sits at a terminal.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
 
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 use std::fs::File;
 use std::io::{Read, Write};
 use std::os::unix::fs::PermissionsExt;

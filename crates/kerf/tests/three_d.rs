@@ -1,10 +1,6 @@
 //! Shapes with heights of their own are cut at them, wherever they come from; long programs are drawn.
 
-#![allow(clippy::unwrap_used, missing_docs, non_snake_case)]
-
-mod shop;
-
-use shop::{Did, Shop};
+use crate::shop::{Did, Shop};
 
 /// The heights at which a drawing is cut, from where the first cut ends on.
 fn cut_at(shop: &Shop, drawing: &str) -> Vec<f64> {

@@ -1,10 +1,6 @@
 //! `kerf time`: what a file takes with a model of motion, or on another controller.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop::Shop;
 
 #[test]
 fn the_profiler_stops_at_corners_and_not_in_smooth_curves() {

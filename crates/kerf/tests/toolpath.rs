@@ -1,11 +1,7 @@
 //! `kerf toolpath` as a user has it: its report, its warnings, its pictures.
 
-#![allow(clippy::unwrap_used, missing_docs, non_snake_case)]
-
-mod shop;
-
+use crate::shop::{Did, Shop};
 use serde_json::Value;
-use shop::{Did, Shop};
 
 /// A plate with a hole in another group.
 const PLATE: &str = "rect 0,0 100,60; circle 50,30 12; directions auto; set black offset=3 height=-4; \

@@ -1,11 +1,7 @@
 //! Shapes that only lead the head, and the way between shapes.
 
-#![allow(clippy::unwrap_used)]
-
-mod shop;
-
+use crate::shop::{Did, Shop};
 use serde_json::Value;
-use shop::{Did, Shop};
 
 /// The events of a job on the standard machine, and its travel as places of the head.
 fn trace(script: &str) -> Vec<Value> {

@@ -1,10 +1,7 @@
 //! Rows whose words are of a warning, as the command prints it, and what the machine did all the same.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
-mod shop;
-
-use shop::Shop;
+use crate::shop;
+use crate::shop::Shop;
 
 /// A part file runs to its end, prints these lines and warns of this, at a line.
 #[track_caller]

@@ -1,8 +1,6 @@
 //! Programs thrown together from plausible lines, run whole: they never panic, they end with a
 //! status, and the same program does the same again, also when it is saved and restored between.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
 use kerf_control::{Event, RunOptions, TextOptions, json, run_text};
 use kerf_sim::Change;
 use proptest::prelude::*;

@@ -1,8 +1,6 @@
 //! The plan of a stack that is read in parts is the plan of the whole stack.
-#![allow(clippy::unwrap_used)]
 
-mod walk;
-
+use crate::walk::moves;
 use kerf_motion::{
     Model, Move, Mover, Optimal, OptimalPlanner, Plan, Planner, Profiler, ProfilerPlanner,
     ShopBotPlanner, Span, plan_stack,
@@ -10,7 +8,6 @@ use kerf_motion::{
 use kerf_program::settings::Ramps;
 use kerf_program::{AXES, At, Axes, Dynamics, Feed, Line, MoveKind, Settings, Smoothing};
 use proptest::prelude::*;
-use walk::moves;
 
 /// The pieces that come out when so many moves are pushed between two looks, 0 for none at all.
 fn pieces(planner: &mut dyn Planner, moves: &[Move], at_once: usize) -> Vec<Plan> {

@@ -1,5 +1,4 @@
 //! Plans of the `optimal` model that are left on the way: stops, holds and overrides of the feed.
-#![allow(clippy::unwrap_used)]
 
 use kerf_motion::{Model, Move, Mover, Optimal, OptimalPlanner, Plan, Planner, Replanner, Retimed};
 use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, Settings};

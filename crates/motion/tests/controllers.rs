@@ -3,8 +3,6 @@
 //! The programs: R1 a rectangle, R4 a zigzag, R6 a Hilbert curve; 100 mm/s, 500 mm/s² and 200 mm/s
 //! an axis.
 
-#![allow(clippy::unwrap_used)]
-
 use kerf_motion::controllers::{Controller, Grbl, Link, LinuxCnc};
 use kerf_motion::{Move, Mover};
 use kerf_program::{Arc, At, Axes, Feed, Line, MoveKind, Settings};

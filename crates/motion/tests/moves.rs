@@ -1,12 +1,9 @@
 //! How commands become moves: speeds, lengths, arcs, feeds, and what VS, VU and VR do to them.
-#![allow(clippy::unwrap_used)]
 
-mod shop;
-
+use crate::shop::{joints, near, peaks, vs};
 use kerf_motion::{Move, Mover, Path, Plan, plan_stack};
 use kerf_program::settings::MM_PER_INCH as INCH;
 use kerf_program::{Arc, At, Axes, Axis, Feed, Line, MoveKind, Settings};
-use shop::{joints, near, peaks, vs};
 use std::f64::consts::{PI, TAU};
 
 fn seconds(plan: &Plan) -> f64 {

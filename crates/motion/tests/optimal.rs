@@ -1,6 +1,5 @@
 //! The `optimal` model: no limit exceeded, the path within tolerance, at rest at its ends, never
 //! faster than can be, and the same however it is looked at.
-#![allow(clippy::unwrap_used)]
 
 use kerf_motion::{Model, Move, Mover, Optimal, Plan};
 use kerf_program::{AXES, Arc, At, Axes, Dynamics, Feed, Line, MoveKind, Settings};

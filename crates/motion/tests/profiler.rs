@@ -1,7 +1,5 @@
 //! The `profiler` model against the rows of the ledger, in mm (areas smoothing, speeds and axes).
 
-#![allow(clippy::unwrap_used)]
-
 use kerf_motion::{Model, Move, Mover, Path, Plan, Profiler, planner};
 use kerf_program::{
     Arc, At, Axes, Axis, Dynamics, Feed, Line, MoveKind, RampModel, Settings, Smoothing,

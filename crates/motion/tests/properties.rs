@@ -1,7 +1,5 @@
 //! What must hold for any stack, whatever the moves, feeds and settings.
 
-mod shop;
-
 use kerf_motion::{Move, Mover, Plan, plan_stack};
 use kerf_program::settings::MM_PER_INCH;
 use kerf_program::{Arc, At, Axes, Axis, Feed, Line, MoveKind, Settings};

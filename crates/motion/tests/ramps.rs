@@ -1,11 +1,9 @@
 //! The rows of the ledger's area `motion` that are about planning, with their numbers.
 
-mod shop;
-
+use crate::shop::{joints, near, peaks, vs};
 use kerf_motion::Plan;
 use kerf_program::Axis;
 use kerf_program::settings::MM_PER_INCH as INCH;
-use shop::{joints, near, peaks, vs};
 
 fn speed_at(plan: &Plan, t_s: f64) -> f64 {
     plan.at(t_s).path_speed_mm_s / INCH

@@ -1,13 +1,10 @@
 //! Plans that are left on the way: stops, holds and overrides of the feed at random moments.
-#![allow(clippy::unwrap_used)]
 
-mod walk;
-
+use crate::walk::moves;
 use kerf_motion::{Move, Plan, Planner, Replanner, ShopBotPlanner, Span, plan_stack, planner};
 use kerf_program::{Axes, Dynamics, MoveKind, Settings};
 use proptest::prelude::*;
 use std::iter;
-use walk::moves;
 
 /// What the operator does at a time since the last such moment, seconds.
 #[derive(Clone, Copy, Debug)]

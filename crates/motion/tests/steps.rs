@@ -1,7 +1,5 @@
 //! Step times: never more than half a step from where the axis should be.
 
-#![allow(clippy::unwrap_used)]
-
 use kerf_motion::{Model, Move, Mover, Optimal, Plan, Profiler, Step, Stepper, plan_stack};
 use kerf_program::{AXES, Arc, At, Axes, Feed, Line, MoveKind, RampModel, Settings};
 use proptest::prelude::*;

@@ -1,12 +1,9 @@
 //! Stops inside a plan, resuming, and the times at which Z passes a value.
-#![allow(clippy::unwrap_used)]
 
-mod shop;
-
+use crate::shop::{joints, near, peaks, vs};
 use kerf_motion::{Model, Optimal, Pass, Plan, Stop};
 use kerf_program::settings::MM_PER_INCH as INCH;
 use kerf_program::{Axes, Axis, Dynamics, Settings};
-use shop::{joints, near, peaks, vs};
 
 /// A stop that begins where a move's share is reached.
 fn stop_at(plan: &Plan, index: usize, share: f64, ramped: bool) -> Stop {

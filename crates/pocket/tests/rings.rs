@@ -1,14 +1,8 @@
 //! Rings: known answers, and what must hold for every region.
-#![allow(clippy::unwrap_used)]
 
-mod check;
-#[path = "../../geom/tests/families/mod.rs"]
-mod families;
-mod random;
-
+use crate::random::{check_cleared, random_case, seeds};
 use kerf_geom::{Offsetter, Point2, Polyarc, Transform2, Vec2};
 use kerf_pocket::{Cutter, Way, rings};
-use random::{check_cleared, random_case, seeds};
 
 fn p(x: f64, y: f64) -> Point2 {
     Point2::new(x, y)

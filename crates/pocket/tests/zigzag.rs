@@ -1,14 +1,8 @@
 //! Zigzags: known answers, and what must hold for every region.
-#![allow(clippy::unwrap_used)]
 
-mod check;
-#[path = "../../geom/tests/families/mod.rs"]
-mod families;
-mod random;
-
+use crate::random::{check_cleared, random_case, seeds};
 use kerf_geom::{Offsetter, Point2, Polyarc};
 use kerf_pocket::{Cutter, Zigzag, zigzag};
-use random::{check_cleared, random_case, seeds};
 
 #[test]
 fn a_rectangle_is_cleared_by_one_path() {

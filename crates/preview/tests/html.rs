@@ -1,9 +1,6 @@
 //! The page: whole without a network, and everything in it that the viewer reads.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod common;
-
+use crate::common;
 use kerf_preview::{Options, Scene, ToolPath, html};
 
 fn page(scene: &Scene) -> String {

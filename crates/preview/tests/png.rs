@@ -1,10 +1,7 @@
 //! The PNG decoded: its size, and ink where the path is.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod common;
-
-use common::{cut, scene};
+use crate::common;
+use crate::common::{cut, scene};
 use kerf_preview::{Options, Scene, png, svg};
 use tiny_skia::Pixmap;
 

@@ -1,10 +1,7 @@
 //! The SVG read back: true to scale, arcs exact, nothing shown that should not be.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod common;
-
-use common::{arc, cut, jog, scene};
+use crate::common;
+use crate::common::{arc, cut, jog, scene};
 use kerf_diag::Severity;
 use kerf_preview::{Finding, Options, Scene, Segment, TableView, Unit, svg};
 use roxmltree::{Document, Node};

@@ -112,10 +112,28 @@ fn takes_s(baud: u32, count: usize) -> f64 {
 
 #[test]
 fn pro_send_speed__the_line_is_as_fast_as_its_rate() {
-    for baud in [2400, 4800, 9600, 19_200, 38_400] {
+    // A second each, side by side; a busy computer may be late once, and again.
+    let second = |baud: u32| {
         let count = baud as usize / 10;
-        // A second each; a busy computer may be late once, and again.
         let off = (0..10).map(|_| takes_s(baud, count) - 1.0).find(|off| off.abs() <= 0.02);
         assert!(off.is_some(), "{baud} baud: not a second for {count} bytes");
-    }
+    };
+    std::thread::scope(|scope| {
+        for baud in [2400, 4800, 9600, 19_200, 38_400] {
+            scope.spawn(move || second(baud));
+        }
+    });
+}
+
+/// A second's worth of bytes, in an eighth of it.
+#[test]
+fn a_hurried_cable_carries_more() {
+    let cable = Cable::hurried(8.0).unwrap();
+    let [mut near, mut far] = cable.ends().map(|end| Port::open(end, 9600).unwrap());
+    let begin = Instant::now();
+    near.write(&[0x55; 960]).unwrap();
+    assert_eq!(read(&mut far, 960).len(), 960);
+    assert!(begin.elapsed() > Duration::from_millis(120), "{:?}", begin.elapsed());
+    assert!(begin.elapsed() < Duration::from_millis(900), "{:?}", begin.elapsed());
+    assert_eq!(cable.carried(), 960);
 }

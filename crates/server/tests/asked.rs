@@ -1,9 +1,6 @@
 //! Requests of every kind, whole and mutated by dice: each is done or refused with words. The fuzz target `wire` throws more of them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used)]
-
-mod requests;
-
+use crate::requests;
 use std::path::Path;
 
 fn seeds() -> Vec<Vec<u8>> {

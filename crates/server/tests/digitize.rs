@@ -1,14 +1,10 @@
 //! Digitizing on the server: what the keys record becomes a shape of the job, of the drawing, or of a new job.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support::hand::Hand;
+use crate::support::{Shop, Wanted, at, kept, rsm, start};
 use kerf_drawing::Group;
 use kerf_toolpath::Job;
 use serde_json::json;
-use support::hand::Hand;
-use support::{Shop, Wanted, at, kept, rsm, start};
 
 /// SIM, so much faster than the world, with the job origin at (300,200).
 fn sim(rate: f64) -> (Shop, Hand) {

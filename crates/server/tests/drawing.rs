@@ -1,11 +1,8 @@
 //! Drawing through the server.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support;
+use crate::support::{Page, shop};
 use serde_json::{Value, json};
-use support::{Page, shop};
 
 fn draw(page: &mut Page, op: Value) -> Option<String> {
     page.act(json!({ "do": "draw", "op": op }))

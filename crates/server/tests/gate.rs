@@ -1,13 +1,10 @@
 //! Nobody has the machine move, go on, or switch something dangerous who does not drive it, armed.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support;
+use crate::support::{Page, Shop, Wanted, at, shop, start};
 use serde_json::{Value, json};
 use std::thread;
 use std::time::Duration;
-use support::{Page, Shop, Wanted, at, shop, start};
 
 /// What is said in the reply to an act, where it is refused.
 type Refusal = Option<String>;

@@ -1,14 +1,10 @@
 //! Long work ends soon after nobody waits for it: whoever asks next need not wait for its end.
 
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
-
-mod support;
-
+use crate::support::{Page, Shop, shop};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
-use support::{Page, Shop, shop};
 
 /// So many circles that lie apart, as a DXF: their tool paths take much longer than any test waits for a reply.
 fn circles(number: usize) -> String {

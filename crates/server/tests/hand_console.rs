@@ -1,14 +1,11 @@
 //! The hand console: keys of a page, and what its screen shows of the simulated machine.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support;
+use crate::support::hand::{Hand, sample, shop, with_sample};
+use crate::support::{Page, at, rsm};
 use kerf_handconsole::functions::FUNCTIONS;
 use kerf_program::{Axis, AxisSet};
 use serde_json::json;
-use support::hand::{Hand, sample, shop, with_sample};
-use support::{Page, at, rsm};
 
 /// Where the machine is, near enough for people.
 fn near(page: &Page, place: [f64; 3]) -> bool {

@@ -1,17 +1,15 @@
 //! The hand console at a serial port: a cable without hardware, as slow as a real one.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, non_snake_case)]
 
-mod support;
-
+use crate::support;
+use crate::support::hand::{Hand, sample, shop};
+use crate::support::{Page, Shop, Wanted, at, start};
 use kerf_serial::Port;
 use kerf_serial::pretend::{Cable, Plug};
 use serde_json::json;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
-use support::hand::{Hand, sample, shop};
-use support::{Page, Shop, Wanted, at, start};
 
 /// The console itself: its keyboard and its display.
 struct Device {

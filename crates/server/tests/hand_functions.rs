@@ -1,15 +1,11 @@
 //! Functions of the hand console that are about the open job, and about what is kept.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support::hand::Hand;
+use crate::support::{Page, Shop, Wanted, at, kept, rsm, start};
 use kerf_drawing::{Drawing, Editor, Shape, script};
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::Configuration;
 use serde_json::{Value, json};
-use support::hand::Hand;
-use support::{Page, Shop, Wanted, at, kept, rsm, start};
 
 /// SIM, in a hurry, with this job open.
 fn with_job(rsm: &str, change: fn(&mut Configuration)) -> (Shop, Hand) {

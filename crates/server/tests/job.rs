@@ -1,11 +1,7 @@
 //! A job from its preview to its end, with questions, holds and stops, seen by several pages.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support::shop;
 use serde_json::json;
-use support::shop;
 
 const SQUARE: &str = "MS,1,1\nM3,0,0,-.1\nMX,2\nMY,2\nMX,0\nMY,0\nJZ,.5\n";
 

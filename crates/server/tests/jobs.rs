@@ -1,15 +1,12 @@
 //! Jobs: tool paths of drawings, run by the server as the command line runs them.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support;
+use crate::support::{Page, Shop, Wanted, at, rsm, start};
 use kerf_drawing::{Editor, script};
 use kerf_machine::Configuration;
 use kerf_machine::settings::io::Card;
 use serde_json::{Value, json};
 use std::time::Instant;
-use support::{Page, Shop, Wanted, at, rsm, start};
 
 /// Five lines above each other.
 const FIVE: &str =

@@ -1,12 +1,8 @@
 //! A jog moves for as long as somebody holds the key, and not longer.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support::{Page, Shop, Wanted, at, shop, start as start_shop};
 use serde_json::{Value, json};
 use std::time::{Duration, Instant};
-use support::{Page, Shop, Wanted, at, shop, start as start_shop};
 
 /// Begins a jog of X.
 fn start(page: &Page, seq: u32) -> Value {

@@ -1,16 +1,18 @@
 //! A jog over a bad link: when its key is let go the machine stands as soon as over a good one.
+//!
+//! A program of its own: what runs beside it would be measured with it.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 mod support;
 
+use crate::support::rough::{Roughness, rough};
+use crate::support::{Page, Shop, shop};
 use serde_json::{Value, json};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
-use support::rough::{Roughness, rough};
-use support::{Page, Shop, shop};
 
 /// Jogs that are made over the bad link.
 const JOGS: u64 = 42;

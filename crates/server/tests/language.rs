@@ -1,11 +1,7 @@
 //! What editors and fill-in sheets ask.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support::shop;
 use serde_json::json;
-use support::shop;
 
 #[test]
 fn sheets_are_made_from_the_table_with_the_settings_of_now() {

@@ -1,11 +1,8 @@
 //! How a file ran last, and how long what runs takes yet.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support;
+use crate::support::{Page, kept, shop};
 use serde_json::json;
-use support::{Page, kept, shop};
 
 const PART: &str = "SA\nMS,10\nMX,1\nMX,2\nEND\n";
 

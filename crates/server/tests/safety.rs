@@ -1,12 +1,9 @@
 //! Who is let in, and who may move the machine.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support;
+use crate::support::{Page, Shop, Wanted, builders, shop, start};
 use kerf_server::{Options, Server};
 use serde_json::{Value, json};
-use support::{Page, Shop, Wanted, builders, shop, start};
 
 /// Every path of the router with every method, and what lies beside its paths.
 fn requests() -> Vec<String> {

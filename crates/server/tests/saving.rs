@@ -1,11 +1,8 @@
 //! Files that are written over: never without leave, and what they were comes back.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support;
+use crate::support::{Answer, Shop, shop};
 use serde_json::{Value, json};
-use support::{Answer, Shop, shop};
 
 /// A script that draws.
 fn draw(shop: &Shop, op: &Value) -> Answer {

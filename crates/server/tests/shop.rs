@@ -1,12 +1,9 @@
 //! What pages ask of the shop besides driving: how a file is run, its folder, the recorder, watched
 //! variables, switches of the simulated machine, the configuration.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support;
+use crate::support::{Page, shop};
 use serde_json::{Value, json};
-use support::{Page, shop};
 
 /// Sends an act that carries the lease.
 #[track_caller]

@@ -1,11 +1,7 @@
 //! How the open file stands, how far what runs is, and where the tool is in it.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support::{Page, shop};
 use serde_json::{Value, json};
-use support::{Page, shop};
 
 const BAD: &str = "SA\nM2,1,1\nFOO,1\n";
 

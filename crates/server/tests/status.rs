@@ -1,11 +1,7 @@
 //! The status of the machine for other programs, as `/api/registry/Status` tells it while a passed command runs.
 
-#![allow(clippy::unwrap_used, non_snake_case)]
-
-mod support;
-
+use crate::support::{Page, Shop, kept};
 use serde_json::json;
-use support::{Page, Shop, kept};
 
 /// One stack of motion, read to its end long before it is made.
 const PART: &str = "SA\nMX,2\nMX,3\nMX,1\n";

@@ -1,13 +1,9 @@
 //! STOP is recognised in whatever form it comes, on whichever way, and counts once.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support::{Page, Shop, shop};
 use serde_json::{Value, json};
 use std::net::{SocketAddr, TcpStream};
 use std::time::{Duration, Instant};
-use support::{Page, Shop, shop};
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket, client};
 

@@ -1,11 +1,8 @@
 //! The timing chart of the open file, as pages ask for it.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support;
+use crate::support::{Page, Shop, Wanted, rsm, start};
 use serde_json::Value;
-use support::{Page, Shop, Wanted, rsm, start};
 
 fn shop(name: &str, text: &str) -> Shop {
     let shop = start(Wanted { machine: Some(("sim", |_| {})), ..Wanted::default() });

@@ -1,7 +1,5 @@
 //! A beginner's first part: what would be scrap by an order, a tag or a pocket is cut otherwise, or told.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_drawing::{Drawing, Editor, script};
 use kerf_toolpath::{Job, job, read, write};
 

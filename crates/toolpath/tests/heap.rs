@@ -1,7 +1,5 @@
 //! Many copies of a shape on each other, as programs write them that draw each layer anew.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_drawing::{Drawing, Shape};
 use kerf_geom::{Point2, Polyarc};
 use std::time::Instant;

@@ -1,7 +1,5 @@
 //! Frames and rings within each other, as drawings of pockets and labyrinths have them by the thousand.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_drawing::{Drawing, Shape};
 use kerf_geom::{Point2, Polyarc};
 

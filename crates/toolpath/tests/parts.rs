@@ -1,7 +1,5 @@
 //! Rows of the Profiler ledger about what a tool leaves of a sheet.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_drawing::{Editor, script};
 use kerf_geom::{Indexed, Point2, Polyarc, offset};
 use kerf_toolpath::job;

@@ -1,7 +1,5 @@
 //! Rows of the Profiler ledger about tool paths.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use kerf_drawing::{Drawing, Editor, Group, Shape, script};
 use kerf_geom::{Point2, Polyarc};
 use kerf_toolpath::{CutPath, Job, Pass, Warning, job, read, write};

@@ -1,10 +1,6 @@
 //! What a person should look at before cutting.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-#[path = "../../geom/tests/families/mod.rs"]
-mod families;
-
+use crate::families;
 use kerf_drawing::{Drawing, Editor, Shape, script};
 use kerf_geom::{Bounds2, Point2, Transform2, Vec2};
 use kerf_program::job::Plunge;

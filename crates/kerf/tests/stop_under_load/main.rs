@@ -7,6 +7,8 @@
 //! on each core, measure that: they sleep for a millisecond at a time, and where one wakes over a millisecond late, the
 //! host stood still from the moment it was due until it woke. What of this lies between the press of STOP and its being
 //! heard is taken off, once where it was so on several cores; the table tells both.
+//!
+//! A program of its own: what runs beside it would be measured with it.
 
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 #![cfg(target_os = "linux")]

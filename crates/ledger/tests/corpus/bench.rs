@@ -1,7 +1,7 @@
 //! One file run as the command line runs it, and how it ended.
 
-use crate::row::Row;
-use crate::tree::Tree;
+use crate::corpus::row::Row;
+use crate::corpus::tree::Tree;
 use kerf_control::answers::Answers;
 use kerf_control::files::RealDisk;
 use kerf_control::stored::Stored;

@@ -6,7 +6,7 @@ use kerf_machine::sequence::Sequence;
 use kerf_program::{Axes, Command, Interpreter, Status, Step};
 use std::sync::Arc;
 
-use crate::patient::Patient;
+use crate::jobs::patient::Patient;
 
 /// Three lines, the second marked; the job went by way of its RSM.
 const MARKED: &str = "line 0,0 100,0; line 100,50 0,50; line 0,100 100,100; select 2; pause on";

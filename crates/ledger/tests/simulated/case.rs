@@ -1,8 +1,8 @@
 //! One case: what is run on which machine, and what happens to it.
 
-use crate::dice::Dice;
-use crate::watch::Allowed;
-use crate::{FIRST_WIDER, jobs, programs};
+use crate::simulated::dice::Dice;
+use crate::simulated::watch::Allowed;
+use crate::simulated::{FIRST_WIDER, jobs, programs};
 use kerf_control::{RunOptions, Started, Wish, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;

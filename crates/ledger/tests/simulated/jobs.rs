@@ -1,6 +1,6 @@
 //! Random jobs on random machines: routers, lasers, plasma tables, knives.
 
-use crate::dice::Dice;
+use crate::simulated::dice::Dice;
 use kerf_geom::{Point2, Polyarc, Vertex};
 use kerf_ledger::jobs::{job, sim};
 use kerf_machine::Configuration;

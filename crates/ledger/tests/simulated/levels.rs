@@ -1,7 +1,7 @@
 //! The heights at which shapes are cut, where a sheet is followed: whatever stops a job and wherever it dies,
 //! the surface is where it was.
 
-use crate::watch::Seen;
+use crate::simulated::watch::Seen;
 use kerf_control::Event;
 use std::collections::BTreeMap;
 

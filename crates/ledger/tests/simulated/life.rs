@@ -1,10 +1,10 @@
 //! A case lived through: once without a kill, once with kills and resumes, on a journal of its own.
 
-use crate::case::{Case, What};
-use crate::levels::Levels;
-use crate::path::{Done, is_flat, laid};
-use crate::programs::SUB;
-use crate::watch::{Doom, Killed, Seen, Watch};
+use crate::simulated::case::{Case, What};
+use crate::simulated::levels::Levels;
+use crate::simulated::path::{Done, is_flat, laid};
+use crate::simulated::programs::SUB;
+use crate::simulated::watch::{Doom, Killed, Seen, Watch};
 use kerf_control::answers::Operator;
 use kerf_control::files::{Folders, RealDisk};
 use kerf_control::journal::{Journal, Whereabouts};

@@ -1,6 +1,6 @@
 //! The path of a cut, whatever interrupted it.
 
-use crate::alike::{self, Point};
+use crate::simulated::alike::{self, Point};
 use kerf_control::Made;
 use kerf_geom::Arc2;
 use kerf_program::{Axes, MoveKind};

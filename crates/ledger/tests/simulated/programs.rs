@@ -1,6 +1,6 @@
 //! Random part files. They stay mostly on the table: a move that would leave it ends the run.
 
-use crate::dice::Dice;
+use crate::simulated::dice::Dice;
 
 /// A file that programs call, with what they leave in its loop.
 pub const SUB: &str = "SA\nM2,2,1\nM3,3,2,-.2\nCC,1,T,1,0,360,,1\nM2,1,3\nJZ,.3\n";

@@ -1,6 +1,6 @@
 //! What has to hold at any time of any run.
 
-use crate::path::Piece;
+use crate::simulated::path::Piece;
 use kerf_control::{Event, Made, Sink};
 use kerf_machine::lines::Output;
 use kerf_program::{Axes, Axis};

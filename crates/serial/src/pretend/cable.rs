@@ -14,7 +14,7 @@ const BITS: f64 = 10.0;
 /// Bytes that are on the line at a time; the rest waits with the sender.
 const ON_THE_LINE: usize = 256;
 
-/// Damage that the cable does to bytes.
+/// Damage that the cable does to bytes, and the bytes it has carried.
 #[derive(Debug, Default)]
 struct Damage {
     /// No byte passes any more.
@@ -23,6 +23,8 @@ struct Damage {
     spoil_after: VecDeque<u64>,
     /// Both plugs are pulled, and the thread ends.
     pulled: bool,
+    /// Bytes that have come out of either end.
+    carried: u64,
 }
 
 /// Two pretended ports and the cable between them. Dropped, both ports are gone.
@@ -35,12 +37,24 @@ pub struct Cable {
 
 impl Cable {
     /// A new cable with its two ports.
+    ///
+    /// # Errors
+    /// When the computer has no more ports to pretend.
     pub fn new() -> Result<Self, SerialError> {
+        Self::hurried(1.0)
+    }
+
+    /// A cable that carries bytes so many times faster than the rate of its ports: for tests of what is said over it,
+    /// not of how long that takes.
+    ///
+    /// # Errors
+    /// When the computer has no more ports to pretend.
+    pub fn hurried(times: f64) -> Result<Self, SerialError> {
         let plugs = [Plug::new()?, Plug::new()?];
         let ends = [plugs[0].path().to_owned(), plugs[1].path().to_owned()];
         let damage = Arc::new(Mutex::new(Damage::default()));
         let shared = Arc::clone(&damage);
-        let pump = std::thread::spawn(move || pump(plugs, &shared));
+        let pump = std::thread::spawn(move || pump(plugs, times, &shared));
         Ok(Self { ends, damage, pump: Some(pump) })
     }
 
@@ -52,6 +66,11 @@ impl Cable {
     /// Cuts it: both ports stay, no byte passes.
     pub fn cut(&self) {
         lock(&self.damage).cut = true;
+    }
+
+    /// Bytes that have come out of either end.
+    pub fn carried(&self) -> u64 {
+        lock(&self.damage).carried
     }
 
     /// Spoils a bit of one byte from the first end to the second, after so many bytes from now on.
@@ -74,8 +93,8 @@ fn lock(damage: &Mutex<Damage>) -> MutexGuard<'_, Damage> {
     damage.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn pump(mut plugs: [Plug; 2], damage: &Mutex<Damage>) {
-    let mut wires = [Wire::new(0), Wire::new(1)];
+fn pump(mut plugs: [Plug; 2], times: f64, damage: &Mutex<Damage>) {
+    let mut wires = [Wire::new(0, times), Wire::new(1, times)];
     while !lock(damage).pulled {
         for wire in &mut wires {
             if wire.carry(&mut plugs, damage).is_err() {
@@ -91,11 +110,13 @@ struct Wire {
     /// Bytes with the time at which their last bit is through.
     under_way: VecDeque<(Instant, u8)>,
     free_at: Instant,
+    /// How many times faster than the rate of the ports.
+    times: f64,
 }
 
 impl Wire {
-    fn new(from: usize) -> Self {
-        Self { from, under_way: VecDeque::new(), free_at: Instant::now() }
+    fn new(from: usize, times: f64) -> Self {
+        Self { from, under_way: VecDeque::new(), free_at: Instant::now(), times }
     }
 
     /// Takes what the sender has, hands over what is through.
@@ -109,6 +130,7 @@ impl Wire {
             self.free_at = self.free_at.max(Instant::now());
         }
         let through = self.through();
+        lock(damage).carried += through.len() as u64;
         plugs[1 - self.from].write(&through)
     }
 
@@ -119,7 +141,7 @@ impl Wire {
         damage: &Mutex<Damage>,
     ) -> Result<(), SerialError> {
         let (sender, receiver) = (plugs[self.from].baud()?, plugs[1 - self.from].baud()?);
-        let byte_s = BITS / f64::from(sender.max(1));
+        let byte_s = BITS / f64::from(sender.max(1)) / self.times;
         let mut damage = lock(damage);
         for byte in bytes {
             self.free_at += Duration::from_secs_f64(byte_s);

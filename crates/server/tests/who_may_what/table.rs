@@ -66,7 +66,7 @@ const HEAD: &str = "# Who may what
 
 Each cell of these tables was tried against a server: what somebody who asks for it is told. `+` may (it can still be
 of no use at that moment); the other words are reasons. The page is made by a test (`KERF_WRITE_PAGES=1 cargo test -p
-kerf-server --test who_may_what`), which fails where a server says something else.
+kerf-server --test all who_may_what::`), which fails where a server says something else.
 
 - **role**: the role of the device does not allow it. **lease**: somebody else drives, or nobody. **disarmed**: the machine
   is not armed. **never**: nobody may, in this way. Numbers are those of HTTP: 401 not paired, 403 a page of another site,

@@ -5,6 +5,7 @@ mod examples;
 mod links;
 mod openings;
 mod sources;
+mod test_programs;
 mod wall_clock;
 
 use crate::{Finding, Tree};
@@ -23,6 +24,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         examples::check(tree),
         links::check(tree),
         openings::check(tree),
+        test_programs::check(tree),
         wall_clock::check(tree),
     ]
     .concat())

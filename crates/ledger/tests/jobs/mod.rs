@@ -1,7 +1,5 @@
 //! The rows of the Profiler ledger that jobs on a machine show, a module an area.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
 mod bounds;
 mod console;
 mod console_moves;

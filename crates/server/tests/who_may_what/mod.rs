@@ -1,10 +1,6 @@
 //! Who may do what: every cell of the table is tried against a server, and the page of the book is what it said.
 
-#![allow(clippy::unwrap_used)]
-
 mod rows;
-#[path = "../support/mod.rs"]
-mod support;
 mod table;
 mod walk;
 mod workshop;

@@ -3,17 +3,14 @@
 //!
 //! `rs274` writes four decimals in the unit of the file. Generated programs are therefore ten thousand
 //! times larger than a part, so that what is compared is a part to a millionth of a millimetre.
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 mod canon;
 mod compare;
-#[path = "../../../../tests/corpus/find.rs"]
-mod find;
 mod generate;
-#[path = "../support/mod.rs"]
-mod support;
 mod written;
 
+use crate::find;
+use crate::support::Quiet;
 use canon::Move;
 use compare::difference;
 use generate::{PROGRAMS, SCALE, compensated, generated};
@@ -22,7 +19,6 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{Axes, Command as Given, MoveKind, Step};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use support::Quiet;
 
 /// Tools known to both: number, length and diameter in mm, for programs of a size.
 fn tools(scale: f64) -> impl Iterator<Item = (u32, f64, f64)> {

@@ -5,14 +5,11 @@
 //! one needs and what has to come of it is a line of `files.txt`; what it names and the corpus does
 //! not have is a line of `stand_ins.txt`.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout)]
-
 mod bench;
-#[path = "../../../../tests/corpus/find.rs"]
-mod find;
 mod row;
 mod tree;
 
+use crate::find;
 use bench::{Ended, run, run_restored};
 use kerf_ledger::traces::{self, Traces};
 use row::{Row, rows};
@@ -102,7 +99,7 @@ fn same(one: &Ended, other: &Ended) -> Result<(), String> {
     Err(differing.unwrap_or_else(|| "one trace is longer".into()))
 }
 
-/// Counts, for whoever wants to know: `cargo test -p kerf-ledger --test corpus -- --nocapture counts`.
+/// Counts, for whoever wants to know: `cargo test -p kerf-ledger --test all corpus::counts -- --nocapture`.
 #[test]
 fn counts() {
     let Some(corpus) = corpus() else { return };

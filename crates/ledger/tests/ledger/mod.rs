@@ -1,7 +1,5 @@
 //! The rows of the ledgers, a module an area.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, non_snake_case)]
-
 mod cut;
 mod file;
 mod flow;

@@ -5,15 +5,12 @@
 //! `KERF_FUZZ_WHOLE=1` they are looked at up to the usual bounds.
 
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout)]
 
-#[path = "structured_made/mod.rs"]
 mod made;
-mod shop;
 
+use crate::shop::Shop;
+use crate::shop::bounded::bounded;
 use made::Made;
-use shop::Shop;
-use shop::bounded::bounded;
 use std::env;
 
 /// Memory a command may address, KiB.

@@ -10,8 +10,6 @@
 //! A failure prints its seed; `KERF_SIM_SEED=n KERF_SIM_RUNS=1` makes exactly that run again.
 //! `make soak` runs as many as it is told.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 mod alike;
 mod case;
 mod dice;

@@ -1,0 +1,19 @@
+//! The tests of this crate from outside, one program: linking one a file would cost more than running them.
+
+#![allow(clippy::expect_used, clippy::unwrap_used, non_snake_case)]
+
+mod away;
+mod damaged;
+mod damaged_journal;
+mod driven;
+mod given_up;
+mod hold;
+mod interlock;
+mod no_switch;
+mod registry;
+mod runs;
+mod settings_files;
+mod standing;
+mod streaming;
+mod taken_up;
+mod taking_up;

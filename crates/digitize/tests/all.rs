@@ -1,0 +1,6 @@
+//! The tests of this crate from outside, one program: linking one a file would cost more than running them.
+
+#![allow(clippy::unwrap_used, non_snake_case)]
+
+mod edits;
+mod properties;
