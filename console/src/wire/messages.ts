@@ -66,7 +66,7 @@ seq: number,
 clockMs: number,
 /** Direction of each axis: -1, 0, 1 or between. */
 direction: [number, number, number, number, number, number],
-/** Mm or degrees; motion ends there. Without it, at the table limits. */
+/** Factor of the direction: motion ends there. Without it, at the table limits. */
 distance: number | null,
 /** Share of the jog speed, 0 … 1. */
 speedShare: number, } | { "do": "jogRenew",
@@ -685,7 +685,7 @@ run: number, };
 /** Effect of running a file. */
 export type Mode = "preview" | "simulated" | "cut";
 
-/** Position and motion of the machine. Sent about 25 times a second while it moves. */
+/** Position and motion of the machine. Sent about 30 times a second while it moves. */
 export type Motion = {
 /** Positions of the axes. */
 at: Positions,
