@@ -169,6 +169,17 @@ fn corners_that_are_alike_take_as_long_however_many_there_were() {
 }
 
 #[test]
+fn a_path_takes_as_long_from_its_other_end() {
+    // Back at the far end, then round a corner.
+    let places = [[40.0, 0.0, 0.0], [20.0, 0.0, 0.0], [20.0, 30.0, 0.0]];
+    let back = [[0.0, -30.0, 0.0], [20.0, -30.0, 0.0], [-20.0, -30.0, 0.0]];
+    let d = dynamics(200.0, 500.0, 2.0);
+    let [there, back] =
+        [places, back].map(|places| plan(&polyline(&places, 100.0), &d).duration_s());
+    assert!((there - back).abs() < 1e-4 * there, "{there} {back}");
+}
+
+#[test]
 fn a_corner_without_tolerance_is_a_stop_and_with_it_is_not() {
     let moves = polyline(&[[10.0, 0.0, 0.0], [10.0, 10.0, 0.0]], 100.0);
     let exact = plan(&moves, &dynamics(200.0, 500.0, 0.0));

@@ -224,3 +224,37 @@ impl<D: Driver> Link<D> {
         told.push(Told::State(state));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Garbled;
+    use super::*;
+    use kerf_program::Axes;
+
+    /// A controller that says the same whatever it is told.
+    struct Says(Vec<Result<Reply, Garbled>>);
+
+    impl Driver for Says {
+        fn send(&mut self, _: &Sent, _: f64) {}
+
+        fn signal(&mut self, _: Signal, _: f64) {}
+
+        fn replies(&mut self, _: f64) -> Vec<Result<Reply, Garbled>> {
+            std::mem::take(&mut self.0)
+        }
+    }
+
+    #[test]
+    fn answers_that_name_no_order_count_as_garbled() {
+        let standing = |done| {
+            let (position, moving, outputs) = (Axes::default(), false, 0);
+            Ok(Reply::Standing(Standing { position, moving, outputs, done }))
+        };
+        let says =
+            [standing(0), standing(7), Ok(Reply::Taken(9)), Ok(Reply::Done(9)), Err(Garbled)];
+        let mut link = Link::new(Says(says.into()));
+        assert_eq!(link.poll(0.0), []);
+        assert_eq!(link.troubles(), Troubles { garbled: 4, ..Troubles::default() });
+        assert_eq!(link.standing().map(|standing| standing.done), Some(0));
+    }
+}

@@ -247,3 +247,28 @@ pub fn way_mm(from: Axes, to: Axes) -> f64 {
     let ways: [f64; AXES] = to.minus(from).0;
     ways.iter().map(|way| way * way).sum::<f64>().sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_order_that_no_machine_can_carry_out_is_not_sound() {
+        let to = Axes::default();
+        let nowhere = Axes::xyz(0.0, f64::NAN, 0.0);
+        for (order, sound) in [
+            (Order::Move { to, speed_mm_s: 5.0 }, true),
+            (Order::Move { to, speed_mm_s: 0.0 }, false),
+            (Order::Move { to, speed_mm_s: f64::INFINITY }, false),
+            (Order::Move { to: nowhere, speed_mm_s: 5.0 }, false),
+            (Order::Output { line: 1, on: true }, true),
+            (Order::Output { line: 0, on: true }, false),
+            (Order::Output { line: 33, on: true }, false),
+            (Order::Spindle { rpm: 0.0 }, true),
+            (Order::Spindle { rpm: -1.0 }, false),
+            (Order::Home, true),
+        ] {
+            assert_eq!(is_sound(&order), sound, "{order:?}");
+        }
+    }
+}

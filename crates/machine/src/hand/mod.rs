@@ -280,3 +280,29 @@ impl Interpreter for Hand {
         Vec::new()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kerf_program::AXES;
+
+    #[test]
+    fn a_place_is_counted_from_the_job_origin_or_from_the_tool() {
+        let mut machine = Configuration::default();
+        machine.job.origin_mm = [100.0, 200.0];
+        let machine = Arc::new(machine);
+        let place: [_; AXES] = [Some(10.0), Some(20.0), Some(-3.0), None, None, None];
+        for (relative, flat, ways) in [
+            (false, false, [[110.0, 220.0, -3.0]; 2]),
+            (false, true, [[110.0, 220.0, 4.0], [110.0, 220.0, -3.0]]),
+            (true, true, [[11.0, 22.0, 4.0], [11.0, 22.0, 1.0]]),
+        ] {
+            let errand = Errand::To { place, relative, flat };
+            let here = Axes::xyz(1.0, 2.0, 4.0);
+            let hand = Hand::new(errand, machine.clone(), here, Frame::default());
+            let to = hand.legs.iter().map(|leg| leg.to.first3());
+            assert_eq!(to.collect::<Vec<_>>(), ways, "{relative} {flat}");
+            assert_eq!(hand.variables(), [], "nothing in it has a name");
+        }
+    }
+}

@@ -245,3 +245,15 @@ impl Words for RampModel {
     const ALL: &'static [(&'static str, Self)] =
         &[("shopbot", Self::Shopbot), ("profiler", Self::Profiler), ("optimal", Self::Optimal)];
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_flag_may_be_written_as_0_or_1() {
+        let read = |n| bool::read(&Value::Number(n));
+        assert_eq!((read(1.0), read(0.0)), (Ok(true), Ok(false)));
+        assert!(read(2.0).is_err() && bool::read(&Value::Flag(true)) == Ok(true));
+    }
+}

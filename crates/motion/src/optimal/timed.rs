@@ -309,6 +309,30 @@ mod tests {
     use super::*;
 
     #[test]
+    fn between_two_nodes_the_motion_goes_on() {
+        let node = |at_mm, v, t_s| Node { at_mm, v, t_s };
+        let free = Axes::splat(f64::INFINITY);
+        let timed = Timed {
+            track: Track::default(),
+            from_mm: 0.0,
+            widths: Vec::new(),
+            kernel: Kernel::Box,
+            nodes: vec![node(0.0, 10.0, 0.0), node(15.0, 20.0, 1.0)],
+            pushes: Vec::new(),
+            dynamics: Dynamics {
+                speed_mm_s: free,
+                accel_mm_s2: free,
+                jerk_mm_s3: None,
+                tolerance_mm: 0.0,
+            },
+        };
+        for (t_s, at_mm, v) in [(-1.0, 0.0, 10.0), (0.5, 6.25, 15.0), (1.0, 15.0, 20.0)] {
+            let along = timed.along(t_s);
+            assert_eq!((along.at_mm, along.v, along.accel), (at_mm, v, 10.0), "{t_s}");
+        }
+    }
+
+    #[test]
     fn a_swing_is_what_its_equation_says() {
         let from = Node { at_mm: 3.0, v: 2.0, t_s: 0.0 };
         for (rate, s) in [(4.0, 0.7), (-4.0, 0.7), (0.0, 0.7), (1e-7, 2.0), (-1e-7, 2.0)] {

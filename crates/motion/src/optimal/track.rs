@@ -209,3 +209,21 @@ fn distance(a: &Axes, b: &Axes) -> f64 {
 pub(crate) fn norm<const N: usize>(v: &[f64; N]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_direction_is_the_same_with_axes_that_stand() {
+        let mut track = Track::new(3, 0.0);
+        for (place, way_mm) in
+            [([1.0, 2.0, 3.0], 0.0), ([1.0, 2.0, 3.0], 0.0), ([1.0, 6.0, 3.0], 4.0)]
+        {
+            track.push(&Axes::xyz(place[0], place[1], place[2]), way_mm, 0);
+        }
+        assert_eq!(track.direction::<3>(1), [0.0, 1.0, 0.0]);
+        assert_eq!(track.direction::<6>(1), [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
+        assert_eq!(track.direction::<6>(0), [0.0; 6], "nothing moves");
+    }
+}

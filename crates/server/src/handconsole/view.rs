@@ -128,3 +128,19 @@ fn jobs_in(app: &App, folder: &str) -> Vec<String> {
 fn is_job(name: &str) -> bool {
     extension(name) == job_file::EXTENSION
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shape_is_the_one_that_is_cut_or_waited_at() {
+        let mut now = Snapshot::default();
+        now.motion.line = 7;
+        assert_eq!(shape(&now), 0, "nothing runs");
+        now.job = Some(kerf_wire::Job::default());
+        assert_eq!(shape(&now), 7);
+        now.asked = Some(Asked { line: 3, ..Asked::default() });
+        assert_eq!(shape(&now), 3);
+    }
+}

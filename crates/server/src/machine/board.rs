@@ -363,3 +363,14 @@ fn speed(velocity: Axes) -> f64 {
     let linear = (x * x + y * y + z * z).sqrt();
     if linear > 0.0 { linear } else { (a * a + b * b + c * c).sqrt() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_speed_is_that_in_space_or_else_that_of_the_rotary_axes() {
+        assert_eq!(speed(Axes([2.0, 3.0, 6.0, 50.0, 0.0, 0.0])), 7.0);
+        assert_eq!(speed(Axes([0.0, 0.0, 0.0, 3.0, 4.0, 12.0])), 13.0);
+    }
+}

@@ -41,6 +41,21 @@ mod tests {
     use kerf_wire::preview::CUT;
 
     #[test]
+    fn work_turns_where_there_is_a_fifth_axis_in_degrees() {
+        let mut settings = Settings::default();
+        for (axes, unit, turns) in [
+            (4, AxisUnit::Degrees, false),
+            (5, AxisUnit::Degrees, true),
+            (6, AxisUnit::Degrees, true),
+            (5, AxisUnit::Linear(settings.linear_unit), false),
+        ] {
+            settings.axis_count = axes;
+            settings.rotary_units[1] = unit;
+            assert_eq!(is_rotary(&settings), turns, "{axes} {unit:?}");
+        }
+    }
+
+    #[test]
     fn sbp_val_vp_rotary__a_quarter_turn_brings_the_top_to_the_side() {
         let check = |z: f64, expected: [f64; 3]| {
             let mut path = Path::new([0.0, 5.0, 10.0], 0.0);

@@ -24,6 +24,11 @@ impl Typed {
     /// Draws a move.
     pub fn follow(&mut self, made: &Made<'_>) {
         self.pen.follow(made, 0, 0);
+        self.shorten();
+    }
+
+    /// Of too many segments the later half stays.
+    fn shorten(&mut self) {
         if self.pen.path.len() > MOST {
             self.pen.path.keep_last(MOST / 2);
             self.key += 1;
@@ -50,7 +55,9 @@ impl Typed {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
+    use super::super::path::Segment;
     use super::*;
+    use kerf_wire::preview::CUT;
 
     #[test]
     fn what_begins_anew_is_known_by_another_key() {
@@ -59,5 +66,18 @@ mod tests {
         assert_eq!(typed.piece(0, 0), None);
         typed.clear();
         assert_eq!(typed.told(), TypedPath { key: 1, segments: 0 });
+    }
+
+    #[test]
+    fn of_very_many_segments_the_later_half_is_drawn_on() {
+        let mut typed = Typed::default();
+        let segment = |made| Segment { end_s: 0.0, line: 1, made, kind: CUT };
+        (0..MOST as u32)
+            .for_each(|made| typed.pen.path.push([f64::from(made), 0.0, 0.0], segment(made)));
+        typed.shorten();
+        assert_eq!(typed.told(), TypedPath { key: 0, segments: MOST as u32 });
+        typed.pen.path.push([0.0; 3], segment(0));
+        typed.shorten();
+        assert_eq!(typed.told(), TypedPath { key: 1, segments: MOST as u32 / 2 });
     }
 }

@@ -1,9 +1,11 @@
 //! Files within files, folders, custom cuts.
 
 use super::file_parameters::{path, tool_at};
+use super::rig::Rig;
 use super::{host_with, run_files};
+use crate::interp::GcodeDue;
 use crate::testing::{run, run_with};
-use crate::{Session, Status};
+use crate::{Interpreter, Options, Session, Status};
 use kerf_program::{Answer, Button, Command, QuestionKind};
 
 #[test]
@@ -32,6 +34,17 @@ fn sbp_file_fp_name() {
 fn g_code_files_are_refused_honestly() {
     run_files("FP,cut.nc", &[("cut.nc", "G1 X1")]).fails_at(1, "G-code files cannot be run");
     run("G1 X1").fails_at(1, "G-code in a part file");
+}
+
+#[test]
+fn g_code_is_due_when_the_program_has_begun() {
+    let mut program = crate::read("cut.nc".into(), b"");
+    program.language = crate::Language::Gcode;
+    let interpreter = Interpreter::new(program, Session::default(), Options::default());
+    let mut rig = Rig::of(interpreter, host_with(&[]));
+    assert_eq!(rig.interpreter.gcode_due(), None);
+    rig.step();
+    assert_eq!(rig.interpreter.gcode_due(), Some(GcodeDue::File(0)));
 }
 
 #[test]

@@ -43,6 +43,15 @@ fn ending_a_watch_with_a_variable_that_was_never_set_ends_none() {
 }
 
 #[test]
+fn variables_are_told_in_order_of_their_names() {
+    let mut rig = rig("&b=2 ⏎ &a=\"one\"");
+    rig.finish();
+    let told = kerf_program::Interpreter::variables(&rig.interpreter);
+    let words = told.iter().map(|(name, value)| format!("{name} {value}"));
+    assert_eq!(words.collect::<Vec<_>>(), ["A one", "B 2"]);
+}
+
+#[test]
 fn sbp_flow_oninput_resume() {
     let mut rig = rig("ON INPUT(3,1) &hit=1 ⏎ MX,10 ⏎ MY,2");
     rig.read_ahead();

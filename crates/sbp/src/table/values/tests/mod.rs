@@ -272,6 +272,8 @@ fn sbp_val_vp_params() {
 
 #[test]
 fn sbp_val_vr_params() {
+    let first = crate::table::find("VR").and_then(|spec| spec.params[0].factory());
+    assert_eq!(first.as_deref(), Some("0.4"));
     let factory = "VR,0.4,0.4,0.4,0.4,0.4,0.4,0.4,0.4,0.2,0.2,100,0.15,65,,,0.2,0.25";
     assert_eq!(present("", "VR"), factory);
     let text = "VR,0.5,0.6,0.7,0.8,0.9,1,1.1,1.2,0.3,0.35,200,0.05,90,,,0.25,0.5";
