@@ -231,7 +231,7 @@ fn pro_options_join() {
     };
     let file = shop.dir.path().join("data/machine.toml");
     page.until("the file", |_| std::fs::read_to_string(&file).is_ok_and(|t| t.contains("0.7")));
-    assert_eq!(value(&shop), "0.7");
+    page.until("the setting", |_| value(&shop) == "0.7");
     let support::Shop { server, dir } = shop;
     drop((page, server));
     assert_eq!(value(&support::kept(dir)), "0.7", "after a restart");
