@@ -337,3 +337,34 @@ impl Clocked {
         all
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::{Model, Mover, Optimal};
+    use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, Settings};
+
+    /// The rate is that of the feed that is asked for to the feed of the plan, which may be overridden already.
+    #[test]
+    fn another_feed_is_reached_at_its_share_of_the_planned_one() {
+        let dynamics = Dynamics {
+            speed_mm_s: Axes::splat(200.0),
+            accel_mm_s2: Axes::splat(500.0),
+            jerk_mm_s3: Some(Axes::splat(20_000.0)),
+            tolerance_mm: 0.02,
+        };
+        let to = Axes::xyz(50.0, 0.0, 0.0);
+        let line = Line { kind: MoveKind::Cut, to, feed: Feed::Axis };
+        let mut mover = Mover::new(Axes::default(), &Settings::default());
+        let made = mover.line(At::default(), &line).unwrap();
+        for (planned, asked, rate) in
+            [(0.5, 0.25, 0.5), (0.5, 0.5, 1.0), (0.5, 2.0, 1.0), (1.0, 0.1, 0.1)]
+        {
+            let plan = Optimal { dynamics: &dynamics }.plan(vec![made.at_feed(planned)]);
+            let Law::Clocked(law) = plan.by(plain_clock()).law else { panic!("it has a clock") };
+            let found = law.planned_share(0.1, asked).unwrap();
+            assert!((found - rate).abs() < 1e-6, "{planned} {asked}: {found}");
+        }
+    }
+}
