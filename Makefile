@@ -16,11 +16,9 @@ help: ## list these targets
 
 test: rust-test console-test console-browser ## run every test, once
 
-# The server is compiled with the page in it, so the page comes first. Many tests wait for a machine that moves in real
-# time: two for each core keep the cores busy.
+# The server is compiled with the page in it, so the page comes first.
 rust-test: prepare console ## tests of everything but the console
-	RUST_TEST_THREADS=$${RUST_TEST_THREADS:-$$((2 * $$(getconf _NPROCESSORS_ONLN)))} \
-	  $(CARGO) test --workspace --locked --no-fail-fast -- --show-output | awk -f .ci/told-tests.awk
+	$(CARGO) test --workspace --locked --no-fail-fast -- --show-output | awk -f .ci/told-tests.awk
 
 properties: prepare ## try the properties on new random cases
 	seed=$$(date +%s); echo "PROPTEST_RNG_SEED=$$seed"; \

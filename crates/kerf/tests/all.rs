@@ -8,7 +8,6 @@ mod bombs;
 mod command;
 mod command_line;
 mod contradictions;
-mod controller;
 mod convert;
 mod damaged_files;
 mod descriptors;

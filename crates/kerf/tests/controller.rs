@@ -1,13 +1,16 @@
-//! `kerf run --driver`: runs on a controller that is none, on a pseudo terminal.
+//! `kerf run --driver`: runs on a controller that is none, on a pseudo terminal. A program of its own, as the controller
+//! moves in real time and notices when nothing is sent to it.
 #![cfg(unix)]
+#![allow(clippy::unwrap_used, non_snake_case)]
 
-use crate::shop;
-use crate::shop::{Did, Shop};
+mod shop;
+
 use kerf_driver_grbl::fake::Fake;
 use kerf_serial::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use serde_json::Value;
+use shop::{Did, Shop};
 use std::process::{Child, Stdio};
 use std::sync::{Arc, Mutex};
 use std::thread::{JoinHandle, sleep, spawn};

@@ -324,7 +324,7 @@ fn sbp_io_play_missing__how_long_a_sound_is() {
     shop.write("f.wav", &wav);
     assert_eq!(shop.kerf("wavlength f.wav").exits(0).out(), "1.5\n");
     shop.kerf("wavlength no.wav").exits(1).complains("no .wav file");
-    shop.kerf("wavlength missing.wav").exits(1).complains("cannot read");
+    shop.kerf("wavlength missing.wav").exits(2).complains("cannot read");
 }
 
 #[test]

@@ -252,11 +252,13 @@ impl Walk {
             let other = now["asked"]["number"].as_u64() != licence.question;
             !moves && (licence.question.is_none() || other || step > licence.step + OVER)
         };
-        self.licence.take_if(over);
+        if let Some(licence) = self.licence.take_if(over) {
+            self.told.push(format!("{step}: over: {licence:?} {}, rests at {seen:?}", letter(now)));
+        }
     }
 
     fn trail(&self) -> String {
-        let last = self.told.len().saturating_sub(25);
+        let last = self.told.len().saturating_sub(80);
         format!("{:#?}", &self.told[last..])
     }
 }
