@@ -33,7 +33,9 @@ impl Plug {
 
     fn make() -> serialport::Result<Self> {
         // The library's own near end is locked against others.
-        let (far, locked) = TTYPort::pair()?;
+        let (open, locked) = TTYPort::pair()?;
+        // The copy is closed in programs that are started meanwhile: one that held it would keep the port alive.
+        let far = open.try_clone_native()?;
         let path = locked.name().unwrap_or_default();
         let mut options = File::options();
         options.read(true).write(true).custom_flags(nix::libc::O_NOCTTY);
