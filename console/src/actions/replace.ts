@@ -10,7 +10,7 @@ export type Attempt = (replaces: string | null) => Promise<Problem | null>;
 /** Asks whether the file may be replaced that is there. */
 export type Question = (about: FileAbout) => Promise<boolean>;
 
-/** How writing ended: it is written, what was there is left as it was, or it was refused. */
+/** End of writing: the file is written, the one that was there is left as it was, or the reason of a refusal. */
 export type Written = "written" | "left" | Problem;
 
 /**

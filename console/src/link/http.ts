@@ -23,7 +23,7 @@ async function request(path: string, init: RequestInit): Promise<Response> {
   return response;
 }
 
-/** What the body of a refusal says: its problem, or its words where it has none. */
+/** Problem in the body of a refusal, or the words of its status where it holds none. */
 export function problemOf(text: string, otherwise: string): Problem {
   try {
     const problem = JSON.parse(text) as Partial<Problem>;

@@ -6,7 +6,7 @@ import { mostBytes, type Sending } from "../link/send";
 import type { FileAbout, Problem } from "../wire/messages";
 import { aboutText, sizeText } from "./fileWords";
 
-/** How far a file is. */
+/** Progress of a file on its way. */
 export type Stage =
   | { readonly is: "waits" | "held" | "done" | "left" | "stopped" }
   | { readonly is: "sends"; readonly sent: number }
@@ -26,10 +26,10 @@ const againMs = 1000;
 
 const over: readonly Stage["is"][] = ["done", "left", "stopped", "failed"];
 
-/** Whether nothing more becomes of it. */
+/** Tells whether a file has come, was left, stopped or refused. */
 export const isOver = ({ stage }: Upload): boolean => over.includes(stage.is);
 
-/** How far it is, in words that follow its name. */
+/** Progress of a file, in words that follow its name. */
 export function stageText({ stage, bytes }: Upload): string {
   switch (stage.is) {
     case "waits":
@@ -51,16 +51,16 @@ export function stageText({ stage, bytes }: Upload): string {
   }
 }
 
-/** Why a file is not even tried; nothing where it is. */
+/** Reason for which a file is not tried; `null` where it is. */
 const tooLarge = (bytes: number): string | null =>
   bytes > mostBytes
     ? `it has ${Math.ceil(bytes / 2 ** 20)} MB, and ${mostBytes >> 20} MB is the most`
     : null;
 
-/** What uploads ask of the page that they stand on. */
+/** Services that uploads need of their page. */
 export interface Ways {
   readonly send: (name: string, file: Blob, sending: Sending) => Promise<Problem | null>;
-  /** Whether the machine moves, as far as the page knows. */
+  /** Tells whether the machine moves, as far as the page knows. */
   readonly moves: () => boolean;
 }
 

@@ -76,7 +76,7 @@ async function rings(): Promise<Point[]> {
   return found.map(({ sum, weight }) => [sum[0] / weight, sum[1] / weight]);
 }
 
-/** Where places of the plane are seen, from the pixels of three marks; the fourth has to agree. */
+/** Maps places of the plane to pixels, from the pixels of three marks; the fourth has to agree. */
 function seenBy(corners: readonly Point[]): (at: Point) => Point {
   const [o = [0, 0], x = [0, 0], y = [0, 0], both = [0, 0]] = corners;
   const along = (k: 0 | 1, at: Point) =>

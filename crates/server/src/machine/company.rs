@@ -64,19 +64,19 @@ impl Shared {
 
     /// The machine does something else from now on.
     fn state(&self, state: State) {
-        self.becomes(state, None);
+        self.becomes(state, Vec::new());
     }
 
-    /// The machine does something else from now on; whether it asks meanwhile is told with it.
-    fn becomes(&self, state: State, asked: Option<Option<Asked>>) {
+    /// The machine does something else from now on; these changes are told with it, in one.
+    fn becomes(&self, state: State, mut changes: Vec<Change>) {
         if !matches!(state, State::Running | State::Jogging) {
             self.board.borrow_mut().stand();
         }
         self.tell();
         self.hub.changing(|now| {
             let machine = Machine { state, why: None, ..now.machine.clone() };
-            let asked = asked.map(|asked| Change::Asked { asked });
-            asked.into_iter().chain([Change::Machine { machine }]).collect()
+            changes.push(Change::Machine { machine });
+            changes
         });
     }
 }
@@ -280,7 +280,8 @@ impl Operator for Pages {
         let edits = question.kind == QuestionKind::Editor;
         let edits = edits.then(|| self.shared.name_from_root(&question.text));
         let asked = asked(self.asked, question, file, line);
-        self.shared.becomes(state, Some(Some(Asked { edits, ..asked })));
+        let asked = Some(Asked { edits, ..asked });
+        self.shared.becomes(state, vec![Change::Asked { asked }]);
         let answer = self.wait(question);
         let takes_text = answers::takes_text(question.kind);
         let moves = |words: &str| !takes_text && (words == LIFT || Jog::read(words).is_some());
@@ -293,7 +294,7 @@ impl Operator for Pages {
 
     fn answered(&mut self) {
         self.pressed = false;
-        self.shared.becomes(State::Running, Some(None));
+        self.shared.becomes(State::Running, vec![Change::Asked { asked: None }]);
     }
 
     fn moves(&mut self) {
