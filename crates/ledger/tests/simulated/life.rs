@@ -381,6 +381,14 @@ pub fn events(case: &Case) -> Vec<Event> {
     Life::new(case, 30.0).process(Axes::default()).unwrap().seen.events
 }
 
+/// The same as lines of a trace. Where its folder lies is none of the run's doing.
+pub fn trace(case: &Case) -> Vec<String> {
+    let life = Life::new(case, 30.0);
+    let folder = life.folder.path().display().to_string();
+    let events = life.process(Axes::default()).unwrap().seen.events;
+    events.iter().map(|event| json::to_string(event).replace(&folder, "")).collect()
+}
+
 fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {
     let life = Life::new(case, takes_s);
     life.gives_up.replace(case.gives_up.clone());
