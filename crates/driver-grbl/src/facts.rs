@@ -107,6 +107,7 @@ impl Told {
             arc_tolerance_mm: self.of(12).unwrap_or(0.002),
             outputs: self.outputs(),
             spindle_rpm: self.of(30).unwrap_or(1000.0),
+            overrides: true,
         }
     }
 }

@@ -68,7 +68,7 @@ fn one(seed: u64) -> Option<Count> {
         kills: lived.kills,
         resumes: lived.resumes,
         paths_compared: u64::from(lived.compared),
-        faults: case.inputs.len() as u64 + case.wishes.len() as u64,
+        faults: case.inputs.len() as u64 + case.requests.len() as u64,
     })
 }
 

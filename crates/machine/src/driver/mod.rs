@@ -62,6 +62,8 @@ pub enum Signal {
     Resume,
     /// Slow down, forget every order that is not done, switch outputs off.
     Stop,
+    /// Make moves at so many percent of the speed that was ordered, from now on.
+    Feed(u8),
 }
 
 /// An order with its ticket.
@@ -153,6 +155,8 @@ pub struct Facts {
     pub outputs: u32,
     /// The fastest its spindle turns, revolutions a minute.
     pub spindle_rpm: f64,
+    /// It changes the speed of moves that it has (feed override).
+    pub overrides: bool,
 }
 
 /// Reason for which a controller does nothing more.
