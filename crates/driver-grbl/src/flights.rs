@@ -70,6 +70,11 @@ impl Flights {
         if over && (stands || self.0.len() > 1) { self.0.pop_front() } else { None }
     }
 
+    /// Returns `true` if all are done.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// Forgets all.
     pub fn clear(&mut self) {
         self.0.clear();

@@ -5,7 +5,8 @@
 
 mod shop;
 
-use kerf_driver_grbl::fake::Fake;
+use kerf_driver_grbl::fake::{Board, Fake};
+use kerf_machine::driver::Axes;
 use kerf_serial::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
@@ -26,9 +27,13 @@ struct Bench {
 
 impl Bench {
     fn new(settings: &[(u16, f64)]) -> Self {
+        Self::of(Fake::new(settings))
+    }
+
+    fn of(fake: Fake) -> Self {
         let plug = Plug::new().unwrap();
         let (port, plugged) = (plug.path().to_owned(), Arc::new(Mutex::new(true)));
-        let fake = Arc::new(Mutex::new(Fake::new(settings)));
+        let fake = Arc::new(Mutex::new(fake));
         let (played, until) = (fake.clone(), plugged.clone());
         let player = Some(spawn(move || play(plug, &played, &until)));
         Self { fake, port, plugged, player }
@@ -245,23 +250,71 @@ fn an_input_of_a_grbl_interrupts_the_program() {
 }
 
 #[test]
-fn a_door_that_opens_stops_a_run_on_a_grbl() {
+fn a_door_that_opens_holds_a_run_on_a_grbl_until_somebody_has_it_go_on() {
     let program = "SO,1,1\nMS,1,1\nMX,5\nEND\n";
-    let (shop, bench) = (Shop::new(&[("door.sbp", program)]), Bench::new(&[]));
+    let (shop, bench) =
+        (Shop::new(&[("door.sbp", program)]), Bench::of(Fake::of(Board::hal(0), &[])));
     let child = bench.start(&shop, "run door.sbp");
     bench.until(|fake| fake.position().0[0] > 30.0);
     bench.look(|fake| fake.pins("D"));
     let opened = bench.x_mm();
-    Did::of(child.wait_with_output().unwrap()).exits(3);
-    let stood = events(&shop, "move")[0]["to"]["x"].as_f64().unwrap() * 25.4;
-    assert!(stood > opened && stood < opened + 25.4, "{opened} {stood}");
-    assert_eq!(bench.look(|fake| fake.spindle()), None);
-    // Open before the start, it forbids motion and the spindle.
+    sleep(Duration::from_millis(2500));
+    let stood = bench.x_mm();
+    assert!(
+        stood < opened + 5.0 && bench.look(|fake| fake.spindle()).is_none(),
+        "{opened} {stood}"
+    );
+    bench.look(|fake| fake.pins(""));
+    bench.look(Fake::cycle_start);
+    Did::of(child.wait_with_output().unwrap()).exits(0).says("ran to its end");
+    assert!(close(bench.x_mm(), 127.0), "{}", bench.x_mm());
+    // Open before the start, it forbids everything.
     let bench = Bench::new(&[]);
     bench.look(|fake| fake.pins("D"));
-    bench.run(&shop, "run door.sbp").exits(3);
+    bench.run(&shop, "run door.sbp").exits(1).complains("its door is open");
     assert!(bench.x_mm().abs() < 0.01);
-    assert!(!bench.look(|fake| fake.lines.clone()).iter().any(|line| line.starts_with("M3")));
+}
+
+/// The light that is on while something moves is nobody's need; a program that switches an output itself needs it.
+#[test]
+fn a_board_without_auxiliary_outputs_runs_what_needs_none() {
+    let (shop, bench) = (Shop::new(&[("box.sbp", BOX)]), Bench::of(Fake::of(Board::hal(0), &[])));
+    bench.run(&shop, "run box.sbp").exits(0).complains("has no output 4").says("ran to its end");
+    let lines = bench.look(|fake| fake.lines.clone());
+    assert!(!lines.iter().any(|line| line.starts_with("M64")), "{lines:?}");
+    shop.write("p.sbp", b"MX,1\nSO,5,1\n");
+    let did = bench.run(&shop, "run p.sbp --start fresh");
+    did.exits(1).complains("has no output 5, but 1 (spindle)").complains("p.sbp:");
+    let beam = Bench::of(Fake::of(Board::hal(0), &[(32, 1.0)]));
+    beam.run(&shop, "run box.sbp --start fresh").exits(1).complains("set $32=0");
+    assert_eq!(beam.look(|fake| fake.way_mm()), 0.0);
+}
+
+#[test]
+fn a_job_is_where_it_belongs_whatever_a_grbl_tells_and_its_settings_are_put_back() {
+    for unit in [0.0, 1.0] {
+        let mut fake = Fake::of(Board::hal(0), &[(10, 508.0), (13, unit)]);
+        fake.offset = Axes::xyz(100.0, 50.0, -20.0);
+        let (shop, bench) = (Shop::new(&[("square.sbp", SQUARE)]), Bench::of(fake));
+        let did = bench.run(&shop, "run square.sbp");
+        did.exits(0).complains("$10 is 511 while Kerf drives it, 508 again afterwards");
+        let (way_mm, place) = bench.look(|fake| (fake.way_mm(), fake.position()));
+        assert!(
+            (way_mm - 4.0 * 76.2).abs() < 0.1 && place == Axes::default(),
+            "{way_mm} {place:?}"
+        );
+        assert_eq!(bench.look(|fake| fake.lowest_mm), 0.0);
+        assert_eq!(bench.look(|fake| fake.is_set_to(10)), 508.0);
+        // Killed in the middle it is put back behind the next run.
+        let mut child = bench.start(&shop, "run square.sbp --start fresh");
+        bench.until(|fake| fake.position().0[0] > 20.0);
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert_eq!(bench.look(|fake| fake.is_set_to(10)), 511.0);
+        shop.write("nothing.sbp", b"PRINT 1\n");
+        bench.run(&shop, "run nothing.sbp");
+        assert_eq!(bench.look(|fake| fake.is_set_to(10)), 508.0);
+    }
 }
 
 #[test]

@@ -151,6 +151,12 @@ pub trait Machine {
     /// The operator has waited for it in vain: it does nothing more.
     fn give_up(&mut self);
 
+    /// Returns for what it waits at its own controls, in words: an open door, a hold, a tool. It goes on when somebody
+    /// there wants it to.
+    fn waits(&mut self) -> Option<&'static str> {
+        None
+    }
+
     /// Returns the reason for which it does nothing more.
     fn fault(&self) -> Option<&Fault>;
 }

@@ -1,11 +1,11 @@
 //! The connection to a controller: a driver, the line it hangs on, and the clock of the world.
 
-use super::lacks::{lacked, needs, out_of_reach, wired};
+use super::lacks::{lacked, needs, no_output, out_of_reach, wired};
 use super::row::{Chord, Handed, Row};
 use super::steers::PATIENCE;
 use super::ways::{chords, speed_mm_s};
 use kerf_machine::driver::{
-    Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
+    Changed, Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };
 use kerf_machine::{Actuator, Fault, Going, Machine, News};
 use kerf_motion::Move;
@@ -30,6 +30,9 @@ const GREETING_S: f64 = 8.0;
 
 /// A machine slows down and its controller is reset within this, seconds.
 const STOPPING_S: f64 = 10.0;
+
+/// A setting is put back within this, seconds: writing one takes some milliseconds.
+const PUTTING_S: f64 = 2.0;
 
 /// Going home takes at most so long, seconds.
 const HOMING_S: f64 = 300.0;
@@ -80,6 +83,8 @@ pub struct Connection {
     inputs: VecDeque<(u8, bool)>,
     asked_s: f64,
     failure: Option<Fault>,
+    /// A setting of the controller that was changed, and is put back.
+    owed: Option<Changed>,
     /// The line itself is gone.
     dead: bool,
     /// The run is over, and what it leaves on is meant to be.
@@ -90,9 +95,27 @@ impl Connection {
     /// Speaks to a controller until it has told who it is.
     ///
     /// # Errors
-    /// Nobody answers, or something that is no such controller.
+    /// Nobody answers, or something that is no such controller, or one that cannot be driven as it is set.
     pub fn open(name: &str, driver: Box<dyn Wired>, line: Box<dyn Line>) -> Result<Self, String> {
-        let mut connection = Self {
+        Self::new(name, driver, line).greeted()
+    }
+
+    /// The same, after it has stopped what may go on from a run that has no end.
+    ///
+    /// # Errors
+    /// As [`Connection::open`].
+    pub fn open_stopped(
+        name: &str,
+        driver: Box<dyn Wired>,
+        line: Box<dyn Line>,
+    ) -> Result<Self, String> {
+        let mut connection = Self::new(name, driver, line);
+        connection.link.stop(0.0);
+        connection.greeted()
+    }
+
+    fn new(name: &str, driver: Box<dyn Wired>, line: Box<dyn Line>) -> Self {
+        Self {
             name: name.to_owned(),
             link: Link::new(driver),
             line,
@@ -108,24 +131,61 @@ impl Connection {
             inputs: VecDeque::new(),
             asked_s: 0.0,
             failure: None,
+            owed: None,
             dead: false,
             closed: false,
-        };
-        let known = |it: &mut Self| it.link.driver().facts().cloned();
-        while connection.now_s() < GREETING_S && !connection.dead {
-            connection.carry(NAP);
-            if let Some(facts) = known(&mut connection) {
-                connection.facts = facts;
-                connection.link.restart(connection.now_s());
-                return Ok(connection);
+        }
+    }
+
+    /// Waits until it has told who it is.
+    fn greeted(mut self) -> Result<Self, String> {
+        while self.now_s() < GREETING_S && !self.dead {
+            self.carry(NAP);
+            if let Some(trouble @ Trouble::Unfit { .. }) = self.link.driver().trouble() {
+                return Err(format!("{}: {trouble}", self.name));
+            }
+            if let Some(facts) = self.link.driver().facts().cloned() {
+                self.facts = facts;
+                self.owed = self.link.driver().changed();
+                self.link.restart(self.now_s());
+                return Ok(self);
             }
         }
-        match connection.failure.take() {
-            Some(failure) => Err(failure.message),
-            None => Err(format!(
-                "{name} does not answer: is it switched on, is this its port, and its rate?"
+        match (self.failure.take(), self.link.driver().waits()) {
+            (Some(failure), _) => Err(failure.message),
+            (None, Some(why)) => Err(format!("{}: {why}", self.name)),
+            (None, None) => Err(format!(
+                "{} does not answer: is it switched on, is this its port, and its rate?",
+                self.name
             )),
         }
+    }
+
+    /// Returns the setting of the controller that was changed to drive it.
+    pub const fn changed(&self) -> Option<Changed> {
+        self.owed
+    }
+
+    /// A run that has no end has left a setting changed: it is put back behind this one.
+    pub const fn owes(&mut self, changed: Changed) {
+        if self.owed.is_none() {
+            self.owed = Some(changed);
+        }
+    }
+
+    /// Puts back what was changed in the controller; tells whether that is done.
+    fn put_back(&mut self) -> bool {
+        let until_s = self.now_s() + PUTTING_S;
+        while let Some(changed) = self.owed {
+            if self.dead || self.now_s() > until_s {
+                return false;
+            }
+            if self.link.driver().puts_back(changed) {
+                self.owed = None;
+            }
+            self.tend(NAP);
+        }
+        true
     }
 
     /// A place of the machine less that of the controller.
@@ -198,11 +258,14 @@ impl Connection {
         opens: impl FnOnce() -> Result<(Box<dyn Wired>, Box<dyn Line>), String>,
     ) -> (T, Result<String, String>) {
         self.settle(|| false);
-        let place = self.place();
+        let (place, owed) = (self.place(), self.owed);
         self.line = Box::new(Closed);
         let done = does();
         match opens().and_then(|(driver, line)| Self::open(&self.name, driver, line)) {
-            Ok(connection) => *self = connection,
+            Ok(connection) => {
+                *self = connection;
+                self.owed = owed.or(self.owed);
+            }
             Err(why) => {
                 self.fail(why.clone(), "look at its firmware", None, true);
                 return (done, Err(why));
@@ -309,9 +372,10 @@ impl Connection {
         let _ = self.failure.get_or_insert(failure);
     }
 
-    /// Fails because the program asks for what the controller does not have.
-    fn lacks(&mut self, what: &str) {
-        self.fail(format!("{} has no {what}", self.name), "", None, false);
+    /// Fails because the program asks for an output that the controller does not have.
+    fn lacks(&mut self, number: u8) {
+        let what = no_output(&self.facts, number);
+        self.fail(format!("{} {what}", self.name), "", None, false);
     }
 
     fn order(&mut self, order: Order) -> Option<Ticket> {
@@ -410,11 +474,6 @@ impl Connection {
         }
     }
 
-    /// Stops what goes on from before, and switches it off.
-    pub fn halt(&mut self) {
-        self.stop_at_once();
-    }
-
     /// The run is over; when it did not end well, everything is stopped and switched off.
     pub fn close(&mut self, well: bool, is_stopped: impl FnMut() -> bool) {
         if well {
@@ -424,6 +483,7 @@ impl Connection {
             self.wanted = 0;
             self.stop_at_once();
         }
+        self.put_back();
         self.closed = true;
     }
 }
@@ -451,7 +511,7 @@ impl Machine for Connection {
             Actuator::Output { number, on, why } if why != OutputReason::Trigger => {
                 let lacks = needs(&self.facts, number, why);
                 match wired(number) {
-                    Some(_) if lacks && on => self.lacks(&format!("output {number}")),
+                    Some(_) if lacks && on => self.lacks(number),
                     Some(line) if !lacks => self.want(line, on),
                     _ => {}
                 }
@@ -463,7 +523,7 @@ impl Machine for Connection {
             }
             other => {
                 if let Some(what) = lacked(&other) {
-                    self.lacks(what);
+                    self.fail(format!("{} has no {what}", self.name), "", None, false);
                 }
             }
         }
@@ -522,6 +582,10 @@ impl Machine for Connection {
         self.fail(why, hint, None, false);
     }
 
+    fn waits(&mut self) -> Option<&'static str> {
+        self.link.driver().waits()
+    }
+
     fn fault(&self) -> Option<&Fault> {
         self.failure.as_ref()
     }
@@ -533,5 +597,6 @@ impl Drop for Connection {
         if self.open > 0 || self.ordered != 0 && !self.closed {
             self.stop_at_once();
         }
+        self.put_back();
     }
 }

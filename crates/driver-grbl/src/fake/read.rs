@@ -10,6 +10,8 @@ pub struct Words {
     pub spindle: Option<bool>,
     /// 0 for all off, or the bit of what comes on.
     pub coolant: Option<u8>,
+    /// An auxiliary output, and its state.
+    pub aux: Option<(u8, bool)>,
     /// Everything before it is made first.
     pub waits: bool,
 }
@@ -31,12 +33,14 @@ pub fn read(line: &str) -> Result<Words, u16> {
 fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
     match (letter, value as i64) {
         ('G', 0 | 1) => words.moves = true,
-        ('G', 21 | 53 | 90 | 94) => {}
+        ('G', 17 | 21 | 53 | 90 | 94) => {}
         ('M', 3) => (words.spindle, words.waits) = (Some(true), true),
         ('M', 5) => (words.spindle, words.waits) = (Some(false), true),
         ('M', 7) => (words.coolant, words.waits) = (Some(2), true),
         ('M', 8) => (words.coolant, words.waits) = (Some(1), true),
         ('M', 9) => (words.coolant, words.waits) = (Some(0), true),
+        ('M', 64 | 65) => (words.aux, words.waits) = (Some((0, value == 64.0)), true),
+        ('P', _) => words.aux = words.aux.map(|(_, on)| (value as u8, on)),
         ('F', _) => words.feed_mm_min = Some(value),
         ('S', _) => (words.spindle_rpm, words.waits) = (Some(value), true),
         ('X', _) => words.to[0] = Some(value),

@@ -151,8 +151,21 @@ pub struct Facts {
     pub arc_tolerance_mm: f64,
     /// Outputs it has, a bit each, line 1 lowest.
     pub outputs: u32,
+    /// The reason for which it has no spindle, in words; empty where it has one, or tells none.
+    pub no_spindle: &'static str,
     /// The fastest its spindle turns, revolutions a minute.
     pub spindle_rpm: f64,
+}
+
+/// A setting of a controller that was changed to drive it, and is put back afterwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Changed {
+    /// Its number.
+    pub number: u16,
+    /// Its value before.
+    pub was: u32,
+    /// Its value from then on.
+    pub is: u32,
 }
 
 /// Reason for which a controller does nothing more.
@@ -172,6 +185,12 @@ pub enum Trouble {
     #[error("it is locked: {why}")]
     Locked {
         /// The reason, and the way to end it.
+        why: &'static str,
+    },
+    /// It cannot be driven in the state that it is set to.
+    #[error("{why}")]
+    Unfit {
+        /// The reason, and the way to mend it.
         why: &'static str,
     },
     /// It refused an order.
@@ -197,6 +216,21 @@ pub trait Wired: Driver {
 
     /// Returns the facts that the controller told of itself; nothing until it has told all.
     fn facts(&self) -> Option<&Facts>;
+
+    /// Returns for what it waits at its own controls, in words: it goes on when somebody there wants it to.
+    fn waits(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// Returns the setting that was changed in it, for whoever keeps it in mind until it is put back.
+    fn changed(&self) -> Option<Changed> {
+        None
+    }
+
+    /// Puts a changed setting back, behind all orders; tells whether it has done so.
+    fn puts_back(&mut self, _: Changed) -> bool {
+        true
+    }
 
     /// Returns the state that it told last.
     fn stands(&self) -> Option<Standing>;
