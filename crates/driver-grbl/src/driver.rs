@@ -2,7 +2,7 @@
 
 use crate::facts::Told;
 use crate::flights::Flights;
-use crate::lines::lines;
+use crate::lines::{Modal, lines};
 use crate::place::Place;
 use crate::report::Doing;
 use kerf_machine::driver::{
@@ -11,8 +11,12 @@ use kerf_machine::driver::{
 };
 use std::collections::VecDeque;
 
-/// Orders that it keeps: enough for the planner and the receive buffer of the larger boards.
-const WINDOW: usize = 48;
+/// Orders that are made and not known to be: a report comes ten times a second, and a board makes some 600 moves a second
+/// at most on a serial line.
+const UNTOLD: usize = 160;
+
+/// Bytes of a short line.
+const SHORT: usize = 12;
 
 /// Modes that hold from the start: millimetres, places and not ways, feeds a minute.
 pub const MODES: &str = "G21G90G94";
@@ -65,8 +69,12 @@ pub struct Grbl {
     pub(crate) mended: bool,
     /// It moved when it was asked about itself.
     pub(crate) busy: bool,
+    /// The place at which the probe ended the last order that probes.
+    pub(crate) contact: Option<Axes>,
     /// It has come to the place to which it was ordered last.
     pub(crate) arrived: bool,
+    /// Time when somebody looked at the line last.
+    seen_s: f64,
     /// Time when it was asked where it is, before it was known.
     looked_s: f64,
     /// The line that is being received.
@@ -84,6 +92,8 @@ pub struct Grbl {
     pub(crate) pins: String,
     /// Outputs that are on.
     pub(crate) on: u32,
+    /// Words that hold after the last order.
+    pub(crate) modal: Modal,
     /// Outputs that are on after the last order.
     pub(crate) planned_on: u32,
     /// Time when it was told to stop.
@@ -109,6 +119,9 @@ impl Default for Grbl {
 /// opening its port needs about two seconds to start.
 const GREETING_S: f64 = 1.0;
 
+/// Whoever looks at the line looks more often than this, seconds, unless the computer sleeps.
+const ASLEEP_S: f64 = 0.5;
+
 /// While its place is not known it is asked so often where it is, seconds.
 const LOOK_S: f64 = 0.1;
 
@@ -133,7 +146,9 @@ impl Grbl {
             changed: None,
             mended: false,
             busy: false,
+            contact: None,
             arrived: true,
+            seen_s: f64::NEG_INFINITY,
             looked_s: f64::NEG_INFINITY,
             hearing: Vec::new(),
             queue: VecDeque::new(),
@@ -145,6 +160,7 @@ impl Grbl {
             doing: Doing::Idle,
             pins: String::new(),
             on: 0,
+            modal: Modal::default(),
             planned_on: 0,
             stopped_s: 0.0,
             heard_s: f64::NEG_INFINITY,
@@ -153,6 +169,17 @@ impl Grbl {
             done: 0,
             asked_s: f64::NEG_INFINITY,
             replies: Vec::new(),
+        }
+    }
+
+    /// Time in which nobody looked at the line is no time in which an answer did not come.
+    fn wakes(&mut self, now_s: f64) {
+        let slept_s = now_s - self.seen_s;
+        self.seen_s = now_s;
+        if slept_s > ASLEEP_S && slept_s.is_finite() {
+            for moment_s in [&mut self.asked_s, &mut self.stopped_s, &mut self.heard_s] {
+                *moment_s += slept_s;
+            }
         }
     }
 
@@ -186,7 +213,7 @@ impl Grbl {
     /// Takes orders from where it stands.
     pub(crate) fn begin(&mut self) {
         self.phase = Phase::Ready;
-        self.planned = self.position();
+        (self.planned, self.modal) = (self.position(), Modal::default());
         if self.trouble.is_none() {
             self.say(MODES);
         }
@@ -235,7 +262,8 @@ impl Grbl {
     }
 
     fn take(&mut self, sent: &Sent, facts: &Facts) {
-        let lines = match lines(&sent.order, self.planned, facts, self.planned_on) {
+        let lines = match lines(&sent.order, self.planned, facts, self.planned_on, &mut self.modal)
+        {
             Ok(lines) => lines,
             Err(why) => {
                 let _ = self.trouble.get_or_insert(Trouble::Refused { number: 0, why });
@@ -244,6 +272,11 @@ impl Grbl {
         };
         self.taken = sent.ticket;
         let (to, blocks) = match sent.order {
+            Order::Probe { to, .. } => {
+                // The line is answered when the move is over.
+                (self.contact, self.arrived) = (None, false);
+                (to, 0)
+            }
             Order::Move { to, .. } => {
                 self.arrived = false;
                 (to, usize::from(self.steps(to)))
@@ -261,7 +294,7 @@ impl Grbl {
     }
 
     /// Returns `true` if a move is a step of any motor: what is none does not reach the planner.
-    fn steps(&self, to: Axes) -> bool {
+    pub(crate) fn steps(&self, to: Axes) -> bool {
         (0..to.0.len()).any(|axis| {
             let step = |place: f64| (place * self.told.steps(axis)).round();
             step(to.0[axis]) != step(self.planned.0[axis])
@@ -283,6 +316,7 @@ impl Driver for Grbl {
             || sent.ticket != self.taken + 1
             || self.phase != Phase::Ready
             || self.quiet()
+            || self.flights.probing().is_some()
         {
             return;
         }
@@ -310,7 +344,7 @@ impl Driver for Grbl {
     }
 
     fn window(&self) -> usize {
-        WINDOW
+        self.told.planner + self.told.rx / SHORT + UNTOLD
     }
 
     fn quiet(&self) -> bool {
@@ -320,6 +354,7 @@ impl Driver for Grbl {
 
 impl Wired for Grbl {
     fn hear(&mut self, bytes: &[u8], now_s: f64) {
+        self.wakes(now_s);
         if !bytes.is_empty() {
             self.heard_s = now_s;
         }
@@ -338,6 +373,7 @@ impl Wired for Grbl {
     }
 
     fn speak(&mut self, now_s: f64) -> Vec<u8> {
+        self.wakes(now_s);
         let asks = matches!(self.phase, Phase::Silent | Phase::Asked);
         if asks && self.facts.is_none() {
             self.ask_again(now_s);
@@ -369,6 +405,10 @@ impl Wired for Grbl {
         self.facts.as_ref().map(|_| self.standing())
     }
 
+    fn contact(&self) -> Option<Axes> {
+        self.contact
+    }
+
     fn waits(&self) -> Option<&'static str> {
         self.doing.waits()
     }
@@ -396,7 +436,7 @@ impl Wired for Grbl {
         if self.phase != Phase::Stopped {
             return false;
         }
-        self.arrived = true;
+        (self.arrived, self.contact) = (true, None);
         self.flights.clear();
         (self.taken, self.done, self.on, self.planned_on) = (0, 0, 0, 0);
         self.trouble = None;

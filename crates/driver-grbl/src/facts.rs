@@ -12,6 +12,9 @@ const PLANNER: usize = 15;
 /// The bit of `$10` that has the place told in the machine frame, and the one that has the buffers told.
 const TELLS: u32 = 3;
 
+/// The input that is the probe.
+pub const PROBE_INPUT: u8 = 1;
+
 /// Line of the first auxiliary output (`M64P0`).
 const FIRST_AUX: u32 = 4;
 
@@ -35,6 +38,8 @@ pub struct Told {
     letters: Option<String>,
     /// Auxiliary outputs (`M64`).
     aux: u32,
+    /// It says that it has no probe.
+    lacks_probe: bool,
     /// Modal words that hold in it.
     modes: Vec<String>,
     settings: BTreeMap<u16, f64>,
@@ -52,6 +57,7 @@ impl Default for Told {
             options: None,
             letters: None,
             aux: 0,
+            lacks_probe: false,
             modes: Vec::new(),
             settings: BTreeMap::new(),
             rx: RX,
@@ -72,6 +78,7 @@ impl Told {
             "AUX IO" => {
                 self.aux = value.split(',').nth(1).and_then(|n| n.parse().ok()).unwrap_or(0);
             }
+            "NEWOPT" => self.lacks_probe = value.split(',').any(|word| word == "NOPROBE"),
             "GC" => self.modes = value.split_whitespace().map(String::from).collect(),
             _ => {}
         }
@@ -221,6 +228,7 @@ impl Told {
             arc_tolerance_mm: self.of(12).unwrap_or(0.002),
             outputs: self.outputs(),
             no_spindle: self.no_spindle(),
+            probe: (!self.lacks_probe).then_some(PROBE_INPUT),
             spindle_rpm: self.of(30).unwrap_or(1000.0),
         }
     }

@@ -42,6 +42,21 @@ impl Flights {
         })
     }
 
+    /// Another line belongs to the newest order, and a move of the planner.
+    pub fn extends(&mut self, blocks: usize) {
+        if let Some(flight) = self.0.back_mut() {
+            flight.lines += 1;
+            flight.blocks += blocks;
+            flight.cut_s = None;
+        }
+    }
+
+    /// Returns the order at whose end the probe changes, if it is under way.
+    pub fn probing(&self) -> Option<Sent> {
+        let probes = |flight: &&Flight| matches!(flight.sent.order, Order::Probe { .. });
+        self.0.iter().find(probes).map(|flight| flight.sent)
+    }
+
     /// Returns `true` if it goes home, or is about to.
     pub fn goes_home(&self) -> bool {
         self.0.iter().any(|flight| flight.sent.order == Order::Home)

@@ -1,10 +1,12 @@
 //! The receiving side of the driver: lines of the controller and what follows from them.
 
-use crate::driver::{ANSWER_S, Grbl, Phase, STALE_S, at_once, with};
-use crate::facts;
-use crate::report::{Doing, Report};
+use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, at_once, with};
+use crate::facts::{self, PROBE_INPUT};
+use crate::lines::straight;
+use crate::place::{millimetres, on_steps};
+use crate::report::{Doing, Report, axes};
 use crate::words;
-use kerf_machine::driver::{Driver, Garbled, Order, Reply, Trouble};
+use kerf_machine::driver::{Driver, Garbled, Order, Reply, Ticket, Trouble};
 
 /// The error of a controller that moves, and tells nothing of itself meanwhile.
 const BUSY: u16 = 8;
@@ -26,6 +28,8 @@ impl Grbl {
                 Some(report) => self.report(&report, now_s),
                 None => self.replies.push(Err(Garbled)),
             }
+        } else if let Some(told) = line.strip_prefix("[PRB:") {
+            self.touched(told);
         } else if line.starts_with('[') && line.ends_with(']') {
             self.told.bracket(line);
         } else if line.starts_with("Grbl") {
@@ -59,6 +63,7 @@ impl Grbl {
         if let Some(ticket) = line.ticket {
             if self.flights.answered(ticket) {
                 self.replies.push(Ok(Reply::Taken(ticket)));
+                self.returns(ticket);
             }
         }
         if line.text.contains('=') {
@@ -103,6 +108,36 @@ impl Grbl {
         self.trouble = Some(Trouble::Alarm { number, why, lost });
         self.on = 0;
         self.fail();
+    }
+
+    /// It tells where the probe changed: `-1.000,2.000,-3.125:1`, in the machine frame; 0 where it did not.
+    fn touched(&mut self, told: &str) {
+        let place = told.trim_end_matches(']').rsplit_once(':').and_then(|(place, changed)| {
+            let (place, _) = axes(place)?;
+            Some((place, changed))
+        });
+        match place {
+            None => self.replies.push(Err(Garbled)),
+            Some((place, "1")) if self.flights.probing().is_some() => {
+                self.contact = Some(on_steps(millimetres(place, &self.told), &self.told));
+            }
+            Some(_) => {}
+        }
+    }
+
+    /// Behind a contact it stands at the end of its ramp: it goes back to where the contact was.
+    fn returns(&mut self, ticket: Ticket) {
+        let probing = self.flights.probing().filter(|sent| sent.ticket == ticket);
+        let Some(Order::Probe { to, speed_mm_s, .. }) = probing.map(|sent| sent.order) else {
+            return;
+        };
+        let Some(contact) = self.contact.filter(|contact| *contact != self.planned) else { return };
+        let Some(facts) = &self.facts else { return };
+        if let Ok(text) = straight(to, contact, speed_mm_s, facts, &mut self.modal) {
+            self.planned = contact;
+            self.flights.extends(0);
+            self.queue.push_back(Line { text, ticket: Some(ticket) });
+        }
     }
 
     /// Nothing that was ordered will be done.
@@ -215,9 +250,12 @@ impl Grbl {
                 Order::Home | Order::Unlock => {
                     (self.planned, self.trouble) = (self.position(), None);
                 }
-                Order::Move { .. } | Order::Spindle { .. } => {}
+                Order::Move { .. } | Order::Probe { .. } | Order::Spindle { .. } => {}
             }
             self.replies.push(Ok(Reply::Done(self.done)));
+            if let (Order::Probe { active, .. }, Some(_)) = (flight.sent.order, self.contact) {
+                self.tell_probe(active);
+            }
         }
     }
 
@@ -232,20 +270,37 @@ impl Grbl {
         }
     }
 
+    /// The contact that ended a move is told behind it, whatever reports say meanwhile.
+    fn tell_probe(&mut self, on: bool) {
+        self.pins.retain(|pin| pin != PROBE);
+        if on {
+            self.pins.push(PROBE);
+        }
+        self.replies.push(Ok(Reply::Input { line: PROBE_INPUT, on }));
+    }
+
     fn tell_inputs(&mut self, pins: &str) {
+        let mut pins = pins.to_owned();
+        if self.flights.probing().is_some() {
+            pins.retain(|pin| pin != PROBE);
+            pins.extend(self.pins.chars().filter(|pin| *pin == PROBE));
+        }
         for (pin, line) in INPUTS {
             let (was, on) = (self.pins.contains(pin), pins.contains(pin));
             if was != on {
                 self.replies.push(Ok(Reply::Input { line, on }));
             }
         }
-        pins.clone_into(&mut self.pins);
+        self.pins = pins;
     }
 }
 
+/// The letter of the probe in a report.
+const PROBE: char = 'P';
+
 /// The pins whose state is told, as inputs: the probe and the limits. A door is no input: the controller holds by
 /// itself while it is open.
-const INPUTS: [(char, u8); 5] = [('P', 1), ('X', 5), ('Y', 6), ('Z', 7), ('A', 8)];
+const INPUTS: [(char, u8); 5] = [(PROBE, PROBE_INPUT), ('X', 5), ('Y', 6), ('Z', 7), ('A', 8)];
 
 fn numbered(line: &str, before: &str) -> Option<u16> {
     line.strip_prefix(before)?.parse().ok()

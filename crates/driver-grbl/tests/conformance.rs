@@ -17,6 +17,8 @@ struct Wire {
     ahead_s: f64,
     /// The line is cut.
     cut: bool,
+    /// Nothing comes through either way for a while, and nothing is lost.
+    stalled: bool,
     /// The wire back is broken: the controller hears and is not heard.
     deaf: bool,
     /// Every so many bytes of the controller one is spoiled.
@@ -34,6 +36,7 @@ impl Wire {
             fake,
             ahead_s,
             cut: false,
+            stalled: false,
             deaf: false,
             spoils_every: None,
             garbles: None,
@@ -47,6 +50,9 @@ impl Wire {
 
     fn carry(&mut self, now_s: f64) {
         let now_s = now_s + self.ahead_s;
+        if self.stalled {
+            return;
+        }
         let mut bytes = self.grbl.speak(now_s);
         if let Some((from, to)) = self.garbles {
             bytes.iter_mut().filter(|byte| **byte == from).for_each(|byte| *byte = to);
@@ -214,7 +220,7 @@ fn garbled_reports_are_counted_and_a_cut_line_is_lost() {
     assert!(link.troubles().garbled > 0, "{:?}", link.troubles());
     link.driver().cut = true;
     let mut told = Vec::new();
-    while now_s < 6.0 {
+    while now_s < 14.0 {
         now_s += 0.005;
         told.extend(link.poll(now_s));
     }
@@ -226,7 +232,7 @@ fn a_controller_that_is_not_heard_any_more_is_switched_off_all_the_same() {
     let mut link = Link::new(Wire::new(Fake::default()));
     link.order(Order::Spindle { rpm: 1000.0 });
     link.order(Order::Output { line: 1, on: true });
-    link.order(to(400.0, 0.0));
+    link.order(to(600.0, 0.0));
     let lost_s = run(&mut link, 0.0, |link, now_s| link.driver().deaf = now_s > 1.0);
     assert_eq!(link.state(), LinkState::Lost);
     for tick in 0..100 {
@@ -234,7 +240,7 @@ fn a_controller_that_is_not_heard_any_more_is_switched_off_all_the_same() {
     }
     let fake = &link.driver().fake;
     assert_eq!(fake.spindle(), None, "it was held, and its spindle turns");
-    assert!(fake.position().0[0] < 200.0, "it moved on: {:?}", fake.position());
+    assert!(fake.position().0[0] < 590.0, "it moved on: {:?}", fake.position());
 }
 
 #[test]
@@ -499,6 +505,7 @@ fn a_controller_that_still_moves_is_stopped_and_then_asked() {
         fake: moving(),
         ahead_s: 5.0,
         cut: false,
+        stalled: false,
         deaf: false,
         spoils_every: None,
         garbles: None,
@@ -520,4 +527,81 @@ fn a_controller_that_still_moves_is_stopped_and_then_asked() {
     assert_eq!((wire.fake.spindle(), wire.grbl.trouble()), (None, None));
     assert!(wire.grbl.facts().is_some() && place.0[0] > 1.0 && place.0[0] < 300.0, "{place:?}");
     assert!(way_mm(wire.grbl.stands().unwrap().position, place) < 0.001);
+}
+
+/// Goes down 20 mm at a speed until the probe changes; returns where it stands, what it told of the contact, and whether
+/// it told the input.
+fn probes(fake: Fake, speed_mm_s: f64, active: bool) -> (Link<Wire>, Option<Axes>, Vec<bool>) {
+    let mut link = Link::new(Wire::new(fake));
+    let from = link.driver().fake.position();
+    let to = Axes::xyz(from.0[0], from.0[1], from.0[2] + if active { -20.0 } else { 20.0 });
+    link.order(Order::Probe { to, speed_mm_s, active });
+    let (mut now_s, mut told) = (0.0, Vec::new());
+    while now_s < 20.0 {
+        now_s += 0.005;
+        for told_now in link.poll(now_s) {
+            if let Told::Input { line: 1, on } = told_now {
+                assert!(on != active || link.is_idle(), "it is told when it stands there");
+                told.push(on);
+            }
+        }
+    }
+    let contact = link.driver().grbl.contact();
+    (link, contact, told)
+}
+
+#[test]
+fn a_probe_stands_at_the_place_of_its_contact() {
+    for (unit, board) in [(0.0, Board::grbl()), (1.0, Board::hal(0)), (0.0, Board::fluid())] {
+        for speed_mm_s in [2.54, 12.7] {
+            let mut fake = Fake::of(board.clone(), &[(13, unit)]);
+            (fake.plate_mm, fake.offset) = (Some(-9.824), Axes::xyz(3.0, 4.0, 5.0));
+            let (mut link, contact, told) = probes(fake, speed_mm_s, true);
+            let z = link.driver().fake.position().0[2];
+            assert!((z + 9.824).abs() < 0.0025, "{z} at {speed_mm_s} mm/s");
+            assert_eq!((contact.map(|it| it.0[2]), told), (Some(z), vec![true]));
+            assert_eq!(link.state(), LinkState::Up);
+            // What follows goes on from there.
+            link.order(Order::Move { to: Axes::xyz(0.0, 0.0, 0.0), speed_mm_s: 10.0 });
+            run(&mut link, 20.0, |_, _| {});
+            assert_eq!(link.driver().fake.position(), Axes::default());
+            assert_eq!(link.driver().grbl.trouble(), None);
+        }
+    }
+}
+
+#[test]
+fn a_probe_without_a_contact_comes_to_its_end() {
+    let (mut link, contact, told) = probes(Fake::default(), 10.0, true);
+    assert_eq!((link.driver().fake.position().0[2], contact, told), (-20.0, None, Vec::new()));
+    let mut fake = Fake::default();
+    fake.plate_mm = Some(0.5);
+    let (mut link, contact, told) = probes(fake, 10.0, false);
+    let z = link.driver().fake.position().0[2];
+    assert!((z - 0.5).abs() < 0.001 && contact.is_some(), "{z}");
+    assert_eq!(told.last(), Some(&false), "it was there when it was connected");
+}
+
+/// Silence of the line, and of whoever looks at it, is no end while the controller has lost nothing.
+#[test]
+fn ten_seconds_of_silence_end_no_job() {
+    for sleeps in [false, true] {
+        let mut link = Link::new(Wire::new(Fake::default()));
+        for n in 1..=40 {
+            link.order(to(10.0 * f64::from(n), 0.0));
+        }
+        let (mut now_s, mut slept) = (0.0, false);
+        while !link.is_idle() && now_s < 60.0 {
+            now_s += 0.005;
+            let silent = now_s > 3.0 && now_s < 12.5;
+            if sleeps && silent && !std::mem::replace(&mut slept, true) {
+                now_s = 12.5;
+            }
+            // The line keeps what comes meanwhile, as that of a computer that sleeps.
+            link.driver().stalled = !sleeps && silent;
+            link.poll(now_s);
+        }
+        assert_eq!((link.state(), link.driver().grbl.trouble()), (LinkState::Up, None), "{sleeps}");
+        assert_eq!(link.driver().fake.position().0[0], 400.0);
+    }
 }

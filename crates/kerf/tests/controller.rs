@@ -136,7 +136,9 @@ fn sbp_ctl_run__on_a_grbl() {
     let lines = bench.look(|fake| fake.lines.clone());
     let place = |word: &str| lines.iter().position(|line| line.starts_with(word)).unwrap();
     assert!(place("S12000") < place("M3") && place("M3") < place("G53"));
-    let chords = lines.iter().filter(|line| line.starts_with("G53G1X") && line.contains('Y'));
+    let chords = lines
+        .iter()
+        .filter(|line| line.starts_with("G53") && line.contains('X') && line.contains('Y'));
     assert!(chords.count() > 50, "a circle within $12");
     // It stood before the jog that follows the cut, and where the spindle was switched off.
     assert!(bench.look(|fake| fake.stands()) <= 6, "{}", bench.look(|fake| fake.stands()));
@@ -242,10 +244,10 @@ fn an_input_of_a_grbl_interrupts_the_program() {
     let pressed = bench.x_mm();
     Did::of(child.wait_with_output().unwrap()).exits(0);
     let stood = events(&shop, "move")[0]["to"]["x"].as_f64().unwrap() * 25.4;
-    let rest = bench.look(|fake| fake.rests()[0]);
+    // It has gone back from the end of its ramp to the place of the contact.
+    let rest = bench.look(|fake| fake.rests()[1]);
     assert!(close(stood, rest.0[0]), "the program stands where the machine does: {stood} {rest:?}");
-    // Two reports of 0.1 s, at 25.4 mm/s, and the ramp; a busy computer takes longer.
-    assert!(stood > pressed && stood < pressed + 25.4, "{pressed} {stood}");
+    assert!(stood > pressed - 0.5 && stood < pressed + 5.0, "{pressed} {stood}");
     assert!(bench.x_mm().abs() < 0.01);
 }
 
@@ -503,4 +505,38 @@ fn nobody_knows_where_a_grbl_stands_whose_run_was_killed() {
     shop.write("yes.txt", b"location=Continue\n");
     bench.run(&shop, "run square.sbp --answers yes.txt").exits(0);
     bench.run(&shop, "run x.sbp").exits(0);
+}
+
+/// The machine stops itself where its probe touches: nothing is pressed into the plate, and zero is its surface.
+#[test]
+fn a_touch_plate_is_found_to_a_step_on_a_grbl() {
+    let program =
+        "MS,1,.5\nON INP(1,1) GOTO hit\nMZ,-1\nEND\nhit:\nVA,,,.5\nPRINT \"at \";%(3)\nMZ,1\nEND\n";
+    let (shop, bench) = (Shop::new(&[("touch.sbp", program)]), Bench::new(&[]));
+    bench.look(|fake| fake.plate_mm = Some(-10.0));
+    bench.run(&shop, "run touch.sbp").exits(0);
+    let stood = events(&shop, "move")[0]["to"]["z"].as_f64().unwrap() * 25.4;
+    assert!((stood + 10.0).abs() < 0.0015, "{stood}");
+    let lowest = bench.look(|fake| fake.lowest_mm);
+    assert!(lowest > -10.25, "on a ramp of 400 mm/s² from 12.7 mm/s: {lowest}");
+    // Half an inch above the plate is a place that is an inch higher than half an inch below zero.
+    let z = bench.look(|fake| fake.position().0[2]);
+    assert!((z - 2.7).abs() < 0.003, "{z}");
+    assert!(bench.look(|fake| fake.lines.iter().any(|line| line.starts_with("G91G38.3Z"))));
+}
+
+/// An input that can only be looked at now and then stops the machine within a tenth of a millimetre.
+#[test]
+fn a_move_until_an_input_that_is_only_looked_at_is_slow() {
+    let program = "MS,1,1\nON INP(5,1) GOTO hit\nMX,.3\nEND\nhit:\nMX,0\nEND\n";
+    let (shop, bench) = (Shop::new(&[("edge.sbp", program)]), Bench::new(&[]));
+    let child = bench.start(&shop, "run edge.sbp");
+    bench.until(|fake| fake.position().0[0] > 1.0);
+    bench.look(|fake| fake.pins("X"));
+    let pressed = bench.x_mm();
+    Did::of(child.wait_with_output().unwrap()).exits(0);
+    let stood = events(&shop, "move")[0]["to"]["x"].as_f64().unwrap() * 25.4;
+    // A computer that is busy with other things is no measure: the machine is slow, whatever it does.
+    assert!(stood >= pressed && stood < pressed + 1.0, "{pressed} {stood}");
+    assert!(bench.look(|fake| fake.lines.iter().any(|line| line.ends_with("F90"))));
 }

@@ -7,10 +7,10 @@ use super::ways::{chords, speed_mm_s};
 use kerf_machine::driver::{
     Changed, Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };
-use kerf_machine::{Actuator, Fault, Going, Machine, News};
-use kerf_motion::Move;
+use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
+use kerf_motion::{Move, Path};
 use kerf_program::{At, Axes, OutputReason};
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::time::{Duration, Instant};
 
 /// Line that a driver hangs on. Errors are told to people as they are.
@@ -46,8 +46,15 @@ const MIST: u8 = 3;
 /// While it has nothing to do the controller is asked so often how it is, seconds.
 const ASK_S: f64 = 0.2;
 
+/// While an input is watched that is only looked at, the controller is asked so often, seconds.
+const LOOK_S: f64 = 0.02;
+
+/// The fastest a machine goes while it looks at an input now and then, mm/s: in 0.06 s, for a look, the line both ways and
+/// the next turn of the run, and on a ramp of 100 mm/s² it comes no farther than [`kerf_machine::OVERRUN_MM`].
+const POLLED_MM_S: f64 = 1.5;
+
 /// Most orders on their way to the controller that are not done.
-const AHEAD: usize = 64;
+const AHEAD: usize = 512;
 
 /// A line that somebody else has.
 struct Closed;
@@ -81,6 +88,14 @@ pub struct Connection {
     ordered: u32,
     rpm: Option<f64>,
     inputs: VecDeque<(u8, bool)>,
+    /// Inputs that are active.
+    active: BTreeSet<u8>,
+    /// The order that ends where the probe changes, under way.
+    probing: Option<Ticket>,
+    /// The move of the plan that a contact ended, and the share of it at which it stands.
+    contact: Option<(usize, f64)>,
+    /// An input is watched that is only looked at now and then.
+    looks_often: bool,
     asked_s: f64,
     failure: Option<Fault>,
     /// A setting of the controller that was changed, and is put back.
@@ -129,6 +144,10 @@ impl Connection {
             ordered: 0,
             rpm: None,
             inputs: VecDeque::new(),
+            active: BTreeSet::new(),
+            probing: None,
+            contact: None,
+            looks_often: false,
             asked_s: 0.0,
             failure: None,
             owed: None,
@@ -311,7 +330,8 @@ impl Connection {
     /// Looks what became of orders; sends what is due.
     fn tend(&mut self, wait: Duration) {
         let now_s = self.now_s();
-        if self.open == 0 && now_s - self.asked_s > ASK_S {
+        let each_s = if self.looks_often { LOOK_S } else { ASK_S };
+        if (self.open == 0 || self.looks_often) && now_s - self.asked_s > each_s {
             self.asked_s = now_s;
             self.link.driver().signal(Signal::Ask, now_s);
         }
@@ -322,8 +342,18 @@ impl Connection {
                 Told::Done(ticket) => {
                     self.done = ticket;
                     self.open = self.open.saturating_sub(1);
+                    if self.probing == Some(ticket) {
+                        self.probed();
+                    }
                 }
-                Told::Input { line, on } => self.inputs.push_back((line, on)),
+                Told::Input { line, on } => {
+                    if on {
+                        self.active.insert(line)
+                    } else {
+                        self.active.remove(&line)
+                    };
+                    self.inputs.push_back((line, on));
+                }
                 Told::State(state) => self.state_is(state),
             }
         }
@@ -389,18 +419,47 @@ impl Connection {
         self.open < AHEAD && self.failure.is_none()
     }
 
-    /// Hands a move over, after the outputs that should be on.
-    fn hand(&mut self, made: &Move) {
+    /// Hands a move over, after the outputs that should be on. One that ends at a change of the probe is alone.
+    fn hand(&mut self, made: &Move, watches: &[Watch]) {
+        let probes = self.probes(made, watches);
+        if self.contact.is_some() || self.probing.is_some() || probes.is_some() && self.open > 0 {
+            return;
+        }
         self.switch_outputs();
         let chords = chords(made, self.facts.arc_tolerance_mm);
-        let speed_mm_s = speed_mm_s(made, &chords);
+        let mut speed_mm_s = speed_mm_s(made, &chords);
+        self.looks_often = !watches.is_empty() && probes.is_none();
+        if let Some(Watch { active, .. }) = probes {
+            let order = Order::Probe { to: made.to.minus(self.offset), speed_mm_s, active };
+            self.probing = self.order(order);
+        } else if self.looks_often {
+            speed_mm_s = speed_mm_s.min(POLLED_MM_S);
+        }
         let mut handed = Handed { at: made.at, from: made.from, chords: Vec::new() };
         for (share, to) in chords {
             let order = Order::Move { to: to.minus(self.offset), speed_mm_s };
-            let Some(ticket) = self.order(order) else { return };
+            let Some(ticket) = self.probing.or_else(|| self.order(order)) else { return };
             handed.chords.push(Chord { ticket, share, to });
         }
         self.row.push(handed);
+    }
+
+    /// The input at whose change the controller itself ends a move: its probe, where the move is straight, nothing else
+    /// is watched, and the probe is not there already.
+    fn probes(&self, made: &Move, watches: &[Watch]) -> Option<Watch> {
+        let [watch] = watches else { return None };
+        let is_there = self.active.contains(&watch.input) == watch.active;
+        let straight = matches!(made.path, Path::Line) && made.from != made.to;
+        (self.facts.probe == Some(watch.input) && straight && !is_there).then_some(*watch)
+    }
+
+    /// The order that probes is done: where a contact ended it, the rest of its move is not made.
+    fn probed(&mut self) {
+        self.probing = None;
+        let Some(contact) = self.link.driver().contact() else { return };
+        let place = contact.plus(self.offset);
+        let last = self.row.next().saturating_sub(1);
+        self.contact = Some((last, self.row.along_last(place)));
     }
 
     /// An output is to be on or off from here on.
@@ -456,6 +515,7 @@ impl Connection {
         }
         self.link.restart(self.now_s());
         (self.done, self.open, self.ordered) = (0, 0, 0);
+        (self.probing, self.contact, self.looks_often) = (None, None, false);
     }
 
     /// Waits until everything that was ordered is done. Somebody may hold the machine at the controller: when
@@ -503,6 +563,7 @@ impl Machine for Connection {
     }
 
     fn begin_plan(&mut self) {
+        (self.contact, self.looks_often) = (None, false);
         self.row.begin();
     }
 
@@ -531,7 +592,10 @@ impl Machine for Connection {
 
     fn reached_s(&mut self, going: &Going<'_>) -> f64 {
         let place = self.place();
-        let share = self.row.share(going.index, self.done, place);
+        let share = match self.contact {
+            Some((index, share)) if index == going.index => share.min(1.0 - f64::EPSILON),
+            _ => self.row.share(going.index, self.done, place),
+        };
         if share >= 1.0 {
             return f64::INFINITY;
         }
@@ -542,7 +606,11 @@ impl Machine for Connection {
         self.row.come_to(going.index);
         let moves = going.plan.moves();
         while self.has_room() && self.row.next() < moves.len().min(going.until) {
-            self.hand(&moves[self.row.next()]);
+            let next = self.row.next();
+            self.hand(&moves[next], going.watches);
+            if self.row.next() == next {
+                break;
+            }
         }
         let input = self.look(wait);
         News { reached_s: self.reached_s(going), input }
@@ -562,6 +630,10 @@ impl Machine for Connection {
     }
 
     fn stop(&mut self, going: &Going<'_>) -> Option<f64> {
+        if let Some((index, share)) = self.contact.take() {
+            self.row = Row::default();
+            return Some(going.t0_s + going.plan.time_at_share(index, share));
+        }
         // The end of the piece before is made: what it belongs to is told already.
         while self.done < self.row.before && self.is_busy() {
             self.tend(NAP);

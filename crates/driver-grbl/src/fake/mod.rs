@@ -7,6 +7,7 @@
 
 mod board;
 mod motion;
+mod probe;
 mod read;
 mod report;
 
@@ -64,6 +65,17 @@ pub struct Fake {
     until_offset: usize,
     /// The feed as somebody has turned it at the controller, percent.
     pub override_percent: u32,
+    /// Lowest place of its Z, mm.
+    pub lowest_mm: f64,
+    /// Height of the plate below its probe, machine frame, mm.
+    pub plate_mm: Option<f64>,
+    /// It moves until its probe is in this state.
+    probing: Option<bool>,
+    /// The place at which the probe has changed.
+    latched: Option<Axes>,
+    relative: bool,
+    /// `G1` holds.
+    straight: bool,
     /// The state that it claims, in place of its own.
     pub says: Option<String>,
     resumed_s: f64,
@@ -138,6 +150,12 @@ impl Fake {
             offset: Axes::default(),
             until_offset: 8,
             override_percent: 100,
+            lowest_mm: 0.0,
+            plate_mm: None,
+            probing: None,
+            latched: None,
+            relative: false,
+            straight: false,
             says: None,
             resumed_s: 0.0,
             keeps_settings: false,
@@ -274,6 +292,8 @@ impl Fake {
         while self.clock_s + STEP_S <= now_s {
             self.clock_s += STEP_S;
             self.motion.step(STEP_S);
+            self.lowest_mm = self.lowest_mm.min(self.motion.position.0[2]);
+            self.probe();
             if self.homed_s.is_some_and(|at_s| self.state == State::Homing && self.clock_s >= at_s)
             {
                 self.home();
@@ -304,7 +324,8 @@ impl Fake {
         self.motion.clear();
         self.planned = self.motion.position;
         self.buffer.clear();
-        self.waiting = None;
+        (self.waiting, self.probing, self.latched) = (None, None, None);
+        (self.relative, self.straight) = (false, false);
         (self.spindle, self.coolant) = (false, 0);
     }
 
@@ -327,8 +348,11 @@ impl Fake {
     fn read_on(&mut self) {
         loop {
             // A hold suspends what is not in the planner yet.
-            let suspended =
-                matches!(self.state, State::Homing | State::Hold | State::Door | State::Resuming);
+            let suspended = self.probing.is_some()
+                || matches!(
+                    self.state,
+                    State::Homing | State::Hold | State::Door | State::Resuming
+                );
             if suspended {
                 return;
             }
@@ -416,22 +440,37 @@ impl Fake {
             Some(bit) => self.coolant |= bit,
             None => {}
         }
+        if words.probes.is_some_and(|state| state == self.touches()) {
+            return self.alarm(4);
+        }
         if let Some(error) = self.go(words) {
             return self.tell(&format!("error:{error}"));
         }
-        self.tell("ok");
+        // A move that probes is answered when it is over.
+        self.probing = words.probes;
+        if self.probing.is_none() {
+            self.tell("ok");
+        }
     }
 
     fn go(&mut self, words: &Words) -> Option<u16> {
-        if !words.moves {
+        self.relative = words.relative.unwrap_or(self.relative);
+        self.straight = words.straight.unwrap_or(self.straight);
+        let moves = words.to.iter().any(Option::is_some) && words.probes.is_none();
+        if !moves && words.probes.is_none() {
             return None;
+        }
+        if words.machine && !self.straight {
+            return Some(30);
         }
         if self.feed_mm_min <= 0.0 {
             return Some(22);
         }
         let mut to = self.planned;
         for (axis, place) in words.to.iter().enumerate() {
-            to.0[axis] = place.unwrap_or(to.0[axis]);
+            // Places of the machine frame (G53) are no ways.
+            let from = if self.relative && !words.machine { to.0[axis] } else { 0.0 };
+            to.0[axis] = place.map_or(to.0[axis], |place| from + place);
         }
         if self.setting(20) == 1.0 && self.is_outside(to) {
             self.alarm(2);

@@ -4,6 +4,10 @@
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Words {
     pub moves: bool,
+    /// Its places are ways.
+    pub relative: Option<bool>,
+    /// It moves until its probe is in this state.
+    pub probes: Option<bool>,
     pub to: [Option<f64>; 3],
     pub feed_mm_min: Option<f64>,
     pub spindle_rpm: Option<f64>,
@@ -12,6 +16,10 @@ pub struct Words {
     pub coolant: Option<u8>,
     /// An auxiliary output, and its state.
     pub aux: Option<(u8, bool)>,
+    /// The mode of straight moves holds from then on.
+    pub straight: Option<bool>,
+    /// Its places are those of the machine.
+    pub machine: bool,
     /// Everything before it is made first.
     pub waits: bool,
 }
@@ -32,8 +40,13 @@ pub fn read(line: &str) -> Result<Words, u16> {
 
 fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
     match (letter, value as i64) {
-        ('G', 0 | 1) => words.moves = true,
-        ('G', 17 | 21 | 53 | 90 | 94) => {}
+        ('G', 38) => {
+            (words.probes, words.waits, words.straight) = (Some(value < 38.4), true, Some(false));
+        }
+        ('G', 53) => words.machine = true,
+        ('G', 90 | 91) => words.relative = Some(value == 91.0),
+        ('G', 0 | 1) => (words.moves, words.straight) = (true, Some(true)),
+        ('G', 17 | 21 | 94) => {}
         ('M', 3) => (words.spindle, words.waits) = (Some(true), true),
         ('M', 5) => (words.spindle, words.waits) = (Some(false), true),
         ('M', 7) => (words.coolant, words.waits) = (Some(2), true),

@@ -20,8 +20,9 @@ impl Fake {
         }
         let feed = self.motion.speed_mm_s * 60.0 / self.unit_mm();
         line += &format!("|FS:{feed:.0},{:.0}", self.spindle_rpm);
-        if !self.pins.is_empty() {
-            line += &format!("|Pn:{}", self.pins);
+        let probe = if self.touches() && !self.pins.contains('P') { "P" } else { "" };
+        if !self.pins.is_empty() || !probe.is_empty() {
+            line += &format!("|Pn:{}{probe}", self.pins);
         }
         self.until_offset = self.until_offset.saturating_sub(1);
         let tells_offset = !self.board.hal || mask & 16 == 16;

@@ -33,6 +33,16 @@ pub enum Order {
         /// Highest speed.
         speed_mm_s: f64,
     },
+    /// A straight move that ends where the probe gets contact, or loses it: the machine stands at the very place, or at the
+    /// end where nothing changed. No order is under way beside it.
+    Probe {
+        /// Target, machine frame.
+        to: Axes,
+        /// Highest speed.
+        speed_mm_s: f64,
+        /// The state of the probe that ends it.
+        active: bool,
+    },
     /// Switches an output.
     Output {
         /// Its line.
@@ -153,6 +163,8 @@ pub struct Facts {
     pub outputs: u32,
     /// The reason for which it has no spindle, in words; empty where it has one, or tells none.
     pub no_spindle: &'static str,
+    /// The input at whose change it stops by itself, and latches the place ([`Order::Probe`]); nothing where it has none.
+    pub probe: Option<u8>,
     /// The fastest its spindle turns, revolutions a minute.
     pub spindle_rpm: f64,
 }
@@ -217,6 +229,11 @@ pub trait Wired: Driver {
     /// Returns the facts that the controller told of itself; nothing until it has told all.
     fn facts(&self) -> Option<&Facts>;
 
+    /// Returns the place at which the probe ended the last [`Order::Probe`], machine frame; nothing where it did not.
+    fn contact(&self) -> Option<Axes> {
+        None
+    }
+
     /// Returns for what it waits at its own controls, in words: it goes on when somebody there wants it to.
     fn waits(&self) -> Option<&'static str> {
         None
@@ -267,7 +284,7 @@ impl<D: Wired + ?Sized> Driver for Box<D> {
 /// Returns `true` if an order can be carried out by some machine.
 pub fn is_sound(order: &Order) -> bool {
     match order {
-        Order::Move { to, speed_mm_s } => {
+        Order::Move { to, speed_mm_s } | Order::Probe { to, speed_mm_s, .. } => {
             to.0.iter().all(|v| v.is_finite()) && speed_mm_s.is_finite() && *speed_mm_s > 0.0
         }
         Order::Output { line, .. } => (1..=u32::BITS as u8).contains(line),
