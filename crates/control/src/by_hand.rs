@@ -158,7 +158,7 @@ impl<I: Interpreter> Runner<'_, I> {
             while index < plan.moves().len() {
                 let until = plan.moves().len();
                 // No share of it is one of a move of the program, which is taken up at its own.
-                let going = Going { plan: &plan, index, t0_s, until, part: 0.0 };
+                let going = Going { plan: &plan, index, t0_s, until, part: 0.0, watches: &[] };
                 let until = self.driven_until(&watched, going, driven);
                 let Some((t_s, why, ramped)) = until else {
                     self.make_one(&plan, index, t0_s, true);

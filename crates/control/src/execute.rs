@@ -7,11 +7,12 @@ use crate::runner::{Over, Runner};
 use crate::sink::Made;
 use crate::stack::Running;
 use kerf_diag::Code;
-use kerf_machine::Going;
 use kerf_machine::lines::Input;
+use kerf_machine::{Going, Watch};
 use kerf_motion::{Move, Path, Plan, Stop, planner};
+use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
-use kerf_sim::{Halt, HaltCause, Lift};
+use kerf_sim::{Halt, HaltCause, Lift, Watched, pin};
 
 /// Reason for which a stack did not run to its end.
 #[derive(Debug)]
@@ -152,6 +153,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn follow_plan(&mut self, mut plan: Plan) -> Option<(Stop, Turn, Axes)> {
         let t0_s = self.stack.running.as_ref()?.t0_s;
         let watched = self.watched(t0_s);
+        let watches = pins(&watched, t0_s, &self.world.machine.settings().io);
         self.drive.follows();
         self.world.machine.foresee(&plan, t0_s);
         let mut halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
@@ -168,12 +170,13 @@ impl<I: Interpreter> Runner<'_, I> {
             match &turned {
                 Some((stop, turn, _)) => {
                     let (until, part) = (plan.moves().len(), stop.part(index));
-                    let going = Going { plan: &plan, index, t0_s, until, part };
+                    let going = Going { plan: &plan, index, t0_s, until, part, watches: &[] };
                     self.slow_down(Slows::for_turn(turn), end_s, going);
                 }
                 None => {
                     let until = index.saturating_add(self.stack.before_mark());
-                    let going = Going { plan: &plan, index, t0_s, until, part: 1.0 };
+                    let (part, watches) = (1.0, &*watches);
+                    let going = Going { plan: &plan, index, t0_s, until, part, watches };
                     if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
                         if let Turn::Operator(OperatorRequest::Input { number, on }) = turn {
                             self.press(number, on, t_s);
@@ -447,4 +450,12 @@ fn leading_axis(made: &Move) -> Axis {
     let moves = |axis: &Axis| made.from[*axis] != made.to[*axis];
     let arc = matches!(made.path, Path::Arc { .. });
     if arc { Axis::X } else { Axis::ALL.into_iter().find(moves).unwrap_or(Axis::X) }
+}
+
+/// Inputs at whose change the machine stands at once, as their pins are reported; what slows down along a ramp needs no
+/// exact place.
+fn pins(watched: &[Watched], t0_s: f64, io: &IoModes) -> Vec<Watch> {
+    let at_once = watched.iter().filter(|watch| !watch.ramped);
+    let heeded = at_once.filter(|watch| watch.level_from_s.is_none_or(|from_s| from_s <= t0_s));
+    heeded.map(|w| Watch { input: w.input, active: pin(w.input, w.on, io) }).collect()
 }

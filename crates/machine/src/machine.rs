@@ -19,6 +19,15 @@ use kerf_program::{At, Axes, OutputReason, Turn};
 use std::cell::RefCell;
 use std::rc::Rc;
 
+/// An input at whose change the machine is to stand at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Watch {
+    /// Its number, as part files count.
+    pub input: u8,
+    /// The state of its pin that is waited for.
+    pub active: bool,
+}
+
 /// A move of a plan that the machine is about to make.
 #[derive(Clone, Copy, Debug)]
 pub struct Going<'a> {
@@ -33,7 +42,14 @@ pub struct Going<'a> {
     /// Share of the planned move that its own shares refer to: less than 1 where it ends at a stop within, 0
     /// where the machine moves beside the program.
     pub part: f64,
+    /// Inputs at whose change it is to stand at once, while this plan is made. A machine that can stop by itself there
+    /// stands at the very place, and tells the input as its news; one that looks at the input now and then makes the
+    /// moves so slowly that it comes no farther than [`OVERRUN_MM`] behind it.
+    pub watches: &'a [Watch],
 }
+
+/// Longest way behind the change of an input that is only looked at now and then, mm.
+pub const OVERRUN_MM: f64 = 0.1;
 
 impl Going<'_> {
     /// The move.
@@ -157,6 +173,12 @@ pub trait Machine {
 
     /// The operator has waited for it in vain: it does nothing more.
     fn give_up(&mut self);
+
+    /// Returns for what it waits at its own controls, in words: an open door, a hold, a tool. It goes on when somebody
+    /// there wants it to.
+    fn waits(&mut self) -> Option<&'static str> {
+        None
+    }
 
     /// Returns the reason for which it does nothing more.
     fn fault(&self) -> Option<&Fault>;

@@ -42,7 +42,9 @@ pub mod vcd;
 
 pub use halt::{Halt, HaltCause, Watched};
 pub use hand::Push;
-pub use inputs::{CABLE, Change, Duty, Inputs, STALL, STOP_INPUT, contact, duty, input_number};
+pub use inputs::{
+    CABLE, Change, Duty, Inputs, STALL, STOP_INPUT, contact, duty, input_number, pin,
+};
 pub use lift::Lift;
 pub use limits::Violation;
 pub use log::{Happening, Log, What};
