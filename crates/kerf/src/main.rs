@@ -33,6 +33,7 @@ mod groups;
 mod heeded;
 mod job_options;
 mod machine_file;
+mod machine_name;
 mod memory;
 mod operator;
 mod out;

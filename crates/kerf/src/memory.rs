@@ -12,7 +12,8 @@ use std::path::Path;
 
 /// Returns `true` if a command goes on from the journal; one that only looks usually does not.
 pub fn is_kept(place: &PlaceArgs, looks: bool) -> bool {
-    let usual = if looks { Start::Fresh } else { Start::Kept };
+    let usual =
+        if looks && place.machine.controller().is_none() { Start::Fresh } else { Start::Kept };
     place.start.unwrap_or(usual) == Start::Kept
 }
 

@@ -137,9 +137,10 @@ struct Shop {
 
 impl Shop {
     fn open(which: &Which, real: bool) -> Result<Self> {
-        let (config, data) = (which.config.clone(), which.folder());
+        which.machine.simulated("kerf machine")?;
+        let (machine, data) = (which.machine.clone(), which.folder());
         let place = PlaceArgs {
-            config,
+            machine,
             parts: None,
             custom: None,
             allow_path: Vec::new(),
@@ -149,7 +150,7 @@ impl Shop {
         };
         let mut shelf = setup::shelf(Path::new(""), &place, false)?;
         let (mut session, _) = setup::session(&place, false, &mut shelf)?;
-        let machine = match which.config {
+        let machine = match which.machine.configuration() {
             Some(_) => which.machine()?,
             None => session.configuration(),
         };
@@ -198,7 +199,7 @@ impl Shop {
 
 /// The server that has the machine, where one runs on its data folder.
 fn server(which: &Which) -> Result<Option<Remote>> {
-    beside(&which.folder(), which.config.as_deref())
+    beside(&which.folder(), &which.machine)
 }
 
 /// Refuses to change what a running server would not know of.

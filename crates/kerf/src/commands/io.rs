@@ -4,6 +4,7 @@ use super::by_hand::Beside;
 use super::run::told_by_server;
 use crate::args::DataArgs;
 use crate::exit::{Exit, Usage};
+use crate::machine_name::MachineChoice;
 use crate::remote::{Card, beside};
 use crate::signals::VcdArgs;
 use crate::{memory, out, parse, setup};
@@ -18,7 +19,6 @@ use kerf_machine::wiring::{self, Bit, CARDS, INPUT_BITS, OUTPUT_BITS, Port, Term
 use kerf_program::{AxisSet, OutputReason};
 use kerf_sim::Machine;
 use kerf_sim::ports::Ports;
-use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -34,9 +34,8 @@ pub struct IoArgs {
     action: Action,
     #[command(flatten)]
     data: DataArgs,
-    /// The machine whose steps are meant: a file, or the name of a ready-made machine
-    #[arg(long, value_name = "FILE", global = true)]
-    config: Option<PathBuf>,
+    #[command(flatten)]
+    machine: MachineChoice,
 }
 
 #[derive(Subcommand)]
@@ -102,6 +101,7 @@ const KEY: &str = "IoPorts";
 const LOOK: Duration = Duration::from_millis(50);
 
 pub fn run(args: &IoArgs) -> Result<Exit> {
+    args.machine.simulated("kerf io")?;
     match &args.action {
         Action::List => {
             list(&args.ports()?, &args.machine()?);
@@ -130,12 +130,12 @@ impl IoArgs {
     }
 
     fn machine(&self) -> Result<Configuration> {
-        setup::machine(self.config.as_deref(), &self.folder())
+        setup::machine(&self.machine, &self.folder())
     }
 
     /// The card of the machine that a running server has; it is armed first where that is wanted.
     fn served(&self, arm: bool) -> Result<Option<Card>> {
-        let server = beside(&self.folder(), self.config.as_deref())?;
+        let server = beside(&self.folder(), &self.machine)?;
         Ok(server.map(|server| Card::of(server, arm)))
     }
 

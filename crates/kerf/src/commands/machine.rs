@@ -4,6 +4,7 @@ use crate::args::DataArgs;
 use crate::commands::by_hand::{self, Beside, Height, MoveArgs};
 use crate::commands::protect;
 use crate::exit::{Exit, Usage};
+use crate::machine_name::MachineChoice;
 use crate::{machine_file, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
@@ -17,7 +18,7 @@ use std::path::PathBuf;
 
 /// Shows and changes what a machine is like: axes, motors, heights, delays, inputs and the rest
 ///
-/// The machine is the one of --config (a file, or the name of a ready-made one), else the one in the
+/// The machine is the one that --machine names (a file, a saved machine, a ready-made one), else the one in the
 /// data folder.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf machine profiles\n  kerf machine use router-96x48\n  \
@@ -34,9 +35,8 @@ pub struct MachineArgs {
 /// Which machine.
 #[derive(Args, Clone, Debug)]
 pub struct Which {
-    /// Configuration: a file, or the name of a ready-made machine
-    #[arg(long, value_name = "FILE", global = true)]
-    pub config: Option<PathBuf>,
+    #[command(flatten)]
+    pub machine: MachineChoice,
     #[command(flatten)]
     data: DataArgs,
     /// The password of the settings, where they are protected [default: KERF_PASSWORD]; asked for at a
@@ -52,7 +52,7 @@ impl Which {
 
     /// The machine.
     pub fn machine(&self) -> Result<Configuration> {
-        setup::machine(self.config.as_deref(), &self.folder())
+        setup::machine(&self.machine, &self.folder())
     }
 
     /// The file that changes go to, once the password was given.
@@ -63,7 +63,7 @@ impl Which {
         if let Ok(said) = file.read(&text) {
             protect::open(&said, self.password.as_deref())?;
         }
-        match self.config {
+        match self.machine.configuration() {
             Some(_) => Ok(file),
             None => machine_file::of_data_to_change(&self.folder()),
         }
@@ -71,7 +71,7 @@ impl Which {
 
     /// The configuration's file.
     fn file(&self) -> Result<MachineFile> {
-        machine_file::of(self.config.as_deref(), &self.folder())
+        machine_file::of(&self.machine, &self.folder())
     }
 }
 
@@ -108,8 +108,13 @@ enum Action {
         /// Its name
         name: Option<String>,
     },
-    /// Makes a ready-made machine the one of the data folder
+    /// Makes a machine the one of the data folder
     Use {
+        /// A ready-made machine, a saved one, or a file
+        name: String,
+    },
+    /// Saves the machine under a name, which --machine NAME means from then on
+    Save {
         /// Its name
         name: String,
     },
@@ -164,13 +169,13 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         }
         Action::Set { key, value } => set(&args.which, known(key)?, &Value::typed(value))?,
         Action::Use { name } => {
-            let text = named(name)?;
             args.which.to_change()?;
-            if let Some(kept) =
-                machine_file::of_data_to_change(&args.which.folder())?.replace(text)?
-            {
-                eprintln!("kerf: the machine as it was is kept in {}", kept.display());
-            }
+            let text = machine_file::text(name.as_ref(), &args.which.folder())?;
+            replace(&machine_file::of_data_to_change(&args.which.folder())?, &text)?;
+        }
+        Action::Save { name } => {
+            let file = machine_file::to_save(name, &args.which.folder())?;
+            replace(&file, &file::write(&args.which.machine()?))?;
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
         Action::Home { axes, beside } => {
@@ -183,6 +188,14 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
     Ok(Exit::Good)
+}
+
+/// Puts a machine into a file; another one that was there is kept beside it.
+fn replace(file: &MachineFile, text: &str) -> Result<()> {
+    if let Some(kept) = file.replace(text)? {
+        eprintln!("kerf: the machine as it was is kept in {}", kept.display());
+    }
+    Ok(())
 }
 
 fn known(key: &str) -> Result<&'static Setting> {

@@ -31,6 +31,7 @@ mod trace;
 mod wavlength;
 
 use crate::exit::{Exit, Usage};
+use crate::machine_name::MachineChoice;
 use crate::outputs::Outputs;
 use anyhow::{Result, bail};
 use clap::{ArgMatches, Subcommand};
@@ -89,6 +90,7 @@ impl Command {
 
     /// The command as it was given, unless not all of it would be heeded.
     pub fn heeding(self, cli: &clap::Command, given: &ArgMatches) -> Result<Self> {
+        MachineChoice::refuse_two(given)?;
         let heeded = match &self {
             Self::Run(args) => args.heeded(),
             Self::Send(args) => args.heeded(),

@@ -4,7 +4,7 @@ mod behind;
 
 use crate::args::{DataArgs, PlaceArgs, RunArgs};
 use crate::commands::protect;
-use crate::controller::{self, DriverName, First};
+use crate::controller::{self, First};
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::heeded::Heeded;
@@ -80,14 +80,6 @@ pub struct MachineArgs {
     /// Cuts every path of a job so far beside itself, mm, to the right of travel; the file stays as it is
     #[arg(long, value_name = "MM", value_parser = parse::number)]
     offset_job: Option<f64>,
-    /// The machine to run on: the simulated one, sim. --driver runs on a real controller, --config says what
-    /// the machine is like
-    #[arg(long, value_name = "NAME", default_value = "sim")]
-    machine: String,
-    /// Runs it on a real controller: grbl or grblHAL at a serial port, at 115200 baud unless another rate
-    /// is named
-    #[arg(long, value_name = "grbl:PORT[@BAUD]", value_parser = DriverName::read)]
-    driver: Option<DriverName>,
     #[command(flatten)]
     first: First,
     /// How machine time passes
@@ -155,7 +147,6 @@ const TAKES_UP: Heeded = Heeded {
         "data",
         "start",
         "machine",
-        "driver",
         "home",
         "unlock",
         "password",
@@ -232,12 +223,12 @@ pub fn told_by_server(ended: &Ended, quiet: bool) -> Exit {
 }
 
 pub fn run(args: &RunCommand) -> Result<Exit> {
-    args.machine.check()?;
+    args.machine.check(&args.run)?;
     if let (Some(url), Some(file)) = (&args.server, &args.file) {
         return remotely(url, file, args);
     }
     let mut run = args.run.clone();
-    run.place.start_run(args.machine.driver.is_some());
+    run.place.start_run();
     match &args.file {
         Some(file) => {
             if args.run.place.start.is_none() && !args.machine.quiet() {
@@ -259,7 +250,7 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
 
 /// Tells a user with a machine of his own when a run does not take it.
 fn tell_fresh(place: &PlaceArgs) {
-    let fresh = place.config.is_none() && !memory::is_kept(place, false);
+    let fresh = place.machine.configuration().is_none() && !memory::is_kept(place, false);
     let Ok(kept) = machine_file::of_data(&place.data) else { return };
     if fresh && kept.text().is_ok_and(|text| text.is_some()) {
         eprintln!(
@@ -291,12 +282,18 @@ fn in_force(job: &Job, machine: &Configuration) -> String {
 
 /// Takes up the run that was cut short.
 fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
-    if args.driver.is_some() {
+    if run.place.machine.controller().is_some() {
         bail!(Usage(
             "a run on a controller is not taken up with --resume: home it or set its location, and begin at \
              a line of the file with --from-line"
                 .into()
         ));
+    }
+    if let Some(name) = run.place.machine.configuration() {
+        bail!(Usage(format!(
+            "a run is taken up on the machine on which it was begun: leave --machine {} out",
+            name.display()
+        )));
     }
     let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
     let nothing = || JournalError::NothingToResume { folder: shelf.app_path().into() };
@@ -338,8 +335,8 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         work, mut session, mut options, mut shelf, answers, kept, replaced, visit, ..
     } = job;
     options.opened |= protect::given(&session.machine_is, args.password.as_deref())?;
-    let mut controller = None;
-    if let Some(name) = &args.driver {
+    let (mut controller, name) = (None, run.place.machine.controller());
+    if let Some(name) = name {
         controller::check(run)?;
         let shared = controller::ready(name, args.first, args.quiet(), &mut session, &mut shelf)?;
         if let Some(exit) =
@@ -353,7 +350,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         controller::begins(name, &shared, &mut shelf);
         controller = Some(shared);
     }
-    if !kept && args.driver.is_none() {
+    if !kept && name.is_none() {
         shelf.has_fresh_machine();
     }
     let machine = VcdArgs::machine(&work, &session);
@@ -369,7 +366,8 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         visit.begins(&session, &mut shelf)?;
     }
     let takes = work.takes_origin(session.memory.position);
-    let takes = takes.filter(|_| kept && args.driver.is_none() && run.place.config.is_none());
+    let own = name.is_none() && run.place.machine.configuration().is_none();
+    let takes = takes.filter(|_| kept && own);
     let (mut moved, typed) = (false, options.program.typed);
     let exit = attended(args, run, show, answers, controller.clone(), |company| {
         let shelf = &mut shelf;
@@ -386,7 +384,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     if kept && typed {
         tell_preview(&session, &mut shelf, args.quiet());
     }
-    if let Some((name, shared)) = args.driver.as_ref().zip(controller) {
+    if let Some((name, shared)) = name.zip(controller) {
         controller::leaves(name, &shared, &mut shelf);
     }
     match kept {
@@ -561,7 +559,7 @@ impl MachineArgs {
             Some(file),
             run.answers.as_deref(),
             run.script.as_deref(),
-            run.place.config.as_deref(),
+            run.place.machine.configuration(),
         ];
         let whole: Vec<PathBuf> =
             read.into_iter().flatten().filter_map(|path| path.canonicalize().ok()).collect();
@@ -582,16 +580,14 @@ impl MachineArgs {
         self.trace.as_deref() == Some(Path::new(STANDARD_OUTPUT))
     }
 
-    /// Refuses machines that are not there.
-    pub fn check(&self) -> Result<()> {
-        if self.machine != "sim" {
-            let name = &self.machine;
-            bail!(Usage(format!(
-                "there is no machine '{name}': runs are on the simulated one, sim; --driver grbl:PORT runs on a \
-                 real controller, --config {name} says what the machine is like"
-            )));
+    /// Refuses options of a controller where none is named.
+    pub fn check(&self, run: &RunArgs) -> Result<()> {
+        match self.first.option() {
+            Some(option) if run.place.machine.controller().is_none() => bail!(Usage(format!(
+                "{option} is for a controller: name it with --machine grbl:PORT"
+            ))),
+            _ => Ok(()),
         }
-        Ok(())
     }
 }
 

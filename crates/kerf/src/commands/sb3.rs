@@ -49,7 +49,7 @@ pub struct Sb3Args {
 }
 
 pub fn run(args: &Sb3Args) -> Result<Exit> {
-    args.machine.check()?;
+    args.machine.check(&args.run)?;
     let line = StartUp::read(&args.line).map_err(Usage)?;
     if line.close == CloseMethod::Stay && (args.console || io::stdin().is_terminal()) {
         return serves(args, &line);

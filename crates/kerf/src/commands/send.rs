@@ -102,7 +102,7 @@ fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
         }
         _ => {
             let place = &args.run.place;
-            let machine = setup::machine(place.config.as_deref(), &place.data)?;
+            let machine = setup::machine(&place.machine, &place.data)?;
             let baud = args.baud.unwrap_or(machine.options.send_baud);
             let port = Port::open(&to.device(&machine)?, baud)?;
             let sender = Sender::new(&name, bytes, baud).map_err(|why| anyhow!(why))?;
@@ -114,7 +114,7 @@ fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
 
 /// Carries out lines that another command stands for.
 pub fn carry_out(text: &str, machine: MachineArgs, run: RunArgs) -> Result<Exit> {
-    machine.check()?;
+    machine.check(&run)?;
     let shelf = setup::shelf(Path::new(""), &run.place, false)?;
     typed(kerf_sbp::read_typed("typed".into(), text), shelf, &machine, &run)
 }
@@ -163,7 +163,7 @@ pub fn run(args: &SendArgs) -> Result<Exit> {
     if let Some((file, to)) = args.file() {
         return send_file(file, &to, args);
     }
-    args.machine.check()?;
+    args.machine.check(&args.run)?;
     refuse_file(args)?;
     if let Some(url) = args.server() {
         return remotely(&url, &args.lines.join("\n"), args);

@@ -12,13 +12,13 @@ pub use runs::{Along, How};
 
 use crate::args::DataArgs;
 use crate::exit::Usage;
+use crate::machine_name::MachineChoice;
 use crate::{served, setup};
 use anyhow::{Context, Result, bail};
 use kerf_server::TOKEN_FILE;
 use serde_json::{Value, json};
 use std::io::{Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
-use std::path::Path;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -148,11 +148,12 @@ impl Remote {
 ///
 /// # Errors
 /// Another machine is named: the server has its own.
-pub fn beside(data: &DataArgs, config: Option<&Path>) -> Result<Option<Remote>> {
+pub fn beside(data: &DataArgs, choice: &MachineChoice) -> Result<Option<Remote>> {
     let Some(address) = served::address(&setup::data_folder(data)?)? else { return Ok(None) };
-    if config.is_some() {
+    if let Some(name) = choice.configuration() {
+        let name = name.display();
         bail!(Usage(format!(
-            "--config is not heeded: a kerf serve at {address} has the machine of this data folder; leave it \
+            "--machine {name} is not heeded: a kerf serve at {address} has the machine of this data folder; leave it \
              out, or name another folder with --data"
         )));
     }

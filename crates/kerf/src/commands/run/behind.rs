@@ -23,7 +23,7 @@ pub fn closes(
 ) -> Result<Exit> {
     let stop = Stop::listen()?;
     while let Some(command) = visit.command(session, shelf)? {
-        let why_not = match &args.driver {
+        let why_not = match run.place.machine.controller() {
             _ if stop.leaves() => Some("Kerf ends"),
             _ if exit != Exit::Good => Some("what ran before did not come to its end"),
             Some(_) => Some("on a controller nothing is carried out behind the file"),
