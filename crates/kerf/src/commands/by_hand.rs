@@ -2,11 +2,11 @@
 
 use crate::args::{PlaceArgs, Start};
 use crate::commands::machine::Which;
-use crate::commands::run::told_by_server;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
 use crate::remote::{Ended, Remote, beside};
 use crate::report::asked;
+use crate::summary::told_by_server;
 use crate::{out, parse, served, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};

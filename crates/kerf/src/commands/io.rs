@@ -1,12 +1,12 @@
 //! `kerf io`: the inputs and outputs of the simulated machine, by hand.
 
 use super::by_hand::Beside;
-use super::run::told_by_server;
 use crate::args::DataArgs;
 use crate::exit::{Exit, Usage};
 use crate::machine_name::MachineChoice;
 use crate::remote::{Card, beside};
-use crate::signals::VcdArgs;
+use crate::summary::told_by_server;
+use crate::waveforms::VcdArgs;
 use crate::{memory, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand, ValueEnum};

@@ -7,6 +7,7 @@ use crate::exit::{Exit, Usage};
 use crate::machine_file;
 use crate::report::Talk;
 use crate::setup;
+use crate::summary;
 use crate::visit::Visit;
 use anyhow::Result;
 use clap::Args;
@@ -115,7 +116,7 @@ fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
         Company { sink: &mut (), operator: &mut job.answers, pace: &mut (), machine: None };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     if !args.machine.quiet() {
-        super::run::tell(&summary);
+        summary::tell(&summary);
     }
     log()?;
     Ok(summary.status.into())

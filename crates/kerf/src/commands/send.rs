@@ -1,7 +1,7 @@
 //! `kerf send`: commands to be carried out at once, or a job file to another computer.
 
 use super::protect;
-use super::run::{MachineArgs, on_machine, told_by_server};
+use super::run::{MachineArgs, on_machine};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::heeded::Heeded;
@@ -11,6 +11,7 @@ use crate::report::Talk;
 use crate::sending::{Sent, Shown, To, ended, send_over_line, send_over_network};
 use crate::setup;
 use crate::stop::Stop;
+use crate::summary::told_by_server;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::Shelf;

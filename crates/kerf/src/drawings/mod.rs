@@ -1,6 +1,9 @@
 //! Drawings from files and into files, by extension.
 
+pub mod kind;
 pub mod programs;
+
+pub use kind::{extension, is_drawing};
 
 use crate::exit::Usage;
 use crate::out;
@@ -217,11 +220,6 @@ fn name(file: &Path) -> String {
     file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
-/// Returns `true` if a file is a drawing or a job made of one.
-pub fn is_drawing(file: &Path) -> bool {
-    matches!(extension(file).as_str(), "dxf" | "svg" | "plt" | "hpg" | "hpgl" | "rsg" | "rsm")
-}
-
 /// Writes the paths of a job that were changed by hand.
 pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
     eprintln!(
@@ -265,9 +263,4 @@ pub fn write(drawing: &Drawing, file: &Path) -> Result<()> {
         }
     };
     out::file(file, text)
-}
-
-/// The extension of a file, in small letters.
-pub fn extension(file: &Path) -> String {
-    file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
 }

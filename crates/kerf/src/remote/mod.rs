@@ -2,7 +2,6 @@
 
 mod card;
 mod ended;
-mod go;
 mod runs;
 mod values;
 
@@ -15,7 +14,9 @@ use crate::exit::Usage;
 use crate::machine_name::MachineChoice;
 use crate::{served, setup};
 use anyhow::{Context, Result, bail};
+use ended::number_of_run;
 use kerf_server::TOKEN_FILE;
+use kerf_wire::ByHand;
 use serde_json::{Value, json};
 use std::io::{Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
@@ -28,6 +29,10 @@ const LOOK: Duration = Duration::from_millis(50);
 /// Reason why a server does not heed an option, and what to do instead.
 pub const OWN_MACHINE: &str = "by a server, which has its own machine, folders and settings: leave it out, set the \
     machine at the server (kerf machine set, its console), or run it here without --server";
+
+/// Mend where a page drives the machine that is to be moved.
+const DRIVEN: &str = "the machine was not moved: a page drives it. Press \"Give up control\" there, or move the \
+    machine from that page";
 
 /// Advice where a page has the machine.
 const BESIDE: &str = "the lines were not sent. A line that may be carried out beside a page that drives is \
@@ -68,6 +73,14 @@ impl Remote {
             self.until_over(number_of_run(before))
         };
         self.driving(BESIDE, false, sends)
+    }
+
+    /// Moves the machine as whoever drives it, after arming it where that is wanted, and waits for the end.
+    pub fn go(&self, way: &ByHand, arm: bool) -> Result<Ended> {
+        self.driving(DRIVEN, arm, |lease, before| {
+            self.act("go", json!({ "lease": lease, "way": way }))?;
+            self.until_over(number_of_run(before))
+        })
     }
 
     /// Does something as the one who drives, with the number of that turn and the state before it, after arming the
@@ -179,9 +192,4 @@ fn still_the_same(state: &Value, last: u64) -> Result<u64> {
         bail!("the server was started anew meanwhile: the run is over, and can be taken up there");
     }
     Ok(number)
-}
-
-/// The number of the run that a state tells of.
-fn number_of_run(state: &Value) -> u64 {
-    state["job"]["run"].as_u64().unwrap_or_default()
 }

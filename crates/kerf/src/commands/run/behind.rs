@@ -1,6 +1,7 @@
 //! The work after a run: commands that other software passed in meanwhile, and the end of the visit.
 
-use super::{FileLines, MachineArgs, Show, VcdArgs, attended, editor, over};
+use super::options::MachineArgs;
+use super::{FileLines, Show, VcdArgs, attended, editor, over};
 use crate::args::RunArgs;
 use crate::clock;
 use crate::commands::protect;
