@@ -11,7 +11,7 @@ const GROUPS: [(&str, &[&str]); 5] = [
     ),
     ("Drawings", &["draw", "toolpath"]),
     ("Runs", &["run", "send", "receive", "serve", "sb3"]),
-    ("The machine", &["machine", "settings", "io", "registry", "sysvars", "log"]),
+    ("The machine", &["get", "set", "machine", "settings", "io", "registry", "sysvars", "log"]),
     ("Files and help", &["parts", "samples", "wavlength", "explain", "help"]),
 ];
 

@@ -4,10 +4,12 @@ use crate::args::DataArgs;
 use crate::exit::Usage;
 use crate::machine_name::{MachineChoice, MachineName};
 use crate::{memory, setup};
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use kerf_control::journal::JOURNAL_FILE;
 use kerf_control::machine_file::MachineFile;
 use kerf_machine::profile::{PROFILES, Profile, profile};
+use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Folder of saved machines in the data folder.
@@ -56,6 +58,26 @@ fn saved(name: &Path, data: &DataArgs) -> Result<Option<PathBuf>> {
     let word = alone.and_then(|word| word.to_str()).filter(|word| !word.ends_with(".toml"));
     let Some(word) = word else { return Ok(None) };
     Ok(Some(setup::data_folder(data)?.join(SAVED).join(format!("{word}.toml"))))
+}
+
+/// The saved machines of a data folder by name, with their files.
+pub fn all_saved(data: &DataArgs) -> Result<Vec<(String, PathBuf)>> {
+    let folder = setup::data_folder(data)?.join(SAVED);
+    let entries = match fs::read_dir(&folder) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.with_context(|| folder.display().to_string())?,
+    };
+    let paths: Result<Vec<PathBuf>, _> = entries.map(|entry| Ok(entry?.path())).collect();
+    let paths = paths
+        .map_err(|error: std::io::Error| error)
+        .with_context(|| folder.display().to_string())?;
+    let named = |path: PathBuf| {
+        let name = path.file_name()?.to_str()?.strip_suffix(".toml")?.to_owned();
+        Some((name, path))
+    };
+    let mut all: Vec<_> = paths.into_iter().filter_map(named).collect();
+    all.sort();
+    Ok(all)
 }
 
 /// The file under which a machine is saved.

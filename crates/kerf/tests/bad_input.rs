@@ -93,7 +93,7 @@ fn options_that_are_wrong() {
         ("trace a.sbp --repeat 0", "--repeat"),
         ("trace a.sbp --offset 4d", "give 3d or 2d"),
         ("trace a.sbp --answers none.txt", "cannot read none.txt"),
-        ("trace a.sbp --config none.toml", "cannot read none.toml"),
+        ("trace a.sbp --machine none.toml", "no machine 'none.toml': no such file"),
         ("trace a.sbp --config bad.toml", "axes must be 3 to 6"),
         ("run a.sbp --machine router", "no machine 'router'"),
         ("preview a.sbp -o a.gif", ".svg, .png or .html"),

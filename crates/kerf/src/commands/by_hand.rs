@@ -1,7 +1,6 @@
 //! `kerf machine home`, `move`, `zset` and `pos`: the machine moved by hand.
 
-use crate::args::{PlaceArgs, Start};
-use crate::commands::machine::Which;
+use super::which::Which;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, RealPace};
 use crate::remote::{Ended, Remote, beside};
@@ -138,16 +137,7 @@ struct Shop {
 impl Shop {
     fn open(which: &Which, real: bool) -> Result<Self> {
         which.machine.simulated("kerf machine")?;
-        let (machine, data) = (which.machine.clone(), which.folder());
-        let place = PlaceArgs {
-            machine,
-            parts: None,
-            custom: None,
-            allow_path: Vec::new(),
-            data,
-            start: Some(Start::Kept),
-            allow_shell: false,
-        };
+        let place = which.place();
         let mut shelf = setup::shelf(Path::new(""), &place, false)?;
         let (mut session, _) = setup::session(&place, false, &mut shelf)?;
         let machine = match which.machine.configuration() {
