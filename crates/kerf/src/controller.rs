@@ -47,7 +47,8 @@ pub fn firmware(shared: &Shared, name: &DriverName, command: &str) -> Firmware {
     let (shared, name, command) = (shared.clone(), name.clone(), command.to_owned());
     Box::new(move |run| {
         if command.is_empty() {
-            let why = "name the command that loads it: kerf machine set options.firmware 'avrdude … -P {port} …'";
+            let why =
+                "name the command that loads it: kerf set options.firmware='avrdude … -P {port} …'";
             return Err(HostError::Refused(why.into()));
         }
         let line = command.replace("{port}", &name.path);

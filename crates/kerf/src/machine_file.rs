@@ -3,7 +3,7 @@
 use crate::args::DataArgs;
 use crate::exit::Usage;
 use crate::machine_name::{MachineChoice, MachineName};
-use crate::{memory, setup};
+use crate::{given, memory, setup};
 use anyhow::{Context, Result, bail};
 use kerf_control::journal::JOURNAL_FILE;
 use kerf_control::machine_file::MachineFile;
@@ -48,7 +48,7 @@ pub fn named(name: &Path, data: &DataArgs) -> Result<Named> {
 pub fn text(name: &Path, data: &DataArgs) -> Result<String> {
     match named(name, data)? {
         Named::Ready(ready) => Ok(ready.text.to_owned()),
-        Named::File(path) => setup::read_text(&path),
+        Named::File(path) => given::text(&path),
     }
 }
 

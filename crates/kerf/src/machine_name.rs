@@ -141,16 +141,16 @@ impl MachineChoice {
         named.or(self.configuration.as_deref())
     }
 
-    /// Refuses a controller for a command that drives the simulated machine only.
+    /// Refuses a controller for what is done with the simulated machine only, as `kerf serve drives`.
     ///
     /// # Errors
     /// A controller is named.
-    pub fn simulated(&self, command: &str) -> Result<(), Usage> {
+    pub fn simulated(&self, does: &str) -> Result<(), Usage> {
         match self.controller() {
             None => Ok(()),
             Some(name) => Err(Usage(format!(
-                "{command} drives the simulated machine only: leave --machine {name} out; kerf run FILE and kerf \
-                 send LINE move a controller"
+                "{does} the simulated machine only: leave --machine {name} out; kerf run FILE and kerf send LINE \
+                 move a controller"
             ))),
         }
     }

@@ -78,7 +78,7 @@ fn tell(journal: &Journal, shelf: &Shelf, whereabouts: Whereabouts) -> Result<()
     if let Some(cut) = cut {
         let how = match cut.controller() {
             None => "kerf run --resume takes it up",
-            Some(_) => "kerf run --from-line goes on at a line of it",
+            Some(_) => "kerf run FILE --from-line N goes on at a line of it",
         };
         eprintln!("kerf: {}; {how}", cut.told());
     }

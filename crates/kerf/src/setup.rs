@@ -4,6 +4,7 @@ use crate::args::{DataArgs, FileArgs, MotionArgs, PlaceArgs, RunArgs};
 use crate::clock;
 use crate::drawings;
 use crate::exit::Usage;
+use crate::given;
 use crate::job_options;
 use crate::machine_file::{self, Named};
 use crate::machine_name::MachineChoice;
@@ -16,7 +17,7 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::job_file;
 use kerf_control::machine_file::told;
 use kerf_control::stored::Stored;
-use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell, Work};
+use kerf_control::{RunOptions, Session, Shelf, Shell, Work};
 use kerf_drawing::Drawing;
 use kerf_machine::Configuration;
 use kerf_part::Program;
@@ -24,10 +25,9 @@ use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
 use kerf_sbp::{Dialect, FileParameters};
 use kerf_sim::Push;
 use kerf_toolpath::Shaping;
-use std::io::{self, Read};
+use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::{env, fs};
 
 /// Everything a run needs besides a sink.
 pub struct Job {
@@ -143,13 +143,13 @@ fn script(path: &Path) -> Result<Script> {
         let told = |line: &String| format!("{}, {line}", path.display());
         Usage(wrong.iter().map(told).collect::<Vec<_>>().join("\n"))
     };
-    Ok(Script::read(&read_text(path)?).map_err(of)?)
+    Ok(Script::read(&given::text(path)?).map_err(of)?)
 }
 
 /// The script of answers.
 pub fn answers(args: &RunArgs) -> Result<Answers> {
     Ok(match &args.answers {
-        Some(path) => Answers::read(&read_text(path)?),
+        Some(path) => Answers::read(&given::text(path)?),
         None => Answers::default(),
     })
 }
@@ -169,30 +169,8 @@ pub fn session(place: &PlaceArgs, looks: bool, shelf: &mut Shelf) -> Result<(Ses
 
 /// Reads a part file; the name shown is the one the user gave.
 fn read_program(file: &Path, dialect: Dialect) -> Result<Program> {
-    let bytes = read_bytes(file)?;
+    let bytes = given::bytes(file)?;
     Ok(kerf_part::read_as(file.display().to_string().into(), bytes, dialect))
-}
-
-/// The bytes of a file, within reason.
-pub fn read_bytes(file: &Path) -> Result<Vec<u8>> {
-    if file.is_dir() {
-        bail!(Usage(format!("{} is a folder, not a file", file.display())));
-    }
-    let cannot = |e: io::Error| Usage(format!("cannot read {}: {e}", file.display()));
-    let most = MOST_BYTES as u64;
-    let mut bytes = Vec::new();
-    // A device or a pipe may never end.
-    let opened = fs::File::open(file).map_err(cannot)?;
-    opened.take(most + 1).read_to_end(&mut bytes).map_err(cannot)?;
-    if bytes.len() > MOST_BYTES {
-        bail!(Usage(format!("{} is too large", file.display())));
-    }
-    Ok(bytes)
-}
-
-/// The text of a file.
-pub fn read_text(file: &Path) -> Result<String> {
-    Ok(String::from_utf8_lossy(&read_bytes(file)?).into_owned())
 }
 
 /// Chooses the model of motion, and what belongs to it. The paths of a job are made with the smoothing factor.
@@ -273,7 +251,7 @@ pub fn machine(choice: &MachineChoice, data: &DataArgs) -> Result<Configuration>
     };
     match machine_file::named(name, data)? {
         Named::Ready(ready) => read_machine(ready.name.into(), ready.text),
-        Named::File(path) => read_machine(path.display().to_string(), &read_text(&path)?),
+        Named::File(path) => read_machine(path.display().to_string(), &given::text(&path)?),
     }
 }
 

@@ -101,8 +101,8 @@ fn a_name_of_a_machine_that_cannot_be_is_refused_with_the_mend() {
     check("run box.sbp --config sim --machine plasma", "are two machines");
     check("run box.sbp --home", "--home is for a controller: name it with --machine grbl:PORT");
     check("serve --machine grbl:COM3", "kerf serve drives the simulated machine only");
-    check("machine home --machine grbl:COM3", "kerf machine drives the simulated machine only");
-    check("io list --machine grbl:COM3", "kerf io drives the simulated machine only");
+    check("machine home --machine grbl:COM3", "kerf machine moves the simulated machine only");
+    check("io list --machine grbl:COM3", "kerf io switches the simulated machine only");
     for name in ["sim", "plasma", "grbl:COM3", "a/b", "mine.toml"] {
         check(&format!("machine save {name}"), "cannot be the name of a saved machine");
     }

@@ -136,7 +136,7 @@ struct Shop {
 
 impl Shop {
     fn open(which: &Which, real: bool) -> Result<Self> {
-        which.machine.simulated("kerf machine")?;
+        which.machine.simulated("kerf machine moves")?;
         let place = which.place();
         let mut shelf = setup::shelf(Path::new(""), &place, false)?;
         let (mut session, _) = setup::session(&place, false, &mut shelf)?;

@@ -93,7 +93,7 @@ enum Way {
 const LOOK: Duration = Duration::from_millis(50);
 
 pub fn run(args: &IoArgs) -> Result<Exit> {
-    args.card.machine.simulated("kerf io")?;
+    args.card.machine.simulated("kerf io switches")?;
     match &args.action {
         Action::List => {
             list(&args.card.ports()?, &args.card.machine()?);

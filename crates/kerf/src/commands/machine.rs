@@ -6,7 +6,7 @@ use crate::commands::by_hand::{self, Beside, Height, MoveArgs};
 use crate::commands::protect;
 use crate::exit::{Exit, Usage};
 use crate::machine_name::MachineName;
-use crate::{machine_file, out, parse, setup};
+use crate::{given, machine_file, out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::machine_file::{MachineFile, told};
@@ -241,7 +241,7 @@ pub fn listed(word: Option<&str>, configuration: &Configuration) -> String {
 fn check(files: &[PathBuf]) -> Result<Exit> {
     let mut worst = Exit::Good;
     for path in files {
-        let text = setup::read_text(path)?;
+        let text = given::text(path)?;
         let name = path.display().to_string().into();
         for note in file::notes(&name, &text) {
             out::print(&format!("note: {}\n", told(&[note])));

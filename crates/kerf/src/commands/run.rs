@@ -17,6 +17,7 @@ use crate::memory;
 use crate::operator::{Clock, Person, RealPace};
 use crate::out;
 use crate::outputs::Outputs;
+use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
@@ -67,6 +68,9 @@ pub struct RunCommand {
     /// Arms the machine of the server first
     #[arg(long, requires = "server")]
     arm: bool,
+    /// Cuts every path of a job so far beside itself, mm, to the right of travel; the file stays as it is
+    #[arg(long, value_name = "MM", value_parser = parse::number)]
+    offset_job: Option<f64>,
     #[command(flatten)]
     machine: MachineArgs,
     #[command(flatten)]
@@ -77,7 +81,7 @@ pub struct RunCommand {
 const TAKES_UP: Heeded = Heeded {
     options: &[
         "resume",
-        "data",
+        "folder",
         "start",
         "machine",
         "home",
@@ -123,7 +127,7 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
                 tell_fresh(&run.place);
             }
             let mut job = setup::job(file, &run, false)?;
-            if let Some(by_mm) = args.machine.offset_job {
+            if let Some(by_mm) = args.offset_job {
                 job.work = setup::beside(job.work, by_mm)?;
             }
             if let (Work::Job(job, machine), false) = (&job.work, args.machine.quiet()) {

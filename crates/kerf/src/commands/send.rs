@@ -4,6 +4,7 @@ use super::protect;
 use super::run::{MachineArgs, on_machine};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
+use crate::given;
 use crate::heeded::Heeded;
 use crate::outputs::Outputs;
 use crate::remote::{OWN_MACHINE, Remote};
@@ -91,7 +92,7 @@ impl SendArgs {
 
 /// Sends a file to another computer.
 fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
-    let bytes = setup::read_bytes(file)?;
+    let bytes = given::bytes(file)?;
     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let stop = Stop::listen()?;
     let stopped = || stop.is_wanted();

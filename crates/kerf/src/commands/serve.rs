@@ -9,7 +9,7 @@ use crate::memory;
 use crate::served::Served;
 use crate::stop::Stop;
 use crate::visit::Visit;
-use crate::{out, setup};
+use crate::{given, out, setup};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::Shelf;
@@ -127,7 +127,7 @@ impl ServeArgs {
 /// The name of the file that is open at the start: named from the part folder, or from here.
 fn opened(parts: &Path, file: &str) -> Result<String> {
     let path = Some(parts.join(file)).filter(|it| it.exists()).unwrap_or_else(|| file.into());
-    setup::read_bytes(path.strip_prefix(".").unwrap_or(&path))?;
+    given::bytes(path.strip_prefix(".").unwrap_or(&path))?;
     below(parts, &path)
 }
 
@@ -227,7 +227,7 @@ fn options(args: &ServeArgs) -> Result<Options> {
             "cannot read {folder}: {why}; --parts names the folder of part files"
         )));
     }
-    args.place.machine.simulated("kerf serve")?;
+    args.place.machine.simulated("kerf serve drives")?;
     let name = args.place.machine.configuration();
     name.map(|_| setup::machine(&args.place.machine, &args.place.data)).transpose()?;
     let open = args.file.as_deref().map(|file| opened(&parts, file)).transpose()?;

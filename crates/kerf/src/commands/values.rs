@@ -107,7 +107,7 @@ impl Places {
     }
 
     fn card(&self) -> Result<CardArgs> {
-        self.which.machine.simulated("the card of kerf get and kerf set")?;
+        self.which.machine.simulated("kerf get and kerf set know the inputs and outputs of")?;
         Ok(CardArgs { data: self.which.folder(), machine: self.which.machine.clone() })
     }
 

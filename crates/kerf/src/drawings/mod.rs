@@ -6,6 +6,7 @@ pub mod programs;
 pub use kind::{extension, is_drawing};
 
 use crate::exit::Usage;
+use crate::given;
 use crate::out;
 use anyhow::{Result, bail};
 use kerf_control::job_file;
@@ -61,7 +62,7 @@ pub fn open(files: &[impl AsRef<Path>], reading: &Reading) -> Result<Drawing> {
 
 fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
     let extension = extension(file);
-    let bytes = bytes(file)?;
+    let bytes = given::bytes(file)?;
     let Reading { scale, explode, hidden, .. } = *reading;
     let options = dxf::Options { scale, explode, unseen: hidden, ..dxf::Options::default() };
     let mut read = match extension.as_str() {
@@ -105,13 +106,6 @@ fn nothing_read(file: &Path, findings: &[Finding]) -> Result<()> {
         eprintln!("{}: warning: nothing is drawn in this file", file.display());
     }
     Ok(())
-}
-
-fn bytes(file: &Path) -> Result<Vec<u8>> {
-    match fs::read(file) {
-        Ok(bytes) => Ok(bytes),
-        Err(error) => bail!(Usage(format!("cannot read {}: {error}", file.display()))),
-    }
 }
 
 fn tell(file: &Path, read: &Imported) {
@@ -166,7 +160,7 @@ pub fn job_with_warnings(
 ) -> Result<(Job, Vec<Warning>)> {
     if extension(file) == "rsm" {
         let (job, findings) =
-            job_file::read(&bytes(file)?, shaping.factor).map_err(of_file(file))?;
+            job_file::read(&given::bytes(file)?, shaping.factor).map_err(of_file(file))?;
         tell_all(file, &findings);
         if job.paths.is_empty() {
             nothing_read(file, &findings)?;
@@ -231,7 +225,7 @@ pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
 
 /// The job in a file, to be changed by hand.
 pub fn job_to_edit(file: &Path) -> Result<Job> {
-    let (job, read) = kerf_toolpath::read_whole(&bytes(file)?).map_err(of_file(file))?;
+    let (job, read) = kerf_toolpath::read_whole(&given::bytes(file)?).map_err(of_file(file))?;
     tell(file, &read);
     Ok(job)
 }

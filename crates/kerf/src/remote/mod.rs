@@ -28,7 +28,7 @@ const LOOK: Duration = Duration::from_millis(50);
 
 /// Reason why a server does not heed an option, and what to do instead.
 pub const OWN_MACHINE: &str = "by a server, which has its own machine, folders and settings: leave it out, set the \
-    machine at the server (kerf machine set, its console), or run it here without --server";
+    machine at the server (kerf set, its console), or run it here without --server";
 
 /// Mend where a page drives the machine that is to be moved.
 const DRIVEN: &str = "the machine was not moved: a page drives it. Press \"Give up control\" there, or move the \

@@ -61,7 +61,7 @@ pub fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
 
 /// Returns the way in which a server runs the file, as the options say.
 fn how_remotely(file: &Path, args: &RunCommand) -> Result<How> {
-    let (run, beside_mm) = (&args.run, args.machine.offset_job);
+    let (run, beside_mm) = (&args.run, args.offset_job);
     match drawings::is_drawing(file) {
         true => job_options::remotely(run, beside_mm).map(How::Job),
         false if beside_mm.is_some() => Err(job_options::only_of_jobs().into()),

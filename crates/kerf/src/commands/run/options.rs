@@ -4,7 +4,6 @@ use crate::args::{DataArgs, RunArgs};
 use crate::controller::First;
 use crate::exit::Usage;
 use crate::outputs::{ForceArgs, Outputs};
-use crate::parse;
 use crate::waveforms::VcdArgs;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
@@ -16,9 +15,6 @@ pub(super) const STANDARD_OUTPUT: &str = "-";
 /// What everything that moves a machine can be told.
 #[derive(Args, Clone)]
 pub struct MachineArgs {
-    /// Cuts every path of a job so far beside itself, mm, to the right of travel; the file stays as it is
-    #[arg(long, value_name = "MM", value_parser = parse::number)]
-    pub(super) offset_job: Option<f64>,
     #[command(flatten)]
     pub(super) first: First,
     /// How machine time passes
