@@ -27,7 +27,7 @@ pub mod value;
 pub mod wiring;
 
 pub use hand::{Errand, Hand, Held, Keypad, Stretch};
-pub use machine::{Actuator, Driven, Fault, Going, Machine, News};
+pub use machine::{Actuator, Driven, Fault, Going, Machine, News, OVERRUN_MM, Watch};
 pub use sequence::Sequence;
 pub use settings::Configuration;
 pub use state::State;

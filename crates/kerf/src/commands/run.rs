@@ -14,7 +14,7 @@ use crate::exit::{Exit, Usage};
 use crate::heeded::Heeded;
 use crate::machine_file;
 use crate::memory;
-use crate::operator::{Clock, Person, RealPace};
+use crate::operator::{Clock, Person, Terminal};
 use crate::out;
 use crate::outputs::Outputs;
 use crate::parse;
@@ -31,10 +31,10 @@ use anyhow::{Context, Result, bail};
 use behind::closes;
 use clap::Args;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{Shared, Steers};
+use kerf_control::controller::Shared;
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
-use kerf_control::{Company, Pace, Session, Shelf, Summary, Work};
+use kerf_control::{Company, Session, Shelf, Summary, Work};
 use kerf_machine::Driven;
 use kerf_machine::{Configuration, sequence, table};
 use kerf_program::job::Job;
@@ -345,18 +345,12 @@ fn attended<'a>(
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let real = args.pace == PaceName::Real && controller.is_none();
     let clock = if real { Clock::Real } else { Clock::Fast };
-    let mut pace = RealPace::new(clock, run.operator.script())?;
+    let mut terminal = Terminal::new(clock, run.operator.script())?;
     let stop = Stop::listen()?;
-    let mut person_at_it = Person::new(answers, person, &pace).with_editor(show.editor);
-    let mut steers;
-    let pace: &mut dyn Pace = match driven.clone() {
-        Some(driven) => {
-            steers = Steers::new(driven, &mut pace);
-            &mut steers
-        }
-        None => &mut pace,
-    };
-    let company = Company { sink: &mut told, operator: &mut person_at_it, pace, machine: driven };
+    let mut person_at_it = Person::new(answers, person, &terminal).with_editor(show.editor);
+    let machine = driven.unwrap_or_else(|| terminal.simulated());
+    let company =
+        Company { sink: &mut told, operator: &mut person_at_it, requests: &mut terminal, machine };
     let (summary, session, unkept) = runs(company)?;
     if let Some(shared) = controller {
         shared.borrow_mut().close(summary.status == kerf_sbp::Status::Ok, || stop.is_wanted());

@@ -6,7 +6,7 @@ use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::heeded::Heeded;
 use crate::job_options;
-use crate::operator::{Clock, Person, RealPace};
+use crate::operator::{Clock, Person, Terminal};
 use crate::out;
 use crate::remote::{Along, How, OWN_MACHINE, Remote};
 use crate::report::Diagnostics;
@@ -46,11 +46,11 @@ pub fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
     if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
         server.unlock(&password)?;
     }
-    let pace = RealPace::new(Clock::Fast, args.run.operator.script())?;
+    let terminal = Terminal::new(Clock::Fast, args.run.operator.script())?;
     let person = args.run.answers.is_none() && io::stdin().is_terminal();
-    let mut operator = Person::new(setup::answers(&args.run)?, person, &pace);
+    let mut operator = Person::new(setup::answers(&args.run)?, person, &terminal);
     let mut print = |line: &str| out::print(&format!("{line}\n"));
-    let stopped = || pace.is_stopped();
+    let stopped = || terminal.is_stopped();
     let diagnostics = Diagnostics::default();
     let show = |found: &Diagnostic| diagnostics.show(found);
     let along =
