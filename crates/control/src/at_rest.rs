@@ -5,13 +5,13 @@ use crate::machine_file::MachineFileError;
 use crate::session::{Company, RunOptions, Session};
 use crate::shelf::Shelf;
 use crate::switches::{self, SWITCHES};
-use crate::world::World;
+use crate::world::{World, actuator};
 use crate::{Event, Press};
-use kerf_machine::{Configuration, Setting};
+use kerf_machine::{Configuration, Driven, Setting};
 use kerf_part::Program;
 use kerf_program::OutputReason;
 use kerf_sbp::{SPINDLE_STATUS, SystemVariable, Value};
-use kerf_sim::{Change, Machine};
+use kerf_sim::{Change, Machine, contact};
 use std::sync::Arc;
 
 impl Session {
@@ -31,16 +31,16 @@ impl Session {
     }
 
     /// Switches an output of the machine, which stands, by the number of its line.
-    pub fn switch_at_rest(&mut self, number: u8, on: bool) {
+    pub fn switch_at_rest(&mut self, number: u8, on: bool, driven: &Driven) {
         let mut machine = self.machine(Vec::new());
         machine.output(number, on, OutputReason::Program);
-        machine.log().take().for_each(drop);
+        set_all(&mut machine, driven);
         self.machine = Some(machine);
     }
 
     /// Somebody stops the machine, which stands: what a stop switches off goes off, unless the machine is set to
     /// leave it on. Whether anything did.
-    pub fn stop_at_rest(&mut self, shelf: &mut Shelf) -> bool {
+    pub fn stop_at_rest(&mut self, shelf: &mut Shelf, driven: &Driven) -> bool {
         let is_on = |machine: &Machine| machine.turns() || machine.outputs().is_any_on();
         if self.machine_is.misc.outputs_stay_on || !self.machine.as_ref().is_some_and(is_on) {
             return false;
@@ -48,13 +48,22 @@ impl Session {
         let mut machine = self.machine(Vec::new());
         machine.log().take().for_each(drop);
         machine.stop_at_rest();
-        let switched = machine.log().take().count() > 0;
+        let switched = set_all(&mut machine, driven) > 0;
         self.memory.independent = machine.spinning();
         self.machine = Some(machine);
         if switched {
             shelf.set_value(SPINDLE_STATUS, Some("0"));
         }
         switched
+    }
+
+    /// The controller tells that an input changed while it stands.
+    pub fn senses(&mut self, (number, active): (u8, bool)) {
+        let on = contact(number, active, &self.memory.settings.io);
+        let mut machine = self.machine(Vec::new());
+        machine.press(Change { input: number, on, at_s: 0.0 });
+        machine.log().take().for_each(drop);
+        self.machine = Some(machine);
     }
 
     /// Puts on record where somebody left the switches of the simulated machine.
@@ -139,4 +148,12 @@ impl Session {
         };
         kerf_sbp::system_variables().map(read).collect()
     }
+}
+
+/// Has the machine that is driven set what was switched; tells how much happened.
+fn set_all(machine: &mut Machine, driven: &Driven) -> usize {
+    let happened = machine.log().take();
+    happened
+        .inspect(|it| actuator(&it.what).iter().for_each(|set| driven.borrow_mut().set(set)))
+        .count()
 }

@@ -10,6 +10,7 @@ use crate::requests::{OperatorRequest, Requests};
 use crate::{Doing, Sink};
 use kerf_machine::{Driven, Fault, Going, News};
 use kerf_motion::Move;
+use kerf_program::Axes;
 use kerf_program::settings::IoModes;
 use kerf_sim::contact;
 use std::time::{Duration, Instant};
@@ -174,6 +175,34 @@ impl<'a> Drive<'a> {
         self.settle();
         self.braked = false;
         self.notes_fault();
+    }
+
+    /// Returns `true` if the machine finds home by itself.
+    pub fn homes(&self) -> bool {
+        self.machine.borrow().facts().homes
+    }
+
+    /// Has such a machine go home with all axes that can, and tells where it stands then; nothing where it was stopped or
+    /// has a [fault](Drive::fault).
+    pub fn home(&mut self) -> Option<Axes> {
+        self.machine.borrow_mut().home();
+        while self.machine.borrow_mut().settle() {
+            let request = self.take(0.0, 0.0);
+            if matches!(
+                request,
+                Some((_, OperatorRequest::Feed(_) | OperatorRequest::Input { .. }))
+            ) {
+                self.kept = request;
+            } else if request.is_some() {
+                self.machine.borrow_mut().halt();
+                self.notes_fault();
+                return None;
+            }
+        }
+        if self.notes_fault() {
+            return None;
+        }
+        self.machine.borrow_mut().place()
     }
 
     /// Returns `true` if the machine changes the speed of moves by itself: the plan stays what it is.

@@ -45,7 +45,7 @@ impl Session {
         self.memory.settings = settings;
         let mut world = World::new(simulated, shelf, sink, operator, driven);
         (world.previews, world.machine_is) = (options.program.preview, machine.clone());
-        world.homed = self.homed;
+        (world.homed, world.homes) = (self.homed, self.homes(machine));
         world.tally = before.tally();
         // No file begins or ends: outputs stay as they are.
         world.typed_files = 1;
@@ -88,7 +88,7 @@ impl Session {
         let homing = &machine.homing;
         let first = !std::mem::replace(&mut self.begun, true);
         let at_start = if first { homing.at_program_start } else { AxisSet::EMPTY };
-        let mut axes = fitted(&machine, homing.at_job_start.union(at_start));
+        let mut axes = self.fitted(&machine, homing.at_job_start.union(at_start));
         let missing = self.not_homed(&machine).without(axes);
         let asks = match homing.before_runs {
             BeforeRuns::Ask if !missing.is_empty() => {
@@ -184,7 +184,7 @@ impl Session {
             if doubted.is_empty() {
                 return None;
             }
-            let homes = fitted(&machine, doubted);
+            let homes = self.fitted(&machine, doubted);
             let asks = Some(location_question(&names(&machine, doubted), !homes.is_empty()));
             if let Some(open) = self.wait_for_door(work, options, shelf, company.again()) {
                 return Some(open);
@@ -218,9 +218,25 @@ impl Session {
         !options.program.preview && (asks || !axes.is_empty())
     }
 
-    /// Axes that have a home switch and were not homed.
+    /// Axes that can be homed: those that a controller homes by itself, else those whose home switch is fitted.
+    pub fn homes(&self, machine: &Configuration) -> AxisSet {
+        if let Some(controller) = &self.driven_by {
+            return controller.homes;
+        }
+        let all = AxisSet::first(AXES);
+        let fitted = all.iter().filter(|axis| machine.homing.of(*axis).fitted);
+        fitted.fold(AxisSet::EMPTY, AxisSet::with)
+    }
+
+    /// Those of the axes that can be homed.
+    fn fitted(&self, machine: &Configuration, axes: AxisSet) -> AxisSet {
+        let homes = self.homes(machine);
+        axes.iter().filter(|axis| homes.contains(*axis)).fold(AxisSet::EMPTY, AxisSet::with)
+    }
+
+    /// Axes that can be homed and were not.
     pub fn not_homed(&self, machine: &Configuration) -> AxisSet {
-        fitted(machine, AxisSet::first(AXES)).without(self.homed)
+        self.homes(machine).without(self.homed)
     }
 
     /// Takes homed axes out of doubt.
@@ -253,15 +269,7 @@ impl Session {
         let message = format!("{} must be homed first", names(machine, missing));
         let why = Diagnostic::new(Code::NotHomed, place, message).hint("kerf machine home");
         sink.event(&Event::Diag(Box::new(why.clone())));
-        let summary = Summary {
-            status: Status::Failed,
-            seconds: 0.0,
-            lines: 0,
-            tally: crate::Tally::default(),
-            unit: self.memory.settings.linear_unit,
-            error: Some(Box::new(why)),
-            closes: false,
-        };
+        let summary = Summary::not_begun(self.memory.settings.linear_unit, Some(Box::new(why)));
         let stands = self.machine.get_or_insert_default();
         sink.event(&Event::End(end_event(&summary, stands, None)));
         summary
@@ -303,12 +311,6 @@ impl Runner<'_, Hand> {
         }
         over
     }
-}
-
-/// Those of the axes that have a home switch.
-fn fitted(machine: &Configuration, axes: AxisSet) -> AxisSet {
-    let fitted = axes.iter().filter(|axis| machine.homing.of(*axis).fitted);
-    fitted.fold(AxisSet::EMPTY, AxisSet::with)
 }
 
 fn names(machine: &Configuration, axes: AxisSet) -> String {

@@ -15,6 +15,9 @@ use kerf_sim::{Machine, Watched};
 impl<I: Interpreter> Runner<'_, I> {
     /// Homes axes that have a switch, and tells how far the last home was off.
     pub(crate) fn home(&mut self, axes: AxisSet) -> Found {
+        if self.drive.homes() {
+            return self.home_by_itself();
+        }
         let machine = self.world.machine_is.clone();
         let settings = planner_settings(&machine);
         let now_s = self.world.now();
@@ -36,6 +39,32 @@ impl<I: Interpreter> Runner<'_, I> {
         found.over = over.or_else(|| ended.err().map(|missing| self.misses_switch(&missing, at)));
         homed.retain(|it| found.done.contains(it.axis));
         self.tell_homed(&homed);
+        found
+    }
+
+    /// Has a controller go home that finds it by itself, with all its axes.
+    fn home_by_itself(&mut self) -> Found {
+        let axes = self.world.homes;
+        let mut found = Found { lost: axes, ..Found::default() };
+        self.world.shelf.tape.moves(true, self.world.placed());
+        let forbidden = self.forbidden();
+        let home = if forbidden.is_none() { self.drive.home() } else { None };
+        match (forbidden, home) {
+            (_, Some(place)) => {
+                self.world.machine.put(place);
+                self.mover.set_position(place);
+                found = Found { done: axes, zeroed: axes, ..Found::default() };
+                let text = "the controller has homed its axes".into();
+                self.world.tell(&Event::Message { text, t: self.world.now() });
+            }
+            (Some(driven), _) => found.over = Some(self.interrupted(&driven)),
+            (None, None) => {
+                let failed = self.drive.fault().cloned().map(|fault| self.fails(&fault));
+                let stopped = Over { status: Status::Stopped, diagnostic: None };
+                found.over = Some(failed.unwrap_or(stopped));
+            }
+        }
+        self.stand();
         found
     }
 

@@ -101,7 +101,9 @@ pub use parts::{Listing, PartFile};
 pub use press::Press;
 pub use repetitions::Repetitions;
 pub use requests::{OperatorRequest, Requests, Script, StopAt};
-pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word, unverified};
+pub use session::{
+    Company, DrivenBy, LimitPolicy, RunOptions, Session, Summary, dialect_word, unverified,
+};
 pub use shelf::{Firmware, MOST_BYTES, Shelf, Shell};
 pub use sink::{Doing, Made, Sink};
 pub use standing::{OpenFile, Standing, flag};

@@ -138,6 +138,23 @@ pub struct Summary {
     pub closes: bool,
 }
 
+/// A controller, as far as a session has to know it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DrivenBy {
+    /// Its name, as people give it.
+    pub name: String,
+    /// The axes that it homes by itself.
+    pub homes: AxisSet,
+}
+
+impl Summary {
+    /// The summary of a run that was not begun because of an error.
+    pub fn not_begun(unit: LinearUnit, error: Option<Box<Diagnostic>>) -> Self {
+        let (status, tally) = (Status::Failed, Tally::default());
+        Self { status, seconds: 0.0, lines: 0, tally, unit, error, closes: false }
+    }
+}
+
 /// One machine and everything about it that stays between runs.
 #[derive(Clone, Debug, Default)]
 pub struct Session {
@@ -149,6 +166,8 @@ pub struct Session {
     pub machine_is: Arc<Configuration>,
     /// Axes that were homed since their location was lost last.
     pub homed: AxisSet,
+    /// The controller that makes what is planned; nothing where the machine is simulated.
+    pub driven_by: Option<DrivenBy>,
     /// Runs have begun since Kerf was started.
     pub(crate) begun: bool,
     /// The simulated machine as the last run left it.
@@ -443,15 +462,7 @@ impl Session {
     /// The program has errors: it ends before it starts.
     fn refused(&mut self, program: &Program, sink: &mut dyn Sink) -> Summary {
         let error = program.diagnostics.iter().find(|d| d.is_error()).cloned().map(Box::new);
-        let summary = Summary {
-            status: Status::Failed,
-            seconds: 0.0,
-            lines: 0,
-            tally: Tally::default(),
-            unit: self.memory.settings.linear_unit,
-            error,
-            closes: false,
-        };
+        let summary = Summary::not_begun(self.memory.settings.linear_unit, error);
         let machine = self.machine.get_or_insert_default();
         sink.event(&Event::End(end_event(&summary, machine, None)));
         summary

@@ -80,6 +80,8 @@ pub(crate) struct World<'a> {
     pub machine_is: Arc<Configuration>,
     /// Axes that were homed when the run began.
     pub homed: AxisSet,
+    /// Axes that can be homed.
+    pub homes: AxisSet,
     /// The heights of a job.
     heights: Carried,
     /// The pulse frequency of a laser, where one was set.
@@ -123,6 +125,7 @@ impl<'a> World<'a> {
             stays: None,
             machine_is: Arc::default(),
             homed: AxisSet::EMPTY,
+            homes: AxisSet::EMPTY,
             heights: Carried::default(),
             laser_hz: None,
             spindle_switched: false,
@@ -599,7 +602,7 @@ impl<'a> World<'a> {
 }
 
 /// Returns the actuator that is set where this happens; nothing where it is only noticed.
-const fn actuator(what: &What) -> Option<Actuator> {
+pub(crate) const fn actuator(what: &What) -> Option<Actuator> {
     Some(match *what {
         What::Output { number, on, why } => Actuator::Output { number, on, why },
         What::Spindle { rpm, .. } => Actuator::Spindle { rpm },

@@ -163,6 +163,15 @@ pub trait Machine {
     /// Makes what it has, waiting for a moment at most; returns `true` while something is not made yet.
     fn settle(&mut self) -> bool;
 
+    /// Goes home with all axes that can, where it [homes](Facts::homes) by itself; [`Machine::settle`] tells while it does.
+    fn home(&mut self);
+
+    /// Slows down, forgets what it has not made, and switches its outputs off, while no plan is made.
+    fn halt(&mut self);
+
+    /// Returns where it stands, machine frame, as it told last; nothing where the plan says it.
+    fn place(&mut self) -> Option<Axes>;
+
     /// Slows down on the path, forgets what it has not made, and switches its outputs off. Returns the moment of the plan
     /// at which it stands; nothing where it stops by the ramp that is planned for it, or did not tell.
     fn stop(&mut self, going: &Going<'_>) -> Option<f64>;

@@ -34,7 +34,14 @@ pub fn moving() -> (Bench, JoinHandle<()>) {
         let folders = Folders::new(parts.clone(), Vec::new(), Vec::new());
         let stored = Stored::in_memory(Default::default());
         let shelf = Shelf::new(Box::new(RealDisk), folders, stored, data.clone());
-        Ok(Workshop { session: Session::default(), shelf, kept: false, started: || None })
+        Ok(Workshop {
+            session: Session::default(),
+            shelf,
+            controller: None,
+            told: Default::default(),
+            kept: false,
+            started: || None,
+        })
     };
     let preview = || Err(std::io::Error::other("none"));
     let builders = Builders { workshop: Arc::new(workshop), preview: Arc::new(preview) };

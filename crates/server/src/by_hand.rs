@@ -1,12 +1,12 @@
 //! Acts by hand, for pages, on a machine that stands: moves to somewhere, bits of the card, single steps.
 
-use crate::app::{App, problem};
+use crate::app::{App, lock, problem};
 use crate::asker::Asker;
 use crate::machine::Order;
 use kerf_machine::lines::Output;
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::{Configuration, Errand, wiring};
-use kerf_program::{AXES, Axis, AxisSet};
+use kerf_program::{AXES, AxisSet};
 use kerf_wire::{ByHand, Mode, Problem, Why};
 use std::sync::mpsc::channel;
 
@@ -21,7 +21,8 @@ impl App {
             let at = finite(at.map(Some)).map(|()| at)?;
             return self.order_of(asker, Order::CutMove { at, machine });
         }
-        let errand = errand(&machine, way)?;
+        let homes = lock(&self.left).session.homes(&machine);
+        let errand = errand(&machine, way, homes)?;
         self.hand(asker, errand, machine)
     }
 
@@ -81,11 +82,9 @@ impl App {
     }
 }
 
-fn errand(machine: &Configuration, way: ByHand) -> Result<Errand, Problem> {
-    let has_switch = |axis: &Axis| machine.homing.of(*axis).fitted;
-    let fitted = || Axis::ALL.into_iter().filter(has_switch).fold(AxisSet::EMPTY, AxisSet::with);
+fn errand(machine: &Configuration, way: ByHand, homes: AxisSet) -> Result<Errand, Problem> {
     Ok(match way {
-        ByHand::FindHome { axes } => Errand::FindHome(called(machine, axes.as_deref(), fitted())?),
+        ByHand::FindHome { axes } => Errand::FindHome(called(machine, axes.as_deref(), homes)?),
         ByHand::Home { axes } => {
             Errand::Home(called(machine, axes.as_deref(), machine.motors.axes())?)
         }

@@ -234,7 +234,6 @@ fn machine_and_app(
     let mut snapshot = Snapshot { kerf: env!("CARGO_PKG_VERSION").into(), ..Snapshot::default() };
     (snapshot.drawing_only, snapshot.stop_port) = (options.drawing_only, stop_port);
     snapshot.start.clone_from(&options.start);
-    snapshot.machine.name = "simulated".into();
     let hub = Arc::new(Hub::new(snapshot));
     let (link, left) = (Arc::<Link>::default(), Arc::<Mutex<Left>>::default());
     let (orders, waiting) = channel();
@@ -263,6 +262,7 @@ fn machine_and_app(
     let parts = PartFolder::new(&options.parts)?;
     let (ready, started) = channel();
     let (owned, build) = ((hub.clone(), link.clone(), left.clone()), builders.workshop.clone());
+    let previews = builders.preview.clone();
     let (rate, data) = (options.rate, options.data.clone());
     let run = move |waiting: Receiver<Order>| {
         let workshop = match build() {
@@ -288,6 +288,7 @@ fn machine_and_app(
             asked: 0,
             run: 0,
             looked: None,
+            previews,
         };
         owner.tell_found();
         owner.begin();

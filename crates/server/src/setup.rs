@@ -1,5 +1,6 @@
 //! Equipment of the server: the machine, its folders, how pages may reach it.
 
+use kerf_control::controller::{Controller, Told};
 use kerf_control::{Session, Shelf, Started};
 use std::io;
 use std::net::SocketAddr;
@@ -39,6 +40,10 @@ pub struct Workshop {
     pub session: Session,
     /// Its files.
     pub shelf: Shelf,
+    /// The controller that makes what is planned; without one the machine is simulated.
+    pub controller: Option<Controller>,
+    /// Sentences about it.
+    pub told: Told,
     /// Runs are on record: what they leave stays.
     pub kept: bool,
     /// The date and time of now, for the logs of part files.

@@ -67,7 +67,16 @@ pub fn positions(frame: &Frame, machine: Axes) -> Positions {
 
 /// Returns the effect of running a file: SP draws only, SM moves.
 pub const fn mode(session: &Session) -> Mode {
-    if session.memory.before_preview.is_some() { Mode::Preview } else { Mode::Simulated }
+    match &session.driven_by {
+        _ if session.memory.before_preview.is_some() => Mode::Preview,
+        Some(_) => Mode::Cut,
+        None => Mode::Simulated,
+    }
+}
+
+/// Returns the name of the machine, for its chip.
+pub fn machine_name(session: &Session) -> String {
+    session.driven_by.as_ref().map_or_else(|| "simulated".to_owned(), |it| it.name.clone())
 }
 
 /// Returns the units in which a person reads lengths.

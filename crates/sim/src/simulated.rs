@@ -3,7 +3,7 @@
 use kerf_machine::driver::Facts;
 use kerf_machine::{Actuator, Driven, Fault, Going, Machine, News};
 use kerf_motion::Move;
-use kerf_program::AXES;
+use kerf_program::{AXES, Axes};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -93,6 +93,14 @@ impl<C: Clock> Machine for Simulated<C> {
 
     fn settle(&mut self) -> bool {
         false
+    }
+
+    fn home(&mut self) {}
+
+    fn halt(&mut self) {}
+
+    fn place(&mut self) -> Option<Axes> {
+        None
     }
 
     fn stop(&mut self, _: &Going<'_>) -> Option<f64> {

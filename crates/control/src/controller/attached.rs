@@ -3,6 +3,7 @@
 use super::{Connection, Lacks, Line};
 use crate::answers::Operator;
 use crate::facts::Fact;
+use crate::session::DrivenBy;
 use crate::{Company, Firmware, RunOptions, Session, Shelf, Work};
 use kerf_diag::Diagnostic;
 use kerf_machine::driver::{Changed, Wired};
@@ -40,6 +41,8 @@ pub struct First {
     pub home: bool,
     /// It is unlocked after an alarm, without being homed.
     pub unlock: bool,
+    /// It may stay locked: whoever drives it homes it later.
+    pub may_be_locked: bool,
 }
 
 /// Sentences about a controller that was attached.
@@ -97,11 +100,19 @@ impl Controller {
             connection.unlock()?;
         }
         if first.home {
-            connection.home(is_stopped)?;
+            connection.go_home(is_stopped)?;
         }
         if let Some(locked) = connection.locked() {
-            return Err(locked);
+            if !first.may_be_locked {
+                return Err(locked);
+            }
+            told.warnings.push(locked);
         }
+        let axes = AxisSet::first(connection.facts().axes);
+        let homes = if connection.facts().homes { axes } else { AxisSet::EMPTY };
+        // Outputs and switches of the simulated machine are none of this one's.
+        session.machine = None;
+        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes });
         let controller = Self { socket, connection: Rc::new(RefCell::new(connection)) };
         controller.finds_place(first, abandoned, session, shelf, &mut told);
         Ok((controller, told))
@@ -139,6 +150,28 @@ impl Controller {
         connection.is_at(session.memory.position);
     }
 
+    /// Opens the port once more, after the controller was lost or had an alarm.
+    ///
+    /// # Errors
+    /// As [`Controller::attach`].
+    pub fn attach_again(
+        &mut self,
+        session: &mut Session,
+        shelf: &mut Shelf,
+    ) -> Result<Told, String> {
+        self.connection.borrow_mut().let_go();
+        let attached = Self::attach(
+            self.socket.clone(),
+            First { may_be_locked: true, ..First::default() },
+            session,
+            shelf,
+            || false,
+        )?;
+        let (again, told) = attached;
+        *self = again;
+        Ok(told)
+    }
+
     /// The machine, for a run.
     pub fn driven(&self) -> Driven {
         self.connection.clone()
@@ -154,6 +187,19 @@ impl Controller {
         &self.connection
     }
 
+    /// Looks at it while nothing runs: inputs that changed, by number and whether active, and the place where it stands,
+    /// machine frame.
+    pub fn attend(&self) -> (Vec<(u8, bool)>, Option<Axes>) {
+        let mut connection = self.connection.borrow_mut();
+        connection.look();
+        (connection.take_inputs(), connection.place())
+    }
+
+    /// Tells why it takes no orders but to go home, in words.
+    pub fn locked(&self) -> Option<String> {
+        self.connection.borrow_mut().locked()
+    }
+
     /// Returns the reason for which it does nothing more, in words.
     pub fn fault(&self) -> Option<String> {
         self.connection.borrow().fault().map(|fault| fault.message.clone())
@@ -166,13 +212,19 @@ impl Controller {
     }
 
     /// The run is over; when it did not end well, everything is stopped and switched off. Keeps where it was left.
-    pub fn leaves(&self, well: bool, shelf: &mut Shelf, is_stopped: impl FnMut() -> bool) {
+    pub fn ends(&self, well: bool, shelf: &mut Shelf, is_stopped: impl FnMut() -> bool) {
         self.connection.borrow_mut().close(well, is_stopped);
         self.keeps_place(shelf);
-        if self.connection.borrow().changed().is_none() {
+        shelf.stored.set(DRIVEN, None);
+    }
+
+    /// It is driven no more: what was changed in it is put back.
+    pub fn detach(&self, shelf: &mut Shelf) {
+        let mut connection = self.connection.borrow_mut();
+        connection.put_back();
+        if connection.changed().is_none() {
             shelf.stored.set(CHANGED, None);
         }
-        shelf.stored.set(DRIVEN, None);
     }
 
     /// Keeps where it stands, as it counts and as the machine does.
@@ -259,13 +311,12 @@ impl Controller {
         let (controller, command) = (self.clone(), command.to_owned());
         Box::new(move |run| {
             if command.is_empty() {
-                let why = "name the command that loads it: kerf machine set options.firmware 'avrdude … -P {port} …'";
+                let why = "name the command that loads it: kerf set options.firmware='avrdude … -P {port} …'";
                 return Err(HostError::Refused(why.into()));
             }
             let Socket { port, opens, .. } = &controller.socket;
             let line = command.replace("{port}", port);
-            let (done, again) =
-                controller.connection.borrow_mut().anew(|| run(&line), || opens());
+            let (done, again) = controller.connection.borrow_mut().anew(|| run(&line), || opens());
             done?;
             again.map_err(HostError::Refused)
         })
@@ -274,7 +325,11 @@ impl Controller {
 
 /// Keeps in mind what was changed in the controller, and says it; what a run that has no end has left changed is put back
 /// behind this one.
-fn keeps_changed(socket: &Socket, connection: &mut Connection, shelf: &mut Shelf) -> Option<String> {
+fn keeps_changed(
+    socket: &Socket,
+    connection: &mut Connection,
+    shelf: &mut Shelf,
+) -> Option<String> {
     let kept: Option<(String, u16, u32, u32)> =
         shelf.stored.get(CHANGED).and_then(|kept| serde_json::from_str(kept).ok());
     if let Some((_, number, was, is)) = kept.filter(|(port, ..)| *port == socket.port) {

@@ -219,7 +219,7 @@ impl Connection {
     }
 
     /// Puts back what was changed in the controller; tells whether that is done.
-    fn put_back(&mut self) -> bool {
+    pub fn put_back(&mut self) -> bool {
         let until_s = self.now_s() + PUTTING_S;
         while let Some(changed) = self.owed {
             if self.dead || self.now_s() > until_s {
@@ -250,7 +250,7 @@ impl Connection {
     ///
     /// # Errors
     /// It does not get there.
-    pub fn home(&mut self, is_stopped: impl Fn() -> bool) -> Result<(), String> {
+    pub fn go_home(&mut self, is_stopped: impl Fn() -> bool) -> Result<(), String> {
         self.does(Order::Home, "get home", is_stopped)
     }
 
@@ -295,6 +295,17 @@ impl Connection {
         self.offset = place.minus(self.stands());
     }
 
+    /// Closes its port: whoever opens it anew has another connection.
+    pub fn let_go(&mut self) {
+        self.line = Box::new(Closed);
+        (self.open, self.ordered, self.dead) = (0, 0, true);
+    }
+
+    /// Inputs that changed and were not told, in order: by number, and whether active.
+    pub fn take_inputs(&mut self) -> Vec<(u8, bool)> {
+        self.inputs.drain(..).collect()
+    }
+
     /// Leaves its port to something that is done to the controller, and speaks to it again afterwards: what
     /// came of that, and what the controller is then, or why it does not answer; then nothing moves any more.
     pub fn anew<T>(
@@ -324,12 +335,6 @@ impl Connection {
 
     fn now_s(&self) -> f64 {
         self.since.elapsed().as_secs_f64()
-    }
-
-    /// Returns its place when it told last, machine frame.
-    fn place(&mut self) -> Option<Axes> {
-        let standing = self.link.driver().stands()?;
-        Some(standing.position.plus(self.offset))
     }
 
     /// Moves bytes both ways.
@@ -595,7 +600,6 @@ impl Connection {
             self.wanted = 0;
             self.stop_at_once();
         }
-        self.put_back();
         self.closed = true;
     }
 }
@@ -616,6 +620,19 @@ impl Machine for Connection {
 
     fn is_real(&self) -> bool {
         true
+    }
+
+    fn home(&mut self) {
+        self.order(Order::Home);
+    }
+
+    fn halt(&mut self) {
+        self.stop_at_once();
+    }
+
+    fn place(&mut self) -> Option<Axes> {
+        let standing = self.link.driver().stands()?;
+        Some(standing.position.plus(self.offset))
     }
 
     fn begin(&mut self) {

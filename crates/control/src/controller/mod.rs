@@ -17,16 +17,12 @@
 //!   that it tells the moment of the plan is found, and the run stands there too.
 //! - Times of the trace are those of the plan. The controller takes its own.
 
+mod attached;
 mod connection;
 mod lacks;
 mod row;
 mod ways;
 
+pub use attached::{Controller, Ends, First, Socket, Told};
 pub use connection::{Connection, Line};
 pub use lacks::Lacks;
-
-use std::cell::RefCell;
-use std::rc::Rc;
-
-/// A connection that a run and whoever has opened it share.
-pub type Shared = Rc<RefCell<Connection>>;

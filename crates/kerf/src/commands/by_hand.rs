@@ -1,21 +1,24 @@
 //! `kerf machine home`, `move`, `zset` and `pos`: the machine moved by hand.
 
 use super::which::Which;
+use crate::controller::{self, First};
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, Terminal};
 use crate::remote::{Ended, Remote, beside};
 use crate::report::asked;
+use crate::stop::Stop;
 use crate::summary::told_by_server;
 use crate::{out, parse, served, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
+use kerf_control::controller::Controller;
 use kerf_control::{
     Company, Event, OperatorRequest, RunOptions, Script, Session, Shelf, Sink, Work, unverified,
 };
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
-use kerf_program::{AXES, Axis, AxisSet, MoveKind};
+use kerf_program::{AXES, Axis, AxisSet, MoveKind, Status};
 use kerf_wire::ByHand;
 use std::io::{self, IsTerminal};
 use std::path::Path;
@@ -131,12 +134,17 @@ struct Shop {
     session: Session,
     shelf: Shelf,
     machine: Arc<Configuration>,
+    controller: Option<Controller>,
     real: bool,
 }
 
 impl Shop {
     fn open(which: &Which, real: bool) -> Result<Self> {
-        which.machine.simulated("kerf machine moves")?;
+        Self::open_after(which, First::NONE, real)
+    }
+
+    /// The machine after steps of its controller.
+    fn open_after(which: &Which, first: First, real: bool) -> Result<Self> {
         let place = which.place();
         let mut shelf = setup::shelf(Path::new(""), &place, false)?;
         let (mut session, _) = setup::session(&place, false, &mut shelf)?;
@@ -146,7 +154,10 @@ impl Shop {
         };
         let machine = Arc::new(machine);
         session.machine_is = machine.clone();
-        Ok(Self { session, shelf, machine, real })
+        let name = which.machine.controller();
+        let ready = |name| controller::ready(name, first, false, &mut session, &mut shelf);
+        let controller = name.map(ready).transpose()?;
+        Ok(Self { session, shelf, machine, controller, real })
     }
 
     /// Fails unless the machine stands, and its place in X and Y is known.
@@ -169,13 +180,21 @@ impl Shop {
         let clock = if self.real { Clock::Real } else { Clock::Fast };
         let mut terminal = Terminal::new(clock, Script::new(requests, Vec::new()))?;
         let mut operator = Person::new(Answers::default(), io::stdin().is_terminal(), &terminal);
-        let machine = terminal.simulated();
+        let controller = self.controller.clone();
+        let machine = controller.as_ref().map_or_else(|| terminal.simulated(), Controller::driven);
+        let stop = Stop::listen()?;
         let mut steps = Steps { machine: self.machine.clone(), edge: None };
         let company =
             Company { sink: &mut steps, operator: &mut operator, requests: &mut terminal, machine };
         let (settings, shelf) = (Some(self.session.memory.settings.clone()), &mut self.shelf);
-        let options = RunOptions::default();
+        let name = controller.as_ref().map(|it| it.name().to_owned());
+        let options = RunOptions { controller: name, ..RunOptions::default() };
+        controller.iter().for_each(|controller| controller.begins(shelf));
         let summary = self.session.run_on_record(work, options, settings, shelf, company)?;
+        if let Some(controller) = &controller {
+            controller.ends(summary.status == Status::Ok, shelf, || stop.is_wanted());
+            controller.detach(shelf);
+        }
         if let Some(error) = summary.error {
             let mend = if error.hint.is_empty() { "" } else { "; " };
             eprintln!("kerf: {}{mend}{}", error.message, error.hint);
@@ -215,9 +234,24 @@ pub fn home(which: &Which, letters: Option<&str>, beside: Beside) -> Result<Exit
         let way = ByHand::FindHome { axes: letters.map(str::to_owned) };
         return Ok(went(&server.go(&way, beside.arm)?));
     }
+    if which.machine.controller().is_some() {
+        return home_controller(which);
+    }
     let mut shop = Shop::open(which, false)?;
     let axes = axes_with_switch(&shop.machine, letters)?;
     shop.errand(Errand::FindHome(axes), Vec::new())
+}
+
+/// Has a controller go home with all axes that it homes, and tells where they stand.
+fn home_controller(which: &Which) -> Result<Exit> {
+    let mut shop = Shop::open_after(which, First::HOME, false)?;
+    shop.session.keep_place(&mut shop.shelf)?;
+    if let Some(controller) = &shop.controller {
+        controller.ends(true, &mut shop.shelf, || false);
+        controller.detach(&mut shop.shelf);
+    }
+    tell_places(&shop);
+    Ok(Exit::Good)
 }
 
 pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
@@ -365,7 +399,12 @@ fn drive_there(shop: &mut Shop, height: Height, to: Option<f64>) -> Result<Exit>
 
 /// Prints the places of the axes, and which are homed.
 pub fn pos(which: &Which) -> Result<Exit> {
-    let shop = Shop::open(which, false)?;
+    tell_places(&Shop::open(which, false)?);
+    Ok(Exit::Good)
+}
+
+/// Prints the places of the axes, and which are homed.
+fn tell_places(shop: &Shop) {
     let position = shop.session.memory.position;
     for axis in Axis::ALL {
         if shop.machine.motors.of_axis(axis).is_empty() {
@@ -380,7 +419,6 @@ pub fn pos(which: &Which) -> Result<Exit> {
         let [x, y] = [position[Axis::X] - x0, position[Axis::Y] - y0].map(|v| v + 0.0);
         out::print(&format!("{x:.3},{y:.3} from the job origin\n"));
     }
-    Ok(Exit::Good)
 }
 
 /// Prints motions, homed axes, messages and questions.

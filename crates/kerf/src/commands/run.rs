@@ -31,11 +31,10 @@ use anyhow::{Context, Result, bail};
 use behind::closes;
 use clap::Args;
 use kerf_control::answers::Answers;
-use kerf_control::controller::Shared;
+use kerf_control::controller::Controller;
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
 use kerf_control::{Company, Session, Shelf, Summary, Work};
-use kerf_machine::Driven;
 use kerf_machine::{Configuration, sequence, table};
 use kerf_program::job::Job;
 use on_server::{REACHES_SERVERS, remotely};
@@ -229,18 +228,17 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     options.opened |= protect::given(&session.machine_is, args.password.as_deref())?;
     let (mut controller, name) = (None, run.place.machine.controller());
     if let Some(name) = name {
-        controller::check(run)?;
-        let shared = controller::ready(name, args.first, args.quiet(), &mut session, &mut shelf)?;
+        let ready = controller::ready(name, args.first, args.quiet(), &mut session, &mut shelf)?;
         if let Some(exit) =
-            controller::look_through(&shared, &work, &session, &options, &shelf, run)?
+            controller::look_through(&ready, &work, &session, &options, &shelf, run)?
         {
+            ready.detach(&mut shelf);
             return Ok(exit);
         }
-        let command = &session.machine_is.options.firmware;
-        shelf = shelf.with_firmware(controller::firmware(&shared, name, command));
+        shelf = shelf.with_firmware(ready.firmware(&session.machine_is.options.firmware));
         options.controller = Some(name.to_string());
-        controller::begins(name, &shared, &mut shelf);
-        controller = Some(shared);
+        ready.begins(&mut shelf);
+        controller = Some(ready);
     }
     if !kept && name.is_none() {
         shelf.has_fresh_machine();
@@ -261,13 +259,18 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     let own = name.is_none() && run.place.machine.configuration().is_none();
     let takes = takes.filter(|_| kept && own);
     let (mut moved, typed) = (false, options.program.typed);
-    let exit = attended(args, run, show, answers, controller.clone(), |company| {
+    let stop = Stop::listen()?;
+    let exit = attended(args, run, show, answers, controller.as_ref(), |company| {
         let shelf = &mut shelf;
         let (summary, unkept) = over(match kept {
             true => session.run_on_record(work, options, replaced, shelf, company),
             false => Ok(session.run(work, options, shelf, company)),
         })?;
         moved = summary.tally.moves > 0;
+        if let Some(controller) = &controller {
+            controller.ends(summary.status == kerf_sbp::Status::Ok, shelf, || stop.is_wanted());
+            controller.detach(shelf);
+        }
         Ok((summary, &session, unkept))
     })?;
     if let Some(at) = takes.filter(|_| moved) {
@@ -275,9 +278,6 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     }
     if kept && typed {
         tell_preview(&session, &mut shelf, args.quiet());
-    }
-    if let Some((name, shared)) = name.zip(controller) {
-        controller::leaves(name, &shared, &mut shelf);
     }
     match kept {
         true => closes(exit, &visit, (&mut session, &mut shelf), args, run),
@@ -327,7 +327,7 @@ fn attended<'a>(
     run: &RunArgs,
     show: Show,
     answers: Answers,
-    controller: Option<Shared>,
+    controller: Option<&Controller>,
     runs: impl FnOnce(Company<'_>) -> Result<(Summary, &'a Session, Option<JournalError>)>,
 ) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
@@ -341,20 +341,15 @@ fn attended<'a>(
         (talk, (trace, (signals, readings))),
         (Diagnostics::with(show.source), (picture, progress)),
     );
-    let driven = controller.clone().map(|shared| -> Driven { shared });
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let real = args.pace == PaceName::Real && controller.is_none();
     let clock = if real { Clock::Real } else { Clock::Fast };
     let mut terminal = Terminal::new(clock, run.operator.script())?;
-    let stop = Stop::listen()?;
     let mut person_at_it = Person::new(answers, person, &terminal).with_editor(show.editor);
-    let machine = driven.unwrap_or_else(|| terminal.simulated());
+    let machine = controller.map_or_else(|| terminal.simulated(), Controller::driven);
     let company =
         Company { sink: &mut told, operator: &mut person_at_it, requests: &mut terminal, machine };
     let (summary, session, unkept) = runs(company)?;
-    if let Some(shared) = controller {
-        shared.borrow_mut().close(summary.status == kerf_sbp::Status::Ok, || stop.is_wanted());
-    }
     let ((_, (trace, (signals, readings))), (_, (picture, progress))) = told;
     readings.map_or(Ok(()), ReadingBytes::finish)?;
     args.vcd.finish(signals)?;

@@ -3,6 +3,7 @@
 use super::receive;
 use crate::args::PlaceArgs;
 use crate::clock;
+use crate::controller;
 use crate::exit::{Exit, Usage};
 use crate::machine_file::{self, Named};
 use crate::memory;
@@ -13,6 +14,7 @@ use crate::{given, out, setup};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::Shelf;
+use kerf_control::controller::{Controller, First};
 use kerf_control::machine_file::MachineFile;
 use kerf_control::start_up::{OpenMethod, StartUp};
 use kerf_control::versions::Versions;
@@ -57,6 +59,8 @@ pub struct ServeArgs {
     #[arg(long, hide = true, default_value_t = 1.0)]
     rate: f64,
     #[command(flatten)]
+    first: controller::First,
+    #[command(flatten)]
     place: PlaceArgs,
     /// The start-up line that began it.
     #[arg(skip)]
@@ -86,6 +90,7 @@ impl ServeArgs {
             receive: false,
             exit_with_program: false,
             rate,
+            first: controller::First::NONE,
             place: PlaceArgs { parts, ..place.clone() },
             line: Some(line.clone()),
         })
@@ -227,7 +232,6 @@ fn options(args: &ServeArgs) -> Result<Options> {
             "cannot read {folder}: {why}; --parts names the folder of part files"
         )));
     }
-    args.place.machine.simulated("kerf serve drives")?;
     let name = args.place.machine.configuration();
     name.map(|_| setup::machine(&args.place.machine, &args.place.data)).transpose()?;
     let open = args.file.as_deref().map(|file| opened(&parts, file)).transpose()?;
@@ -287,5 +291,14 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
         // The log begins, and a command that was passed in before is forgotten.
         args.visit().begins_drawing(&session, &mut shelf, args.draws())?;
     }
-    Ok(Workshop { session, shelf, kept, started: || Some(clock::started()) })
+    let attached = args.place.machine.controller().map(|name| {
+        let first = First { may_be_locked: true, ..args.first.steps() };
+        Controller::attach(controller::socket(name), first, &mut session, &mut shelf, || false)
+    });
+    let (controller, told) = attached.transpose().map_err(|why| anyhow!(why))?.unzip();
+    if let Some(controller) = &controller {
+        shelf = shelf.with_firmware(controller.firmware(&session.machine_is.options.firmware));
+    }
+    let (told, started) = (told.unwrap_or_default(), || Some(clock::started()));
+    Ok(Workshop { session, shelf, controller, told, kept, started })
 }

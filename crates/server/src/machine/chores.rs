@@ -134,8 +134,9 @@ impl Owner {
             let stopped = self.link.lock().hear_stop_at_rest(stands);
             stopped || stands && !now.machine.armed
         });
+        let driven = self.driven();
         let Workshop { session, shelf, .. } = &mut self.workshop;
-        if stopped && session.stop_at_rest(shelf) {
+        if stopped && session.stop_at_rest(shelf, &driven) {
             self.settle(Machine::clone);
             self.hub.say(Tone::Note, "outputs are off: the machine was stopped or disarmed");
         }
@@ -283,6 +284,8 @@ mod tests {
             workshop: Workshop {
                 session: Session::default(),
                 shelf,
+                controller: None,
+                told: Default::default(),
                 kept: false,
                 started: || None,
             },
@@ -295,6 +298,7 @@ mod tests {
             asked: 0,
             run: 0,
             looked: None,
+            previews: Arc::new(|| Err(std::io::ErrorKind::Unsupported.into())),
         }
     }
 

@@ -11,6 +11,7 @@ mod arrived;
 mod board;
 mod chores;
 mod company;
+mod driven;
 mod left;
 pub mod link;
 mod owner;

@@ -12,8 +12,9 @@ use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
+use kerf_control::controller::Controller;
 use kerf_control::journal::{Journal, JournalError, Live};
-use kerf_control::{Company, RunOptions, Summary, Work, unverified};
+use kerf_control::{Company, RunOptions, Shelf, Summary, Work, unverified};
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad, hand};
 use kerf_program::{AXES, Axis};
@@ -21,6 +22,7 @@ use kerf_sbp::{FileParameters, Status};
 use kerf_sim::Simulated;
 use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
+use std::io;
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, TryRecvError};
@@ -161,6 +163,9 @@ impl Order {
 /// Time between two looks whether other software passed a command in.
 const LOOK: Duration = Duration::from_millis(100);
 
+/// Function that builds the files of a run which changes none.
+pub type PreviewFiles = Arc<dyn Fn() -> io::Result<Shelf> + Send + Sync>;
+
 /// The owner.
 pub struct Owner {
     /// Tells the pages.
@@ -187,6 +192,8 @@ pub struct Owner {
     pub run: u32,
     /// Stops that had come when it was looked last for a command that was passed in.
     pub looked: Option<Stops>,
+    /// Builds the files of a dry run, which changes none.
+    pub previews: PreviewFiles,
 }
 
 impl Owner {
@@ -194,6 +201,7 @@ impl Owner {
     pub fn tell_found(&self) {
         let told = self.workshop.shelf.journal().map(Journal::told).unwrap_or_default();
         told.into_iter().for_each(|line| self.hub.say(Tone::Warning, line));
+        self.tell_attached(&self.workshop.told);
     }
 
     /// Shows where the machine stands, and whether that is sure.
@@ -221,6 +229,7 @@ impl Owner {
                 self.move_switches();
                 self.tell_others(&Live::default());
                 self.rest_journal();
+                self.detach();
                 let Workshop { session, shelf, .. } = &mut self.workshop;
                 return shelf.close_system_log(&session.memory.settings, "NORMAL");
             }
@@ -285,6 +294,7 @@ impl Owner {
             let order = orders.try_recv();
             // Behind the order: what was stopped before it is off before it begins.
             self.stop_at_rest();
+            self.attend();
             let left = most.saturating_sub(begun.elapsed());
             if !matches!(order, Err(TryRecvError::Empty))
                 || left.is_zero()
@@ -297,7 +307,8 @@ impl Owner {
     }
 
     fn options(&self) -> RunOptions {
-        RunOptions { started: (self.workshop.started)(), ..RunOptions::default() }
+        let controller = self.workshop.controller.as_ref().map(|it| it.name().to_owned());
+        RunOptions { started: (self.workshop.started)(), controller, ..RunOptions::default() }
     }
 
     /// Runs something that pages see as a job.
@@ -357,6 +368,10 @@ impl Owner {
         planned: Planned,
         typing: Option<Typing>,
     ) -> Result<Summary, JournalError> {
+        let work = work.into();
+        if let Some(refused) = self.refuses(&work, &options) {
+            return Ok(refused);
+        }
         self.accompanied(planned, typing, |workshop, company| {
             let Workshop { session, shelf, kept, .. } = workshop;
             match kept {
@@ -385,13 +400,23 @@ impl Owner {
             parts: self.parts.clone(),
         };
         let mut requests = PageRequests::new(shared.clone(), self.rate);
-        let machine = Simulated::driven(Clock::new(shared.clone(), self.rate));
+        let simulated = || Simulated::driven(Clock::new(shared.clone(), self.rate));
+        let controller = self.workshop.controller.clone();
+        let machine = controller.as_ref().map_or_else(simulated, Controller::driven);
         let mut pages = Pages::new(shared.clone(), self.asked);
         let mut teller = Teller::new(shared);
         let company =
             Company { sink: &mut teller, operator: &mut pages, requests: &mut requests, machine };
         self.link.arrived().runs(true);
+        if let Some(controller) = &controller {
+            controller.begins(&mut self.workshop.shelf);
+        }
         let summary = runs(&mut self.workshop, company);
+        if let Some(controller) = &controller {
+            let well = summary.as_ref().is_ok_and(|summary| summary.status == Status::Ok);
+            let link = self.link.clone();
+            controller.ends(well, &mut self.workshop.shelf, || link.lock().is_to_stop());
+        }
         self.link.arrived().runs(false);
         self.asked = pages.asked();
         self.link.lock().close();
@@ -404,7 +429,7 @@ impl Owner {
     }
 
     /// A run is over: what the machine is afterwards.
-    fn come_to_rest(&mut self, driven: Result<Summary, JournalError>) {
+    pub(super) fn come_to_rest(&mut self, driven: Result<Summary, JournalError>) {
         let summary = match driven {
             Ok(summary) => summary,
             Err(error) => {
@@ -455,7 +480,8 @@ impl Owner {
         };
         self.hub.changing(|now| {
             let mode = told::mode(&self.workshop.session);
-            let machine = Machine { mode, ..becomes(&now.machine) };
+            let name = told::machine_name(&self.workshop.session);
+            let machine = Machine { mode, name, ..becomes(&now.machine) };
             let at = told::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed_mm_s: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
@@ -491,7 +517,7 @@ impl Owner {
     }
 
     /// Moves for as long as somebody holds a key.
-    fn held(&mut self, work: Work) -> Result<Summary, JournalError> {
+    pub(super) fn held(&mut self, work: Work) -> Result<Summary, JournalError> {
         self.drive(work, self.options(), Planned::default(), None)
     }
 
@@ -526,12 +552,16 @@ impl Owner {
     /// Switches an output of a machine that stands.
     fn switch(&mut self, number: u8, on: bool) {
         self.catch_up();
-        self.workshop.session.switch_at_rest(number, on);
+        let driven = self.driven();
+        self.workshop.session.switch_at_rest(number, on, &driven);
         self.rest(State::Idle, None);
     }
 
     fn nudge(&mut self, axis: Axis, distance: f64) {
         self.catch_up();
+        if self.workshop.controller.is_some() {
+            return self.nudge_driven(axis, distance);
+        }
         let Workshop { session, shelf, kept, .. } = &mut self.workshop;
         let why = match session.nudge(axis, distance) {
             Err(outside) => Some(outside.to_string()),

@@ -57,7 +57,14 @@ fn builders(parts: PathBuf) -> Builders {
     let workshop = move || {
         let stored = Stored::in_memory(Default::default());
         let shelf = Shelf::new(Box::new(RealDisk), folders(&own), stored, own.join("../data"));
-        Ok(Workshop { session: Session::default(), shelf, kept: false, started: || None })
+        Ok(Workshop {
+            session: Session::default(),
+            shelf,
+            controller: None,
+            told: Default::default(),
+            kept: false,
+            started: || None,
+        })
     };
     let preview = move || {
         let stored = Stored::in_memory(Default::default());

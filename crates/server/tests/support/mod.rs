@@ -161,7 +161,14 @@ pub fn builders(parts: &Path, settings: fn(&mut kerf_program::Settings)) -> Buil
         let shelf = Shelf::new(Box::new(RealDisk), folders(&own), stored, own.join("data"));
         let mut session = Session::default();
         settings(&mut session.memory.settings);
-        Ok(Workshop { session, shelf, kept: false, started: || None })
+        Ok(Workshop {
+            session,
+            shelf,
+            controller: None,
+            told: Default::default(),
+            kept: false,
+            started: || None,
+        })
     };
     let preview = move || {
         let stored = Stored::in_memory(Default::default());
@@ -182,7 +189,14 @@ pub fn kept(dir: TempDir) -> Shop {
         let mut shelf = Shelf::new(Box::new(RealDisk), folders, stored, kept.clone());
         let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
         let shelf = shelf.with_shell(kerf_control::Shell::Started);
-        Ok(Workshop { session, shelf, kept: true, started: || None })
+        Ok(Workshop {
+            session,
+            shelf,
+            controller: None,
+            told: Default::default(),
+            kept: true,
+            started: || None,
+        })
     };
     let options = Options {
         listen: SocketAddr::from(([127, 0, 0, 1], 0)),

@@ -1,0 +1,105 @@
+//! The controller that the server drives, where there is one: looked at while nothing runs, and asked before a run whether
+//! it has all that the run needs.
+
+use super::owner::Owner;
+use crate::setup::Workshop;
+use crate::told;
+use kerf_control::answers::Answers;
+use kerf_control::controller::{Controller, Told};
+use kerf_control::{RunOptions, Summary, Work};
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::{Driven, Errand};
+use kerf_program::{AXES, Axes, Axis};
+use kerf_wire::{Machine, State, Tone};
+use std::sync::Arc;
+
+/// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
+const MOVED_MM: f64 = 0.01;
+
+impl Owner {
+    /// The machine that makes what is switched while nothing runs.
+    pub(super) fn driven(&self) -> Driven {
+        let controller = self.workshop.controller.as_ref();
+        controller.map_or_else(kerf_control::simulated, Controller::driven)
+    }
+
+    /// Tells what was found when the controller was attached.
+    pub(super) fn tell_attached(&self, told: &Told) {
+        told.notes.iter().for_each(|line| self.hub.say(Tone::Note, line.clone()));
+        told.warnings.iter().for_each(|line| self.hub.say(Tone::Warning, line.clone()));
+    }
+
+    /// Kerf ends: what was changed in the controller is put back.
+    pub(super) fn detach(&mut self) {
+        let Workshop { controller, shelf, .. } = &mut self.workshop;
+        if let Some(controller) = controller {
+            controller.detach(shelf);
+        }
+    }
+
+    /// Looks at the controller while nothing runs: its inputs, a place to which somebody else moved it, an alarm.
+    pub(super) fn attend(&mut self) {
+        let Workshop { controller, session, .. } = &mut self.workshop;
+        let Some(controller) = controller else { return };
+        let lost = self.hub.read(|now| now.machine.state == State::Alarm);
+        let (inputs, place) = controller.attend();
+        let fault = controller.fault();
+        let far = |place: &Axes| {
+            place.minus(session.memory.position).0.iter().any(|mm| mm.abs() > MOVED_MM)
+        };
+        let moved = place.filter(far);
+        let changed = !inputs.is_empty() || moved.is_some();
+        inputs.into_iter().for_each(|input| session.senses(input));
+        if let Some(place) = moved {
+            session.memory.position = place;
+        }
+        match fault {
+            Some(why) if !lost => self.rest(State::Alarm, Some(why)),
+            _ if changed => self.settle(Machine::clone),
+            _ => {}
+        }
+    }
+
+    /// Returns the summary of a run that is not begun: the controller is gone, or lacks what the run needs.
+    pub(super) fn refuses(&mut self, work: &Work, options: &RunOptions) -> Option<Summary> {
+        let Workshop { controller, session, shelf, .. } = &mut self.workshop;
+        let controller = controller.as_mut()?;
+        let unit = session.memory.settings.linear_unit;
+        if controller.fault().is_some() {
+            match controller.attach_again(session, shelf) {
+                Ok(told) => self.tell_attached(&told),
+                Err(why) => {
+                    let place = Place::line(work.name(), 0);
+                    let hint = "look at its cable, its power and its port";
+                    let error = Diagnostic::new(Code::NotConnected, place, why).hint(hint);
+                    return Some(Summary::not_begun(unit, Some(Box::new(error))));
+                }
+            }
+        }
+        let homes = matches!(work, Work::Hand(Errand::FindHome(_), _));
+        let Workshop { controller, session, .. } = &self.workshop;
+        if let Some(locked) = controller.as_ref()?.locked().filter(|_| !homes) {
+            let error = Diagnostic::new(Code::Controller, Place::line(work.name(), 0), locked);
+            return Some(Summary::not_begun(unit, Some(Box::new(error))));
+        }
+        let mut shelf = (self.previews)().ok()?;
+        let mut answers = Answers::default();
+        let found = controller.as_ref()?.lacks(work, session, options, &mut shelf, &mut answers);
+        found.iter().for_each(|it| self.hub.say(told::tone(it), told::sentence(it)));
+        let error = found.into_iter().find(Diagnostic::is_error)?;
+        Some(Summary::not_begun(unit, Some(Box::new(error))))
+    }
+
+    /// Moves the tool a little, and the working zero as far as it came.
+    pub(super) fn nudge_driven(&mut self, axis: Axis, distance: f64) {
+        let session = &self.workshop.session;
+        let (before, machine) = (session.memory.position, Arc::new(session.configuration()));
+        let mut place = [None; AXES];
+        place[axis.index()] = Some(distance);
+        let errand = Errand::To { place, relative: true, flat: false };
+        let driven = self.held(Work::Hand(errand, machine));
+        let memory = &mut self.workshop.session.memory;
+        memory.frame.working_zero[axis] += memory.position[axis] - before[axis];
+        self.come_to_rest(driven);
+    }
+}
