@@ -132,9 +132,9 @@ console-check: console/node_modules/.package-lock.json ## types and lints of the
 console-test: console/node_modules/.package-lock.json ## tests of the console that need no browser
 	cd console && npm run --silent test
 
-console-browser: console ## tests of the console in a browser, on the simulated machine
+console-browser: console ## tests of the console in a browser, on the simulated machine and on a pretended controller
 	@.ci/browser
-	$(CARGO) build --locked --package kerf
+	$(CARGO) build --locked --package kerf --bin kerf --example grbl
 	cd console && npm run --silent browser
 
 console: console/node_modules/.package-lock.json ## build the console's page

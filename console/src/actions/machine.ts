@@ -47,6 +47,15 @@ export const spaceBar: Action = {
   },
 };
 
+/** Home as switches tell it: by Kerf's own search, or by that of the controller. */
+export const findHome: Action = {
+  id: "machine.findHome",
+  title: "Find home by the home switches",
+  section: "machine",
+  refused: unlessReady,
+  run: (world) => void drive(world, { do: "go", way: { to: "findHome", axes: null } }),
+};
+
 export const hold: Action = {
   id: "machine.hold",
   title: "Hold",
@@ -160,6 +169,7 @@ export const machineActions: readonly Action[] = [
   stop,
   spaceBar,
   hold,
+  findHome,
   resume,
   arm,
   disarm,

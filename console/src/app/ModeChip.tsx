@@ -15,14 +15,15 @@ const meaning: Record<Mode, string> = {
 /** What running a file means: told by word, colour and pattern. A press changes between preview and cut. */
 export function ModeChip() {
   const hands = useHands();
-  const mode = useShown((shown) => shown.snapshot?.machine.mode);
-  if (!mode) return null;
+  const machine = useShown((shown) => shown.snapshot?.machine);
+  if (!machine) return null;
+  const { mode, name } = machine;
   const other = mode === "preview" ? moveMode : preview;
   return (
     <button
       type="button"
       className={`mode mode-${mode}`}
-      title={`${meaning[mode]} A press changes to: ${other.title}.`}
+      title={`${meaning[mode]} It is ${name}. A press changes to: ${other.title}.`}
       onClick={() => attempt(other, worldOf(hands))}
     >
       <span className="mode-pattern" aria-hidden="true" />

@@ -239,6 +239,8 @@ export interface WorkshopOptions {
   readonly listen?: string;
   /** The profile of the machine that it has, as `kerf machine use` names it. */
   readonly machine?: string;
+  /** The controller that it drives, as `--machine` names it. */
+  readonly controller?: string;
   /** Seconds of machine time in a second. */
   readonly rate?: number;
 }
@@ -296,7 +298,8 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const lan = options.lan ? ["--lan"] : [];
   const only = options.drawingOnly ? ["--drawing-only"] : [];
   const begins = options.line ? ["sb3", options.line, "--console"] : ["serve", ...file];
-  const server = spawn(kerf, [...begins, ...places, ...lan, ...only], { cwd: folder });
+  const driven = options.controller ? ["--machine", options.controller] : [];
+  const server = spawn(kerf, [...begins, ...places, ...lan, ...only, ...driven], { cwd: folder });
   const wayIn = await addressOf(server);
   const { origin: address, searchParams } = new URL(wayIn);
   const token = searchParams.get("token");

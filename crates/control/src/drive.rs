@@ -59,7 +59,12 @@ impl<'a> Drive<'a> {
             sink.under_way(doing, from_s, to_s);
             return request;
         }
-        if doing.going.is_some() && (self.braked || self.fault.is_some()) {
+        if doing.going.is_some() && self.braked {
+            // The way to the stand is made already.
+            sink.under_way(doing, from_s, to_s);
+            return None;
+        }
+        if doing.going.is_some() && self.fault.is_some() {
             return None;
         }
         let from_s = from_s.max(self.reached_s);

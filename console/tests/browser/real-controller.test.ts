@@ -1,0 +1,156 @@
+import { type ChildProcess, spawn } from "node:child_process";
+import { writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Snapshot } from "../../src/wire/messages";
+import { arm, hold, keysOf, openWorkshop, stands, stateOf, until, type Workshop } from "./workshop";
+
+const pretended = resolve(import.meta.dirname, "../../../target/debug/examples/grbl");
+
+/** A controller of the grbl family on a pseudo terminal, which moves in real time. */
+class Controller {
+  private readonly child: ChildProcess;
+  private readonly lines: string[] = [];
+  private said = "";
+
+  constructor(...settings: string[]) {
+    this.child = spawn(pretended, settings);
+    this.child.stdout?.on("data", (data: Buffer) => {
+      const [last = "", ...before] = (this.said + data.toString()).split("\n").reverse();
+      this.said = last;
+      this.lines.push(...before.reverse());
+    });
+  }
+
+  async line(): Promise<string> {
+    await until(async () => this.lines.length > 0, "the controller says something");
+    return this.lines.shift() ?? "";
+  }
+
+  async look(): Promise<{ place: number[]; spindle: boolean }> {
+    this.child.stdin?.write("where\n");
+    const line = await this.line();
+    const place = line.split(" ")[0]?.split(",").map(Number) ?? [];
+    return { place, spindle: line.includes("spindle Some") };
+  }
+
+  unplug(): void {
+    this.child.kill();
+  }
+}
+
+let controller: Controller;
+let workshop: Workshop;
+let page: Page;
+
+beforeAll(async () => {
+  controller = new Controller("22=1");
+  const port = await controller.line();
+  workshop = await openWorkshop({ controller: `grbl:${port}` });
+  writeFileSync(
+    join(workshop.parts, "square.sbp"),
+    ["SO,1,1", "MS,2", "MX,2", "MY,2", "MX,0", "MY,0", "SO,1,0", ""].join("\n"),
+  );
+  page = await workshop.page();
+});
+afterAll(async () => {
+  await workshop?.close();
+  controller?.unplug();
+});
+
+const working = async () => (await stateOf(workshop)).motion.at.machine;
+
+/** The page and the controller say the same place. */
+async function agree(): Promise<number[]> {
+  await until(() => stands(workshop), "it stands");
+  const { place } = await controller.look();
+  const told = await working();
+  for (const [axis, mm] of place.entries()) expect(told[axis], `axis ${axis}`).toBeCloseTo(mm, 2);
+  return place;
+}
+
+it("says which machine it drives", async () => {
+  const chip = page.locator(".mode");
+  expect(await chip.textContent()).toContain("CUT");
+  expect(await chip.getAttribute("title")).toContain("grbl:/dev/");
+});
+
+it("homes a controller that was locked until it is homed", async () => {
+  await arm(page);
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("Find home");
+  await page.keyboard.press("Enter");
+  await page.getByText("the controller has homed its axes").waitFor();
+  await until(
+    async () => (await stateOf(workshop)).setup.notHomed === "",
+    "nothing is left to home",
+  );
+  await agree();
+});
+
+it("moves for as long as a key is held", async () => {
+  const [before = 0] = await agree();
+  await page.getByRole("button", { name: "Move tool" }).click();
+  await page.getByRole("dialog", { name: "Keypad" }).waitFor();
+  const hand = keysOf(page, ["ArrowRight"]);
+  const goes = ({ motion }: Snapshot) => (motion.at.machine[0] ?? 0) - before > 5;
+  await hold(workshop, hand, goes, "it moves");
+  await hand.up();
+  const [there = 0] = await agree();
+  expect(there - before).toBeGreaterThan(5);
+  await new Promise((resolve) => setTimeout(resolve, 500));
+  expect((await controller.look()).place[0], "nothing moves any more").toBe(there);
+  await page.keyboard.press("Escape");
+});
+
+it("runs a file, faster and slower, holds it and goes on, to its end", async () => {
+  const [x = 0, y = 0] = await agree();
+  await page.keyboard.press("Control+o");
+  await page.getByRole("option", { name: "square.sbp" }).click();
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Start" }).click();
+  await page.getByText("The spindle is about to start.").waitFor();
+  await page.getByRole("button", { name: "OK" }).click();
+  await page.locator(".state", { hasText: "Running" }).waitFor();
+  await page.getByRole("button", { name: "Hold" }).click();
+  await page.locator(".state", { hasText: "Held" }).waitFor();
+  const stood = await agree();
+  expect(await agree(), "it stands").toEqual(stood);
+  await page.getByRole("button", { name: "Resume" }).click();
+  await page.locator(".state", { hasText: "Running" }).waitFor();
+  const feed = page.getByRole("slider", { name: "Feed" });
+  await feed.focus();
+  await page.keyboard.press("Home");
+  await until(async () => {
+    const { overrides, motion } = await stateOf(workshop);
+    return overrides.feedPercent === 10 && motion.speedMmS > 0;
+  }, "the feed is turned");
+  await page.getByRole("button", { name: "100 %" }).click();
+  await page.getByText("finished").waitFor();
+  const [endX = 0, endY = 0] = await agree();
+  expect([endX, endY].map((mm) => mm.toFixed(2))).toEqual([x, y].map((mm) => mm.toFixed(2)));
+  expect((await controller.look()).spindle).toBe(false);
+});
+
+it("stops in the middle where the controller stands, with the spindle off", async () => {
+  await page.getByRole("button", { name: "Start" }).click();
+  await page.getByText("The spindle is about to start.").waitFor();
+  await page.getByRole("button", { name: "OK" }).click();
+  await page.locator(".state", { hasText: "Running" }).waitFor();
+  await until(async () => (await stateOf(workshop)).motion.speedMmS > 10, "it moves");
+  await page.getByRole("button", { name: "STOP", exact: true }).click();
+  const quit = page.getByRole("button", { name: "Quit" });
+  await quit.waitFor();
+  await agree();
+  expect((await controller.look()).spindle).toBe(false);
+  await quit.click();
+  await page.locator(".state", { hasText: "Ready" }).waitFor();
+  await agree();
+});
+
+it("tells an alarm when the controller is gone", async () => {
+  controller.unplug();
+  await page.locator(".state", { hasText: "Alarm" }).waitFor();
+  expect(workshop.mistakes).toEqual([]);
+});
