@@ -26,6 +26,22 @@ const LONGEST: usize = 1024;
 
 /// Characters that act at once and are no part of a line.
 pub(crate) mod at_once {
+    /// Feed override: back to 100 %, 10 % and 1 % up and down.
+    const FEED: u8 = 0x90;
+    const TEN_UP: u8 = 0x91;
+    const TEN_DOWN: u8 = 0x92;
+    const ONE_UP: u8 = 0x93;
+    const ONE_DOWN: u8 = 0x94;
+
+    /// Commands that set the feed override to so many percent, 10 to 200.
+    pub fn feed(percent: u8) -> Vec<u8> {
+        let off = i32::from(percent.clamp(10, 200)) - 100;
+        let steps =
+            |by: i32, up, down| vec![if by > 0 { up } else { down }; by.unsigned_abs() as usize];
+        let (tens, ones) = (off / 10, off % 10);
+        [vec![FEED], steps(tens, TEN_UP, TEN_DOWN), steps(ones, ONE_UP, ONE_DOWN)].concat()
+    }
+
     pub const ASK: u8 = b'?';
     pub const HOLD: u8 = b'!';
     pub const RESUME: u8 = b'~';
@@ -336,6 +352,7 @@ impl Driver for Grbl {
             Signal::Hold => self.out.push(at_once::HOLD),
             Signal::Resume => self.out.push(at_once::RESUME),
             Signal::Stop => self.stop(now_s),
+            Signal::Feed(percent) => self.out.extend(at_once::feed(percent)),
         }
     }
 

@@ -230,6 +230,7 @@ impl Told {
             no_spindle: self.no_spindle(),
             probe: (!self.lacks_probe).then_some(PROBE_INPUT),
             spindle_rpm: self.of(30).unwrap_or(1000.0),
+            overrides: true,
         }
     }
 }

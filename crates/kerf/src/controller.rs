@@ -321,8 +321,12 @@ pub fn look_through(
     let mut options = RunOptions { started: None, ..options.clone() };
     options.program.preview = true;
     let mut answers: Answers = setup::answers(run)?;
-    let company =
-        Company { sink: &mut lacks, operator: &mut answers, pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut lacks,
+        operator: &mut answers,
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
     drop(session.clone().run(again, options, &mut shelf, company));
     let found = lacks.found();
     let mut told = Diagnostics::default();

@@ -2,14 +2,13 @@
 
 use super::lacks::{lacked, needs, no_output, out_of_reach, wired};
 use super::row::{Chord, Handed, Row};
-use super::steers::PATIENCE;
 use super::ways::{chords, speed_mm_s};
 use kerf_machine::driver::{
     Changed, Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };
 use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
 use kerf_motion::{Move, Path};
-use kerf_program::{At, Axes, OutputReason};
+use kerf_program::{At, Axes, MoveKind, OutputReason};
 use std::collections::{BTreeSet, VecDeque};
 use std::time::{Duration, Instant};
 
@@ -69,6 +68,27 @@ impl Line for Closed {
     }
 }
 
+/// The last moves of a piece of plan that does not end at a stand are not waited for, as long as this,
+/// seconds: the next piece is planned meanwhile, and the machine does not stop between them.
+const LEAD_S: f64 = 0.5;
+
+/// Time limit for the last moves of a machine that is wanted stopped, seconds: longer than what is sent ahead takes.
+const PATIENCE_S: f64 = 2.0;
+
+/// A share in percent, as a driver is told it.
+fn percent(share: f32) -> u8 {
+    (share * 100.0).round().clamp(1.0, 250.0) as u8
+}
+
+/// Returns `true` if a run goes on without waiting for the machine.
+fn leads(going: &Going<'_>, until_s: f64) -> bool {
+    let plan = going.plan;
+    let last = plan.span(plan.moves().len().saturating_sub(1));
+    // A ramp ends at its own speed, which is a stand all the same.
+    let goes_on = last.is_some_and(|last| last.v_exit > 1.001 * last.made.ramp_mm_s);
+    goes_on && going.t0_s + plan.duration_s() - until_s < LEAD_S
+}
+
 /// A connection to a controller.
 pub struct Connection {
     name: String,
@@ -87,6 +107,8 @@ pub struct Connection {
     wanted: u32,
     ordered: u32,
     rpm: Option<f64>,
+    /// Share of the ordered speed at which it makes moves.
+    feed: f32,
     inputs: VecDeque<(u8, bool)>,
     /// Inputs that are active.
     active: BTreeSet<u8>,
@@ -97,6 +119,8 @@ pub struct Connection {
     /// An input is watched that is only looked at now and then.
     looks_often: bool,
     asked_s: f64,
+    /// While nothing moves: the moment of machine time that was told last, and when.
+    stood: Option<(f64, Instant)>,
     failure: Option<Fault>,
     /// A setting of the controller that was changed, and is put back.
     owed: Option<Changed>,
@@ -143,12 +167,14 @@ impl Connection {
             wanted: 0,
             ordered: 0,
             rpm: None,
+            feed: 1.0,
             inputs: VecDeque::new(),
             active: BTreeSet::new(),
             probing: None,
             contact: None,
             looks_often: false,
             asked_s: 0.0,
+            stood: None,
             failure: None,
             owed: None,
             dead: false,
@@ -276,7 +302,7 @@ impl Connection {
         does: impl FnOnce() -> T,
         opens: impl FnOnce() -> Result<(Box<dyn Wired>, Box<dyn Line>), String>,
     ) -> (T, Result<String, String>) {
-        self.settle(|| false);
+        self.finish(|| false);
         let (place, owed) = (self.place(), self.owed);
         self.line = Box::new(Closed);
         let done = does();
@@ -428,6 +454,10 @@ impl Connection {
         self.switch_outputs();
         let chords = chords(made, self.facts.arc_tolerance_mm);
         let mut speed_mm_s = speed_mm_s(made, &chords);
+        if made.kind == MoveKind::Jog {
+            // An override is of cuts.
+            speed_mm_s /= f64::from(self.feed);
+        }
         self.looks_often = !watches.is_empty() && probes.is_none();
         if let Some(Watch { active, .. }) = probes {
             let order = Order::Probe { to: made.to.minus(self.offset), speed_mm_s, active };
@@ -516,11 +546,33 @@ impl Connection {
         self.link.restart(self.now_s());
         (self.done, self.open, self.ordered) = (0, 0, 0);
         (self.probing, self.contact, self.looks_often) = (None, None, false);
+        // Its reset has set the override back.
+        if self.feed != 1.0 {
+            self.feed(self.feed);
+        }
+    }
+
+    /// The moment that is reached of a move, as far as it is known.
+    fn reached_s(&mut self, going: &Going<'_>) -> f64 {
+        let place = self.place();
+        let share = match self.contact {
+            Some((index, share)) if index == going.index => share.min(1.0 - f64::EPSILON),
+            _ => self.row.share(going.index, self.done, place),
+        };
+        if share >= 1.0 {
+            return f64::INFINITY;
+        }
+        going.t0_s + going.plan.time_at_share(going.index, share)
+    }
+
+    /// Returns `true` while something that was ordered is not done.
+    const fn is_busy(&self) -> bool {
+        self.open > 0 && self.failure.is_none()
     }
 
     /// Waits until everything that was ordered is done. Somebody may hold the machine at the controller: when
     /// the operator wants it stopped and it still does not come to an end, it is given up.
-    fn settle(&mut self, mut is_stopped: impl FnMut() -> bool) {
+    fn finish(&mut self, mut is_stopped: impl FnMut() -> bool) {
         let mut stopped_s = None;
         while self.is_busy() {
             self.tend(NAP);
@@ -528,7 +580,7 @@ impl Connection {
             if stopped_s.is_none() && is_stopped() {
                 stopped_s = Some(now_s);
             }
-            if stopped_s.is_some_and(|at_s| now_s - at_s > PATIENCE.as_secs_f64()) {
+            if stopped_s.is_some_and(|at_s| now_s - at_s > PATIENCE_S) {
                 self.give_up();
             }
         }
@@ -537,7 +589,7 @@ impl Connection {
     /// The run is over; when it did not end well, everything is stopped and switched off.
     pub fn close(&mut self, well: bool, is_stopped: impl FnMut() -> bool) {
         if well {
-            self.settle(is_stopped);
+            self.finish(is_stopped);
         }
         if !well || self.failure.is_some() {
             self.wanted = 0;
@@ -560,6 +612,14 @@ impl Machine for Connection {
     fn refuses(&self, mv: &Move) -> Option<String> {
         let why = out_of_reach(&self.facts, mv.from, mv.to, self.offset)?;
         Some(format!("{} {why}", self.name))
+    }
+
+    fn is_real(&self) -> bool {
+        true
+    }
+
+    fn begin(&mut self) {
+        self.closed = false;
     }
 
     fn begin_plan(&mut self) {
@@ -590,19 +650,13 @@ impl Machine for Connection {
         }
     }
 
-    fn reached_s(&mut self, going: &Going<'_>) -> f64 {
-        let place = self.place();
-        let share = match self.contact {
-            Some((index, share)) if index == going.index => share.min(1.0 - f64::EPSILON),
-            _ => self.row.share(going.index, self.done, place),
-        };
-        if share >= 1.0 {
-            return f64::INFINITY;
+    fn advance(&mut self, going: &Going<'_>, _: f64, until_s: f64) -> News {
+        self.stood = None;
+        // What is known to be made already is not waited for.
+        let reached_s = self.reached_s(going);
+        if reached_s >= until_s {
+            return News { reached_s, input: None };
         }
-        going.t0_s + going.plan.time_at_share(going.index, share)
-    }
-
-    fn advance(&mut self, going: &Going<'_>, wait: Duration) -> News {
         self.row.come_to(going.index);
         let moves = going.plan.moves();
         while self.has_room() && self.row.next() < moves.len().min(going.until) {
@@ -612,21 +666,32 @@ impl Machine for Connection {
                 break;
             }
         }
-        let input = self.look(wait);
-        News { reached_s: self.reached_s(going), input }
+        self.tend(NAP);
+        let input = self.inputs.pop_front();
+        let leads = input.is_none() && leads(going, until_s);
+        News { reached_s: if leads { until_s } else { self.reached_s(going) }, input }
     }
 
-    fn work(&mut self, wait: Duration) {
-        self.tend(wait);
+    fn stand(&mut self, from_s: f64, until_s: f64) -> News {
+        let before = self.stood.filter(|(told_s, _)| *told_s == from_s);
+        let (_, since) = before.unwrap_or_else(|| (from_s, Instant::now()));
+        if until_s > from_s {
+            self.tend(NAP);
+        }
+        let reached_s = (from_s + since.elapsed().as_secs_f64()).min(until_s);
+        self.stood = Some((reached_s, Instant::now()));
+        News { reached_s, input: self.inputs.pop_front() }
     }
 
-    fn look(&mut self, wait: Duration) -> Option<(u8, bool)> {
-        self.tend(wait);
-        self.inputs.pop_front()
+    fn look(&mut self) {
+        self.tend(Duration::ZERO);
     }
 
-    fn is_busy(&self) -> bool {
-        self.open > 0 && self.failure.is_none()
+    fn settle(&mut self) -> bool {
+        if self.is_busy() {
+            self.tend(NAP);
+        }
+        self.is_busy()
     }
 
     fn stop(&mut self, going: &Going<'_>) -> Option<f64> {
@@ -646,6 +711,15 @@ impl Machine for Connection {
         let (index, share) = self.row.locate(done, place).unwrap_or((going.index, 0.0));
         self.row = Row::default();
         Some(going.t0_s + going.plan.time_at_share(index, share))
+    }
+
+    fn feed(&mut self, share: f32) {
+        if self.facts.overrides {
+            self.feed = share;
+            self.link
+                .driver()
+                .signal(Signal::Feed(percent(share)), self.since.elapsed().as_secs_f64());
+        }
     }
 
     fn give_up(&mut self) {

@@ -72,6 +72,8 @@ pub enum Signal {
     Resume,
     /// Slow down, forget every order that is not done, switch outputs off.
     Stop,
+    /// Make moves at so many percent of the speed that was ordered, from now on.
+    Feed(u8),
 }
 
 /// An order with its ticket.
@@ -167,6 +169,8 @@ pub struct Facts {
     pub probe: Option<u8>,
     /// The fastest its spindle turns, revolutions a minute.
     pub spindle_rpm: f64,
+    /// It changes the speed of moves that it has (feed override).
+    pub overrides: bool,
 }
 
 /// A setting of a controller that was changed to drive it, and is put back afterwards.
