@@ -18,6 +18,7 @@
 //! - Times of the trace are those of the plan. The controller takes its own.
 
 mod connection;
+mod driven;
 mod lacks;
 mod row;
 mod ways;
