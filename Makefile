@@ -92,10 +92,10 @@ figures: prepare console ## draw the pictures of README and book anew
 	@.ci/browser
 	cd console && KERF="$(CURDIR)/target/release/kerf" npm run --silent figures
 	for kind in router input pierce plasma; do \
-	  target/release/kerf timing docs/figures/line.rsg --config docs/figures/timing-$$kind.toml \
+	  target/release/kerf timing docs/figures/line.rsg --machine docs/figures/timing-$$kind.toml \
 	    $$(cat docs/figures/timing-$$kind.txt) --force -o docs/figures/timing-$$kind.svg; \
 	done
-	target/release/kerf heights docs/figures/wave.rsg --config docs/figures/height-error.toml \
+	target/release/kerf heights docs/figures/wave.rsg --machine docs/figures/height-error.toml \
 	  $$(cat docs/figures/height-error.txt) --title Height-control --force -o docs/figures/height-error.svg
 
 # Python's ezdxf, kept apart from whatever Python is there.

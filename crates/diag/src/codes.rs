@@ -262,9 +262,9 @@ codes! {
     NoConfiguration "K001" Error "not a configuration"
         "The configuration of a machine is TOML: lines such as `axes = 4`, sections such as `[delays]`. `kerf machine show` prints a complete one.";
     UnknownSetting "K002" Error "no such setting"
-        "A machine's configuration has no setting of this name. Names that are misspelt would have no effect, so they are refused. `kerf machine list` shows every setting with its unit, bounds and default.";
+        "A machine's configuration has no setting of this name. Names that are misspelt would have no effect, so they are refused. `kerf get` lists every setting with its unit, bounds and default.";
     BadSetting "K003" Error "a setting does not accept this value"
-        "The value is of another type than the setting, or out of its bounds. `kerf machine list` shows what each setting accepts.";
+        "The value is of another type than the setting, or out of its bounds. `kerf get` lists what each setting accepts.";
     Contradiction "K004" Error "settings contradict each other"
         "Each value alone would do, but together they describe no machine: two axes on one motor, Z bottom above Z top, a laser pulse longer than its period. Nothing moves until one of them is changed.";
 }

@@ -1,9 +1,9 @@
-//! A controller that is none, on a pseudo terminal: to try `kerf run FILE --driver grbl:PORT` without a
+//! A controller that is none, on a pseudo terminal: to try `kerf run FILE --machine grbl:PORT` without a
 //! machine.
 //!
 //! ```text
 //! cargo run -p kerf --example grbl
-//! kerf run box.sbp --driver grbl:/dev/pts/4
+//! kerf run box.sbp --machine grbl:/dev/pts/4
 //! ```
 //!
 //! Settings are arguments: `20=1 22=1`. Lines on standard input work it: `limit` hits a limit switch,

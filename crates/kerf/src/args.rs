@@ -1,5 +1,6 @@
 //! Options that several subcommands share.
 
+use crate::machine_name::MachineChoice;
 use crate::parse::{self, Dialects};
 use clap::{Args, ValueEnum};
 use kerf_control::{OperatorRequest, Script};
@@ -92,9 +93,8 @@ impl OperatorArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Folders")]
 pub struct PlaceArgs {
-    /// What the machine is like: a configuration file, or the name of a ready-made machine
-    #[arg(long, value_name = "FILE")]
-    pub config: Option<PathBuf>,
+    #[command(flatten)]
+    pub machine: MachineChoice,
     /// The part folder [default: where the part file lies]
     #[arg(long, value_name = "DIR")]
     pub parts: Option<PathBuf>,
@@ -107,8 +107,8 @@ pub struct PlaceArgs {
     #[command(flatten)]
     pub data: DataArgs,
     /// Start from the machine as it was left, or from inches and zeros, with speeds as Kerf comes with them
-    /// unless --config names a machine [default: kept for send and, where a data folder is named or a
-    /// controller, for run; fresh for the others]
+    /// unless --machine tells what the machine is like [default: kept for send and, where a data folder is named or
+    /// a controller, for run; fresh for the others]
     #[arg(long, value_enum, value_name = "HOW")]
     pub start: Option<Start>,
     /// Lets SHELL start programs; never in a preview
@@ -127,9 +127,9 @@ pub struct DataArgs {
 impl PlaceArgs {
     /// `kerf run` on the simulated machine goes on from the last run only where a data folder is
     /// named: else the same file run twice would begin at two places. A real machine is as it was left.
-    pub fn start_run(&mut self, real: bool) {
+    pub fn start_run(&mut self) {
         let named = self.data.folder.is_some() || std::env::var_os("KERF_DATA").is_some();
-        if !named && !real {
+        if !named && self.machine.controller().is_none() {
             self.start = self.start.or(Some(Start::Fresh));
         }
     }

@@ -1,7 +1,8 @@
-//! The controller of a run: what `--driver` names, opened, looked at, and closed again.
+//! The controller of a run: what `--machine` names, opened, looked at, and closed again.
 
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
+use crate::machine_name::DriverName;
 use crate::report::Diagnostics;
 use crate::setup;
 use crate::stop::Stop;
@@ -16,48 +17,8 @@ use kerf_machine::driver::{Changed, Wired};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_serial::{Port, SerialError};
 use std::cell::RefCell;
-use std::fmt;
 use std::rc::Rc;
 use std::time::Duration;
-
-/// The rate of grbl's own build.
-const BAUD: u32 = 115_200;
-
-/// Driver and port that `--driver` names.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DriverName {
-    words: String,
-    path: String,
-    baud: u32,
-}
-
-impl DriverName {
-    /// Reads `grbl:/dev/ttyUSB0@115200`.
-    pub fn read(words: &str) -> Result<Self, String> {
-        let kind = "name a driver and its port: grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000";
-        let (driver, port) = words.split_once(':').ok_or(kind)?;
-        if driver != "grbl" {
-            return Err(format!("there is no driver '{driver}', only grbl; {kind}"));
-        }
-        let (path, baud) = match port.rsplit_once('@') {
-            Some((path, baud)) => {
-                let wrong = || format!("'{baud}' is no rate in baud, as 115200 is");
-                (path, baud.parse().ok().filter(|baud| *baud > 0).ok_or_else(wrong)?)
-            }
-            None => (port, BAUD),
-        };
-        if path.is_empty() {
-            return Err(kind.into());
-        }
-        Ok(Self { words: words.to_owned(), path: path.to_owned(), baud })
-    }
-}
-
-impl fmt::Display for DriverName {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.words)
-    }
-}
 
 /// A serial port as the line of a driver.
 struct Wire(Port);
@@ -86,7 +47,8 @@ pub fn firmware(shared: &Shared, name: &DriverName, command: &str) -> Firmware {
     let (shared, name, command) = (shared.clone(), name.clone(), command.to_owned());
     Box::new(move |run| {
         if command.is_empty() {
-            let why = "name the command that loads it: kerf machine set options.firmware 'avrdude … -P {port} …'";
+            let why =
+                "name the command that loads it: kerf set options.firmware='avrdude … -P {port} …'";
             return Err(HostError::Refused(why.into()));
         }
         let line = command.replace("{port}", &name.path);
@@ -115,11 +77,22 @@ fn connect(name: &DriverName, quiet: bool, abandoned: bool) -> Result<Connection
 #[derive(clap::Args, Clone, Copy, Debug)]
 pub struct First {
     /// Has the controller go home first
-    #[arg(long, requires = "driver")]
+    #[arg(long)]
     home: bool,
     /// Unlocks the controller after an alarm, without homing it: look first why it stopped, and where it is
-    #[arg(long, requires = "driver", conflicts_with = "home")]
+    #[arg(long, conflicts_with = "home")]
     unlock: bool,
+}
+
+impl First {
+    /// Returns the option that was given.
+    pub const fn option(self) -> Option<&'static str> {
+        match (self.home, self.unlock) {
+            (true, _) => Some("--home"),
+            (_, true) => Some("--unlock"),
+            _ => None,
+        }
+    }
 }
 
 /// A controller that is ready for a run, with the session standing where it stands.
@@ -341,26 +314,9 @@ pub fn check(run: &RunArgs) -> Result<()> {
     let scripted = !run.operator.feed.is_empty();
     if scripted {
         bail!(Usage(
-            "--override is of the simulated machine: with --driver turn it at the controller"
+            "--override is of the simulated machine: with --machine grbl:PORT turn it at the controller"
                 .into()
         ));
     }
     Ok(())
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn drivers_are_named_with_port_and_rate() {
-        let read = |words| DriverName::read(words).map(|name| (name.path, name.baud));
-        assert_eq!(read("grbl:/dev/ttyUSB0").unwrap(), ("/dev/ttyUSB0".into(), 115_200));
-        assert_eq!(read("grbl:COM3@250000").unwrap(), ("COM3".into(), 250_000));
-        for wrong in ["grbl", "grbl:", "grbl:@9600", "grbl:COM3@fast", "grbl:COM3@0", "linuxcnc:x"]
-        {
-            assert!(read(wrong).is_err(), "{wrong}");
-        }
-    }
 }

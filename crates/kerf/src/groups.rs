@@ -4,14 +4,15 @@ use clap::Command;
 use std::fmt::Write;
 
 /// Heading of each group, with its commands in the order in which they are listed.
-const GROUPS: [(&str, &[&str]); 5] = [
+const GROUPS: [(&str, &[&str]); 6] = [
     (
         "Part files, without moving anything",
         &["check", "preview", "plot", "time", "timing", "heights", "trace", "fmt", "convert"],
     ),
     ("Drawings", &["draw", "toolpath"]),
     ("Runs", &["run", "send", "receive", "serve", "sb3"]),
-    ("The machine", &["machine", "settings", "io", "registry", "sysvars", "log"]),
+    ("The machine", &["get", "set", "machine", "settings", "io", "log"]),
+    ("Older ways to get and set values, for scripts", &["registry", "sysvars"]),
     ("Files and help", &["parts", "samples", "wavlength", "explain", "help"]),
 ];
 

@@ -1,29 +1,111 @@
-//! Which file the configuration of the machine is: that of `--config`, or the one of the data folder.
+//! Which file the configuration of the machine is: the one that `--machine` names, or that of the data folder.
 
 use crate::args::DataArgs;
 use crate::exit::Usage;
-use crate::{memory, setup};
-use anyhow::{Result, bail};
+use crate::machine_name::{MachineChoice, MachineName};
+use crate::{given, memory, setup};
+use anyhow::{Context, Result, bail};
 use kerf_control::journal::JOURNAL_FILE;
 use kerf_control::machine_file::MachineFile;
-use kerf_machine::profile::{PROFILES, profile};
-use std::path::Path;
+use kerf_machine::profile::{PROFILES, Profile, profile};
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// Folder of saved machines in the data folder.
+const SAVED: &str = "machines";
+
+/// Configuration that a name stands for.
+pub enum Named {
+    /// A file: named itself, or saved in the data folder.
+    File(PathBuf),
+    /// A ready-made machine.
+    Ready(&'static Profile),
+}
+
+/// Finds the configuration of a name: a file, a saved machine or a ready-made one, in this order.
+///
+/// # Errors
+/// Nothing is called so.
+pub fn named(name: &Path, data: &DataArgs) -> Result<Named> {
+    if name.is_file() {
+        return Ok(Named::File(name.into()));
+    }
+    if let Some(saved) = saved(name, data)?.filter(|path| path.is_file()) {
+        return Ok(Named::File(saved));
+    }
+    match name.to_str().and_then(profile) {
+        Some(ready) => Ok(Named::Ready(ready)),
+        None if name.exists() => Ok(Named::File(name.into())),
+        None => bail!(nothing_called(&name.to_string_lossy())),
+    }
+}
+
+/// The text of the configuration of a name.
+///
+/// # Errors
+/// Nothing is called so, or it cannot be read.
+pub fn text(name: &Path, data: &DataArgs) -> Result<String> {
+    match named(name, data)? {
+        Named::Ready(ready) => Ok(ready.text.to_owned()),
+        Named::File(path) => given::text(&path),
+    }
+}
+
+/// The file of a saved machine; a path names none.
+fn saved(name: &Path, data: &DataArgs) -> Result<Option<PathBuf>> {
+    let alone = name.file_name().filter(|file| *file == name.as_os_str());
+    let word = alone.and_then(|word| word.to_str()).filter(|word| !word.ends_with(".toml"));
+    let Some(word) = word else { return Ok(None) };
+    Ok(Some(setup::data_folder(data)?.join(SAVED).join(format!("{word}.toml"))))
+}
+
+/// The saved machines of a data folder by name, with their files.
+pub fn all_saved(data: &DataArgs) -> Result<Vec<(String, PathBuf)>> {
+    let folder = setup::data_folder(data)?.join(SAVED);
+    let entries = match fs::read_dir(&folder) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.with_context(|| folder.display().to_string())?,
+    };
+    let paths: Result<Vec<PathBuf>, _> = entries.map(|entry| Ok(entry?.path())).collect();
+    let paths = paths
+        .map_err(|error: std::io::Error| error)
+        .with_context(|| folder.display().to_string())?;
+    let named = |path: PathBuf| {
+        let name = path.file_name()?.to_str()?.strip_suffix(".toml")?.to_owned();
+        Some((name, path))
+    };
+    let mut all: Vec<_> = paths.into_iter().filter_map(named).collect();
+    all.sort();
+    Ok(all)
+}
+
+/// The file under which a machine is saved.
+///
+/// # Errors
+/// The name means another machine, or is none.
+pub fn to_save(name: &str, data: &DataArgs) -> Result<MachineFile> {
+    let path = Path::new(name);
+    match (MachineName::read(name), saved(path, data)?) {
+        (Ok(MachineName::Configured(_)), Some(file)) if profile(name).is_none() => {
+            Ok(MachineFile::at(file))
+        }
+        _ => bail!(Usage(format!(
+            "'{name}' cannot be the name of a saved machine: give a word that names no other machine, as shop"
+        ))),
+    }
+}
 
 /// The file that changes go to.
-pub fn of(config: Option<&Path>, data: &DataArgs) -> Result<MachineFile> {
-    match config {
-        Some(path) if path.is_file() => Ok(MachineFile::at(path)),
-        Some(name) => {
-            let words = name.display().to_string();
-            if profile(&words).is_none() {
-                bail!(nothing_called(&words));
-            }
-            bail!(Usage(format!(
-                "{words} is a ready-made machine, which stays as it is: kerf machine profiles {words} > mine.toml \
-                 makes a file of it"
-            )))
-        }
-        None => of_data(data),
+pub fn of(choice: &MachineChoice, data: &DataArgs) -> Result<MachineFile> {
+    let Some(name) = choice.configuration() else { return of_data(data) };
+    match named(name, data)? {
+        Named::File(path) => Ok(MachineFile::at(&path)),
+        Named::Ready(ready) => bail!(Usage(format!(
+            "{0} is a ready-made machine, which stays as it is: kerf machine profiles {0} > mine.toml makes a file \
+             of it",
+            ready.name
+        ))),
     }
 }
 
@@ -42,10 +124,10 @@ pub fn of_data_to_change(data: &DataArgs) -> Result<MachineFile> {
     Ok(journal.map_or(file.clone(), |journal| file.known_to(&journal)))
 }
 
-/// There is neither a file nor a ready-made machine of a name.
-pub fn nothing_called(name: &str) -> Usage {
+/// There is neither a file nor a machine of a name.
+fn nothing_called(name: &str) -> Usage {
     Usage(format!(
-        "cannot read {name}: there is no such file, and no ready-made machine; {}",
+        "there is no machine '{name}': no such file, no saved machine and no ready-made one; {}",
         nearest(name)
     ))
 }

@@ -27,14 +27,18 @@ mod controller;
 mod curves;
 mod date;
 mod drawings;
-mod estimate;
 mod exit;
+mod given;
 mod groups;
 mod heeded;
 mod job_options;
 mod machine_file;
+mod machine_name;
 mod memory;
+#[cfg(test)]
+mod messages;
 mod operator;
+mod other_controllers;
 mod out;
 mod outputs;
 mod parse;
@@ -46,12 +50,13 @@ mod script;
 mod sending;
 mod served;
 mod setup;
-mod signals;
 mod sources;
 mod stop;
+mod summary;
 mod visit;
+mod waveforms;
 
-use clap::{CommandFactory, FromArgMatches, Parser};
+use clap::{Arg, ArgAction, CommandFactory, FromArgMatches, Parser};
 use std::process::ExitCode;
 
 /// Runs part files, makes tool paths from drawings, drives the machine
@@ -65,7 +70,7 @@ struct Cli {
     #[command(subcommand)]
     command: commands::Command,
     /// The version for editing alone: nothing that moves or switches a machine
-    #[arg(long, global = true)]
+    #[arg(long)]
     edit_only: bool,
 }
 
@@ -83,11 +88,22 @@ const START_HERE: &str = "Start here:
 Exit codes: 0 all went well, 1 the program failed or errors were found, 2 the command line was wrong,
 3 stopped by the operator or a limit";
 
+/// The option that is also taken behind the command, where no help lists it.
+const EDIT_ONLY: &str = "edit_only";
+
+/// The command line: its commands with all options.
+fn command_line() -> clap::Command {
+    let behind = Arg::new(EDIT_ONLY).long("edit-only").hide(true).action(ArgAction::SetTrue);
+    let cli = Cli::command().mut_subcommands(|it| it.arg(behind.clone().global(true)));
+    parse::with_negative_numbers(groups::grouped(cli))
+}
+
 fn main() -> ExitCode {
-    let cli = parse::with_negative_numbers(groups::grouped(Cli::command()));
+    let cli = command_line();
     let given = cli.clone().get_matches();
     let Cli { command, edit_only } = Cli::from_arg_matches(&given).unwrap_or_else(|e| e.exit());
-    let fits = command.restricted(edit_only).and_then(|it| it.heeding(&cli, &given));
+    let behind = given.subcommand().is_some_and(|(_, given)| given.get_flag(EDIT_ONLY));
+    let fits = command.restricted(edit_only || behind).and_then(|it| it.heeding(&cli, &given));
     match stop::outlive_full_files().and_then(|()| commands::run(fits)) {
         Ok(exit) => exit.into(),
         Err(error) => {

@@ -12,7 +12,8 @@ use std::path::Path;
 
 /// Returns `true` if a command goes on from the journal; one that only looks usually does not.
 pub fn is_kept(place: &PlaceArgs, looks: bool) -> bool {
-    let usual = if looks { Start::Fresh } else { Start::Kept };
+    let usual =
+        if looks && place.machine.controller().is_none() { Start::Fresh } else { Start::Kept };
     place.start.unwrap_or(usual) == Start::Kept
 }
 
@@ -77,7 +78,7 @@ fn tell(journal: &Journal, shelf: &Shelf, whereabouts: Whereabouts) -> Result<()
     if let Some(cut) = cut {
         let how = match cut.controller() {
             None => "kerf run --resume takes it up",
-            Some(_) => "kerf run --from-line goes on at a line of it",
+            Some(_) => "kerf run FILE --from-line N goes on at a line of it",
         };
         eprintln!("kerf: {}; {how}", cut.told());
     }

@@ -4,8 +4,10 @@ use crate::args::{DataArgs, FileArgs, MotionArgs, PlaceArgs, RunArgs};
 use crate::clock;
 use crate::drawings;
 use crate::exit::Usage;
+use crate::given;
 use crate::job_options;
-use crate::machine_file;
+use crate::machine_file::{self, Named};
+use crate::machine_name::MachineChoice;
 use crate::memory;
 use crate::script::Script;
 use crate::visit::Visit;
@@ -15,19 +17,17 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::job_file;
 use kerf_control::machine_file::told;
 use kerf_control::stored::Stored;
-use kerf_control::{MOST_BYTES, RunOptions, Session, Shelf, Shell, Work};
+use kerf_control::{RunOptions, Session, Shelf, Shell, Work};
 use kerf_drawing::Drawing;
 use kerf_machine::Configuration;
-use kerf_machine::profile::profile;
 use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
 use kerf_sbp::{Dialect, FileParameters};
 use kerf_sim::Push;
 use kerf_toolpath::Shaping;
-use std::io::{self, Read};
+use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::{env, fs};
 
 /// Everything a run needs besides a sink.
 pub struct Job {
@@ -86,9 +86,9 @@ pub fn job_of(
 ) -> Result<Job> {
     let mut work = work.into();
     let (mut session, kept) = session(&args.place, preview, &mut shelf)?;
-    let replaced = args.place.config.is_some().then(|| session.memory.settings.clone());
-    if args.place.config.is_some() {
-        session.machine_is = machine(args.place.config.as_deref(), &args.place.data)?.into();
+    let replaced = args.place.machine.configuration().map(|_| session.memory.settings.clone());
+    if replaced.is_some() {
+        session.machine_is = machine(&args.place.machine, &args.place.data)?.into();
     }
     let mut settings = settings(&args.place, session.memory.settings.clone())?;
     if let Some(unit) = args.units {
@@ -143,13 +143,13 @@ fn script(path: &Path) -> Result<Script> {
         let told = |line: &String| format!("{}, {line}", path.display());
         Usage(wrong.iter().map(told).collect::<Vec<_>>().join("\n"))
     };
-    Ok(Script::read(&read_text(path)?).map_err(of)?)
+    Ok(Script::read(&given::text(path)?).map_err(of)?)
 }
 
 /// The script of answers.
 pub fn answers(args: &RunArgs) -> Result<Answers> {
     Ok(match &args.answers {
-        Some(path) => Answers::read(&read_text(path)?),
+        Some(path) => Answers::read(&given::text(path)?),
         None => Answers::default(),
     })
 }
@@ -169,30 +169,8 @@ pub fn session(place: &PlaceArgs, looks: bool, shelf: &mut Shelf) -> Result<(Ses
 
 /// Reads a part file; the name shown is the one the user gave.
 fn read_program(file: &Path, dialect: Dialect) -> Result<Program> {
-    let bytes = read_bytes(file)?;
+    let bytes = given::bytes(file)?;
     Ok(kerf_part::read_as(file.display().to_string().into(), bytes, dialect))
-}
-
-/// The bytes of a file, within reason.
-pub fn read_bytes(file: &Path) -> Result<Vec<u8>> {
-    if file.is_dir() {
-        bail!(Usage(format!("{} is a folder, not a file", file.display())));
-    }
-    let cannot = |e: io::Error| Usage(format!("cannot read {}: {e}", file.display()));
-    let most = MOST_BYTES as u64;
-    let mut bytes = Vec::new();
-    // A device or a pipe may never end.
-    let opened = fs::File::open(file).map_err(cannot)?;
-    opened.take(most + 1).read_to_end(&mut bytes).map_err(cannot)?;
-    if bytes.len() > MOST_BYTES {
-        bail!(Usage(format!("{} is too large", file.display())));
-    }
-    Ok(bytes)
-}
-
-/// The text of a file.
-pub fn read_text(file: &Path) -> Result<String> {
-    Ok(String::from_utf8_lossy(&read_bytes(file)?).into_owned())
 }
 
 /// Chooses the model of motion, and what belongs to it. The paths of a job are made with the smoothing factor.
@@ -256,26 +234,24 @@ fn with_options(mut dynamics: Dynamics, motion: &MotionArgs) -> Dynamics {
     dynamics
 }
 
-/// The machine of a run: that of `--config`; else that of the data folder, whole, for a run that goes on from there,
+/// The machine of a run: that which `--machine` describes; else that of the data folder, whole, for a run that goes on from there,
 /// and for one that begins fresh the machine as Kerf comes with it.
 pub fn machine_of(place: &PlaceArgs, looks: bool) -> Result<Configuration> {
-    if place.config.is_none() && !memory::is_kept(place, looks) {
+    if place.machine.configuration().is_none() && !memory::is_kept(place, looks) {
         return Ok(Configuration::default());
     }
-    machine(place.config.as_deref(), &place.data)
+    machine(&place.machine, &place.data)
 }
 
-/// The machine: that of `--config`, a file or the name of a ready-made one; else that of the data
-/// folder; else the usual one.
-pub fn machine(config: Option<&Path>, data: &DataArgs) -> Result<Configuration> {
-    let Some(config) = config else {
+/// The configuration of a machine: the one that was named; else that of the data folder; else the usual one.
+pub fn machine(choice: &MachineChoice, data: &DataArgs) -> Result<Configuration> {
+    let Some(name) = choice.configuration() else {
         let kept = machine_file::of_data(data)?;
         return read_machine(kept.name(), &kept.text()?.unwrap_or_default());
     };
-    match config.to_str().and_then(profile) {
-        Some(ready) if !config.exists() => read_machine(ready.name.into(), ready.text),
-        None if !config.exists() => bail!(machine_file::nothing_called(&config.to_string_lossy())),
-        _ => read_machine(config.display().to_string(), &read_text(config)?),
+    match machine_file::named(name, data)? {
+        Named::Ready(ready) => read_machine(ready.name.into(), ready.text),
+        Named::File(path) => read_machine(path.display().to_string(), &given::text(&path)?),
     }
 }
 
@@ -286,8 +262,8 @@ fn read_machine(name: String, text: &str) -> Result<Configuration> {
 
 /// Settings at the start: those of a configuration, or the present ones.
 pub fn settings(place: &PlaceArgs, present: Settings) -> Result<Settings> {
-    match place.config.as_deref() {
-        Some(config) => Ok(machine(Some(config), &place.data)?.program),
+    match place.machine.configuration() {
+        Some(_) => Ok(machine(&place.machine, &place.data)?.program),
         None => Ok(present),
     }
 }

@@ -1,6 +1,6 @@
 //! The lines of files that diagnostics point to. In drawings and jobs they are shapes.
 
-use crate::drawings;
+use crate::drawings::kind::is_drawing;
 use kerf_control::Work;
 use kerf_diag::Sources;
 use std::cell::RefCell;
@@ -38,7 +38,7 @@ impl FileLines {
 
 impl Sources for FileLines {
     fn line(&self, file: &str, line: u32) -> Option<String> {
-        if drawings::is_drawing(Path::new(file)) {
+        if is_drawing(Path::new(file)) {
             // What is said of the whole file names no shape.
             return (line > 0).then(|| format!("shape {line}"));
         }

@@ -71,12 +71,34 @@ fn numbers_beyond_any_machine() {
 #[test]
 fn places_that_are_no_files() {
     let shop = Shop::new(&[("folder/a.sbp", "MX,1"), ("a.nc", "G0 X1")]);
-    for command in ["run", "trace", "time", "preview -o x.svg"] {
+    for command in [
+        "run",
+        "trace",
+        "time",
+        "preview -o x.svg",
+        "plot -o x.svg",
+        "timing -o x.svg",
+        "heights --sheet=-20",
+        "fmt",
+        "fmt --check",
+        "draw -o x.rsg",
+        "toolpath -o x.rsm",
+        "wavlength",
+        "machine check",
+        "log verify",
+        "serve --listen 127.0.0.1:0",
+    ] {
         shop.kerf(&format!("{command} none.sbp")).exits(2).complains("cannot read none.sbp");
         shop.kerf(&format!("{command} folder")).exits(2).complains("is a folder");
     }
-    shop.kerf("check none.sbp").exits(1).says("cannot read none.sbp");
-    shop.kerf("fmt none.sbp").exits(2).complains("cannot read none.sbp");
+    for line in ["convert none.sbp x.nc", "convert none.bmp x.sbp", "send none.sbp com2"] {
+        shop.kerf(line).exits(2).complains("cannot read none.");
+    }
+    shop.kerf("sb3 none.sbp,,4,,2").exits(2).complains("cannot read none.sbp");
+    // The other files are checked all the same.
+    let did = shop.kerf("check none.sbp a.nc folder");
+    did.exits(2).says("F001").says("cannot read none.sbp").says("is a folder").says("2 errors");
+    assert!(did.out().contains("a.nc: "), "{}", did.out());
 }
 
 #[test]
@@ -93,7 +115,7 @@ fn options_that_are_wrong() {
         ("trace a.sbp --repeat 0", "--repeat"),
         ("trace a.sbp --offset 4d", "give 3d or 2d"),
         ("trace a.sbp --answers none.txt", "cannot read none.txt"),
-        ("trace a.sbp --config none.toml", "cannot read none.toml"),
+        ("trace a.sbp --machine none.toml", "no machine 'none.toml': no such file"),
         ("trace a.sbp --config bad.toml", "axes must be 3 to 6"),
         ("run a.sbp --machine router", "no machine 'router'"),
         ("preview a.sbp -o a.gif", ".svg, .png or .html"),
@@ -196,7 +218,7 @@ fn a_file_that_cannot_be_read_is_told_beside_the_others() {
     let shop = Shop::new(&[("a.sbp", "MX,1\nQQ,3\n")]);
     // It is there, and reading it fails.
     let did = shop.kerf("check a.sbp /proc/self/mem --format json");
-    did.exits(1);
+    did.exits(2);
     let found = did.json();
     let codes: Vec<_> = found.as_array().unwrap().iter().map(|d| &d["code"]).collect();
     assert_eq!(codes, ["S002", "F001"]);

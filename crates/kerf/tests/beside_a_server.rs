@@ -133,7 +133,7 @@ fn a_server_heeds_what_it_is_told_of_a_run_and_the_rest_is_refused() {
         ("--trace t", "--trace is"),
         ("--allow-errors", "--allow-errors is"),
         ("--ramps optimal", "--ramps is"),
-        ("--driver grbl:nowhere", "--driver is"),
+        ("--machine grbl:nowhere", "--machine is"),
         ("--from-line 2", "--from-line begins a part file only here"),
         ("--offset-job 1", "only a job is offset"),
     ] {
@@ -310,7 +310,9 @@ fn a_machine_that_a_server_has_is_moved_by_the_server() {
     shop.kerf("machine move home y --arm").exits(0);
     assert_eq!(at()[..2], [11.0, 0.0]);
     shop.kerf("machine move hold x+ --arm").exits(2).complains("hold a key of its console");
-    shop.kerf("machine move to 1,1 --config sim").exits(2).complains("--config is not heeded");
+    shop.kerf("machine move to 1,1 --machine plasma")
+        .exits(2)
+        .complains("--machine plasma is not heeded");
     let here = format!("set Z top, surface or bottom on its page Job at {}", console.url);
     shop.kerf("machine zset top -12").exits(1).complains(&here);
     shop.kerf("machine zset top --by=-1").exits(1).complains(&here);
@@ -338,7 +340,9 @@ fn pro_io_diag_write__beside_a_server() {
     shop.kerf("io set tool2 0 --arm").exits(0).says("output port B = 0x00\n");
     shop.kerf("io get tool2").exits(0).says("0\n");
     shop.kerf("io set xstep 1 --arm").exits(1).complains("step it instead");
-    shop.kerf("io set tool2 1 --config sim").exits(2).complains("--config is not heeded");
+    shop.kerf("io set tool2 1 --machine plasma")
+        .exits(2)
+        .complains("--machine plasma is not heeded");
     // A switch is moved on a disarmed machine, too.
     shop.kerf("io set in.jig2 1").exits(0).says("input port B = 0x02\n");
     assert_eq!(ports(), r#"{"inputs":[0,2],"outputs":[0,0,0]}"#);

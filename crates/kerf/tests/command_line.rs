@@ -45,30 +45,67 @@ fn numbers_below_zero_are_refused_where_they_mean_nothing() {
 fn a_machine_that_is_not_there_is_refused_with_the_nearest() {
     let shop = shop();
     for args in [
-        "run box.sbp --config router96x48",
-        "time box.sbp --config router96x48",
-        "serve --config router96x48 --listen 127.0.0.1:0",
-        "machine show --config router96x48",
-        "machine set zpos.top_mm 3 --config router96x48",
+        "run box.sbp --machine router96x48",
+        "time box.sbp --machine router96x48",
+        "serve --machine router96x48 --listen 127.0.0.1:0",
+        "machine show --machine router96x48",
+        "machine set zpos.top_mm 3 --machine router96x48",
         "machine use router96x48",
-        "toolpath box.rsg --config router96x48",
-        "io list --config router96x48",
+        "toolpath box.rsg --machine router96x48",
+        "io list --machine router96x48",
     ] {
         let did = shop.kerf(args);
         did.exits(2).complains("router96x48").complains("did you mean router-96x48?");
         did.complains("`kerf machine profiles` lists them");
     }
-    let did = shop.kerf("run box.sbp --config nowhere.toml");
-    did.exits(2).complains("cannot read nowhere.toml: there is no such file");
+    let did = shop.kerf("run box.sbp --machine nowhere.toml");
+    did.exits(2).complains("there is no machine 'nowhere.toml': no such file");
     shop.kerf("machine set zpos.top_mm 3 --config sim")
         .exits(2)
         .complains("profiles sim > mine.toml");
 }
 
 #[test]
-fn another_machine_is_named_by_its_driver_or_its_configuration() {
-    let did = shop().kerf("run box.sbp --machine router-96x48");
-    did.exits(2).complains("--driver grbl:PORT").complains("--config router-96x48");
+fn one_option_names_every_machine() {
+    let shop = shop();
+    shop.kerf("machine set delays.end_s 7 --data shop").exits(0);
+    shop.kerf("machine save slow --data shop").exits(0);
+    let delay = |args: &str| {
+        let did = shop.kerf(&format!("machine get delays.end_s --data shop {args}"));
+        did.exits(0).out()
+    };
+    assert_eq!(delay("--machine slow"), "7\n");
+    shop.kerf("machine set delays.end_s 3 --machine slow --data shop").exits(0);
+    assert_eq!([delay("--machine slow"), delay("--machine sim")], ["3\n", "7\n"]);
+    shop.kerf("machine use slow --data shop").exits(0);
+    assert_eq!(delay(""), "3\n");
+    shop.write("one.sbp", b"MX,1\n");
+    shop.write("mine.toml", shop.kerf("machine profiles plasma").out().as_bytes());
+    for name in ["sim", "slow", "mine.toml", "laser-pwm"] {
+        for command in ["run one.sbp", "send VD", "time one.sbp", "check one.sbp", "machine pos"] {
+            shop.kerf(&format!("{command} --machine {name} --data shop")).exits(0);
+        }
+    }
+}
+
+#[test]
+fn a_name_of_a_machine_that_cannot_be_is_refused_with_the_mend() {
+    let shop = shop();
+    let check = |args: &str, why: &str| {
+        shop.kerf(args).exits(2).complains(why);
+    };
+    check("run box.sbp --machine grbl", "grbl needs its port");
+    check("time box.sbp --machine marlin:COM3", "there is no driver 'marlin', only grbl");
+    check("run box.sbp --machine sim --machine grbl:COM3", "are two machines: leave one out");
+    check("machine home --machine plasma --machine knife", "are two machines");
+    check("run box.sbp --config sim --machine plasma", "are two machines");
+    check("run box.sbp --home", "--home is for a controller: name it with --machine grbl:PORT");
+    check("serve --machine grbl:COM3", "kerf serve drives the simulated machine only");
+    check("machine home --machine grbl:COM3", "kerf machine moves the simulated machine only");
+    check("io list --machine grbl:COM3", "kerf io switches the simulated machine only");
+    for name in ["sim", "plasma", "grbl:COM3", "a/b", "mine.toml"] {
+        check(&format!("machine save {name}"), "cannot be the name of a saved machine");
+    }
 }
 
 #[test]

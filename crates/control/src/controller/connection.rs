@@ -2,10 +2,10 @@
 
 use super::lacks::no_output;
 use super::row::Row;
-use kerf_machine::{Fault, Machine};
 use kerf_machine::driver::{
     Changed, Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };
+use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
 use std::collections::{BTreeSet, VecDeque};
 use std::time::{Duration, Instant};

@@ -291,9 +291,9 @@ impl Fake {
                 }
                 b'~' => self.cycle_start(),
                 b'!' => {}
-                0x90..=0x94 => self.turns_feed(*byte),
-                0x80.. => {}
                 0x18 => self.reset(),
+                0x90..=0x94 => self.override_feed(*byte),
+                0x80.. => {}
                 _ if self.buffer.len() < self.board.rx => self.buffer.push_back(*byte),
                 _ => self.overflowed += 1,
             }
@@ -329,20 +329,6 @@ impl Fake {
             }
             self.read_on();
         }
-    }
-
-    /// Its feed override is turned: back to the whole, ten or one percent up or down.
-    fn turns_feed(&mut self, byte: u8) {
-        let now = self.override_percent;
-        let then = match byte {
-            0x90 => 100,
-            0x91 => now + 10,
-            0x92 => now.saturating_sub(10),
-            0x93 => now + 1,
-            _ => now.saturating_sub(1),
-        };
-        self.override_percent = then.clamp(10, 200);
-        self.motion.share = f64::from(self.override_percent) / 100.0;
     }
 
     /// The line carries as many bytes as its rate allows, each way.
@@ -395,10 +381,24 @@ impl Fake {
         (self.spindle, self.coolant) = (false, 0);
     }
 
+    /// Sets the feed override back, or turns it by steps of 10 or 1 percent.
+    fn override_feed(&mut self, byte: u8) {
+        let percent = match byte {
+            0x91 => self.override_percent + 10,
+            0x92 => self.override_percent.saturating_sub(10),
+            0x93 => self.override_percent + 1,
+            0x94 => self.override_percent.saturating_sub(1),
+            _ => 100,
+        };
+        self.override_percent = percent.clamp(10, 200);
+        self.motion.feed = f64::from(self.override_percent) / 100.0;
+    }
+
     fn reset(&mut self) {
+        self.override_feed(0x90);
         let too_early = self.motion.speed_mm_s > 0.0 || self.state == State::Homing;
         self.halt();
-        (self.motion.held, self.override_percent, self.motion.share) = (false, 100, 1.0);
+        self.motion.held = false;
         if too_early {
             self.tell("ALARM:3");
             self.state = State::Alarm;

@@ -1,12 +1,11 @@
 //! `kerf machine home`, `move`, `zset` and `pos`: the machine moved by hand.
 
-use crate::args::{PlaceArgs, Start};
-use crate::commands::machine::Which;
-use crate::commands::run::told_by_server;
+use super::which::Which;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, Terminal};
 use crate::remote::{Ended, Remote, beside};
 use crate::report::asked;
+use crate::summary::told_by_server;
 use crate::{out, parse, served, setup};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
@@ -137,19 +136,11 @@ struct Shop {
 
 impl Shop {
     fn open(which: &Which, real: bool) -> Result<Self> {
-        let (config, data) = (which.config.clone(), which.folder());
-        let place = PlaceArgs {
-            config,
-            parts: None,
-            custom: None,
-            allow_path: Vec::new(),
-            data,
-            start: Some(Start::Kept),
-            allow_shell: false,
-        };
+        which.machine.simulated("kerf machine moves")?;
+        let place = which.place();
         let mut shelf = setup::shelf(Path::new(""), &place, false)?;
         let (mut session, _) = setup::session(&place, false, &mut shelf)?;
-        let machine = match which.config {
+        let machine = match which.machine.configuration() {
             Some(_) => which.machine()?,
             None => session.configuration(),
         };
@@ -199,7 +190,7 @@ impl Shop {
 
 /// The server that has the machine, where one runs on its data folder.
 fn server(which: &Which) -> Result<Option<Remote>> {
-    beside(&which.folder(), which.config.as_deref())
+    beside(&which.folder(), &which.machine)
 }
 
 /// Refuses to change what a running server would not know of.

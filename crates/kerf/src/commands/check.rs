@@ -5,7 +5,7 @@ use crate::drawings::DamagedFile;
 use crate::exit::{Exit, Usage};
 use crate::report::colour;
 use crate::sources::FileLines;
-use crate::{out, setup};
+use crate::{given, out, setup};
 use anyhow::Result;
 use clap::Args;
 use kerf_control::{Checked, Event, Summary, json};
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// would not take are read, but not run.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf check box.sbp\n  kerf check *.sbp --format json\n\n\
-    Exit codes: 0 clean or warnings only, 1 errors, 2 the command line was wrong")]
+    Exit codes: 0 clean or warnings only, 1 errors, 2 the command line was wrong or a file cannot be read")]
 pub struct CheckArgs {
     /// The part files
     #[arg(required = true)]
@@ -32,9 +32,11 @@ pub struct CheckArgs {
 }
 
 pub fn run(args: &CheckArgs) -> Result<Exit> {
-    let (mut found, mut runs) = (Vec::new(), String::new());
+    let (mut found, mut runs, mut unread) = (Vec::new(), String::new(), false);
     for file in &args.files {
         let checked = check(file, &args.run)?;
+        unread |= checked.is_none();
+        let checked = checked.unwrap_or_else(|| unreadable(file));
         let new = checked.diagnostics.into_iter().filter(|d| !found.contains(d));
         found.extend(new.collect::<Vec<_>>());
         runs += &checked.summary.map_or_else(String::new, |s| told(file, &s));
@@ -44,25 +46,37 @@ pub fn run(args: &CheckArgs) -> Result<Exit> {
         Format::Text => as_text(&found, &runs, args.files.len()),
     });
     let failed = found.iter().any(Diagnostic::is_error);
-    Ok(if failed { Exit::Failed } else { Exit::Good })
+    Ok(match (unread, failed) {
+        (true, _) => Exit::Usage,
+        (_, true) => Exit::Failed,
+        _ => Exit::Good,
+    })
 }
 
-fn check(file: &Path, args: &RunArgs) -> Result<Checked> {
+/// A named file that cannot be read: one finding among those of the others.
+fn unreadable(file: &Path) -> Checked {
+    let why = given::bytes(file).err();
+    let why = why.map_or_else(|| "cannot be read".into(), |why| why.to_string());
+    let place = Place::line(file.display().to_string().into(), 1);
+    let missing = Diagnostic::new(Code::FileNotFound, place, why);
+    Checked { diagnostics: vec![missing], summary: None }
+}
+
+/// Checks a file; nothing where it cannot be read.
+fn check(file: &Path, args: &RunArgs) -> Result<Option<Checked>> {
     let mut job = match setup::job(file, args, true) {
         Ok(job) => job,
-        Err(error) if error.is::<Usage>() && setup::read_bytes(file).is_err() => {
-            let place = Place::line(file.display().to_string().into(), 1);
-            let missing = Diagnostic::new(Code::FileNotFound, place, error.to_string());
-            return Ok(Checked { diagnostics: vec![missing], summary: None });
-        }
+        Err(error) if error.is::<Usage>() && given::bytes(file).is_err() => return Ok(None),
         Err(error) => {
             let DamagedFile(_, why) = error.downcast::<DamagedFile>()?;
             let place = Place::line(file.display().to_string().into(), 1);
             let damaged = Diagnostic::new(Code::FileError, place, why.to_string());
-            return Ok(Checked { diagnostics: vec![damaged], summary: None });
+            return Ok(Some(Checked { diagnostics: vec![damaged], summary: None }));
         }
     };
-    Ok(kerf_control::check(&job.session, job.work, job.options, &mut job.shelf, &mut job.answers))
+    let (work, options) = (job.work, job.options);
+    let found = kerf_control::check(&job.session, work, options, &mut job.shelf, &mut job.answers);
+    Ok(Some(found))
 }
 
 fn as_json(found: &[Diagnostic]) -> String {

@@ -4,7 +4,7 @@ use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::outputs::{ForceArgs, Outputs};
 use crate::report::Diagnostics;
-use crate::{date, drawings, out, parse, setup};
+use crate::{date, drawings, given, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::Desk;
@@ -158,12 +158,12 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
         None => language(&args.source, args.from)?,
     };
     let to = language(&args.target, args.to)?;
-    let bytes = setup::read_bytes(&args.source)?;
+    let bytes = given::bytes(&args.source)?;
     let source =
         Source { name: args.source.display().to_string().into(), bytes: &bytes, language: from };
     let converted = {
         let answers = match &args.run.answers {
-            Some(path) => Answers::read(&setup::read_text(path)?),
+            Some(path) => Answers::read(&given::text(path)?),
             None => Answers::default(),
         };
         let parts = args.source.parent().unwrap_or(Path::new(""));
@@ -187,7 +187,7 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
 /// Writes what a drawing or a picture cuts as a program.
 fn drawing(args: &ConvertArgs, kind: &str) -> Result<Exit> {
     let to = language(&args.target, args.to)?;
-    let bytes = setup::read_bytes(&args.source)?;
+    let bytes = given::bytes(&args.source)?;
     let settings = settings(args)?;
     let how = args.drawn.taken(settings.linear_unit)?;
     let title = Some(drawing_title(args, kind, &how, settings.linear_unit));

@@ -48,6 +48,9 @@ const STREAM: &str = "-";
 /// Refuses what is no part file by its name: to a formatter every text is one.
 fn refuse_others(file: &Path) -> Result<()> {
     let name = file.to_string_lossy();
+    if file.is_dir() {
+        bail!(Usage(format!("{name} is a folder, not a file")));
+    }
     if name != STREAM && !kerf_sbp::is_part_name(&name) && !kerf_sbp::is_gcode_name(&name) {
         let known: Vec<_> = kerf_sbp::PART_ENDINGS.iter().chain(&kerf_sbp::GCODE_ENDINGS).collect();
         let known = known.iter().map(|it| format!(".{it}")).collect::<Vec<_>>().join(" ");

@@ -19,8 +19,8 @@ use std::path::PathBuf;
 /// at. The first 0.1 s of each cut, in which the tool finds its height, does not count.
 #[derive(Args)]
 #[command(after_help = "Examples:
-  kerf heights plate.rsm --config mine.toml --sheet=-20,0.05
-  kerf heights plate.rsm --config mine.toml --sheet=-20,0,0,1.5,300 -o error.svg")]
+  kerf heights plate.rsm --machine mine.toml --sheet=-20,0.05
+  kerf heights plate.rsm --machine mine.toml --sheet=-20,0,0,1.5,300 -o error.svg")]
 pub struct HeightsArgs {
     /// The job
     file: PathBuf,

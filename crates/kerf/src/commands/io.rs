@@ -1,24 +1,20 @@
 //! `kerf io`: the inputs and outputs of the simulated machine, by hand.
 
 use super::by_hand::Beside;
-use super::run::told_by_server;
-use crate::args::DataArgs;
+use super::card::{self, CardArgs};
 use crate::exit::{Exit, Usage};
-use crate::remote::{Card, beside};
-use crate::signals::VcdArgs;
-use crate::{memory, out, parse, setup};
+use crate::summary::told_by_server;
+use crate::waveforms::VcdArgs;
+use crate::{out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand, ValueEnum};
-use kerf_control::journal::Journal;
-use kerf_control::{Event, Press, Sink};
+use kerf_control::{Event, Sink};
 use kerf_machine::Configuration;
-use kerf_machine::lines::{Input, Output, line_of_pin};
+use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::wiring::{self, Bit, CARDS, INPUT_BITS, OUTPUT_BITS, Port, Terminal};
-use kerf_program::{AxisSet, OutputReason};
-use kerf_sim::Machine;
+use kerf_program::OutputReason;
 use kerf_sim::ports::Ports;
-use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -33,22 +29,20 @@ pub struct IoArgs {
     #[command(subcommand)]
     action: Action,
     #[command(flatten)]
-    data: DataArgs,
-    /// The machine whose steps are meant: a file, or the name of a ready-made machine
-    #[arg(long, value_name = "FILE", global = true)]
-    config: Option<PathBuf>,
+    card: CardArgs,
 }
 
 #[derive(Subcommand)]
 enum Action {
     /// Lists every bit with its state
     List,
-    /// Prints the state of a bit, 0 or 1; of an input what it reads
+    /// Prints the state of a bit, 0 or 1, as kerf get does; of an input what it reads
+    #[command(hide = true)]
     Get {
         /// Its name, or port and bit: tool2, B2, in.jig1
         name: String,
     },
-    /// Switches an output, or sets an input of the simulated machine
+    /// Switches an output, or sets an input of the simulated machine, as kerf set does; --vcd traces it
     Set {
         /// Its name
         name: String,
@@ -95,20 +89,18 @@ enum Way {
     Back,
 }
 
-/// Under which key the ports are kept.
-const KEY: &str = "IoPorts";
-
 /// Interval at which changes are looked for.
 const LOOK: Duration = Duration::from_millis(50);
 
 pub fn run(args: &IoArgs) -> Result<Exit> {
+    args.card.machine.simulated("kerf io switches")?;
     match &args.action {
         Action::List => {
-            list(&args.ports()?, &args.machine()?);
+            list(&args.card.ports()?, &args.card.machine()?);
         }
         Action::Get { name } => {
-            let (is_output, bit) = known(name)?;
-            out::print(&format!("{}\n", u8::from(args.ports()?.is_on(is_output, bit))));
+            let (is_output, bit) = card::known(name)?;
+            out::print(&format!("{}\n", u8::from(args.card.ports()?.is_on(is_output, bit))));
         }
         Action::Set { name, value, vcd, beside } => set(args, name, *value == 1, vcd, *beside)?,
         Action::Step { motor, way, beside } => {
@@ -118,80 +110,6 @@ pub fn run(args: &IoArgs) -> Result<Exit> {
         Action::Map { card, notes } => map(card, *notes)?,
     }
     Ok(Exit::Good)
-}
-
-impl IoArgs {
-    fn folder(&self) -> DataArgs {
-        self.data.clone()
-    }
-
-    fn journal(&self, looks: bool) -> Result<Option<Journal>> {
-        memory::journal(&setup::data_folder(&self.folder())?, looks)
-    }
-
-    fn machine(&self) -> Result<Configuration> {
-        setup::machine(self.config.as_deref(), &self.folder())
-    }
-
-    /// The card of the machine that a running server has; it is armed first where that is wanted.
-    fn served(&self, arm: bool) -> Result<Option<Card>> {
-        let server = beside(&self.folder(), self.config.as_deref())?;
-        Ok(server.map(|server| Card::of(server, arm)))
-    }
-
-    /// The ports as they are; of inputs what they read.
-    fn ports(&self) -> Result<Ports> {
-        if let Some(card) = self.served(false)? {
-            return card.ports();
-        }
-        self.kept()
-    }
-
-    /// The ports of the data folder, which nobody serves.
-    fn kept(&self) -> Result<Ports> {
-        let journal = self.journal(true)?;
-        let (mut ports, mut moved) = (Ports::default(), Vec::new());
-        if let Some(journal) = &journal {
-            ports = journal.value(KEY)?.as_deref().and_then(Ports::read).unwrap_or_default();
-            moved = journal.switches()?;
-        }
-        let machine = self.machine()?;
-        let untouched = Machine::default().equipped(&machine, AxisSet::EMPTY);
-        for bit in INPUT_BITS {
-            let line = line_of_pin(bit);
-            let level = moved.iter().find(|(number, _)| *number == line).map(|(_, level)| *level);
-            let reads = |level: bool| machine.io.line_reads(line, level);
-            ports.set_input(bit, level.map_or_else(|| untouched.input(line), reads));
-        }
-        Ok(ports)
-    }
-
-    /// Changes the ports, unless a run owns the machine.
-    fn change<T>(
-        &self,
-        change: impl FnOnce(&mut Ports, Option<&Journal>) -> Result<T>,
-    ) -> Result<(Ports, T)> {
-        let journal = self.journal(false)?;
-        let _owner = journal.as_ref().map(Journal::own).transpose()?;
-        let mut ports = self.kept()?;
-        let answer = change(&mut ports, journal.as_ref())?;
-        if let Some(journal) = &journal {
-            journal.set_value(KEY, Some(&ports.write()))?;
-        }
-        Ok((ports, answer))
-    }
-}
-
-fn known(name: &str) -> Result<(bool, &'static Bit)> {
-    match wiring::bit(name) {
-        Some(found) => Ok(found),
-        None => {
-            let names = OUTPUT_BITS.iter().chain(INPUT_BITS).map(|bit| bit.name);
-            let hint = kerf_diag::did_you_mean(name, names)
-                .unwrap_or_else(|| "kerf io list shows every bit".into());
-            bail!(Usage(format!("no bit is called {name}; {hint}")))
-        }
-    }
 }
 
 fn list(ports: &Ports, machine: &Configuration) {
@@ -213,38 +131,17 @@ fn list(ports: &Ports, machine: &Configuration) {
 }
 
 fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs, beside: Beside) -> Result<()> {
-    let (is_output, bit) = known(name)?;
-    let reads = || Ok::<_, anyhow::Error>(args.machine()?.io.line_reads(line_of_pin(bit), on));
-    let ports = match args.served(beside.arm)? {
-        Some(card) if is_output => card.switch(bit, on)?,
-        Some(card) => card.press(bit, reads()?)?,
-        None => set_here(args, is_output, bit, on)?,
-    };
+    let (is_output, bit) = card::known(name)?;
+    let ports = args.card.switch((is_output, bit), on, beside.arm)?;
     let byte = if is_output { ports.output(bit.port) } else { ports.input(bit.port) };
     let side = if is_output { "output" } else { "input" };
     out::print(&format!("{side} port {} = 0x{byte:02X}\n", bit.port.letter()));
     traced(args, vcd, is_output, bit.name, ports.is_on(is_output, bit))
 }
 
-/// Sets a bit of a machine that nobody serves.
-fn set_here(args: &IoArgs, is_output: bool, bit: &Bit, on: bool) -> Result<Ports> {
-    let machine = args.machine()?;
-    let (ports, ()) = args.change(|ports, journal| {
-        if is_output {
-            return Ok(ports.set_output(bit, on, false)?);
-        }
-        let number = line_of_pin(bit);
-        ports.set_input(bit, machine.io.line_reads(number, on));
-        // Whatever runs next finds the switch where it was left.
-        journal.map_or(Ok(()), |journal| journal.move_switch(Press { number, on }))?;
-        Ok(())
-    })?;
-    Ok(ports)
-}
-
 /// The change as signals, where a file for them is named.
 fn traced(args: &IoArgs, vcd: &VcdArgs, is_output: bool, name: &str, on: bool) -> Result<()> {
-    let mut signals = vcd.sink(args.machine()?)?;
+    let mut signals = vcd.sink(args.card.machine()?)?;
     let changed = match is_output {
         true => Output::of_name(name).map(|line| Event::Output {
             n: line.number(),
@@ -270,19 +167,19 @@ fn step(args: &IoArgs, name: &str, forward: bool, beside: Beside) -> Result<Exit
     let Some(motor) = Motor::ALL.into_iter().find(|it| it.word().eq_ignore_ascii_case(name)) else {
         bail!(Usage(format!("there is no motor {name}: x, y, z, w, q or r")));
     };
-    let machine = args.machine()?;
+    let machine = args.card.machine()?;
     let way = machine.motors.axis_of(motor).map(|axis| {
         let by = 1.0 / machine.program.resolution.steps_per_unit[axis];
         format!(", {} {:+.4}", machine.motors.axis_name(axis), if forward { by } else { -by })
     });
-    if let Some(card) = args.served(beside.arm)? {
+    if let Some(card) = args.card.served(beside.arm)? {
         let exit = told_by_server(&card.step(motor.word(), forward)?, true);
         if exit == Exit::Good {
             out::print(&format!("{name} step{}\n", way.unwrap_or_default()));
         }
         return Ok(exit);
     }
-    let (ports, bytes) = args.change(|ports, _| Ok(ports.step(motor, forward, false)?))?;
+    let (ports, bytes) = args.card.change(|ports, _| Ok(ports.step(motor, forward, false)?))?;
     let port = if matches!(motor, Motor::Q | Motor::R) { Port::C } else { Port::A };
     out::print(&format!(
         "{name} step {} (port {} 0x{:02X}, 0x{:02X}){}\n",
@@ -297,10 +194,10 @@ fn step(args: &IoArgs, name: &str, forward: bool, beside: Beside) -> Result<Exit
 
 fn watch(args: &IoArgs, seconds: Option<f64>) -> Result<()> {
     let began = Instant::now();
-    let mut before = args.ports()?;
+    let mut before = args.card.ports()?;
     while seconds.is_none_or(|most| began.elapsed().as_secs_f64() < most) {
         thread::sleep(LOOK);
-        let now = args.ports()?;
+        let now = args.card.ports()?;
         for (side, is_output, bits) in [("output", true, OUTPUT_BITS), ("input", false, INPUT_BITS)]
         {
             let changed = |bit: &&Bit| before.is_on(is_output, bit) != now.is_on(is_output, bit);

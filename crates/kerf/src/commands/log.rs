@@ -2,7 +2,7 @@
 
 use crate::args::DataArgs;
 use crate::exit::Exit;
-use crate::{out, setup};
+use crate::{given, out, setup};
 use anyhow::Result;
 use clap::{Args, Subcommand};
 use kerf_control::system_log::{SYSTEM_LOG, changed_lines};
@@ -35,12 +35,12 @@ pub fn run(args: &LogArgs) -> Result<Exit> {
     let own = setup::data_folder(&args.data)?.join(SYSTEM_LOG);
     match &args.action {
         Action::Show => {
-            out::print(&setup::read_text(&own)?);
+            out::print(&given::text(&own)?);
             Ok(Exit::Good)
         }
         Action::Verify { file } => {
             let file = file.as_ref().unwrap_or(&own);
-            let changed = changed_lines(&setup::read_text(file)?);
+            let changed = changed_lines(&given::text(file)?);
             let line = |n: &usize| format!("{}:{n}: was changed\n", file.display());
             out::print(&changed.iter().map(line).collect::<String>());
             Ok(if changed.is_empty() { Exit::Good } else { Exit::Failed })

@@ -1,10 +1,12 @@
 //! `kerf machine`: the configuration of a machine.
 
+use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::by_hand::{self, Beside, Height, MoveArgs};
 use crate::commands::protect;
 use crate::exit::{Exit, Usage};
-use crate::{machine_file, out, parse, setup};
+use crate::machine_name::MachineName;
+use crate::{given, machine_file, out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::machine_file::{MachineFile, told};
@@ -13,16 +15,16 @@ use kerf_machine::profile::{PROFILES, profile};
 use kerf_machine::table::{self, Setting};
 use kerf_machine::{Configuration, Value, file};
 use kerf_program::Axis;
+use std::iter::once;
 use std::path::PathBuf;
 
 /// Shows and changes what a machine is like: axes, motors, heights, delays, inputs and the rest
 ///
-/// The machine is the one of --config (a file, or the name of a ready-made one), else the one in the
+/// `kerf get` and `kerf set` read and change single settings. The machine is the one that --machine names (a file, a saved machine, a ready-made one), else the one in the
 /// data folder.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf machine profiles\n  kerf machine use router-96x48\n  \
-    kerf machine set delays.router_start_s 2\n  kerf machine list homing\n  \
-    kerf machine show > mine.toml\n  kerf machine home\n  kerf machine move to 10,20,-5 --flat\n  \
+    kerf machine save shop\n  kerf machine list\n  kerf machine show > mine.toml\n  kerf machine home\n  kerf machine move to 10,20,-5 --flat\n  \
       kerf machine check mine.toml\n\nExit codes: 0 done, 1 failed, 2 the command line was wrong")]
 pub struct MachineArgs {
     #[command(subcommand)]
@@ -31,65 +33,24 @@ pub struct MachineArgs {
     which: Which,
 }
 
-/// Which machine.
-#[derive(Args, Clone, Debug)]
-pub struct Which {
-    /// Configuration: a file, or the name of a ready-made machine
-    #[arg(long, value_name = "FILE", global = true)]
-    pub config: Option<PathBuf>,
-    #[command(flatten)]
-    data: DataArgs,
-    /// The password of the settings, where they are protected [default: KERF_PASSWORD]; asked for at a
-    /// terminal
-    #[arg(long, value_name = "WORD", global = true)]
-    password: Option<String>,
-}
-
-impl Which {
-    pub fn folder(&self) -> DataArgs {
-        self.data.clone()
-    }
-
-    /// The machine.
-    pub fn machine(&self) -> Result<Configuration> {
-        setup::machine(self.config.as_deref(), &self.folder())
-    }
-
-    /// The file that changes go to, once the password was given.
-    pub fn to_change(&self) -> Result<MachineFile> {
-        let file = self.file()?;
-        let text = file.text()?.unwrap_or_default();
-        // A file with mistakes has to be mended: it protects nothing.
-        if let Ok(said) = file.read(&text) {
-            protect::open(&said, self.password.as_deref())?;
-        }
-        match self.config {
-            Some(_) => Ok(file),
-            None => machine_file::of_data_to_change(&self.folder()),
-        }
-    }
-
-    /// The configuration's file.
-    fn file(&self) -> Result<MachineFile> {
-        machine_file::of(self.config.as_deref(), &self.folder())
-    }
-}
-
 #[derive(Subcommand)]
 enum Action {
     /// Prints the whole configuration as a commented file
     Show,
-    /// Lists settings with value, unit, bounds and default; all, or those with a word in their key
+    /// Lists the machines that --machine can name
     List {
-        /// A word
+        /// Lists settings with this word in their key instead, as kerf get does.
+        #[arg(hide = true)]
         word: Option<String>,
     },
-    /// Prints the value of a setting
+    /// Prints the value of a setting, as kerf get does
+    #[command(hide = true)]
     Get {
         /// Its key
         key: String,
     },
-    /// Changes a setting
+    /// Changes a setting, as kerf set does
+    #[command(hide = true)]
     Set {
         /// Its key
         key: String,
@@ -108,8 +69,13 @@ enum Action {
         /// Its name
         name: Option<String>,
     },
-    /// Makes a ready-made machine the one of the data folder
+    /// Makes a machine the one of the data folder
     Use {
+        /// A ready-made machine, a saved one, or a file
+        name: String,
+    },
+    /// Saves the machine under a name, which --machine NAME means from then on
+    Save {
         /// Its name
         name: String,
     },
@@ -157,20 +123,27 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Check { files } => return check(files),
         Action::Profiles { name } => profiles(name.as_deref())?,
         Action::Show => out::print(&file::write(&args.which.machine()?)),
-        Action::List { word } => list(word.as_deref(), &args.which.machine()?)?,
+        Action::List { word: None } => out::print(&machines(&args.which.folder())?),
+        Action::List { word: Some(word) } => {
+            let lines = listed(Some(word), &args.which.machine()?);
+            if lines.is_empty() {
+                bail!(Usage(format!("no setting has {word} in its key")));
+            }
+            out::print(&lines);
+        }
         Action::Get { key } => {
             let value = known(key)?.get(&args.which.machine()?);
             out::print(&format!("{value}\n"));
         }
         Action::Set { key, value } => set(&args.which, known(key)?, &Value::typed(value))?,
         Action::Use { name } => {
-            let text = named(name)?;
             args.which.to_change()?;
-            if let Some(kept) =
-                machine_file::of_data_to_change(&args.which.folder())?.replace(text)?
-            {
-                eprintln!("kerf: the machine as it was is kept in {}", kept.display());
-            }
+            let text = machine_file::text(name.as_ref(), &args.which.folder())?;
+            replace(&machine_file::of_data_to_change(&args.which.folder())?, &text)?;
+        }
+        Action::Save { name } => {
+            let file = machine_file::to_save(name, &args.which.folder())?;
+            replace(&file, &file::write(&args.which.machine()?))?;
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
         Action::Home { axes, beside } => {
@@ -185,11 +158,32 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
     Ok(Exit::Good)
 }
 
+/// The machines that have a name, a line each: the simulated one, saved ones, ready-made ones.
+fn machines(data: &DataArgs) -> Result<String> {
+    let usual =
+        ("sim".to_owned(), "the simulated machine, set up as the data folder says".to_owned());
+    let saved = machine_file::all_saved(data)?;
+    let saved = saved.into_iter().map(|(name, path)| (name, format!("saved: {}", path.display())));
+    let is_taken = |name: &str| MachineName::read(name) == Ok(MachineName::Sim);
+    let ready = PROFILES.iter().filter(|it| !is_taken(it.name));
+    let ready = ready.map(|it| (it.name.to_owned(), it.about()));
+    let all = once(usual).chain(saved).chain(ready);
+    Ok(all.map(|(name, about)| format!("{name:<16} {about}\n")).collect())
+}
+
+/// Puts a machine into a file; another one that was there is kept beside it.
+fn replace(file: &MachineFile, text: &str) -> Result<()> {
+    if let Some(kept) = file.replace(text)? {
+        eprintln!("kerf: the machine as it was is kept in {}", kept.display());
+    }
+    Ok(())
+}
+
 fn known(key: &str) -> Result<&'static Setting> {
     let Some(setting) = table::setting(key) else {
         let keys = table::settings().map(|setting| setting.key);
         let hint = kerf_diag::did_you_mean(key, keys)
-            .unwrap_or_else(|| "kerf machine list shows every setting".into());
+            .unwrap_or_else(|| "kerf get lists every setting".into());
         bail!(Usage(format!("there is no setting {key}; {hint}")));
     };
     Ok(setting)
@@ -205,7 +199,8 @@ fn named(name: &str) -> Result<&'static str> {
     }
 }
 
-fn set(which: &Which, setting: &'static Setting, value: &Value) -> Result<()> {
+/// Changes a setting in the file of the machine.
+pub fn set(which: &Which, setting: &'static Setting, value: &Value) -> Result<()> {
     if setting.key == protect::KEY {
         bail!(Usage(format!("{} is set by `kerf machine password`", protect::KEY)));
     }
@@ -220,7 +215,8 @@ fn set(which: &Which, setting: &'static Setting, value: &Value) -> Result<()> {
     Ok(kept.write(&file::edit(&text, setting, &configuration))?)
 }
 
-fn list(word: Option<&str>, configuration: &Configuration) -> Result<()> {
+/// The settings that have a word in their key, a line each, in areas.
+pub fn listed(word: Option<&str>, configuration: &Configuration) -> String {
     let fits = |setting: &&Setting| word.is_none_or(|word| setting.key.contains(word));
     let mut lines = String::new();
     for area in table::areas() {
@@ -239,17 +235,13 @@ fn list(word: Option<&str>, configuration: &Configuration) -> Result<()> {
             lines.push_str(&line);
         }
     }
-    if lines.is_empty() {
-        bail!(Usage(format!("no setting has {} in its key", word.unwrap_or_default())));
-    }
-    out::print(&lines);
-    Ok(())
+    lines
 }
 
 fn check(files: &[PathBuf]) -> Result<Exit> {
     let mut worst = Exit::Good;
     for path in files {
-        let text = setup::read_text(path)?;
+        let text = given::text(path)?;
         let name = path.display().to_string().into();
         for note in file::notes(&name, &text) {
             out::print(&format!("note: {}\n", told(&[note])));

@@ -1,6 +1,7 @@
 //! The subcommands, one file each.
 
 mod by_hand;
+mod card;
 mod check;
 mod convert;
 mod draw;
@@ -9,6 +10,7 @@ mod fmt;
 mod heights;
 mod help;
 mod io;
+mod kept_values;
 mod log;
 mod machine;
 mod parts;
@@ -28,9 +30,12 @@ mod time;
 mod timing;
 mod toolpath;
 mod trace;
+mod values;
 mod wavlength;
+mod which;
 
 use crate::exit::{Exit, Usage};
+use crate::machine_name::MachineChoice;
 use crate::outputs::Outputs;
 use anyhow::{Result, bail};
 use clap::{ArgMatches, Subcommand};
@@ -65,6 +70,8 @@ pub enum Command {
     Sysvars(sysvars::SysvarsArgs),
     Samples(samples::SamplesArgs),
     Parts(parts::PartsArgs),
+    Get(values::GetArgs),
+    Set(values::SetArgs),
     Machine(machine::MachineArgs),
     Io(io::IoArgs),
 }
@@ -74,7 +81,12 @@ impl Command {
     pub fn restricted(self, edit_only: bool) -> Result<Self> {
         let moves_a_machine = matches!(
             self,
-            Self::Run(_) | Self::Sb3(_) | Self::Machine(_) | Self::Io(_) | Self::Registry(_)
+            Self::Run(_)
+                | Self::Sb3(_)
+                | Self::Set(_)
+                | Self::Machine(_)
+                | Self::Io(_)
+                | Self::Registry(_)
         );
         let moves_a_machine =
             moves_a_machine || matches!(&self, Self::Send(args) if !args.is_file());
@@ -89,6 +101,7 @@ impl Command {
 
     /// The command as it was given, unless not all of it would be heeded.
     pub fn heeding(self, cli: &clap::Command, given: &ArgMatches) -> Result<Self> {
+        MachineChoice::refuse_two(given)?;
         let heeded = match &self {
             Self::Run(args) => args.heeded(),
             Self::Send(args) => args.heeded(),
@@ -149,6 +162,8 @@ fn carry_out(command: Command) -> Result<Exit> {
         Command::Toolpath(args) => toolpath::run(&args),
         Command::Samples(args) => samples::run(&args),
         Command::Parts(args) => parts::run(&args),
+        Command::Get(args) => values::get(&args),
+        Command::Set(args) => values::set(&args),
         Command::Machine(args) => machine::run(&args),
         Command::Io(args) => io::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),

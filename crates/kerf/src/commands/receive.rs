@@ -2,6 +2,7 @@
 
 use crate::args::{DataArgs, PlaceArgs};
 use crate::exit::{Exit, Usage};
+use crate::machine_name::MachineChoice;
 use crate::sending::{Folder, Shown, To, ended, receive_over_line};
 use crate::setup;
 use crate::stop::Stop;
@@ -38,9 +39,8 @@ pub struct ReceiveArgs {
     /// Ends after one file
     #[arg(long)]
     once: bool,
-    /// Configuration of the machine
-    #[arg(long, value_name = "FILE")]
-    config: Option<PathBuf>,
+    #[command(flatten)]
+    machine: MachineChoice,
     #[command(flatten)]
     data: DataArgs,
     /// Tells nothing
@@ -57,7 +57,7 @@ pub fn baud(word: &str) -> Result<u32, String> {
 
 /// The port of file sending of the machine that is served.
 pub fn port(place: &PlaceArgs) -> Result<Port> {
-    let machine = setup::machine(place.config.as_deref(), &place.data)?;
+    let machine = setup::machine(&place.machine, &place.data)?;
     Ok(Port::open(&To::Port(None).device(&machine)?, machine.options.send_baud)?)
 }
 
@@ -110,7 +110,7 @@ impl Watch {
 }
 
 pub fn run(args: &ReceiveArgs) -> Result<Exit> {
-    let machine = setup::machine(args.config.as_deref(), &args.data)?;
+    let machine = setup::machine(&args.machine, &args.data)?;
     let to = match &args.port {
         Some(word) => To::of(word)
             .ok_or_else(|| Usage(format!("{word} is no port: com1 to com4, or a path")))?,

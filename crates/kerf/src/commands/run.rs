@@ -1,42 +1,45 @@
 //! `kerf run`: a part file on a machine.
 
 mod behind;
+mod on_server;
+mod options;
 
-use crate::args::{DataArgs, PlaceArgs, RunArgs};
+pub use options::MachineArgs;
+
+use crate::args::{PlaceArgs, RunArgs};
 use crate::commands::protect;
-use crate::controller::{self, DriverName, First};
+use crate::controller;
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::heeded::Heeded;
-use crate::job_options;
 use crate::machine_file;
 use crate::memory;
 use crate::operator::{Clock, Person, Terminal};
 use crate::out;
-use crate::outputs::{ForceArgs, Outputs};
+use crate::outputs::Outputs;
 use crate::parse;
 use crate::picture::{self, Format, Picture};
 use crate::progress::Progress;
-use crate::remote::{Along, Ended, How, OWN_MACHINE, Remote};
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job as Prepared};
-use crate::signals::{ReadingBytes, VcdArgs};
 use crate::sources::FileLines;
 use crate::stop::Stop;
+use crate::summary;
 use crate::visit::Visit;
+use crate::waveforms::{ReadingBytes, VcdArgs};
 use anyhow::{Context, Result, bail};
 use behind::closes;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use kerf_control::answers::Answers;
 use kerf_control::controller::Shared;
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
 use kerf_control::{Company, Session, Shelf, Summary, Work};
-use kerf_diag::Diagnostic;
 use kerf_machine::Driven;
 use kerf_machine::{Configuration, sequence, table};
 use kerf_program::job::Job;
-use kerf_program::settings::LinearUnit;
+use on_server::{REACHES_SERVERS, remotely};
+use options::{PaceName, STANDARD_OUTPUT};
 use std::fs::File;
 use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
@@ -65,97 +68,22 @@ pub struct RunCommand {
     /// Arms the machine of the server first
     #[arg(long, requires = "server")]
     arm: bool,
+    /// Cuts every path of a job so far beside itself, mm, to the right of travel; the file stays as it is
+    #[arg(long, value_name = "MM", value_parser = parse::number)]
+    offset_job: Option<f64>,
     #[command(flatten)]
     machine: MachineArgs,
     #[command(flatten)]
     run: RunArgs,
 }
 
-/// The name of standard output where a file is asked for.
-const STANDARD_OUTPUT: &str = "-";
-
-/// What everything that moves a machine can be told.
-#[derive(Args, Clone)]
-pub struct MachineArgs {
-    /// Cuts every path of a job so far beside itself, mm, to the right of travel; the file stays as it is
-    #[arg(long, value_name = "MM", value_parser = parse::number)]
-    offset_job: Option<f64>,
-    /// The machine to run on: the simulated one, sim. --driver runs on a real controller, --config says what
-    /// the machine is like
-    #[arg(long, value_name = "NAME", default_value = "sim")]
-    machine: String,
-    /// Runs it on a real controller: grbl or grblHAL at a serial port, at 115200 baud unless another rate
-    /// is named
-    #[arg(long, value_name = "grbl:PORT[@BAUD]", value_parser = DriverName::read)]
-    driver: Option<DriverName>,
-    #[command(flatten)]
-    first: First,
-    /// How machine time passes
-    #[arg(long, value_enum, default_value = "fast")]
-    pace: PaceName,
-    /// Draws the tool path as it was run: .svg, .png or .html
-    #[arg(long, value_name = "OUT")]
-    picture: Option<PathBuf>,
-    /// Writes everything that the run does to a file, an event a line, as `kerf trace` prints it; with `-` to
-    /// standard output, and nothing else there
-    #[arg(long, value_name = "OUT")]
-    trace: Option<PathBuf>,
-    /// Writes every reading of the height sensor to a file or a device, a byte each, as a potentiometer sends
-    /// them on its serial line
-    #[arg(long, value_name = "FILE")]
-    readings: Option<PathBuf>,
-    #[command(flatten)]
-    vcd: VcdArgs,
-    /// The password of the settings, where they are protected [default: KERF_PASSWORD]: what the program
-    /// sets stays
-    #[arg(long, value_name = "WORD")]
-    pub password: Option<String>,
-    /// No progress, no summary
-    #[arg(short, long)]
-    quiet: bool,
-    #[command(flatten)]
-    force: ForceArgs,
-}
-
-/// How machine time passes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum PaceName {
-    /// As fast as can be computed.
-    Fast,
-    /// A second of machine time takes a second.
-    Real,
-}
-
-/// Options that reach a server: the rest is refused, for nobody would heed it there.
-const REACHES_SERVERS: Heeded = Heeded {
-    options: &[
-        "server",
-        "folder",
-        "arm",
-        "password",
-        "quiet",
-        "answers",
-        "proportion",
-        "repeat",
-        "offset",
-        "plunge",
-        "tabs",
-        "plunge_from_zero",
-        "step",
-        "from_line",
-        "offset_job",
-    ],
-    instead: OWN_MACHINE,
-};
-
 /// Options that are heeded when a run is taken up; on a controller nothing is taken up, which is told by itself.
 const TAKES_UP: Heeded = Heeded {
     options: &[
         "resume",
-        "data",
+        "folder",
         "start",
         "machine",
-        "driver",
         "home",
         "unlock",
         "password",
@@ -186,65 +114,20 @@ impl RunCommand {
     }
 }
 
-/// Has a server run a file of its part folder.
-fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
-    let how = how_remotely(file, args)?;
-    let server = Remote::new(url, &args.run.place.data)?;
-    if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
-        server.unlock(&password)?;
-    }
-    let terminal = Terminal::new(Clock::Fast, args.run.operator.script())?;
-    let person = args.run.answers.is_none() && io::stdin().is_terminal();
-    let mut operator = Person::new(setup::answers(&args.run)?, person, &terminal);
-    let mut print = |line: &str| out::print(&format!("{line}\n"));
-    let stopped = || terminal.is_stopped();
-    let diagnostics = Diagnostics::default();
-    let show = |found: &Diagnostic| diagnostics.show(found);
-    let along =
-        Along { operator: &mut operator, stopped: &stopped, print: &mut print, show: &show };
-    let ended = server.run(&file.display().to_string(), &how, args.arm, along)?;
-    Ok(told_by_server(&ended, args.machine.quiet()))
-}
-
-/// Returns the way in which a server runs the file, as the options say.
-fn how_remotely(file: &Path, args: &RunCommand) -> Result<How> {
-    let (run, beside_mm) = (&args.run, args.machine.offset_job);
-    match drawings::is_drawing(file) {
-        true => job_options::remotely(run, beside_mm).map(How::Job),
-        false if beside_mm.is_some() => Err(job_options::only_of_jobs().into()),
-        false if run.file.from_line.is_some() => bail!(Usage(
-            "--from-line begins a part file only here: on a server go through it with --step, and answer the number \
-             of the line"
-                .into()
-        )),
-        false => Ok(How::Part(run.file.clone())),
-    }
-}
-
-/// Tells how a server's run ended.
-pub fn told_by_server(ended: &Ended, quiet: bool) -> Exit {
-    let diagnostics = Diagnostics::default();
-    ended.told.iter().for_each(|found| diagnostics.show(found));
-    if !quiet {
-        tell(&ended.summary);
-    }
-    ended.summary.status.into()
-}
-
 pub fn run(args: &RunCommand) -> Result<Exit> {
-    args.machine.check()?;
+    args.machine.check(&args.run)?;
     if let (Some(url), Some(file)) = (&args.server, &args.file) {
         return remotely(url, file, args);
     }
     let mut run = args.run.clone();
-    run.place.start_run(args.machine.driver.is_some());
+    run.place.start_run();
     match &args.file {
         Some(file) => {
             if args.run.place.start.is_none() && !args.machine.quiet() {
                 tell_fresh(&run.place);
             }
             let mut job = setup::job(file, &run, false)?;
-            if let Some(by_mm) = args.machine.offset_job {
+            if let Some(by_mm) = args.offset_job {
                 job.work = setup::beside(job.work, by_mm)?;
             }
             if let (Work::Job(job, machine), false) = (&job.work, args.machine.quiet()) {
@@ -259,7 +142,7 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
 
 /// Tells a user with a machine of his own when a run does not take it.
 fn tell_fresh(place: &PlaceArgs) {
-    let fresh = place.config.is_none() && !memory::is_kept(place, false);
+    let fresh = place.machine.configuration().is_none() && !memory::is_kept(place, false);
     let Ok(kept) = machine_file::of_data(&place.data) else { return };
     if fresh && kept.text().is_ok_and(|text| text.is_some()) {
         eprintln!(
@@ -291,12 +174,18 @@ fn in_force(job: &Job, machine: &Configuration) -> String {
 
 /// Takes up the run that was cut short.
 fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
-    if args.driver.is_some() {
+    if run.place.machine.controller().is_some() {
         bail!(Usage(
             "a run on a controller is not taken up with --resume: home it or set its location, and begin at \
              a line of the file with --from-line"
                 .into()
         ));
+    }
+    if let Some(name) = run.place.machine.configuration() {
+        bail!(Usage(format!(
+            "a run is taken up on the machine on which it was begun: leave --machine {} out",
+            name.display()
+        )));
     }
     let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
     let nothing = || JournalError::NothingToResume { folder: shelf.app_path().into() };
@@ -338,8 +227,8 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         work, mut session, mut options, mut shelf, answers, kept, replaced, visit, ..
     } = job;
     options.opened |= protect::given(&session.machine_is, args.password.as_deref())?;
-    let mut controller = None;
-    if let Some(name) = &args.driver {
+    let (mut controller, name) = (None, run.place.machine.controller());
+    if let Some(name) = name {
         controller::check(run)?;
         let shared = controller::ready(name, args.first, args.quiet(), &mut session, &mut shelf)?;
         if let Some(exit) =
@@ -353,7 +242,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         controller::begins(name, &shared, &mut shelf);
         controller = Some(shared);
     }
-    if !kept && args.driver.is_none() {
+    if !kept && name.is_none() {
         shelf.has_fresh_machine();
     }
     let machine = VcdArgs::machine(&work, &session);
@@ -369,7 +258,8 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         visit.begins(&session, &mut shelf)?;
     }
     let takes = work.takes_origin(session.memory.position);
-    let takes = takes.filter(|_| kept && args.driver.is_none() && run.place.config.is_none());
+    let own = name.is_none() && run.place.machine.configuration().is_none();
+    let takes = takes.filter(|_| kept && own);
     let (mut moved, typed) = (false, options.program.typed);
     let exit = attended(args, run, show, answers, controller.clone(), |company| {
         let shelf = &mut shelf;
@@ -386,7 +276,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     if kept && typed {
         tell_preview(&session, &mut shelf, args.quiet());
     }
-    if let Some((name, shared)) = args.driver.as_ref().zip(controller) {
+    if let Some((name, shared)) = name.zip(controller) {
         controller::leaves(name, &shared, &mut shelf);
     }
     match kept {
@@ -478,7 +368,7 @@ fn attended<'a>(
         picture::write(&picture.finish(&summary, session), format, path)?;
     }
     if !args.quiet() {
-        tell(&summary);
+        summary::tell(&summary);
     }
     match unkept {
         Some(why) => Err(why.into()),
@@ -492,11 +382,6 @@ fn over(ran: Result<Summary, JournalError>) -> Result<(Summary, Option<JournalEr
         Err(JournalError::NotKept { ref summary, .. }) => Ok(((**summary).clone(), ran.err())),
         ran => Ok((ran?, None)),
     }
-}
-
-/// Prints the summary of a run.
-pub fn tell(summary: &Summary) {
-    out::print(&told(summary));
 }
 
 /// A file that takes the trace of a run.
@@ -519,100 +404,4 @@ impl RunCommand {
     pub fn outputs(&self) -> Outputs {
         self.machine.outputs(&self.run.place.data)
     }
-}
-
-impl MachineArgs {
-    /// The files that the run writes besides those of the program.
-    pub fn outputs(&self, data: &DataArgs) -> Outputs {
-        let files = self.written().into_iter().filter_map(|(_, file)| file);
-        Outputs::of(files, self.force.force, Some(data))
-    }
-
-    /// Files are replaced without a question.
-    pub fn replaces(&self) -> bool {
-        self.force.force
-    }
-
-    /// Every option that names a file to be written.
-    fn written(&self) -> [(&'static str, Option<&Path>); 4] {
-        [
-            ("--trace", self.trace.as_deref().filter(|_| !self.traces_out())),
-            ("--picture", self.picture.as_deref()),
-            ("--readings", self.readings.as_deref()),
-            ("--vcd", self.vcd.path()),
-        ]
-    }
-
-    /// No summary is wanted.
-    pub fn quiet(&self) -> bool {
-        self.quiet || self.traces_out()
-    }
-
-    /// Refuses to write over what is run, or what the run reads.
-    fn spare(&self, file: &Path, run: &RunArgs) -> Result<()> {
-        let written = self.written();
-        let read = [
-            Some(file),
-            run.answers.as_deref(),
-            run.script.as_deref(),
-            run.place.config.as_deref(),
-        ];
-        let whole: Vec<PathBuf> =
-            read.into_iter().flatten().filter_map(|path| path.canonicalize().ok()).collect();
-        for (option, path) in written {
-            let there = path.and_then(|path| path.canonicalize().ok());
-            if let Some(there) = there.filter(|there| whole.contains(there)) {
-                let name = there.display();
-                bail!(Usage(format!(
-                    "{option} would write over {name}, which the run reads: name another file"
-                )));
-            }
-        }
-        Ok(())
-    }
-
-    /// Standard output belongs to the trace.
-    fn traces_out(&self) -> bool {
-        self.trace.as_deref() == Some(Path::new(STANDARD_OUTPUT))
-    }
-
-    /// Refuses machines that are not there.
-    pub fn check(&self) -> Result<()> {
-        if self.machine != "sim" {
-            let name = &self.machine;
-            bail!(Usage(format!(
-                "there is no machine '{name}': runs are on the simulated one, sim; --driver grbl:PORT runs on a \
-                 real controller, --config {name} says what the machine is like"
-            )));
-        }
-        Ok(())
-    }
-}
-
-/// The summary of a run.
-fn told(summary: &Summary) -> String {
-    let tally = &summary.tally;
-    let (mm, unit) = (summary.unit.mm(), summary.unit.symbol());
-    let decimals = if summary.unit == LinearUnit::Mm { 1 } else { 2 };
-    let length = |v: f64| format!("{} {unit}", out::number(v / mm, decimals));
-    let status = match summary.status {
-        kerf_sbp::Status::Ok => "ran to its end",
-        kerf_sbp::Status::Ended => "ended by the program",
-        kerf_sbp::Status::Failed => "FAILED",
-        kerf_sbp::Status::Stopped => "STOPPED",
-        kerf_sbp::Status::Limit => "STOPPED BY A LIMIT",
-    };
-    let mut text = format!("{status} after {}\n", out::duration(summary.seconds));
-    text += &format!(
-        "  {}, {}, {}\n  cut {}, jogged {}\n",
-        out::count(summary.lines, "line"),
-        out::count(tally.moves, "move"),
-        out::count(tally.arcs, "arc"),
-        length(tally.cut_mm),
-        length(tally.jog_mm)
-    );
-    if let Some(bounds) = out::bounds(summary) {
-        text += &format!("  cutting {bounds}\n");
-    }
-    text
 }

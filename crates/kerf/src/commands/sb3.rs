@@ -7,6 +7,7 @@ use crate::exit::{Exit, Usage};
 use crate::machine_file;
 use crate::report::Talk;
 use crate::setup;
+use crate::summary;
 use crate::visit::Visit;
 use anyhow::Result;
 use clap::Args;
@@ -49,7 +50,7 @@ pub struct Sb3Args {
 }
 
 pub fn run(args: &Sb3Args) -> Result<Exit> {
-    args.machine.check()?;
+    args.machine.check(&args.run)?;
     let line = StartUp::read(&args.line).map_err(Usage)?;
     if line.close == CloseMethod::Stay && (args.console || io::stdin().is_terminal()) {
         return serves(args, &line);
@@ -119,7 +120,7 @@ fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
     };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     if !args.machine.quiet() {
-        super::run::tell(&summary);
+        summary::tell(&summary);
     }
     log()?;
     Ok(summary.status.into())

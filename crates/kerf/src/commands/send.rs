@@ -1,9 +1,10 @@
 //! `kerf send`: commands to be carried out at once, or a job file to another computer.
 
 use super::protect;
-use super::run::{MachineArgs, on_machine, told_by_server};
+use super::run::{MachineArgs, on_machine};
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
+use crate::given;
 use crate::heeded::Heeded;
 use crate::outputs::Outputs;
 use crate::remote::{OWN_MACHINE, Remote};
@@ -11,6 +12,7 @@ use crate::report::Talk;
 use crate::sending::{Sent, Shown, To, ended, send_over_line, send_over_network};
 use crate::setup;
 use crate::stop::Stop;
+use crate::summary::told_by_server;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::Shelf;
@@ -90,7 +92,7 @@ impl SendArgs {
 
 /// Sends a file to another computer.
 fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
-    let bytes = setup::read_bytes(file)?;
+    let bytes = given::bytes(file)?;
     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let stop = Stop::listen()?;
     let stopped = || stop.is_wanted();
@@ -102,7 +104,7 @@ fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
         }
         _ => {
             let place = &args.run.place;
-            let machine = setup::machine(place.config.as_deref(), &place.data)?;
+            let machine = setup::machine(&place.machine, &place.data)?;
             let baud = args.baud.unwrap_or(machine.options.send_baud);
             let port = Port::open(&to.device(&machine)?, baud)?;
             let sender = Sender::new(&name, bytes, baud).map_err(|why| anyhow!(why))?;
@@ -114,7 +116,7 @@ fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
 
 /// Carries out lines that another command stands for.
 pub fn carry_out(text: &str, machine: MachineArgs, run: RunArgs) -> Result<Exit> {
-    machine.check()?;
+    machine.check(&run)?;
     let shelf = setup::shelf(Path::new(""), &run.place, false)?;
     typed(kerf_sbp::read_typed("typed".into(), text), shelf, &machine, &run)
 }
@@ -163,7 +165,7 @@ pub fn run(args: &SendArgs) -> Result<Exit> {
     if let Some((file, to)) = args.file() {
         return send_file(file, &to, args);
     }
-    args.machine.check()?;
+    args.machine.check(&args.run)?;
     refuse_file(args)?;
     if let Some(url) = args.server() {
         return remotely(&url, &args.lines.join("\n"), args);

@@ -4,11 +4,12 @@ use super::receive;
 use crate::args::PlaceArgs;
 use crate::clock;
 use crate::exit::{Exit, Usage};
+use crate::machine_file::{self, Named};
 use crate::memory;
 use crate::served::Served;
 use crate::stop::Stop;
 use crate::visit::Visit;
-use crate::{out, setup};
+use crate::{given, out, setup};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::Shelf;
@@ -126,7 +127,7 @@ impl ServeArgs {
 /// The name of the file that is open at the start: named from the part folder, or from here.
 fn opened(parts: &Path, file: &str) -> Result<String> {
     let path = Some(parts.join(file)).filter(|it| it.exists()).unwrap_or_else(|| file.into());
-    setup::read_bytes(path.strip_prefix(".").unwrap_or(&path))?;
+    given::bytes(path.strip_prefix(".").unwrap_or(&path))?;
     below(parts, &path)
 }
 
@@ -226,9 +227,9 @@ fn options(args: &ServeArgs) -> Result<Options> {
             "cannot read {folder}: {why}; --parts names the folder of part files"
         )));
     }
-    if let Some(config) = &args.place.config {
-        setup::machine(Some(config), &args.place.data)?;
-    }
+    args.place.machine.simulated("kerf serve drives")?;
+    let name = args.place.machine.configuration();
+    name.map(|_| setup::machine(&args.place.machine, &args.place.data)).transpose()?;
     let open = args.file.as_deref().map(|file| opened(&parts, file)).transpose()?;
     let (start, begin_with) = args.start();
     Ok(Options {
@@ -271,14 +272,15 @@ fn shelf(args: &ServeArgs, preview: bool) -> Result<Shelf> {
 fn workshop(args: &ServeArgs) -> Result<Workshop> {
     memory::sweep(&parts(args));
     let mut shelf = shelf(args, false)?;
-    let config = args.place.config.as_deref();
+    let name = args.place.machine.configuration();
+    let named = name.map(|name| machine_file::named(name, &args.place.data)).transpose()?;
     // A file that is named leads, and takes what is changed here.
-    if let (Some(journal), Some(file)) = (shelf.journal(), config.filter(|path| path.is_file())) {
+    if let (Some(journal), Some(Named::File(file))) = (shelf.journal(), &named) {
         journal.use_machine_file(MachineFile::at(file));
     }
     let (mut session, kept) = setup::session(&args.place, false, &mut shelf)?;
-    if config.is_some() {
-        session.machine_is = setup::machine(config, &args.place.data)?.into();
+    if named.is_some() {
+        session.machine_is = setup::machine(&args.place.machine, &args.place.data)?.into();
         session.memory.settings = session.machine_is.program.clone();
     }
     if kept {

@@ -1,6 +1,7 @@
 //! `kerf settings`: what the V commands are set to, and files of it.
 
 use super::send;
+use crate::args::{PlaceArgs, RunArgs, Start};
 use crate::exit::Exit;
 use crate::{out, setup};
 use anyhow::Result;
@@ -40,7 +41,7 @@ enum Action {
 #[derive(Args)]
 struct Lined {
     #[command(flatten)]
-    run: crate::args::RunArgs,
+    place: PlaceArgs,
 }
 
 #[derive(Args)]
@@ -50,14 +51,14 @@ struct Named {
     #[command(flatten)]
     machine: super::run::MachineArgs,
     #[command(flatten)]
-    run: crate::args::RunArgs,
+    run: RunArgs,
 }
 
 pub fn run(args: SettingsArgs) -> Result<Exit> {
     match args.action {
-        Action::Show(Lined { run }) => show(&run),
-        Action::List(Lined { run }) => {
-            let shelf = setup::shelf(Path::new(""), &run.place, true)?;
+        Action::Show(Lined { place }) => show(&place),
+        Action::List(Lined { place }) => {
+            let shelf = setup::shelf(Path::new(""), &place, true)?;
             out::print(&(shelf.settings_files().join("\n") + "\n"));
             Ok(Exit::Good)
         }
@@ -68,17 +69,22 @@ pub fn run(args: SettingsArgs) -> Result<Exit> {
     }
 }
 
-/// The lines of UV.
-fn show(run: &crate::args::RunArgs) -> Result<Exit> {
-    let mut place = run.place.clone();
-    place.start = place.start.or(Some(crate::args::Start::Kept));
-    let mut shelf = setup::shelf(Path::new(""), &place, true)?;
-    let (session, _) = setup::session(&place, true, &mut shelf)?;
-    let settings = setup::settings(&place, session.memory.settings.clone())?;
-    let mut lines = kerf_sbp::table::settings_lines(&settings);
-    lines.push(format!("FS,{},{}", shelf.user_path(), shelf.mask()));
+/// Prints the lines of UV.
+fn show(place: &PlaceArgs) -> Result<Exit> {
+    let start = place.start.or(Some(Start::Kept));
+    let lines = lines(&PlaceArgs { start, ..place.clone() })?;
     out::print(&(lines.join("\n") + "\n"));
     Ok(Exit::Good)
+}
+
+/// The lines of UV: what sets what is set now, and the part folder.
+pub fn lines(place: &PlaceArgs) -> Result<Vec<String>> {
+    let mut shelf = setup::shelf(Path::new(""), place, true)?;
+    let (session, _) = setup::session(place, true, &mut shelf)?;
+    let settings = setup::settings(place, session.memory.settings)?;
+    let mut lines = kerf_sbp::table::settings_lines(&settings);
+    lines.push(format!("FS,{},{}", shelf.user_path(), shelf.mask()));
+    Ok(lines)
 }
 
 fn typed(line: impl FnOnce(&str) -> String, named: Named) -> Result<Exit> {

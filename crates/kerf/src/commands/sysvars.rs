@@ -6,11 +6,12 @@ use crate::{out, parse, setup};
 use anyhow::Result;
 use clap::Args;
 use kerf_program::settings::LinearUnit;
+use kerf_sbp::{SystemVariable, Value};
 use std::path::Path;
 
 /// Lists the system variables: number, present value, unit and name
 ///
-/// Values are those of the machine as the last run left it; --start fresh shows those of a new one.
+/// `kerf get` prints one of them. Values are those of the machine as the last run left it; --start fresh shows those of a new one.
 #[derive(Args)]
 #[command(after_help = "Example: kerf sysvars --units mm")]
 pub struct SysvarsArgs {
@@ -22,18 +23,27 @@ pub struct SysvarsArgs {
 }
 
 pub fn run(args: &SysvarsArgs) -> Result<Exit> {
-    let mut shelf = setup::shelf(Path::new(""), &args.place, true)?;
     let place = PlaceArgs { start: args.place.start.or(Some(Start::Kept)), ..args.place.clone() };
-    let (mut session, _) = setup::session(&place, true, &mut shelf)?;
-    let mut settings = setup::settings(&args.place, session.memory.settings)?;
-    if let Some(unit) = args.units {
+    let lines =
+        all(&place, args.units)?.into_iter().map(|(variable, value)| line(&variable, &value));
+    out::print(&lines.collect::<String>());
+    Ok(Exit::Good)
+}
+
+/// Every system variable with what it reads.
+pub fn all(place: &PlaceArgs, units: Option<LinearUnit>) -> Result<Vec<(SystemVariable, Value)>> {
+    let mut shelf = setup::shelf(Path::new(""), place, true)?;
+    let (mut session, _) = setup::session(place, true, &mut shelf)?;
+    let mut settings = setup::settings(place, session.memory.settings)?;
+    if let Some(unit) = units {
         settings.use_linear_unit(unit);
     }
     session.memory.settings = settings;
-    let lines = session.system_variables(&mut shelf).into_iter().map(|(variable, value)| {
-        let (number, unit, name) = (variable.number, variable.unit, variable.name);
-        format!("{number:>3}  {:>12}  {unit:<20}  {name}\n", value.display())
-    });
-    out::print(&lines.collect::<String>());
-    Ok(Exit::Good)
+    Ok(session.system_variables(&mut shelf))
+}
+
+/// A line of the list.
+pub fn line(variable: &SystemVariable, value: &Value) -> String {
+    let (number, unit, name) = (variable.number, variable.unit, variable.name);
+    format!("{number:>3}  {:>12}  {unit:<20}  {name}\n", value.display())
 }

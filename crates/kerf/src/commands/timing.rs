@@ -17,7 +17,7 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = "Examples:
   kerf timing plate.rsm -o plate.svg
-  kerf timing plate.rsm --config plasma --sheet -20 --input arc@1.62=1 -o arc.svg")]
+  kerf timing plate.rsm --machine plasma --sheet -20 --input arc@1.62=1 -o arc.svg")]
 pub struct TimingArgs {
     /// The job or part file
     file: PathBuf,

@@ -2,7 +2,7 @@
 
 use crate::args::RunArgs;
 use crate::exit::Exit;
-use crate::signals::VcdArgs;
+use crate::waveforms::VcdArgs;
 use crate::{out, setup};
 use anyhow::{Context, Result};
 use clap::Args;

@@ -1,10 +1,9 @@
 //! `kerf wavlength`: how long a sound lasts, so that a part file can pause for it.
 
-use crate::exit::{Exit, Usage};
-use crate::out;
+use crate::exit::Exit;
+use crate::{given, out};
 use anyhow::{Result, bail};
 use clap::Args;
-use std::fs;
 use std::path::PathBuf;
 
 /// Tells how long a .wav file plays, in seconds
@@ -19,7 +18,7 @@ pub struct WavlengthArgs {
 
 pub fn run(args: &WavlengthArgs) -> Result<Exit> {
     let name = args.file.display();
-    let bytes = fs::read(&args.file).map_err(|why| Usage(format!("cannot read {name}: {why}")))?;
+    let bytes = given::bytes(&args.file)?;
     let Some(seconds) = seconds(&bytes) else { bail!("{name} is no .wav file") };
     out::print(&format!("{}\n", out::number(seconds, 3)));
     Ok(Exit::Good)

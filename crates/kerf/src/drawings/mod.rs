@@ -1,8 +1,12 @@
 //! Drawings from files and into files, by extension.
 
+pub mod kind;
 pub mod programs;
 
+pub use kind::{extension, is_drawing};
+
 use crate::exit::Usage;
+use crate::given;
 use crate::out;
 use anyhow::{Result, bail};
 use kerf_control::job_file;
@@ -58,7 +62,7 @@ pub fn open(files: &[impl AsRef<Path>], reading: &Reading) -> Result<Drawing> {
 
 fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
     let extension = extension(file);
-    let bytes = bytes(file)?;
+    let bytes = given::bytes(file)?;
     let Reading { scale, explode, hidden, .. } = *reading;
     let options = dxf::Options { scale, explode, unseen: hidden, ..dxf::Options::default() };
     let mut read = match extension.as_str() {
@@ -102,13 +106,6 @@ fn nothing_read(file: &Path, findings: &[Finding]) -> Result<()> {
         eprintln!("{}: warning: nothing is drawn in this file", file.display());
     }
     Ok(())
-}
-
-fn bytes(file: &Path) -> Result<Vec<u8>> {
-    match fs::read(file) {
-        Ok(bytes) => Ok(bytes),
-        Err(error) => bail!(Usage(format!("cannot read {}: {error}", file.display()))),
-    }
 }
 
 fn tell(file: &Path, read: &Imported) {
@@ -163,7 +160,7 @@ pub fn job_with_warnings(
 ) -> Result<(Job, Vec<Warning>)> {
     if extension(file) == "rsm" {
         let (job, findings) =
-            job_file::read(&bytes(file)?, shaping.factor).map_err(of_file(file))?;
+            job_file::read(&given::bytes(file)?, shaping.factor).map_err(of_file(file))?;
         tell_all(file, &findings);
         if job.paths.is_empty() {
             nothing_read(file, &findings)?;
@@ -217,11 +214,6 @@ fn name(file: &Path) -> String {
     file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
 }
 
-/// Returns `true` if a file is a drawing or a job made of one.
-pub fn is_drawing(file: &Path) -> bool {
-    matches!(extension(file).as_str(), "dxf" | "svg" | "plt" | "hpg" | "hpgl" | "rsg" | "rsm")
-}
-
 /// Writes the paths of a job that were changed by hand.
 pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
     eprintln!(
@@ -233,7 +225,7 @@ pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
 
 /// The job in a file, to be changed by hand.
 pub fn job_to_edit(file: &Path) -> Result<Job> {
-    let (job, read) = kerf_toolpath::read_whole(&bytes(file)?).map_err(of_file(file))?;
+    let (job, read) = kerf_toolpath::read_whole(&given::bytes(file)?).map_err(of_file(file))?;
     tell(file, &read);
     Ok(job)
 }
@@ -265,9 +257,4 @@ pub fn write(drawing: &Drawing, file: &Path) -> Result<()> {
         }
     };
     out::file(file, text)
-}
-
-/// The extension of a file, in small letters.
-pub fn extension(file: &Path) -> String {
-    file.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default()
 }

@@ -1,6 +1,7 @@
 //! The card of a machine that a running server has.
 
-use super::{Ended, LOOK, Remote, number_of_run};
+use super::ended::{Ended, number_of_run};
+use super::{LOOK, Remote};
 use anyhow::{Result, bail};
 use kerf_machine::lines::line_of_pin;
 use kerf_machine::wiring::Bit;

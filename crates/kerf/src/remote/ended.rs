@@ -1,6 +1,5 @@
 //! The end of a run of a server, and what is wrong with a file, as the server tells it.
 
-use super::number_of_run;
 use kerf_control::{Summary, Tally};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::settings::LinearUnit;
@@ -22,6 +21,11 @@ impl Ended {
         let told = diagnostic(&state["job"]["error"]).into_iter().collect();
         Some(Self { summary: summary(status(ended), &state["job"]["summary"]), told })
     }
+}
+
+/// The number of the run that a state tells of.
+pub(super) fn number_of_run(state: &Value) -> u64 {
+    state["job"]["run"].as_u64().unwrap_or_default()
 }
 
 /// The words of the trace.

@@ -2,7 +2,6 @@
 
 mod card;
 mod ended;
-mod go;
 mod runs;
 mod values;
 
@@ -12,13 +11,15 @@ pub use runs::{Along, How};
 
 use crate::args::DataArgs;
 use crate::exit::Usage;
+use crate::machine_name::MachineChoice;
 use crate::{served, setup};
 use anyhow::{Context, Result, bail};
+use ended::number_of_run;
 use kerf_server::TOKEN_FILE;
+use kerf_wire::ByHand;
 use serde_json::{Value, json};
 use std::io::{Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
-use std::path::Path;
 use std::thread::sleep;
 use std::time::Duration;
 
@@ -27,7 +28,11 @@ const LOOK: Duration = Duration::from_millis(50);
 
 /// Reason why a server does not heed an option, and what to do instead.
 pub const OWN_MACHINE: &str = "by a server, which has its own machine, folders and settings: leave it out, set the \
-    machine at the server (kerf machine set, its console), or run it here without --server";
+    machine at the server (kerf set, its console), or run it here without --server";
+
+/// Mend where a page drives the machine that is to be moved.
+const DRIVEN: &str = "the machine was not moved: a page drives it. Press \"Give up control\" there, or move the \
+    machine from that page";
 
 /// Advice where a page has the machine.
 const BESIDE: &str = "the lines were not sent. A line that may be carried out beside a page that drives is \
@@ -68,6 +73,14 @@ impl Remote {
             self.until_over(number_of_run(before))
         };
         self.driving(BESIDE, false, sends)
+    }
+
+    /// Moves the machine as whoever drives it, after arming it where that is wanted, and waits for the end.
+    pub fn go(&self, way: &ByHand, arm: bool) -> Result<Ended> {
+        self.driving(DRIVEN, arm, |lease, before| {
+            self.act("go", json!({ "lease": lease, "way": way }))?;
+            self.until_over(number_of_run(before))
+        })
     }
 
     /// Does something as the one who drives, with the number of that turn and the state before it, after arming the
@@ -148,11 +161,12 @@ impl Remote {
 ///
 /// # Errors
 /// Another machine is named: the server has its own.
-pub fn beside(data: &DataArgs, config: Option<&Path>) -> Result<Option<Remote>> {
+pub fn beside(data: &DataArgs, choice: &MachineChoice) -> Result<Option<Remote>> {
     let Some(address) = served::address(&setup::data_folder(data)?)? else { return Ok(None) };
-    if config.is_some() {
+    if let Some(name) = choice.configuration() {
+        let name = name.display();
         bail!(Usage(format!(
-            "--config is not heeded: a kerf serve at {address} has the machine of this data folder; leave it \
+            "--machine {name} is not heeded: a kerf serve at {address} has the machine of this data folder; leave it \
              out, or name another folder with --data"
         )));
     }
@@ -178,9 +192,4 @@ fn still_the_same(state: &Value, last: u64) -> Result<u64> {
         bail!("the server was started anew meanwhile: the run is over, and can be taken up there");
     }
     Ok(number)
-}
-
-/// The number of the run that a state tells of.
-fn number_of_run(state: &Value) -> u64 {
-    state["job"]["run"].as_u64().unwrap_or_default()
 }

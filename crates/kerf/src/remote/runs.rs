@@ -1,7 +1,7 @@
 //! A part file that a running server runs, with whoever sits here.
 
-use super::ended::findings;
-use super::{Ended, LOOK, Refused, Remote, number_of_run, still_the_same};
+use super::ended::{Ended, findings, number_of_run};
+use super::{LOOK, Refused, Remote, still_the_same};
 use crate::args::FileArgs;
 use crate::job_options::Choice;
 use anyhow::{Result, bail};

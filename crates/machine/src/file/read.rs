@@ -117,7 +117,7 @@ fn unknown(source: &Source<'_>, entry: &Entry) -> Option<Diagnostic> {
     let place = source.place(&entry.key_span);
     let message = format!("there is no setting {}", entry.key);
     let near = did_you_mean(&entry.key, table::settings().map(|setting| setting.key));
-    let hint = near.unwrap_or_else(|| "`kerf machine list` shows every setting".into());
+    let hint = near.unwrap_or_else(|| "`kerf get` lists every setting".into());
     Some(Diagnostic::new(Code::UnknownSetting, place, message).hint(hint))
 }
 

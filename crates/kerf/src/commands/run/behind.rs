@@ -1,6 +1,7 @@
 //! The work after a run: commands that other software passed in meanwhile, and the end of the visit.
 
-use super::{FileLines, MachineArgs, Show, VcdArgs, attended, editor, over};
+use super::options::MachineArgs;
+use super::{FileLines, Show, VcdArgs, attended, editor, over};
 use crate::args::RunArgs;
 use crate::clock;
 use crate::commands::protect;
@@ -23,7 +24,7 @@ pub fn closes(
 ) -> Result<Exit> {
     let stop = Stop::listen()?;
     while let Some(command) = visit.command(session, shelf)? {
-        let why_not = match &args.driver {
+        let why_not = match run.place.machine.controller() {
             _ if stop.leaves() => Some("Kerf ends"),
             _ if exit != Exit::Good => Some("what ran before did not come to its end"),
             Some(_) => Some("on a controller nothing is carried out behind the file"),

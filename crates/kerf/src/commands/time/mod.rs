@@ -3,8 +3,8 @@
 mod controller;
 
 use crate::args::{Format, RunArgs};
-use crate::estimate::Estimate;
 use crate::exit::{Exit, Usage};
+use crate::other_controllers::Estimate;
 use crate::out;
 use crate::report::Diagnostics;
 use crate::setup::{self, Job};

@@ -43,7 +43,7 @@ pub struct ToolpathArgs {
     /// The colours of a picture
     #[arg(long, value_enum, value_name = "HOW", default_value = "group")]
     colours: Colours,
-    /// The table that nothing may leave, mm from the origin [default: that of --config]
+    /// The table that nothing may leave, mm from the origin [default: that of --machine]
     #[arg(long, value_name = "X,Y", value_parser = parse::size)]
     table: Option<[f64; 2]>,
     /// Where the drawing's origin lies on the table, mm from home [default: that of the machine that cuts it]
@@ -251,7 +251,7 @@ fn tell(args: &ToolpathArgs, warnings: &[Warning]) {
 fn table(args: &ToolpathArgs, origin: Point2) -> Result<Option<Bounds2>> {
     let corners = match args.table {
         Some([x, y]) => Some((Point2::default(), Point2::new(x, y))),
-        None if args.run.place.config.is_some() => {
+        None if args.run.place.machine.configuration().is_some() => {
             let settings = setup::settings(&args.run.place, Default::default())?;
             let (low, high) = (settings.limits.low.0, settings.limits.high.0);
             Some((Point2::new(low[0], low[1]), Point2::new(high[0], high[1])))

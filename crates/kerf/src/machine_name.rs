@@ -1,0 +1,225 @@
+//! The name of a machine, as `--machine` takes it: the simulated one, a controller at its port, or what says how a
+//! machine is set up.
+
+use crate::exit::Usage;
+use clap::{ArgMatches, Args};
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// The rate of grbl's own build.
+const BAUD: u32 = 115_200;
+
+/// The ending of files that say how a machine is set up.
+const ENDING: &str = "toml";
+
+/// Ways to name a controller.
+const CONTROLLERS: &str = "grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000 with another rate";
+
+/// One name of a machine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MachineName {
+    /// The simulated machine.
+    Sim,
+    /// A real controller.
+    Controller(DriverName),
+    /// A configuration: a file, a saved machine of the data folder, or a ready-made one.
+    Configured(PathBuf),
+}
+
+impl MachineName {
+    /// Reads `sim`, `grbl:PORT[@BAUD]`, or the name of a configuration.
+    ///
+    /// # Errors
+    /// A driver that does not exist, or one without its port; the text tells how it is named.
+    pub fn read(words: &str) -> Result<Self, String> {
+        let configured = || Ok(Self::Configured(words.into()));
+        if Path::new(words).extension().is_some_and(|it| it.eq_ignore_ascii_case(ENDING)) {
+            return configured();
+        }
+        match words.split_once(':') {
+            Some((driver, port)) if driver.len() > 1 => {
+                DriverName::read(words, driver, port).map(Self::Controller)
+            }
+            None if words == "sim" => Ok(Self::Sim),
+            None if words == "grbl" => Err(format!("grbl needs its port: {CONTROLLERS}")),
+            None if words.is_empty() => Err(format!("name a machine: sim, or {CONTROLLERS}")),
+            _ => configured(),
+        }
+    }
+}
+
+impl fmt::Display for MachineName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Sim => f.write_str("sim"),
+            Self::Controller(name) => name.fmt(f),
+            Self::Configured(path) => path.display().fmt(f),
+        }
+    }
+}
+
+/// A driver and the port at which its controller is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DriverName {
+    /// The whole name, as it was given.
+    pub words: String,
+    /// Device of the serial port.
+    pub path: String,
+    /// Rate of the serial port, baud.
+    pub baud: u32,
+}
+
+impl DriverName {
+    fn read(words: &str, driver: &str, port: &str) -> Result<Self, String> {
+        if driver != "grbl" {
+            return Err(format!("there is no driver '{driver}', only grbl: {CONTROLLERS}"));
+        }
+        if port.starts_with("tcp:") {
+            return Err(format!("controllers are reached over serial ports only: {CONTROLLERS}"));
+        }
+        let (path, baud) = match port.rsplit_once('@') {
+            Some((path, baud)) => {
+                let wrong = || format!("'{baud}' is no rate in baud, as 115200 is");
+                (path, baud.parse().ok().filter(|baud| *baud > 0).ok_or_else(wrong)?)
+            }
+            None => (port, BAUD),
+        };
+        if path.is_empty() {
+            return Err(format!("grbl needs its port: {CONTROLLERS}"));
+        }
+        Ok(Self { words: words.to_owned(), path: path.to_owned(), baud })
+    }
+}
+
+impl fmt::Display for DriverName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words)
+    }
+}
+
+/// The machine that a command means.
+#[derive(Args, Clone, Debug, Default)]
+pub struct MachineChoice {
+    /// The machine: sim, the simulated one; grbl:PORT or grbl:PORT@BAUD, a controller of the grbl family at a serial
+    /// port; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
+    /// is like may both be given [default: sim, as the data folder has it]
+    #[arg(
+        id = MACHINE,
+        long = MACHINE,
+        alias = "driver",
+        value_name = "NAME",
+        value_parser = MachineName::read,
+        global = true
+    )]
+    names: Vec<MachineName>,
+    /// What the machine is like, as scripts name it: always a configuration, so that `sim` is the ready-made one.
+    #[arg(id = CONFIG, long = CONFIG, value_name = "FILE", hide = true, global = true)]
+    configuration: Option<PathBuf>,
+}
+
+/// The option.
+const MACHINE: &str = "machine";
+
+/// The older option that names a configuration only.
+const CONFIG: &str = "config";
+
+impl MachineChoice {
+    /// Returns the controller, where one is named.
+    pub fn controller(&self) -> Option<&DriverName> {
+        self.names.iter().find_map(|name| match name {
+            MachineName::Controller(name) => Some(name),
+            _ => None,
+        })
+    }
+
+    /// Returns the name of the configuration, where one is named: else that of the data folder holds.
+    pub fn configuration(&self) -> Option<&Path> {
+        let named = self.names.iter().find_map(|name| match name {
+            MachineName::Configured(path) => Some(&**path),
+            _ => None,
+        });
+        named.or(self.configuration.as_deref())
+    }
+
+    /// Refuses a controller for what is done with the simulated machine only, as `kerf serve drives`.
+    ///
+    /// # Errors
+    /// A controller is named.
+    pub fn simulated(&self, does: &str) -> Result<(), Usage> {
+        match self.controller() {
+            None => Ok(()),
+            Some(name) => Err(Usage(format!(
+                "{does} the simulated machine only: leave --machine {name} out; kerf run FILE and kerf send LINE \
+                 move a controller"
+            ))),
+        }
+    }
+
+    /// Refuses names that contradict each other, wherever a command has the option.
+    ///
+    /// # Errors
+    /// Two machines, or two configurations.
+    pub fn refuse_two(given: &ArgMatches) -> Result<(), Usage> {
+        let Some((_, given)) = given.subcommand() else { return Ok(()) };
+        let names = given.try_get_many::<MachineName>(MACHINE).ok().flatten();
+        let configuration = given.try_get_one::<PathBuf>(CONFIG).ok().flatten();
+        let configuration = configuration.map(|path| MachineName::Configured(path.clone()));
+        let all: Vec<&MachineName> = names.into_iter().flatten().chain(&configuration).collect();
+        let (configured, driven): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|name| matches!(name, MachineName::Configured(_)));
+        for of_kind in [configured, driven] {
+            if let [first, second, ..] = of_kind.as_slice() {
+                return Err(Usage(format!(
+                    "--machine {first} and --machine {second} are two machines: leave one out"
+                )));
+            }
+        }
+        Self::refuse_two(given)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn controllers_are_named_with_port_and_rate() {
+        let check = |words: &str, path: &str, baud| {
+            let name = DriverName { words: words.into(), path: path.into(), baud };
+            assert_eq!(MachineName::read(words), Ok(MachineName::Controller(name)));
+        };
+        check("grbl:/dev/ttyUSB0", "/dev/ttyUSB0", 115_200);
+        check("grbl:COM3@250000", "COM3", 250_000);
+    }
+
+    #[test]
+    fn configurations_are_files_and_names() {
+        for words in ["mine.toml", "C:\\shop\\mine.toml", "C:mine", "router-96x48", "a:b.TOML"] {
+            assert_eq!(MachineName::read(words), Ok(MachineName::Configured(words.into())));
+        }
+    }
+
+    #[test]
+    fn every_name_is_shown_as_it_is_read() {
+        for words in ["sim", "grbl:COM3@250000", "router-96x48"] {
+            assert_eq!(MachineName::read(words).unwrap().to_string(), words);
+        }
+    }
+
+    #[test]
+    fn a_wrong_name_is_refused_with_the_mend() {
+        let check = |words, mend: &str| {
+            let why = MachineName::read(words).unwrap_err();
+            assert!(why.contains(mend), "{words}: {why}");
+        };
+        check("grbl", "grbl:/dev/ttyUSB0");
+        check("grbl:", "grbl:/dev/ttyUSB0");
+        check("grbl:@9600", "grbl needs its port");
+        check("grbl:COM3@fast", "'fast' is no rate");
+        check("grbl:COM3@0", "'0' is no rate");
+        check("grbl:tcp:10.0.0.2:23", "serial ports only");
+        check("linuxcnc:x", "there is no driver 'linuxcnc', only grbl");
+        check("", "name a machine: sim");
+    }
+}
