@@ -303,7 +303,7 @@ impl Grbl {
             }
             Order::Spindle { .. } | Order::Home | Order::Unlock => (self.planned, 0),
         };
-        self.flights.push(*sent, blocks, lines.len());
+        self.flights.push(*sent, self.planned, blocks, lines.len());
         self.planned = to;
         let ticket = Some(sent.ticket);
         self.queue.extend(lines.into_iter().map(|text| Line { text, ticket }));

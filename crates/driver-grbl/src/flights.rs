@@ -3,7 +3,7 @@
 //! A move leaves the planner when the last of it is cut into step segments, which is a moment before the
 //! last step: [`SEGMENTS_S`].
 
-use kerf_machine::driver::{Order, Sent, Ticket};
+use kerf_machine::driver::{Axes, Order, Sent, Ticket, way_mm};
 use std::collections::VecDeque;
 
 /// Longest duration of the row of step segments, seconds: six segments of 10 ms, and some of it for the
@@ -15,6 +15,8 @@ const SEGMENTS_S: f64 = 0.1;
 pub struct Flight {
     /// The order.
     pub sent: Sent,
+    /// Place where it begins.
+    pub from: Axes,
     /// Moves that the planner makes of it.
     pub blocks: usize,
     /// Lines of it that are not answered.
@@ -29,8 +31,8 @@ pub struct Flights(VecDeque<Flight>);
 
 impl Flights {
     /// One more.
-    pub fn push(&mut self, sent: Sent, blocks: usize, lines: usize) {
-        self.0.push_back(Flight { sent, blocks, lines, cut_s: None });
+    pub fn push(&mut self, sent: Sent, from: Axes, blocks: usize, lines: usize) {
+        self.0.push_back(Flight { sent, from, blocks, lines, cut_s: None });
     }
 
     /// A line of an order was answered with `ok`; tells whether all of it was.
@@ -75,6 +77,27 @@ impl Flights {
         }
     }
 
+    /// The machine is held: what is in the row of step segments is not made meanwhile.
+    pub fn waits(&mut self, now_s: f64) {
+        self.0
+            .iter_mut()
+            .filter_map(|flight| flight.cut_s.as_mut())
+            .for_each(|cut_s| *cut_s = now_s);
+    }
+
+    /// Returns the least distance of a place from the ways of all of them, mm; nothing where one has no way that is known.
+    pub fn distance_mm(&self, place: Axes) -> Option<f64> {
+        let far = |flight: &Flight| match flight.sent.order {
+            Order::Move { to, .. } | Order::Probe { to, .. } => {
+                Some(off_way_mm(flight.from, to, place))
+            }
+            Order::Output { .. } | Order::Spindle { .. } => Some(way_mm(flight.from, place)),
+            Order::Home | Order::Unlock => None,
+        };
+        let all: Option<Vec<f64>> = self.0.iter().map(far).collect();
+        all?.into_iter().reduce(f64::min)
+    }
+
     /// The next one that is done: out of the planner and of the row of segments, or all of them when the
     /// controller stands with nothing left.
     pub fn done(&mut self, stands: bool, now_s: f64) -> Option<Flight> {
@@ -94,4 +117,13 @@ impl Flights {
     pub fn clear(&mut self) {
         self.0.clear();
     }
+}
+
+/// Returns the distance of a place from a straight way, mm.
+fn off_way_mm(from: Axes, to: Axes, place: Axes) -> f64 {
+    let way = to.minus(from);
+    let square: f64 = way.0.iter().map(|v| v * v).sum();
+    let along: f64 = place.minus(from).0.iter().zip(way.0).map(|(a, b)| a * b).sum();
+    let share = if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 1.0 };
+    way_mm(from.zip(to, |from, to| from + (to - from) * share), place)
 }

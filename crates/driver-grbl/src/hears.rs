@@ -14,6 +14,10 @@ const BUSY: u16 = 8;
 /// A place that is farther than this from the one that was ordered is another, mm: more than a step of any machine.
 const ELSEWHERE_MM: f64 = 0.05;
 
+/// A place that is farther than this from everything that was ordered is none of the path, mm: more than a step, and than
+/// any corner is cut.
+const OFF_PATH_MM: f64 = 0.1;
+
 impl Grbl {
     pub(crate) fn line(&mut self, line: &str, now_s: f64) {
         if line.is_empty() {
@@ -199,6 +203,10 @@ impl Grbl {
 
     /// It is at work.
     fn follows(&mut self, report: &Report, now_s: f64) {
+        if report.doing.waits().is_some() {
+            self.flights.waits(now_s);
+        }
+        self.keeps_to_its_path();
         if let Some(free) = report.free {
             self.told.planner = self.told.planner.max(free);
             self.flights.left(self.told.planner - free, now_s);
@@ -219,6 +227,19 @@ impl Grbl {
         }
     }
 
+    /// The place that it told last lies on the way of something that is under way: a line that was garbled leads elsewhere.
+    fn keeps_to_its_path(&mut self) {
+        let far_mm = self.flights.distance_mm(self.position());
+        if self.trouble.is_none() && far_mm.is_some_and(|far_mm| far_mm > OFF_PATH_MM) {
+            self.is_elsewhere("it has left its path");
+        }
+    }
+
+    fn is_elsewhere(&mut self, why: &'static str) {
+        self.trouble = Some(Trouble::Elsewhere { why });
+        self.fail();
+    }
+
     /// It stands with nothing left to do, at the place to which it was told to go: a line that was garbled on its way
     /// leads elsewhere. Somebody may have moved it since by hand.
     fn stands_there(&mut self) {
@@ -229,10 +250,7 @@ impl Grbl {
         } else if self.arrived {
             self.planned = place;
         } else {
-            let why = "it stands elsewhere than it was told to: a line was garbled on its way; home it, or set its \
-                       location";
-            self.trouble = Some(Trouble::Refused { number: 0, why });
-            self.fail();
+            self.is_elsewhere("it stands elsewhere than it was told to");
         }
     }
 

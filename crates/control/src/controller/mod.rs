@@ -19,6 +19,7 @@
 
 mod attached;
 mod connection;
+mod driven;
 mod lacks;
 mod row;
 mod ways;

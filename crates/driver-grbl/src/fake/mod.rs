@@ -65,6 +65,11 @@ pub struct Fake {
     until_offset: usize,
     /// The feed as somebody has turned it at the controller, percent.
     pub override_percent: u32,
+    /// Bytes a second of its line; nothing for a line that takes no time.
+    pub rate_bytes_s: Option<f64>,
+    incoming: VecDeque<u8>,
+    credit_in: f64,
+    credit_out: f64,
     /// Lowest place of its Z, mm.
     pub lowest_mm: f64,
     /// Height of the plate below its probe, machine frame, mm.
@@ -150,6 +155,10 @@ impl Fake {
             offset: Axes::default(),
             until_offset: 8,
             override_percent: 100,
+            rate_bytes_s: None,
+            incoming: VecDeque::new(),
+            credit_in: 0.0,
+            credit_out: 0.0,
             lowest_mm: 0.0,
             plate_mm: None,
             probing: None,
@@ -264,6 +273,14 @@ impl Fake {
     /// Bytes come, at a time.
     pub fn hear(&mut self, bytes: &[u8], now_s: f64) {
         self.follow(now_s);
+        if self.rate_bytes_s.is_some() {
+            return self.incoming.extend(bytes);
+        }
+        self.take(bytes);
+    }
+
+    /// Bytes have come through the line.
+    fn take(&mut self, bytes: &[u8]) {
         for byte in bytes {
             match byte {
                 b'?' if self.state != State::Homing => self.report(),
@@ -276,6 +293,7 @@ impl Fake {
                 b'!' => {}
                 0x18 => self.reset(),
                 0x90..=0x94 => self.override_feed(*byte),
+                0x80.. => {}
                 _ if self.buffer.len() < self.board.rx => self.buffer.push_back(*byte),
                 _ => self.overflowed += 1,
             }
@@ -286,13 +304,19 @@ impl Fake {
     /// Returns what it sends up to a time.
     pub fn speak(&mut self, now_s: f64) -> Vec<u8> {
         self.follow(now_s);
-        std::mem::take(&mut self.out)
+        if self.rate_bytes_s.is_none() {
+            return std::mem::take(&mut self.out);
+        }
+        let count = (self.credit_out as usize).min(self.out.len());
+        self.credit_out -= count as f64;
+        self.out.drain(..count).collect()
     }
 
     fn follow(&mut self, now_s: f64) {
         while self.clock_s + STEP_S <= now_s {
             self.clock_s += STEP_S;
             self.motion.step(STEP_S);
+            self.carry();
             self.lowest_mm = self.lowest_mm.min(self.motion.position.0[2]);
             self.probe();
             if self.homed_s.is_some_and(|at_s| self.state == State::Homing && self.clock_s >= at_s)
@@ -305,6 +329,33 @@ impl Fake {
             }
             self.read_on();
         }
+    }
+
+    /// The line carries as many bytes as its rate allows, each way.
+    fn carry(&mut self) {
+        let Some(rate) = self.rate_bytes_s else { return };
+        let idle = self.out.is_empty();
+        self.credit_out = if idle { 0.0 } else { self.credit_out } + rate * STEP_S;
+        self.credit_in = (self.credit_in + rate * STEP_S).min(self.incoming.len() as f64 + 1.0);
+        let count = (self.credit_in as usize).min(self.incoming.len());
+        self.credit_in -= count as f64;
+        let bytes: Vec<u8> = self.incoming.drain(..count).collect();
+        self.take(&bytes);
+    }
+
+    /// Returns how many moves its planner has, and how many it can have.
+    pub fn planner(&self) -> (usize, usize) {
+        (self.board.planner - self.motion.free(), self.board.planner)
+    }
+
+    /// Somebody presses its reset, or its power fails: it begins anew, and counts from where it stands as zero.
+    pub fn begins_anew(&mut self) {
+        self.halt();
+        self.motion.put(Axes::default());
+        (self.planned, self.motion.held, self.state) = (Axes::default(), false, State::Ready);
+        self.incoming.clear();
+        self.out.clear();
+        self.start();
     }
 
     fn home(&mut self) {

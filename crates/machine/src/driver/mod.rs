@@ -209,6 +209,12 @@ pub enum Trouble {
         /// The reason, and the way to mend it.
         why: &'static str,
     },
+    /// It is elsewhere than it was told to be; it knows its place.
+    #[error("{why}: a line was garbled on its way, look at the cable")]
+    Elsewhere {
+        /// Words for it.
+        why: &'static str,
+    },
     /// It refused an order.
     #[error("error {number}: {why}")]
     Refused {

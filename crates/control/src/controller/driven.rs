@@ -1,0 +1,292 @@
+//! A controller as a machine that a run drives: moves of the plan as orders, outputs in their place between them.
+
+use super::Connection;
+use super::connection::NAP;
+use super::lacks::{lacked, needs, out_of_reach, wired};
+use super::row::{Chord, Handed, Row};
+use super::ways::{chords, speed_mm_s};
+use kerf_machine::driver::{Driver, Facts, Order, Signal};
+use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
+use kerf_motion::{Move, Path};
+use kerf_program::{Axes, MoveKind, OutputReason};
+use std::time::{Duration, Instant};
+
+/// The last moves of a piece of plan that does not end at a stand are not waited for, as long as this,
+/// seconds: the next piece is planned meanwhile, and the machine does not stop between them.
+const LEAD_S: f64 = 0.5;
+
+/// The line of flood coolant.
+const FLOOD: u8 = 2;
+
+/// The line of mist coolant.
+const MIST: u8 = 3;
+
+/// The fastest a machine goes while it looks at an input now and then, mm/s: in 0.06 s, for a look, the line both ways and
+/// the next turn of the run, and on a ramp of 100 mm/s² it comes no farther than [`kerf_machine::OVERRUN_MM`].
+const POLLED_MM_S: f64 = 1.5;
+
+/// Most orders on their way to the controller that are not done.
+const AHEAD: usize = 512;
+
+/// A share in percent, as a driver is told it.
+fn percent(share: f32) -> u8 {
+    (share * 100.0).round().clamp(1.0, 250.0) as u8
+}
+
+/// Returns `true` if a run goes on without waiting for the machine.
+fn leads(going: &Going<'_>, until_s: f64) -> bool {
+    let plan = going.plan;
+    let last = plan.span(plan.moves().len().saturating_sub(1));
+    // A ramp ends at its own speed, which is a stand all the same.
+    let goes_on = last.is_some_and(|last| last.v_exit > 1.001 * last.made.ramp_mm_s);
+    // What may end at an input is made before anybody goes on.
+    goes_on && going.watches.is_empty() && going.t0_s + plan.duration_s() - until_s < LEAD_S
+}
+
+impl Connection {
+    /// Tells whether another move may be handed over.
+    const fn has_room(&self) -> bool {
+        self.open < AHEAD && self.failure.is_none()
+    }
+
+    /// Hands a move over, after the outputs that should be on. One that ends at a change of the probe is alone.
+    fn hand(&mut self, made: &Move, watches: &[Watch]) {
+        let probes = self.probes(made, watches);
+        if self.contact.is_some() || self.probing.is_some() || probes.is_some() && self.open > 0 {
+            return;
+        }
+        self.switch_outputs();
+        let chords = chords(made, self.facts.arc_tolerance_mm);
+        let mut speed_mm_s = speed_mm_s(made, &chords);
+        if made.kind == MoveKind::Jog {
+            // An override is of cuts.
+            speed_mm_s /= f64::from(self.feed);
+        }
+        self.looks_often = !watches.is_empty() && probes.is_none();
+        if let Some(Watch { active, .. }) = probes {
+            let order = Order::Probe { to: made.to.minus(self.offset), speed_mm_s, active };
+            self.probing = self.order(order);
+        } else if self.looks_often {
+            speed_mm_s = speed_mm_s.min(POLLED_MM_S / f64::from(self.feed.max(1.0)));
+        }
+        let mut handed = Handed { at: made.at, from: made.from, chords: Vec::new() };
+        for (share, to) in chords {
+            let order = Order::Move { to: to.minus(self.offset), speed_mm_s };
+            let Some(ticket) = self.probing.or_else(|| self.order(order)) else { return };
+            handed.chords.push(Chord { ticket, share, to });
+        }
+        self.row.push(handed);
+    }
+
+    /// The input at whose change the controller itself ends a move: its probe, where the move is straight, nothing else
+    /// is watched, and the probe is not there already.
+    fn probes(&self, made: &Move, watches: &[Watch]) -> Option<Watch> {
+        let [watch] = watches else { return None };
+        let is_there = self.active.contains(&watch.input) == watch.active;
+        let straight = matches!(made.path, Path::Line) && made.from != made.to;
+        (self.facts.probe == Some(watch.input) && straight && !is_there).then_some(*watch)
+    }
+
+    /// The order that probes is done: where a contact ended it, the rest of its move is not made.
+    pub(super) fn probed(&mut self) {
+        self.probing = None;
+        let Some(contact) = self.link.driver().contact() else { return };
+        let place = contact.plus(self.offset);
+        let last = self.row.next().saturating_sub(1);
+        self.contact = Some((last, self.row.along_last(place)));
+    }
+
+    /// An output is to be on or off from here on.
+    fn want(&mut self, line: u8, on: bool) {
+        let bit = self.facts.outputs & (1 << (line - 1));
+        self.wanted = if on { self.wanted | bit } else { self.wanted & !bit };
+        self.switch_outputs();
+    }
+
+    /// The speed of the spindle from here on.
+    fn spin(&mut self, rpm: f64) {
+        self.rpm = Some(rpm);
+        self.order(Order::Spindle { rpm });
+    }
+
+    fn switch_outputs(&mut self) {
+        for line in 1..=u32::BITS as u8 {
+            let bit = 1 << (line - 1);
+            if (self.wanted ^ self.ordered) & bit == 0 {
+                continue;
+            }
+            let on = self.wanted & bit != 0;
+            if line == 1 && on {
+                // A spindle without a speed does not turn.
+                let rpm = self.rpm.unwrap_or(self.facts.spindle_rpm);
+                self.order(Order::Spindle { rpm });
+            }
+            self.order(Order::Output { line, on });
+        }
+        self.ordered = self.wanted;
+    }
+
+    /// The moment that is reached of a move, as far as it is known.
+    fn reached_s(&mut self, going: &Going<'_>) -> f64 {
+        let place = self.place();
+        let share = match self.contact {
+            Some((index, share)) if index == going.index => share.min(1.0 - f64::EPSILON),
+            // It may be behind the contact that it has not told yet, and time does not go back.
+            None if self.probing.is_some() => 0.0,
+            _ => self.row.share(going.index, self.done, place),
+        };
+        if share >= 1.0 {
+            return f64::INFINITY;
+        }
+        going.t0_s + going.plan.time_at_share(going.index, share)
+    }
+}
+
+impl Machine for Connection {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
+    fn refuses(&self, mv: &Move) -> Option<String> {
+        let why = out_of_reach(&self.facts, mv.from, mv.to, self.offset)?;
+        Some(format!("{} {why}", self.name))
+    }
+
+    fn is_real(&self) -> bool {
+        true
+    }
+
+    fn home(&mut self) {
+        self.order(Order::Home);
+    }
+
+    fn halt(&mut self) {
+        self.stop_at_once();
+    }
+
+    fn place(&mut self) -> Option<Axes> {
+        Self::place(self)
+    }
+
+    fn begin(&mut self) {
+        self.closed = false;
+    }
+
+    fn begin_plan(&mut self) {
+        (self.contact, self.looks_often) = (None, false);
+        self.row.begin();
+    }
+
+    fn set(&mut self, actuator: &Actuator) {
+        match *actuator {
+            Actuator::Output { number, on, why } if why != OutputReason::Trigger => {
+                let lacks = needs(&self.facts, number, why);
+                match wired(number) {
+                    Some(_) if lacks && on => self.lacks(number),
+                    Some(line) if !lacks => self.want(line, on),
+                    _ => {}
+                }
+            }
+            Actuator::Spindle { rpm } => self.spin(rpm),
+            Actuator::Coolant { mist, flood } => {
+                self.want(FLOOD, flood);
+                self.want(MIST, mist);
+            }
+            other => {
+                if let Some(what) = lacked(&other) {
+                    self.fail(format!("{} has no {what}", self.name), "", None, false);
+                }
+            }
+        }
+    }
+
+    fn advance(&mut self, going: &Going<'_>, _: f64, until_s: f64) -> News {
+        self.stood = None;
+        // What is known to be made already is not waited for.
+        let reached_s = self.reached_s(going);
+        if reached_s >= until_s {
+            return News { reached_s, input: None };
+        }
+        self.row.come_to(going.index);
+        let moves = going.plan.moves();
+        while self.has_room() && self.row.next() < moves.len().min(going.until) {
+            let next = self.row.next();
+            self.hand(&moves[next], going.watches);
+            if self.row.next() == next {
+                break;
+            }
+        }
+        self.tend(NAP);
+        let input = self.inputs.pop_front();
+        let leads = input.is_none() && leads(going, until_s);
+        News { reached_s: if leads { until_s } else { self.reached_s(going) }, input }
+    }
+
+    fn stand(&mut self, from_s: f64, until_s: f64) -> News {
+        let before = self.stood.filter(|(told_s, _)| *told_s == from_s);
+        let (_, since) = before.unwrap_or_else(|| (from_s, Instant::now()));
+        if until_s > from_s {
+            self.tend(NAP);
+        }
+        let reached_s = (from_s + since.elapsed().as_secs_f64()).min(until_s);
+        self.stood = Some((reached_s, Instant::now()));
+        News { reached_s, input: self.inputs.pop_front() }
+    }
+
+    fn look(&mut self) {
+        self.tend(Duration::ZERO);
+    }
+
+    fn settle(&mut self) -> bool {
+        if self.is_busy() {
+            self.tend(NAP);
+        }
+        self.is_busy()
+    }
+
+    fn stop(&mut self, going: &Going<'_>) -> Option<f64> {
+        if let Some((index, share)) = self.contact.take() {
+            self.row = Row::default();
+            return Some(going.t0_s + going.plan.time_at_share(index, share));
+        }
+        // The end of the piece before is made: what it belongs to is told already.
+        while self.done < self.row.before && self.is_busy() {
+            self.tend(NAP);
+        }
+        let done = self.done;
+        if self.failure.is_none() {
+            self.stop_at_once();
+        }
+        let place = self.place()?;
+        let (index, share) = self.row.locate(done, place).unwrap_or((going.index, 0.0));
+        self.row = Row::default();
+        Some(going.t0_s + going.plan.time_at_share(index, share))
+    }
+
+    fn feed(&mut self, share: f32) {
+        if self.facts.overrides {
+            self.feed = share;
+            self.link
+                .driver()
+                .signal(Signal::Feed(percent(share)), self.since.elapsed().as_secs_f64());
+        }
+    }
+
+    fn give_up(&mut self) {
+        let why = format!("{} was stopped before it had made its last moves", self.name);
+        let hint = "it was held at the controller: look why before the next file";
+        self.fail(why, hint, None, false);
+    }
+
+    fn waits(&mut self) -> Option<&'static str> {
+        self.link.driver().waits()
+    }
+
+    fn fault(&self) -> Option<&Fault> {
+        self.failure.as_ref()
+    }
+}

@@ -1,0 +1,8 @@
+//! The tests of this crate from outside, one program.
+
+#![allow(clippy::unwrap_used)]
+
+mod conformance;
+mod faults;
+mod set_up;
+mod wire;
