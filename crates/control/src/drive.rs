@@ -94,8 +94,8 @@ impl<'a> Drive<'a> {
                     None => machine.stand(now_s, until_s),
                 }
             };
-            let before_s = now_s;
-            now_s = reached_s.clamp(now_s, until_s);
+            // A machine that is followed may tell a moment before the one that it told last.
+            let before_s = std::mem::replace(&mut now_s, reached_s.min(until_s));
             self.reached_s = now_s;
             sink.under_way(doing, before_s, now_s);
             if self.notes_fault() {

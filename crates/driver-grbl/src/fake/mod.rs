@@ -275,6 +275,7 @@ impl Fake {
                 b'~' => self.cycle_start(),
                 b'!' => {}
                 0x18 => self.reset(),
+                0x90..=0x94 => self.override_feed(*byte),
                 _ if self.buffer.len() < self.board.rx => self.buffer.push_back(*byte),
                 _ => self.overflowed += 1,
             }
@@ -329,7 +330,21 @@ impl Fake {
         (self.spindle, self.coolant) = (false, 0);
     }
 
+    /// Sets the feed override back, or turns it by steps of 10 or 1 percent.
+    fn override_feed(&mut self, byte: u8) {
+        let percent = match byte {
+            0x91 => self.override_percent + 10,
+            0x92 => self.override_percent.saturating_sub(10),
+            0x93 => self.override_percent + 1,
+            0x94 => self.override_percent.saturating_sub(1),
+            _ => 100,
+        };
+        self.override_percent = percent.clamp(10, 200);
+        self.motion.feed = f64::from(self.override_percent) / 100.0;
+    }
+
     fn reset(&mut self) {
+        self.override_feed(0x90);
         let too_early = self.motion.speed_mm_s > 0.0 || self.state == State::Homing;
         self.halt();
         self.motion.held = false;

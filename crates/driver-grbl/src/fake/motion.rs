@@ -31,6 +31,8 @@ pub struct Motion {
     blocks: VecDeque<Block>,
     pub position: Axes,
     pub speed_mm_s: f64,
+    /// The share of their speed at which moves are made.
+    pub feed: f64,
     pub held: bool,
     pub stands: usize,
     pub rests: Vec<Axes>,
@@ -40,7 +42,7 @@ pub struct Motion {
 impl Motion {
     /// A machine at zero whose planner holds so many moves.
     pub fn new(holds: usize) -> Self {
-        Self { holds, ..Self::default() }
+        Self { holds, feed: 1.0, ..Self::default() }
     }
 
     /// A straight move joins the row; none when it is shorter than a step.
@@ -119,7 +121,8 @@ impl Motion {
         if self.held {
             return (self.speed_mm_s - change).max(0.0);
         }
-        let mut most = first.speed_mm_s.min(self.speed_mm_s + change);
+        let most = (first.speed_mm_s * self.feed).max(self.speed_mm_s - change);
+        let mut most = most.min(self.speed_mm_s + change);
         let mut ahead_mm = left(first, self.position);
         for next in self.blocks.iter().skip(1) {
             most = most.min((next.entry_mm_s.powi(2) + 2.0 * ACCEL_MM_S2 * ahead_mm).sqrt());

@@ -1,0 +1,311 @@
+//! A controller that a session drives from run to run: attached, held to the place that is on record, left again.
+
+use super::{Connection, Lacks, Line};
+use crate::answers::Operator;
+use crate::facts::Fact;
+use crate::{Company, Firmware, RunOptions, Session, Shelf, Work};
+use kerf_diag::Diagnostic;
+use kerf_machine::driver::{Changed, Wired};
+use kerf_machine::{Driven, Machine};
+use kerf_program::{Axes, AxisSet, HostError};
+use std::cell::RefCell;
+use std::fmt;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// A driver that knows nothing yet, with the line it speaks through.
+pub type Ends = (Box<dyn Wired>, Box<dyn Line>);
+
+/// The place where a controller hangs.
+#[derive(Clone)]
+pub struct Socket {
+    /// Its name, as people give it: `grbl:/dev/ttyUSB0`.
+    pub name: String,
+    /// The port alone, by which it is known again whatever its rate.
+    pub port: String,
+    /// Opens the port.
+    pub opens: Arc<dyn Fn() -> Result<Ends, String> + Send + Sync>,
+}
+
+impl fmt::Debug for Socket {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.name)
+    }
+}
+
+/// Steps that come before anything else.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct First {
+    /// It goes home.
+    pub home: bool,
+    /// It is unlocked after an alarm, without being homed.
+    pub unlock: bool,
+}
+
+/// Sentences about a controller that was attached.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Told {
+    /// For whoever wants to know.
+    pub notes: Vec<String>,
+    /// For everybody: something may be elsewhere than it is believed to be.
+    pub warnings: Vec<String>,
+}
+
+/// A controller that is attached.
+#[derive(Clone)]
+pub struct Controller {
+    socket: Socket,
+    connection: Rc<RefCell<Connection>>,
+}
+
+/// The value that says where a controller without homing was left: its port, its own place, and that of the
+/// machine. Runs on the simulated machine leave the location elsewhere.
+const LEFT: &str = Fact::ControllerLeft.key();
+
+/// The value that names the port of a controller while it is driven.
+const DRIVEN: &str = Fact::ControllerDriven.key();
+
+/// The value that says which setting of the controller at a port was changed: its port, the setting, its value before
+/// and since.
+const CHANGED: &str = Fact::ControllerChanged.key();
+
+/// Places closer than this are the same, mm: a controller tells thousandths.
+const SAME_MM: f64 = 0.01;
+
+impl Controller {
+    /// Opens the port, waits until the controller has told who it is, and has the session stand where it stands. What goes
+    /// on from a run that was abandoned is stopped first.
+    ///
+    /// # Errors
+    /// Nobody answers, something that is no such controller, or one that takes no orders.
+    pub fn attach(
+        socket: Socket,
+        first: First,
+        session: &mut Session,
+        shelf: &mut Shelf,
+        is_stopped: impl Fn() -> bool,
+    ) -> Result<(Self, Told), String> {
+        let abandoned = shelf.stored.get(DRIVEN) == Some(&*socket.port);
+        let (driver, line) = (socket.opens)()?;
+        let open = if abandoned { Connection::open_stopped } else { Connection::open };
+        let mut connection = open(&socket.name, driver, line)?;
+        let mut told = Told::default();
+        let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
+        told.notes.push(format!("{}: {}, axes {axes}", socket.name, connection.facts().name));
+        told.notes.extend(keeps_changed(&socket, &mut connection, shelf));
+        if first.unlock {
+            connection.unlock()?;
+        }
+        if first.home {
+            connection.home(is_stopped)?;
+        }
+        if let Some(locked) = connection.locked() {
+            return Err(locked);
+        }
+        let controller = Self { socket, connection: Rc::new(RefCell::new(connection)) };
+        controller.finds_place(first, abandoned, session, shelf, &mut told);
+        Ok((controller, told))
+    }
+
+    /// Holds the place that the controller tells against the one on record.
+    fn finds_place(
+        &self,
+        first: First,
+        abandoned: bool,
+        session: &mut Session,
+        shelf: &mut Shelf,
+        told: &mut Told,
+    ) {
+        let mut connection = self.connection.borrow_mut();
+        let (stands, axes) = (connection.stands(), AxisSet::first(connection.facts().axes));
+        if connection.facts().homes {
+            told.notes.extend(takes_place(&connection, session, stands));
+            axes.iter().for_each(|axis| session.homed.insert(axis));
+            if first.home {
+                shelf.trusts_location(axes);
+            }
+            return;
+        }
+        match (self.left_at(stands, shelf), abandoned) {
+            (Some(place), false) => told.notes.extend(takes_place(&connection, session, place)),
+            (None, false) => told.notes.push(self.believed(session.memory.position)),
+            (_, true) => {
+                let counted = self.counted_on(stands, shelf);
+                session.memory.position = counted.unwrap_or(session.memory.position);
+                told.warnings.push(self.abandoned(session.memory.position));
+                shelf.doubts_location(axes);
+            }
+        }
+        connection.is_at(session.memory.position);
+    }
+
+    /// The machine, for a run.
+    pub fn driven(&self) -> Driven {
+        self.connection.clone()
+    }
+
+    /// Its name, as people give it.
+    pub fn name(&self) -> &str {
+        &self.socket.name
+    }
+
+    /// The connection to it.
+    pub fn connection(&self) -> &Rc<RefCell<Connection>> {
+        &self.connection
+    }
+
+    /// Returns the reason for which it does nothing more, in words.
+    pub fn fault(&self) -> Option<String> {
+        self.connection.borrow().fault().map(|fault| fault.message.clone())
+    }
+
+    /// It is driven from now on. That is on record until it is left.
+    pub fn begins(&self, shelf: &mut Shelf) {
+        self.keeps_place(shelf);
+        shelf.stored.set(DRIVEN, Some(&self.socket.port));
+    }
+
+    /// The run is over; when it did not end well, everything is stopped and switched off. Keeps where it was left.
+    pub fn leaves(&self, well: bool, shelf: &mut Shelf, is_stopped: impl FnMut() -> bool) {
+        self.connection.borrow_mut().close(well, is_stopped);
+        self.keeps_place(shelf);
+        if self.connection.borrow().changed().is_none() {
+            shelf.stored.set(CHANGED, None);
+        }
+        shelf.stored.set(DRIVEN, None);
+    }
+
+    /// Keeps where it stands, as it counts and as the machine does.
+    fn keeps_place(&self, shelf: &mut Shelf) {
+        let mut connection = self.connection.borrow_mut();
+        let own = connection.stands();
+        let left = (&self.socket.port, own, own.plus(connection.offset()));
+        shelf.stored.set(LEFT, serde_json::to_string(&left).ok().as_deref());
+    }
+
+    /// Returns the kept place, as the controller counts and as the machine does.
+    fn kept_at(&self, shelf: &Shelf) -> Option<(Axes, Axes)> {
+        let (port, own, place): (String, Axes, Axes) =
+            serde_json::from_str(shelf.stored.get(LEFT)?).ok()?;
+        (port == self.socket.port).then_some((own, place))
+    }
+
+    /// Returns the place of the machine, when its controller was neither moved nor switched off since it was driven
+    /// last.
+    fn left_at(&self, stands: Axes, shelf: &Shelf) -> Option<Axes> {
+        let (own, place) = self.kept_at(shelf)?;
+        same(own, stands).then_some(place)
+    }
+
+    /// Returns the place of the machine, when its controller has gone on counting since its run began. One that was
+    /// switched off, or reset when its port was opened, counts from zero.
+    fn counted_on(&self, stands: Axes, shelf: &Shelf) -> Option<Axes> {
+        let (own, place) = self.kept_at(shelf)?;
+        (!same(stands, Axes::default())).then(|| place.plus(stands.minus(own)))
+    }
+
+    /// Nobody but Kerf remembers where the machine is.
+    fn believed(&self, place: Axes) -> String {
+        let [x, y, z, ..] = place.0;
+        format!(
+            "{} has not been driven before, or was moved or switched off since: the machine is believed to stand \
+             at {x:.3}, {y:.3}, {z:.3}, where the last run ended; stop and set its location where that is wrong",
+            self.socket.name
+        )
+    }
+
+    /// Kerf has not seen the end of the last run.
+    fn abandoned(&self, place: Axes) -> String {
+        let [x, y, z, ..] = place.0;
+        format!(
+            "the last run on {} has no end: Kerf was killed, or the power failed. What still moved is stopped; the \
+             machine is believed to stand at {x:.3}, {y:.3}, {z:.3}",
+            self.socket.name
+        )
+    }
+
+    /// Looks at a dry run for what the controller does not have, before anything moves: errors, and what it leaves out.
+    pub fn lacks(
+        &self,
+        work: &Work,
+        session: &Session,
+        options: &RunOptions,
+        shelf: &mut Shelf,
+        operator: &mut dyn Operator,
+    ) -> Vec<Diagnostic> {
+        let again = match work {
+            Work::Part(program) => Work::Part(program.clone()),
+            Work::Job(job, machine) => Work::Job(job.clone(), machine.clone()),
+            Work::Hand(..) => return Vec::new(),
+        };
+        let connection = self.connection.borrow();
+        let mut lacks = Lacks::new(connection.name(), connection.facts(), connection.offset());
+        if let Work::Job(_, machine) = &again
+            && (machine.plasma.use_sequence || machine.laser.use_laser)
+        {
+            lacks.burns();
+        }
+        let mut options = RunOptions { started: None, ..options.clone() };
+        options.program.preview = true;
+        let company =
+            Company { sink: &mut lacks, operator, requests: &mut (), machine: crate::simulated() };
+        drop(session.clone().run(again, options, shelf, company));
+        lacks.found()
+    }
+
+    /// Returns the loader of the controller's firmware (UI): it runs the command of the settings while the port is closed.
+    /// The firmware is loaded when the command says so and the controller answers again.
+    pub fn firmware(&self, command: &str) -> Firmware {
+        let (controller, command) = (self.clone(), command.to_owned());
+        Box::new(move |run| {
+            if command.is_empty() {
+                let why = "name the command that loads it: kerf machine set options.firmware 'avrdude … -P {port} …'";
+                return Err(HostError::Refused(why.into()));
+            }
+            let Socket { port, opens, .. } = &controller.socket;
+            let line = command.replace("{port}", port);
+            let (done, again) =
+                controller.connection.borrow_mut().anew(|| run(&line), || opens());
+            done?;
+            again.map_err(HostError::Refused)
+        })
+    }
+}
+
+/// Keeps in mind what was changed in the controller, and says it; what a run that has no end has left changed is put back
+/// behind this one.
+fn keeps_changed(socket: &Socket, connection: &mut Connection, shelf: &mut Shelf) -> Option<String> {
+    let kept: Option<(String, u16, u32, u32)> =
+        shelf.stored.get(CHANGED).and_then(|kept| serde_json::from_str(kept).ok());
+    if let Some((_, number, was, is)) = kept.filter(|(port, ..)| *port == socket.port) {
+        connection.owes(Changed { number, was, is });
+    }
+    let Changed { number, was, is } = connection.changed()?;
+    let kept = serde_json::to_string(&(&socket.port, number, was, is)).ok();
+    shelf.stored.set(CHANGED, kept.as_deref());
+    let name = &socket.name;
+    Some(format!("{name}: ${number} is {is} while Kerf drives it, {was} again afterwards"))
+}
+
+/// The machine stands where its controller tells; the session believes it. Says where they differed.
+fn takes_place(connection: &Connection, session: &mut Session, stands: Axes) -> Vec<String> {
+    let mut place = session.memory.position;
+    let mut told = Vec::new();
+    for axis in AxisSet::first(connection.facts().axes).iter() {
+        let (believed_mm, stands_mm) = (place[axis], stands[axis]);
+        if (believed_mm - stands_mm).abs() > SAME_MM {
+            told.push(format!(
+                "{} stands at {stands_mm:.3} and not at {believed_mm:.3} of the machine, as the controller tells; \
+                 zero points are where they were",
+                axis.letter()
+            ));
+        }
+        place[axis] = stands_mm;
+    }
+    session.memory.position = place;
+    told
+}
+
+fn same(a: Axes, b: Axes) -> bool {
+    a.minus(b).0.iter().all(|way| way.abs() < SAME_MM)
+}
