@@ -51,4 +51,5 @@ mod three_d;
 mod time;
 mod toolpath;
 mod traversal;
+mod values;
 mod warned;

@@ -197,10 +197,9 @@ fn cannot(address: SocketAddr, why: io::Error) -> Error {
             format!("{address} is in use, perhaps by another kerf serve{next}")
         }
         ErrorKind::AddrNotAvailable => {
-            format!(
-                "{address}: this computer has no such address: --listen 0.0.0.0:{}",
-                address.port()
-            )
+            let here = if address.ip().is_loopback() { "127.0.0.1" } else { "0.0.0.0" };
+            let port = address.port();
+            format!("{address}: this computer has no such address: --listen {here}:{port}")
         }
         ErrorKind::PermissionDenied if address.port() < OF_ALL && why.raw_os_error().is_some() => {
             let all = SocketAddr::new(address.ip(), USUAL_PORT);
