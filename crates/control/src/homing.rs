@@ -7,7 +7,7 @@ use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
-use kerf_machine::sequence::planner_settings;
+use kerf_machine::planning::planner_settings;
 use kerf_motion::Mover;
 use kerf_program::{At, Axes, Axis, AxisSet, Feed, Interpreter, Line, MoveKind, Settings, Status};
 use kerf_sim::{Machine, Watched};

@@ -11,7 +11,7 @@ mod ways;
 pub use errand::{Errand, FAR, Held, Keypad, Stretch, cut_move, keypad_settings};
 
 use crate::lines::Input;
-use crate::sequence::{CHORDS, planner_settings, rapid_mm_s};
+use crate::planning::{CHORDS, planner_settings, rapid_mm_s};
 use crate::settings::Configuration;
 use crate::state::{Event, State, StopSettings};
 use kerf_diag::{Code, Diagnostic};

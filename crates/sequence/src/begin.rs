@@ -1,27 +1,20 @@
 //! The beginning and the end of a job, and the way from one path to the next.
 
-use super::Sequence;
-use super::place::{Along, Here, Stage, passes};
-use super::small::Small;
-use super::start::Door;
-use crate::homing::turns_endlessly;
-use crate::lines::Output;
-use crate::settings::Configuration;
-use crate::state::{Event, State};
+use crate::Sequence;
+use crate::place::{Along, Here, Stage, passes};
+use crate::small::Small;
+use crate::start::Door;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_geom::Point2;
+use kerf_machine::lines::Output;
+use kerf_machine::settings::Configuration;
+use kerf_machine::state::{Event, State};
 use kerf_program::job::{Depths, Job};
-use kerf_program::settings::LinearUnit;
-use kerf_program::{
-    At, Axes, Axis, AxisSet, Command, RampModel, Settings, Sourced, Status, Step, ToolPathStart,
-};
+use kerf_program::{At, Axes, Axis, AxisSet, Command, Sourced, Status, Step, ToolPathStart};
 use std::sync::Arc;
 
-/// No knife turns so far in its life, degrees.
-const ENDLESS_DEG: f64 = 1e12;
-
 /// The job where it is cut, and how often: Start may take the present position as origin.
-pub(super) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> Arc<Job> {
+pub(crate) fn placed(job: Arc<Job>, machine: &Configuration, position: Axes) -> Arc<Job> {
     let mut placed = (*job).clone();
     [placed.origin, placed.finish] = lies(&job, machine).map(Some);
     if machine.job.change_origin_at_start {
@@ -38,27 +31,9 @@ pub fn lies(job: &Job, machine: &Configuration) -> [Point2; 2] {
     [job.origin.unwrap_or(set[0]), job.finish.unwrap_or(set[1])]
 }
 
-/// Returns the settings of the planner: millimetres, the machine's own model of motion, nothing that part
-/// files switch beside it.
-pub fn settings(machine: &Configuration) -> Settings {
-    let mut settings = machine.program.clone();
-    settings.use_linear_unit(LinearUnit::Mm);
-    settings.ramp_model = settings.ramp_model.or(Some(RampModel::Profiler));
-    settings.dynamics = Some(settings.axis_dynamics());
-    settings.warning_s = 0.0;
-    // Output 4 is no light here.
-    settings.io.output4 = -4;
-    settings.height.on = false;
-    settings.cutter.trigger.active = false;
-    if turns_endlessly(machine, Axis::C) {
-        (settings.limits.low[Axis::C], settings.limits.high[Axis::C]) = (-ENDLESS_DEG, ENDLESS_DEG);
-    }
-    settings
-}
-
 impl Sequence {
     /// No step is left: what comes next.
-    pub(super) fn advance(&mut self, out: &mut Vec<Sourced>) -> Step {
+    pub(crate) fn advance(&mut self, out: &mut Vec<Sourced>) -> Step {
         match self.stage {
             Stage::Begin => return self.begin(out),
             Stage::Waiting if self.door == Door::Only => return self.end(Status::Ok),
@@ -74,7 +49,7 @@ impl Sequence {
     }
 
     /// The run is over.
-    pub(super) fn end(&mut self, status: Status) -> Step {
+    pub(crate) fn end(&mut self, status: Status) -> Step {
         self.over = Some((status, None));
         Step::Done(status, None)
     }
@@ -102,7 +77,7 @@ impl Sequence {
 
     /// At z = 0 to the first shape, down, the router and its delay; after a pause at the height the
     /// head has, at the lowest that of travel.
-    pub(super) fn approach(&self, again: bool) -> Vec<Small> {
+    pub(crate) fn approach(&self, again: bool) -> Vec<Small> {
         let mut steps = Vec::new();
         if let Some(shape) = self.here.shape(&self.job) {
             steps.push(if again { self.up() } else { Small::RaiseTo(0.0) });
@@ -116,12 +91,12 @@ impl Sequence {
         steps
     }
 
-    pub(super) fn router_on(&self) -> [Small; 2] {
+    pub(crate) fn router_on(&self) -> [Small; 2] {
         [Small::Switch(Output::Router, true), Small::Wait(self.machine.delays.router_start_s)]
     }
 
     /// A pass begins: its heights are those of now.
-    pub(super) fn enter_pass(&mut self, out: &mut Vec<Sourced>) {
+    pub(crate) fn enter_pass(&mut self, out: &mut Vec<Sourced>) {
         let job = self.job.clone();
         let Some(shape) = self.here.shape(&job) else { return self.leave() };
         if let Err(low) = Depths::of(shape.depth, &shape.z_mm, &self.heights) {
@@ -140,7 +115,7 @@ impl Sequence {
     }
 
     /// The heights of the path at hand are those of now.
-    pub(super) fn refresh_depths(&mut self) {
+    pub(crate) fn refresh_depths(&mut self) {
         let depths = self
             .here
             .shape(&self.job)
@@ -186,7 +161,7 @@ impl Sequence {
         self.steps = self.finish().into();
     }
 
-    pub(super) fn finish(&self) -> Vec<Small> {
+    pub(crate) fn finish(&self) -> Vec<Small> {
         vec![
             self.up(),
             Small::Switch(Output::Router, false),
@@ -215,7 +190,7 @@ impl Sequence {
     }
 
     /// Returns the place of the job in its file: the number of the shape.
-    pub(super) fn at(&self) -> At {
+    pub(crate) fn at(&self) -> At {
         At { file: 0, line: self.here.shape(&self.job).map_or(0, |shape| shape.number) }
     }
 }

@@ -10,18 +10,18 @@
 //!
 //! Every kind of machine is this one list with other steps for the start.
 
-use super::Sequence;
-use super::path::nearest_turn;
-use super::place::Spot;
-use super::small::{Awaited, Small};
-use crate::lines::{Input, Output};
-use crate::settings::delays::{BottomDelayType, TimeoutAction};
+use crate::Sequence;
+use crate::path::nearest_turn;
+use crate::place::Spot;
+use crate::small::{Awaited, Small};
+use kerf_machine::lines::{Input, Output};
+use kerf_machine::settings::delays::{BottomDelayType, TimeoutAction};
 use kerf_program::job::JobShape;
 use kerf_program::{Axis, Beam};
 
 impl Sequence {
     /// Returns the steps that are left of the pass at hand.
-    pub(super) fn pass_steps(&self) -> Vec<Small> {
+    pub(crate) fn pass_steps(&self) -> Vec<Small> {
         let Some(shape) = self.here.shape(&self.job) else { return Vec::new() };
         let mut steps = Vec::new();
         if let Some(spot) = self.here.spot(shape) {
@@ -45,17 +45,17 @@ impl Sequence {
     }
 
     /// To a place of the job at the height of travel, unless the tool is there.
-    pub(super) fn way_to(&self, place: kerf_geom::Point2) -> Vec<Small> {
+    pub(crate) fn way_to(&self, place: kerf_geom::Point2) -> Vec<Small> {
         if self.is_at(place) { Vec::new() } else { vec![self.up(), Small::Travel(place)] }
     }
 
     /// To the height of travel; a job that does not raise in pauses moves by hand where it stands.
-    pub(super) fn up(&self) -> Small {
+    pub(crate) fn up(&self) -> Small {
         Small::RaiseTo(self.travel_mm())
     }
 
     /// The height of travel: where height control carried it above home, that of home.
-    pub(super) fn travel_mm(&self) -> f64 {
+    pub(crate) fn travel_mm(&self) -> f64 {
         self.heights.top_mm.min(self.machine.zpos.top_mm.max(0.0))
     }
 
@@ -84,13 +84,13 @@ impl Sequence {
     }
 
     /// The tool output and its delay; nothing when it is on.
-    pub(super) fn tool_on(&self, tool: Option<Output>) -> Vec<Small> {
+    pub(crate) fn tool_on(&self, tool: Option<Output>) -> Vec<Small> {
         let Some(tool) = tool.filter(|tool| !self.is_on(*tool)) else { return Vec::new() };
         vec![Small::Switch(tool, true), Small::Wait(self.machine.delays.air_tool_s)]
     }
 
     /// A knife turns into the direction of the path before it plunges.
-    pub(super) fn turn_before_plunge(&self, shape: &JobShape, spot: &Spot) -> Option<Small> {
+    pub(crate) fn turn_before_plunge(&self, shape: &JobShape, spot: &Spot) -> Option<Small> {
         if !self.machine.misc.tangential || shape.path.segment_count() == 0 {
             return None;
         }
@@ -101,7 +101,7 @@ impl Sequence {
 
     /// Behind a closed path a knife makes the last turn too: it stands as it began. Where its axis ends before
     /// that, it stays.
-    pub(super) fn turn_back(&self, shape: &JobShape) -> Option<Small> {
+    pub(crate) fn turn_back(&self, shape: &JobShape) -> Option<Small> {
         let begins = Spot::start_of(shape);
         let turn = self.turn_before_plunge(shape, &begins).filter(|_| shape.path.closed)?;
         let reach = self.reach(Axis::C);
@@ -135,9 +135,9 @@ impl Sequence {
     }
 
     /// The path is made: the tool goes up, unless the next pass begins right here.
-    pub(super) fn end_of_pass(&self) -> Vec<Small> {
+    pub(crate) fn end_of_pass(&self) -> Vec<Small> {
         let Some(shape) = self.here.shape(&self.job) else { return Vec::new() };
-        let more = self.here.pass + 1 < super::place::passes(&self.depths);
+        let more = self.here.pass + 1 < crate::place::passes(&self.depths);
         let mut steps = Vec::new();
         if !shape.traversal && !more {
             steps.push(self.up());
@@ -149,7 +149,7 @@ impl Sequence {
     }
 
     /// Tool outputs go off, with the delay of each.
-    pub(super) fn tools_off(&self) -> Vec<Small> {
+    pub(crate) fn tools_off(&self) -> Vec<Small> {
         let tools = [Output::Tool1, Output::Tool2, Output::Tool3];
         let on: Vec<Output> = tools.into_iter().filter(|tool| self.is_on(*tool)).collect();
         let wait = (!on.is_empty()).then_some(Small::Wait(self.machine.delays.air_tool_s));

@@ -1,6 +1,6 @@
 //! Ways down that are not as they were asked for, told before anything moves.
 
-use super::Sequence;
+use crate::Sequence;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_program::job::{Depths, JobShape, Plunge};
 use kerf_program::{Command, Sourced};
@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 impl Sequence {
     /// Tells what was changed since the job was made, and the shapes whose way down is another one than they ask
     /// for. What holds for all shapes of a group is told with the first of them.
-    pub(super) fn tell_entries(&self, out: &mut Vec<Sourced>) {
+    pub(crate) fn tell_entries(&self, out: &mut Vec<Sourced>) {
         let mut told = BTreeSet::new();
         let noted = self.job.notes.iter().map(|note| (note.shape, note.text.to_string()));
         let changed = self.job.shapes.iter().filter_map(|shape| {

@@ -1,12 +1,12 @@
 //! Height control in jobs: what the machine is told, and how ZSurface and ZTop follow (Profiler
 //! reference, "Automatic Height Control"; readings, P-79 to P-84, Height control).
 
-use super::Sequence;
-use super::place::Along;
-use super::small::Small;
-use crate::lines::Input;
-use crate::settings::height::HeightMode;
+use crate::Sequence;
+use crate::place::Along;
+use crate::small::Small;
 use kerf_geom::{Point2, Vec2};
+use kerf_machine::lines::Input;
+use kerf_machine::settings::height::HeightMode;
 use kerf_program::job::{Depth, Heights, JobShape};
 use kerf_program::{Axis, Gauge, HeightLaw, Host};
 use std::sync::Arc;
@@ -22,7 +22,7 @@ const ALONG_X: Vec2 = Vec2 { x: 1.0, y: 0.0 };
 
 impl Sequence {
     /// Returns the law by which Z follows the sheet in a shape; only THRU shapes are followed.
-    pub(super) fn height_law(&self, shape: &JobShape) -> Option<HeightLaw> {
+    pub(crate) fn height_law(&self, shape: &JobShape) -> Option<HeightLaw> {
         let height = &self.machine.height;
         if !height.on || shape.depth != Depth::Thru || shape.traversal {
             return None;
@@ -63,7 +63,7 @@ impl Sequence {
     }
 
     /// In the plane to where a path begins, its height over the sheet kept where that is asked for.
-    pub(super) fn link(&self, shape: &JobShape, place: Point2) -> Vec<Small> {
+    pub(crate) fn link(&self, shape: &JobShape, place: Point2) -> Vec<Small> {
         let mut steps = self.way_to(place);
         let law = self.law_between(shape).filter(|_| self.here.along == Along::Before);
         if let (Some(law), Some(at)) = (law, steps.len().checked_sub(1)) {
@@ -74,7 +74,7 @@ impl Sequence {
     }
 
     /// Down to the height of the cut: where the sensor says so, at the lowest to ZBottom.
-    pub(super) fn down(&self, shape: &JobShape, z: f64) -> Vec<Small> {
+    pub(crate) fn down(&self, shape: &JobShape, z: f64) -> Vec<Small> {
         let Some(law) = self.height_law(shape) else { return vec![Small::Plunge(z)] };
         let proportional = matches!(law.gauge, Gauge::Proportional { .. });
         let mut steps = Vec::from(Self::until_sensed(law, z));
@@ -89,32 +89,32 @@ impl Sequence {
     }
 
     /// Height control goes by two switches.
-    pub(super) fn is_simple(&self) -> bool {
+    pub(crate) fn is_simple(&self) -> bool {
         self.law.as_ref().is_some_and(|law| matches!(law.gauge, Gauge::Simple { .. }))
     }
 
     /// Above the sheet a head is too high: where no switch says so it is not connected, or there is no sheet,
     /// and the cut would be one in the air.
-    pub(super) fn feels_nothing(&self, host: &mut dyn Host) -> bool {
+    pub(crate) fn feels_nothing(&self, host: &mut dyn Host) -> bool {
         let travels = self.travel_mm() > self.heights.surface_mm + CARRIED_MM
             && self.position[Axis::Z] > self.travel_mm() - CARRIED_MM;
         travels && !host.input(Input::ZHigh.number()) && !host.input(Input::ZLow.number())
     }
 
     /// Down until the sensor says that the head is at its height, at the lowest to a height.
-    pub(super) fn until_sensed(law: HeightLaw, lowest: f64) -> [Small; 2] {
+    pub(crate) fn until_sensed(law: HeightLaw, lowest: f64) -> [Small; 2] {
         [Small::Height(Some(Arc::new(law))), Small::Lower(lowest)]
     }
 
     /// The tool is about to cut where it stands: ZSurface is there, and ZTop as far above it as it was set.
-    pub(super) fn cuts_here(&mut self) {
+    pub(crate) fn cuts_here(&mut self) {
         if let Some(law) = self.law.clone().filter(|_| self.controlled) {
             self.heights = law.carried(self.heights, self.position[Axis::Z]);
         }
     }
 
     /// Height control left Z somewhere: ZSurface and ZTop have followed, unless it left Z where it was.
-    pub(super) fn follow_heights(&mut self, z_mm: f64) {
+    pub(crate) fn follow_heights(&mut self, z_mm: f64) {
         let carried = (z_mm - self.begun_mm).abs() > CARRIED_MM;
         if let Some(law) = self.law.clone().filter(|_| carried) {
             self.heights = law.carried(self.heights, z_mm);
@@ -125,7 +125,7 @@ impl Sequence {
 
     /// The machine was halted at a height: ZSurface and ZTop have followed on the path and between paths,
     /// not on the way down to the sheet, which is sensed anew. Whether they have.
-    pub(super) fn heights_left(&mut self, z_mm: f64) -> bool {
+    pub(crate) fn heights_left(&mut self, z_mm: f64) -> bool {
         let travels = self.given && matches!(self.steps.front(), Some(Small::Travel(_)));
         let follows = self.controlled && (self.is_following() || travels);
         if follows {
@@ -136,13 +136,13 @@ impl Sequence {
     }
 
     /// ZTop and ZSurface as they were when the job began.
-    pub(super) fn restore_heights(&mut self) {
+    pub(crate) fn restore_heights(&mut self) {
         let [top_mm, surface_mm] = [self.machine.zpos.top_mm, self.machine.zpos.surface_mm];
         self.heights = Heights { top_mm, surface_mm, ..self.heights };
     }
 
     /// Returns the inputs that height control watches while a path is followed, and the message of each.
-    pub(super) fn height_faults(&self) -> &'static [(Input, &'static str)] {
+    pub(crate) fn height_faults(&self) -> &'static [(Input, &'static str)] {
         if self.controlled { &FAULTS } else { &[] }
     }
 }
@@ -159,10 +159,10 @@ fn end_of(shape: &JobShape) -> Vec2 {
 }
 
 /// Message where two switches do not tell that the head is too high, high above the sheet.
-pub(super) const NOTHING_FELT: &str = "no height readings: zhigh is off at Z top";
+pub(crate) const NOTHING_FELT: &str = "no height readings: zhigh is off at Z top";
 
 /// Faults of height control that the controller notices, and the message of each.
-pub(super) const FAULTS: [(Input, &str); 3] = [
+pub(crate) const FAULTS: [(Input, &str); 3] = [
     (Input::HeightSilent, "no height readings"),
     (Input::HeightConflict, "height sensors conflict"),
     (Input::HeightAtZero, "z at 0"),

@@ -1,23 +1,23 @@
 //! Steps before the first motion: the door, the jigs, the second Start and the choice of the
 //! first shape (Profiler reference, "Two Jig Machines", "Using an External Job Start Input").
 
-use super::Sequence;
-use super::place::{Here, Stage};
-use super::small::{Awaited, Small};
-use super::words::Word;
-use crate::Configuration;
-use crate::lines::{Input, Output};
-use crate::state::State;
+use crate::Sequence;
+use crate::place::{Here, Stage};
+use crate::small::{Awaited, Small};
+use kerf_machine::Configuration;
+use kerf_machine::Word;
+use kerf_machine::lines::{Input, Output};
+use kerf_machine::state::State;
 use kerf_program::job::{Job, JobShape};
 use kerf_program::{Command, Sourced, Watch};
 use std::sync::Arc;
 
 /// After so long a wait the operator is asked, seconds.
-pub(super) const PATIENCE_S: f64 = 3600.0;
+pub(crate) const PATIENCE_S: f64 = 3600.0;
 
 /// Which side of the divider a shape lies on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Jig {
+pub(crate) enum Jig {
     /// Left of it.
     One,
     /// Right of it.
@@ -65,7 +65,7 @@ pub fn straddling(job: &Job, machine: &Configuration) -> Vec<String> {
 
 /// State of the wait for the door.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Door {
+pub(crate) enum Door {
     /// The job waits until it is shut.
     Waits,
     /// Nothing but that.
@@ -90,7 +90,7 @@ impl Sequence {
     }
 
     /// Returns the steps before the job begins; often none.
-    pub(super) fn before_start(&self) -> Vec<Small> {
+    pub(crate) fn before_start(&self) -> Vec<Small> {
         let mut steps = Vec::new();
         if self.machine.job.external_start && self.door != Door::Shut {
             let (input, timeout_s) = (Input::WHome, PATIENCE_S);
@@ -115,7 +115,7 @@ impl Sequence {
     }
 
     /// Everything that was waited for is there.
-    pub(super) fn start_now(&mut self) {
+    pub(crate) fn start_now(&mut self) {
         self.stage = Stage::Approach;
         self.steps.extend([Small::Enter(State::Running), Small::Switch(Output::JobRunning, true)]);
         self.steps.extend(self.jig_on());
@@ -123,20 +123,20 @@ impl Sequence {
     }
 
     /// The output of the jig that is being cut.
-    pub(super) fn jig_on(&self) -> Option<Small> {
+    pub(crate) fn jig_on(&self) -> Option<Small> {
         let jig = self.jig.filter(|_| self.stage != Stage::Waiting)?;
         Some(Small::Switch(jig.output(), true))
     }
 
     /// Tells which shapes are not cut because they lie on both sides of the divider.
-    pub(super) fn tell_straddling(&self, out: &mut Vec<Sourced>) {
+    pub(crate) fn tell_straddling(&self, out: &mut Vec<Sourced>) {
         for text in straddling(&self.job, self.machine.as_ref()) {
             self.give(Command::Message { text: text.into() }, out);
         }
     }
 
     /// The inputs of the jigs, the one that is preferred first.
-    pub(super) fn jig_watches(&self) -> [Watch; 2] {
+    pub(crate) fn jig_watches(&self) -> [Watch; 2] {
         let first = self.jig.map_or_else(|| self.first_jig(), Jig::other);
         [first, first.other()].map(|jig| Watch::level(jig.input().number(), true, 0.0))
     }
@@ -148,7 +148,7 @@ impl Sequence {
     }
 
     /// A jig is ready: its shapes are the job until it is done; the first time from the start shape on.
-    pub(super) fn take_jig(&mut self, input: Input) {
+    pub(crate) fn take_jig(&mut self, input: Input) {
         let jig = if input == Input::Jig2 { Jig::Two } else { Jig::One };
         let skipped = if self.jig.is_none() { self.whole.start.saturating_sub(1) } else { 0 };
         let shapes = self.whole.shapes.iter().skip(skipped);
@@ -161,7 +161,7 @@ impl Sequence {
     }
 
     /// The jig is done: the head goes to the finish position, and waits for the next.
-    pub(super) fn next_jig(&mut self) -> bool {
+    pub(crate) fn next_jig(&mut self) -> bool {
         let Some(jig) = self.jig else { return false };
         self.stage = Stage::Waiting;
         self.steps = [
@@ -177,7 +177,7 @@ impl Sequence {
     }
 
     /// The operator says something before the job begins.
-    pub(super) fn prepared(&mut self, word: Option<Word>) {
+    pub(crate) fn prepared(&mut self, word: Option<Word>) {
         let last = self.job.shapes.len().saturating_sub(1);
         let nth = match word {
             Some(Word::Continue) => {

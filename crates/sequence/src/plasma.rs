@@ -1,15 +1,15 @@
 //! The start of a plasma cut, and what ends one early (Profiler reference, "Plasma Startup
 //! Sequence"; readings, P-75, P-85, Events of a job).
 
-use super::Sequence;
-use super::small::{Awaited, Small};
-use crate::lines::{Input, Output};
+use crate::Sequence;
+use crate::small::{Awaited, Small};
+use kerf_machine::lines::{Input, Output};
 use kerf_program::job::JobShape;
 use std::sync::Arc;
 
 impl Sequence {
     /// Down until the head is too close, up to the initial height, then the arc.
-    pub(super) fn plasma_start(&self, shape: &JobShape) -> Vec<Small> {
+    pub(crate) fn plasma_start(&self, shape: &JobShape) -> Vec<Small> {
         let plasma = self.machine.plasma;
         let arc = Small::Await(Awaited {
             input: Input::EndBottomDelay,

@@ -1,7 +1,7 @@
 //! The small steps that every cutting sequence is made of.
 
-use crate::lines::{Input, Output};
 use kerf_geom::Point2;
+use kerf_machine::lines::{Input, Output};
 use kerf_program::{Axis, Beam, HeightLaw};
 use std::sync::Arc;
 
@@ -67,7 +67,7 @@ pub(crate) enum Small {
     /// The job is given up.
     GiveUp,
     /// The machine enters a state.
-    Enter(crate::State),
+    Enter(kerf_machine::State),
     /// A word to the operator.
     Say(Arc<str>),
     /// A word to the operator while an input is not on.
@@ -76,7 +76,7 @@ pub(crate) enum Small {
 
 impl Small {
     /// Returns `true` if it switches something off, or tells that the machine is in a state that it stopped in.
-    pub fn belongs_to_stop(&self, state: crate::State) -> bool {
+    pub fn belongs_to_stop(&self, state: kerf_machine::State) -> bool {
         match self {
             Self::Switch(_, on) => !on,
             Self::Beam(beam) => *beam == Beam::Off,

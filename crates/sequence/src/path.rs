@@ -1,20 +1,18 @@
 //! Following a path: its segments as commands, and finding the place where it was left.
 
-use super::Sequence;
-use super::place::{Along, Here, Spot};
+use crate::Sequence;
+use crate::place::{Along, Here, Spot};
 use kerf_geom::{Point2, Segment};
+use kerf_machine::planning::CHORDS;
 use kerf_program::job::{Depths, JobShape};
 use kerf_program::{Arc, Axes, Axis, Command, Feed, Halted, Line, MoveKind, Sourced};
-
-/// Chords that a machine without arcs makes of a full circle.
-pub(crate) const CHORDS: u32 = 360;
 
 /// Angles closer than this are the same, degrees.
 const SAME_DEG: f64 = 1e-9;
 
 /// The motion commands of the path at hand: which segment each of them makes.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Followed {
+pub(crate) struct Followed {
     /// Number of the first.
     first: u64,
     /// Segment of each.
@@ -23,7 +21,7 @@ pub(super) struct Followed {
 
 impl Sequence {
     /// Gives the rest of the path at hand.
-    pub(super) fn follow(&mut self, out: &mut Vec<Sourced>) {
+    pub(crate) fn follow(&mut self, out: &mut Vec<Sourced>) {
         let job = self.job.clone();
         let Some(shape) = self.here.shape(&job) else { return };
         let Some(spot) = self.here.spot(shape) else { return };
@@ -42,7 +40,7 @@ impl Sequence {
 
     /// The height from which the tool goes down along the path or a helix, when it does: that of the pass
     /// before, at the beginning of a path cut at one height.
-    pub(super) fn slopes_from(&self, shape: &JobShape, spot: &Spot) -> Option<f64> {
+    pub(crate) fn slopes_from(&self, shape: &JobShape, spot: &Spot) -> Option<f64> {
         let Depths::Level(levels) = &self.depths else { return None };
         if self.height_law(shape).is_some() {
             return None;
@@ -57,7 +55,7 @@ impl Sequence {
 
     /// Gives the way down to the beginning of the path at hand; whether there is one. A stop on it leaves
     /// the path as not begun.
-    pub(super) fn slope(&mut self, out: &mut Vec<Sourced>) -> bool {
+    pub(crate) fn slope(&mut self, out: &mut Vec<Sourced>) -> bool {
         let job = self.job.clone();
         let (Some(shape), Depths::Level(levels)) = (self.here.shape(&job), &self.depths) else {
             return false;
@@ -149,7 +147,7 @@ impl Sequence {
     }
 
     /// Remembers how far the path at hand was made when motion was stopped.
-    pub(super) fn keep_place(&mut self, halted: &Halted) {
+    pub(crate) fn keep_place(&mut self, halted: &Halted) {
         let Some(shape) = self.here.shape(&self.job) else { return };
         let Some(motion) = halted.motion else {
             self.here.along = Along::After;
@@ -165,7 +163,7 @@ impl Sequence {
     }
 
     /// Height of the tool at a spot of the path at hand, machine frame.
-    pub(super) fn height_at(&self, shape: &JobShape, spot: &Spot) -> f64 {
+    pub(crate) fn height_at(&self, shape: &JobShape, spot: &Spot) -> f64 {
         match &self.depths {
             Depths::Level(levels) => {
                 levels.get(self.here.pass).copied().unwrap_or(self.heights.bottom_mm)
@@ -180,7 +178,7 @@ impl Sequence {
 
 /// The angle nearest to where the axis stands that means the same direction, degrees. Half a turn leads back
 /// towards zero: to and fro the knife does not wind itself up.
-pub(super) fn nearest_turn(stands: f64, direction: f64) -> f64 {
+pub(crate) fn nearest_turn(stands: f64, direction: f64) -> f64 {
     let turn = (direction - stands + 180.0).rem_euclid(360.0) - 180.0;
     let half = turn.abs() > 180.0 - SAME_DEG;
     stands + if half { 180.0_f64.copysign(if stands < 0.0 { 1.0 } else { -1.0 }) } else { turn }

@@ -4,13 +4,13 @@
 //! the path was left is kept, so that whatever the operator does meanwhile, cutting goes on at that
 //! very place.
 
-use super::Sequence;
-use super::place::{Along, Stage};
-use super::small::Small;
-use super::words::Word;
-use crate::lines::{Input, Output};
-use crate::state::{Effect, Event, RELEASE_S, State};
+use crate::Sequence;
+use crate::place::{Along, Stage};
+use crate::small::Small;
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::Word;
+use kerf_machine::lines::{Input, Output};
+use kerf_machine::state::{Effect, Event, RELEASE_S, State};
 use kerf_program::job::JobShape;
 use kerf_program::{Axis, Beam, Halted, Question, QuestionKind, Status, Step};
 use std::sync::Arc;
@@ -23,7 +23,7 @@ const TOOLS: [Output; 3] = [Output::Tool1, Output::Tool2, Output::Tool3];
 
 impl Sequence {
     /// Motion or a wait was stopped in the middle.
-    pub(super) fn halt(&mut self, event: Event, why: &str, halted: &Halted) {
+    pub(crate) fn halt(&mut self, event: Event, why: &str, halted: &Halted) {
         if self.is_following() {
             self.keep_place(halted);
         }
@@ -36,12 +36,12 @@ impl Sequence {
     }
 
     /// The path is being made.
-    pub(super) fn is_following(&self) -> bool {
+    pub(crate) fn is_following(&self) -> bool {
         self.steps.front() == Some(&Small::Follow) && self.given
     }
 
     /// Something is wrong with the process while the machine stands.
-    pub(super) fn fault(&mut self, why: &str) {
+    pub(crate) fn fault(&mut self, why: &str) {
         self.stop_for(Event::Fault, why);
     }
 
@@ -74,12 +74,12 @@ impl Sequence {
     }
 
     /// Returns `true` if the machine halts by itself before a shape that is about to begin.
-    pub(super) fn is_marked(&self, shape: &JobShape) -> bool {
+    pub(crate) fn is_marked(&self, shape: &JobShape) -> bool {
         shape.pause && self.here.pass == 0 && !self.halted_before
     }
 
     /// A pause mark: the head waits over the shape, whatever cuts is off.
-    pub(super) fn mark(&self) -> Vec<Small> {
+    pub(crate) fn mark(&self) -> Vec<Small> {
         let off = [Effect::CutOff, Effect::RouterOff, Effect::ToolOff];
         let mut steps: Vec<Small> = off.into_iter().flat_map(|it| self.effect(it)).collect();
         steps.extend([Small::Mark, Small::Ask]);
@@ -117,7 +117,7 @@ impl Sequence {
     }
 
     /// Back to where the job was left: router, tool, plunge, cut, each with its delay.
-    pub(super) fn come_back(&self) -> Vec<Small> {
+    pub(crate) fn come_back(&self) -> Vec<Small> {
         if self.stage == Stage::Waiting {
             return self.before_start();
         }
@@ -138,7 +138,7 @@ impl Sequence {
     }
 
     /// Returns the question to the operator.
-    pub(super) fn question(&self) -> Question {
+    pub(crate) fn question(&self) -> Question {
         // A pause mark is where a job is meant to wait: without an operator it goes on.
         let preparing = self.state == State::Waiting && self.why.is_empty();
         let marked = self.marked || preparing;
@@ -166,7 +166,7 @@ impl Sequence {
 
     /// The operator said something in an emergency: nothing moves before the stop is released and he has
     /// acknowledged it.
-    pub(super) fn answered_in_emergency(&mut self, words: &str, pressed: bool) {
+    pub(crate) fn answered_in_emergency(&mut self, words: &str, pressed: bool) {
         match Word::read(words) {
             Some(Word::Abort) => return self.abort(),
             Some(Word::Continue) if !pressed => {
@@ -187,7 +187,7 @@ impl Sequence {
     }
 
     /// The operator said something while a stop input blocks the machine.
-    pub(super) fn answered_when_blocked(&mut self, words: &str, active: bool) {
+    pub(crate) fn answered_when_blocked(&mut self, words: &str, active: bool) {
         match Word::read(words) {
             Some(Word::Abort) => return self.abort(),
             Some(Word::Continue) if active => {
@@ -214,7 +214,7 @@ impl Sequence {
     }
 
     /// The operator said whether the job goes on beyond a limit.
-    pub(super) fn answered_at_limit(&mut self, words: &str) {
+    pub(crate) fn answered_at_limit(&mut self, words: &str) {
         match Word::read(words) {
             Some(Word::Continue) => self.go_on_by(Event::Override),
             Some(Word::Abort) => self.abort(),
@@ -223,7 +223,7 @@ impl Sequence {
     }
 
     /// The operator said something.
-    pub(super) fn answered(&mut self, words: &str) {
+    pub(crate) fn answered(&mut self, words: &str) {
         if self.state == State::Waiting {
             return self.prepared(Word::read(words));
         }
@@ -256,7 +256,7 @@ impl Sequence {
         self.steps.extend(effects.collect::<Vec<_>>());
     }
 
-    pub(super) fn abort(&mut self) {
+    pub(crate) fn abort(&mut self) {
         self.stage = Stage::Finish;
         self.steps = self.effect(Effect::CutOff).into();
         self.steps.extend(self.effect(Effect::AllOff));
@@ -267,7 +267,7 @@ impl Sequence {
     }
 
     /// The machine stopped at the operator's word, for good.
-    pub(super) fn give_up(&mut self) -> Step {
+    pub(crate) fn give_up(&mut self) -> Step {
         if self.state != State::Alarm {
             return self.end(Status::Stopped);
         }
@@ -277,7 +277,7 @@ impl Sequence {
         Step::Done(Status::Limit, why)
     }
 
-    pub(super) fn obey(&mut self, word: Word) {
+    pub(crate) fn obey(&mut self, word: Word) {
         match word {
             Word::CutSpeed(mm_s) => {
                 self.use_cut_speed(mm_s);

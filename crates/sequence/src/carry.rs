@@ -1,26 +1,26 @@
 //! Carrying out small steps: which commands each gives, and when it is over.
 
-use super::forbidden::Forbids;
-use super::height::NOTHING_FELT;
-use super::place::Along;
-use super::small::Small;
-use super::start::PATIENCE_S;
-use super::words::Word;
-use super::{SAME_MM, Sequence, bit};
-use crate::lines::{Input, Output};
-use crate::settings::axes::Z2;
-use crate::settings::job::Heads;
-use crate::state::{RELEASE_S, State};
+use crate::forbidden::Forbids;
+use crate::height::NOTHING_FELT;
+use crate::place::Along;
+use crate::sequence::{SAME_MM, Sequence, bit};
+use crate::small::Small;
+use crate::start::PATIENCE_S;
 use kerf_geom::Point2;
+use kerf_machine::Word;
+use kerf_machine::lines::{Input, Output};
+use kerf_machine::settings::axes::Z2;
+use kerf_machine::settings::job::Heads;
+use kerf_machine::state::{RELEASE_S, State};
 use kerf_program::{
-    Answer, Axes, Axis, Command, Feed, HeightLaw, Host, Line, MoveKind, Settings, Sourced, Step,
+    Answer, Axes, Axis, Command, Feed, HeightLaw, Host, Line, MoveKind, Sourced, Step,
 };
 use std::sync::Arc;
 use std::task::Poll;
 
 impl Sequence {
     /// Begins the first step, or sees whether it is over.
-    pub(super) fn carry_on(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
+    pub(crate) fn carry_on(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
         let Some(small) = self.steps.front().cloned() else { return self.advance(out) };
         if small == Small::Ask {
             return self.ask(host);
@@ -129,7 +129,7 @@ impl Sequence {
     }
 
     /// The input that a step waits for has come.
-    pub(super) fn came(&mut self, input: Input, began: Axes) -> bool {
+    pub(crate) fn came(&mut self, input: Input, began: Axes) -> bool {
         let expected = match self.steps.front() {
             Some(Small::Await(awaited)) => awaited.input == input,
             Some(Small::Feel(_)) => input == Input::WHome,
@@ -154,12 +154,12 @@ impl Sequence {
         expected
     }
 
-    pub(super) fn give(&self, command: Command, out: &mut Vec<Sourced>) {
+    pub(crate) fn give(&self, command: Command, out: &mut Vec<Sourced>) {
         out.push(Sourced { at: self.at(), command });
     }
 
     /// Gives a motion that ends at a position.
-    pub(super) fn move_by(&mut self, mut command: Command, to: Axes, out: &mut Vec<Sourced>) {
+    pub(crate) fn move_by(&mut self, mut command: Command, to: Axes, out: &mut Vec<Sourced>) {
         let to = self.with_second_head(to);
         match &mut command {
             Command::Line(line) => line.to = to,
@@ -187,7 +187,7 @@ impl Sequence {
         }
     }
 
-    pub(super) fn tell_heights(&self, out: &mut Vec<Sourced>) {
+    pub(crate) fn tell_heights(&self, out: &mut Vec<Sourced>) {
         self.give(Command::Heights(self.heights), out);
     }
 
@@ -273,8 +273,8 @@ impl Sequence {
     }
 
     /// The speed of a straight way at which the first axis reaches its own.
-    pub(super) fn rapid_mm_s(&self, to: Axes) -> f64 {
-        rapid_mm_s(&self.settings, to.minus(self.position))
+    pub(crate) fn rapid_mm_s(&self, to: Axes) -> f64 {
+        kerf_machine::planning::rapid_mm_s(&self.settings, to.minus(self.position))
     }
 
     /// The operator decides how it goes on.
@@ -304,13 +304,4 @@ impl Sequence {
             }
         }
     }
-}
-
-/// The speed of a straight way at which the first axis reaches its own.
-pub(crate) fn rapid_mm_s(settings: &Settings, way: Axes) -> f64 {
-    let length = way.first3().iter().map(|v| v * v).sum::<f64>().sqrt();
-    let length = if length > 0.0 { length } else { way.0[3..].iter().map(|v| v.abs()).sum() };
-    let own = settings.axis_dynamics().speed_mm_s;
-    let time = way.zip(own, |way, own| way.abs() / own).0.into_iter().fold(0.0, f64::max);
-    if time > 0.0 { length / time } else { f64::INFINITY }
 }

@@ -1,7 +1,7 @@
 //! Groups that ask for more than the machine's cutting speed (Profiler reference, "Maximum Machine
 //! Cutting Speeds").
 
-use super::Sequence;
+use crate::Sequence;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_program::job::JobShape;
 use kerf_program::{Command, Sourced};
@@ -14,7 +14,7 @@ fn mm_min(mm_s: f64) -> f64 {
 impl Sequence {
     /// Tells, once for each group and cutting speed of the machine, that the group is cut slower than it
     /// asks for.
-    pub(super) fn tell_limited(&mut self, shape: &JobShape, out: &mut Vec<Sourced>) {
+    pub(crate) fn tell_limited(&mut self, shape: &JobShape, out: &mut Vec<Sourced>) {
         let Some(asked) = shape.speed_mm_s.filter(|_| !shape.traversal) else { return };
         let (asked, most) = (mm_min(asked), mm_min(self.cut_mm_s));
         if asked <= most || self.limited.contains(&shape.group) {
@@ -30,7 +30,7 @@ impl Sequence {
     }
 
     /// From here on the machine cuts at most so fast, mm/s.
-    pub(super) fn use_cut_speed(&mut self, mm_s: f64) {
+    pub(crate) fn use_cut_speed(&mut self, mm_s: f64) {
         self.cut_mm_s = mm_s;
         self.limited.clear();
     }

@@ -1,14 +1,14 @@
 //! Places that a job reaches: all are known before the first move, and none of them may lie where an
 //! axis cannot go.
 
-use super::Sequence;
-use super::place::{Along, Here, Spot, passes};
-use super::small::Small;
-use crate::homing::{soft_bounds, table_bounds};
-use crate::settings::axes::Z2;
-use crate::settings::job::Heads;
+use crate::Sequence;
+use crate::place::{Along, Here, Spot, passes};
+use crate::small::Small;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_geom::{Bounds2, Point2};
+use kerf_machine::homing::{soft_bounds, table_bounds};
+use kerf_machine::settings::axes::Z2;
+use kerf_machine::settings::job::Heads;
 use kerf_program::job::{Depths, JobShape};
 use kerf_program::{Axis, Command, Sourced};
 
@@ -45,7 +45,7 @@ impl Sequence {
     }
 
     /// The first place of the job that no axis can go to.
-    pub(super) fn outside(&self) -> Option<Diagnostic> {
+    pub(crate) fn outside(&self) -> Option<Diagnostic> {
         let shapes = self.job.shapes.iter();
         let mut places = shapes
             .flat_map(|shape| self.reached_by(shape))

@@ -1,16 +1,16 @@
 //! A job that is taken up after the power was off: nothing is on and the machine stands somewhere, at
 //! the height it had or another. The tool rises first; then it is as after a pause.
 
-use super::Sequence;
-use super::place::Stage;
-use super::small::Small;
-use crate::lines::Output;
-use crate::state::State;
+use crate::Sequence;
+use crate::place::Stage;
+use crate::small::Small;
+use kerf_machine::lines::Output;
+use kerf_machine::state::State;
 use kerf_program::{Axis, Halted};
 
 impl Sequence {
     /// Returns the outputs that go on when the job is taken up from there, in order.
-    pub(super) fn comes_on_again(&self, halted: &Halted) -> Vec<u8> {
+    pub(crate) fn comes_on_again(&self, halted: &Halted) -> Vec<u8> {
         let mut ahead = self.clone();
         ahead.take_up(halted);
         if ahead.stage == Stage::Approach {
@@ -30,7 +30,7 @@ impl Sequence {
     }
 
     /// Goes on from where the path was left; the machine stands elsewhere.
-    pub(super) fn take_up(&mut self, halted: &Halted) {
+    pub(crate) fn take_up(&mut self, halted: &Halted) {
         if self.is_following() {
             self.keep_place(&Halted { stands: halted.began, ..*halted });
         }

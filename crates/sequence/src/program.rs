@@ -1,10 +1,10 @@
 //! A sequence as whoever runs programs sees it.
 
-use super::Sequence;
-use super::height::FAULTS;
-use super::small::Small;
-use crate::lines::{Input, Output};
-use crate::state::{Event, State};
+use crate::Sequence;
+use crate::height::FAULTS;
+use crate::small::Small;
+use kerf_machine::lines::{Input, Output};
+use kerf_machine::state::{Event, State};
 use kerf_program::{
     At, Axes, Beam, Command, Frame, Halted, Host, Interpreter, Settings, Sourced, Status, Step,
     StoppedBy, Watch,
@@ -37,7 +37,7 @@ impl Interpreter for Sequence {
         let halted = Halted { stands: position, ..self.began };
         let Some(input) = Input::of_number(watch.input) else { return };
         for output in Output::ALL.iter().filter(|output| watch.drops.contains(&output.number())) {
-            self.on &= !super::bit(*output);
+            self.on &= !crate::sequence::bit(*output);
         }
         if input == Input::EmergencyStop && watch.on == self.machine.estop.active {
             self.halt(Event::EmergencyStop, "emergency stop", &halted);

@@ -1,9 +1,9 @@
 //! Intensity and piercing of lasers (Profiler reference, "Intensity Output", "Laser Operation").
 
-use super::Sequence;
-use super::small::Small;
-use crate::lines::Output;
-use crate::settings::laser::LaserType;
+use crate::Sequence;
+use crate::small::Small;
+use kerf_machine::lines::Output;
+use kerf_machine::settings::laser::LaserType;
 use kerf_program::job::JobShape;
 use kerf_program::{Beam, IntensityLaw};
 use std::sync::Arc;
@@ -13,7 +13,7 @@ const MS: f64 = 1e3;
 
 impl Sequence {
     /// Returns the dependence of intensity on speed, as far as the machine outputs any.
-    pub(super) fn intensity_law(&self) -> Option<IntensityLaw> {
+    pub(crate) fn intensity_law(&self) -> Option<IntensityLaw> {
         let (intensity, laser) = (&self.machine.intensity, &self.machine.laser);
         if !intensity.output {
             return None;
@@ -27,7 +27,7 @@ impl Sequence {
     }
 
     /// Least and greatest value that gives a pulse the laser can make.
-    pub(super) fn pulse_limits(&self) -> [u8; 2] {
+    pub(crate) fn pulse_limits(&self) -> [u8; 2] {
         let laser = &self.machine.laser;
         let period_us = 1e6 / laser.cut_hz;
         let value = |pulse_us: f64| pulse_us / period_us * 127.0;
@@ -37,7 +37,7 @@ impl Sequence {
     }
 
     /// Returns the reason for which the laser can make no pulse, if there is one.
-    pub(super) fn no_pulse(&self) -> Option<&'static str> {
+    pub(crate) fn no_pulse(&self) -> Option<&'static str> {
         let laser = &self.machine.laser;
         if !laser.use_laser {
             return None;
@@ -54,13 +54,13 @@ impl Sequence {
     }
 
     /// Returns `true` if a shape is pierced before it is cut.
-    pub(super) fn pierces(&self, shape: &JobShape) -> bool {
+    pub(crate) fn pierces(&self, shape: &JobShape) -> bool {
         let laser = &self.machine.laser;
         laser.use_laser && laser.pierce.use_sequence && !self.engraves(shape)
     }
 
     /// The tool output of a shape: its group's, or the gas that is used instead.
-    pub(super) fn tool_of(&self, shape: &JobShape) -> Option<Output> {
+    pub(crate) fn tool_of(&self, shape: &JobShape) -> Option<Output> {
         let gas = self.machine.laser.gas;
         if self.machine.laser.use_laser && gas.overrides && !self.engraves(shape) {
             return gas.tool.map(Output::tool);
@@ -69,7 +69,7 @@ impl Sequence {
     }
 
     /// Piercing, then down to the height of the cut with the cut gas (readings, P-76 to P-79).
-    pub(super) fn laser_start(&self, shape: &JobShape, z: f64) -> Vec<Small> {
+    pub(crate) fn laser_start(&self, shape: &JobShape, z: f64) -> Vec<Small> {
         let (pierce, gas) = (self.machine.laser.pierce, self.machine.laser.gas);
         let pierce_gas = pierce.gas_tool.map(Output::tool);
         let mut steps = self.to_pierce_height(shape, z);
@@ -126,7 +126,7 @@ impl Sequence {
     }
 
     /// Intensity during the bottom delay: what the table gives at rest, with the burn bit.
-    pub(super) fn beam_at_bottom(&self, shape: &JobShape) -> Vec<Small> {
+    pub(crate) fn beam_at_bottom(&self, shape: &JobShape) -> Vec<Small> {
         let Some(law) = self.intensity_law() else {
             return self.cutting_frequency().into_iter().collect();
         };
@@ -138,13 +138,13 @@ impl Sequence {
     }
 
     /// Intensity follows the speed from here on.
-    pub(super) fn beam_follows(&self, _shape: &JobShape) -> Option<Small> {
+    pub(crate) fn beam_follows(&self, _shape: &JobShape) -> Option<Small> {
         let law = self.intensity_law()?;
         Some(Small::Beam(Beam::Follow(Arc::new(law))))
     }
 
     /// Intensity during the end delay.
-    pub(super) fn beam_at_end(&self) -> Option<Small> {
+    pub(crate) fn beam_at_end(&self) -> Option<Small> {
         let law = self.intensity_law()?;
         let value = match self.machine.delays.end_intensity {
             0 => return Some(Small::Beam(Beam::Off)),
@@ -157,7 +157,7 @@ impl Sequence {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Configuration;
+    use kerf_machine::Configuration;
     use kerf_program::Axes;
 
     #[test]
