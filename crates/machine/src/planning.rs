@@ -11,12 +11,23 @@ pub const CHORDS: u32 = 360;
 /// No knife turns so far in its life, degrees.
 const ENDLESS_DEG: f64 = 1e12;
 
-/// Returns the settings of the planner: millimetres, the machine's own model of motion, nothing that part
-/// files switch beside it.
-pub fn planner_settings(machine: &Configuration) -> Settings {
+/// Returns the settings of the planner for moves by hand. Their ramps are as steep as the axes allow, unless the
+/// machine names another model.
+pub fn hand_settings(machine: &Configuration) -> Settings {
+    planner_settings(machine, machine.program.ramp_model.unwrap_or(RampModel::Profiler))
+}
+
+/// Returns the settings of the planner for jobs. Their model of motion is that of part files: one machine moves
+/// in one way.
+pub fn job_settings(machine: &Configuration) -> Settings {
+    planner_settings(machine, machine.program.model())
+}
+
+/// Millimetres, a model of motion, nothing that part files switch beside it.
+fn planner_settings(machine: &Configuration, model: RampModel) -> Settings {
     let mut settings = machine.program.clone();
     settings.use_linear_unit(LinearUnit::Mm);
-    settings.ramp_model = settings.ramp_model.or(Some(RampModel::Profiler));
+    settings.ramp_model = Some(model);
     settings.dynamics = Some(settings.axis_dynamics());
     settings.warning_s = 0.0;
     // Output 4 is no light here.

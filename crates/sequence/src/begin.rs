@@ -175,18 +175,21 @@ impl Sequence {
     /// Returns the reason if the job cannot begin.
     fn refusal(&self) -> Option<Diagnostic> {
         let problem = self.no_pulse().map(|why| (0, why.to_owned()));
-        if let Some((line, message)) = problem.or_else(|| self.too_low()) {
-            let place = Place::line(self.job.name.clone(), line);
-            return Some(Diagnostic::new(Code::OutsideLimits, place, message));
-        }
-        self.outside()
+        let problem = problem.map(|(line, message)| self.outside_limits(line, message));
+        problem.or_else(|| self.too_low_to_cut()).or_else(|| self.outside())
     }
 
-    fn too_low(&self) -> Option<(u32, String)> {
+    /// The first shape that would be cut below ZBottom.
+    pub(crate) fn too_low_to_cut(&self) -> Option<Diagnostic> {
         self.job.shapes.iter().find_map(|shape| {
             let low = Depths::of(shape.depth, &shape.z_mm, &self.heights).err()?;
-            Some((shape.number, format!("shape {}: {low}", shape.number)))
+            Some(self.outside_limits(shape.number, format!("shape {}: {low}", shape.number)))
         })
+    }
+
+    fn outside_limits(&self, line: u32, message: String) -> Diagnostic {
+        let place = Place::line(self.job.name.clone(), line);
+        Diagnostic::new(Code::OutsideLimits, place, message)
     }
 
     /// Returns the place of the job in its file: the number of the shape.

@@ -70,7 +70,7 @@ impl Sequence {
     }
 
     /// Gives the commands of a step; whether it takes time.
-    fn start_small(&mut self, small: &Small, out: &mut Vec<Sourced>) -> bool {
+    pub(crate) fn start_small(&mut self, small: &Small, out: &mut Vec<Sourced>) -> bool {
         match small {
             Small::Switch(output, on) => self.switch(*output, *on, out),
             Small::Wait(seconds) => return self.wait(*seconds, out),

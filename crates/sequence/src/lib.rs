@@ -29,6 +29,7 @@ mod entry;
 mod forbidden;
 mod height;
 mod limited;
+mod part_program;
 mod path;
 mod pause;
 mod place;
@@ -41,5 +42,6 @@ mod start;
 mod taken_up;
 
 pub use begin::lies;
+pub use part_program::{Speeds, print};
 pub use sequence::Sequence;
 pub use start::straddling;

@@ -8,7 +8,7 @@ use crate::start::{Door, Jig};
 use kerf_diag::Diagnostic;
 use kerf_geom::Point2;
 use kerf_machine::lines::Output;
-use kerf_machine::planning::planner_settings;
+use kerf_machine::planning::job_settings;
 use kerf_machine::settings::Configuration;
 use kerf_machine::state::{State, StopSettings};
 use kerf_program::job::{Depths, Heights, InForce, Job};
@@ -83,7 +83,7 @@ impl Sequence {
         let zpos = machine.zpos;
         let heights =
             Heights { top_mm: zpos.top_mm, surface_mm: zpos.surface_mm, bottom_mm: zpos.bottom_mm };
-        let settings = planner_settings(&machine);
+        let settings = job_settings(&machine);
         let cut_mm_s = settings.smoothing.cut_speed_mm_s.unwrap_or(settings.speeds.cut.xy);
         let mut frame = Frame::default();
         let origin = job.origin.unwrap_or_default();
