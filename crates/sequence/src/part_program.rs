@@ -13,7 +13,7 @@
 use crate::begin::lies;
 use crate::place::Stage;
 use crate::sequence::Sequence;
-use crate::small::Small;
+use crate::step::Step;
 use kerf_diag::Diagnostic;
 use kerf_geom::Point2;
 use kerf_machine::Configuration;
@@ -22,7 +22,7 @@ use kerf_machine::lines::Output;
 use kerf_machine::settings::delays::BottomDelayType;
 use kerf_machine::settings::job::Heads;
 use kerf_program::job::Job;
-use kerf_program::{At, Axes, Axis, Command, Feed, Hold, Lost, Printer, Sourced, Step};
+use kerf_program::{At, Axes, Axis, Command, Feed, Hold, Lost, Printer, Sourced, Step as Stepped};
 use std::sync::Arc;
 
 /// The output of the router or spindle, as OpenSBP and the writers of G-code have it.
@@ -98,18 +98,16 @@ fn sequence(job: &Job, machine: Configuration) -> Sequence {
     let job = Job { origin, finish, repeats: 1, ..job.clone() };
     let stands = Axes::xyz(0.0, 0.0, machine.zpos.surface_mm);
     let mut cut = Sequence::new(Arc::new(job), Arc::new(machine), stands);
-    (cut.stage, cut.state) = (Stage::Approach, State::Running);
-    cut.steps = cut.approach(true).into();
+    (cut.progress.stage, cut.halt.state) = (Stage::Approach, State::Running);
+    cut.queue.steps = cut.schedule().approach(true).into();
     cut
 }
 
-impl Sequence {
-    /// The step at hand goes at a speed that the group of the shape names.
-    fn names_speed(&self) -> bool {
-        let along = matches!(self.steps.front(), Some(Small::Slope | Small::Follow));
-        let shape = self.here.shape(&self.job).filter(|shape| !shape.traversal);
-        along && shape.is_some_and(|shape| shape.speed_mm_s.is_some())
-    }
+/// The step at hand goes at a speed that the group of the shape names.
+fn names_speed(cut: &Sequence) -> bool {
+    let along = matches!(cut.queue.steps.front(), Some(Step::Slope | Step::Follow));
+    let shape = cut.progress.here.shape(&cut.setup.job).filter(|shape| !shape.traversal);
+    along && shape.is_some_and(|shape| shape.speed_mm_s.is_some())
 }
 
 struct Writing<'a> {
@@ -123,18 +121,18 @@ impl Writing<'_> {
     /// Carries out the next step, of which all is over at once; `false` at the end.
     fn step(&mut self, cut: &mut Sequence) -> bool {
         let mut out = Vec::new();
-        let at = cut.at();
-        let named = cut.names_speed();
-        let more = match cut.steps.pop_front() {
-            None => cut.advance(&mut out) == Step::Ran,
-            Some(Small::Ask) => {
+        let at = cut.progress.at(&cut.setup.job);
+        let named = names_speed(cut);
+        let more = match cut.queue.steps.pop_front() {
+            None => cut.advance(&mut out) == Stepped::Ran,
+            Some(Step::Ask) => {
                 let text = cut.question().text;
                 self.printer.hold(&Hold { at, text, until: None });
                 cut.answered("continue");
                 true
             }
             Some(step) => {
-                cut.start_small(&step, &mut out);
+                cut.begin_step(&step, &mut out);
                 true
             }
         };

@@ -1,7 +1,9 @@
 //! The place of a job: its stage, shape, pass and path.
 
 use kerf_geom::{Point2, Polyarc};
-use kerf_program::job::{Depths, Job, JobShape};
+use kerf_program::At;
+use kerf_program::job::{Depths, Heights, Job, JobShape};
+use std::sync::Arc;
 
 /// Stage of a job.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -92,5 +94,80 @@ pub(crate) fn passes(depths: &Depths) -> usize {
     match depths {
         Depths::Level(levels) => levels.len(),
         Depths::Along(_) => 1,
+    }
+}
+
+/// The motion commands of the path at hand: which segment each of them makes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Followed {
+    /// Number of the first.
+    pub first: u64,
+    /// Segment of each.
+    pub segments: Vec<u32>,
+}
+
+/// How far a job is done.
+#[derive(Clone, Debug)]
+pub(crate) struct Progress {
+    pub stage: Stage,
+    pub here: Here,
+    /// Heights of the path at hand.
+    pub depths: Depths,
+    /// Motions of the path at hand.
+    pub followed: Followed,
+    /// Shapes begun behind the first.
+    pub cut: u64,
+    /// The group told last.
+    pub group: Option<Arc<str>>,
+}
+
+impl Progress {
+    /// Nothing has happened yet.
+    pub fn new(job: &Job, heights: &Heights) -> Self {
+        Self {
+            stage: Stage::Begin,
+            here: Here { nth: job.start.saturating_sub(1), ..Here::default() },
+            depths: Depths::Along(heights.surface_mm),
+            followed: Followed::default(),
+            cut: 0,
+            group: None,
+        }
+    }
+
+    /// Returns the place of the job in its file: the number of the shape.
+    pub fn at(&self, job: &Job) -> At {
+        At { file: 0, line: self.here.shape(job).map_or(0, |shape| shape.number) }
+    }
+
+    /// The heights of the path at hand are those of now.
+    pub fn refresh_depths(&mut self, job: &Job, heights: &Heights) {
+        let shape = self.here.shape(job);
+        let depths = shape.map(|shape| Depths::of(shape.depth, &shape.z_mm, heights));
+        if let Some(Ok(depths)) = depths {
+            self.depths = depths;
+        }
+    }
+
+    /// Height of the tool at a spot of the path at hand, machine frame.
+    pub fn height_at(&self, shape: &JobShape, spot: &Spot, bottom_mm: f64) -> f64 {
+        match &self.depths {
+            Depths::Level(levels) => levels.get(self.here.pass).copied().unwrap_or(bottom_mm),
+            Depths::Along(base) => {
+                let (from, to) = (shape.height_mm(spot.segment), shape.height_mm(spot.segment + 1));
+                base + from + (to - from) * spot.share
+            }
+        }
+    }
+
+    /// The path that follows; beyond the last shape when there is none.
+    pub fn next(&self, job: &Job) -> Here {
+        let Here { repeat, nth, pass, .. } = self.here;
+        if pass + 1 < passes(&self.depths) {
+            return Here { pass: pass + 1, along: Along::Before, ..self.here };
+        }
+        if nth + 1 >= job.shapes.len() && repeat + 1 < job.repeats.max(1) {
+            return Here { repeat: repeat + 1, ..Here::default() };
+        }
+        Here { nth: nth + 1, pass: 0, along: Along::Before, repeat }
     }
 }

@@ -1,171 +1,287 @@
 //! A job being cut: its state.
 
-use crate::begin;
-use crate::path::Followed;
-use crate::place::{Here, Stage};
-use crate::small::Small;
-use crate::start::{Door, Jig};
-use kerf_diag::Diagnostic;
-use kerf_geom::Point2;
-use kerf_machine::lines::Output;
-use kerf_machine::planning::job_settings;
-use kerf_machine::settings::Configuration;
-use kerf_machine::state::{State, StopSettings};
-use kerf_program::job::{Depths, Heights, InForce, Job};
-use kerf_program::{Axes, Axis, Frame, Halted, HeightLaw, Settings, Status};
-use std::collections::VecDeque;
+use crate::beam::no_pulse;
+use crate::bounds::Extent;
+use crate::cut::Cut;
+use crate::entry;
+use crate::halt::Halt;
+use crate::head::Head;
+use crate::path::Follower;
+use crate::place::{Along, Here, Progress, Stage};
+use crate::queue::Queue;
+use crate::schedule::Schedule;
+use crate::setup::Setup;
+use crate::sheet::Sheet;
+use crate::start::{Door, Jig, Start, straddling};
+use crate::step::Step;
+use crate::values::Values;
+use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::lines::{Input, Output};
+use kerf_machine::state::Event;
+use kerf_machine::{Configuration, State};
+use kerf_program::job::{Depths, Heights, Job, JobShape};
+use kerf_program::{
+    Axes, Axis, AxisSet, Command, HeightLaw, Sourced, Status, Step as Stepped, ToolPathStart,
+};
 use std::sync::Arc;
-
-/// Places closer than this are the same, mm.
-pub(crate) const SAME_MM: f64 = 1e-9;
 
 /// A job being cut.
 #[derive(Clone, Debug)]
 pub struct Sequence {
-    pub(crate) job: Arc<Job>,
-    /// The job that was given, where the one at hand is a part of it.
-    pub(crate) whole: Arc<Job>,
-    /// State of the wait for the door.
-    pub(crate) door: Door,
-    /// The jig being cut, or cut last.
-    pub(crate) jig: Option<Jig>,
-    pub(crate) machine: Arc<Configuration>,
-    /// Settings of the planner.
-    pub(crate) settings: Arc<Settings>,
-    pub(crate) frame: Frame,
-    /// The heights in force: a pause or height control moves them.
-    pub(crate) heights: Heights,
-    pub(crate) cut_mm_s: f64,
-    pub(crate) plunge_mm_s: f64,
-    pub(crate) raise: bool,
-    pub(crate) state: State,
-    /// Reason for which it is not running.
-    pub(crate) why: Arc<str>,
-    pub(crate) stage: Stage,
-    pub(crate) here: Here,
-    /// Heights of the path at hand.
-    pub(crate) depths: Depths,
-    /// Steps still to do.
-    pub(crate) steps: VecDeque<Small>,
-    /// The commands of the first of them were given.
-    pub(crate) given: bool,
-    pub(crate) position: Axes,
-    pub(crate) motions: u64,
-    pub(crate) followed: Followed,
-    /// Outputs that are on, a bit each.
-    pub(crate) on: u32,
-    /// Place where the last input fired.
-    pub(crate) began: Halted,
-    /// Place where the sheet was felt, Z of the machine frame.
-    pub(crate) felt_mm: f64,
-    /// The height from which height control carried Z, machine frame.
-    pub(crate) begun_mm: f64,
-    /// Law by which Z follows the sheet, or followed it last.
-    pub(crate) law: Option<Arc<HeightLaw>>,
-    /// Height control is on.
-    pub(crate) controlled: bool,
-    /// The machine stands at the pause mark of a shape.
-    pub(crate) marked: bool,
-    /// It halted at the pause mark of this shape already.
-    pub(crate) halted_before: bool,
-    pub(crate) cut: u64,
-    /// The group told last.
-    pub(crate) group: Option<Arc<str>>,
-    /// Groups that were told to be slower than they ask for.
-    pub(crate) limited: Vec<Arc<str>>,
+    pub(crate) setup: Setup,
+    pub(crate) values: Values,
+    pub(crate) head: Head,
+    pub(crate) progress: Progress,
+    pub(crate) halt: Halt,
+    pub(crate) sheet: Sheet,
+    pub(crate) start: Start,
+    pub(crate) queue: Queue,
     pub(crate) over: Option<(Status, Option<Box<Diagnostic>>)>,
 }
 
 impl Sequence {
     /// A job on a machine that stands at a position, machine frame.
     pub fn new(job: Arc<Job>, machine: Arc<Configuration>, position: Axes) -> Self {
-        let job = begin::placed(job, &machine, position);
-        let zpos = machine.zpos;
-        let heights =
-            Heights { top_mm: zpos.top_mm, surface_mm: zpos.surface_mm, bottom_mm: zpos.bottom_mm };
-        let settings = job_settings(&machine);
-        let cut_mm_s = settings.smoothing.cut_speed_mm_s.unwrap_or(settings.speeds.cut.xy);
-        let mut frame = Frame::default();
-        let origin = job.origin.unwrap_or_default();
-        (frame.working_zero[Axis::X], frame.working_zero[Axis::Y]) = (origin.x, origin.y);
+        let setup = Setup::new(job, machine, position);
+        let values = Values::of(&setup.machine, &setup.settings);
         Self {
-            settings: Arc::new(settings),
-            frame,
-            heights,
-            cut_mm_s,
-            plunge_mm_s: machine.speeds.plunge_mm_s,
-            raise: machine.pause.raise,
-            state: State::Idle,
-            why: Arc::default(),
-            stage: Stage::Begin,
-            here: Here { nth: job.start.saturating_sub(1), ..Here::default() },
-            depths: Depths::Along(heights.surface_mm),
-            steps: VecDeque::new(),
-            given: false,
-            position,
-            motions: 0,
-            followed: Followed::default(),
-            on: 0,
-            began: Halted::default(),
-            felt_mm: heights.surface_mm,
-            begun_mm: heights.surface_mm,
-            law: None,
-            controlled: false,
-            marked: false,
-            halted_before: false,
-            cut: 0,
-            group: None,
-            limited: Vec::new(),
+            progress: Progress::new(&setup.job, &values.heights),
+            sheet: Sheet::at(values.heights.surface_mm),
+            head: Head::at(position),
+            halt: Halt::default(),
+            start: Start { door: Door::Waits, jig: None },
+            queue: Queue::default(),
             over: None,
-            whole: job.clone(),
-            jig: None,
-            door: Door::Waits,
-            job,
-            machine,
+            setup,
+            values,
         }
+    }
+
+    /// Only waits until the door is shut: something has to be done then, before the job.
+    #[must_use]
+    pub const fn only_waits_for_door(mut self) -> Self {
+        self.start.door = Door::Only;
+        self
+    }
+
+    /// The job once the door was waited for.
+    #[must_use]
+    pub const fn behind_door(mut self) -> Self {
+        self.start.door = Door::Shut;
+        self
     }
 
     /// Returns the state of the machine.
     pub const fn state(&self) -> State {
-        self.state
+        self.halt.state
     }
 
     /// The job where it is cut, and how often.
     pub fn job(&self) -> &Job {
-        &self.job
+        &self.setup.job
     }
 
     /// Highest cutting speed, mm/s.
     pub const fn cut_mm_s(&self) -> f64 {
-        self.cut_mm_s
-    }
-
-    /// Returns the values that a pause may have changed.
-    pub(crate) const fn in_force(&self) -> InForce {
-        InForce { cut_mm_s: self.cut_mm_s, plunge_mm_s: self.plunge_mm_s, raise: self.raise }
+        self.values.cut_mm_s
     }
 
     /// The heights in force.
     pub const fn heights(&self) -> Heights {
-        self.heights
+        self.values.heights
     }
 
-    pub(crate) const fn stop_settings(&self) -> StopSettings {
-        StopSettings::profiler(self.raise)
+    /// Returns the range of an axis, machine frame; `None` when it has no bounds.
+    pub fn reach(&self, axis: Axis) -> Option<[f64; 2]> {
+        self.setup.reach(axis)
     }
 
-    pub(crate) fn is_on(&self, output: Output) -> bool {
-        self.on & bit(output) != 0
+    /// Returns the law by which Z follows the sheet in the first shape in which it does.
+    pub fn follows_sheet(&self) -> Option<HeightLaw> {
+        let cut = |shape| self.cut(shape).height_law();
+        self.setup.job.shapes.iter().find_map(cut)
     }
 
-    pub(crate) fn is_at(&self, place: Point2) -> bool {
-        let to = self.job.on_table(place);
-        let (dx, dy) = (to.x - self.position[Axis::X], to.y - self.position[Axis::Y]);
-        dx.abs() <= SAME_MM && dy.abs() <= SAME_MM
+    /// The steps that may come next.
+    pub(crate) const fn schedule(&self) -> Schedule<'_> {
+        let Self { setup, values, head, progress, halt, start, .. } = self;
+        Schedule { setup, values, head, progress, halt, start }
     }
-}
 
-/// The bit of an output.
-pub(crate) const fn bit(output: Output) -> u32 {
-    1 << output.number()
+    /// Whoever gives motions.
+    pub(crate) const fn follower<'a>(&'a mut self, out: &'a mut Vec<Sourced>) -> Follower<'a> {
+        let Self { setup, values, head, progress, .. } = self;
+        Follower { setup, values, head, progress, out }
+    }
+
+    fn extent(&self) -> Extent<'_> {
+        let Self { setup, values, head, .. } = self;
+        Extent { setup, values, head, nth: self.progress.here.nth }
+    }
+
+    fn cut<'a>(&'a self, shape: &'a JobShape) -> Cut<'a> {
+        Cut { setup: &self.setup, values: &self.values, shape }
+    }
+
+    pub(crate) fn give(&self, command: Command, out: &mut Vec<Sourced>) {
+        out.push(Sourced { at: self.progress.at(&self.setup.job), command });
+    }
+
+    /// No step is left: what comes next.
+    pub(crate) fn advance(&mut self, out: &mut Vec<Sourced>) -> Stepped {
+        match self.progress.stage {
+            Stage::Begin => return self.begin(out),
+            Stage::Waiting if self.start.door == Door::Only => return self.end(Status::Ok),
+            Stage::Waiting => self.start_now(),
+            Stage::Approach => {
+                self.progress.stage = Stage::Shapes;
+                self.enter_pass(out);
+            }
+            Stage::Shapes => self.after_pass(out),
+            Stage::Finish => return self.end(Status::Ok),
+        }
+        Stepped::Ran
+    }
+
+    /// The run is over.
+    pub(crate) fn end(&mut self, status: Status) -> Stepped {
+        self.over = Some((status, None));
+        Stepped::Done(status, None)
+    }
+
+    fn begin(&mut self, out: &mut Vec<Sourced>) -> Stepped {
+        if let Some(diagnostic) = self.refusal() {
+            let diagnostic = Some(Box::new(diagnostic));
+            self.over = Some((Status::Failed, diagnostic.clone()));
+            return Stepped::Done(Status::Failed, diagnostic);
+        }
+        self.give(Command::Settings(self.setup.settings.clone()), out);
+        let working = AxisSet::first(2);
+        self.give(
+            Command::Location { frame: self.setup.frame, working, base: AxisSet::EMPTY },
+            out,
+        );
+        self.halt.state = self
+            .halt
+            .state
+            .on(Event::Start, self.values.stop_settings())
+            .map_or(self.halt.state, |n| n.state);
+        self.progress.stage = Stage::Waiting;
+        if self.start.door != Door::Only {
+            self.tell_heights(out);
+            let across = straddling(&self.setup.job, &self.setup.machine);
+            across
+                .into_iter()
+                .for_each(|text| self.give(Command::Message { text: text.into() }, out));
+            let told = entry::told(&self.setup, &self.values);
+            told.into_iter().for_each(|told| self.give(Command::Diagnostic(Box::new(told)), out));
+        }
+        self.queue.steps = self.schedule().before_start().into();
+        Stepped::Ran
+    }
+
+    /// A pass begins: its heights are those of now.
+    pub(crate) fn enter_pass(&mut self, out: &mut Vec<Sourced>) {
+        let job = self.setup.job.clone();
+        let Some(shape) = self.progress.here.shape(&job) else { return self.leave() };
+        if let Err(low) = Depths::of(shape.depth, &shape.z_mm, &self.values.heights) {
+            // A pause lifted ZBottom above it.
+            return self.fault(&format!("shape {}: {low}", shape.number));
+        }
+        self.progress.refresh_depths(&self.setup.job, &self.values.heights);
+        if self.progress.group.as_ref() != Some(&shape.group) {
+            self.progress.group = Some(shape.group.clone());
+            let tool = shape.tool.to_string();
+            let (name, tool) = (Some(shape.group.clone()), Some(tool.as_str().into()));
+            self.give(Command::ToolPath(ToolPathStart { name, tool }), out);
+        }
+        let steps = self.schedule().pass_steps();
+        self.queue.steps.extend(steps);
+    }
+
+    /// A pass is made, or the tool is clear of it.
+    fn after_pass(&mut self, out: &mut Vec<Sourced>) {
+        if self.progress.here.along != Along::Clear {
+            self.queue.steps = self.schedule().end_of_pass().into();
+            return;
+        }
+        let next = self.progress.next(&self.setup.job);
+        if next.repeat != self.progress.here.repeat {
+            let text = format!("{} of {}", next.repeat + 1, self.setup.job.repeats).into();
+            self.queue.steps.push_back(Step::Say(text));
+        }
+        self.progress.here = next;
+        self.halt.halted_before &= self.progress.here.pass > 0;
+        self.progress.cut += u64::from(self.progress.here.pass == 0);
+        self.enter_pass(out);
+    }
+
+    /// All shapes are cut: the router goes off, the head goes to the finish position.
+    fn leave(&mut self) {
+        if self.next_jig() {
+            return;
+        }
+        self.progress.stage = Stage::Finish;
+        self.queue.steps = self.schedule().finish().into();
+    }
+
+    /// Returns the reason if the job cannot begin.
+    fn refusal(&self) -> Option<Diagnostic> {
+        let problem = no_pulse(&self.setup.machine).map(|why| (0, why.to_owned()));
+        let problem = problem.map(|(line, message)| self.outside_limits(line, message));
+        problem.or_else(|| self.too_low_to_cut()).or_else(|| self.extent().outside())
+    }
+
+    /// The first shape that would be cut below ZBottom.
+    pub(crate) fn too_low_to_cut(&self) -> Option<Diagnostic> {
+        self.setup.job.shapes.iter().find_map(|shape| {
+            let low = Depths::of(shape.depth, &shape.z_mm, &self.values.heights).err()?;
+            Some(self.outside_limits(shape.number, format!("shape {}: {low}", shape.number)))
+        })
+    }
+
+    fn outside_limits(&self, line: u32, message: String) -> Diagnostic {
+        let place = Place::line(self.setup.job.name.clone(), line);
+        Diagnostic::new(Code::OutsideLimits, place, message)
+    }
+
+    /// Everything that was waited for is there.
+    pub(crate) fn start_now(&mut self) {
+        self.progress.stage = Stage::Approach;
+        self.queue
+            .steps
+            .extend([Step::Enter(State::Running), Step::Switch(Output::JobRunning, true)]);
+        self.queue.steps.extend(self.schedule().jig_on());
+        self.queue.steps.extend(self.schedule().approach(false));
+    }
+
+    /// A jig is ready: its shapes are the job until it is done; the first time from the start shape on.
+    pub(crate) fn take_jig(&mut self, input: Input) {
+        let jig = if input == Input::Jig2 { Jig::Two } else { Jig::One };
+        let skipped =
+            if self.start.jig.is_none() { self.setup.whole.start.saturating_sub(1) } else { 0 };
+        let shapes = self.setup.whole.shapes.iter().skip(skipped);
+        let mine = shapes
+            .filter(|shape| Jig::of(shape, &self.setup.whole, &self.setup.machine) == Some(jig))
+            .cloned()
+            .collect();
+        self.setup.job = Arc::new(Job { shapes: mine, start: 1, ..(*self.setup.whole).clone() });
+        (self.start.jig, self.progress.here) = (Some(jig), Here::default());
+    }
+
+    /// The jig is done: the head goes to the finish position, and waits for the next.
+    pub(crate) fn next_jig(&mut self) -> bool {
+        let Some(jig) = self.start.jig else { return false };
+        self.progress.stage = Stage::Waiting;
+        self.queue.steps = [
+            self.schedule().up(),
+            Step::Switch(jig.output(), false),
+            Step::Switch(Output::Router, false),
+            Step::Travel(self.setup.job.finish.unwrap_or_default()),
+            Step::Enter(State::Waiting),
+            Step::AwaitJig,
+        ]
+        .into();
+        true
+    }
 }

@@ -91,7 +91,8 @@ fn router(dice: &mut Dice) -> Configuration {
     let usual = [sim(), Configuration::default(), router.unwrap_or_default()];
     let mut machine = usual[dice.below(usual.len())].clone();
     let models = [RampModel::Shopbot, RampModel::Profiler, RampModel::Optimal];
-    machine.program.ramp_model = dice.of(&[None, Some(models[0]), Some(models[1]), Some(models[2])]);
+    machine.program.ramp_model =
+        dice.of(&[None, Some(models[0]), Some(models[1]), Some(models[2])]);
     machine.program.warning_s = 0.0;
     machine.delays.router_start_s = dice.of(&[0.0, 2.0]);
     machine.delays.bottom_s = dice.of(&[0.0, 0.2]);

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// One step. Each is carried out to its end before the next begins.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Small {
+pub(crate) enum Step {
     /// An output goes on or off.
     Switch(Output, bool),
     /// Time passes, seconds.
@@ -74,7 +74,7 @@ pub(crate) enum Small {
     SayUnless(Input, &'static str),
 }
 
-impl Small {
+impl Step {
     /// Returns `true` if it switches something off, or tells that the machine is in a state that it stopped in.
     pub fn belongs_to_stop(&self, state: kerf_machine::State) -> bool {
         match self {
