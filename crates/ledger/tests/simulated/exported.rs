@@ -9,7 +9,7 @@ use kerf_geom::Point2;
 use kerf_ledger::jobs::{JobRun, sim};
 use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
-use kerf_program::job::Job;
+use kerf_program::job::{Job, JobShape};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{MoveKind, RampModel, Status};
 use kerf_sbp::{Printing, SbpPrinter};
@@ -121,4 +121,53 @@ fn the_jobs_of_the_examples_and_their_part_programs_are_one() {
         machine.program.ramp_model = model;
         assert!(check(&format!("{model:?}"), job.neutral("job.rsm".into()), &machine));
     }
+}
+
+/// The lines of the part program of a job on SIM, and what it does not say.
+fn written(
+    job: &Job,
+    speeds: Speeds,
+    change: impl FnOnce(&mut Configuration),
+) -> (String, Vec<String>) {
+    let mut machine = sim();
+    change(&mut machine);
+    let printing = Printing { unit: LinearUnit::Mm, ..Printing::default() };
+    let mut printer = Box::new(SbpPrinter::new(&printing));
+    let noticed = kerf_sequence::print(job, &machine, speeds, printer.as_mut());
+    assert_eq!(noticed, Ok(Vec::new()));
+    let written = kerf_program::Printer::finish(printer);
+    (written.text, written.lost.into_iter().map(|lost| lost.what).collect())
+}
+
+#[test]
+fn the_router_is_off_while_a_part_program_waits_at_a_pause_mark() {
+    let mut job = kerf_ledger::jobs::t2();
+    job.shapes = job
+        .shapes
+        .iter()
+        .cloned()
+        .map(|shape| JobShape { pause: shape.number == 2, ..shape })
+        .collect();
+    let (text, lost) = written(&job, Speeds::Written, |_| {});
+    assert_eq!(lost, Vec::<String>::new());
+    let waits = "SO,1,0\n'Shape 2\nPAUSE\nSO,1,1\nPAUSE 2\n";
+    assert!(text.contains(waits), "{text}");
+}
+
+#[test]
+fn what_part_programs_have_no_words_for_is_told() {
+    let job = kerf_ledger::jobs::t1();
+    let (_, lost) = written(&job, Speeds::Written, |machine| {
+        machine.plasma.use_sequence = true;
+        machine.height.on = true;
+    });
+    assert_eq!(lost, ["the start of a plasma cut", "height control"]);
+}
+
+#[test]
+fn a_conversion_leaves_speeds_to_the_machine_that_runs_it() {
+    let job = kerf_ledger::jobs::t1();
+    assert!(written(&job, Speeds::Written, |_| {}).0.contains("VS,100"));
+    let own = written(&job, Speeds::OfRun, |_| {}).0;
+    assert!(!own.lines().any(|line| line.starts_with("VS,,,,,")), "{own}");
 }
