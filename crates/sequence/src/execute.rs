@@ -67,7 +67,7 @@ impl Sequence {
         Stepped::Ran
     }
 
-    /// Gives the commands of a step; whether it takes time.
+    /// Gives the commands of a step; `true` where it takes time.
     pub(crate) fn begin_step(&mut self, step: &Step, out: &mut Vec<Sourced>) -> bool {
         match step {
             Step::Switch(output, on) => self.switch(*output, *on, out),

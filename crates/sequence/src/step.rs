@@ -1,4 +1,4 @@
-//! The small steps that every cutting sequence is made of.
+//! The steps of a job.
 
 use kerf_geom::Point2;
 use kerf_machine::lines::{Input, Output};

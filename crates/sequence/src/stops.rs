@@ -1,6 +1,6 @@
 //! Stops in the middle of a job: what happens then, what may be changed, and the way back.
 //!
-//! The table of [`State`] says which effects a stop has; here they become small steps. The place where
+//! The table of [`State`] says which effects a stop has; here they become steps. The place where
 //! the path was left is kept, so that whatever the operator does meanwhile, cutting goes on at that
 //! very place.
 
