@@ -47,7 +47,7 @@ impl Follower<'_> {
         }
     }
 
-    /// Gives the way down to the beginning of the path at hand; whether there is one. A stop on it leaves
+    /// Gives the way down to the beginning of the path at hand; `true` where there is one. A stop on it leaves
     /// the path as not begun.
     pub fn slope(&mut self) -> bool {
         let setup = self.setup;
