@@ -142,7 +142,11 @@ fn previewed(name: &str, bytes: Vec<u8>) -> u64 {
     let program_options = Options { max_lines, preview: true, ..Options::default() };
     let options = RunOptions { program: program_options, ..RunOptions::default() };
     let mut shelf = Shelf::in_memory(MemoryDisk::new([]));
-    let company =
-        Company { sink: &mut (), operator: &mut Answers::default(), pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut (),
+        operator: &mut Answers::default(),
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
     Session::default().run(program, options, &mut shelf, company).lines
 }

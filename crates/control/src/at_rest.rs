@@ -73,8 +73,12 @@ impl Session {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut events: Vec<Event> = Vec::new();
-        let company =
-            Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
+        let company = Company {
+            sink: &mut events,
+            operator: &mut (),
+            requests: &mut (),
+            machine: crate::simulated(),
+        };
         self.clone().run(Program::from(program), options, shelf, company);
         let told = events.iter().find_map(|event| match event {
             Event::Message { text, .. } => Some(text.clone()),
@@ -118,7 +122,13 @@ impl Session {
     /// Reads every system variable as it is now, in order of numbers.
     pub fn system_variables(&self, shelf: &mut Shelf) -> Vec<(SystemVariable, Value)> {
         let (mut sink, mut operator) = ((), ());
-        let mut world = World::new(self.machine(Vec::new()), shelf, &mut sink, &mut operator);
+        let mut world = World::new(
+            self.machine(Vec::new()),
+            shelf,
+            &mut sink,
+            &mut operator,
+            crate::simulated(),
+        );
         let options = kerf_sbp::Options::default();
         let program = kerf_sbp::Program::default();
         let mut reader = kerf_sbp::Interpreter::new(program, self.memory.clone(), options);

@@ -103,6 +103,10 @@ impl Sink for Whole<'_> {
         self.sink.made_before(made);
     }
 
+    fn under_way(&mut self, doing: &crate::Doing<'_>, from_s: f64, to_s: f64) {
+        self.sink.under_way(doing, from_s, to_s);
+    }
+
     fn displays(&mut self, comments: bool) {
         self.sink.displays(comments);
     }

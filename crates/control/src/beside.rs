@@ -5,8 +5,8 @@
 //! While it is stopped already, the question that comes next, or is open, says what follows.
 
 use crate::Event;
+use crate::OperatorRequest;
 use crate::by_hand::Driven;
-use crate::pace::Wish;
 use crate::runner::{Over, Runner};
 use kerf_diag::Code;
 use kerf_machine::state::State;
@@ -61,12 +61,14 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         let (by, n) = match driven {
             Driven::There | Driven::Edge(_) => return Ok(After::Ended),
-            Driven::Wish(Wish::End) => {
+            Driven::OperatorRequest(OperatorRequest::End) => {
                 return Err(Over { status: Status::Ended, diagnostic: None });
             }
-            Driven::Wish(wish) if runs => return self.stands(wish).map(|()| After::On),
-            Driven::Wish(_) => {
-                self.pace.heard();
+            Driven::OperatorRequest(request) if runs => {
+                return self.stands(request).map(|()| After::On);
+            }
+            Driven::OperatorRequest(_) => {
+                self.drive.heard();
                 ("operator", 0)
             }
             Driven::EmergencyStop => return Err(self.emergency()),
@@ -115,18 +117,18 @@ impl<I: Interpreter> Runner<'_, I> {
             let watched = self.watched_at_rest();
             let halt = self.world.machine.first_halt_at_rest(until_s, watched.as_slice());
             let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
-            let wish = self.ask_pace(now_s, end_s, None);
-            if self.pace.failure().is_some() {
+            let request = self.ask_pace(now_s, end_s, None);
+            if self.drive.fault().is_some() {
                 return Err(self.link_is_lost());
             }
-            if let Some((t_s, Wish::Input { number, on })) = wish {
+            if let Some((t_s, OperatorRequest::Input { number, on })) = request {
                 self.press(number, on, t_s);
                 continue;
             }
-            self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
+            self.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
             self.world.shelf.tape.stood(1.0);
-            match (wish, halt) {
-                (Some((_, wish)), _) => self.stands(wish)?,
+            match (request, halt) {
+                (Some((_, request)), _) => self.stands(request)?,
                 (None, Some(halt)) => {
                     self.ended_by(halt.cause)?;
                 }

@@ -4,7 +4,7 @@
 
 use crate::execute::{Slows, link_lost};
 use crate::runner::{Over, Runner};
-use crate::{Event, Wish};
+use crate::{Event, OperatorRequest};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
 use kerf_machine::hand::keypad_settings;
@@ -84,8 +84,8 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.world.tell_log();
                 Some(format!("stopped by stop input {n}"))
             }
-            Driven::Wish(wish) => {
-                self.heed_later(self.world.now(), *wish);
+            Driven::OperatorRequest(request) => {
+                self.heed_later(self.world.now(), *request);
                 None
             }
             Driven::Stalled => Some("a motor has stalled".to_owned()),
@@ -152,20 +152,20 @@ impl<I: Interpreter> Runner<'_, I> {
         planner.push(made);
         let mut driven = None;
         while let Some(mut plan) = planner.finish() {
-            self.pace.follows();
+            self.drive.follows();
             self.world.machine.foresee(&plan, t0_s);
             let mut index = 0;
             while index < plan.moves().len() {
                 let until = plan.moves().len();
                 // No share of it is one of a move of the program, which is taken up at its own.
-                let going = Going { plan: &plan, index, t0_s, until, part: 0.0 };
+                let going = Going { plan: &plan, index, t0_s, until, part: 0.0, watches: &[] };
                 let until = self.driven_until(&watched, going, driven);
                 let Some((t_s, why, ramped)) = until else {
                     self.make_one(&plan, index, t0_s, true);
                     index += 1;
                     continue;
                 };
-                let stood_s = self.pace.brake(going);
+                let stood_s = self.brake(&going);
                 let at_s = (t_s - t0_s).max(0.0);
                 driven = Some(why.at(plan.at(at_s).position));
                 let (at_s, ramped) =
@@ -200,7 +200,7 @@ impl<I: Interpreter> Runner<'_, I> {
     ) -> Option<(f64, Driven, bool)> {
         let end_s = going.t0_s + going.plan.span_s(going.index).1;
         if let Some(driven) = driven {
-            let by_stop = driven == Driven::Wish(Wish::Stop);
+            let by_stop = driven == Driven::OperatorRequest(OperatorRequest::Stop);
             let asks = matches!(driven, Driven::StopInput(_));
             self.slow_down(Slows { by_stop, asks }, end_s, going);
             return None;
@@ -210,10 +210,10 @@ impl<I: Interpreter> Runner<'_, I> {
             let halt = self.world.machine.first_halt(end_s, watched);
             let until_s = halt.map_or(end_s, |halt| halt.t_s.max(self.world.now()));
             match self.pass(self.world.now(), until_s, Some(going)) {
-                Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
-                Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
-                Some((t_s, wish)) => return Some((t_s, Driven::Wish(wish), true)),
-                None if self.pace.failure().is_some() => break link_lost(self.world.now()),
+                Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
+                Some(request @ (_, OperatorRequest::Feed(_))) => self.postpone(request),
+                Some((t_s, request)) => return Some((t_s, Driven::OperatorRequest(request), true)),
+                None if self.drive.fault().is_some() => break link_lost(self.world.now()),
                 None => break halt?,
             }
         };
@@ -241,9 +241,9 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Letting go is done with; everything else is wanted of the program.
-    fn heed_later(&mut self, t_s: f64, wish: Wish) {
-        if wish != Wish::End {
-            self.postpone((t_s, wish));
+    fn heed_later(&mut self, t_s: f64, request: OperatorRequest) {
+        if request != OperatorRequest::End {
+            self.postpone((t_s, request));
         }
     }
 }
@@ -256,7 +256,7 @@ pub(crate) enum Driven {
     /// The switch that was sought changed there.
     Edge(Axes),
     /// The operator wants something.
-    Wish(Wish),
+    OperatorRequest(OperatorRequest),
     /// A limit input.
     Limit(u8),
     /// A stop input.

@@ -32,7 +32,12 @@ pub fn check(
     let program = match work.into() {
         Work::Part(program) => *program,
         job @ (Work::Job(..) | Work::Hand(..)) => {
-            let company = Company { sink: &mut findings, operator, pace: &mut (), machine: None };
+            let company = Company {
+                sink: &mut findings,
+                operator,
+                requests: &mut (),
+                machine: crate::simulated(),
+            };
             let summary = session.clone().run(job, options, shelf, company);
             return findings.checked(Some(summary));
         }
@@ -42,7 +47,12 @@ pub fn check(
     let gcode = program.language() == Language::Gcode;
     let summary = (good || gcode).then(|| {
         let mut session = session.clone();
-        let company = Company { sink: &mut findings, operator, pace: &mut (), machine: None };
+        let company = Company {
+            sink: &mut findings,
+            operator,
+            requests: &mut (),
+            machine: crate::simulated(),
+        };
         let mut options = RunOptions { limits: LimitPolicy::List, ..options };
         options.program.preview = true;
         // What of a block of G-code is wrong shows only when it is carried out: the next ones are

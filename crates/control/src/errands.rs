@@ -29,7 +29,7 @@ impl Session {
         shelf: &mut Shelf,
         company: Company<'_>,
     ) -> Summary {
-        let Company { sink, operator, pace, machine: driven } = company;
+        let Company { sink, operator, requests, machine: driven } = company;
         let mode = if options.program.preview { "preview" } else { "move" };
         let file = errand.name().into();
         let hand =
@@ -43,13 +43,13 @@ impl Session {
         let simulated = simulated.begun_at(before.ends_s).pushed(options.pushes);
         let simulated = simulated.doubting(unverified(shelf));
         self.memory.settings = settings;
-        let mut world = World::new(simulated, shelf, sink, operator).driving(driven);
+        let mut world = World::new(simulated, shelf, sink, operator, driven);
         (world.previews, world.machine_is) = (options.program.preview, machine.clone());
         world.homed = self.homed;
         world.tally = before.tally();
         // No file begins or ends: outputs stay as they are.
         world.typed_files = 1;
-        let mut runner = Runner::new(hand, world, pace, options.limits, 0);
+        let mut runner = Runner::new(hand, world, requests, options.limits, 0);
         let over = match errand {
             Errand::FindHome(axes) => {
                 let over = match runner.asked(asks) {

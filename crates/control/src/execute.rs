@@ -1,16 +1,18 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
+use crate::OperatorRequest;
 use crate::event::{ArcEvent, Centre, Event, MoveEvent};
-use crate::pace::Wish;
+use crate::journal::Kind;
 use crate::runner::{Over, Runner};
 use crate::sink::Made;
 use crate::stack::Running;
 use kerf_diag::Code;
-use kerf_machine::Going;
 use kerf_machine::lines::Input;
+use kerf_machine::{Going, Watch};
 use kerf_motion::{Move, Path, Plan, Stop, planner};
+use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
-use kerf_sim::{Halt, HaltCause, Lift};
+use kerf_sim::{Halt, HaltCause, Lift, Watched, pin};
 
 /// Reason for which a stack did not run to its end.
 #[derive(Debug)]
@@ -29,7 +31,7 @@ pub(crate) enum Turn {
     /// An input stops motion.
     Input(Halt),
     /// The operator wants something.
-    Operator(Wish),
+    Operator(OperatorRequest),
 }
 
 /// The cause for which a machine slows down, as far as what is told meanwhile depends on it.
@@ -44,7 +46,7 @@ pub(crate) struct Slows {
 impl Slows {
     const fn for_turn(turn: &Turn) -> Self {
         Self {
-            by_stop: matches!(turn, Turn::Operator(Wish::Stop)),
+            by_stop: matches!(turn, Turn::Operator(OperatorRequest::Stop)),
             asks: matches!(turn, Turn::Input(Halt { cause: HaltCause::Stop(_), .. })),
         }
     }
@@ -94,7 +96,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// The machine stands.
     pub(crate) fn stand(&mut self) {
-        self.pace.stands();
+        self.drive.stands();
         self.world.machine.rest();
         self.world.tell_log();
         self.world.shelf.tape.moves(false, self.world.placed());
@@ -114,7 +116,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 }
                 None
             }
-            Some((stop, Turn::Operator(Wish::Feed(share)), _)) => {
+            Some((stop, Turn::Operator(OperatorRequest::Feed(share)), _)) => {
                 self.override_feed(share);
                 self.go_on_at(|t0_s| t0_s + stop.end_s);
                 None
@@ -151,7 +153,8 @@ impl<I: Interpreter> Runner<'_, I> {
     fn follow_plan(&mut self, mut plan: Plan) -> Option<(Stop, Turn, Axes)> {
         let t0_s = self.stack.running.as_ref()?.t0_s;
         let watched = self.watched(t0_s);
-        self.pace.follows();
+        let watches = pins(&watched, t0_s, &self.world.machine.settings().io);
+        self.drive.follows();
         self.world.machine.foresee(&plan, t0_s);
         let mut halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
         let mut turned: Option<(Stop, Turn, Axes)> = None;
@@ -167,17 +170,24 @@ impl<I: Interpreter> Runner<'_, I> {
             match &turned {
                 Some((stop, turn, _)) => {
                     let (until, part) = (plan.moves().len(), stop.part(index));
-                    let going = Going { plan: &plan, index, t0_s, until, part };
+                    let going = Going { plan: &plan, index, t0_s, until, part, watches: &[] };
                     self.slow_down(Slows::for_turn(turn), end_s, going);
                 }
                 None => {
                     let until = index.saturating_add(self.stack.before_mark());
-                    let going = Going { plan: &plan, index, t0_s, until, part: 1.0 };
+                    let (part, watches) = (1.0, &*watches);
+                    let going = Going { plan: &plan, index, t0_s, until, part, watches };
                     if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
-                        if let Turn::Operator(Wish::Input { number, on }) = turn {
+                        if let Turn::Operator(OperatorRequest::Input { number, on }) = turn {
                             self.press(number, on, t_s);
                             let end_s = t0_s + plan.duration_s();
                             halt = self.world.machine.first_halt(end_s, &watched);
+                            continue;
+                        }
+                        if let Turn::Operator(OperatorRequest::Feed(share)) = turn
+                            && self.drive.overrides()
+                        {
+                            self.override_feed(share);
                             continue;
                         }
                         if self.overtakes(turn) {
@@ -185,8 +195,8 @@ impl<I: Interpreter> Runner<'_, I> {
                             return None;
                         }
                         let began = plan.at((t_s - t0_s).max(0.0)).position;
-                        let stops = !matches!(turn, Turn::Operator(Wish::Feed(_)));
-                        let stood_s = if stops { self.pace.brake(going) } else { None };
+                        let stops = !matches!(turn, Turn::Operator(OperatorRequest::Feed(_)));
+                        let stood_s = if stops { self.brake(&going) } else { None };
                         let at_s = (stood_s.unwrap_or(t_s) - t0_s).max(0.0);
                         let (made, stop) = self.replan(plan, at_s, turn, stood_s.is_none())?;
                         if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
@@ -209,10 +219,10 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Tells whether the power went while the machine was about to do what the operator wants.
     pub(crate) fn overtakes(&mut self, turn: Turn) -> bool {
-        let Turn::Operator(wish) = turn else { return false };
+        let Turn::Operator(request) = turn else { return false };
         let overtaken = self.is_overtaken();
         if overtaken {
-            self.overtaken(wish);
+            self.overtaken(request);
         }
         overtaken
     }
@@ -228,10 +238,16 @@ impl<I: Interpreter> Runner<'_, I> {
         let halt = halt.filter(|halt| halt.t_s <= end_s);
         let until_s = halt.map_or(end_s, |halt| halt.t_s.max(now));
         match self.ask_pace(now, until_s, Some(going)) {
-            Some((t_s, wish)) => Some((t_s, Turn::Operator(wish))),
-            None if self.pace.failure().is_some() => Some((now, Turn::Input(link_lost(now)))),
+            Some((t_s, request)) => Some((t_s, Turn::Operator(request))),
+            None if self.drive.fault().is_some() => Some((now, Turn::Input(link_lost(now)))),
             None => halt.map(|halt| (halt.t_s, Turn::Input(halt))),
         }
+    }
+
+    /// Has a machine that slows down by itself do so; tells the moment of the plan at which it stands.
+    pub(crate) fn brake(&mut self, going: &Going<'_>) -> Option<f64> {
+        let drive = &mut self.drive;
+        self.world.shelf.tape.hear_rarely(Kind::Stood, || drive.brake(going))
     }
 
     /// The piece as it is made when it is left, and where that is; with a ramp, unless the machine has
@@ -240,9 +256,11 @@ impl<I: Interpreter> Runner<'_, I> {
         let planner = &mut self.stack.running.as_mut()?.planner;
         match turn {
             Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped && ramps),
-            Turn::Operator(Wish::Stop | Wish::Hold | Wish::End) => planner.stop(piece, t_s, ramps),
-            Turn::Operator(Wish::Feed(share)) => planner.feed(piece, t_s, share),
-            Turn::Operator(Wish::Input { .. }) => None,
+            Turn::Operator(
+                OperatorRequest::Stop | OperatorRequest::Hold | OperatorRequest::End,
+            ) => planner.stop(piece, t_s, ramps),
+            Turn::Operator(OperatorRequest::Feed(share)) => planner.feed(piece, t_s, share),
+            Turn::Operator(OperatorRequest::Input { .. }) => None,
         }
     }
 
@@ -252,19 +270,19 @@ impl<I: Interpreter> Runner<'_, I> {
         let mut from_s = self.world.now();
         let mut before = None;
         while let Some(told) = self.pass(from_s, end_s, Some(going)) {
-            let (t_s, wish) = told;
-            if let Wish::Input { number, on } = wish {
+            let (t_s, request) = told;
+            if let OperatorRequest::Input { number, on } = request {
                 self.press(number, on, t_s);
                 (from_s, before) = (t_s, None);
                 continue;
             }
             // Whoever tells the same at the same moment goes on doing so until the machine stands.
             let repeats = before.replace(told) == Some(told);
-            match wish {
-                Wish::End => {}
-                Wish::Stop if slows.by_stop => {}
-                _ if repeats => self.world.shelf.tape.unhear_wish(),
-                Wish::Stop | Wish::Hold if slows.asks => {
+            match request {
+                OperatorRequest::End => {}
+                OperatorRequest::Stop if slows.by_stop => {}
+                _ if repeats => self.world.shelf.tape.unhear_request(),
+                OperatorRequest::Stop | OperatorRequest::Hold if slows.asks => {
                     self.forgo();
                     self.world.shelf.tape.asks_again();
                 }
@@ -355,7 +373,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
                 return Err(Halted::Taken { by: StoppedBy::Operator, at: *at });
             }
-            Turn::Operator(wish) => return self.stands(wish).map_err(Halted::Over),
+            Turn::Operator(request) => return self.stands(request).map_err(Halted::Over),
             Turn::Input(halt) => halt,
         };
         let (by, n) = match halt.cause {
@@ -432,4 +450,12 @@ fn leading_axis(made: &Move) -> Axis {
     let moves = |axis: &Axis| made.from[*axis] != made.to[*axis];
     let arc = matches!(made.path, Path::Arc { .. });
     if arc { Axis::X } else { Axis::ALL.into_iter().find(moves).unwrap_or(Axis::X) }
+}
+
+/// Inputs at whose change the machine stands at once, as their pins are reported; what slows down along a ramp needs no
+/// exact place.
+fn pins(watched: &[Watched], t0_s: f64, io: &IoModes) -> Vec<Watch> {
+    let at_once = watched.iter().filter(|watch| !watch.ramped);
+    let heeded = at_once.filter(|watch| watch.level_from_s.is_none_or(|from_s| from_s <= t0_s));
+    heeded.map(|w| Watch { input: w.input, active: pin(w.input, w.on, io) }).collect()
 }

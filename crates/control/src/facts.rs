@@ -19,17 +19,20 @@ pub enum Fact {
     ControllerLeft,
     /// The port of the controller that is driven.
     ControllerDriven,
+    /// The setting of a controller that was changed and is not put back.
+    ControllerChanged,
 }
 
 impl Fact {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::SpindleStatus,
         Self::PositionLost,
         Self::ConfirmLocation,
         Self::SimulatedSwitches,
         Self::ControllerLeft,
         Self::ControllerDriven,
+        Self::ControllerChanged,
     ];
 
     /// The key under which the registry shows it.
@@ -41,6 +44,7 @@ impl Fact {
             Self::SimulatedSwitches => "SimulatedSwitches",
             Self::ControllerLeft => "ControllerLeft",
             Self::ControllerDriven => "ControllerDriven",
+            Self::ControllerChanged => "ControllerChanged",
         }
     }
 

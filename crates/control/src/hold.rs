@@ -35,7 +35,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The operator stopped the machine, which stands; unless the run goes on.
     pub(crate) fn hold(&mut self) -> Result<(), Over> {
         let settings = StopSettings::OPENSBP;
-        self.pace.heard();
+        self.drive.heard();
         self.world.tell(&Event::Stop { by: "operator", n: 0, t: self.world.now() });
         self.heed_emergency()?;
         self.on(Stopped::Stop, settings, "");

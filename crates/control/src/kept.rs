@@ -1,5 +1,6 @@
 //! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
 
+use crate::Work;
 use crate::before::Whole;
 use crate::errands::unconfirmed;
 use crate::event::Event;
@@ -10,7 +11,6 @@ use crate::journal::{
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use crate::switches::{self, SWITCHES};
-use crate::{Pace, Work};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::Settings;
 use kerf_sim::Machine;
@@ -126,9 +126,9 @@ impl Session {
             self.take_over(&journal, shelf)?;
         }
         options.lines_at_once = options.lines_for(&*company.sink);
-        let Company { sink, operator, pace, machine } = company;
+        let Company { sink, operator, requests, machine } = company;
         let mut whole = Whole::new(sink);
-        let company = Company { sink: &mut whole, operator, pace, machine };
+        let company = Company { sink: &mut whole, operator, requests, machine };
         let summary = self.begin_on_record(work, options, settings, shelf, company, &owner);
         whole.ends();
         summary
@@ -161,7 +161,7 @@ impl Session {
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
         shelf.keep_doubts();
         shelf.tape = journal.begin(&run, self, &kept.bytes)?;
-        in_time(&journal, &mut shelf.tape, &*company.pace)?;
+        in_time(&journal, &mut shelf.tape, &company)?;
         let summary = self.go(work, options, shelf, company, None);
         self.over(&run, summary, shelf, owner)
     }
@@ -248,7 +248,7 @@ impl Session {
         shelf.as_it_was(&run.folders, run.shell);
         shelf.stored.begin_from(run.values.clone());
         shelf.tape = tape;
-        in_time(&journal, &mut shelf.tape, &*company.pace)?;
+        in_time(&journal, &mut shelf.tape, &company)?;
         let summary = self.go(work, run.options.clone(), shelf, company, Some(stands));
         self.over(run, summary, shelf, &owner)
     }
@@ -292,10 +292,11 @@ impl Session {
 }
 
 /// Makes records survive a power cut, written by a thread, where machine time is the time of the world.
-fn in_time(journal: &Journal, tape: &mut Tape, pace: &dyn Pace) -> Result<(), JournalError> {
-    journal.each_commit_lasts(pace.is_real())?;
-    if pace.is_real() {
-        tape.writes_behind(pace.hurry());
+fn in_time(journal: &Journal, tape: &mut Tape, company: &Company<'_>) -> Result<(), JournalError> {
+    let is_real = company.machine.borrow().is_real();
+    journal.each_commit_lasts(is_real)?;
+    if is_real {
+        tape.writes_behind(company.requests.hurry());
     }
     Ok(())
 }

@@ -28,6 +28,7 @@ pub mod controller;
 mod conversion;
 mod desk;
 pub mod drawn;
+mod drive;
 mod errands;
 pub mod event;
 mod execute;
@@ -44,7 +45,6 @@ pub mod json;
 mod kept;
 pub mod machine_file;
 mod nudge;
-mod pace;
 mod part_log;
 pub mod parts;
 pub mod password;
@@ -53,6 +53,7 @@ mod press;
 mod preview_mode;
 mod reentry;
 mod repetitions;
+mod requests;
 mod runner;
 mod session;
 mod settings_files;
@@ -84,6 +85,9 @@ mod work;
 mod world;
 mod world_clock;
 
+use kerf_machine::Driven;
+use kerf_sim::Simulated;
+
 pub use away::LIFT;
 pub use before::Before;
 pub use by_hand::Jog;
@@ -92,16 +96,21 @@ pub use desk::Desk;
 pub use errands::unconfirmed;
 pub use event::Event;
 pub use nudge::{Nudge, Outside};
-pub use pace::{Doing, Pace, Script, StopAt, Wish};
 pub use part_log::Started;
 pub use parts::{Listing, PartFile};
 pub use press::Press;
 pub use repetitions::Repetitions;
+pub use requests::{OperatorRequest, Requests, Script, StopAt};
 pub use session::{Company, LimitPolicy, RunOptions, Session, Summary, dialect_word, unverified};
 pub use shelf::{Firmware, MOST_BYTES, Shelf, Shell};
-pub use sink::{Made, Sink};
+pub use sink::{Doing, Made, Sink};
 pub use standing::{OpenFile, Standing, flag};
 pub use tally::{Tally, ToolPathTime};
 pub use text::{Outcome, TextOptions, run_text};
 pub use work::Work;
 pub use world_clock::WorldClock;
+
+/// The simulated machine of a run that takes no time.
+pub fn simulated() -> Driven {
+    Simulated::driven(())
+}

@@ -14,7 +14,7 @@
 use crate::execute::Halted;
 use crate::journal::Placed;
 use crate::runner::{Flow, Over, Runner};
-use crate::{Event, Wish};
+use crate::{Event, OperatorRequest};
 use kerf_machine::lines::Output;
 use kerf_motion::Move;
 use kerf_program::{
@@ -75,14 +75,14 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stand();
     }
 
-    /// Heeds a wish that the operator had just before the power went, and did not see happen: a run that is taken
+    /// Heeds a request that the operator had just before the power went, and did not see happen: a run that is taken
     /// up is not stopped for it.
-    pub(crate) fn overtaken(&mut self, wish: Wish) {
-        match wish {
-            Wish::Feed(share) => self.override_feed(share),
-            Wish::End => self.postpone((self.world.now(), wish)),
+    pub(crate) fn overtaken(&mut self, request: OperatorRequest) {
+        match request {
+            OperatorRequest::Feed(share) => self.override_feed(share),
+            OperatorRequest::End => self.postpone((self.world.now(), request)),
             // An input is what it is now.
-            Wish::Stop | Wish::Hold | Wish::Input { .. } => {}
+            OperatorRequest::Stop | OperatorRequest::Hold | OperatorRequest::Input { .. } => {}
         }
     }
 

@@ -7,6 +7,7 @@
 //! ```
 
 use crate::bound::Bound;
+use crate::drive::Drive;
 use crate::execute::Halted;
 use crate::journal::Placed;
 use crate::session::LimitPolicy;
@@ -14,7 +15,7 @@ use crate::stack::{READ_AHEAD, Stack};
 use crate::stopping::Kept;
 use crate::trail::Trail;
 use crate::world::World;
-use crate::{Pace, Wish, flag};
+use crate::{OperatorRequest, Requests, flag};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::State;
 use kerf_machine::state::{Event as Stopped, StopSettings};
@@ -37,13 +38,13 @@ pub(crate) type Restore<I> = fn(&I) -> Result<I, String>;
 pub(crate) struct Runner<'a, I> {
     pub interpreter: I,
     pub world: World<'a>,
-    pub pace: &'a mut dyn Pace,
+    pub drive: Drive<'a>,
     pub mover: Mover,
     pub stack: Stack,
     /// The operator's override: share of the speed asked for at which cuts run.
     pub feed: f32,
-    /// Wishes of the operator that he has not got yet.
-    pub wishes: VecDeque<(f64, Wish)>,
+    /// Requests of the operator that he has not got yet.
+    pub requests: VecDeque<(f64, OperatorRequest)>,
     /// Distance by which the workpiece was nudged since the commands at hand were given.
     pub nudged: Option<Axes>,
     out: Vec<Sourced>,
@@ -100,20 +101,21 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     pub fn new(
         interpreter: I,
         world: World<'a>,
-        pace: &'a mut dyn Pace,
+        requests: &'a mut dyn Requests,
         limits: LimitPolicy,
         lines: u64,
     ) -> Self {
         let mover = Mover::new(world.machine.position(), interpreter.settings());
         let (stack, out) = (Stack::default(), Vec::new());
+        let drive = Drive::new(world.driven.clone(), requests, world.now());
         Self {
             interpreter,
             world,
-            pace,
+            drive,
             mover,
             stack,
             feed: 1.0,
-            wishes: VecDeque::new(),
+            requests: VecDeque::new(),
             out,
             lines,
             limits,
@@ -262,7 +264,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// The run is over: what was read and not made is dropped, what ended it is told.
     fn ended(&mut self, over: Over) -> Over {
-        let failed = over.diagnostic.is_none().then(|| self.pace.failure().cloned()).flatten();
+        let failed = over.diagnostic.is_none().then(|| self.drive.fault().cloned()).flatten();
         let over = failed.map_or(over, |failure| self.fails(&failure));
         if self.stack.running.is_some() {
             // What moves cannot be dropped: it comes to rest behind the last move that was read.
@@ -577,7 +579,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// The machine was stopped, and the program says what follows.
     pub(crate) fn taken(&mut self, by: StoppedBy, at: &kerf_program::Halted) -> Flow {
-        self.pace.heard();
+        self.drive.heard();
         self.world.machine.land_torch();
         let stands = self.world.machine.position();
         self.world.limit = match by {

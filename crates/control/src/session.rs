@@ -14,7 +14,7 @@ use crate::shelf::Shelf;
 use crate::tally::Tally;
 use crate::trail::Trail;
 use crate::world::World;
-use crate::{Pace, Sink, Work};
+use crate::{Requests, Sink, Work};
 use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
 use kerf_machine::homing::bounds_by_hand;
@@ -101,20 +101,20 @@ pub struct Company<'a> {
     pub sink: &'a mut dyn Sink,
     /// Answers questions.
     pub operator: &'a mut dyn Operator,
-    /// Lets machine time pass.
-    pub pace: &'a mut dyn Pace,
-    /// The machine that makes what is planned, where it is not computed.
-    pub machine: Option<Driven>,
+    /// What the operator asks for meanwhile.
+    pub requests: &'a mut dyn Requests,
+    /// The machine that makes what is planned.
+    pub machine: Driven,
 }
 
 impl Company<'_> {
     /// The same company for something that comes first.
     pub fn again(&mut self) -> Company<'_> {
-        let Self { sink, operator, pace, machine } = self;
+        let Self { sink, operator, requests, machine } = self;
         Company {
             sink: &mut **sink,
             operator: &mut **operator,
-            pace: &mut **pace,
+            requests: &mut **requests,
             machine: machine.clone(),
         }
     }
@@ -177,9 +177,9 @@ impl Session {
     ) -> Summary {
         let mut options = options;
         options.lines_at_once = options.lines_for(&*company.sink);
-        let (work, Company { sink, operator, pace, machine }) = (work.into(), company);
+        let (work, Company { sink, operator, requests, machine }) = (work.into(), company);
         let mut whole = Whole::new(sink);
-        let mut company = Company { sink: &mut whole, operator, pace, machine };
+        let mut company = Company { sink: &mut whole, operator, requests, machine };
         let summary = match self.before(&work, &mut options, shelf, company.again()) {
             Some(summary) => summary,
             None => self.go(work, options, shelf, company, None),
@@ -227,7 +227,7 @@ impl Session {
         company: Company<'_>,
         stands: Option<Placed>,
     ) -> Summary {
-        let Company { sink, operator, pace, machine: driven } = company;
+        let Company { sink, operator, requests, machine: driven } = company;
         let (mut options, mut program) = (options, program);
         self.refuse_keys(&mut program);
         options.program.protected = self.machine_is.options.password.is_some() && !options.opened;
@@ -257,7 +257,7 @@ impl Session {
             sbp: std::mem::take(&mut self.memory),
             gcode: std::mem::take(&mut self.gcode),
         };
-        let mut world = World::new(machine, shelf, sink, operator).driving(driven);
+        let mut world = World::new(machine, shelf, sink, operator, driven);
         (world.previews, world.tally) = (options.program.preview, tally);
         world.silent = stands.is_some();
         (world.machine_is, world.homed) = (self.machine_is.clone(), self.homed);
@@ -265,7 +265,7 @@ impl Session {
         let read = kerf_part::Options { sbp: options.program, gcode: options.gcode };
         let interpreter = Interpreter::new(program, memory, read);
         let mut runner =
-            Runner::new(interpreter, world, pace, options.limits, options.lines_at_once);
+            Runner::new(interpreter, world, requests, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
         runner.trail = Trail::new(depth);
         runner.bound = Bound::of(options.most_commands);
@@ -308,7 +308,7 @@ impl Session {
         company: Company<'_>,
         stands: Option<Placed>,
     ) -> Summary {
-        let Company { sink, operator, pace, machine: driven } = company;
+        let Company { sink, operator, requests, machine: driven } = company;
         let (preview, before) = (options.program.preview, options.before.clone());
         let (name, on_record) = (job.name.clone(), options.started.is_some() && !preview);
         sink.event(&job_starts(&job, preview));
@@ -334,11 +334,11 @@ impl Session {
             .pushed(options.pushes)
             .doubting(unverified(shelf));
         (self.memory.settings, self.memory.frame) = (settings, frame);
-        let mut world = World::new(simulated, shelf, sink, operator).driving(driven);
+        let mut world = World::new(simulated, shelf, sink, operator, driven);
         (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
         (world.machine_is, world.homed, world.tally) =
             (machine.clone(), self.homed, before.tally());
-        let mut runner = Runner::new(sequence, world, pace, options.limits, 0);
+        let mut runner = Runner::new(sequence, world, requests, options.limits, 0);
         runner.reentry = stands;
         let over = runner.run();
         runner.stay_where_it_stands();

@@ -34,7 +34,12 @@ pub fn read(text: &str) -> Result<Settings, Box<Diagnostic>> {
     let mut session = Session::default();
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
     let mut events: Vec<Event> = Vec::new();
-    let company = Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut (),
+        requests: &mut (),
+        machine: crate::simulated(),
+    };
     let summary = session.run(program, options, &mut shelf, company);
     match summary.error {
         Some(error) => Err(error),

@@ -1,9 +1,11 @@
 //! Receivers of events.
 
 use crate::{Event, Standing};
+use kerf_machine::Going;
 use kerf_motion::{Plan, Span};
-use kerf_program::{Axes, Axis};
-use kerf_sim::Lift;
+use kerf_program::{At, Axes, Axis};
+use kerf_sim::{Lift, Machine};
+use std::sync::Arc;
 
 /// A move that is made, with the plan that says how.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +33,26 @@ impl Made<'_> {
     }
 }
 
+/// Activity of the machine while time passes.
+#[derive(Clone, Copy, Debug)]
+pub struct Doing<'a> {
+    /// The machine as it is before.
+    pub machine: &'a Machine,
+    /// The move that it makes; `None` while it stands.
+    pub going: Option<Going<'a>>,
+    /// The share of the speed asked for at which the plan has cuts run.
+    pub feed: f32,
+    /// The files of the run, in the order in which they were opened first.
+    pub files: &'a [Arc<str>],
+}
+
+impl Doing<'_> {
+    /// The file that a place is in; nothing where no file stands for it.
+    pub fn file(&self, at: At) -> Option<&Arc<str>> {
+        self.files.get(at.file as usize)
+    }
+}
+
 /// Takes the events of a run, in order of machine time.
 pub trait Sink {
     /// Takes one.
@@ -47,6 +69,9 @@ pub trait Sink {
 
     /// A move was made before the run was cut short that is taken up: it is gone through in silence.
     fn made_before(&mut self, _: &Made<'_>) {}
+
+    /// Machine time goes on from one moment to another, seconds, while the machine does this. A moment may be told twice.
+    fn under_way(&mut self, _doing: &Doing<'_>, _from_s: f64, _to_s: f64) {}
 
     /// VD was carried out; comments are shown from now on, or not.
     fn displays(&mut self, _comments: bool) {}
@@ -102,6 +127,11 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.1.made_before(made);
     }
 
+    fn under_way(&mut self, doing: &Doing<'_>, from_s: f64, to_s: f64) {
+        self.0.under_way(doing, from_s, to_s);
+        self.1.under_way(doing, from_s, to_s);
+    }
+
     fn displays(&mut self, comments: bool) {
         self.0.displays(comments);
         self.1.displays(comments);
@@ -136,6 +166,10 @@ impl<S: Sink + ?Sized> Sink for &mut S {
 
     fn made_before(&mut self, made: &Made<'_>) {
         (**self).made_before(made);
+    }
+
+    fn under_way(&mut self, doing: &Doing<'_>, from_s: f64, to_s: f64) {
+        (**self).under_way(doing, from_s, to_s);
     }
 
     fn displays(&mut self, comments: bool) {
@@ -176,6 +210,12 @@ impl<S: Sink> Sink for Option<S> {
     fn made_before(&mut self, made: &Made<'_>) {
         if let Some(sink) = self {
             sink.made_before(made);
+        }
+    }
+
+    fn under_way(&mut self, doing: &Doing<'_>, from_s: f64, to_s: f64) {
+        if let Some(sink) = self {
+            sink.under_way(doing, from_s, to_s);
         }
     }
 

@@ -8,7 +8,7 @@ use crate::facts::Fact;
 use crate::hold::Said;
 use crate::runner::{Over, Runner};
 use crate::turning::Turning;
-use crate::{Event, Wish, flag};
+use crate::{Event, OperatorRequest, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Fault;
 use kerf_machine::lines::Input;
@@ -254,9 +254,9 @@ impl<I: Interpreter> Runner<'_, I> {
         let text = format!("stop input {active} is active: nothing moves before it is released");
         self.world.tell(&Event::Message { text: text.into(), t });
         match self.pass(t, t + RELEASE_S, None) {
-            Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
-            Some((_, Wish::Stop | Wish::Hold)) => self.forgo(),
-            wish => wish.into_iter().for_each(|wish| self.put_off(wish)),
+            Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
+            Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => self.forgo(),
+            request => request.into_iter().for_each(|request| self.put_off(request)),
         }
         self.stand_until(t + RELEASE_S);
         true
@@ -335,7 +335,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// The controller does not answer any more.
     pub(crate) fn link_is_lost(&mut self) -> Over {
-        if let Some(failure) = self.pace.failure().cloned() {
+        if let Some(failure) = self.drive.fault().cloned() {
             return self.fails(&failure);
         }
         self.on(Stopped::LinkLost, StopSettings::OPENSBP, "not connected");
@@ -344,7 +344,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// The controller does not follow any more: where it stands is what it told last.
     pub(crate) fn fails(&mut self, failure: &Fault) -> Over {
-        self.pace.stands();
+        self.drive.stands();
         if let Some(stands) = failure.stands {
             self.world.machine.put(stands);
             self.mover.set_position(stands);

@@ -27,7 +27,7 @@ impl<I: Interpreter> Runner<'_, I> {
         } else if let Some((at, violation)) = self.first_outside(moves) {
             self.limited(at, Code::OutsideLimits, self.limit_message(&violation))?;
         }
-        let refused = moves.iter().find_map(|made| Some((made.at, self.pace.refuses(&made)?)));
+        let refused = moves.iter().find_map(|made| Some((made.at, self.drive.refuses(&made)?)));
         if let Some((at, why)) = refused {
             return Err(self.over(Status::Failed, Code::Controller, at, why));
         }

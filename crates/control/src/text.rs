@@ -1,9 +1,9 @@
 //! A run in memory: files in, events out. For tests, editors and whoever has no disk.
 
+use crate::StopAt;
 use crate::answers::Answers;
 use crate::event::Event;
 use crate::files::MemoryDisk;
-use crate::pace::StopAt;
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
 use kerf_program::Settings;
@@ -91,8 +91,12 @@ pub fn run_text(files: &[(&str, &str)], main: &str, options: TextOptions) -> Out
     let mut events = Vec::new();
     let mut operator = Answers::read(&options.answers);
     let mut stop = StopAt(options.stop_at_s.unwrap_or(f64::INFINITY));
-    let company =
-        Company { sink: &mut events, operator: &mut operator, pace: &mut stop, machine: None };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut operator,
+        requests: &mut stop,
+        machine: crate::simulated(),
+    };
     let summary = session.run(program, options.run, &mut shelf, company);
     Outcome { events, summary, session, shelf }
 }

@@ -7,7 +7,7 @@ use crate::journal::{Kind, Placed, Turn};
 use crate::pendant::KEY;
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
-use crate::{Doing, Event, Wish, flag};
+use crate::{Event, OperatorRequest, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
 use kerf_machine::Word;
@@ -60,23 +60,23 @@ impl<I: Interpreter> Runner<'_, I> {
         let watches = self.watched(self.world.now());
         let halt = self.world.machine.first_halt_at_rest(until_s, &watches);
         let end_s = halt.map_or(until_s, |halt| halt.t_s);
-        let wish = self.ask_pace(self.world.now(), end_s, None);
-        if self.pace.failure().is_some() {
+        let request = self.ask_pace(self.world.now(), end_s, None);
+        if self.drive.fault().is_some() {
             return Some((self.world.now(), Flow::Over(self.link_is_lost())));
         }
-        if let Some((t_s, Wish::Input { number, on })) = wish {
+        if let Some((t_s, OperatorRequest::Input { number, on })) = request {
             self.press(number, on, t_s);
             return Some((self.world.now(), Flow::On));
         }
-        self.stand_until(wish.map_or(end_s, |(t_s, _)| t_s));
+        self.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
         self.world.shelf.tape.stood(1.0);
-        let flow = match (wish, halt) {
-            (Some((_, wish)), _) if self.is_taken(wish) => {
+        let flow = match (request, halt) {
+            (Some((_, request)), _) if self.is_taken(request) => {
                 self.taken(StoppedBy::Operator, &self.stood())
             }
-            (Some((_, wish)), _) if self.is_passed_over(wish) => Flow::On,
-            (Some((_, wish)), _) => self.stands(wish).map_or_else(Flow::Over, |()| Flow::On),
+            (Some((_, request)), _) if self.is_passed_over(request) => Flow::On,
+            (Some((_, request)), _) => self.stands(request).map_or_else(Flow::Over, |()| Flow::On),
             (None, Some(halt)) => self.input_halts(halt),
             (None, None) => return None,
         };
@@ -102,15 +102,16 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// Tells whether the program says what follows on a wish.
-    fn is_taken(&self, wish: Wish) -> bool {
-        self.interpreter.takes_stops() && matches!(wish, Wish::Stop | Wish::Hold)
+    /// Tells whether the program says what follows on a request.
+    fn is_taken(&self, request: OperatorRequest) -> bool {
+        self.interpreter.takes_stops()
+            && matches!(request, OperatorRequest::Stop | OperatorRequest::Hold)
     }
 
     /// Tells whether the power went when a machine that stood was about to be stopped. It is elsewhere now, and
     /// is brought back before the next move.
-    fn is_passed_over(&mut self, wish: Wish) -> bool {
-        matches!(wish, Wish::Stop | Wish::Hold) && self.is_overtaken()
+    fn is_passed_over(&mut self, request: OperatorRequest) -> bool {
+        matches!(request, OperatorRequest::Stop | OperatorRequest::Hold) && self.is_overtaken()
     }
 
     /// Returns where the machine stands, with nothing left to make.
@@ -138,20 +139,20 @@ impl<I: Interpreter> Runner<'_, I> {
         self.pass_until(t + seconds.max(0.0), Waits::Time)
     }
 
-    /// Returns the wish of the operator before a moment; one that was postponed comes first.
+    /// Returns the request of the operator before a moment; one that was postponed comes first.
     pub(crate) fn ask_pace(
         &mut self,
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, Wish)> {
-        let Some((t_s, wish)) = self.wishes.pop_front() else {
+    ) -> Option<(f64, OperatorRequest)> {
+        let Some((t_s, request)) = self.requests.pop_front() else {
             return self.pass(from_s, to_s, going);
         };
-        let heard = self.hear_wish(|_, _| Some((t_s.clamp(from_s, to_s.max(from_s)), wish)));
+        let heard = self.hear_request(|_, _| Some((t_s.clamp(from_s, to_s.max(from_s)), request)));
         if heard.is_none() {
             // Not yet, where this has happened before.
-            self.wishes.push_front((t_s, wish));
+            self.requests.push_front((t_s, request));
         }
         heard
     }
@@ -162,15 +163,15 @@ impl<I: Interpreter> Runner<'_, I> {
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, Wish)> {
-        if to_s > from_s && self.pace.is_real() {
+    ) -> Option<(f64, OperatorRequest)> {
+        if to_s > from_s && self.drive.is_real() {
             self.world.shelf.tape.write();
             // What moves waits for no disk.
             if going.is_none() {
                 self.world.shelf.tape.settle();
             }
         }
-        self.hear_wish(|run, is_kept| {
+        self.hear_request(|run, is_kept| {
             if is_kept {
                 run.watch_writing(from_s, to_s, going)
             } else {
@@ -179,36 +180,42 @@ impl<I: Interpreter> Runner<'_, I> {
         })
     }
 
-    /// Returns the wish of the operator: what the tape tells, else the world; that is kept where there is a tape.
-    fn hear_wish(
+    /// Returns the request of the operator: what the tape tells, else the world; that is kept where there is a tape.
+    fn hear_request(
         &mut self,
-        world: impl FnOnce(&mut Self, bool) -> Option<(f64, Wish)>,
-    ) -> Option<(f64, Wish)> {
-        let wish = match self.world.shelf.tape.turn(Kind::Wish) {
+        world: impl FnOnce(&mut Self, bool) -> Option<(f64, OperatorRequest)>,
+    ) -> Option<(f64, OperatorRequest)> {
+        let request = match self.world.shelf.tape.turn(Kind::Request) {
             Turn::Told(told) => told,
             Turn::Live => world(self, false),
             Turn::Open(call) => {
-                let wish = world(self, true);
-                self.world.shelf.tape.heard(Kind::Wish, call, wish.as_ref());
-                match wish {
-                    Some((_, Wish::Stop | Wish::Hold)) => self.world.shelf.tape.stops(),
-                    Some((_, Wish::Input { number, .. })) => {
+                let request = world(self, true);
+                self.world.shelf.tape.heard(Kind::Request, call, request.as_ref());
+                match request {
+                    Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => {
+                        self.world.shelf.tape.stops()
+                    }
+                    Some((_, OperatorRequest::Input { number, .. })) => {
                         self.world.shelf.tape.presses(number);
                     }
                     _ => {}
                 }
-                wish
+                request
             }
         };
-        if wish.is_some() {
+        if request.is_some() {
             self.world.shelf.tape.write();
         }
-        wish
+        request
     }
 
-    fn watch(&mut self, from_s: f64, to_s: f64, going: Option<Going<'_>>) -> Option<(f64, Wish)> {
-        let doing = Doing { machine: &self.world.machine, going, files: self.world.files() };
-        self.pace.watch(from_s, to_s, &doing)
+    fn watch(
+        &mut self,
+        from_s: f64,
+        to_s: f64,
+        going: Option<Going<'_>>,
+    ) -> Option<(f64, OperatorRequest)> {
+        self.world.pass(&mut self.drive, from_s, to_s, going, self.feed)
     }
 
     /// While time passes as it does in the world, how far a move has come is on record: what is made
@@ -218,17 +225,17 @@ impl<I: Interpreter> Runner<'_, I> {
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, Wish)> {
-        let Some(under_way) = going.filter(|_| self.pace.is_real()) else {
+    ) -> Option<(f64, OperatorRequest)> {
+        let Some(under_way) = going.filter(|_| self.drive.is_real()) else {
             return self.watch(from_s, to_s, going);
         };
         let slices = ((to_s - from_s) / RECORDED_EVERY_S).ceil().max(1.0) as u64;
         let moment = |n: u64| from_s + (to_s - from_s) * n as f64 / slices as f64;
         for slice in 1..=slices {
             let (begin_s, end_s) = (moment(slice - 1), moment(slice));
-            let wish = self.watch(begin_s, end_s, going);
-            if wish.is_some() || slice == slices {
-                return wish;
+            let request = self.watch(begin_s, end_s, going);
+            if request.is_some() || slice == slices {
+                return request;
             }
             // A way that is looked through again after something happened is on record already.
             if end_s <= self.recorded_s {
@@ -244,24 +251,24 @@ impl<I: Interpreter> Runner<'_, I> {
         None
     }
 
-    /// Keeps a wish of which nothing comes now, as if it had not been told: it is when it is fulfilled. Whoever asks
+    /// Keeps a request of which nothing comes now, as if it had not been told: it is when it is fulfilled. Whoever asks
     /// once more because of it postpones it instead.
-    pub(crate) fn put_off(&mut self, wish: (f64, Wish)) {
-        self.world.shelf.tape.unhear_wish();
-        self.postpone(wish);
+    pub(crate) fn put_off(&mut self, request: (f64, OperatorRequest)) {
+        self.world.shelf.tape.unhear_request();
+        self.postpone(request);
     }
 
     /// Nothing comes of a stop that was told just now: an input has stopped the machine already, or it slows down for one,
     /// and asks when it stands.
     pub(crate) fn forgo(&mut self) {
-        self.world.shelf.tape.unhear_wish();
-        self.pace.heard();
+        self.world.shelf.tape.unhear_request();
+        self.drive.heard();
     }
 
-    /// Keeps a wish that cannot be fulfilled now.
-    pub(crate) fn postpone(&mut self, wish: (f64, Wish)) {
-        if !self.wishes.iter().any(|(_, other)| *other == wish.1) {
-            self.wishes.push_back(wish);
+    /// Keeps a request that cannot be fulfilled now.
+    pub(crate) fn postpone(&mut self, request: (f64, OperatorRequest)) {
+        if !self.requests.iter().any(|(_, other)| *other == request.1) {
+            self.requests.push_back(request);
         }
     }
 
@@ -271,39 +278,43 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.stack.running.is_some() {
             return self.heed_while_moving();
         }
-        let Some((_, wish)) = self.ask_pace(now, now, None) else { return Flow::On };
-        if self.is_taken(wish) {
+        let Some((_, request)) = self.ask_pace(now, now, None) else { return Flow::On };
+        if self.is_taken(request) {
             return self.taken(StoppedBy::Operator, &self.stood());
         }
         self.world.shelf.tape.stood(1.0);
-        if self.is_passed_over(wish) {
+        if self.is_passed_over(request) {
             return Flow::On;
         }
-        self.stands(wish).map_or_else(Flow::Over, |()| Flow::On)
+        self.stands(request).map_or_else(Flow::Over, |()| Flow::On)
     }
 
-    /// Lets what moves heed a wish on the way. A program that only computes would not get there, and must not keep
+    /// Lets what moves heed a request on the way. A program that only computes would not get there, and must not keep
     /// another from being heard.
     fn heed_while_moving(&mut self) -> Flow {
         let now = self.world.now();
-        if let Some(wish) = self.pass(now, now, None) {
-            self.postpone(wish);
+        if let Some(request) = self.pass(now, now, None) {
+            self.postpone(request);
         }
-        let stops = |wish: &Wish| !matches!(wish, Wish::Feed(_));
-        if self.wishes.iter().any(|(_, wish)| stops(wish)) { self.flush() } else { Flow::On }
+        let stops = |request: &OperatorRequest| !matches!(request, OperatorRequest::Feed(_));
+        if self.requests.iter().any(|(_, request)| stops(request)) {
+            self.flush()
+        } else {
+            Flow::On
+        }
     }
 
-    /// Does what follows on a wish when the machine stands.
-    pub(crate) fn stands(&mut self, wish: Wish) -> Result<(), Over> {
-        match wish {
-            Wish::Stop => self.hold(),
-            Wish::Hold => self.pause(),
-            Wish::Feed(share) => {
+    /// Does what follows on a request when the machine stands.
+    pub(crate) fn stands(&mut self, request: OperatorRequest) -> Result<(), Over> {
+        match request {
+            OperatorRequest::Stop => self.hold(),
+            OperatorRequest::Hold => self.pause(),
+            OperatorRequest::Feed(share) => {
                 self.override_feed(share);
                 Ok(())
             }
-            Wish::End => Err(Over { status: Status::Ended, diagnostic: None }),
-            Wish::Input { number, on } => {
+            OperatorRequest::End => Err(Over { status: Status::Ended, diagnostic: None }),
+            OperatorRequest::Input { number, on } => {
                 self.press(number, on, self.world.now());
                 Ok(())
             }
@@ -321,8 +332,13 @@ impl<I: Interpreter> Runner<'_, I> {
     /// From here on cuts run at this share of the speed asked for.
     pub(crate) fn override_feed(&mut self, share: f32) {
         let (least, most) = Move::FEEDS;
-        self.feed = if share.is_nan() { 1.0 } else { share.clamp(least, most) };
-        let percent = (f64::from(self.feed) * 1e3).round() / 10.0;
+        let share = if share.is_nan() { 1.0 } else { share.clamp(least, most) };
+        if self.drive.overrides() {
+            self.drive.feed(share);
+        } else {
+            self.feed = share;
+        }
+        let percent = (f64::from(share) * 1e3).round() / 10.0;
         self.world.tell(&Event::Override { percent, t: self.world.now() });
     }
 
@@ -340,8 +356,8 @@ impl<I: Interpreter> Runner<'_, I> {
         let resumed = if self.is_open_for_take_up() {
             Some(t)
         } else {
-            let pace = &mut self.pace;
-            self.world.shelf.tape.change(Kind::Resume, || pace.resumes(t))
+            let drive = &mut self.drive;
+            self.world.shelf.tape.change(Kind::Resume, || drive.resumes(t))
         };
         // The power went before the run was given up.
         let resumed = resumed.or_else(|| self.is_open_for_take_up().then_some(t));

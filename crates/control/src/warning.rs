@@ -3,7 +3,7 @@
 
 use crate::execute::{Halted, Turn};
 use crate::runner::Runner;
-use crate::{Wish, by_hand::Driven};
+use crate::{OperatorRequest, by_hand::Driven};
 use kerf_program::{Halted as Stood, Interpreter};
 use kerf_sim::{Halt, HaltCause, Watched};
 
@@ -42,16 +42,16 @@ impl<I: Interpreter> Runner<'_, I> {
             let now_s = self.world.now();
             let halt = self.world.machine.first_halt_at_rest(until_s, watched);
             let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
-            let wish = self.pass(now_s, end_s, None);
-            if self.pace.failure().is_some() {
+            let request = self.pass(now_s, end_s, None);
+            if self.drive.fault().is_some() {
                 return Some(Turn::Input(crate::execute::link_lost(now_s)));
             }
-            match wish {
-                Some((t_s, Wish::Input { number, on })) => self.press(number, on, t_s),
-                Some(wish @ (_, Wish::Feed(_))) => self.postpone(wish),
-                Some((t_s, wish)) => {
+            match request {
+                Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
+                Some(request @ (_, OperatorRequest::Feed(_))) => self.postpone(request),
+                Some((t_s, request)) => {
                     self.stand_until(t_s);
-                    return Some(Turn::Operator(wish));
+                    return Some(Turn::Operator(request));
                 }
                 None => {
                     self.stand_until(end_s);
@@ -69,7 +69,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let turn = self.warn(watched)?;
         let here = self.world.machine.position();
         Some(match turn {
-            Turn::Operator(wish) => Driven::Wish(wish),
+            Turn::Operator(request) => Driven::OperatorRequest(request),
             Turn::Input(halt) => Driven::by(halt.cause, watched.len()).at(here),
         })
     }

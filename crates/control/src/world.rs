@@ -4,6 +4,7 @@
 //! motion, which the [`Runner`](crate::runner) plans first.
 
 use crate::answers::{self, Operator};
+use crate::drive::Drive;
 use crate::errands::{confirm, unconfirmed};
 use crate::event::{AskEvent, Event, Partial, Place};
 use crate::heights::{self, Carried};
@@ -11,11 +12,11 @@ use crate::journal::{Kind, Placed};
 use crate::shelf::Shelf;
 use crate::sink::Made;
 use crate::turning::Turning;
-use crate::{OpenFile, Press, Sink, Standing, Tally, flag};
+use crate::{Doing, OpenFile, OperatorRequest, Press, Sink, Standing, Tally, flag};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::laser::Laser;
-use kerf_machine::{Actuator, Configuration, Driven};
+use kerf_machine::{Actuator, Configuration, Driven, Going};
 use kerf_program::job::{Heights, InForce};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{
@@ -45,8 +46,8 @@ pub(crate) enum Unanswered {
 
 pub(crate) struct World<'a> {
     pub machine: Machine,
-    /// The machine that makes what is planned, where it is not computed.
-    driven: Option<Driven>,
+    /// The machine that makes what is planned.
+    pub driven: Driven,
     pub tally: Tally,
     pub shelf: &'a mut Shelf,
     sink: &'a mut dyn Sink,
@@ -97,11 +98,12 @@ impl<'a> World<'a> {
         shelf: &'a mut Shelf,
         sink: &'a mut dyn Sink,
         operator: &'a mut dyn Operator,
+        driven: Driven,
     ) -> Self {
         let settings = machine.settings().clone();
         Self {
             machine,
-            driven: None,
+            driven,
             tally: Tally::default(),
             shelf,
             sink,
@@ -129,16 +131,11 @@ impl<'a> World<'a> {
         }
     }
 
-    /// The same with a machine that makes what is planned.
-    pub fn driving(self, driven: Option<Driven>) -> Self {
-        Self { driven, ..self }
-    }
-
     /// Has the machine set something, in its place between two moves. What is told again was set before, and what is
     /// only drawn sets nothing.
     fn set(&self, actuator: &Actuator) {
-        if let (Some(driven), false) = (&self.driven, self.silent || self.machine.draws()) {
-            driven.borrow_mut().set(actuator);
+        if !self.silent && !self.machine.draws() {
+            self.driven.borrow_mut().set(actuator);
         }
     }
 
@@ -147,6 +144,19 @@ impl<'a> World<'a> {
         if !self.silent {
             self.sink.event(event);
         }
+    }
+
+    /// Lets machine time go on from one moment to another, as [`Drive::pass`] does.
+    pub fn pass(
+        &mut self,
+        drive: &mut Drive<'_>,
+        from_s: f64,
+        to_s: f64,
+        going: Option<Going<'_>>,
+        feed: f32,
+    ) -> Option<(f64, OperatorRequest)> {
+        let doing = Doing { machine: &self.machine, going, feed, files: &self.files };
+        drive.pass(from_s, to_s, &doing, self.sink)
     }
 
     /// Tells that a move is made, and by which plan.
@@ -238,11 +248,6 @@ impl<'a> World<'a> {
     /// The name of a file.
     pub fn file(&self, at: At) -> Arc<str> {
         self.files.get(at.file as usize).cloned().unwrap_or_default()
-    }
-
-    /// The files of the run, in the order in which they were opened first.
-    pub fn files(&self) -> &[Arc<str>] {
-        &self.files
     }
 
     /// Internal units in a user unit of an axis.

@@ -6,6 +6,9 @@ use std::time::{Duration, Instant};
 /// put: machine time has waited with it. Looks are 15 ms apart; a busy computer may be late by some tenths of a second.
 const LEAP: Duration = Duration::from_secs(1);
 
+/// Machine time that lags behind the world by more than this, seconds, goes on from where it is.
+const BEHIND_S: f64 = 0.1;
+
 /// Machine time by the clock of the world, which is looked at often. A clock that leaps forward or goes back moves
 /// nothing.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +38,25 @@ impl WorldClock {
         let now_s = last_s + passed.as_secs_f64() * self.rate;
         self.seen = Some((moment, now_s));
         now_s
+    }
+
+    /// Lets time pass from one moment of machine time towards another, with one nap of at most so long; returns the moment
+    /// that is reached. Where machine time lags behind by more than 0.1 s it does not catch up.
+    pub fn pass(
+        &mut self,
+        from_s: f64,
+        until_s: f64,
+        most: Duration,
+        nap: impl FnOnce(Duration),
+    ) -> f64 {
+        if self.now(from_s) > from_s + BEHIND_S * self.rate {
+            self.begin_anew();
+        }
+        let left_s = (until_s - self.now(from_s)) / self.rate;
+        if left_s > 0.0 {
+            nap(most.min(Duration::from_secs_f64(left_s.min(1.0))));
+        }
+        self.now(from_s).clamp(from_s, until_s)
     }
 
     /// Machine time now.

@@ -7,7 +7,7 @@ use crate::taking_up::{
 };
 use kerf_control::answers::{Answers, Operator};
 use kerf_control::journal::Journal;
-use kerf_control::{Company, Event, Script, StopAt, Wish};
+use kerf_control::{Company, Event, OperatorRequest, Script, StopAt};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_program::MoveKind;
@@ -66,8 +66,8 @@ fn a_job_that_was_about_to_be_given_up_asks_again() {
     let company = Company {
         sink: &mut PowerCutTold("abort"),
         operator,
-        pace: &mut StopAt(5.4),
-        machine: None,
+        requests: &mut StopAt(5.4),
+        machine: kerf_control::simulated(),
     };
     assert_eq!(run_in(&folder, job(|_| ()), company), None, "the power failed");
     let (said, status) = resume(&folder, "paused=abort");
@@ -83,7 +83,7 @@ fn a_job_that_was_about_to_be_given_up_asks_again() {
 fn a_job_that_is_told_to_go_on_again_and_again_while_a_stop_is_active_is_given_up() {
     for (number, on) in [(4, false), (Input::EmergencyStop.number(), true)] {
         let folder = tempdir().unwrap();
-        let mut pace = Script::new(vec![(5.4, Wish::Input { number, on })], Vec::new());
+        let mut pace = Script::new(vec![(5.4, OperatorRequest::Input { number, on })], Vec::new());
         let mut says = Answers::read("paused=Resume");
         let (_, status) = run_work(&folder, job(|_| ()), &mut pace, &mut says);
         assert_eq!(status, Some(Status::Stopped), "input {number}");
@@ -114,8 +114,8 @@ fn a_run_that_was_given_up_at_a_stop_in_the_ramp_of_a_hold_goes_on_where_it_stoo
     let whole = uninterrupted();
     for line in [5, 6, 7] {
         let (folder, at_s) = (tempdir().unwrap(), middle(&whole, line));
-        let wishes = vec![(at_s, Wish::Hold), (at_s + 0.02, Wish::Stop)];
-        let mut pace = Script::new(wishes, vec![at_s + 2.0]);
+        let requests = vec![(at_s, OperatorRequest::Hold), (at_s + 0.02, OperatorRequest::Stop)];
+        let mut pace = Script::new(requests, vec![at_s + 2.0]);
         let (begun, status) = run(&folder, &mut pace, "hold=Quit");
         assert_eq!(status, Some(Status::Stopped), "line {line}");
         let held = |event: &Event| matches!(event, Event::Hold { .. });
@@ -133,7 +133,7 @@ fn a_run_that_was_given_up_at_a_stop_input_goes_on_where_it_stood() {
     let whole = uninterrupted();
     for line in [5, 6, 7] {
         let folder = tempdir().unwrap();
-        let pressed = Wish::Input { number: 4, on: false };
+        let pressed = OperatorRequest::Input { number: 4, on: false };
         let mut pace = Script::new(vec![(middle(&whole, line), pressed)], Vec::new());
         let (_, status) = run(&folder, &mut pace, "hold=Quit");
         assert_eq!(status, Some(Status::Stopped), "line {line}");
@@ -180,8 +180,13 @@ fn a_run_that_was_given_up_on_the_way_back_goes_on_where_it_stood() {
 fn a_held_run_that_was_about_to_be_given_up_goes_on() {
     let whole = uninterrupted();
     let (folder, at_s) = (tempdir().unwrap(), middle(&whole, 5));
-    let pace = &mut Script::new(vec![(at_s, Wish::Hold)], Vec::new());
-    let company = Company { sink: &mut PowerCutIn("idle"), operator: &mut (), pace, machine: None };
+    let pace = &mut Script::new(vec![(at_s, OperatorRequest::Hold)], Vec::new());
+    let company = Company {
+        sink: &mut PowerCutIn("idle"),
+        operator: &mut (),
+        requests: pace,
+        machine: kerf_control::simulated(),
+    };
     assert_eq!(run_in(&folder, part(), company), None, "the power failed");
     let (rest, status) = resume(&folder, "hold=Resume");
     assert_eq!((asked(&rest), status), (vec![READY], Status::Ok), "{rest:#?}");

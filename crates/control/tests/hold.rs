@@ -4,8 +4,8 @@ use kerf_control::answers::Answers;
 use kerf_control::event::Place;
 use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, Outcome, RunOptions, Script, Session, Shelf, Summary, TextOptions, Wish,
-    run_text,
+    Company, Event, OperatorRequest, Outcome, RunOptions, Script, Session, Shelf, Summary,
+    TextOptions, run_text,
 };
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
@@ -71,7 +71,7 @@ fn sbp_lim_stop_resume() {
 
 /// A run that is stopped at 2 s and resumed; the operator wants more, and an input changes.
 fn stopped_again(
-    wishes: &[(f64, Wish)],
+    requests: &[(f64, OperatorRequest)],
     inputs: &[Change],
     answers: &str,
 ) -> (Summary, Vec<Event>) {
@@ -80,10 +80,14 @@ fn stopped_again(
     session.memory.settings.warning_s = 0.0;
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
     let mut operator = Answers::read(answers);
-    let wishes = [&[(2.0, Wish::Stop)], wishes].concat();
-    let mut pace = Script::new(wishes, Vec::new());
-    let company =
-        Company { sink: &mut events, operator: &mut operator, pace: &mut pace, machine: None };
+    let requests = [&[(2.0, OperatorRequest::Stop)], requests].concat();
+    let mut pace = Script::new(requests, Vec::new());
+    let company = Company {
+        sink: &mut events,
+        operator: &mut operator,
+        requests: &mut pace,
+        machine: kerf_control::simulated(),
+    };
     let options = RunOptions { inputs: inputs.to_vec(), ..RunOptions::default() };
     let program = kerf_sbp::read("a.sbp".into(), format!("SO,1,1\n{SQUARE}").as_bytes());
     let summary = session.run(program, options, &mut shelf, company);
@@ -111,7 +115,7 @@ fn lift_and_way_back() -> Vec<f64> {
 #[test]
 fn the_operator_stops_the_lift_and_the_way_back() {
     for at_s in lift_and_way_back() {
-        let (summary, events) = stopped_again(&[(at_s, Wish::Stop)], &[], "hold=Resume");
+        let (summary, events) = stopped_again(&[(at_s, OperatorRequest::Stop)], &[], "hold=Resume");
         assert_eq!(summary.status, Status::Ok, "{at_s}");
         let stops: Vec<f64> = events
             .iter()
@@ -128,7 +132,7 @@ fn the_operator_stops_the_lift_and_the_way_back() {
         let square =
             [(10.0, 0.0), (10.0, 5.0), (0.0, 5.0), (0.0, 0.0)].map(|(x, y)| xyz(x, y, -0.5));
         assert_eq!(corners, square, "{at_s}");
-        let given_up = stopped_again(&[(at_s, Wish::Stop)], &[], "Resume\nQuit\nQuit").0;
+        let given_up = stopped_again(&[(at_s, OperatorRequest::Stop)], &[], "Resume\nQuit\nQuit").0;
         assert!([Status::Stopped, Status::Ok].contains(&given_up.status), "{at_s}");
     }
 }
@@ -163,8 +167,8 @@ fn a_stop_input_stops_the_lift_and_the_way_back() {
     }
 }
 
-/// A run that an input stops, with a wish of the operator a moment later: what comes of it.
-fn stopped_by_both(input: u8, by_hand: Wish, answers: &str) -> (Summary, Vec<Event>) {
+/// A run that an input stops, with a request of the operator a moment later: what comes of it.
+fn stopped_by_both(input: u8, by_hand: OperatorRequest, answers: &str) -> (Summary, Vec<Event>) {
     let mut events = Vec::new();
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
@@ -173,8 +177,12 @@ fn stopped_by_both(input: u8, by_hand: Wish, answers: &str) -> (Summary, Vec<Eve
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
     let mut operator = Answers::read(answers);
     let mut pace = Script::new(vec![(2.01, by_hand)], Vec::new());
-    let company =
-        Company { sink: &mut events, operator: &mut operator, pace: &mut pace, machine: None };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut operator,
+        requests: &mut pace,
+        machine: kerf_control::simulated(),
+    };
     let pressed = |at_s, stops: bool| Change { input, at_s, on: stops == (input != 4) };
     let inputs = vec![pressed(2.0, true), pressed(9.0, false)];
     let options = RunOptions { inputs, ..RunOptions::default() };
@@ -185,7 +193,12 @@ fn stopped_by_both(input: u8, by_hand: Wish, answers: &str) -> (Summary, Vec<Eve
 
 #[test]
 fn a_stop_of_the_operator_that_comes_with_one_of_an_input_is_the_same() {
-    for (input, by_hand) in [(4, Wish::Stop), (7, Wish::Stop), (4, Wish::Hold), (7, Wish::Hold)] {
+    for (input, by_hand) in [
+        (4, OperatorRequest::Stop),
+        (7, OperatorRequest::Stop),
+        (4, OperatorRequest::Hold),
+        (7, OperatorRequest::Hold),
+    ] {
         let (summary, events) = stopped_by_both(input, by_hand, "hold=Resume");
         assert_eq!(summary.status, Status::Ok, "{input} {by_hand:?}");
         let stops = |event: &&Event| matches!(event, Event::Stop { .. } | Event::Hold { .. });
@@ -324,8 +337,12 @@ impl Shop {
     ) -> (Summary, Vec<Event>) {
         let mut events = Vec::new();
         let mut operator = Answers::read(answers);
-        let company =
-            Company { sink: &mut events, operator: &mut operator, pace: &mut (), machine: None };
+        let company = Company {
+            sink: &mut events,
+            operator: &mut operator,
+            requests: &mut (),
+            machine: kerf_control::simulated(),
+        };
         let options = RunOptions { inputs: input.into_iter().collect(), ..RunOptions::default() };
         let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
         let summary = self.session.run(program, options, &mut self.shelf, company);
@@ -337,8 +354,12 @@ impl Shop {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut events: Vec<Event> = Vec::new();
-        let company =
-            Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
+        let company = Company {
+            sink: &mut events,
+            operator: &mut (),
+            requests: &mut (),
+            machine: kerf_control::simulated(),
+        };
         let typed = kerf_sbp::read_typed("command".into(), lines);
         self.session.run(typed, options, &mut self.shelf, company);
         let told = events.iter().filter_map(|event| match event {

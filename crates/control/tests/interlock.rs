@@ -3,7 +3,9 @@
 
 use kerf_control::answers::Operator;
 use kerf_control::files::MemoryDisk;
-use kerf_control::{Company, Event, Pace, RunOptions, Script, Session, Shelf, Summary, Wish};
+use kerf_control::{
+    Company, Event, OperatorRequest, Requests, RunOptions, Script, Session, Shelf, Summary,
+};
 use kerf_machine::lines::Input;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Question, QuestionKind, Status};
@@ -27,7 +29,7 @@ impl Operator for Says {
 #[derive(Default)]
 struct Run {
     inputs: Vec<Change>,
-    wishes: Vec<(f64, Wish)>,
+    requests: Vec<(f64, OperatorRequest)>,
     resumes: Vec<f64>,
     says: Vec<&'static str>,
     spin_up_s: f64,
@@ -50,8 +52,8 @@ impl Run {
         self
     }
 
-    fn wish(mut self, at_s: f64, wish: Wish) -> Self {
-        self.wishes.push((at_s, wish));
+    fn request(mut self, at_s: f64, request: OperatorRequest) -> Self {
+        self.requests.push((at_s, request));
         self
     }
 
@@ -74,9 +76,13 @@ impl Run {
         let mut shelf = Shelf::in_memory(MemoryDisk::default());
         let mut events = Vec::new();
         let mut operator = Says(self.says.into());
-        let mut pace = Script::new(self.wishes, self.resumes);
-        let company =
-            Company { sink: &mut events, operator: &mut operator, pace: &mut pace, machine: None };
+        let mut pace = Script::new(self.requests, self.resumes);
+        let company = Company {
+            sink: &mut events,
+            operator: &mut operator,
+            requests: &mut pace,
+            machine: kerf_control::simulated(),
+        };
         let options = RunOptions { inputs: self.inputs, ..RunOptions::default() };
         let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
         let summary = session.run(program, options, &mut shelf, company);
@@ -197,7 +203,7 @@ fn a_stop_that_is_pressed_while_somebody_is_asked_stops_the_spindle_at_once() {
 fn a_stop_that_is_pressed_while_a_run_is_stopped_lets_nothing_come_on() {
     // Output 1 goes off with a stop and comes back when the run goes on.
     let program = "VN,,,,,,,,,,,,,,,2\nSO,1,1\nMX,10\n";
-    let stopped = || Run::default().wish(2.0, Wish::Stop);
+    let stopped = || Run::default().request(2.0, OperatorRequest::Stop);
     let ran = stopped().says(&[PRESS, "Resume", "Quit"]).of(program);
     assert_eq!(ran.story().iter().filter(|it| *it == "spindle 1").count(), 1, "{:?}", ran.story());
     assert_eq!(ran.summary.status, Status::Stopped);
@@ -211,7 +217,7 @@ fn a_stop_that_is_pressed_while_a_run_is_stopped_lets_nothing_come_on() {
 
 #[test]
 fn a_spindle_that_turns_while_a_run_is_stopped_stops_with_a_stop_input() {
-    let stopped = Run::default().wish(2.0, Wish::Stop);
+    let stopped = Run::default().request(2.0, OperatorRequest::Stop);
     let ran = stopped.says(&[PRESS, RELEASE, "Resume"]).of("SO,1,1\nMX,10\n");
     let story = ran.story();
     let at = story.iter().position(|it| it == "input 4 1").unwrap();
@@ -225,7 +231,7 @@ fn a_spindle_that_turns_while_a_run_is_stopped_stops_with_a_stop_input() {
 fn no_key_moves_the_tool_while_a_stop_is_pressed() {
     const KEY: &str = "jog 0,100,0,0,0,0 1";
     let y_mm = |ran: &Ran| ran.session.memory.position[Axis::Y];
-    let stopped = || Run::default().wish(2.0, Wish::Stop);
+    let stopped = || Run::default().request(2.0, OperatorRequest::Stop);
     assert!(y_mm(&stopped().says(&[KEY, "Quit"]).of("MX,10\n")) > 99.0, "as it should");
     assert_eq!(y_mm(&stopped().says(&[PRESS, KEY, "Quit"]).of("MX,10\n")), 0.0);
     assert_eq!(y_mm(&Run::default().says(&[PRESS, KEY, "OK"]).of("SK\n")), 0.0);
@@ -234,7 +240,7 @@ fn no_key_moves_the_tool_while_a_stop_is_pressed() {
 #[test]
 fn a_held_machine_does_not_go_on_while_a_stop_is_pressed() {
     let held = |released_s| {
-        let mut run = Run::default().wish(2.0, Wish::Hold).input(4, 3.0, false);
+        let mut run = Run::default().request(2.0, OperatorRequest::Hold).input(4, 3.0, false);
         run = run.input(4, released_s, true).says(&["Resume"; 40]);
         run.resumes = vec![4.0];
         run.of("SO,1,1\nPAUSE 20\nMX,5\n")
@@ -261,7 +267,7 @@ fn a_stop_input_is_heeded_while_the_spindle_comes_to_speed() {
     let first = ran.moves().iter().map(|it| it.0).find(|t| *t > last).unwrap();
     assert!(first >= last + 10.0, "it has its whole time again: {last} {first}");
     // The operator is heard as well.
-    let ran = run().wish(6.0, Wish::Stop).of("SO,1,1\nMX,10\n");
+    let ran = run().request(6.0, OperatorRequest::Stop).of("SO,1,1\nMX,10\n");
     let stops = ran.events.iter().filter_map(|event| match event {
         Event::Stop { by: "operator", t, .. } => Some(*t),
         _ => None,
@@ -311,7 +317,7 @@ fn what_stops_the_machine_while_it_warns_stops_it_before_it_moves() {
     let ran = ran.of("MX,5\n");
     assert_eq!((ran.summary.status, ran.x_in()), (Status::Ok, 5.0));
     assert!(ran.moves()[0].0 >= 9.0, "it warns again: {:?}", ran.moves());
-    let ran = warned().wish(1.0, Wish::Stop).of("MX,5\n");
+    let ran = warned().request(1.0, OperatorRequest::Stop).of("MX,5\n");
     let moved = ran.x_in();
     assert_eq!((ran.summary.status, moved), (Status::Stopped, 0.0));
     assert!(ran.summary.seconds < 2.5, "{}", ran.summary.seconds);
@@ -368,7 +374,7 @@ fn nothing_comes_on_with_a_file_while_the_emergency_stop_is_pressed() {
 fn the_emergency_stop_is_heeded_while_the_machine_is_held() {
     // While it slows down, and while it stands.
     for at_s in [2.1, 5.0] {
-        let run = Run { resumes: vec![10.0], ..Run::default() }.wish(2.0, Wish::Hold);
+        let run = Run { resumes: vec![10.0], ..Run::default() }.request(2.0, OperatorRequest::Hold);
         let ran = run.input(emergency(), at_s, true).of("SO,1,1\nMX,10\n");
         ended_by_press(&ran, at_s.max(2.2));
     }
@@ -376,7 +382,7 @@ fn the_emergency_stop_is_heeded_while_the_machine_is_held() {
 
 #[test]
 fn the_emergency_stop_is_heeded_while_the_machine_slows_down_for_another_stop() {
-    let run = Run::default().wish(2.0, Wish::Stop).input(emergency(), 2.1, true);
+    let run = Run::default().request(2.0, OperatorRequest::Stop).input(emergency(), 2.1, true);
     let ran = run.says(&["Resume"; 6]).of("MZ,-.5\nSO,1,1\nMX,10\n");
     ended_by_press(&ran, 2.2);
 }
@@ -393,7 +399,7 @@ fn the_emergency_stop_is_heeded_on_the_way_back_and_before_it() {
     }
     // While it warns before the way back nothing has come on yet.
     let warned = || Run { warning_s: 3.0, ..Run::default() }.says(&[PRESS, RELEASE, "Resume"]);
-    let warned = || warned().wish(5.0, Wish::Stop);
+    let warned = || warned().request(5.0, OperatorRequest::Stop);
     let ran = warned().of("SO,1,1\nMX,10\n");
     let goes_on = |event: &Event| match event {
         Event::State { state, t, .. } if &**state == "running" => Some(*t),
@@ -404,7 +410,7 @@ fn the_emergency_stop_is_heeded_on_the_way_back_and_before_it() {
     ended_by_press(&ran, at_s);
     assert_eq!(ran.story().iter().filter(|it| *it == "spindle 1").count(), 1, "{:?}", ran.story());
     // While somebody is asked what follows on a stop, and while the program asks.
-    let asked = Run::default().wish(2.0, Wish::Stop).says(&[press, "Resume", "Quit"]);
+    let asked = Run::default().request(2.0, OperatorRequest::Stop).says(&[press, "Resume", "Quit"]);
     let ran = asked.of("SO,1,1\nMX,10\n");
     ended_by_press(&ran, 2.7);
     let ran = Run::default().says(&[press, "OK"]).of("SO,1,1\nMX,1\nPAUSE\nPAUSE 5\nMX,5\n");
@@ -416,10 +422,10 @@ fn a_stop_input_is_heeded_while_the_machine_slows_down_to_be_held() {
     let pressed = [(4, 2.1, false), (4, 9.0, true)];
     let scripted = pressed.iter().fold(Run::default(), |run, (n, t, on)| run.input(*n, *t, *on));
     let moved = pressed.iter().take(1).fold(Run::default(), |run, (number, t, on)| {
-        run.wish(*t, Wish::Input { number: *number, on: *on })
+        run.request(*t, OperatorRequest::Input { number: *number, on: *on })
     });
     for (run, says) in [(scripted, vec!["Resume"; 9]), (moved, vec![RELEASE, "Resume"])] {
-        let run = Run { resumes: vec![10.0], ..run }.wish(2.0, Wish::Hold);
+        let run = Run { resumes: vec![10.0], ..run }.request(2.0, OperatorRequest::Hold);
         let ran = run.says(&says).of("SO,1,1\nMX,10\n");
         assert_eq!((ran.summary.status, ran.x_in()), (Status::Ok, 10.0), "{:?}", ran.story());
         assert!(!ran.turns_at(2.2) && !ran.turns_at(9.9), "{:?}", ran.spindle());
@@ -431,8 +437,8 @@ fn a_stop_input_is_heeded_while_the_machine_slows_down_to_be_held() {
 
 #[test]
 fn a_switch_that_is_moved_while_the_machine_slows_down_is_moved_then() {
-    let run = Run::default().wish(2.0, Wish::Stop);
-    let run = run.wish(2.1, Wish::Input { number: 4, on: false });
+    let run = Run::default().request(2.0, OperatorRequest::Stop);
+    let run = run.request(2.1, OperatorRequest::Input { number: 4, on: false });
     let ran = run.says(&["Resume", RELEASE, "Resume", "Resume"]).of("SO,1,1\nMX,10\n");
     let story = ran.story();
     let stopped: Vec<&str> = story.iter().map(String::as_str).collect();
@@ -457,7 +463,8 @@ fn a_stop_that_is_pressed_while_a_limit_is_asked_about_lets_nothing_come_on() {
 #[test]
 fn a_hold_does_not_delay_what_an_input_is_waited_for() {
     for (resumed_s, goes_on_s) in [(4.0, 5.0), (7.0, 7.0)] {
-        let run = Run { resumes: vec![resumed_s], ..Run::default() }.wish(2.0, Wish::Hold);
+        let run =
+            Run { resumes: vec![resumed_s], ..Run::default() }.request(2.0, OperatorRequest::Hold);
         let ran = run.input(1, 5.0, true).of("PAUSE UNTIL 1,1\nMX,1\n");
         assert_eq!((ran.summary.status, ran.moves()[0].0), (Status::Ok, goes_on_s));
     }
@@ -473,7 +480,7 @@ fn an_emergency_stop_that_cuts_the_power_while_somebody_is_asked_ends_the_run() 
     let runs = [
         cut().says(&says).of("MX,1\nPAUSE\nMX,5\n"),
         cut().says(&says).of("SO,1,1\nMX,1\nPAUSE\nMX,5\n"),
-        cut().wish(2.0, Wish::Stop).says(&stopped).of("SO,1,1\nMX,5\n"),
+        cut().request(2.0, OperatorRequest::Stop).says(&stopped).of("SO,1,1\nMX,5\n"),
         cut().input(2, 2.0, true).says(&limited).of("VN,,,,,1\nSO,1,1\nMX,5\n"),
     ];
     for ran in runs {
@@ -490,14 +497,14 @@ fn an_emergency_stop_that_cuts_the_power_while_somebody_is_asked_ends_the_run() 
 /// Tells a feed and later a stop to a program that only computes, while what it gave before waits to move.
 struct Busy(u32);
 
-impl Pace for Busy {
-    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
+impl Requests for Busy {
+    fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
         self.0 += u32::from(from_s == to_s);
         assert!(self.0 < 1000, "it is never stopped");
         match self.0 {
             _ if from_s < to_s => None,
-            20 => Some((to_s, Wish::Feed(0.5))),
-            100.. => Some((to_s, Wish::Stop)),
+            20 => Some((to_s, OperatorRequest::Feed(0.5))),
+            100.. => Some((to_s, OperatorRequest::Stop)),
             _ => None,
         }
     }
@@ -509,7 +516,12 @@ fn a_feed_does_not_keep_a_stop_from_a_program_that_only_computes() {
     let program = moves.chain(["&n=0\nA:\n&n=&n+1\nGOTO A\n".to_owned()]).collect::<String>();
     let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
-    let company = Company { sink: &mut (), operator: &mut (), pace: &mut Busy(0), machine: None };
+    let company = Company {
+        sink: &mut (),
+        operator: &mut (),
+        requests: &mut Busy(0),
+        machine: kerf_control::simulated(),
+    };
     let ran = Session::default().run(program, RunOptions::default(), &mut shelf, company);
     assert_eq!(ran.status, Status::Stopped);
 }

@@ -1,11 +1,12 @@
 //! The status byte and the bytes of switches, as another program reads them while a run goes on
 //! (programming handbook, Registry Interface; readings, A-46).
 
+use crate::taking_up::on_record;
 use kerf_control::answers::Operator;
 use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::{INCOMING_FILE, Journal, Live, MIRROR_FILE};
 use kerf_control::stored::Stored;
-use kerf_control::{Company, Pace, RunOptions, Session, Shelf, Wish};
+use kerf_control::{Company, OperatorRequest, Requests, RunOptions, Session, Shelf};
 use kerf_program::Question;
 use kerf_sim::Change;
 use std::cell::RefCell;
@@ -38,18 +39,14 @@ impl Operator for Onlooker {
     }
 }
 
-impl Pace for Onlooker {
-    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
+impl Requests for Onlooker {
+    fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
         if to_s > from_s {
             // What moves does not wait for the record: it follows soon, as it would in the world.
             std::thread::sleep(Duration::from_secs_f64((to_s - from_s).min(0.02) / 4.0));
             self.look("passing".into());
         }
-        (to_s > self.stop_s).then_some((self.stop_s.max(from_s), Wish::Stop))
-    }
-
-    fn is_real(&self) -> bool {
-        true
+        (to_s > self.stop_s).then_some((self.stop_s.max(from_s), OperatorRequest::Stop))
     }
 
     fn heard(&mut self) {
@@ -95,8 +92,12 @@ fn seen_of(
         ..RunOptions::default()
     };
     options.program.typed = typed.is_some();
-    let company =
-        Company { sink: &mut (), operator: &mut operator, pace: &mut pace, machine: None };
+    let company = Company {
+        sink: &mut (),
+        operator: &mut operator,
+        requests: &mut pace,
+        machine: on_record(),
+    };
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
     session.run_on_record(read, options, None, &mut shelf, company).unwrap();
@@ -161,7 +162,8 @@ fn sbp_ctl_reg_bit2__at_rest() {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut shelf = Shelf::in_memory(MemoryDisk::default());
-        let company = Company { sink: &mut (), operator: &mut (), pace: &mut (), machine: None };
+        let company =
+            Company { sink: &mut (), operator: &mut (), requests: &mut (), machine: on_record() };
         session.run(kerf_part::read("typed".into(), line.as_bytes()), options, &mut shelf, company);
         session.look(Live::at_rest).status
     };

@@ -2,7 +2,8 @@
 
 use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, Outcome, RunOptions, Script, Session, Shelf, TextOptions, Wish, run_text,
+    Company, Event, OperatorRequest, Outcome, RunOptions, Script, Session, Shelf, TextOptions,
+    run_text,
 };
 use kerf_program::Settings;
 use kerf_sbp::Status;
@@ -156,9 +157,13 @@ fn an_output_that_follows_motion_comes_back_after_a_hold() {
         (-3, vec![true, false, true, false]),
     ] {
         let mut events = Vec::new();
-        let mut pace = Script::new(vec![(2.0, Wish::Hold)], vec![4.0]);
-        let company =
-            Company { sink: &mut events, operator: &mut (), pace: &mut pace, machine: None };
+        let mut pace = Script::new(vec![(2.0, OperatorRequest::Hold)], vec![4.0]);
+        let company = Company {
+            sink: &mut events,
+            operator: &mut (),
+            requests: &mut pace,
+            machine: kerf_control::simulated(),
+        };
         let text = format!("SO,4,{mode}\nMX,10\n");
         let program = kerf_sbp::read("a.sbp".into(), text.as_bytes());
         let mut shelf = Shelf::in_memory(MemoryDisk::default());

@@ -28,8 +28,12 @@ impl Shop {
         options.program.typed = true;
         let program = kerf_sbp::read_typed("typed".into(), &format!("{line}\n"));
         let mut events: Vec<Event> = Vec::new();
-        let company =
-            Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
+        let company = Company {
+            sink: &mut events,
+            operator: &mut (),
+            requests: &mut (),
+            machine: kerf_control::simulated(),
+        };
         let summary = self.session.run(program, options, &mut self.shelf, company);
         (summary, events)
     }
@@ -111,7 +115,12 @@ fn copied(entered: &str, body: kerf_sim::Body, closed: bool, output: &str) -> (S
     let options = RunOptions { touches: vec![touch], ..RunOptions::default() };
     let program = kerf_sbp::read("copy_machine.sbp".into(), text.as_bytes());
     let mut events: Vec<Event> = Vec::new();
-    let company = Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut (),
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
     let summary = shop.session.run(program, options, &mut shop.shelf, company);
     assert!(summary.error.is_none(), "{:?}\n{text}", summary.error);
     let written = shop.shelf.text(output).unwrap();
@@ -396,7 +405,12 @@ fn sbp_tool_ts() {
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_sbp::read("home.sbp".into(), b"C3\nC2\n");
     let mut events: Vec<Event> = Vec::new();
-    let company = Company { sink: &mut events, operator: &mut (), pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut (),
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
     let summary = shop.session.run(program, options, &mut shop.shelf, company);
     assert!(summary.error.is_none(), "{:?}", summary.error);
     let set: Vec<_> = events

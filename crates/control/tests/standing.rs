@@ -29,8 +29,8 @@ fn watch(files: &[(&str, &str)], options: RunOptions, stop_at_s: f64) -> Vec<Str
     let company = Company {
         sink: &mut watcher,
         operator: &mut Answers::default(),
-        pace: &mut StopAt(stop_at_s),
-        machine: None,
+        requests: &mut StopAt(stop_at_s),
+        machine: kerf_control::simulated(),
     };
     let program = kerf_sbp::read(files[0].0.into(), files[0].1.as_bytes());
     Session::default().run(program, options, &mut shelf, company);
@@ -99,8 +99,8 @@ fn after(session: &mut Session, program: &str) -> Vec<Event> {
     let company = Company {
         sink: &mut events,
         operator: &mut Answers::default(),
-        pace: &mut (),
-        machine: None,
+        requests: &mut (),
+        machine: kerf_control::simulated(),
     };
     let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
     let mut shelf = Shelf::in_memory(MemoryDisk::default());
@@ -152,8 +152,8 @@ fn sbp_file_fs_dialog() {
     let company = Company {
         sink: &mut events,
         operator: &mut Answers::default(),
-        pace: &mut (),
-        machine: None,
+        requests: &mut (),
+        machine: kerf_control::simulated(),
     };
     let program = kerf_sbp::read("main.sbp".into(), files[1].1.as_bytes());
     Session::default().run(program, RunOptions::default(), &mut shelf, company);
@@ -168,7 +168,8 @@ fn sbp_file_fs_mask() {
     let listed = |program: &str| {
         let mut shelf = Shelf::in_memory(MemoryDisk::new(names.map(|name| (name, &b""[..]))));
         let (sink, operator) = (&mut Vec::<Event>::new(), &mut Answers::default());
-        let company = Company { sink, operator, pace: &mut (), machine: None };
+        let company =
+            Company { sink, operator, requests: &mut (), machine: kerf_control::simulated() };
         let program = kerf_sbp::read("main.sbp".into(), program.as_bytes());
         Session::default().run(program, RunOptions::default(), &mut shelf, company);
         let files = shelf.listing().unwrap().files;

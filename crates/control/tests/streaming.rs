@@ -4,7 +4,8 @@ use kerf_control::answers::Answers;
 use kerf_control::event::MoveEvent;
 use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, RunOptions, Script, Session, Shelf, Summary, TextOptions, Wish, run_text,
+    Company, Event, OperatorRequest, RunOptions, Script, Session, Shelf, Summary, TextOptions,
+    run_text,
 };
 use kerf_program::Status;
 use std::fmt::Write;
@@ -30,15 +31,19 @@ fn run(text: &str, options: TextOptions) -> (Vec<Event>, Summary) {
     (outcome.events, outcome.summary)
 }
 
-fn scripted(text: &str, wishes: Vec<(f64, Wish)>, resumes: Vec<f64>) -> (Vec<Event>, Summary) {
+fn scripted(
+    text: &str,
+    requests: Vec<(f64, OperatorRequest)>,
+    resumes: Vec<f64>,
+) -> (Vec<Event>, Summary) {
     let program = kerf_sbp::read("long.sbp".into(), text.as_bytes());
     let mut events = Vec::new();
-    let mut pace = Script::new(wishes, resumes);
+    let mut pace = Script::new(requests, resumes);
     let company = Company {
         sink: &mut events,
         operator: &mut Answers::default(),
-        pace: &mut pace,
-        machine: None,
+        requests: &mut pace,
+        machine: kerf_control::simulated(),
     };
     let mut shelf = Shelf::in_memory(MemoryDisk::new([]));
     let summary = Session::default().run(program, RunOptions::default(), &mut shelf, company);
@@ -127,8 +132,11 @@ fn an_input_interrupts_a_long_stack_where_the_tool_is() {
 fn hold_and_resume_give_the_same_path() {
     let text = long_cut(MANY, "");
     let (plain, summary) = run(&text, TextOptions::default());
-    let (held, after) =
-        scripted(&text, vec![(20.0, Wish::Hold), (60.0, Wish::Hold)], vec![30.0, 65.0]);
+    let (held, after) = scripted(
+        &text,
+        vec![(20.0, OperatorRequest::Hold), (60.0, OperatorRequest::Hold)],
+        vec![30.0, 65.0],
+    );
     assert_eq!((after.status, held.len() > plain.len()), (Status::Ok, true));
     assert!((after.tally.cut_mm - summary.tally.cut_mm).abs() < 1e-6 * summary.tally.cut_mm);
     let stands: Vec<f64> = held
@@ -147,7 +155,8 @@ fn hold_and_resume_give_the_same_path() {
 
 #[test]
 fn a_hold_that_nobody_ends_ends_the_run() {
-    let (events, summary) = scripted(&long_cut(1000, ""), vec![(1.0, Wish::Hold)], vec![]);
+    let (events, summary) =
+        scripted(&long_cut(1000, ""), vec![(1.0, OperatorRequest::Hold)], vec![]);
     assert_eq!(summary.status, Status::Stopped);
     assert!(events.iter().any(|e| matches!(e, Event::Hold { .. })));
 }
@@ -156,12 +165,16 @@ fn a_hold_that_nobody_ends_ends_the_run() {
 fn the_feed_is_overridden_from_then_on_and_moves_join() {
     let text = long_cut(MANY, "");
     let (_, plain) = run(&text, TextOptions::default());
-    let (events, slow) = scripted(&text, vec![(0.5, Wish::Feed(0.5))], vec![]);
+    let (events, slow) = scripted(&text, vec![(0.5, OperatorRequest::Feed(0.5))], vec![]);
     assert!(slow.seconds > 1.9 * plain.seconds, "{} {}", slow.seconds, plain.seconds);
     for pair in made(&events).windows(2) {
         assert!((pair[1].t0 - pair[0].t1).abs() < 1e-9 && pair[1].from == pair[0].to);
     }
-    let (_, fast) = scripted(&text, vec![(0.5, Wish::Feed(2.0)), (9.0, Wish::Feed(1.0))], vec![]);
+    let (_, fast) = scripted(
+        &text,
+        vec![(0.5, OperatorRequest::Feed(2.0)), (9.0, OperatorRequest::Feed(1.0))],
+        vec![],
+    );
     assert!(fast.seconds < plain.seconds - 4.0, "{} {}", fast.seconds, plain.seconds);
     // Nothing is ever told to be run at more than was asked for: the speed told is the program's.
     assert!(made(&events).iter().all(|m| m.speed <= 6.0));
@@ -169,7 +182,8 @@ fn the_feed_is_overridden_from_then_on_and_moves_join() {
 
 #[test]
 fn a_wait_is_held_too() {
-    let (events, summary) = scripted("PAUSE 5\nMX,1\n", vec![(2.0, Wish::Hold)], vec![10.0]);
+    let (events, summary) =
+        scripted("PAUSE 5\nMX,1\n", vec![(2.0, OperatorRequest::Hold)], vec![10.0]);
     assert_eq!(summary.status, Status::Ok);
     let first = made(&events)[0].t0;
     assert!((first - 13.0).abs() < 1e-9, "{first}");

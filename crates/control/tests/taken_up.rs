@@ -9,7 +9,9 @@ use crate::taking_up::{
 use kerf_control::answers::Answers;
 use kerf_control::event::Place;
 use kerf_control::journal::Journal;
-use kerf_control::{Company, Event, Pace, Press, RunOptions, Script, Session, Shelf, StopAt, Wish};
+use kerf_control::{
+    Company, Event, OperatorRequest, Press, Requests, RunOptions, Script, Session, Shelf, StopAt,
+};
 use kerf_machine::lines::Input;
 use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
 use kerf_sbp::Status;
@@ -79,8 +81,13 @@ fn a_switch_that_was_moved_at_rest_is_on_record() {
         (session, shelf)
     };
     let part = b"IF %(53)=0 THEN GOTO OFF\nMX,1\nMX,5\nMX,9\nEND\nOFF:\nMX,-5\n";
-    let start = |session: &mut Session, shelf: &mut Shelf, pace: &mut dyn Pace| {
-        let company = Company { sink: &mut (), operator: &mut (), pace, machine: None };
+    let start = |session: &mut Session, shelf: &mut Shelf, pace: &mut dyn Requests| {
+        let company = Company {
+            sink: &mut (),
+            operator: &mut (),
+            requests: pace,
+            machine: kerf_control::simulated(),
+        };
         let program = kerf_part::read("a.sbp".into(), part);
         session.run_on_record(program, RunOptions::default(), None, shelf, company).map(drop)
     };
@@ -123,10 +130,10 @@ fn a_question_that_was_open_is_settled_when_the_tool_goes_back() {
     for line in [5, 6, 7] {
         let at_s = middle(&whole, line);
         // The stop input opens its circuit.
-        let pressed = Wish::Input { number: 4, on: false };
-        let stops: [&mut dyn Pace; 4] = [
+        let pressed = OperatorRequest::Input { number: 4, on: false };
+        let stops: [&mut dyn Requests; 4] = [
             &mut StopAt(at_s),
-            &mut Script::new(vec![(at_s, Wish::Stop)], Vec::new()),
+            &mut Script::new(vec![(at_s, OperatorRequest::Stop)], Vec::new()),
             &mut Script::new(vec![(at_s, pressed)], Vec::new()),
             &mut PowerCutHeld(at_s),
         ];
@@ -218,7 +225,7 @@ fn a_run_is_not_taken_up_while_the_emergency_stop_is_pressed() {
     let emergency = Input::EmergencyStop.number();
     for line in [5, 6, 7] {
         let folder = tempdir().unwrap();
-        let pressed = Wish::Input { number: emergency, on: true };
+        let pressed = OperatorRequest::Input { number: emergency, on: true };
         let mut pace = Script::new(vec![(middle(&whole, line), pressed)], Vec::new());
         let (begun, status) = run(&folder, &mut pace, "");
         assert_eq!(status, Some(Status::Stopped));
@@ -257,7 +264,7 @@ fn a_switch_that_is_moved_behind_a_stop_input_does_not_hide_it() {
     let work = || kerf_part::read("a.sbp".into(), RAMPED.as_bytes());
     let (whole, _) = run_work(&tempdir().unwrap(), work(), &mut (), &mut ());
     let (folder, at_s) = (tempdir().unwrap(), middle(&whole, 4));
-    let input = |number, after_s, on| (at_s + after_s, Wish::Input { number, on });
+    let input = |number, after_s, on| (at_s + after_s, OperatorRequest::Input { number, on });
     let mut pace = Script::new(vec![input(5, 0.0, true), input(1, 0.02, true)], Vec::new());
     let (begun, status) = run_work(&folder, work(), &mut pace, &mut Answers::read("hold=Quit"));
     assert_eq!(status, Some(Status::Stopped));

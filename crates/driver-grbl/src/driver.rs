@@ -1,18 +1,22 @@
 //! The driver.
 
-use crate::facts::{self, Told};
+use crate::facts::Told;
 use crate::flights::Flights;
-use crate::lines::lines;
-use crate::report::{Doing, Frame, Report};
-use crate::words;
+use crate::lines::{Modal, lines};
+use crate::place::Place;
+use crate::report::Doing;
 use kerf_machine::driver::{
-    Axes, Driver, Facts, Garbled, Order, Reply, Sent, Signal, Standing, Ticket, Trouble, Wired,
-    is_sound,
+    Axes, Changed, Driver, Facts, Garbled, Order, Reply, Sent, Signal, Standing, Ticket, Trouble,
+    Wired, is_sound,
 };
 use std::collections::VecDeque;
 
-/// Orders that it keeps: enough for the planner and the receive buffer of the larger boards.
-const WINDOW: usize = 48;
+/// Orders that are made and not known to be: a report comes ten times a second, and a board makes some 600 moves a second
+/// at most on a serial line.
+const UNTOLD: usize = 160;
+
+/// Bytes of a short line.
+const SHORT: usize = 12;
 
 /// Modes that hold from the start: millimetres, places and not ways, feeds a minute.
 pub const MODES: &str = "G21G90G94";
@@ -21,7 +25,23 @@ pub const MODES: &str = "G21G90G94";
 const LONGEST: usize = 1024;
 
 /// Characters that act at once and are no part of a line.
-mod at_once {
+pub(crate) mod at_once {
+    /// Feed override: back to 100 %, 10 % and 1 % up and down.
+    const FEED: u8 = 0x90;
+    const TEN_UP: u8 = 0x91;
+    const TEN_DOWN: u8 = 0x92;
+    const ONE_UP: u8 = 0x93;
+    const ONE_DOWN: u8 = 0x94;
+
+    /// Commands that set the feed override to so many percent, 10 to 200.
+    pub fn feed(percent: u8) -> Vec<u8> {
+        let off = i32::from(percent.clamp(10, 200)) - 100;
+        let steps =
+            |by: i32, up, down| vec![if by > 0 { up } else { down }; by.unsigned_abs() as usize];
+        let (tens, ones) = (off / 10, off % 10);
+        [vec![FEED], steps(tens, TEN_UP, TEN_DOWN), steps(ones, ONE_UP, ONE_DOWN)].concat()
+    }
+
     pub const ASK: u8 = b'?';
     pub const HOLD: u8 = b'!';
     pub const RESUME: u8 = b'~';
@@ -30,7 +50,7 @@ mod at_once {
 
 /// Phase of the driver: what is learnt before anything moves, and whether the controller is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Phase {
+pub(crate) enum Phase {
     /// It did not say who it is: it may be starting, or run since long.
     Silent,
     /// It was asked about itself.
@@ -47,47 +67,62 @@ enum Phase {
 
 /// A line with what it belongs to.
 #[derive(Clone, Debug)]
-struct Line {
-    text: String,
-    ticket: Option<Ticket>,
+pub(crate) struct Line {
+    pub text: String,
+    pub ticket: Option<Ticket>,
 }
 
 /// grbl 1.1 or grblHAL.
 #[derive(Debug)]
 pub struct Grbl {
-    phase: Phase,
-    told: Told,
-    facts: Option<Facts>,
-    trouble: Option<Trouble>,
+    pub(crate) phase: Phase,
+    pub(crate) told: Told,
+    pub(crate) facts: Option<Facts>,
+    pub(crate) trouble: Option<Trouble>,
+    /// A setting of it that was changed to drive it.
+    pub(crate) changed: Option<Changed>,
+    /// It was told to change it.
+    pub(crate) mended: bool,
+    /// It moved when it was asked about itself.
+    pub(crate) busy: bool,
+    /// The place at which the probe ended the last order that probes.
+    pub(crate) contact: Option<Axes>,
+    /// It has come to the place to which it was ordered last.
+    pub(crate) arrived: bool,
+    /// Time when somebody looked at the line last.
+    seen_s: f64,
+    /// Time when it was asked where it is, before it was known.
+    looked_s: f64,
     /// The line that is being received.
-    hearing: Vec<u8>,
+    pub(crate) hearing: Vec<u8>,
     /// Lines to be sent.
-    queue: VecDeque<Line>,
+    pub(crate) queue: VecDeque<Line>,
     /// Lines that were sent and not answered.
-    pending: VecDeque<Line>,
-    out: Vec<u8>,
-    flights: Flights,
+    pub(crate) pending: VecDeque<Line>,
+    pub(crate) out: Vec<u8>,
+    pub(crate) flights: Flights,
     /// Place where the last order leaves the machine.
-    planned: Axes,
-    position: Axes,
-    offset: Axes,
-    doing: Doing,
-    pins: String,
+    pub(crate) planned: Axes,
+    pub(crate) place: Place,
+    pub(crate) doing: Doing,
+    pub(crate) pins: String,
     /// Outputs that are on.
-    on: u32,
+    pub(crate) on: u32,
+    /// Words that hold after the last order.
+    pub(crate) modal: Modal,
     /// Outputs that are on after the last order.
-    planned_on: u32,
+    pub(crate) planned_on: u32,
     /// Time when it was told to stop.
-    stopped_s: f64,
+    pub(crate) stopped_s: f64,
     /// Time when something came from it last.
-    heard_s: f64,
+    pub(crate) heard_s: f64,
     /// It has said since its reset that it is there.
-    greets: bool,
-    taken: Ticket,
-    done: Ticket,
+    pub(crate) greets: bool,
+    pub(crate) taken: Ticket,
+    pub(crate) done: Ticket,
     /// Time when it was sent a line last, or answered one.
-    asked_s: f64,
-    replies: Vec<Result<Reply, Garbled>>,
+    pub(crate) asked_s: f64,
+    pub(crate) replies: Vec<Result<Reply, Garbled>>,
 }
 
 impl Default for Grbl {
@@ -100,15 +135,21 @@ impl Default for Grbl {
 /// opening its port needs about two seconds to start.
 const GREETING_S: f64 = 1.0;
 
+/// Whoever looks at the line looks more often than this, seconds, unless the computer sleeps.
+const ASLEEP_S: f64 = 0.5;
+
+/// While its place is not known it is asked so often where it is, seconds.
+const LOOK_S: f64 = 0.1;
+
 /// A controller that stands answers a line within this, seconds: writing a setting takes longest.
-const ANSWER_S: f64 = 2.0;
+pub(crate) const ANSWER_S: f64 = 2.0;
 
 /// A controller that was told to stop and is not heard for so long is reset, seconds: its line back may be
 /// broken, and a hold alone leaves its spindle on.
 const DEAF_S: f64 = 2.0;
 
 /// A report that comes so long after a signal is not older than it, seconds.
-const STALE_S: f64 = 0.3;
+pub(crate) const STALE_S: f64 = 0.3;
 
 impl Grbl {
     /// A controller of which nothing is known.
@@ -118,17 +159,24 @@ impl Grbl {
             told: Told::default(),
             facts: None,
             trouble: None,
+            changed: None,
+            mended: false,
+            busy: false,
+            contact: None,
+            arrived: true,
+            seen_s: f64::NEG_INFINITY,
+            looked_s: f64::NEG_INFINITY,
             hearing: Vec::new(),
             queue: VecDeque::new(),
             pending: VecDeque::new(),
             out: Vec::new(),
             flights: Flights::default(),
             planned: Axes::default(),
-            position: Axes::default(),
-            offset: Axes::default(),
+            place: Place::default(),
             doing: Doing::Idle,
             pins: String::new(),
             on: 0,
+            modal: Modal::default(),
             planned_on: 0,
             stopped_s: 0.0,
             heard_s: f64::NEG_INFINITY,
@@ -140,191 +188,59 @@ impl Grbl {
         }
     }
 
-    fn say(&mut self, text: impl Into<String>) {
-        self.queue.push_back(Line { text: text.into(), ticket: None });
-    }
-
-    /// Asks who it is.
-    fn ask_all(&mut self, now_s: f64) {
-        self.phase = Phase::Asked;
-        self.asked_s = now_s;
-        self.told = Told::default();
-        (self.queue, self.pending) = (VecDeque::new(), VecDeque::new());
-        // An empty line first: whatever stands half received is answered and gone.
-        ["", "$I", "$$"].into_iter().for_each(|line| self.say(line));
-    }
-
-    fn line(&mut self, line: &str, now_s: f64) {
-        if line.is_empty() {
-        } else if line == "ok" {
-            self.answered(now_s);
-        } else if let Some(number) = numbered(line, "error:") {
-            self.refused(number);
-        } else if let Some(number) = numbered(line, "ALARM:") {
-            self.alarm(number);
-        } else if line.starts_with('<') {
-            match Report::read(line) {
-                Some(report) => self.report(&report, now_s),
-                None => self.replies.push(Err(Garbled)),
-            }
-        } else if line.starts_with('[') && line.ends_with(']') {
-            self.told.bracket(line);
-        } else if line.starts_with("Grbl") {
-            self.greeted(now_s);
-        } else if !self.told.setting(line) && !line.starts_with('>') {
-            self.replies.push(Err(Garbled));
-        }
-    }
-
-    /// It has started.
-    fn greeted(&mut self, now_s: f64) {
-        self.pending.clear();
-        self.on = 0;
-        match self.phase {
-            Phase::Resetting => {
-                self.greets = true;
-                self.out.push(at_once::ASK);
-            }
-            Phase::Silent | Phase::Asked => self.ask_all(now_s),
-            Phase::Ready | Phase::Stopping | Phase::Stopped => {
-                let _ = self.trouble.get_or_insert(Trouble::Restarted);
-                self.fail();
-                self.phase = Phase::Stopped;
+    /// Time in which nobody looked at the line is no time in which an answer did not come.
+    fn wakes(&mut self, now_s: f64) {
+        let slept_s = now_s - self.seen_s;
+        self.seen_s = now_s;
+        if slept_s > ASLEEP_S && slept_s.is_finite() {
+            for moment_s in [&mut self.asked_s, &mut self.stopped_s, &mut self.heard_s] {
+                *moment_s += slept_s;
             }
         }
     }
 
-    fn answered(&mut self, now_s: f64) {
-        let Some(line) = self.pending.pop_front() else { return self.replies.push(Err(Garbled)) };
-        self.asked_s = now_s;
-        if let Some(ticket) = line.ticket {
-            if self.flights.answered(ticket) {
-                self.replies.push(Ok(Reply::Taken(ticket)));
-            }
-        } else if self.phase == Phase::Asked && self.pending.is_empty() && self.queue.is_empty() {
+    /// Asks again what it has not told.
+    fn ask_again(&mut self, now_s: f64) {
+        let has_said_all = self.phase == Phase::Asked && !self.busy && self.told.is_known();
+        if !has_said_all && now_s - self.asked_s > GREETING_S {
+            self.ask_all(now_s);
+        }
+        // One that sleeps or is held answers this alone; one that tells places of the workpiece tells its zero seldom.
+        if now_s - self.looked_s > LOOK_S {
+            self.looked_s = now_s;
             self.out.push(at_once::ASK);
         }
     }
 
-    fn refused(&mut self, number: u16) {
-        let line = self.pending.pop_front();
-        let why = words::error(number);
-        if self.phase == Phase::Asked {
-            // Older versions do not know everything that is asked; an empty line may end a garbled one.
-            return;
-        }
-        let _ = self.trouble.get_or_insert(Trouble::Refused { number, why });
-        match line.and_then(|line| line.ticket) {
-            Some(ticket) => self.replies.push(Ok(Reply::Refused(ticket, why))),
-            None => self.fail(),
-        }
+    pub(crate) fn say(&mut self, text: impl Into<String>) {
+        self.queue.push_back(Line { text: text.into(), ticket: None });
     }
 
-    fn alarm(&mut self, number: u16) {
-        let (why, lost) = (words::alarm(number), words::is_lost(number));
-        self.trouble = Some(Trouble::Alarm { number, why, lost });
-        self.on = 0;
-        self.fail();
-    }
-
-    /// Nothing that was ordered will be done.
-    fn fail(&mut self) {
-        let why = "it stopped by itself";
-        if self.done < self.taken {
-            self.replies.push(Ok(Reply::Refused(self.done + 1, why)));
-        }
-        self.queue.clear();
-    }
-
-    fn report(&mut self, report: &Report, now_s: f64) {
-        self.doing = report.doing;
-        self.offset = report.offset.unwrap_or(self.offset);
-        if let Some((frame, place)) = report.place {
-            let work = frame == Frame::Work;
-            self.position = if work { place.plus(self.offset) } else { place };
-        }
-        self.tell_inputs(&report.pins);
-        if self.phase == Phase::Asked && self.pending.is_empty() && self.queue.is_empty() {
-            self.ready(report);
-        }
-        if let Some(free) = report.free {
-            self.told.planner = self.told.planner.max(free);
-            self.flights.left(self.told.planner - free, now_s);
-        }
-        if self.phase == Phase::Ready {
-            self.finish(now_s);
-            self.misses_answer(now_s);
-        }
-        match self.phase {
-            Phase::Stopping if self.has_stopped(now_s) => self.reset(),
-            Phase::Resetting if self.greets => self.phase = Phase::Stopped,
-            _ => {}
-        }
-        self.replies.push(Ok(Reply::Standing(self.standing())));
-    }
-
-    /// It has told everything.
-    fn ready(&mut self, report: &Report) {
-        if report.place.is_none() {
-            return;
-        }
-        let facts = self.told.facts(report.axes);
-        if report.doing == Doing::Alarm {
-            self.trouble = Some(Trouble::Locked { why: facts::locked(facts.homes) });
-        }
-        self.facts = Some(facts);
-        self.begin();
-        if let Some(mend) = self.told.mend() {
-            self.say(mend);
-        }
+    /// Asks who it is.
+    pub(crate) fn ask_all(&mut self, now_s: f64) {
+        self.phase = Phase::Asked;
+        self.asked_s = now_s;
+        (self.told, self.mended, self.busy) = (Told::default(), false, false);
+        (self.queue, self.pending) = (VecDeque::new(), VecDeque::new());
+        // An empty line first: whatever stands half received is answered and gone.
+        ["", "$I", "$$", "$G"].into_iter().for_each(|line| self.say(line));
     }
 
     /// Takes orders from where it stands.
-    fn begin(&mut self) {
+    pub(crate) fn begin(&mut self) {
         self.phase = Phase::Ready;
-        self.planned = self.position;
+        (self.planned, self.modal) = (self.position(), Modal::default());
         if self.trouble.is_none() {
             self.say(MODES);
         }
     }
 
-    fn finish(&mut self, now_s: f64) {
-        let stands = self.doing == Doing::Idle;
-        while let Some(flight) = self.flights.done(stands, now_s) {
-            self.done = flight.sent.ticket;
-            match flight.sent.order {
-                Order::Output { line, on } => self.on = with(self.on, line, on),
-                Order::Home | Order::Unlock => {
-                    (self.planned, self.trouble) = (self.position, None);
-                }
-                Order::Move { .. } | Order::Spindle { .. } => {}
-            }
-            self.replies.push(Ok(Reply::Done(self.done)));
-        }
-    }
-
-    /// It stands, and a line that it must have read long ago is not answered: nobody knows whether it
-    /// took it.
-    fn misses_answer(&mut self, now_s: f64) {
-        let waits = !self.pending.is_empty() && self.doing == Doing::Idle && !self.quiet();
-        if waits && self.trouble.is_none() && now_s - self.asked_s > ANSWER_S {
-            let why = "an answer did not come through: look at the cable";
-            self.trouble = Some(Trouble::Refused { number: 0, why });
-            self.fail();
-        }
-    }
-
-    /// Returns `true` if nothing moves.
-    fn stands(&self) -> bool {
-        matches!(self.doing, Doing::Idle | Doing::Held | Doing::Alarm | Doing::Other)
-    }
-
     /// Returns `true` if it stands because of a stop. It may be idle because the report is older than that.
-    fn has_stopped(&self, now_s: f64) -> bool {
-        self.stands() && (self.doing != Doing::Idle || now_s - self.stopped_s > STALE_S)
+    pub(crate) fn has_stopped(&self, now_s: f64) -> bool {
+        self.doing.stands() && (self.doing != Doing::Idle || now_s - self.stopped_s > STALE_S)
     }
 
-    fn reset(&mut self) {
+    pub(crate) fn reset(&mut self) {
         (self.phase, self.greets) = (Phase::Resetting, false);
         self.out.push(at_once::RESET);
     }
@@ -341,27 +257,29 @@ impl Grbl {
                 // What it does is asked anew: it may have stood a moment ago.
                 self.doing = Doing::Slowing;
             }
-            Phase::Silent | Phase::Asked | Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
-        }
-    }
-
-    fn tell_inputs(&mut self, pins: &str) {
-        for (pin, line) in INPUTS {
-            let (was, on) = (self.pins.contains(pin), pins.contains(pin));
-            if was != on {
-                self.replies.push(Ok(Reply::Input { line, on }));
+            // It may be at work for somebody who is gone.
+            Phase::Silent | Phase::Asked => {
+                self.phase = Phase::Stopping;
+                self.out.extend([at_once::HOLD, at_once::ASK]);
+                self.doing = Doing::Slowing;
             }
+            Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
         }
-        pins.clone_into(&mut self.pins);
     }
 
-    fn standing(&self) -> Standing {
-        let (position, done) = (self.position, self.done);
-        Standing { position, moving: !self.stands(), outputs: self.on, done }
+    /// Returns its place when it told last, machine frame.
+    pub(crate) fn position(&self) -> Axes {
+        self.place.machine().unwrap_or_default()
+    }
+
+    pub(crate) fn standing(&self) -> Standing {
+        let (position, done) = (self.position(), self.done);
+        Standing { position, moving: !self.doing.stands(), outputs: self.on, done }
     }
 
     fn take(&mut self, sent: &Sent, facts: &Facts) {
-        let lines = match lines(&sent.order, self.planned, facts, self.planned_on) {
+        let lines = match lines(&sent.order, self.planned, facts, self.planned_on, &mut self.modal)
+        {
             Ok(lines) => lines,
             Err(why) => {
                 let _ = self.trouble.get_or_insert(Trouble::Refused { number: 0, why });
@@ -370,7 +288,15 @@ impl Grbl {
         };
         self.taken = sent.ticket;
         let (to, blocks) = match sent.order {
-            Order::Move { to, .. } => (to, usize::from(self.steps(to))),
+            Order::Probe { to, .. } => {
+                // The line is answered when the move is over.
+                (self.contact, self.arrived) = (None, false);
+                (to, 0)
+            }
+            Order::Move { to, .. } => {
+                self.arrived = false;
+                (to, usize::from(self.steps(to)))
+            }
             Order::Output { line, on } => {
                 self.planned_on = with(self.planned_on, line, on);
                 (self.planned, 0)
@@ -384,7 +310,7 @@ impl Grbl {
     }
 
     /// Returns `true` if a move is a step of any motor: what is none does not reach the planner.
-    fn steps(&self, to: Axes) -> bool {
+    pub(crate) fn steps(&self, to: Axes) -> bool {
         (0..to.0.len()).any(|axis| {
             let step = |place: f64| (place * self.told.steps(axis)).round();
             step(to.0[axis]) != step(self.planned.0[axis])
@@ -392,16 +318,9 @@ impl Grbl {
     }
 }
 
-/// The pins whose state is told, as inputs: the probe, the door, which is a stop input, and the limits.
-const INPUTS: [(char, u8); 6] = [('P', 1), ('D', 4), ('X', 5), ('Y', 6), ('Z', 7), ('A', 8)];
-
-const fn with(outputs: u32, line: u8, on: bool) -> u32 {
+pub(crate) const fn with(outputs: u32, line: u8, on: bool) -> u32 {
     let bit = 1 << (line - 1);
     if on { outputs | bit } else { outputs & !bit }
-}
-
-fn numbered(line: &str, before: &str) -> Option<u16> {
-    line.strip_prefix(before)?.parse().ok()
 }
 
 impl Driver for Grbl {
@@ -413,6 +332,7 @@ impl Driver for Grbl {
             || sent.ticket != self.taken + 1
             || self.phase != Phase::Ready
             || self.quiet()
+            || self.flights.probing().is_some()
         {
             return;
         }
@@ -432,6 +352,7 @@ impl Driver for Grbl {
             Signal::Hold => self.out.push(at_once::HOLD),
             Signal::Resume => self.out.push(at_once::RESUME),
             Signal::Stop => self.stop(now_s),
+            Signal::Feed(percent) => self.out.extend(at_once::feed(percent)),
         }
     }
 
@@ -440,7 +361,7 @@ impl Driver for Grbl {
     }
 
     fn window(&self) -> usize {
-        WINDOW
+        self.told.planner + self.told.rx / SHORT + UNTOLD
     }
 
     fn quiet(&self) -> bool {
@@ -450,6 +371,7 @@ impl Driver for Grbl {
 
 impl Wired for Grbl {
     fn hear(&mut self, bytes: &[u8], now_s: f64) {
+        self.wakes(now_s);
         if !bytes.is_empty() {
             self.heard_s = now_s;
         }
@@ -468,9 +390,10 @@ impl Wired for Grbl {
     }
 
     fn speak(&mut self, now_s: f64) -> Vec<u8> {
+        self.wakes(now_s);
         let asks = matches!(self.phase, Phase::Silent | Phase::Asked);
-        if asks && self.facts.is_none() && now_s - self.asked_s > GREETING_S {
-            self.ask_all(now_s);
+        if asks && self.facts.is_none() {
+            self.ask_again(now_s);
         }
         let silent_s = now_s - self.stopped_s.max(self.heard_s);
         if self.phase == Phase::Stopping && silent_s > DEAF_S {
@@ -499,6 +422,29 @@ impl Wired for Grbl {
         self.facts.as_ref().map(|_| self.standing())
     }
 
+    fn contact(&self) -> Option<Axes> {
+        self.contact
+    }
+
+    fn waits(&self) -> Option<&'static str> {
+        self.doing.waits()
+    }
+
+    fn changed(&self) -> Option<Changed> {
+        self.changed
+    }
+
+    fn puts_back(&mut self, changed: Changed) -> bool {
+        let Changed { number, was, is } = changed;
+        if self.told.of(number) != Some(f64::from(is)) {
+            return true;
+        }
+        if self.phase == Phase::Ready && self.queue.is_empty() && self.pending.is_empty() {
+            self.say(format!("${number}={was}"));
+        }
+        false
+    }
+
     fn trouble(&self) -> Option<&Trouble> {
         self.trouble.as_ref()
     }
@@ -507,6 +453,7 @@ impl Wired for Grbl {
         if self.phase != Phase::Stopped {
             return false;
         }
+        (self.arrived, self.contact) = (true, None);
         self.flights.clear();
         (self.taken, self.done, self.on, self.planned_on) = (0, 0, 0, 0);
         self.trouble = None;

@@ -1,6 +1,6 @@
 //! The facts that a controller tells of itself: its version line (`$I`) and its settings (`$$`).
 
-use kerf_machine::driver::{AXES, Facts};
+use kerf_machine::driver::{AXES, Changed, Facts};
 use std::collections::BTreeMap;
 
 /// Bytes that the receive buffer of grbl holds, where it does not say.
@@ -12,12 +12,36 @@ const PLANNER: usize = 15;
 /// The bit of `$10` that has the place told in the machine frame, and the one that has the buffers told.
 const TELLS: u32 = 3;
 
+/// The input that is the probe.
+pub const PROBE_INPUT: u8 = 1;
+
+/// Line of the first auxiliary output (`M64P0`).
+const FIRST_AUX: u32 = 4;
+
+/// Firmware of the family.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Firmware {
+    #[default]
+    Grbl,
+    Hal,
+    Fluid,
+}
+
 /// Facts that are known so far.
 #[derive(Clone, Debug)]
 pub struct Told {
     version: String,
-    /// It is grblHAL, which has more outputs.
-    hal: bool,
+    firmware: Firmware,
+    /// Letters of its options; nothing where it tells none.
+    options: Option<String>,
+    /// Letters of its axes, where it tells them.
+    letters: Option<String>,
+    /// Auxiliary outputs (`M64`).
+    aux: u32,
+    /// It says that it has no probe.
+    lacks_probe: bool,
+    /// Modal words that hold in it.
+    modes: Vec<String>,
     settings: BTreeMap<u16, f64>,
     /// Bytes that its receive buffer holds.
     pub rx: usize,
@@ -27,8 +51,18 @@ pub struct Told {
 
 impl Default for Told {
     fn default() -> Self {
-        let (version, settings) = (String::new(), BTreeMap::new());
-        Self { version, hal: false, settings, rx: RX, planner: PLANNER }
+        Self {
+            version: String::new(),
+            firmware: Firmware::Grbl,
+            options: None,
+            letters: None,
+            aux: 0,
+            lacks_probe: false,
+            modes: Vec::new(),
+            settings: BTreeMap::new(),
+            rx: RX,
+            planner: PLANNER,
+        }
     }
 }
 
@@ -37,18 +71,34 @@ impl Told {
     pub fn bracket(&mut self, line: &str) {
         let Some((name, value)) = line.trim_matches(['[', ']']).split_once(':') else { return };
         match name {
-            "VER" => value.trim_end_matches(':').clone_into(&mut self.version),
-            "FIRMWARE" => self.hal = value == "grblHAL",
-            "OPT" => {
-                let mut sizes = value.split(',').skip(1).map(str::parse);
-                if let Some(Ok(planner)) = sizes.next() {
-                    self.planner = planner;
-                }
-                if let Some(Ok(rx)) = sizes.next() {
-                    self.rx = rx;
-                }
+            "VER" => self.is_version(value.trim_end_matches([':', ' '])),
+            "FIRMWARE" if value == "grblHAL" => self.firmware = Firmware::Hal,
+            "OPT" => self.has_options(value),
+            "AXS" => self.letters = value.split(':').nth(1).map(String::from),
+            "AUX IO" => {
+                self.aux = value.split(',').nth(1).and_then(|n| n.parse().ok()).unwrap_or(0);
             }
+            "NEWOPT" => self.lacks_probe = value.split(',').any(|word| word == "NOPROBE"),
+            "GC" => self.modes = value.split_whitespace().map(String::from).collect(),
             _ => {}
+        }
+    }
+
+    fn is_version(&mut self, version: &str) {
+        let fluid = version.contains("FluidNC");
+        self.firmware = if fluid { Firmware::Fluid } else { self.firmware };
+        version.trim_end_matches(|c| " :".contains(c)).clone_into(&mut self.version);
+    }
+
+    fn has_options(&mut self, value: &str) {
+        let mut parts = value.split(',');
+        self.options = parts.next().map(String::from);
+        let mut sizes = parts.map(str::parse);
+        if let Some(Ok(planner)) = sizes.next() {
+            self.planner = planner;
+        }
+        if let Some(Ok(rx)) = sizes.next() {
+            self.rx = rx;
         }
     }
 
@@ -64,18 +114,49 @@ impl Told {
         read.is_some()
     }
 
-    fn of(&self, number: u16) -> Option<f64> {
+    /// Returns `true` if it has told its settings.
+    pub fn is_known(&self) -> bool {
+        !self.settings.is_empty()
+    }
+
+    /// Returns a setting.
+    pub fn of(&self, number: u16) -> Option<f64> {
         self.settings.get(&number).copied()
     }
 
-    fn is_on(&self, number: u16) -> bool {
-        self.of(number).is_some_and(|value| value as u32 & 1 == 1)
+    fn bit(&self, number: u16, bit: u32) -> bool {
+        self.of(number).is_some_and(|value| value as u32 >> bit & 1 == 1)
     }
 
-    /// The line that makes it tell its place and its buffers, where it does not.
-    pub fn mend(&self) -> Option<String> {
-        let mask = self.of(10).unwrap_or(0.0) as u32;
-        (mask & TELLS != TELLS).then(|| format!("$10={}", mask | TELLS))
+    /// Places are told in inches.
+    pub fn in_inches(&self) -> bool {
+        self.bit(13, 0)
+    }
+
+    /// The setting that makes it tell its machine place and its buffers, where it does not.
+    pub fn mend(&self) -> Option<Changed> {
+        let mask = self.of(10)? as u32;
+        (mask & TELLS != TELLS).then(|| Changed { number: 10, was: mask, is: mask | TELLS })
+    }
+
+    /// Tells why it cannot be driven as it is set, with the way to mend it.
+    pub fn unfit(&self, axes: usize) -> Option<&'static str> {
+        let letters = self.letters.as_deref().unwrap_or("XYZABC");
+        if !"XYZABC".starts_with(letters) && !letters.starts_with("XYZABC") {
+            Some("its axes are not X Y Z A B C in this order: build its firmware so")
+        } else if self.settings.is_empty() {
+            Some("it does not tell its settings ($$)")
+        } else if (0..axes).any(|axis| self.steps(axis) <= 0.0) {
+            Some("it does not tell the steps of its axes: look at $100, $101, $102")
+        } else if self.in_inches() && axes > 3 {
+            Some("it tells places in inches, which turning axes do not have: set $13=0")
+        } else if self.of(32) == Some(2.0) {
+            Some("it is set to be a lathe, where X is a diameter: set $32=0")
+        } else if self.modes.iter().any(|mode| mode == "G51") {
+            Some("it scales what it is told: send it G50")
+        } else {
+            None
+        }
     }
 
     /// Steps of an axis, a millimetre or degree.
@@ -83,10 +164,44 @@ impl Told {
         self.of(100 + axis as u16).unwrap_or(0.0)
     }
 
+    /// Its spindle turns when it is switched on. A beam would burn along every way, as all of them are `G1`.
+    fn has_spindle(&self) -> bool {
+        !self.bit(32, 0) && self.of(30).is_none_or(|most_rpm| most_rpm > 0.0)
+    }
+
     /// The outputs there are.
     fn outputs(&self) -> u32 {
-        // Spindle, flood and mist; grblHAL has four more on most boards.
-        if self.hal { 0b111_1111 } else { 0b111 }
+        let spindle = u32::from(self.has_spindle());
+        let has_mist = self.options.as_ref().is_none_or(|letters| letters.contains('M'));
+        let aux = (1_u32 << self.aux.min(u32::BITS - FIRST_AUX)) - 1;
+        spindle | 0b10 | u32::from(has_mist) << 2 | aux << (FIRST_AUX - 1)
+    }
+
+    /// Tells in words why it has no output for a spindle.
+    fn no_spindle(&self) -> &'static str {
+        if self.bit(32, 0) {
+            "its laser mode is on, and a beam would burn along every jog: set $32=0"
+        } else if self.has_spindle() {
+            ""
+        } else {
+            "its spindle has no speed: look at $30"
+        }
+    }
+
+    /// Range of an axis, mm: its home is at the upper end, unless it is set to be zero at the lower one.
+    fn travel_mm(&self, axis: usize) -> Option<(f64, f64)> {
+        // FluidNC puts home anywhere, and tells it in no setting.
+        if !self.bit(20, 0) || self.firmware == Firmware::Fluid {
+            return None;
+        }
+        let travel = self.of(130 + axis as u16)?;
+        let low_home = self.bit(23, axis as u32);
+        if self.forces_zero() && low_home { Some((0.0, travel)) } else { Some((-travel, 0.0)) }
+    }
+
+    fn forces_zero(&self) -> bool {
+        let by_option = self.options.as_ref().is_some_and(|letters| letters.contains('Z'));
+        if self.firmware == Firmware::Hal { self.bit(22, 3) } else { by_option }
     }
 
     /// All of it, for whoever plans.
@@ -95,18 +210,27 @@ impl Told {
             std::array::from_fn::<_, AXES, _>(|axis| of(axis).filter(|_| axis < axes))
         };
         let speed_mm_s = each(&|axis| Some(self.of(110 + axis as u16)? / 60.0));
-        let ends = each(&|axis| self.of(130 + axis as u16).filter(|_| self.is_on(20)));
-        let name = if self.hal { "grblHAL" } else { "grbl" };
+        let name = match self.firmware {
+            Firmware::Grbl => "grbl ",
+            Firmware::Hal => "grblHAL ",
+            Firmware::Fluid => "",
+        };
         Facts {
-            name: format!("{name} {}", self.version).trim_end().to_owned(),
+            name: format!("{name}{}", self.version).trim_end().to_owned(),
             axes,
             speed_mm_s,
-            // Without the option HOMING_FORCE_SET_ORIGIN, home is at 0 and everything else below.
-            travel_mm: ends.map(|end| Some((-end?, 0.0))),
-            homes: self.is_on(22),
+            travel_mm: std::array::from_fn(
+                |axis| {
+                    if axis < axes { self.travel_mm(axis) } else { None }
+                },
+            ),
+            homes: self.bit(22, 0),
             arc_tolerance_mm: self.of(12).unwrap_or(0.002),
             outputs: self.outputs(),
+            no_spindle: self.no_spindle(),
+            probe: (!self.lacks_probe).then_some(PROBE_INPUT),
             spindle_rpm: self.of(30).unwrap_or(1000.0),
+            overrides: true,
         }
     }
 }

@@ -42,6 +42,21 @@ impl Flights {
         })
     }
 
+    /// Another line belongs to the newest order, and a move of the planner.
+    pub fn extends(&mut self, blocks: usize) {
+        if let Some(flight) = self.0.back_mut() {
+            flight.lines += 1;
+            flight.blocks += blocks;
+            flight.cut_s = None;
+        }
+    }
+
+    /// Returns the order at whose end the probe changes, if it is under way.
+    pub fn probing(&self) -> Option<Sent> {
+        let probes = |flight: &&Flight| matches!(flight.sent.order, Order::Probe { .. });
+        self.0.iter().find(probes).map(|flight| flight.sent)
+    }
+
     /// Returns `true` if it goes home, or is about to.
     pub fn goes_home(&self) -> bool {
         self.0.iter().any(|flight| flight.sent.order == Order::Home)
@@ -68,6 +83,11 @@ impl Flights {
         let over = over || (stands && first.lines == 0 && first.cut_s.is_some());
         // What is last is over when the machine says that it stands.
         if over && (stands || self.0.len() > 1) { self.0.pop_front() } else { None }
+    }
+
+    /// Returns `true` if all are done.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
     /// Forgets all.

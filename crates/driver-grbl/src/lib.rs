@@ -24,7 +24,9 @@ mod driver;
 mod facts;
 pub mod fake;
 mod flights;
+mod hears;
 mod lines;
+mod place;
 mod report;
 mod words;
 

@@ -3,15 +3,29 @@
 use crate::driver::MODES;
 use kerf_machine::driver::{Axes, Facts, Order, way_mm};
 
+/// Words that hold from line to line.
+#[derive(Clone, Debug, Default)]
+pub struct Modal {
+    /// `G1` holds.
+    straight: bool,
+    /// The feed that holds.
+    feed: String,
+}
+
 /// The lines that stand for an order, from a place; why it cannot be made by this controller.
 pub fn lines(
     order: &Order,
     from: Axes,
     facts: &Facts,
     on: u32,
+    modal: &mut Modal,
 ) -> Result<Vec<String>, &'static str> {
+    if !matches!(order, Order::Move { .. } | Order::Output { .. } | Order::Spindle { .. }) {
+        *modal = Modal::default();
+    }
     match order {
-        Order::Move { to, speed_mm_s } => Ok(vec![straight(from, *to, *speed_mm_s, facts)?]),
+        Order::Move { to, speed_mm_s } => Ok(vec![straight(from, *to, *speed_mm_s, facts, modal)?]),
+        Order::Probe { to, speed_mm_s, active } => probe(from, *to, *speed_mm_s, *active, facts),
         Order::Output { line, on: true } if !has(facts, *line) => Err(missing(*line)),
         Order::Output { line, on: state } => Ok(output(*line, *state, on)),
         Order::Spindle { rpm } => Ok(vec![format!("S{}", number(*rpm))]),
@@ -31,9 +45,47 @@ const fn missing(line: u8) -> &'static str {
     }
 }
 
+/// A move that ends at a contact, or where it is lost, and alarms nobody when there is none. It is told by its way, as
+/// probing knows the frame of the workpiece alone.
+fn probe(
+    from: Axes,
+    to: Axes,
+    speed_mm_s: f64,
+    active: bool,
+    facts: &Facts,
+) -> Result<Vec<String>, &'static str> {
+    let way = to.minus(from);
+    let code = if active { "G91G38.3" } else { "G91G38.5" };
+    let words = words(Axes::default(), way, facts)?;
+    let feed = number(speed_mm_s * 60.0);
+    Ok(vec![format!("{code}{words}F{feed}"), "G90".into()])
+}
+
 /// A straight move in the machine frame. Only axes that move are named.
-fn straight(from: Axes, to: Axes, speed_mm_s: f64, facts: &Facts) -> Result<String, &'static str> {
-    let mut line = String::from("G53G1");
+pub fn straight(
+    from: Axes,
+    to: Axes,
+    speed_mm_s: f64,
+    facts: &Facts,
+    modal: &mut Modal,
+) -> Result<String, &'static str> {
+    let words = words(from, to, facts)?;
+    let feed = number(speed_mm_s * 60.0);
+    if way_mm(from, to) == 0.0 {
+        // A place that it has already: the feed alone is no motion.
+        let line = format!("F{feed}");
+        modal.feed = feed;
+        return Ok(line);
+    }
+    let word = if modal.straight { "" } else { "G1" };
+    let rate = if modal.feed == feed { String::new() } else { format!("F{feed}") };
+    *modal = Modal { straight: true, feed };
+    Ok(format!("G53{word}{words}{rate}"))
+}
+
+/// The words of the axes that move.
+fn words(from: Axes, to: Axes, facts: &Facts) -> Result<String, &'static str> {
+    let mut words = String::new();
     for (axis, letter) in "XYZABC".chars().enumerate() {
         if to.0[axis] == from.0[axis] {
             continue;
@@ -41,14 +93,10 @@ fn straight(from: Axes, to: Axes, speed_mm_s: f64, facts: &Facts) -> Result<Stri
         if axis >= facts.axes {
             return Err("it does not have an axis that moves");
         }
-        line.push(letter);
-        line += &number(to.0[axis]);
+        words.push(letter);
+        words += &number(to.0[axis]);
     }
-    if way_mm(from, to) == 0.0 {
-        // A place that it has already: the feed alone is no motion.
-        return Ok(format!("F{}", number(speed_mm_s * 60.0)));
-    }
-    Ok(line + "F" + &number(speed_mm_s * 60.0))
+    Ok(words)
 }
 
 /// An output; `on` are those that are on.
@@ -82,7 +130,8 @@ mod tests {
     fn check(order: Order, on: u32, expected: &[&str]) {
         let facts = Facts { axes: 3, outputs: 0b111, ..Facts::default() };
         let from = Axes::xyz(1.0, 2.0, 3.0);
-        assert_eq!(lines(&order, from, &facts, on).expect("lines"), expected);
+        let modal = &mut Modal::default();
+        assert_eq!(lines(&order, from, &facts, on, modal).expect("lines"), expected);
     }
 
     #[test]
@@ -90,10 +139,36 @@ mod tests {
         let to = |x, y, z| Order::Move { to: Axes::xyz(x, y, z), speed_mm_s: 20.0 };
         check(to(10.0, 2.0, -0.1234), 0, &["G53G1X10Z-0.123F1200"]);
         check(to(1.0, 2.0, 3.0), 0, &["F1200"]);
+        let probe = |active| Order::Probe { to: Axes::xyz(1.0, 2.5, 1.0), speed_mm_s: 5.0, active };
+        check(probe(true), 0, &["G91G38.3Y0.5Z-2F300", "G90"]);
+        check(probe(false), 0, &["G91G38.5Y0.5Z-2F300", "G90"]);
         check(Order::Output { line: 1, on: true }, 0, &["M3"]);
         check(Order::Output { line: 2, on: false }, 0b110, &["M9", "M7"]);
         check(Order::Output { line: 2, on: false }, 0b010, &["M9"]);
         check(Order::Spindle { rpm: 12_000.0 }, 0, &["S12000"]);
+    }
+
+    #[test]
+    fn words_that_hold_are_not_repeated() {
+        let facts = Facts { axes: 3, outputs: 0b111, ..Facts::default() };
+        let (mut modal, mut from, mut said) = (Modal::default(), Axes::default(), Vec::new());
+        let to = |x| Axes::xyz(x, 0.0, 0.0);
+        for order in [
+            Order::Move { to: to(1.0), speed_mm_s: 20.0 },
+            Order::Move { to: to(2.0), speed_mm_s: 20.0 },
+            Order::Move { to: to(3.0), speed_mm_s: 10.0 },
+            Order::Output { line: 1, on: true },
+            Order::Move { to: to(4.0), speed_mm_s: 10.0 },
+            Order::Probe { to: to(5.0), speed_mm_s: 10.0, active: true },
+            Order::Move { to: to(6.0), speed_mm_s: 10.0 },
+        ] {
+            said.extend(lines(&order, from, &facts, 0, &mut modal).expect("lines"));
+            if let Order::Move { to, .. } | Order::Probe { to, .. } = order {
+                from = to;
+            }
+        }
+        let expected = ["G53G1X1F1200", "G53X2", "G53X3F600", "M3", "G53X4"];
+        assert_eq!(said, [&expected[..], &["G91G38.3X1F600", "G90", "G53G1X6F600"]].concat());
     }
 
     #[test]
@@ -102,8 +177,11 @@ mod tests {
         let mut to = Axes::default();
         to.0[3] = 90.0;
         let turn = Order::Move { to, speed_mm_s: 1.0 };
-        assert!(lines(&turn, Axes::default(), &facts, 0).is_err());
-        assert!(lines(&Order::Output { line: 5, on: true }, Axes::default(), &facts, 0).is_err());
-        assert!(lines(&Order::Output { line: 3, on: true }, Axes::default(), &facts, 0).is_ok());
+        let lines = |order, facts: &Facts| {
+            super::lines(order, Axes::default(), facts, 0, &mut Modal::default())
+        };
+        assert!(lines(&turn, &facts).is_err());
+        assert!(lines(&Order::Output { line: 5, on: true }, &facts).is_err());
+        assert!(lines(&Order::Output { line: 3, on: true }, &facts).is_ok());
     }
 }

@@ -14,12 +14,72 @@ pub enum Doing {
     Slowing,
     /// It stands in a hold.
     Held,
+    /// It stands, and its door is open.
+    DoorOpen,
+    /// It stands, and its door is closed again.
+    DoorClosed,
+    /// It goes on behind a closed door: its spindle comes up.
+    Resuming,
     /// It goes home.
     Home,
-    /// It is locked.
-    Alarm,
-    /// Anything else that moves nothing: sleep, check mode, tool change.
-    Other,
+    /// It is locked, by an alarm of this number where it says which.
+    Alarm(Option<u16>),
+    /// It waits for a tool.
+    Tool,
+    /// It checks lines in place of making them.
+    Check,
+    /// It sleeps until it is reset.
+    Sleep,
+}
+
+impl Doing {
+    /// Reads the state of a report. A sub-state that is not known is read as its main state.
+    fn read(word: &str) -> Option<Self> {
+        let (main, sub) = word.split_once(':').unwrap_or((word, ""));
+        Some(match (main, sub) {
+            ("Idle", _) => Self::Idle,
+            ("Run" | "Jog", _) => Self::Run,
+            ("Hold", "1") | ("Door", "2") => Self::Slowing,
+            ("Hold", _) => Self::Held,
+            ("Door", "0") => Self::DoorClosed,
+            ("Door", "3" | "4") => Self::Resuming,
+            ("Door", _) => Self::DoorOpen,
+            ("Home", _) => Self::Home,
+            ("Alarm" | "ConfigAlarm" | "Critical", sub) => Self::Alarm(sub.parse().ok()),
+            ("Tool", _) => Self::Tool,
+            ("Check", _) => Self::Check,
+            ("Sleep", _) => Self::Sleep,
+            _ => return None,
+        })
+    }
+
+    /// Returns `true` if nothing moves.
+    pub const fn stands(self) -> bool {
+        !matches!(self, Self::Run | Self::Slowing | Self::Resuming | Self::Home)
+    }
+
+    /// Tells for what it waits at its own controls, in words.
+    pub const fn waits(self) -> Option<&'static str> {
+        match self {
+            Self::Slowing | Self::Held => Some("it is held: its own button has it go on"),
+            Self::DoorOpen => Some("its door is open"),
+            Self::DoorClosed => Some("its door was open: its own button has it go on"),
+            Self::Resuming => Some("its spindle comes up again"),
+            Self::Tool => Some("it waits for a tool: its own button has it go on"),
+            Self::Idle | Self::Run | Self::Home | Self::Alarm(_) | Self::Check | Self::Sleep => {
+                None
+            }
+        }
+    }
+
+    /// Tells why no job can be run, and the way to mend it, in words.
+    pub const fn unfit(self) -> Option<&'static str> {
+        match self {
+            Self::Check => Some("it checks lines in place of making them: send it $C"),
+            Self::Sleep => Some("it sleeps: reset it, and home it or set its location"),
+            _ => None,
+        }
+    }
 }
 
 /// A status report.
@@ -53,7 +113,7 @@ impl Report {
     pub fn read(line: &str) -> Option<Self> {
         let inner = line.strip_prefix('<')?.strip_suffix('>')?;
         let mut fields = inner.split('|');
-        let mut report = Self { doing: doing(fields.next()?)?, ..Self::default() };
+        let mut report = Self { doing: Doing::read(fields.next()?)?, ..Self::default() };
         for field in fields {
             let (name, value) = field.split_once(':')?;
             match name {
@@ -72,19 +132,6 @@ impl Report {
 fn placed(frame: Frame, value: &str) -> Option<(Option<(Frame, Axes)>, usize)> {
     let (place, count) = axes(value)?;
     Some((Some((frame, place)), count))
-}
-
-fn doing(word: &str) -> Option<Doing> {
-    Some(match word {
-        "Idle" => Doing::Idle,
-        "Run" | "Jog" => Doing::Run,
-        "Hold:0" | "Door:0" | "Door:1" => Doing::Held,
-        "Hold:1" | "Door:2" | "Door:3" => Doing::Slowing,
-        "Home" => Doing::Home,
-        _ if word == "Alarm" || word.starts_with("Alarm:") => Doing::Alarm,
-        "Check" | "Sleep" | "Tool" => Doing::Other,
-        _ => return None,
-    })
 }
 
 /// Numbers with commas between them, one for each axis; with how many there are.
@@ -124,5 +171,34 @@ mod tests {
         {
             assert_eq!(Report::read(line), None, "{line}");
         }
+    }
+
+    fn check(word: &str, doing: Doing, stands: bool) {
+        assert_eq!(Doing::read(word), Some(doing), "{word}");
+        assert_eq!(doing.stands(), stands, "{word}");
+    }
+
+    #[test]
+    fn every_state_is_read() {
+        check("Idle", Doing::Idle, true);
+        check("Run", Doing::Run, false);
+        check("Run:1", Doing::Run, false);
+        check("Run:2", Doing::Run, false);
+        check("Jog", Doing::Run, false);
+        check("Hold:0", Doing::Held, true);
+        check("Hold:1", Doing::Slowing, false);
+        check("Hold:7", Doing::Held, true);
+        check("Door:0", Doing::DoorClosed, true);
+        check("Door:1", Doing::DoorOpen, true);
+        check("Door:2", Doing::Slowing, false);
+        check("Door:3", Doing::Resuming, false);
+        check("Door:4", Doing::Resuming, false);
+        check("Door:9", Doing::DoorOpen, true);
+        check("Home", Doing::Home, false);
+        check("Alarm", Doing::Alarm(None), true);
+        check("Alarm:11", Doing::Alarm(Some(11)), true);
+        check("Tool", Doing::Tool, true);
+        check("Check", Doing::Check, true);
+        check("Sleep", Doing::Sleep, true);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::parse::{self, Dialects};
 use clap::{Args, ValueEnum};
-use kerf_control::{Script, Wish};
+use kerf_control::{OperatorRequest, Script};
 use kerf_program::RampModel;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
@@ -81,9 +81,9 @@ pub struct OperatorArgs {
 impl OperatorArgs {
     /// All of it in order of time.
     pub fn script(&self) -> Script {
-        let stops = self.stop_at.iter().map(|at_s| (*at_s, Wish::Stop));
-        let holds = self.hold_at.iter().map(|at_s| (*at_s, Wish::Hold));
-        let feeds = self.feed.iter().map(|(at_s, share)| (*at_s, Wish::Feed(*share)));
+        let stops = self.stop_at.iter().map(|at_s| (*at_s, OperatorRequest::Stop));
+        let holds = self.hold_at.iter().map(|at_s| (*at_s, OperatorRequest::Hold));
+        let feeds = self.feed.iter().map(|(at_s, share)| (*at_s, OperatorRequest::Feed(*share)));
         Script::new(stops.chain(holds).chain(feeds).collect(), self.resume_at.clone())
     }
 }

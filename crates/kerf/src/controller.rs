@@ -12,7 +12,7 @@ use kerf_control::facts::Fact;
 use kerf_control::{Company, Firmware, RunOptions, Session, Shelf, Sink, Work};
 use kerf_driver_grbl::Grbl;
 use kerf_machine::Machine;
-use kerf_machine::driver::Wired;
+use kerf_machine::driver::{Changed, Wired};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_serial::{Port, SerialError};
 use std::cell::RefCell;
@@ -97,10 +97,12 @@ pub fn firmware(shared: &Shared, name: &DriverName, command: &str) -> Firmware {
     })
 }
 
-/// Opens the port and waits until the controller has told who it is.
-pub fn connect(name: &DriverName, quiet: bool) -> Result<Connection> {
+/// Opens the port and waits until the controller has told who it is; what goes on from a run that was abandoned is
+/// stopped first.
+fn connect(name: &DriverName, quiet: bool, abandoned: bool) -> Result<Connection> {
     let (driver, line) = ends(name)?;
-    let connection = Connection::open(&name.words, driver, line).map_err(|why| anyhow!(why))?;
+    let open = if abandoned { Connection::open_stopped } else { Connection::open };
+    let connection = open(&name.words, driver, line).map_err(|why| anyhow!(why))?;
     if !quiet {
         let facts = connection.facts();
         let axes: String = "XYZABC".chars().take(facts.axes).collect();
@@ -128,11 +130,9 @@ pub fn ready(
     session: &mut Session,
     shelf: &mut Shelf,
 ) -> Result<Shared> {
-    let mut connection = connect(name, quiet)?;
     let abandoned = was_abandoned(name, shelf);
-    if abandoned {
-        connection.halt();
-    }
+    let mut connection = connect(name, quiet, abandoned)?;
+    keeps_changed(name, &mut connection, quiet, shelf);
     if first.unlock {
         connection.unlock().map_err(|why| anyhow!(why))?;
     }
@@ -214,9 +214,35 @@ pub fn begins(name: &DriverName, shared: &Shared, shelf: &mut Shelf) {
     shelf.stored.set(DRIVEN, Some(&name.path));
 }
 
+/// The value that says which setting of the controller at a port was changed: its port, the setting, its value before
+/// and since.
+const CHANGED: &str = Fact::ControllerChanged.key();
+
+/// Keeps in mind, and tells, what was changed in the controller; what a run that has no end has left changed is put back
+/// behind this one.
+fn keeps_changed(name: &DriverName, connection: &mut Connection, quiet: bool, shelf: &mut Shelf) {
+    let kept: Option<(String, u16, u32, u32)> =
+        shelf.stored.get(CHANGED).and_then(|kept| serde_json::from_str(kept).ok());
+    if let Some((_, number, was, is)) = kept.filter(|(path, ..)| *path == name.path) {
+        connection.owes(Changed { number, was, is });
+    }
+    let Some(Changed { number, was, is }) = connection.changed() else { return };
+    let kept = serde_json::to_string(&(&name.path, number, was, is)).ok();
+    shelf.stored.set(CHANGED, kept.as_deref());
+    if !quiet {
+        eprintln!(
+            "kerf: {}: ${number} is {is} while Kerf drives it, {was} again afterwards",
+            name.words
+        );
+    }
+}
+
 /// Keeps where a controller was left.
 pub fn leaves(name: &DriverName, shared: &Shared, shelf: &mut Shelf) {
     stands(name, shared, shelf);
+    if shared.borrow().changed().is_none() {
+        shelf.stored.set(CHANGED, None);
+    }
     shelf.stored.set(DRIVEN, None);
 }
 
@@ -295,8 +321,12 @@ pub fn look_through(
     let mut options = RunOptions { started: None, ..options.clone() };
     options.program.preview = true;
     let mut answers: Answers = setup::answers(run)?;
-    let company =
-        Company { sink: &mut lacks, operator: &mut answers, pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut lacks,
+        operator: &mut answers,
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
     drop(session.clone().run(again, options, &mut shelf, company));
     let found = lacks.found();
     let mut told = Diagnostics::default();

@@ -4,15 +4,17 @@ use crate::stop::Stop;
 use anyhow::Result;
 use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
 use kerf_control::journal::Hurry;
-use kerf_control::{Pace, Script, Wish, WorldClock};
+use kerf_control::{OperatorRequest, Requests, Script, WorldClock};
+use kerf_machine::Driven;
 use kerf_program::{Question, QuestionKind};
+use kerf_sim::Simulated;
 use std::cell::Cell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{sleep, spawn};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Answers from a script, then from a person when there is one.
 pub struct Person {
@@ -26,8 +28,8 @@ pub struct Person {
 
 impl Person {
     /// `present` when somebody sits at a terminal.
-    pub fn new(script: Answers, present: bool, pace: &RealPace) -> Self {
-        let stop = pace.stop.clone();
+    pub fn new(script: Answers, present: bool, terminal: &Terminal) -> Self {
+        let stop = terminal.stop.clone();
         let keyboard = present.then(|| Keyboard::new(stop.clone()));
         Self { script, stop, keyboard, editor: None }
     }
@@ -166,7 +168,7 @@ impl Operator for Person {
     }
 }
 
-/// Pace of machine time.
+/// Passing of machine time on the simulated machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
     /// As fast as can be computed.
@@ -178,22 +180,36 @@ pub enum Clock {
 /// Length of a nap while machine time passes: so long Ctrl-C may wait.
 const NAP: Duration = Duration::from_millis(10);
 
-/// Machine time against the time of the world; Ctrl-C stops the machine, the script says what else
-/// the operator does.
-pub struct RealPace {
+/// A second of machine time takes a second.
+struct RealTime(WorldClock);
+
+impl kerf_sim::Clock for RealTime {
+    fn pass(&mut self, from_s: f64, until_s: f64) -> f64 {
+        self.0.pass(from_s, until_s, NAP, sleep)
+    }
+
+    fn is_real(&self) -> bool {
+        true
+    }
+
+    fn begin_anew(&mut self) {
+        self.0.begin_anew();
+    }
+}
+
+/// Requests from a terminal: Ctrl-C stops the machine, a script says what else the operator does.
+pub struct Terminal {
     clock: Clock,
     script: Script,
     stop: Stop,
-    /// Machine time by the clock of the world.
-    world: WorldClock,
 }
 
-impl RealPace {
+impl Terminal {
     /// Listens to Ctrl-C and signals from now on.
     pub fn new(clock: Clock, script: Script) -> Result<Self> {
         let stop = Stop::listen()?;
         stop.instead_of_suspending()?;
-        Ok(Self { clock, script, stop, world: WorldClock::new(1.0) })
+        Ok(Self { clock, script, stop })
     }
 
     /// Returns `true` if Kerf was asked to stop.
@@ -201,36 +217,32 @@ impl RealPace {
         self.stop.is_wanted()
     }
 
-    /// Sleeps until the moment of the world at which a machine time is reached; earlier, and with
-    /// the machine time, when Kerf is asked to stop.
-    fn sleep(&mut self, from_s: f64, to_s: f64) -> Option<f64> {
-        if self.clock == Clock::Fast {
-            return self.stop.is_wanted().then_some(from_s);
+    /// Returns the simulated machine in the time that was asked for.
+    pub fn simulated(&self) -> Driven {
+        match self.clock {
+            Clock::Fast => kerf_control::simulated(),
+            Clock::Real => Simulated::driven(RealTime(WorldClock::new(1.0))),
         }
-        loop {
-            let now_s = self.world.now(from_s);
-            if self.stop.is_wanted() {
-                return Some(now_s.clamp(from_s, to_s));
-            }
-            let left_s = to_s - now_s;
+    }
+
+    /// Sleeps so long, where a second takes a second; tells whether Kerf was asked to stop.
+    fn is_stopped_within(&self, seconds: f64) -> bool {
+        let begin = Instant::now();
+        while self.clock == Clock::Real && !self.is_stopped() {
+            let left_s = seconds - begin.elapsed().as_secs_f64();
             if left_s <= 0.0 {
-                return None;
+                break;
             }
-            sleep(NAP.min(Duration::from_secs_f64(left_s)));
+            sleep(NAP.min(Duration::from_secs_f64(left_s.min(1.0))));
         }
+        self.is_stopped()
     }
 }
 
-impl Pace for RealPace {
-    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
-        let wish = self.script.pass(from_s, to_s);
-        let end_s = wish.map_or(to_s, |(at_s, _)| at_s);
-        let stopped = self.sleep(from_s, end_s).map(|at_s| (at_s, Wish::Stop));
-        stopped.or(wish)
-    }
-
-    fn is_real(&self) -> bool {
-        self.clock == Clock::Real
+impl Requests for Terminal {
+    fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
+        let stop = self.is_stopped().then_some((from_s, OperatorRequest::Stop));
+        stop.or_else(|| self.script.take(from_s, to_s))
     }
 
     fn hurry(&self) -> Option<Hurry> {
@@ -240,14 +252,10 @@ impl Pace for RealPace {
 
     fn resumes(&mut self, held_s: f64) -> Option<f64> {
         let at_s = self.script.resumes(held_s).filter(|_| !self.stop.leaves())?;
-        match self.sleep(held_s, at_s) {
-            Some(_) => None,
-            None => Some(at_s),
-        }
+        (!self.is_stopped_within(at_s - held_s)).then_some(at_s)
     }
 
     fn heard(&mut self) {
         self.stop.hear();
-        self.world.begin_anew();
     }
 }

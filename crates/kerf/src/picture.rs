@@ -70,8 +70,12 @@ impl Picture {
         };
         let mut sink = (Diagnostics::default(), Self::new(title));
         let mut pace = operator.script();
-        let company =
-            Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace, machine: None };
+        let company = Company {
+            sink: &mut sink,
+            operator: &mut job.answers,
+            requests: &mut pace,
+            machine: kerf_control::simulated(),
+        };
         let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
         let mut scene = sink.1.finish(&summary, &job.session);
         if let Some(surface_mm) = surface_mm {
@@ -205,8 +209,12 @@ mod tests {
         let mut one = |text: &str, options: RunOptions| {
             let program = kerf_sbp::read("part.sbp".into(), text.replace('⏎', "\n").as_bytes());
             let mut sink = Picture::new(Path::new("part.sbp"));
-            let company =
-                Company { sink: &mut sink, operator: &mut (), pace: &mut (), machine: None };
+            let company = Company {
+                sink: &mut sink,
+                operator: &mut (),
+                requests: &mut (),
+                machine: kerf_control::simulated(),
+            };
             let summary = session.run(program, options, &mut shelf, company);
             sink.finish(&summary, &session)
         };

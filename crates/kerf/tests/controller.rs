@@ -5,7 +5,8 @@
 
 mod shop;
 
-use kerf_driver_grbl::fake::Fake;
+use kerf_driver_grbl::fake::{Board, Fake};
+use kerf_machine::driver::Axes;
 use kerf_serial::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
@@ -26,9 +27,13 @@ struct Bench {
 
 impl Bench {
     fn new(settings: &[(u16, f64)]) -> Self {
+        Self::of(Fake::new(settings))
+    }
+
+    fn of(fake: Fake) -> Self {
         let plug = Plug::new().unwrap();
         let (port, plugged) = (plug.path().to_owned(), Arc::new(Mutex::new(true)));
-        let fake = Arc::new(Mutex::new(Fake::new(settings)));
+        let fake = Arc::new(Mutex::new(fake));
         let (played, until) = (fake.clone(), plugged.clone());
         let player = Some(spawn(move || play(plug, &played, &until)));
         Self { fake, port, plugged, player }
@@ -131,7 +136,9 @@ fn sbp_ctl_run__on_a_grbl() {
     let lines = bench.look(|fake| fake.lines.clone());
     let place = |word: &str| lines.iter().position(|line| line.starts_with(word)).unwrap();
     assert!(place("S12000") < place("M3") && place("M3") < place("G53"));
-    let chords = lines.iter().filter(|line| line.starts_with("G53G1X") && line.contains('Y'));
+    let chords = lines
+        .iter()
+        .filter(|line| line.starts_with("G53") && line.contains('X') && line.contains('Y'));
     assert!(chords.count() > 50, "a circle within $12");
     // It stood before the jog that follows the cut, and where the spindle was switched off.
     assert!(bench.look(|fake| fake.stands()) <= 6, "{}", bench.look(|fake| fake.stands()));
@@ -237,31 +244,79 @@ fn an_input_of_a_grbl_interrupts_the_program() {
     let pressed = bench.x_mm();
     Did::of(child.wait_with_output().unwrap()).exits(0);
     let stood = events(&shop, "move")[0]["to"]["x"].as_f64().unwrap() * 25.4;
-    let rest = bench.look(|fake| fake.rests()[0]);
+    // It has gone back from the end of its ramp to the place of the contact.
+    let rest = bench.look(|fake| fake.rests()[1]);
     assert!(close(stood, rest.0[0]), "the program stands where the machine does: {stood} {rest:?}");
-    // Two reports of 0.1 s, at 25.4 mm/s, and the ramp; a busy computer takes longer.
-    assert!(stood > pressed && stood < pressed + 25.4, "{pressed} {stood}");
+    assert!(stood > pressed - 0.5 && stood < pressed + 5.0, "{pressed} {stood}");
     assert!(bench.x_mm().abs() < 0.01);
 }
 
 #[test]
-fn a_door_that_opens_stops_a_run_on_a_grbl() {
+fn a_door_that_opens_holds_a_run_on_a_grbl_until_somebody_has_it_go_on() {
     let program = "SO,1,1\nMS,1,1\nMX,5\nEND\n";
-    let (shop, bench) = (Shop::new(&[("door.sbp", program)]), Bench::new(&[]));
+    let (shop, bench) =
+        (Shop::new(&[("door.sbp", program)]), Bench::of(Fake::of(Board::hal(0), &[])));
     let child = bench.start(&shop, "run door.sbp");
     bench.until(|fake| fake.position().0[0] > 30.0);
     bench.look(|fake| fake.pins("D"));
     let opened = bench.x_mm();
-    Did::of(child.wait_with_output().unwrap()).exits(3);
-    let stood = events(&shop, "move")[0]["to"]["x"].as_f64().unwrap() * 25.4;
-    assert!(stood > opened && stood < opened + 25.4, "{opened} {stood}");
-    assert_eq!(bench.look(|fake| fake.spindle()), None);
-    // Open before the start, it forbids motion and the spindle.
+    sleep(Duration::from_millis(2500));
+    let stood = bench.x_mm();
+    assert!(
+        stood < opened + 5.0 && bench.look(|fake| fake.spindle()).is_none(),
+        "{opened} {stood}"
+    );
+    bench.look(|fake| fake.pins(""));
+    bench.look(Fake::cycle_start);
+    Did::of(child.wait_with_output().unwrap()).exits(0).says("ran to its end");
+    assert!(close(bench.x_mm(), 127.0), "{}", bench.x_mm());
+    // Open before the start, it forbids everything.
     let bench = Bench::new(&[]);
     bench.look(|fake| fake.pins("D"));
-    bench.run(&shop, "run door.sbp").exits(3);
+    bench.run(&shop, "run door.sbp").exits(1).complains("its door is open");
     assert!(bench.x_mm().abs() < 0.01);
-    assert!(!bench.look(|fake| fake.lines.clone()).iter().any(|line| line.starts_with("M3")));
+}
+
+/// The light that is on while something moves is nobody's need; a program that switches an output itself needs it.
+#[test]
+fn a_board_without_auxiliary_outputs_runs_what_needs_none() {
+    let (shop, bench) = (Shop::new(&[("box.sbp", BOX)]), Bench::of(Fake::of(Board::hal(0), &[])));
+    bench.run(&shop, "run box.sbp").exits(0).complains("has no output 4").says("ran to its end");
+    let lines = bench.look(|fake| fake.lines.clone());
+    assert!(!lines.iter().any(|line| line.starts_with("M64")), "{lines:?}");
+    shop.write("p.sbp", b"MX,1\nSO,5,1\n");
+    let did = bench.run(&shop, "run p.sbp --start fresh");
+    did.exits(1).complains("has no output 5, but 1 (spindle)").complains("p.sbp:");
+    let beam = Bench::of(Fake::of(Board::hal(0), &[(32, 1.0)]));
+    beam.run(&shop, "run box.sbp --start fresh").exits(1).complains("set $32=0");
+    assert_eq!(beam.look(|fake| fake.way_mm()), 0.0);
+}
+
+#[test]
+fn a_job_is_where_it_belongs_whatever_a_grbl_tells_and_its_settings_are_put_back() {
+    for unit in [0.0, 1.0] {
+        let mut fake = Fake::of(Board::hal(0), &[(10, 508.0), (13, unit)]);
+        fake.offset = Axes::xyz(100.0, 50.0, -20.0);
+        let (shop, bench) = (Shop::new(&[("square.sbp", SQUARE)]), Bench::of(fake));
+        let did = bench.run(&shop, "run square.sbp");
+        did.exits(0).complains("$10 is 511 while Kerf drives it, 508 again afterwards");
+        let (way_mm, place) = bench.look(|fake| (fake.way_mm(), fake.position()));
+        assert!(
+            (way_mm - 4.0 * 76.2).abs() < 0.1 && place == Axes::default(),
+            "{way_mm} {place:?}"
+        );
+        assert_eq!(bench.look(|fake| fake.lowest_mm), 0.0);
+        assert_eq!(bench.look(|fake| fake.is_set_to(10)), 508.0);
+        // Killed in the middle it is put back behind the next run.
+        let mut child = bench.start(&shop, "run square.sbp --start fresh");
+        bench.until(|fake| fake.position().0[0] > 20.0);
+        child.kill().unwrap();
+        child.wait().unwrap();
+        assert_eq!(bench.look(|fake| fake.is_set_to(10)), 511.0);
+        shop.write("nothing.sbp", b"PRINT 1\n");
+        bench.run(&shop, "run nothing.sbp");
+        assert_eq!(bench.look(|fake| fake.is_set_to(10)), 508.0);
+    }
 }
 
 #[test]
@@ -450,4 +505,38 @@ fn nobody_knows_where_a_grbl_stands_whose_run_was_killed() {
     shop.write("yes.txt", b"location=Continue\n");
     bench.run(&shop, "run square.sbp --answers yes.txt").exits(0);
     bench.run(&shop, "run x.sbp").exits(0);
+}
+
+/// The machine stops itself where its probe touches: nothing is pressed into the plate, and zero is its surface.
+#[test]
+fn a_touch_plate_is_found_to_a_step_on_a_grbl() {
+    let program =
+        "MS,1,.5\nON INP(1,1) GOTO hit\nMZ,-1\nEND\nhit:\nVA,,,.5\nPRINT \"at \";%(3)\nMZ,1\nEND\n";
+    let (shop, bench) = (Shop::new(&[("touch.sbp", program)]), Bench::new(&[]));
+    bench.look(|fake| fake.plate_mm = Some(-10.0));
+    bench.run(&shop, "run touch.sbp").exits(0);
+    let stood = events(&shop, "move")[0]["to"]["z"].as_f64().unwrap() * 25.4;
+    assert!((stood + 10.0).abs() < 0.0015, "{stood}");
+    let lowest = bench.look(|fake| fake.lowest_mm);
+    assert!(lowest > -10.25, "on a ramp of 400 mm/s² from 12.7 mm/s: {lowest}");
+    // Half an inch above the plate is a place that is an inch higher than half an inch below zero.
+    let z = bench.look(|fake| fake.position().0[2]);
+    assert!((z - 2.7).abs() < 0.003, "{z}");
+    assert!(bench.look(|fake| fake.lines.iter().any(|line| line.starts_with("G91G38.3Z"))));
+}
+
+/// An input that can only be looked at now and then stops the machine within a tenth of a millimetre.
+#[test]
+fn a_move_until_an_input_that_is_only_looked_at_is_slow() {
+    let program = "MS,1,1\nON INP(5,1) GOTO hit\nMX,.3\nEND\nhit:\nMX,0\nEND\n";
+    let (shop, bench) = (Shop::new(&[("edge.sbp", program)]), Bench::new(&[]));
+    let child = bench.start(&shop, "run edge.sbp");
+    bench.until(|fake| fake.position().0[0] > 1.0);
+    bench.look(|fake| fake.pins("X"));
+    let pressed = bench.x_mm();
+    Did::of(child.wait_with_output().unwrap()).exits(0);
+    let stood = events(&shop, "move")[0]["to"]["x"].as_f64().unwrap() * 25.4;
+    // A computer that is busy with other things is no measure: the machine is slow, whatever it does.
+    assert!(stood >= pressed && stood < pressed + 1.0, "{pressed} {stood}");
+    assert!(bench.look(|fake| fake.lines.iter().any(|line| line.ends_with("F90"))));
 }

@@ -78,8 +78,8 @@ fn a_disk_that_fills_up_does_not_stop_a_cut() {
 fn a_disk_that_fills_up_does_not_stop_a_job() {
     let shop = shop();
     // Whatever the operator wants is on record before it happens.
-    let wishes: String = (1..90).map(|t| format!(" --override {}@{t}", 50 + t)).collect();
-    let full = on_full_disk(&shop, 300, &format!("run many.svg --trace t{wishes}"));
+    let requests: String = (1..90).map(|t| format!(" --override {}@{t}", 50 + t)).collect();
+    let full = on_full_disk(&shop, 300, &format!("run many.svg --trace t{requests}"));
     full.complains("J001").complains("not on record").complains("disk of the data folder is full");
     assert_eq!(full.err().matches("J001").count(), 1, "it is told once\n{}", full.err());
     full.exits(1).says("ran to its end").complains("what the run left is not kept: the disk");

@@ -201,8 +201,12 @@ impl Case {
         let mut events = Vec::new();
         let mut operator = Answers::read(&self.answers.join("\n"));
         let mut pace = StopAt(stop_at_s);
-        let company =
-            Company { sink: &mut events, operator: &mut operator, pace: &mut pace, machine: None };
+        let company = Company {
+            sink: &mut events,
+            operator: &mut operator,
+            requests: &mut pace,
+            machine: kerf_control::simulated(),
+        };
         let program = kerf_part::read(self.name.into(), program.as_bytes());
         self.session.run(program, options, shelf, company);
         events

@@ -4,7 +4,9 @@ use kerf_control::answers::Answers;
 use kerf_control::event::MoveEvent;
 use kerf_control::files::MemoryDisk;
 use kerf_control::vcd::VcdSink;
-use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Sink, Summary, Wish, Work};
+use kerf_control::{
+    Company, Event, OperatorRequest, RunOptions, Script, Session, Shelf, Sink, Summary, Work,
+};
 use kerf_drawing::{Editor, script};
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::lines::Input;
@@ -69,7 +71,7 @@ pub struct JobRun {
     /// Session that stays of what was run before.
     session: Option<Session>,
     machine: Configuration,
-    wishes: Vec<(f64, Wish)>,
+    requests: Vec<(f64, OperatorRequest)>,
     answers: String,
     inputs: Vec<Change>,
     sheet: Option<Sheet>,
@@ -95,7 +97,7 @@ impl JobRun {
             homed: AxisSet::first(3),
             session: None,
             machine: sim(),
-            wishes: Vec::new(),
+            requests: Vec::new(),
             answers: String::new(),
             inputs: Vec::new(),
             sheet: None,
@@ -125,7 +127,7 @@ impl JobRun {
     /// A key is let go at a time.
     #[must_use]
     pub fn let_go(mut self, at_s: f64) -> Self {
-        self.wishes.push((at_s, Wish::End));
+        self.requests.push((at_s, OperatorRequest::End));
         self
     }
 
@@ -146,14 +148,14 @@ impl JobRun {
     /// Key Stop at a time.
     #[must_use]
     pub fn stop(mut self, at_s: f64) -> Self {
-        self.wishes.push((at_s, Wish::Stop));
+        self.requests.push((at_s, OperatorRequest::Stop));
         self
     }
 
-    /// Adds a wish of the operator at a time.
+    /// Adds a request of the operator at a time.
     #[must_use]
-    pub fn wish(mut self, at_s: f64, wish: Wish) -> Self {
-        self.wishes.push((at_s, wish));
+    pub fn request(mut self, at_s: f64, request: OperatorRequest) -> Self {
+        self.requests.push((at_s, request));
         self
     }
 
@@ -221,8 +223,13 @@ impl JobRun {
         });
         let mut shelf = Shelf::in_memory(MemoryDisk::new(std::iter::empty()));
         let mut operator = Answers::read(&self.answers);
-        let mut pace = Script::new(self.wishes, Vec::new());
-        let company = Company { sink, operator: &mut operator, pace: &mut pace, machine: None };
+        let mut pace = Script::new(self.requests, Vec::new());
+        let company = Company {
+            sink,
+            operator: &mut operator,
+            requests: &mut pace,
+            machine: kerf_control::simulated(),
+        };
         let options =
             RunOptions { inputs: self.inputs, sheet: self.sheet, ..RunOptions::default() };
         let machine = Arc::new(self.machine);

@@ -28,7 +28,7 @@ pub mod wiring;
 mod words;
 
 pub use hand::{Errand, Hand, Held, Keypad, Stretch};
-pub use machine::{Actuator, Driven, Fault, Going, Machine, News};
+pub use machine::{Actuator, Driven, Fault, Going, Machine, News, OVERRUN_MM, Watch};
 pub use settings::Configuration;
 pub use state::State;
 pub use table::Setting;

@@ -11,14 +11,22 @@
 //! ```
 //!
 //! A run calls [`Machine::advance`] again and again: each call takes what there is room for, waits a moment at most and
-//! tells how far the machine has come in its plan.
+//! tells how far the machine has come in its plan. Between two calls the run looks at what the operator asks for.
 
 use crate::driver::Facts;
 use kerf_motion::{Move, Plan, State};
 use kerf_program::{At, Axes, OutputReason, Turn};
 use std::cell::RefCell;
 use std::rc::Rc;
-use std::time::Duration;
+
+/// An input at whose change the machine is to stand at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Watch {
+    /// Its number, as part files count.
+    pub input: u8,
+    /// The state of its pin that is waited for.
+    pub active: bool,
+}
 
 /// A move of a plan that the machine is about to make.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +42,14 @@ pub struct Going<'a> {
     /// Share of the planned move that its own shares refer to: less than 1 where it ends at a stop within, 0
     /// where the machine moves beside the program.
     pub part: f64,
+    /// Inputs at whose change it is to stand at once, while this plan is made. A machine that can stop by itself there
+    /// stands at the very place, and tells the input as its news; one that looks at the input now and then makes the
+    /// moves so slowly that it comes no farther than [`OVERRUN_MM`] behind it.
+    pub watches: &'a [Watch],
 }
+
+/// Longest way behind the change of an input that is only looked at now and then, mm.
+pub const OVERRUN_MM: f64 = 0.1;
 
 impl Going<'_> {
     /// The move.
@@ -104,7 +119,7 @@ pub struct Fault {
 /// News of a machine since it was asked last.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct News {
-    /// The moment of the plan that it has reached, seconds of machine time; infinite once the move is made.
+    /// The moment that it has reached, seconds of machine time; infinite once the move is made.
     pub reached_s: f64,
     /// An input that changed, by its number, and whether it is active now. Others may wait.
     pub input: Option<(u8, bool)>,
@@ -119,8 +134,14 @@ pub trait Machine {
     /// Returns what it has and can do.
     fn facts(&self) -> &Facts;
 
+    /// Returns `true` if it takes the time of the world: what it makes is put on record while it makes it.
+    fn is_real(&self) -> bool;
+
     /// Returns in words why it cannot make a move; asked before anything of its stack moves.
     fn refuses(&self, mv: &Move) -> Option<String>;
+
+    /// A run begins, or goes on after it waited for a person.
+    fn begin(&mut self);
 
     /// Another piece of plan is followed from now on; what it has of the one before it makes first.
     fn begin_plan(&mut self);
@@ -129,27 +150,35 @@ pub trait Machine {
     /// [fault](Machine::fault).
     fn set(&mut self, actuator: &Actuator);
 
-    /// The moment that is reached of a move, as far as it is known; does not wait.
-    fn reached_s(&mut self, going: &Going<'_>) -> f64;
+    /// Takes moves of the plan as far as there is room, waits for news for a moment at most, and tells how far it has come
+    /// from one moment towards another. A moment that is reached is not waited for.
+    fn advance(&mut self, going: &Going<'_>, from_s: f64, until_s: f64) -> News;
 
-    /// Takes moves of the plan as far as there is room, waits for news for a moment at most, and tells them.
-    fn advance(&mut self, going: &Going<'_>, wait: Duration) -> News;
+    /// Lets time pass from one moment towards another, for a moment at most, while nothing moves.
+    fn stand(&mut self, from_s: f64, until_s: f64) -> News;
 
-    /// Goes on with what it has, waiting for news for a moment at most. An input that changes is told by the next look.
-    fn work(&mut self, wait: Duration);
+    /// Looks at it in passing, without waiting. An input that changes is told by the next call that tells news.
+    fn look(&mut self);
 
-    /// The same, and tells an input that changed: by its number, and whether it is active now.
-    fn look(&mut self, wait: Duration) -> Option<(u8, bool)>;
-
-    /// Returns `true` while something that it has is not made yet.
-    fn is_busy(&self) -> bool;
+    /// Makes what it has, waiting for a moment at most; returns `true` while something is not made yet.
+    fn settle(&mut self) -> bool;
 
     /// Slows down on the path, forgets what it has not made, and switches its outputs off. Returns the moment of the plan
-    /// at which it stands; nothing where it did not tell.
+    /// at which it stands; nothing where it stops by the ramp that is planned for it, or did not tell.
     fn stop(&mut self, going: &Going<'_>) -> Option<f64>;
+
+    /// Makes cuts at this share of their speed from now on, where it [overrides](Facts::overrides) by itself; for another
+    /// the plan is made anew.
+    fn feed(&mut self, share: f32);
 
     /// The operator has waited for it in vain: it does nothing more.
     fn give_up(&mut self);
+
+    /// Returns for what it waits at its own controls, in words: an open door, a hold, a tool. It goes on when somebody
+    /// there wants it to.
+    fn waits(&mut self) -> Option<&'static str> {
+        None
+    }
 
     /// Returns the reason for which it does nothing more.
     fn fault(&self) -> Option<&Fault>;

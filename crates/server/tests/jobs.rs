@@ -416,8 +416,12 @@ fn trace(tenths: u8) -> Vec<kerf_control::Event> {
     let disk = kerf_control::files::RealDisk;
     let mut shelf = kerf_control::Shelf::preview(disk, folders, &stored, ".".into());
     let mut sink = Trace::default();
-    let company =
-        kerf_control::Company { sink: &mut sink, operator: &mut (), pace: &mut (), machine: None };
+    let company = kerf_control::Company {
+        sink: &mut sink,
+        operator: &mut (),
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
     let options = kerf_control::RunOptions::default();
     kerf_control::Session::default().run(work, options, &mut shelf, company);
     sink.0

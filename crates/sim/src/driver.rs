@@ -166,6 +166,7 @@ impl Driver for SimDriver {
             Signal::Hold => self.held = true,
             Signal::Resume => self.held = false,
             Signal::Stop => self.stopping = true,
+            Signal::Feed(_) => {}
         }
     }
 

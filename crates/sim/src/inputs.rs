@@ -319,6 +319,11 @@ pub fn contact(number: u8, active: bool, modes: &IoModes) -> bool {
     active != normally_closed(number, modes)
 }
 
+/// The state of a pin, as a controller reports it, in which an input reads as given.
+pub fn pin(number: u8, on: bool, modes: &IoModes) -> bool {
+    signal(number, contact(number, true, modes), modes) == on
+}
+
 /// The inputs that can do anything to motion, by number.
 fn switches(modes: &IoModes) -> impl Iterator<Item = u8> {
     let last = modes.inputs.len() as u8;

@@ -35,13 +35,16 @@ pub mod ports;
 pub mod pulses;
 mod scene;
 mod sheet;
+mod simulated;
 mod trigger;
 pub mod unreliable;
 pub mod vcd;
 
 pub use halt::{Halt, HaltCause, Watched};
 pub use hand::Push;
-pub use inputs::{CABLE, Change, Duty, Inputs, STALL, STOP_INPUT, contact, duty, input_number};
+pub use inputs::{
+    CABLE, Change, Duty, Inputs, STALL, STOP_INPUT, contact, duty, input_number, pin,
+};
 pub use lift::Lift;
 pub use limits::Violation;
 pub use log::{Happening, Log, What};
@@ -49,3 +52,4 @@ pub use machine::{Machine, WasOn};
 pub use outputs::Outputs;
 pub use scene::{Body, Touch};
 pub use sheet::Sheet;
+pub use simulated::{Clock, Simulated};

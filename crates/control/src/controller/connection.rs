@@ -1,16 +1,15 @@
 //! The connection to a controller: a driver, the line it hangs on, and the clock of the world.
 
-use super::lacks::{lacked, needs, out_of_reach, wired};
+use super::lacks::{lacked, needs, no_output, out_of_reach, wired};
 use super::row::{Chord, Handed, Row};
-use super::steers::PATIENCE;
 use super::ways::{chords, speed_mm_s};
 use kerf_machine::driver::{
-    Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
+    Changed, Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };
-use kerf_machine::{Actuator, Fault, Going, Machine, News};
-use kerf_motion::Move;
-use kerf_program::{At, Axes, OutputReason};
-use std::collections::VecDeque;
+use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
+use kerf_motion::{Move, Path};
+use kerf_program::{At, Axes, MoveKind, OutputReason};
+use std::collections::{BTreeSet, VecDeque};
 use std::time::{Duration, Instant};
 
 /// Line that a driver hangs on. Errors are told to people as they are.
@@ -31,6 +30,9 @@ const GREETING_S: f64 = 8.0;
 /// A machine slows down and its controller is reset within this, seconds.
 const STOPPING_S: f64 = 10.0;
 
+/// A setting is put back within this, seconds: writing one takes some milliseconds.
+const PUTTING_S: f64 = 2.0;
+
 /// Going home takes at most so long, seconds.
 const HOMING_S: f64 = 300.0;
 
@@ -43,8 +45,15 @@ const MIST: u8 = 3;
 /// While it has nothing to do the controller is asked so often how it is, seconds.
 const ASK_S: f64 = 0.2;
 
+/// While an input is watched that is only looked at, the controller is asked so often, seconds.
+const LOOK_S: f64 = 0.02;
+
+/// The fastest a machine goes while it looks at an input now and then, mm/s: in 0.06 s, for a look, the line both ways and
+/// the next turn of the run, and on a ramp of 100 mm/s² it comes no farther than [`kerf_machine::OVERRUN_MM`].
+const POLLED_MM_S: f64 = 1.5;
+
 /// Most orders on their way to the controller that are not done.
-const AHEAD: usize = 64;
+const AHEAD: usize = 512;
 
 /// A line that somebody else has.
 struct Closed;
@@ -57,6 +66,27 @@ impl Line for Closed {
     fn write(&mut self, _: &[u8]) -> Result<(), String> {
         Err("the port of the controller is closed".into())
     }
+}
+
+/// The last moves of a piece of plan that does not end at a stand are not waited for, as long as this,
+/// seconds: the next piece is planned meanwhile, and the machine does not stop between them.
+const LEAD_S: f64 = 0.5;
+
+/// Time limit for the last moves of a machine that is wanted stopped, seconds: longer than what is sent ahead takes.
+const PATIENCE_S: f64 = 2.0;
+
+/// A share in percent, as a driver is told it.
+fn percent(share: f32) -> u8 {
+    (share * 100.0).round().clamp(1.0, 250.0) as u8
+}
+
+/// Returns `true` if a run goes on without waiting for the machine.
+fn leads(going: &Going<'_>, until_s: f64) -> bool {
+    let plan = going.plan;
+    let last = plan.span(plan.moves().len().saturating_sub(1));
+    // A ramp ends at its own speed, which is a stand all the same.
+    let goes_on = last.is_some_and(|last| last.v_exit > 1.001 * last.made.ramp_mm_s);
+    goes_on && going.t0_s + plan.duration_s() - until_s < LEAD_S
 }
 
 /// A connection to a controller.
@@ -77,9 +107,23 @@ pub struct Connection {
     wanted: u32,
     ordered: u32,
     rpm: Option<f64>,
+    /// Share of the ordered speed at which it makes moves.
+    feed: f32,
     inputs: VecDeque<(u8, bool)>,
+    /// Inputs that are active.
+    active: BTreeSet<u8>,
+    /// The order that ends where the probe changes, under way.
+    probing: Option<Ticket>,
+    /// The move of the plan that a contact ended, and the share of it at which it stands.
+    contact: Option<(usize, f64)>,
+    /// An input is watched that is only looked at now and then.
+    looks_often: bool,
     asked_s: f64,
+    /// While nothing moves: the moment of machine time that was told last, and when.
+    stood: Option<(f64, Instant)>,
     failure: Option<Fault>,
+    /// A setting of the controller that was changed, and is put back.
+    owed: Option<Changed>,
     /// The line itself is gone.
     dead: bool,
     /// The run is over, and what it leaves on is meant to be.
@@ -90,9 +134,27 @@ impl Connection {
     /// Speaks to a controller until it has told who it is.
     ///
     /// # Errors
-    /// Nobody answers, or something that is no such controller.
+    /// Nobody answers, or something that is no such controller, or one that cannot be driven as it is set.
     pub fn open(name: &str, driver: Box<dyn Wired>, line: Box<dyn Line>) -> Result<Self, String> {
-        let mut connection = Self {
+        Self::new(name, driver, line).greeted()
+    }
+
+    /// The same, after it has stopped what may go on from a run that has no end.
+    ///
+    /// # Errors
+    /// As [`Connection::open`].
+    pub fn open_stopped(
+        name: &str,
+        driver: Box<dyn Wired>,
+        line: Box<dyn Line>,
+    ) -> Result<Self, String> {
+        let mut connection = Self::new(name, driver, line);
+        connection.link.stop(0.0);
+        connection.greeted()
+    }
+
+    fn new(name: &str, driver: Box<dyn Wired>, line: Box<dyn Line>) -> Self {
+        Self {
             name: name.to_owned(),
             link: Link::new(driver),
             line,
@@ -105,27 +167,70 @@ impl Connection {
             wanted: 0,
             ordered: 0,
             rpm: None,
+            feed: 1.0,
             inputs: VecDeque::new(),
+            active: BTreeSet::new(),
+            probing: None,
+            contact: None,
+            looks_often: false,
             asked_s: 0.0,
+            stood: None,
             failure: None,
+            owed: None,
             dead: false,
             closed: false,
-        };
-        let known = |it: &mut Self| it.link.driver().facts().cloned();
-        while connection.now_s() < GREETING_S && !connection.dead {
-            connection.carry(NAP);
-            if let Some(facts) = known(&mut connection) {
-                connection.facts = facts;
-                connection.link.restart(connection.now_s());
-                return Ok(connection);
+        }
+    }
+
+    /// Waits until it has told who it is.
+    fn greeted(mut self) -> Result<Self, String> {
+        while self.now_s() < GREETING_S && !self.dead {
+            self.carry(NAP);
+            if let Some(trouble @ Trouble::Unfit { .. }) = self.link.driver().trouble() {
+                return Err(format!("{}: {trouble}", self.name));
+            }
+            if let Some(facts) = self.link.driver().facts().cloned() {
+                self.facts = facts;
+                self.owed = self.link.driver().changed();
+                self.link.restart(self.now_s());
+                return Ok(self);
             }
         }
-        match connection.failure.take() {
-            Some(failure) => Err(failure.message),
-            None => Err(format!(
-                "{name} does not answer: is it switched on, is this its port, and its rate?"
+        match (self.failure.take(), self.link.driver().waits()) {
+            (Some(failure), _) => Err(failure.message),
+            (None, Some(why)) => Err(format!("{}: {why}", self.name)),
+            (None, None) => Err(format!(
+                "{} does not answer: is it switched on, is this its port, and its rate?",
+                self.name
             )),
         }
+    }
+
+    /// Returns the setting of the controller that was changed to drive it.
+    pub const fn changed(&self) -> Option<Changed> {
+        self.owed
+    }
+
+    /// A run that has no end has left a setting changed: it is put back behind this one.
+    pub const fn owes(&mut self, changed: Changed) {
+        if self.owed.is_none() {
+            self.owed = Some(changed);
+        }
+    }
+
+    /// Puts back what was changed in the controller; tells whether that is done.
+    fn put_back(&mut self) -> bool {
+        let until_s = self.now_s() + PUTTING_S;
+        while let Some(changed) = self.owed {
+            if self.dead || self.now_s() > until_s {
+                return false;
+            }
+            if self.link.driver().puts_back(changed) {
+                self.owed = None;
+            }
+            self.tend(NAP);
+        }
+        true
     }
 
     /// A place of the machine less that of the controller.
@@ -197,12 +302,15 @@ impl Connection {
         does: impl FnOnce() -> T,
         opens: impl FnOnce() -> Result<(Box<dyn Wired>, Box<dyn Line>), String>,
     ) -> (T, Result<String, String>) {
-        self.settle(|| false);
-        let place = self.place();
+        self.finish(|| false);
+        let (place, owed) = (self.place(), self.owed);
         self.line = Box::new(Closed);
         let done = does();
         match opens().and_then(|(driver, line)| Self::open(&self.name, driver, line)) {
-            Ok(connection) => *self = connection,
+            Ok(connection) => {
+                *self = connection;
+                self.owed = owed.or(self.owed);
+            }
             Err(why) => {
                 self.fail(why.clone(), "look at its firmware", None, true);
                 return (done, Err(why));
@@ -248,7 +356,8 @@ impl Connection {
     /// Looks what became of orders; sends what is due.
     fn tend(&mut self, wait: Duration) {
         let now_s = self.now_s();
-        if self.open == 0 && now_s - self.asked_s > ASK_S {
+        let each_s = if self.looks_often { LOOK_S } else { ASK_S };
+        if (self.open == 0 || self.looks_often) && now_s - self.asked_s > each_s {
             self.asked_s = now_s;
             self.link.driver().signal(Signal::Ask, now_s);
         }
@@ -259,8 +368,18 @@ impl Connection {
                 Told::Done(ticket) => {
                     self.done = ticket;
                     self.open = self.open.saturating_sub(1);
+                    if self.probing == Some(ticket) {
+                        self.probed();
+                    }
                 }
-                Told::Input { line, on } => self.inputs.push_back((line, on)),
+                Told::Input { line, on } => {
+                    if on {
+                        self.active.insert(line)
+                    } else {
+                        self.active.remove(&line)
+                    };
+                    self.inputs.push_back((line, on));
+                }
                 Told::State(state) => self.state_is(state),
             }
         }
@@ -309,9 +428,10 @@ impl Connection {
         let _ = self.failure.get_or_insert(failure);
     }
 
-    /// Fails because the program asks for what the controller does not have.
-    fn lacks(&mut self, what: &str) {
-        self.fail(format!("{} has no {what}", self.name), "", None, false);
+    /// Fails because the program asks for an output that the controller does not have.
+    fn lacks(&mut self, number: u8) {
+        let what = no_output(&self.facts, number);
+        self.fail(format!("{} {what}", self.name), "", None, false);
     }
 
     fn order(&mut self, order: Order) -> Option<Ticket> {
@@ -325,18 +445,51 @@ impl Connection {
         self.open < AHEAD && self.failure.is_none()
     }
 
-    /// Hands a move over, after the outputs that should be on.
-    fn hand(&mut self, made: &Move) {
+    /// Hands a move over, after the outputs that should be on. One that ends at a change of the probe is alone.
+    fn hand(&mut self, made: &Move, watches: &[Watch]) {
+        let probes = self.probes(made, watches);
+        if self.contact.is_some() || self.probing.is_some() || probes.is_some() && self.open > 0 {
+            return;
+        }
         self.switch_outputs();
         let chords = chords(made, self.facts.arc_tolerance_mm);
-        let speed_mm_s = speed_mm_s(made, &chords);
+        let mut speed_mm_s = speed_mm_s(made, &chords);
+        if made.kind == MoveKind::Jog {
+            // An override is of cuts.
+            speed_mm_s /= f64::from(self.feed);
+        }
+        self.looks_often = !watches.is_empty() && probes.is_none();
+        if let Some(Watch { active, .. }) = probes {
+            let order = Order::Probe { to: made.to.minus(self.offset), speed_mm_s, active };
+            self.probing = self.order(order);
+        } else if self.looks_often {
+            speed_mm_s = speed_mm_s.min(POLLED_MM_S);
+        }
         let mut handed = Handed { at: made.at, from: made.from, chords: Vec::new() };
         for (share, to) in chords {
             let order = Order::Move { to: to.minus(self.offset), speed_mm_s };
-            let Some(ticket) = self.order(order) else { return };
+            let Some(ticket) = self.probing.or_else(|| self.order(order)) else { return };
             handed.chords.push(Chord { ticket, share, to });
         }
         self.row.push(handed);
+    }
+
+    /// The input at whose change the controller itself ends a move: its probe, where the move is straight, nothing else
+    /// is watched, and the probe is not there already.
+    fn probes(&self, made: &Move, watches: &[Watch]) -> Option<Watch> {
+        let [watch] = watches else { return None };
+        let is_there = self.active.contains(&watch.input) == watch.active;
+        let straight = matches!(made.path, Path::Line) && made.from != made.to;
+        (self.facts.probe == Some(watch.input) && straight && !is_there).then_some(*watch)
+    }
+
+    /// The order that probes is done: where a contact ended it, the rest of its move is not made.
+    fn probed(&mut self) {
+        self.probing = None;
+        let Some(contact) = self.link.driver().contact() else { return };
+        let place = contact.plus(self.offset);
+        let last = self.row.next().saturating_sub(1);
+        self.contact = Some((last, self.row.along_last(place)));
     }
 
     /// An output is to be on or off from here on.
@@ -392,11 +545,34 @@ impl Connection {
         }
         self.link.restart(self.now_s());
         (self.done, self.open, self.ordered) = (0, 0, 0);
+        (self.probing, self.contact, self.looks_often) = (None, None, false);
+        // Its reset has set the override back.
+        if self.feed != 1.0 {
+            self.feed(self.feed);
+        }
+    }
+
+    /// The moment that is reached of a move, as far as it is known.
+    fn reached_s(&mut self, going: &Going<'_>) -> f64 {
+        let place = self.place();
+        let share = match self.contact {
+            Some((index, share)) if index == going.index => share.min(1.0 - f64::EPSILON),
+            _ => self.row.share(going.index, self.done, place),
+        };
+        if share >= 1.0 {
+            return f64::INFINITY;
+        }
+        going.t0_s + going.plan.time_at_share(going.index, share)
+    }
+
+    /// Returns `true` while something that was ordered is not done.
+    const fn is_busy(&self) -> bool {
+        self.open > 0 && self.failure.is_none()
     }
 
     /// Waits until everything that was ordered is done. Somebody may hold the machine at the controller: when
     /// the operator wants it stopped and it still does not come to an end, it is given up.
-    fn settle(&mut self, mut is_stopped: impl FnMut() -> bool) {
+    fn finish(&mut self, mut is_stopped: impl FnMut() -> bool) {
         let mut stopped_s = None;
         while self.is_busy() {
             self.tend(NAP);
@@ -404,26 +580,22 @@ impl Connection {
             if stopped_s.is_none() && is_stopped() {
                 stopped_s = Some(now_s);
             }
-            if stopped_s.is_some_and(|at_s| now_s - at_s > PATIENCE.as_secs_f64()) {
+            if stopped_s.is_some_and(|at_s| now_s - at_s > PATIENCE_S) {
                 self.give_up();
             }
         }
     }
 
-    /// Stops what goes on from before, and switches it off.
-    pub fn halt(&mut self) {
-        self.stop_at_once();
-    }
-
     /// The run is over; when it did not end well, everything is stopped and switched off.
     pub fn close(&mut self, well: bool, is_stopped: impl FnMut() -> bool) {
         if well {
-            self.settle(is_stopped);
+            self.finish(is_stopped);
         }
         if !well || self.failure.is_some() {
             self.wanted = 0;
             self.stop_at_once();
         }
+        self.put_back();
         self.closed = true;
     }
 }
@@ -442,7 +614,16 @@ impl Machine for Connection {
         Some(format!("{} {why}", self.name))
     }
 
+    fn is_real(&self) -> bool {
+        true
+    }
+
+    fn begin(&mut self) {
+        self.closed = false;
+    }
+
     fn begin_plan(&mut self) {
+        (self.contact, self.looks_often) = (None, false);
         self.row.begin();
     }
 
@@ -451,7 +632,7 @@ impl Machine for Connection {
             Actuator::Output { number, on, why } if why != OutputReason::Trigger => {
                 let lacks = needs(&self.facts, number, why);
                 match wired(number) {
-                    Some(_) if lacks && on => self.lacks(&format!("output {number}")),
+                    Some(_) if lacks && on => self.lacks(number),
                     Some(line) if !lacks => self.want(line, on),
                     _ => {}
                 }
@@ -463,45 +644,61 @@ impl Machine for Connection {
             }
             other => {
                 if let Some(what) = lacked(&other) {
-                    self.lacks(what);
+                    self.fail(format!("{} has no {what}", self.name), "", None, false);
                 }
             }
         }
     }
 
-    fn reached_s(&mut self, going: &Going<'_>) -> f64 {
-        let place = self.place();
-        let share = self.row.share(going.index, self.done, place);
-        if share >= 1.0 {
-            return f64::INFINITY;
+    fn advance(&mut self, going: &Going<'_>, _: f64, until_s: f64) -> News {
+        self.stood = None;
+        // What is known to be made already is not waited for.
+        let reached_s = self.reached_s(going);
+        if reached_s >= until_s {
+            return News { reached_s, input: None };
         }
-        going.t0_s + going.plan.time_at_share(going.index, share)
-    }
-
-    fn advance(&mut self, going: &Going<'_>, wait: Duration) -> News {
         self.row.come_to(going.index);
         let moves = going.plan.moves();
         while self.has_room() && self.row.next() < moves.len().min(going.until) {
-            self.hand(&moves[self.row.next()]);
+            let next = self.row.next();
+            self.hand(&moves[next], going.watches);
+            if self.row.next() == next {
+                break;
+            }
         }
-        let input = self.look(wait);
-        News { reached_s: self.reached_s(going), input }
+        self.tend(NAP);
+        let input = self.inputs.pop_front();
+        let leads = input.is_none() && leads(going, until_s);
+        News { reached_s: if leads { until_s } else { self.reached_s(going) }, input }
     }
 
-    fn work(&mut self, wait: Duration) {
-        self.tend(wait);
+    fn stand(&mut self, from_s: f64, until_s: f64) -> News {
+        let before = self.stood.filter(|(told_s, _)| *told_s == from_s);
+        let (_, since) = before.unwrap_or_else(|| (from_s, Instant::now()));
+        if until_s > from_s {
+            self.tend(NAP);
+        }
+        let reached_s = (from_s + since.elapsed().as_secs_f64()).min(until_s);
+        self.stood = Some((reached_s, Instant::now()));
+        News { reached_s, input: self.inputs.pop_front() }
     }
 
-    fn look(&mut self, wait: Duration) -> Option<(u8, bool)> {
-        self.tend(wait);
-        self.inputs.pop_front()
+    fn look(&mut self) {
+        self.tend(Duration::ZERO);
     }
 
-    fn is_busy(&self) -> bool {
-        self.open > 0 && self.failure.is_none()
+    fn settle(&mut self) -> bool {
+        if self.is_busy() {
+            self.tend(NAP);
+        }
+        self.is_busy()
     }
 
     fn stop(&mut self, going: &Going<'_>) -> Option<f64> {
+        if let Some((index, share)) = self.contact.take() {
+            self.row = Row::default();
+            return Some(going.t0_s + going.plan.time_at_share(index, share));
+        }
         // The end of the piece before is made: what it belongs to is told already.
         while self.done < self.row.before && self.is_busy() {
             self.tend(NAP);
@@ -516,10 +713,23 @@ impl Machine for Connection {
         Some(going.t0_s + going.plan.time_at_share(index, share))
     }
 
+    fn feed(&mut self, share: f32) {
+        if self.facts.overrides {
+            self.feed = share;
+            self.link
+                .driver()
+                .signal(Signal::Feed(percent(share)), self.since.elapsed().as_secs_f64());
+        }
+    }
+
     fn give_up(&mut self) {
         let why = format!("{} was stopped before it had made its last moves", self.name);
         let hint = "it was held at the controller: look why before the next file";
         self.fail(why, hint, None, false);
+    }
+
+    fn waits(&mut self) -> Option<&'static str> {
+        self.link.driver().waits()
     }
 
     fn fault(&self) -> Option<&Fault> {
@@ -533,5 +743,6 @@ impl Drop for Connection {
         if self.open > 0 || self.ordered != 0 && !self.closed {
             self.stop_at_once();
         }
+        self.put_back();
     }
 }

@@ -94,8 +94,26 @@ impl Lacks {
 /// Returns `true` if the controller lacks an output that a program needs. It does not need a light that is on while
 /// something moves.
 pub(super) fn needs(facts: &Facts, number: u8, why: OutputReason) -> bool {
-    let lacks = wired(number).is_some_and(|line| facts.outputs & (1 << (line - 1)) == 0);
-    lacks && why != OutputReason::Motion
+    is_missing(facts, number) && why != OutputReason::Motion
+}
+
+fn is_missing(facts: &Facts, number: u8) -> bool {
+    wired(number).is_some_and(|line| facts.outputs & (1 << (line - 1)) == 0)
+}
+
+/// Tells in words that a controller lacks an output, and which ones it has.
+pub(super) fn no_output(facts: &Facts, number: u8) -> String {
+    if wired(number) == Some(1) && !facts.no_spindle.is_empty() {
+        return format!("has no spindle: {}", facts.no_spindle);
+    }
+    let name = |line: u8| match line {
+        1 => "1 (spindle)".to_owned(),
+        2 => "2 (flood)".to_owned(),
+        3 => "3 (mist)".to_owned(),
+        line => line.to_string(),
+    };
+    let has = (1..=u32::BITS as u8).filter(|line| facts.outputs & (1 << (line - 1)) != 0).map(name);
+    format!("has no output {number}, but {}", has.collect::<Vec<_>>().join(", "))
 }
 
 /// The controller's line for an output of the machine. The router of a job is its spindle; signals for
@@ -124,8 +142,13 @@ impl Sink for Lacks {
                 let what = format!("has no output {n} ({name}): it is left out");
                 self.tell(Severity::Warning, &what);
             }
-            Event::Output { n, on: true, why, .. } if needs(&self.facts, *n, *why) => {
-                self.tell(Severity::Error, &format!("has no output {n}"));
+            Event::Output { n, on: true, why, .. } if is_missing(&self.facts, *n) => {
+                let what = no_output(&self.facts, *n);
+                if *why == OutputReason::Motion {
+                    self.tell(Severity::Note, &format!("{what}: it is left out"));
+                } else {
+                    self.tell(Severity::Error, &what);
+                }
             }
             Event::Independent { speed, frequency, .. } if *speed != 0.0 || *frequency != 0.0 => {
                 self.tell(Severity::Error, "has no axis that moves by itself");

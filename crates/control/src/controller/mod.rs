@@ -5,7 +5,7 @@
 //! *where* a stop ends: the controller does, and the run follows it.
 //!
 //! ```text
-//!  Runner ── watch(move) ──► Steers ── advance, stop ──► Machine: Connection ── orders ──► Link ── Driver ──► controller
+//!  Runner ── pass(move) ───► Drive ─── advance, stop ──► Machine: Connection ── orders ──► Link ── Driver ──► controller
 //!  World  ── set(output) ──────────────────────────────►   │                                               │
 //!     ▲                                                    │                                               │
 //!     └── made, or where it stands ◄───────────────────────┴────────────── status reports ◄────────────────┘
@@ -20,12 +20,10 @@
 mod connection;
 mod lacks;
 mod row;
-mod steers;
 mod ways;
 
 pub use connection::{Connection, Line};
 pub use lacks::Lacks;
-pub use steers::Steers;
 
 use std::cell::RefCell;
 use std::rc::Rc;

@@ -86,6 +86,12 @@ impl Row {
         }
     }
 
+    /// The share of the last move that was handed over at which a place is nearest.
+    pub fn along_last(&self, place: Axes) -> f64 {
+        let last = self.moves.back().and_then(|handed| handed.nearest(0, place));
+        last.map_or(1.0, |(_, share)| share)
+    }
+
     /// The move that an order belongs to.
     pub fn at(&self, ticket: Ticket) -> Option<At> {
         self.moves.iter().find(|handed| handed.last() >= ticket).map(|handed| handed.at)

@@ -30,8 +30,9 @@ use std::collections::{BTreeMap, VecDeque};
 pub(crate) enum Kind {
     /// The operator answers a question.
     Answer,
-    /// The operator wants something of a machine that runs.
-    Wish,
+    /// The operator asks for something of a machine that runs.
+    #[serde(alias = "wish")]
+    Request,
     /// The operator says when a held machine goes on.
     Resume,
     /// A program file is read.
@@ -48,13 +49,15 @@ pub(crate) enum Kind {
     Log,
     /// A value that somebody else set.
     Value,
-    /// The power went before what the operator wanted was done: the number is that of the wish.
+    /// The power went before what the operator wanted was done: the number is that of the request.
     Overtaken,
     /// The run was taken up here: the number is that of the moves made.
     Reentry,
     /// The power went here, where the machine was stopped: the number is that of the times the run was taken up
     /// before.
     Left,
+    /// A machine that slows down by itself tells the moment of the plan at which it stands.
+    Stood,
 }
 
 /// One thing that the world told.
@@ -89,9 +92,9 @@ pub(crate) struct Tape {
     /// Share of the next one that was made.
     within_before: f64,
     /// The step with which the operator wanted something last.
-    last_wish: Option<i64>,
+    last_request: Option<i64>,
     /// The step with which the operator stopped the run, until it goes on.
-    wish: Option<i64>,
+    request: Option<i64>,
     /// Moves made when it was stopped last, and how much of the next.
     stood: Option<(u64, f64)>,
     /// The same of a run that is taken up, until all is ready.
@@ -257,28 +260,28 @@ impl Tape {
         if let Some(told) = told {
             self.add(kind, call, told);
             let last = self.writing.as_ref().and_then(Progress::last_step);
-            self.last_wish = last.filter(|_| kind == Kind::Wish);
+            self.last_request = last.filter(|_| kind == Kind::Request);
         }
     }
 
-    /// Nothing comes of the wish that was heard last: it is heard once more.
-    pub(crate) fn unhear_wish(&mut self) {
+    /// Nothing comes of the request that was heard last: it is heard once more.
+    pub(crate) fn unhear_request(&mut self) {
         let Some(progress) = self.writing.as_mut().filter(|_| !self.silent) else { return };
         let last = progress.last_step();
-        if self.last_wish.is_none() || self.last_wish != last {
+        if self.last_request.is_none() || self.last_request != last {
             return;
         }
         progress.take_back();
         self.told -= 1;
-        self.last_wish = None;
-        self.wish = self.wish.filter(|_| self.wish != last);
+        self.last_request = None;
+        self.request = self.request.filter(|_| self.request != last);
     }
 
-    /// Counts a question less: the operator is asked for his wish again at once, after one of which nothing came. That
+    /// Counts a question less: the operator is asked for his request again at once, after one of which nothing came. That
     /// is one question, as it will be when the run is taken up.
     pub(crate) fn asks_again(&mut self) {
         if self.writing.is_some() && !self.silent {
-            self.calls.entry(Kind::Wish).and_modify(|calls| *calls = calls.saturating_sub(1));
+            self.calls.entry(Kind::Request).and_modify(|calls| *calls = calls.saturating_sub(1));
         }
     }
 
@@ -298,7 +301,7 @@ impl Tape {
     /// The step that was added last stops the run.
     pub(crate) fn stops(&mut self) {
         let last = self.writing.as_ref().and_then(Progress::last_step);
-        self.wish = self.wish.or(last);
+        self.request = self.request.or(last);
     }
 
     /// The step that was added last moves the switch of an input.
@@ -313,12 +316,12 @@ impl Tape {
         let Some(last) = last.filter(|_| !self.silent) else { return };
         let pressed = self.pressed.iter().rfind(|(number, _)| *number == input);
         let stop = pressed.map_or(last + 1, |(_, step)| *step);
-        self.wish = self.wish.or(Some(stop));
+        self.request = self.request.or(Some(stop));
     }
 
     /// The run goes on after a stop.
     pub(crate) fn goes_on(&mut self) {
-        (self.wish, self.stood) = (None, None);
+        (self.request, self.stood) = (None, None);
         self.pressed.clear();
     }
 
@@ -328,16 +331,16 @@ impl Tape {
         self.goes_on();
     }
 
-    /// Tells whether the power went before the wish that was told last was done, when this was gone through before.
+    /// Tells whether the power went before the request that was told last was done, when this was gone through before.
     pub(crate) fn was_overtaken(&mut self) -> bool {
-        let call = self.last_call(Kind::Wish);
+        let call = self.last_call(Kind::Request);
         let next = self.played.get(&Kind::Overtaken).and_then(VecDeque::front);
         next.is_some_and(|step| step.call == call) && self.pop::<()>(Kind::Overtaken).is_some()
     }
 
-    /// The power went before the wish that was told last was done.
+    /// The power went before the request that was told last was done.
     pub(crate) fn overtakes(&mut self) {
-        self.add(Kind::Overtaken, self.last_call(Kind::Wish), &());
+        self.add(Kind::Overtaken, self.last_call(Kind::Request), &());
     }
 
     /// The number of the question of a kind that was asked last; 0 before the first.

@@ -36,7 +36,12 @@ fn run(folder: &TempDir, program: &str, date: &str) -> Session {
     let (mut session, mut shelf) = recalled(folder, program);
     let started = Some(Started { time: "12:00:00".into(), date: date.into() });
     let options = RunOptions { started, ..RunOptions::default() };
-    let company = Company { sink: &mut (), operator: &mut (), pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut (),
+        operator: &mut (),
+        requests: &mut (),
+        machine: crate::simulated(),
+    };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());
     session.run_on_record(program, options, None, &mut shelf, company).unwrap();
     session

@@ -22,8 +22,12 @@ fn traced(machine: Configuration, program: &str, inputs: Vec<Change>) -> String 
     session.memory.settings = machine.program.clone();
     let (mut operator, mut pace, mut out) = ((), (), Vec::new());
     let mut sink = VcdSink::new(&mut out, machine);
-    let company =
-        Company { sink: &mut sink, operator: &mut operator, pace: &mut pace, machine: None };
+    let company = Company {
+        sink: &mut sink,
+        operator: &mut operator,
+        requests: &mut pace,
+        machine: crate::simulated(),
+    };
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());
     session.run(program, options, &mut Shelf::in_memory(MemoryDisk::default()), company);

@@ -8,15 +8,17 @@ use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{
-    Company, Event, Pace, Press, RunOptions, Session, Shelf, Sink, Started, Wish, Work,
+    Company, Event, OperatorRequest, Press, Requests, RunOptions, Session, Shelf, Sink, Started,
+    Work,
 };
 use kerf_geom::{Point2, Polyarc};
-use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
+use kerf_machine::{Configuration, Driven};
 use kerf_part::Program;
 use kerf_program::job::{Job, JobShape};
 use kerf_program::{Axes, Question, QuestionKind};
 use kerf_sbp::Status;
+use kerf_sim::{Clock, Simulated};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use tempfile::{TempDir, tempdir};
@@ -25,15 +27,16 @@ use tempfile::{TempDir, tempdir};
 pub const PART: &str =
     "SO,1,1\nSA\nJZ,.5\nMZ,-.2\nM3,4,0,-.2\nCG,,4,2,0,1,T,1\nM3,0,2,-.6\nMX,3\nJZ,.5\n";
 
-/// The power fails at a machine time.
-pub struct PowerCut(pub f64);
+/// A machine whose time passes at once and counts as that of the world: every move is on record before it begins.
+pub fn on_record() -> Driven {
+    Simulated::driven(AtOnce)
+}
 
-impl Pace for PowerCut {
-    fn pass(&mut self, _: f64, to_s: f64) -> Option<(f64, Wish)> {
-        if to_s >= self.0 {
-            resume_unwind(Box::new("the power fails"));
-        }
-        None
+struct AtOnce;
+
+impl Clock for AtOnce {
+    fn pass(&mut self, _: f64, until_s: f64) -> f64 {
+        until_s
     }
 
     fn is_real(&self) -> bool {
@@ -41,20 +44,29 @@ impl Pace for PowerCut {
     }
 }
 
+/// The power fails at a machine time.
+pub struct PowerCut(pub f64);
+
+impl Requests for PowerCut {
+    fn take(&mut self, _: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
+        if to_s >= self.0 {
+            resume_unwind(Box::new("the power fails"));
+        }
+        None
+    }
+}
+
 /// The operator holds the machine at a machine time, and the power fails before it goes on.
 pub struct PowerCutHeld(pub f64);
 
-impl Pace for PowerCutHeld {
-    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
-        let held = (to_s > from_s && to_s >= self.0).then_some((self.0.max(from_s), Wish::Hold));
+impl Requests for PowerCutHeld {
+    fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
+        let held = (to_s > from_s && to_s >= self.0)
+            .then_some((self.0.max(from_s), OperatorRequest::Hold));
         if held.is_some() {
             self.0 = f64::INFINITY;
         }
         held
-    }
-
-    fn is_real(&self) -> bool {
-        true
     }
 
     fn resumes(&mut self, _: f64) -> Option<f64> {
@@ -134,7 +146,11 @@ pub fn shelf(journal: &Journal, folder: &TempDir) -> Shelf {
 }
 
 /// Runs the part file on record; nothing when the power fails.
-pub fn run(folder: &TempDir, pace: &mut dyn Pace, answers: &str) -> (Vec<Event>, Option<Status>) {
+pub fn run(
+    folder: &TempDir,
+    pace: &mut dyn Requests,
+    answers: &str,
+) -> (Vec<Event>, Option<Status>) {
     run_work(folder, part(), pace, &mut Answers::read(answers))
 }
 
@@ -145,11 +161,15 @@ pub fn part() -> Program {
 pub fn run_work(
     folder: &TempDir,
     work: impl Into<Work>,
-    pace: &mut dyn Pace,
+    pace: &mut dyn Requests,
     operator: &mut dyn Operator,
 ) -> (Vec<Event>, Option<Status>) {
     let mut events = Vec::new();
-    let status = run_in(folder, work, Company { sink: &mut events, operator, pace, machine: None });
+    let status = run_in(
+        folder,
+        work,
+        Company { sink: &mut events, operator, requests: pace, machine: on_record() },
+    );
     (events, status)
 }
 
@@ -173,7 +193,7 @@ pub fn resume(folder: &TempDir, answers: &str) -> (Vec<Event>, Status) {
 
 pub fn resume_with(
     folder: &TempDir,
-    pace: &mut dyn Pace,
+    pace: &mut dyn Requests,
     operator: &mut dyn Operator,
 ) -> (Vec<Event>, Option<Status>) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
@@ -181,7 +201,7 @@ pub fn resume_with(
     let mut shelf = shelf(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
     let mut events = Vec::new();
-    let company = Company { sink: &mut events, operator, pace, machine: None };
+    let company = Company { sink: &mut events, operator, requests: pace, machine: on_record() };
     let went =
         catch_unwind(AssertUnwindSafe(|| session.resume(&cut, &mut shelf, company).unwrap()));
     (events, went.ok().map(|summary| summary.status))

@@ -5,16 +5,18 @@
 //! row of step segments behind it, `ok` only when there was room, a hold that slows down and a reset that
 //! loses the place when it comes too early.
 
+mod board;
 mod motion;
+mod probe;
 mod read;
+mod report;
+
+pub use board::Board;
 
 use kerf_machine::driver::Axes;
 use motion::Motion;
 use read::{Words, read};
 use std::collections::{BTreeMap, VecDeque};
-
-/// Bytes that its receive buffer holds.
-const RX: usize = 128;
 
 /// Time is followed in steps of this, seconds.
 const STEP_S: f64 = 0.001;
@@ -22,17 +24,25 @@ const STEP_S: f64 = 0.001;
 /// Duration of homing, seconds.
 const HOMING_S: f64 = 0.5;
 
+/// Time in which the spindle comes up again behind a door, seconds.
+const RESUMING_S: f64 = 0.6;
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Ready,
     Hold,
+    Door,
+    Resuming,
     Homing,
     Alarm,
+    Sleep,
+    Check,
 }
 
 /// A controller that is none.
 #[derive(Clone, Debug)]
 pub struct Fake {
+    board: Board,
     clock_s: f64,
     state: State,
     settings: BTreeMap<u16, f64>,
@@ -49,6 +59,30 @@ pub struct Fake {
     spindle_rpm: f64,
     coolant: u8,
     homed_s: Option<f64>,
+    /// Zero of the workpiece, machine frame.
+    pub offset: Axes,
+    /// Reports until one that tells it.
+    until_offset: usize,
+    /// The feed as somebody has turned it at the controller, percent.
+    pub override_percent: u32,
+    /// Lowest place of its Z, mm.
+    pub lowest_mm: f64,
+    /// Height of the plate below its probe, machine frame, mm.
+    pub plate_mm: Option<f64>,
+    /// It moves until its probe is in this state.
+    probing: Option<bool>,
+    /// The place at which the probe has changed.
+    latched: Option<Axes>,
+    relative: bool,
+    /// `G1` holds.
+    straight: bool,
+    /// The state that it claims, in place of its own.
+    pub says: Option<String>,
+    resumed_s: f64,
+    /// It takes no setting.
+    pub keeps_settings: bool,
+    /// Outputs of `M64` that are on.
+    pub aux: u32,
     /// Pins that are active.
     pins: String,
     /// Bytes that found no room.
@@ -64,19 +98,27 @@ impl Default for Fake {
 }
 
 impl Fake {
-    /// A controller that was just switched on, with some of its settings.
+    /// grbl that was just switched on, with some of its settings.
     pub fn new(settings: &[(u16, f64)]) -> Self {
+        Self::of(Board::grbl(), settings)
+    }
+
+    /// A controller that was just switched on, with some of its settings.
+    pub fn of(board: Board, settings: &[(u16, f64)]) -> Self {
         let usual = [
             (0, 10.0),
             (1, 25.0),
             (10, 1.0),
             (11, 0.01),
             (12, 0.002),
+            (13, 0.0),
             (20, 0.0),
             (21, 0.0),
             (22, 0.0),
+            (23, 0.0),
             (30, 24_000.0),
             (31, 0.0),
+            (32, 0.0),
             (100, 250.0),
             (101, 250.0),
             (102, 250.0),
@@ -94,7 +136,8 @@ impl Fake {
             clock_s: 0.0,
             state: State::Ready,
             settings: usual.into_iter().chain(settings.iter().copied()).collect(),
-            motion: Motion::default(),
+            motion: Motion::new(board.planner),
+            board,
             buffer: VecDeque::new(),
             waiting: None,
             out: Vec::new(),
@@ -104,6 +147,19 @@ impl Fake {
             spindle_rpm: 0.0,
             coolant: 0,
             homed_s: None,
+            offset: Axes::default(),
+            until_offset: 8,
+            override_percent: 100,
+            lowest_mm: 0.0,
+            plate_mm: None,
+            probing: None,
+            latched: None,
+            relative: false,
+            straight: false,
+            says: None,
+            resumed_s: 0.0,
+            keeps_settings: false,
+            aux: 0,
             pins: String::new(),
             overflowed: 0,
             lines: Vec::new(),
@@ -119,7 +175,11 @@ impl Fake {
 
     /// Returns the speed of the spindle while it turns.
     pub const fn spindle(&self) -> Option<f64> {
-        if self.spindle { Some(self.spindle_rpm) } else { None }
+        if self.spindle && !matches!(self.state, State::Door | State::Resuming) {
+            Some(self.spindle_rpm)
+        } else {
+            None
+        }
     }
 
     /// Returns the number of times it came to a stand on its way.
@@ -137,11 +197,48 @@ impl Fake {
         &self.motion.rests
     }
 
-    /// Somebody or something works its pins: the letters of a status report.
+    /// Somebody or something works its pins: the letters of a status report. An open door holds it and switches its
+    /// spindle off.
     pub fn pins(&mut self, pins: &str) {
         if self.pins != pins {
             pins.clone_into(&mut self.pins);
         }
+        if pins.contains('D') && matches!(self.state, State::Ready | State::Hold | State::Resuming)
+        {
+            self.state = State::Door;
+            self.motion.held = true;
+        }
+    }
+
+    /// Somebody presses its button to go on.
+    pub fn cycle_start(&mut self) {
+        match self.state {
+            State::Hold => {
+                self.state = State::Ready;
+                self.motion.held = false;
+            }
+            State::Door if !self.pins.contains('D') => {
+                self.state = State::Resuming;
+                self.resumed_s = self.clock_s + RESUMING_S;
+            }
+            _ => {}
+        }
+    }
+
+    /// Somebody has put it to sleep.
+    pub fn sleeps(&mut self) {
+        self.halt();
+        self.state = State::Sleep;
+    }
+
+    /// Somebody has set it to check lines in place of making them (`$C`).
+    pub const fn checks(&mut self) {
+        self.state = State::Check;
+    }
+
+    /// A value of its settings.
+    pub fn is_set_to(&self, number: u16) -> f64 {
+        self.setting(number)
     }
 
     /// A limit switch is hit: it stops at once.
@@ -150,10 +247,10 @@ impl Fake {
     }
 
     fn start(&mut self) {
-        let homes = self.settings.get(&22) == Some(&1.0) && self.homed_s.is_none();
+        let homes = self.setting(22) as u32 & 1 == 1 && self.homed_s.is_none();
         self.state = if homes || self.state == State::Alarm { State::Alarm } else { State::Ready };
         self.tell("");
-        self.tell("Grbl 1.1h ['$' for help]");
+        self.tell(self.board.greeting);
         if self.state == State::Alarm {
             self.tell("[MSG:'$H'|'$X' to unlock]");
         }
@@ -175,13 +272,10 @@ impl Fake {
                     self.state = State::Hold;
                     self.motion.held = true;
                 }
-                b'~' if self.state == State::Hold => {
-                    self.state = State::Ready;
-                    self.motion.held = false;
-                }
-                b'!' | b'~' => {}
+                b'~' => self.cycle_start(),
+                b'!' => {}
                 0x18 => self.reset(),
-                _ if self.buffer.len() < RX => self.buffer.push_back(*byte),
+                _ if self.buffer.len() < self.board.rx => self.buffer.push_back(*byte),
                 _ => self.overflowed += 1,
             }
         }
@@ -198,9 +292,15 @@ impl Fake {
         while self.clock_s + STEP_S <= now_s {
             self.clock_s += STEP_S;
             self.motion.step(STEP_S);
+            self.lowest_mm = self.lowest_mm.min(self.motion.position.0[2]);
+            self.probe();
             if self.homed_s.is_some_and(|at_s| self.state == State::Homing && self.clock_s >= at_s)
             {
                 self.home();
+            }
+            if self.state == State::Resuming && self.clock_s >= self.resumed_s {
+                self.state = State::Ready;
+                self.motion.held = false;
             }
             self.read_on();
         }
@@ -208,7 +308,7 @@ impl Fake {
 
     fn home(&mut self) {
         self.state = State::Ready;
-        self.planned = Axes::xyz(-1.0, -1.0, -1.0);
+        self.planned = self.homed();
         self.motion.put(self.planned);
         self.tell("ok");
     }
@@ -224,7 +324,8 @@ impl Fake {
         self.motion.clear();
         self.planned = self.motion.position;
         self.buffer.clear();
-        self.waiting = None;
+        (self.waiting, self.probing, self.latched) = (None, None, None);
+        (self.relative, self.straight) = (false, false);
         (self.spindle, self.coolant) = (false, 0);
     }
 
@@ -235,45 +336,32 @@ impl Fake {
         if too_early {
             self.tell("ALARM:3");
             self.state = State::Alarm;
-        } else if self.state == State::Hold {
+        } else if self.pins.contains('D') {
+            self.state = State::Door;
+        } else if self.state != State::Alarm {
             self.state = State::Ready;
         }
         self.start();
     }
 
-    fn report(&mut self) {
-        let doing = match self.state {
-            State::Hold if self.motion.speed_mm_s > 0.0 => "Hold:1",
-            State::Hold => "Hold:0",
-            State::Alarm => "Alarm",
-            State::Homing => "Home",
-            State::Ready if self.motion.is_empty() => "Idle",
-            State::Ready => "Run",
-        };
-        let [x, y, z, ..] = self.motion.position.0;
-        let mut line = format!("<{doing}|MPos:{x:.3},{y:.3},{z:.3}");
-        if self.settings.get(&10).is_some_and(|mask| *mask as u32 & 2 == 2) {
-            line += &format!("|Bf:{},{}", self.motion.free(), RX - self.buffer.len());
-        }
-        line += &format!("|FS:{:.0},{:.0}", self.motion.speed_mm_s * 60.0, self.spindle_rpm);
-        if !self.pins.is_empty() {
-            line += &format!("|Pn:{}", self.pins);
-        }
-        self.tell(&(line + ">"));
-    }
-
     /// Reads lines as long as there is room for what they ask for.
     fn read_on(&mut self) {
         loop {
+            // A hold suspends what is not in the planner yet.
+            let suspended = self.probing.is_some()
+                || matches!(
+                    self.state,
+                    State::Homing | State::Hold | State::Door | State::Resuming
+                );
+            if suspended {
+                return;
+            }
             if let Some(words) = self.waiting.take() {
                 if !self.has_room(&words) {
                     self.waiting = Some(words);
                     return;
                 }
                 self.make(&words);
-            }
-            if self.state == State::Homing {
-                return;
             }
             let Some(end) = self.buffer.iter().position(|byte| *byte == b'\n') else { return };
             let bytes: Vec<u8> = self.buffer.drain(..=end).collect();
@@ -287,6 +375,7 @@ impl Fake {
             return self.dollar(command);
         }
         match read(line) {
+            _ if self.state == State::Sleep => {}
             _ if self.state == State::Alarm && !line.is_empty() => self.tell("error:9"),
             Ok(words) => self.waiting = Some(words),
             Err(number) => self.tell(&format!("error:{number}")),
@@ -295,6 +384,11 @@ impl Fake {
 
     fn dollar(&mut self, command: &str) {
         match command {
+            "I" | "$" if !self.motion.is_empty() => self.tell("error:8"),
+            "G" => {
+                self.tell("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]");
+                self.tell("ok");
+            }
             "$" => {
                 for (number, value) in self.settings.clone() {
                     self.tell(&format!("${number}={value:.3}"));
@@ -302,15 +396,14 @@ impl Fake {
                 self.tell("ok");
             }
             "I" => {
-                self.tell("[VER:1.1h.20190825:]");
-                self.tell("[OPT:V,15,128]");
+                self.board.tells.clone().iter().for_each(|line| self.tell(line));
                 self.tell("ok");
             }
-            "H" if self.settings.get(&22) != Some(&1.0) => self.tell("error:5"),
-            "H" => {
-                self.state = State::Homing;
-                self.homed_s = Some(self.clock_s + HOMING_S);
-            }
+            "H" if self.setting(22) as u32 & 1 == 0 => self.tell("error:5"),
+            "H" => self.begins_homing(),
+            _ if self.state == State::Sleep => {}
+            _ if command.contains('=') && self.keeps_settings => self.tell("error:8"),
+            _ if command.contains('=') && !self.motion.is_empty() => self.tell("error:8"),
             "X" => {
                 self.state = State::Ready;
                 self.tell("ok");
@@ -330,6 +423,15 @@ impl Fake {
     }
 
     fn make(&mut self, words: &Words) {
+        if self.state == State::Check {
+            return self.tell("ok");
+        }
+        if let Some((output, on)) = words.aux {
+            if output >= self.board.aux {
+                return self.tell(if self.board.hal { "error:20" } else { "error:39" });
+            }
+            self.aux = if on { self.aux | 1 << output } else { self.aux & !(1 << output) };
+        }
         self.feed_mm_min = words.feed_mm_min.unwrap_or(self.feed_mm_min);
         self.spindle_rpm = words.spindle_rpm.unwrap_or(self.spindle_rpm);
         self.spindle = words.spindle.unwrap_or(self.spindle);
@@ -338,35 +440,45 @@ impl Fake {
             Some(bit) => self.coolant |= bit,
             None => {}
         }
+        if words.probes.is_some_and(|state| state == self.touches()) {
+            return self.alarm(4);
+        }
         if let Some(error) = self.go(words) {
             return self.tell(&format!("error:{error}"));
         }
-        self.tell("ok");
+        // A move that probes is answered when it is over.
+        self.probing = words.probes;
+        if self.probing.is_none() {
+            self.tell("ok");
+        }
     }
 
     fn go(&mut self, words: &Words) -> Option<u16> {
-        if !words.moves {
+        self.relative = words.relative.unwrap_or(self.relative);
+        self.straight = words.straight.unwrap_or(self.straight);
+        let moves = words.to.iter().any(Option::is_some) && words.probes.is_none();
+        if !moves && words.probes.is_none() {
             return None;
+        }
+        if words.machine && !self.straight {
+            return Some(30);
         }
         if self.feed_mm_min <= 0.0 {
             return Some(22);
         }
         let mut to = self.planned;
         for (axis, place) in words.to.iter().enumerate() {
-            to.0[axis] = place.unwrap_or(to.0[axis]);
+            // Places of the machine frame (G53) are no ways.
+            let from = if self.relative && !words.machine { to.0[axis] } else { 0.0 };
+            to.0[axis] = place.map_or(to.0[axis], |place| from + place);
         }
-        if self.settings.get(&20) == Some(&1.0) && self.is_outside(to) {
+        if self.setting(20) == 1.0 && self.is_outside(to) {
             self.alarm(2);
             return Some(15);
         }
         self.motion.push(self.planned, to, self.speed(to));
         self.planned = to;
         None
-    }
-
-    fn is_outside(&self, to: Axes) -> bool {
-        let travel = |axis: u16| self.settings.get(&(130 + axis)).copied().unwrap_or(0.0);
-        (0..3).any(|axis| to.0[axis as usize] > 0.0 || to.0[axis as usize] < -travel(axis))
     }
 
     /// The feed, as far as every axis can follow.

@@ -4,9 +4,6 @@
 use kerf_machine::driver::{Axes, way_mm};
 use std::collections::VecDeque;
 
-/// Moves that the planner holds.
-const PLANNER: usize = 15;
-
 /// Acceleration along the path, whether it gains or loses speed, mm/s².
 const ACCEL_MM_S2: f64 = 400.0;
 
@@ -29,6 +26,8 @@ struct Block {
 /// Moves of the planner, and the state of the motion.
 #[derive(Clone, Debug, Default)]
 pub struct Motion {
+    /// Moves that the planner holds.
+    holds: usize,
     blocks: VecDeque<Block>,
     pub position: Axes,
     pub speed_mm_s: f64,
@@ -39,6 +38,11 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// A machine at zero whose planner holds so many moves.
+    pub fn new(holds: usize) -> Self {
+        Self { holds, ..Self::default() }
+    }
+
     /// A straight move joins the row; none when it is shorter than a step.
     pub fn push(&mut self, from: Axes, to: Axes, speed_mm_s: f64) {
         let length_mm = way_mm(from, to);
@@ -65,7 +69,7 @@ impl Motion {
             ahead_mm <= self.speed_mm_s * SEGMENTS_S
         });
         let cut = cut.count();
-        (PLANNER + cut).saturating_sub(self.blocks.len()).min(PLANNER)
+        (self.holds + cut).saturating_sub(self.blocks.len()).min(self.holds)
     }
 
     /// Nothing is left.

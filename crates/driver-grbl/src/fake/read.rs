@@ -4,12 +4,22 @@
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Words {
     pub moves: bool,
+    /// Its places are ways.
+    pub relative: Option<bool>,
+    /// It moves until its probe is in this state.
+    pub probes: Option<bool>,
     pub to: [Option<f64>; 3],
     pub feed_mm_min: Option<f64>,
     pub spindle_rpm: Option<f64>,
     pub spindle: Option<bool>,
     /// 0 for all off, or the bit of what comes on.
     pub coolant: Option<u8>,
+    /// An auxiliary output, and its state.
+    pub aux: Option<(u8, bool)>,
+    /// The mode of straight moves holds from then on.
+    pub straight: Option<bool>,
+    /// Its places are those of the machine.
+    pub machine: bool,
     /// Everything before it is made first.
     pub waits: bool,
 }
@@ -30,13 +40,20 @@ pub fn read(line: &str) -> Result<Words, u16> {
 
 fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
     match (letter, value as i64) {
-        ('G', 0 | 1) => words.moves = true,
-        ('G', 21 | 53 | 90 | 94) => {}
+        ('G', 38) => {
+            (words.probes, words.waits, words.straight) = (Some(value < 38.4), true, Some(false));
+        }
+        ('G', 53) => words.machine = true,
+        ('G', 90 | 91) => words.relative = Some(value == 91.0),
+        ('G', 0 | 1) => (words.moves, words.straight) = (true, Some(true)),
+        ('G', 17 | 21 | 94) => {}
         ('M', 3) => (words.spindle, words.waits) = (Some(true), true),
         ('M', 5) => (words.spindle, words.waits) = (Some(false), true),
         ('M', 7) => (words.coolant, words.waits) = (Some(2), true),
         ('M', 8) => (words.coolant, words.waits) = (Some(1), true),
         ('M', 9) => (words.coolant, words.waits) = (Some(0), true),
+        ('M', 64 | 65) => (words.aux, words.waits) = (Some((0, value == 64.0)), true),
+        ('P', _) => words.aux = words.aux.map(|(_, on)| (value as u8, on)),
         ('F', _) => words.feed_mm_min = Some(value),
         ('S', _) => (words.spindle_rpm, words.waits) = (Some(value), true),
         ('X', _) => words.to[0] = Some(value),

@@ -4,7 +4,7 @@ use crate::args::{PlaceArgs, Start};
 use crate::commands::machine::Which;
 use crate::commands::run::told_by_server;
 use crate::exit::{Exit, Usage};
-use crate::operator::{Clock, Person, RealPace};
+use crate::operator::{Clock, Person, Terminal};
 use crate::remote::{Ended, Remote, beside};
 use crate::report::asked;
 use crate::{out, parse, served, setup};
@@ -12,7 +12,7 @@ use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
 use kerf_control::{
-    Company, Event, RunOptions, Script, Session, Shelf, Sink, Wish, Work, unverified,
+    Company, Event, OperatorRequest, RunOptions, Script, Session, Shelf, Sink, Work, unverified,
 };
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
@@ -174,13 +174,14 @@ impl Shop {
     }
 
     /// Does something and prints each step of it.
-    fn does(&mut self, work: Work, wishes: Vec<(f64, Wish)>) -> Result<Exit> {
+    fn does(&mut self, work: Work, requests: Vec<(f64, OperatorRequest)>) -> Result<Exit> {
         let clock = if self.real { Clock::Real } else { Clock::Fast };
-        let mut pace = RealPace::new(clock, Script::new(wishes, Vec::new()))?;
-        let mut operator = Person::new(Answers::default(), io::stdin().is_terminal(), &pace);
+        let mut terminal = Terminal::new(clock, Script::new(requests, Vec::new()))?;
+        let mut operator = Person::new(Answers::default(), io::stdin().is_terminal(), &terminal);
+        let machine = terminal.simulated();
         let mut steps = Steps { machine: self.machine.clone(), edge: None };
         let company =
-            Company { sink: &mut steps, operator: &mut operator, pace: &mut pace, machine: None };
+            Company { sink: &mut steps, operator: &mut operator, requests: &mut terminal, machine };
         let (settings, shelf) = (Some(self.session.memory.settings.clone()), &mut self.shelf);
         let options = RunOptions::default();
         let summary = self.session.run_on_record(work, options, settings, shelf, company)?;
@@ -191,8 +192,8 @@ impl Shop {
         Ok(summary.status.into())
     }
 
-    fn errand(&mut self, errand: Errand, wishes: Vec<(f64, Wish)>) -> Result<Exit> {
-        self.does(Work::Hand(errand, self.machine.clone()), wishes)
+    fn errand(&mut self, errand: Errand, requests: Vec<(f64, OperatorRequest)>) -> Result<Exit> {
+        self.does(Work::Hand(errand, self.machine.clone()), requests)
     }
 }
 
@@ -233,7 +234,7 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
         return Ok(went(&server.go(&args.way.by_hand()?, args.beside.arm)?));
     }
     let mut shop = Shop::open(which, args.real)?;
-    let mut wishes = Vec::new();
+    let mut requests = Vec::new();
     let errand = match &args.way {
         Way::Home { axes } => {
             let all = shop.machine.motors.axes();
@@ -249,17 +250,17 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
             if *cut {
                 let job = cut_move(&shop.machine, shop.session.memory.position, at);
                 let machine = shop.machine.clone();
-                return shop.does(Work::Job(Arc::new(job), machine), wishes);
+                return shop.does(Work::Job(Arc::new(job), machine), requests);
             }
             Errand::CutMoveTo(at)
         }
         Way::Hold { way, speed, accel, seconds } => {
-            wishes.extend(seconds.map(|seconds| (seconds, Wish::End)));
+            requests.extend(seconds.map(|seconds| (seconds, OperatorRequest::End)));
             let [speed, accel] = [*speed, *accel].map(|percent| f64::from(percent) / 100.0);
             Errand::Held(Held { way: ways(&shop.machine, way)?, speed, accel, sets_bottom: false })
         }
     };
-    shop.errand(errand, wishes)
+    shop.errand(errand, requests)
 }
 
 /// Records where Z is as one of its special heights, or puts the height by a distance.

@@ -172,8 +172,12 @@ pub fn run(args: &HeightsArgs) -> Result<Exit> {
     let (machine, speed) = (machine.clone(), machine.program.smoothing.cut_speed_mm_s);
     let mut sink = (Diagnostics::default(), Readings::new(sheet));
     let mut pace = args.run.operator.script();
-    let company =
-        Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace, machine: None };
+    let company = Company {
+        sink: &mut sink,
+        operator: &mut job.answers,
+        requests: &mut pace,
+        machine: kerf_control::simulated(),
+    };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     let readings = sink.1;
     if readings.readings.is_empty() {

@@ -93,8 +93,12 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
     let curves = Curves::new(title, axes.unwrap_or_default(), window, settings);
     let mut sink = (Diagnostics::default(), curves);
     let mut pace = args.run.operator.script();
-    let company =
-        Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace, machine: None };
+    let company = Company {
+        sink: &mut sink,
+        operator: &mut job.answers,
+        requests: &mut pace,
+        machine: kerf_control::simulated(),
+    };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     write(&sink.1.plot, format, args)?;
     Ok(summary.status.into())

@@ -11,7 +11,7 @@ use crate::heeded::Heeded;
 use crate::job_options;
 use crate::machine_file;
 use crate::memory;
-use crate::operator::{Clock, Person, RealPace};
+use crate::operator::{Clock, Person, Terminal};
 use crate::out;
 use crate::outputs::{ForceArgs, Outputs};
 use crate::parse;
@@ -28,10 +28,10 @@ use anyhow::{Context, Result, bail};
 use behind::closes;
 use clap::{Args, ValueEnum};
 use kerf_control::answers::Answers;
-use kerf_control::controller::{Shared, Steers};
+use kerf_control::controller::Shared;
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
-use kerf_control::{Company, Pace, Session, Shelf, Summary, Work};
+use kerf_control::{Company, Session, Shelf, Summary, Work};
 use kerf_diag::Diagnostic;
 use kerf_machine::Driven;
 use kerf_machine::{Configuration, table};
@@ -193,11 +193,11 @@ fn remotely(url: &str, file: &Path, args: &RunCommand) -> Result<Exit> {
     if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
         server.unlock(&password)?;
     }
-    let pace = RealPace::new(Clock::Fast, args.run.operator.script())?;
+    let terminal = Terminal::new(Clock::Fast, args.run.operator.script())?;
     let person = args.run.answers.is_none() && io::stdin().is_terminal();
-    let mut operator = Person::new(setup::answers(&args.run)?, person, &pace);
+    let mut operator = Person::new(setup::answers(&args.run)?, person, &terminal);
     let mut print = |line: &str| out::print(&format!("{line}\n"));
-    let stopped = || pace.is_stopped();
+    let stopped = || terminal.is_stopped();
     let diagnostics = Diagnostics::default();
     let show = |found: &Diagnostic| diagnostics.show(found);
     let along =
@@ -455,18 +455,12 @@ fn attended<'a>(
     let person = run.answers.is_none() && io::stdin().is_terminal();
     let real = args.pace == PaceName::Real && controller.is_none();
     let clock = if real { Clock::Real } else { Clock::Fast };
-    let mut pace = RealPace::new(clock, run.operator.script())?;
+    let mut terminal = Terminal::new(clock, run.operator.script())?;
     let stop = Stop::listen()?;
-    let mut person_at_it = Person::new(answers, person, &pace).with_editor(show.editor);
-    let mut steers;
-    let pace: &mut dyn Pace = match driven.clone() {
-        Some(driven) => {
-            steers = Steers::new(driven, &mut pace);
-            &mut steers
-        }
-        None => &mut pace,
-    };
-    let company = Company { sink: &mut told, operator: &mut person_at_it, pace, machine: driven };
+    let mut person_at_it = Person::new(answers, person, &terminal).with_editor(show.editor);
+    let machine = driven.unwrap_or_else(|| terminal.simulated());
+    let company =
+        Company { sink: &mut told, operator: &mut person_at_it, requests: &mut terminal, machine };
     let (summary, session, unkept) = runs(company)?;
     if let Some(shared) = controller {
         shared.borrow_mut().close(summary.status == kerf_sbp::Status::Ok, || stop.is_wanted());

@@ -111,8 +111,12 @@ fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
     run.place.start = run.place.start.or(Some(Start::Kept));
     let log = logged(args, line, true)?;
     let mut job = setup::job(Path::new(&line.file), &run, true)?;
-    let company =
-        Company { sink: &mut (), operator: &mut job.answers, pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut (),
+        operator: &mut job.answers,
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     if !args.machine.quiet() {
         super::run::tell(&summary);

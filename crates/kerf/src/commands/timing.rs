@@ -73,8 +73,12 @@ pub fn run(args: &TimingArgs) -> Result<Exit> {
     let mut job = setup::job(&args.file, &args.run, true)?;
     let mut sink = (Diagnostics::default(), Lines::default());
     let mut pace = args.run.operator.script();
-    let company =
-        Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace, machine: None };
+    let company = Company {
+        sink: &mut sink,
+        operator: &mut job.answers,
+        requests: &mut pace,
+        machine: kerf_control::simulated(),
+    };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     let name = || args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let title = args.title.clone().unwrap_or_else(name);

@@ -36,8 +36,12 @@ pub fn run(args: &TraceArgs) -> Result<Exit> {
     let lines = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
     let mut sink = (lines, args.vcd.sink(machine)?);
     let mut pace = args.run.operator.script();
-    let company =
-        Company { sink: &mut sink, operator: &mut job.answers, pace: &mut pace, machine: None };
+    let company = Company {
+        sink: &mut sink,
+        operator: &mut job.answers,
+        requests: &mut pace,
+        machine: kerf_control::simulated(),
+    };
     let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
     let (lines, signals) = sink;
     args.vcd.finish(signals)?;

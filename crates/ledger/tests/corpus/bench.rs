@@ -73,8 +73,12 @@ fn one(
 ) -> Ended {
     let mut events: Vec<Event> = Vec::new();
     let mut operator = Answers::read(&row.answers);
-    let company =
-        Company { sink: &mut events, operator: &mut operator, pace: &mut (), machine: None };
+    let company = Company {
+        sink: &mut events,
+        operator: &mut operator,
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
     let program = kerf_part::read_as(name.into(), bytes, row.dialect);
     let summary = session.run(program, options, shelf, company);
     let (code, line, message) = summary

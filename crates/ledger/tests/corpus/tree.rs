@@ -80,6 +80,11 @@ impl Tree {
         self.root.path().join(&self.placed(file).path)
     }
 
+    /// The folder that all lie in.
+    pub fn root(&self) -> &Path {
+        self.root.path()
+    }
+
     /// The folders that a file of the corpus reaches: the part folder and its custom cuts.
     pub fn folders(&self, file: &str) -> Folders {
         let placed = self.placed(file);

@@ -1,6 +1,6 @@
 //! Areas `laser` and `intensity`: piercing, gas, intensity by the real speed.
 
-use kerf_control::Wish;
+use kerf_control::OperatorRequest;
 use kerf_ledger::jobs::{JobRun, job, line, t1};
 use kerf_machine::settings::height::HeightMode;
 use kerf_machine::settings::laser::LaserType;
@@ -313,7 +313,7 @@ fn pro_intensity_reference() {
 fn pro_intensity_reference__follows_the_override() {
     // JOB-T1 cuts from 4.84 s on, and cruises from 4.94 s.
     for share in [0.5, 0.25] {
-        let shone = shining(60.0).wish(5.2, Wish::Feed(share)).run().intensities();
+        let shone = shining(60.0).request(5.2, OperatorRequest::Feed(share)).run().intensities();
         let cruises = |(t, _, _): &&(f64, u8, u8)| (4.9..5.9).contains(t);
         let last = shone.iter().rfind(cruises).map(|(t, value, _)| (*t < 4.9401, *value));
         assert_eq!(last, Some((true, 76)), "slower, and as much of what is asked for: {shone:?}");

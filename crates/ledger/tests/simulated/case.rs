@@ -3,7 +3,7 @@
 use crate::simulated::dice::Dice;
 use crate::simulated::watch::Allowed;
 use crate::simulated::{FIRST_WIDER, jobs, programs};
-use kerf_control::{RunOptions, Started, Wish, Work};
+use kerf_control::{OperatorRequest, RunOptions, Started, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_program::job::{Depth, Job, Plunge};
@@ -37,7 +37,7 @@ pub struct Case {
     pub settings: Settings,
     /// What the inputs do, by the share of the time that the run takes when nothing happens.
     pub inputs: Vec<(u8, f64, bool)>,
-    pub wishes: Vec<(f64, Wish)>,
+    pub requests: Vec<(f64, OperatorRequest)>,
     /// The share of all that a run does after which its process dies, one by one.
     pub kills: Vec<f64>,
     /// Somebody moved the machine by hand, and told where it is now.
@@ -67,7 +67,7 @@ impl Case {
             what,
             settings,
             inputs: Vec::new(),
-            wishes: Vec::new(),
+            requests: Vec::new(),
             kills: Vec::new(),
             pushed: Vec::new(),
             sheet: None,
@@ -103,13 +103,13 @@ impl Case {
     /// What happens to it.
     fn happen(&mut self, dice: &mut Dice) {
         for _ in 0..dice.of(&[0, 0, 1, 2]) {
-            let wish = match dice.below(8) {
-                0 => Wish::Feed(dice.between(0.3, 1.8) as f32),
-                1 => Wish::Hold,
-                2 if dice.happens(30) => Wish::End,
-                _ => Wish::Stop,
+            let request = match dice.below(8) {
+                0 => OperatorRequest::Feed(dice.between(0.3, 1.8) as f32),
+                1 => OperatorRequest::Hold,
+                2 if dice.happens(30) => OperatorRequest::End,
+                _ => OperatorRequest::Stop,
             };
-            self.wishes.push((dice.between(0.0, 1.0), wish));
+            self.requests.push((dice.between(0.0, 1.0), request));
         }
         for _ in 0..dice.of(&[0, 0, 0, 0, 1, 2]) {
             let input = match &self.what {
@@ -145,7 +145,8 @@ impl Case {
     /// Whether the path is the same whenever the process dies: nothing changes it on the way.
     pub fn keeps_its_path(&self) -> bool {
         let early = |(_, at, _): &(u8, f64, bool)| *at == 0.0;
-        self.inputs.iter().all(early) && !self.wishes.iter().any(|(_, w)| *w == Wish::End)
+        self.inputs.iter().all(early)
+            && !self.requests.iter().any(|(_, w)| *w == OperatorRequest::End)
     }
 
     /// Whether heights of the path are planned ones.
@@ -201,8 +202,8 @@ impl Case {
     }
 
     pub fn allowed(&self) -> Allowed {
-        let feeds = self.wishes.iter().map(|(_, wish)| match wish {
-            Wish::Feed(share) => f64::from(*share),
+        let feeds = self.requests.iter().map(|(_, request)| match request {
+            OperatorRequest::Feed(share) => f64::from(*share),
             _ => 1.0,
         });
         let feed = feeds.fold(1.0, f64::max);
@@ -290,8 +291,8 @@ impl fmt::Display for Case {
             }
         }
         writeln!(f, "{:?} limits {}", self.settings.ramp_model, self.settings.limits.check)?;
-        let (inputs, wishes) = (&self.inputs, &self.wishes);
-        writeln!(f, "inputs {inputs:?}\nwishes {wishes:?}\nkills {:?}", self.kills)?;
+        let (inputs, requests) = (&self.inputs, &self.requests);
+        writeln!(f, "inputs {inputs:?}\nwishes {requests:?}\nkills {:?}", self.kills)?;
         writeln!(f, "gives up {:?}\npushed {:?}", self.gives_up, self.pushed)?;
         writeln!(f, "sheet {:?}", self.sheet)
     }

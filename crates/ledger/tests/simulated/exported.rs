@@ -39,9 +39,13 @@ fn run(text: String, machine: &Configuration) -> (Vec<Event>, Summary) {
     session.memory.settings.limits.check = false;
     session.machine_is = Arc::new(machine.clone());
     let mut shelf = Shelf::in_memory(MemoryDisk::new(std::iter::empty()));
-    let (mut operator, mut pace) = (Answers::default(), Script::new(Vec::new(), Vec::new()));
-    let company =
-        Company { sink: &mut events, operator: &mut operator, pace: &mut pace, machine: None };
+    let (mut operator, mut requests) = (Answers::default(), Script::new(Vec::new(), Vec::new()));
+    let company = Company {
+        sink: &mut events,
+        operator: &mut operator,
+        requests: &mut requests,
+        machine: kerf_control::simulated(),
+    };
     let program = kerf_part::read("job.sbp".into(), text.into_bytes());
     let summary = session.run(program, RunOptions::default(), &mut shelf, company);
     (events, summary)

@@ -10,12 +10,13 @@ use kerf_control::files::{Folders, RealDisk};
 use kerf_control::journal::{Journal, Whereabouts};
 use kerf_control::stored::Stored;
 use kerf_control::{
-    Company, Doing, Event, Pace, RunOptions, Session, Shelf, Summary, Wish, Work, json,
+    Company, Doing, Event, OperatorRequest, Requests, RunOptions, Session, Shelf, Sink, Summary,
+    Work, json,
 };
-use kerf_machine::Errand;
-use kerf_machine::Going;
+use kerf_machine::{Driven, Errand, Going};
 use kerf_program::settings::Resolution;
 use kerf_program::{Axes, Axis, MoveKind, Question, QuestionKind, Status};
+use kerf_sim::{Clock, Simulated};
 use std::cell::RefCell;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -31,11 +32,29 @@ pub struct Lived {
     pub compared: bool,
 }
 
-/// The operator: what he wants and when, whatever process runs.
+/// The operator: what he asks for and when, whatever process runs.
 struct Person<'a> {
     doom: &'a Doom,
-    wishes: &'a RefCell<Vec<(f64, Wish)>>,
-    /// Places in the middle of a cut that the machine comes by, as the watch began that was the last.
+    requests: &'a RefCell<Vec<(f64, OperatorRequest)>>,
+}
+
+impl Requests for Person<'_> {
+    fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
+        self.doom.tick();
+        let mut requests = self.requests.borrow_mut();
+        let (at_s, request) = requests.pop_if(|(at_s, _)| to_s > from_s && to_s >= *at_s)?;
+        Some((at_s.max(from_s), request))
+    }
+
+    fn resumes(&mut self, held_s: f64) -> Option<f64> {
+        Some(held_s + 0.5)
+    }
+}
+
+/// Notes where the machine comes by.
+struct Onlooker<'a> {
+    doom: &'a Doom,
+    /// Places in the middle of a cut that the machine came by since it was looked at last.
     under_way: Vec<Axes>,
     /// Up to when it was watched: a way that is looked through again is on record already.
     looked_s: f64,
@@ -43,37 +62,44 @@ struct Person<'a> {
     cut: bool,
 }
 
-impl<'a> Person<'a> {
-    const fn new(doom: &'a Doom, wishes: &'a RefCell<Vec<(f64, Wish)>>) -> Self {
-        Self { doom, wishes, under_way: Vec::new(), looked_s: 0.0, cut: false }
+impl<'a> Onlooker<'a> {
+    const fn new(doom: &'a Doom) -> Self {
+        Self { doom, under_way: Vec::new(), looked_s: 0.0, cut: false }
     }
 }
 
-impl Pace for Person<'_> {
-    fn watch(&mut self, from_s: f64, to_s: f64, doing: &Doing<'_>) -> Option<(f64, Wish)> {
+impl Sink for Onlooker<'_> {
+    fn event(&mut self, _: &Event) {}
+
+    fn looks_at_motion(&self) -> bool {
+        false
+    }
+
+    fn under_way(&mut self, doing: &Doing<'_>, from_s: f64, to_s: f64) {
         if to_s > self.looked_s || doing.going.is_none() {
             self.cut |= doing.going.is_some_and(|going| cuts_flat(&going));
             let near = doing.going.filter(|_| self.doom.is_near());
             self.under_way = near.map_or_else(Vec::new, |it| cut_under_way(from_s, to_s, it));
             self.looked_s = to_s;
         }
-        self.pass(from_s, to_s)
+    }
+}
+
+/// The machine of a process whose every move is on record before it begins.
+fn on_record() -> Driven {
+    Simulated::driven(AtOnce)
+}
+
+/// Time that passes at once and counts as that of the world.
+struct AtOnce;
+
+impl Clock for AtOnce {
+    fn pass(&mut self, _: f64, until_s: f64) -> f64 {
+        until_s
     }
 
-    fn pass(&mut self, from_s: f64, to_s: f64) -> Option<(f64, Wish)> {
-        self.doom.tick();
-        let mut wishes = self.wishes.borrow_mut();
-        let (at_s, wish) = wishes.pop_if(|(at_s, _)| to_s > from_s && to_s >= *at_s)?;
-        Some((at_s.max(from_s), wish))
-    }
-
-    /// Every move is on record before it begins.
     fn is_real(&self) -> bool {
         true
-    }
-
-    fn resumes(&mut self, held_s: f64) -> Option<f64> {
-        Some(held_s + 0.5)
     }
 }
 
@@ -150,7 +176,7 @@ struct Life<'a> {
     case: &'a Case,
     folder: TempDir,
     doom: Doom,
-    wishes: RefCell<Vec<(f64, Wish)>>,
+    requests: RefCell<Vec<(f64, OperatorRequest)>>,
     gives_up: RefCell<Vec<u32>>,
     takes_s: f64,
 }
@@ -181,11 +207,11 @@ impl<'a> Life<'a> {
         let shm = Path::new("/dev/shm");
         let folder = if shm.is_dir() { TempDir::new_in(shm) } else { TempDir::new() }.unwrap();
         fs::write(folder.path().join("sub.sbp"), SUB).unwrap();
-        let mut wishes: Vec<_> =
-            case.wishes.iter().map(|(share, wish)| (share * takes_s, *wish)).collect();
-        wishes.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let (doom, wishes) = (Doom::default(), RefCell::new(wishes));
-        Self { case, folder, doom, wishes, gives_up: RefCell::default(), takes_s }
+        let mut requests: Vec<_> =
+            case.requests.iter().map(|(share, request)| (share * takes_s, *request)).collect();
+        requests.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let (doom, requests) = (Doom::default(), RefCell::new(requests));
+        Self { case, folder, doom, requests, gives_up: RefCell::default(), takes_s }
     }
 
     /// A process: begins the case, or takes it up; `None` when there is nothing left to do.
@@ -205,7 +231,12 @@ impl<'a> Life<'a> {
         if cut.is_some() {
             self.type_lines(&mut session, &mut shelf, pushed);
             self.die_by_hand(&mut session, &mut shelf, &journal, pushed);
-            self.move_by_hand(&mut session, &mut shelf, pushed, &mut ());
+            self.move_by_hand(
+                (&mut session, &mut shelf),
+                pushed,
+                &mut (),
+                kerf_control::simulated(),
+            );
             let (again, whereabouts) = Session::recall(&journal, &mut shelf).unwrap();
             assert_eq!(again.memory.position, session.memory.position, "it was moved by hand");
             assert!(whereabouts == Whereabouts::Known || pushed == Axes::default());
@@ -216,15 +247,16 @@ impl<'a> Life<'a> {
         let from = session.memory.position;
         let mut watch =
             Watch { doom: &self.doom, allowed: self.case.allowed(), seen: Seen::default() };
-        let mut person = Person::new(&self.doom, &self.wishes);
+        let mut person = Person { doom: &self.doom, requests: &self.requests };
+        let mut onlooker = Onlooker::new(&self.doom);
         let (doom, gives_up) = (&self.doom, &self.gives_up);
         let mut helpful = Helpful { doom, asked: 0, gives_up, gave_up: false };
         let ran = catch_unwind(AssertUnwindSafe(|| {
             let company = Company {
-                sink: &mut watch,
+                sink: &mut (&mut watch, &mut onlooker),
                 operator: &mut helpful,
-                pace: &mut person,
-                machine: None,
+                requests: &mut person,
+                machine: on_record(),
             };
             match &cut {
                 Some(cut) => session.resume(cut, &mut shelf, company).unwrap(),
@@ -260,7 +292,7 @@ impl<'a> Life<'a> {
             let told = watch.seen.events.iter().any(told);
             assert!(told || !took_up, "it was taken up and stopped, and nobody was told");
         }
-        let Person { under_way, cut, .. } = person;
+        let Onlooker { under_way, cut, .. } = onlooker;
         let seen = watch.seen;
         Some(Process {
             seen,
@@ -283,9 +315,9 @@ impl<'a> Life<'a> {
         }
         let (doom, nothing) = (Doom::default(), RefCell::default());
         doom.after(LIFE_BY_HAND);
-        let mut person = Person::new(&doom, &nothing);
+        let mut person = Person { doom: &doom, requests: &nothing };
         let stands = session.memory.position;
-        let moves = || self.move_by_hand(session, shelf, by, &mut person);
+        let moves = || self.move_by_hand((session, shelf), by, &mut person, on_record());
         let died = catch_unwind(AssertUnwindSafe(moves)).is_err();
         let (again, whereabouts) = Session::recall(journal, shelf).unwrap();
         if died {
@@ -303,30 +335,35 @@ impl<'a> Life<'a> {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let lines = kerf_sbp::read_typed("command".into(), "UD\nPAUSE 0.1\nSetUsrVal, 7\n");
-        let company = Company { sink: &mut (), operator: &mut (), pace: &mut (), machine: None };
+        let company = Company {
+            sink: &mut (),
+            operator: &mut (),
+            requests: &mut (),
+            machine: kerf_control::simulated(),
+        };
         session.run_on_record(lines, options, None, shelf, company).unwrap();
     }
 
     /// Somebody moves the tool before the run is taken up.
     fn move_by_hand(
         &self,
-        session: &mut Session,
-        shelf: &mut Shelf,
+        (session, shelf): (&mut Session, &mut Shelf),
         by: Axes,
-        pace: &mut dyn Pace,
+        requests: &mut dyn Requests,
+        machine: Driven,
     ) {
         if by == Axes::default() {
             return;
         }
         let stands = session.memory.position;
         let way = self.within(stands.plus(by)).minus(stands);
-        let machine = match &self.case.what {
+        let machine_is = match &self.case.what {
             What::Part { .. } => Arc::new(session.configuration()),
             What::Job(_, machine) => Arc::new((**machine).clone()),
         };
         let errand = Errand::To { place: way.0.map(Some), relative: true, flat: true };
-        let company = Company { sink: &mut (), operator: &mut (), pace, machine: None };
-        let work = Work::Hand(errand, machine);
+        let company = Company { sink: &mut (), operator: &mut (), requests, machine };
+        let work = Work::Hand(errand, machine_is);
         session.run_on_record(work, RunOptions::default(), None, shelf, company).unwrap();
     }
 
@@ -351,7 +388,7 @@ fn talk(seen: &Seen) {
 
 /// Lives through a case.
 pub fn live(case: &Case) -> Lived {
-    let quiet = Case { inputs: early(case), wishes: Vec::new(), ..case.clone() };
+    let quiet = Case { inputs: early(case), requests: Vec::new(), ..case.clone() };
     let plain = Life::new(&quiet, 0.0).process(Axes::default()).unwrap();
     plain.check_location(case);
     let takes_s = plain.summary.as_ref().unwrap().seconds;
@@ -379,6 +416,14 @@ fn early(case: &Case) -> Vec<(u8, f64, bool)> {
 /// Everything that one run of a case tells.
 pub fn events(case: &Case) -> Vec<Event> {
     Life::new(case, 30.0).process(Axes::default()).unwrap().seen.events
+}
+
+/// The same as lines of a trace. Where its folder lies is none of the run's doing.
+pub fn trace(case: &Case) -> Vec<String> {
+    let life = Life::new(case, 30.0);
+    let folder = life.folder.path().display().to_string();
+    let events = life.process(Axes::default()).unwrap().seen.events;
+    events.iter().map(|event| json::to_string(event).replace(&folder, "")).collect()
 }
 
 fn killed(case: &Case, takes_s: f64, whole: &Process) -> Lived {

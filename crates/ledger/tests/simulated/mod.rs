@@ -22,7 +22,6 @@ mod programs;
 mod watch;
 
 use case::Case;
-use kerf_control::json;
 use kerf_ledger::traces::{self, Traces};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
@@ -70,7 +69,7 @@ fn one(seed: u64) -> Option<Count> {
         kills: lived.kills,
         resumes: lived.resumes,
         paths_compared: u64::from(lived.compared),
-        faults: case.inputs.len() as u64 + case.wishes.len() as u64,
+        faults: case.inputs.len() as u64 + case.requests.len() as u64,
     })
 }
 
@@ -115,8 +114,7 @@ fn traces_are_the_recorded_ones() {
     }
     let mut traces = Traces::default();
     for seed in (1..1001).chain(FIRST_WIDER..FIRST_WIDER + 1000) {
-        let events = life::events(&Case::of(seed));
-        traces.add(&seed.to_string(), events.iter().map(json::to_string));
+        traces.add(&seed.to_string(), life::trace(&Case::of(seed)));
     }
     traces.hold("runs.txt");
 }

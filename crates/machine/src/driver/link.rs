@@ -7,8 +7,9 @@ use std::collections::VecDeque;
 /// answers within a few milliseconds; a guess.
 const PATIENCE_S: f64 = 0.25;
 
-/// A controller that answers nothing for so long is lost, seconds.
-const LOST_S: f64 = 2.0;
+/// A controller that answers nothing for so long is lost, seconds. A cable that is plugged in anew, a network that looks for
+/// its way or a controller that writes its memory take less; what was sent ahead is made meanwhile and nothing else.
+const LOST_S: f64 = 10.0;
 
 /// While something is to be done the controller is asked so often where it is, seconds.
 const ASK_S: f64 = 0.1;
@@ -69,7 +70,9 @@ pub struct Link<D> {
     /// Time at which orders were sent last.
     sent_s: f64,
     asked_s: f64,
-    heard_s: f64,
+    /// Time for which questions were not answered; a time in which nobody looked for answers is none.
+    silent_s: f64,
+    looked_s: f64,
     standing: Option<Standing>,
     troubles: Troubles,
 }
@@ -87,7 +90,8 @@ impl<D: Driver> Link<D> {
             sent: 0,
             sent_s: f64::NEG_INFINITY,
             asked_s: f64::NEG_INFINITY,
-            heard_s: 0.0,
+            silent_s: 0.0,
+            looked_s: f64::INFINITY,
             standing: None,
             troubles: Troubles { again: 0, stale: 0, garbled: 0 },
         }
@@ -134,7 +138,8 @@ impl<D: Driver> Link<D> {
         self.state = LinkState::Up;
         (self.given, self.done, self.taken, self.sent) = (0, 0, 0, 0);
         self.open.clear();
-        (self.sent_s, self.asked_s, self.heard_s) = (f64::NEG_INFINITY, f64::NEG_INFINITY, now_s);
+        (self.sent_s, self.asked_s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+        (self.silent_s, self.looked_s) = (0.0, now_s);
     }
 
     /// The driver.
@@ -154,13 +159,14 @@ impl<D: Driver> Link<D> {
         if self.state == LinkState::Up && !self.open.is_empty() {
             self.press_on(now_s, &mut told);
         } else {
-            self.heard_s = self.heard_s.max(now_s);
+            self.silent_s = 0.0;
         }
+        self.looked_s = now_s;
         told
     }
 
     fn hear(&mut self, reply: Reply, now_s: f64, told: &mut Vec<Told>) {
-        self.heard_s = now_s;
+        self.silent_s = 0.0;
         match reply {
             Reply::Taken(ticket) if ticket <= self.taken => self.troubles.stale += 1,
             Reply::Taken(ticket) if ticket <= self.sent => self.taken = ticket,
@@ -197,10 +203,11 @@ impl<D: Driver> Link<D> {
 
     /// Sends what is due, again where it was not taken in time.
     fn press_on(&mut self, now_s: f64, told: &mut Vec<Told>) {
+        self.silent_s += (now_s - self.looked_s).clamp(0.0, ASK_S);
         if self.driver.quiet() {
-            self.heard_s = now_s;
+            self.silent_s = 0.0;
         }
-        if now_s - self.heard_s > LOST_S {
+        if self.silent_s > LOST_S {
             return self.end(LinkState::Lost, now_s, told);
         }
         let late = now_s - self.sent_s > PATIENCE_S;

@@ -33,6 +33,16 @@ pub enum Order {
         /// Highest speed.
         speed_mm_s: f64,
     },
+    /// A straight move that ends where the probe gets contact, or loses it: the machine stands at the very place, or at the
+    /// end where nothing changed. No order is under way beside it.
+    Probe {
+        /// Target, machine frame.
+        to: Axes,
+        /// Highest speed.
+        speed_mm_s: f64,
+        /// The state of the probe that ends it.
+        active: bool,
+    },
     /// Switches an output.
     Output {
         /// Its line.
@@ -62,6 +72,8 @@ pub enum Signal {
     Resume,
     /// Slow down, forget every order that is not done, switch outputs off.
     Stop,
+    /// Make moves at so many percent of the speed that was ordered, from now on.
+    Feed(u8),
 }
 
 /// An order with its ticket.
@@ -151,8 +163,25 @@ pub struct Facts {
     pub arc_tolerance_mm: f64,
     /// Outputs it has, a bit each, line 1 lowest.
     pub outputs: u32,
+    /// The reason for which it has no spindle, in words; empty where it has one, or tells none.
+    pub no_spindle: &'static str,
+    /// The input at whose change it stops by itself, and latches the place ([`Order::Probe`]); nothing where it has none.
+    pub probe: Option<u8>,
     /// The fastest its spindle turns, revolutions a minute.
     pub spindle_rpm: f64,
+    /// It changes the speed of moves that it has (feed override).
+    pub overrides: bool,
+}
+
+/// A setting of a controller that was changed to drive it, and is put back afterwards.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Changed {
+    /// Its number.
+    pub number: u16,
+    /// Its value before.
+    pub was: u32,
+    /// Its value from then on.
+    pub is: u32,
 }
 
 /// Reason for which a controller does nothing more.
@@ -172,6 +201,12 @@ pub enum Trouble {
     #[error("it is locked: {why}")]
     Locked {
         /// The reason, and the way to end it.
+        why: &'static str,
+    },
+    /// It cannot be driven in the state that it is set to.
+    #[error("{why}")]
+    Unfit {
+        /// The reason, and the way to mend it.
         why: &'static str,
     },
     /// It refused an order.
@@ -197,6 +232,26 @@ pub trait Wired: Driver {
 
     /// Returns the facts that the controller told of itself; nothing until it has told all.
     fn facts(&self) -> Option<&Facts>;
+
+    /// Returns the place at which the probe ended the last [`Order::Probe`], machine frame; nothing where it did not.
+    fn contact(&self) -> Option<Axes> {
+        None
+    }
+
+    /// Returns for what it waits at its own controls, in words: it goes on when somebody there wants it to.
+    fn waits(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// Returns the setting that was changed in it, for whoever keeps it in mind until it is put back.
+    fn changed(&self) -> Option<Changed> {
+        None
+    }
+
+    /// Puts a changed setting back, behind all orders; tells whether it has done so.
+    fn puts_back(&mut self, _: Changed) -> bool {
+        true
+    }
 
     /// Returns the state that it told last.
     fn stands(&self) -> Option<Standing>;
@@ -233,7 +288,7 @@ impl<D: Wired + ?Sized> Driver for Box<D> {
 /// Returns `true` if an order can be carried out by some machine.
 pub fn is_sound(order: &Order) -> bool {
     match order {
-        Order::Move { to, speed_mm_s } => {
+        Order::Move { to, speed_mm_s } | Order::Probe { to, speed_mm_s, .. } => {
             to.0.iter().all(|v| v.is_finite()) && speed_mm_s.is_finite() && *speed_mm_s > 0.0
         }
         Order::Output { line, .. } => (1..=u32::BITS as u8).contains(line),

@@ -148,7 +148,7 @@ impl Board {
         let before = (self.motion.at, self.motion.speed_mm_s, self.motion.cutting);
         let (at, speed_mm_s, cutting) = if live { (at, speed_mm_s, cutting) } else { before };
         if let Some(going) = &doing.going {
-            self.course.goes(going, t_s, self.feed);
+            self.course.goes(going, t_s, f64::from(doing.feed));
         }
         if let Some(made) = going {
             self.stands_in(made.at.line);

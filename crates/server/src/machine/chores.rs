@@ -326,7 +326,12 @@ mod tests {
         let armed = |armed| Change::Machine { machine: Machine { armed, ..Machine::default() } };
         hub.change(vec![armed(true)]);
         let Workshop { session, shelf, .. } = &mut owner.workshop;
-        let company = Company { sink: &mut (), operator: &mut (), pace: &mut (), machine: None };
+        let company = Company {
+            sink: &mut (),
+            operator: &mut (),
+            requests: &mut (),
+            machine: kerf_control::simulated(),
+        };
         let program = kerf_sbp::read_typed("on".into(), "SO,7,1\n");
         let mut options = RunOptions::default();
         options.program.typed = true;

@@ -1,6 +1,6 @@
-//! Participants in a run of the server: a clock, an operator at any page, and whoever is told.
+//! Participants in a run of the server: a clock, an operator at any page with requests, and whoever is told.
 //!
-//! The three share a [`Board`]; they live on the machine's thread.
+//! They share a [`Board`]; they live on the machine's thread.
 
 use super::board::{Board, TELL};
 use super::link::Link;
@@ -9,7 +9,9 @@ use crate::hub::Hub;
 use crate::told;
 use kerf_control::answers::{self, Operator};
 use kerf_control::journal::Hurry;
-use kerf_control::{Doing, Event, Jog, LIFT, Made, Pace, Sink, Standing, Wish, WorldClock};
+use kerf_control::{
+    Doing, Event, Jog, LIFT, Made, OperatorRequest, Requests, Sink, Standing, WorldClock,
+};
 use kerf_program::{Question, QuestionKind};
 use kerf_wire::{Asked, Change, InForce, Machine, State, Tone};
 use std::cell::RefCell;
@@ -27,7 +29,7 @@ const SLEPT: Duration = Duration::from_secs(5);
 /// Lamps follow their bits within a tenth of a second (Profiler reference, "I/O Card").
 const _: () = assert!(NAP.as_millis() + TELL.as_millis() < 100);
 
-/// Parts that the three share.
+/// Parts that they share.
 #[derive(Clone, Debug)]
 pub struct Shared {
     /// Gathers what is told.
@@ -81,7 +83,7 @@ impl Shared {
     }
 }
 
-/// Machine time against the time of the world.
+/// Machine time of the simulated machine against the time of the world.
 #[derive(Debug)]
 pub struct Clock {
     shared: Shared,
@@ -89,88 +91,59 @@ pub struct Clock {
     rate: f64,
     /// Machine time by the clock of the world.
     world: WorldClock,
-    /// Machine time that has passed. A run that is told something in the middle of a move asks again
-    /// from its beginning.
-    passed_s: f64,
-    /// Machine time at the last look: it begins anew with every run; what comes before a run is a part of it.
-    clock_s: f64,
 }
 
 impl Clock {
     /// A clock that begins with the run.
     pub const fn new(shared: Shared, rate: f64) -> Self {
-        Self { shared, rate, world: WorldClock::new(rate), passed_s: 0.0, clock_s: 0.0 }
+        Self { shared, rate, world: WorldClock::new(rate) }
     }
 
-    /// Another run begins where machine time does.
-    fn look_at(&mut self, clock_s: f64) {
-        if clock_s < std::mem::replace(&mut self.clock_s, clock_s) {
-            self.world.begin_anew();
-            self.passed_s = 0.0;
+    /// Sleeps until something is wanted, at most so long.
+    fn nap(shared: &Shared, most: Duration) {
+        let link = &shared.link;
+        let before = link.clock().now();
+        drop(link.wait(link.lock(), most));
+        let slept = link.clock().now().saturating_sub(before);
+        if slept > SLEPT {
+            shared.slept(slept);
         }
-    }
-
-    /// Machine time now, when it was `from_s` at the last look or later.
-    fn now(&mut self, from_s: f64) -> f64 {
-        self.world.now(from_s)
-    }
-
-    /// Re-anchors the clock when the run lags behind it by more than 0.1 s, instead of catching up.
-    fn stay_behind(&mut self, from_s: f64) {
-        if self.now(from_s) > from_s + 0.1 * self.rate {
-            self.world.begin_anew();
-        }
-    }
-
-    fn nap(&self, left_s: f64) -> Duration {
-        NAP.min(Duration::from_secs_f64((left_s / self.rate).clamp(0.0, 1.0)))
     }
 }
 
-impl Pace for Clock {
-    fn pass(&mut self, _: f64, _: f64) -> Option<(f64, Wish)> {
-        None
-    }
-
-    fn watch(&mut self, from_s: f64, to_s: f64, doing: &Doing<'_>) -> Option<(f64, Wish)> {
-        self.look_at(doing.machine.clock_s());
-        let from_s = from_s.max(self.passed_s);
-        let to_s = to_s.max(from_s);
-        self.stay_behind(from_s);
-        let shared = self.shared.clone();
-        let mut wanted = shared.link.lock();
-        loop {
-            let now_s = self.now(from_s).clamp(from_s, to_s);
-            self.passed_s = now_s;
-            if let Some(wish) = wanted.wish() {
-                return Some((now_s, wish));
-            }
-            drop(wanted);
-            let mut board = shared.board.borrow_mut();
-            if let Some(planned) = shared.link.plan_of(board.run()) {
-                board.plans(planned);
-            }
-            board.see(doing, now_s);
-            board.tell_sometimes();
-            drop(board);
-            let left_s = to_s - self.now(from_s);
-            if left_s <= 0.0 {
-                return None;
-            }
-            let before = shared.link.clock().now();
-            wanted = shared.link.lock();
-            wanted = shared.link.wait(wanted, self.nap(left_s));
-            let slept = shared.link.clock().now().saturating_sub(before);
-            if slept > SLEPT {
-                drop(wanted);
-                shared.slept(slept);
-                wanted = shared.link.lock();
-            }
-        }
+impl kerf_sim::Clock for Clock {
+    fn pass(&mut self, from_s: f64, until_s: f64) -> f64 {
+        let shared = &self.shared;
+        self.world.pass(from_s, until_s, NAP, |most| Self::nap(shared, most))
     }
 
     fn is_real(&self) -> bool {
         self.rate <= 1.0
+    }
+
+    fn begin_anew(&mut self) {
+        self.world.begin_anew();
+    }
+}
+
+/// What pages ask for of a run.
+#[derive(Debug)]
+pub struct PageRequests {
+    shared: Shared,
+    /// Seconds of machine time in a second.
+    rate: f64,
+}
+
+impl PageRequests {
+    /// Requests about a machine whose time passes at a rate.
+    pub const fn new(shared: Shared, rate: f64) -> Self {
+        Self { shared, rate }
+    }
+}
+
+impl Requests for PageRequests {
+    fn take(&mut self, from_s: f64, _: f64) -> Option<(f64, OperatorRequest)> {
+        self.shared.link.lock().request().map(|request| (from_s, request))
     }
 
     fn hurry(&self) -> Option<Hurry> {
@@ -179,7 +152,6 @@ impl Pace for Clock {
     }
 
     fn heard(&mut self) {
-        self.world.begin_anew();
         self.shared.link.want(|wanted| wanted.hear_stop());
     }
 
@@ -198,7 +170,6 @@ impl Pace for Clock {
             wanted = self.shared.link.wait(wanted, Duration::from_secs(1));
         }
         wanted.stands();
-        self.world.begin_anew();
         drop(wanted);
         self.shared.state(State::Running);
         Some(held_s + begin.elapsed().as_secs_f64() * self.rate)
@@ -404,6 +375,15 @@ impl Sink for Teller {
 
     fn made_before(&mut self, made: &Made<'_>) {
         self.shared.board.borrow_mut().made_before(made);
+    }
+
+    fn under_way(&mut self, doing: &Doing<'_>, _: f64, now_s: f64) {
+        let mut board = self.shared.board.borrow_mut();
+        if let Some(planned) = self.shared.link.plan_of(board.run()) {
+            board.plans(planned);
+        }
+        board.see(doing, now_s);
+        board.tell_sometimes();
     }
 
     fn displays(&mut self, comments: bool) {

@@ -1,4 +1,4 @@
-//! Wishes of pages for a machine that runs, from the threads that hear them to the one that drives.
+//! Requests of pages for a machine that runs, from the threads that hear them to the one that drives.
 //!
 //! Who holds the lock of the [`Hub`](crate::hub::Hub) may take that of the link, never the other way round. A stop takes
 //! neither: it is counted in [`Arrived`], and wakes the machine's thread.
@@ -7,7 +7,7 @@ use super::arrived::{Arrived, Stops};
 use super::planned::Planned;
 use crate::clock::Clock;
 use crate::people::Grip;
-use kerf_control::{Press, Wish};
+use kerf_control::{OperatorRequest, Press};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread::{self, Thread};
@@ -30,7 +30,7 @@ pub struct Link {
     plan: Mutex<Option<(u32, Planned)>>,
 }
 
-/// Wishes of pages.
+/// Requests of pages.
 #[derive(Debug, Default)]
 pub struct Wanted {
     /// Stops so far, those while nothing ran included.
@@ -101,7 +101,7 @@ impl Held {
 
 impl Wanted {
     /// Returns what the run is to do now, once. A jog ends at whatever is wanted.
-    pub fn wish(&mut self) -> Option<Wish> {
+    pub fn request(&mut self) -> Option<OperatorRequest> {
         if let Some(held) = &mut self.jog {
             let halts = self.arrived.stops().halts();
             let stop = halts != self.heard || self.ends;
@@ -110,16 +110,16 @@ impl Wanted {
             if stop {
                 self.arrived.hear(halts);
             }
-            return if over && !told { Some(Wish::End) } else { self.pressed() };
+            return if over && !told { Some(OperatorRequest::End) } else { self.pressed() };
         }
         if self.is_to_stop() && !std::mem::replace(&mut self.stopping, true) {
             self.arrived.hear(self.arrived.stops().halts());
-            return Some(Wish::Stop);
+            return Some(OperatorRequest::Stop);
         }
         if std::mem::take(&mut self.hold) {
-            return Some(Wish::Hold);
+            return Some(OperatorRequest::Hold);
         }
-        self.pressed().or_else(|| self.feed.take().map(Wish::Feed))
+        self.pressed().or_else(|| self.feed.take().map(OperatorRequest::Feed))
     }
 
     /// Drops a wanted hold: a machine that waits for somebody stands already.
@@ -159,8 +159,8 @@ impl Wanted {
     }
 
     /// A switch that is moved.
-    fn pressed(&mut self) -> Option<Wish> {
-        self.presses.pop_front().map(|Press { number, on }| Wish::Input { number, on })
+    fn pressed(&mut self) -> Option<OperatorRequest> {
+        self.presses.pop_front().map(|Press { number, on }| OperatorRequest::Input { number, on })
     }
 
     /// Returns `true` if a stop is wanted, which is heard now.
@@ -371,7 +371,7 @@ mod tests {
         let link = Link::default();
         assert!(link.begin(Some(link.stops()), None));
         link.stop();
-        assert_eq!(link.lock().wish(), Some(Wish::Stop));
+        assert_eq!(link.lock().request(), Some(OperatorRequest::Stop));
     }
 
     #[test]
@@ -379,12 +379,12 @@ mod tests {
         let link = Link::default();
         link.stop();
         assert!(link.begin(Some(link.stops()), None));
-        assert_eq!(link.lock().wish(), None);
+        assert_eq!(link.lock().request(), None);
         assert!(link.lock().hear_stop_at_rest(false));
         assert!(!link.lock().hear_stop_at_rest(false), "once");
         link.stop();
         assert!(!link.lock().hear_stop_at_rest(false), "what runs hears it");
-        assert_eq!(link.lock().wish(), Some(Wish::Stop));
+        assert_eq!(link.lock().request(), Some(OperatorRequest::Stop));
         link.lock().hear_stop();
         link.stop();
         assert!(link.lock().hear_stop_at_rest(true));
@@ -395,14 +395,14 @@ mod tests {
         let link = Link::default();
         let sign = |seq| Grip { seq, at: link.clock().now() };
         assert!(link.begin(None, Some(Held::pressed(3, sign(1)))));
-        assert_eq!(link.lock().wish(), None);
+        assert_eq!(link.lock().request(), None);
         link.clock().forward(Duration::from_secs(3600));
         let renews = |wanted: &mut Wanted| {
             wanted.jog.as_mut().unwrap().renew(3, sign(1), link.clock().now())
         };
         assert!(!link.want(renews), "no sign makes up for an hour");
-        assert_eq!(link.lock().wish(), Some(Wish::End));
-        assert_eq!(link.lock().wish(), None, "told once");
+        assert_eq!(link.lock().request(), Some(OperatorRequest::End));
+        assert_eq!(link.lock().request(), None, "told once");
     }
 
     #[test]
@@ -411,9 +411,9 @@ mod tests {
             let link = Link::default();
             let at = link.clock().now();
             assert!(link.begin(None, Some(Held::pressed(3, Grip { seq: 1, at }))));
-            assert_eq!(link.lock().wish(), None, "it is held");
+            assert_eq!(link.lock().request(), None, "it is held");
             ends(&link);
-            assert_eq!(link.lock().wish(), Some(Wish::End));
+            assert_eq!(link.lock().request(), Some(OperatorRequest::End));
         }
     }
 
@@ -423,6 +423,6 @@ mod tests {
         let press = Press { number: 4, on: false };
         link.want(|wanted| wanted.presses.push_back(press));
         assert!(link.begin(None, None));
-        assert_eq!(link.lock().wish(), Some(Wish::Input { number: 4, on: false }));
+        assert_eq!(link.lock().request(), Some(OperatorRequest::Input { number: 4, on: false }));
     }
 }

@@ -1,9 +1,10 @@
 //! The machine: one thread owns it and runs one thing after the other.
 //!
 //! ```text
-//!  acts ── Order ──► Owner ── Session::run ──┬─ Clock    machine time, wishes of the Link
-//!    └──── wishes, answers ──► Link ─────────┤─ Pages    questions
-//!                                            └─ Teller   events ─► Board ─► Hub ─► pages
+//!  acts ── Order ──► Owner ── Session::run ──┬─ Clock         time of the simulated machine
+//!    └──── requests, answers ──► Link ───────┼─ PageRequests  STOP, hold, feed, keys
+//!                                            ├─ Pages         questions
+//!                                            └─ Teller        events ─► Board ─► Hub ─► pages
 //! ```
 
 mod arrived;

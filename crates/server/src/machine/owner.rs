@@ -2,7 +2,7 @@
 
 use super::arrived::Stops;
 use super::board::Board;
-use super::company::{Clock, Pages, Shared, Teller};
+use super::company::{Clock, PageRequests, Pages, Shared, Teller};
 use super::left::Left;
 use super::link::Link;
 use super::planned::Planned;
@@ -18,6 +18,7 @@ use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad, hand};
 use kerf_program::{AXES, Axis};
 use kerf_sbp::{FileParameters, Status};
+use kerf_sim::Simulated;
 use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::PathBuf;
@@ -383,11 +384,12 @@ impl Owner {
             link: self.link.clone(),
             parts: self.parts.clone(),
         };
-        let mut clock = Clock::new(shared.clone(), self.rate);
+        let mut requests = PageRequests::new(shared.clone(), self.rate);
+        let machine = Simulated::driven(Clock::new(shared.clone(), self.rate));
         let mut pages = Pages::new(shared.clone(), self.asked);
         let mut teller = Teller::new(shared);
         let company =
-            Company { sink: &mut teller, operator: &mut pages, pace: &mut clock, machine: None };
+            Company { sink: &mut teller, operator: &mut pages, requests: &mut requests, machine };
         self.link.arrived().runs(true);
         let summary = runs(&mut self.workshop, company);
         self.link.arrived().runs(false);

@@ -25,7 +25,9 @@ use crate::job_told;
 use crate::machine::Planned;
 use collect::Collector;
 use kerf_control::timing::Begun;
-use kerf_control::{Company, Doing, Pace, RunOptions, Session, Shelf, Sink, Summary, Wish, Work};
+use kerf_control::{
+    Company, OperatorRequest, Requests, RunOptions, Session, Shelf, Sink, Summary, Work,
+};
 use kerf_machine::Configuration;
 use kerf_program::settings::Mode;
 use kerf_program::{Axis, Frame, Settings};
@@ -107,13 +109,9 @@ pub type Called = BTreeMap<PathBuf, Arc<[u8]>>;
 /// Ends a preview that nobody waits for any more.
 struct Until<'a>(&'a AtomicBool);
 
-impl Pace for Until<'_> {
-    fn pass(&mut self, from_s: f64, _: f64) -> Option<(f64, Wish)> {
-        self.0.load(Ordering::Relaxed).then_some((from_s, Wish::End))
-    }
-
-    fn watch(&mut self, from_s: f64, to_s: f64, _: &Doing<'_>) -> Option<(f64, Wish)> {
-        self.pass(from_s, to_s)
+impl Requests for Until<'_> {
+    fn take(&mut self, from_s: f64, _: f64) -> Option<(f64, OperatorRequest)> {
+        self.0.load(Ordering::Relaxed).then_some((from_s, OperatorRequest::End))
     }
 }
 
@@ -180,8 +178,12 @@ fn silently(
     // In preview mode moves take no time: the picture tells how long they take when they are cut.
     session.memory.settings.mode = Mode::Move;
     let mut answers = shelf.answers_beside(&work.name());
-    let company =
-        Company { sink, operator: &mut answers, pace: &mut Until(given_up), machine: None };
+    let company = Company {
+        sink,
+        operator: &mut answers,
+        requests: &mut Until(given_up),
+        machine: kerf_control::simulated(),
+    };
     let summary = session.run(work, options, shelf, company);
     (!given_up.load(Ordering::Relaxed))
         .then_some((summary, session.memory.settings.cutter.diameter_mm))

@@ -39,12 +39,12 @@ impl Tape {
     /// The operator stopped the run and gives it up: it can be taken up as if he had not.
     pub(crate) fn given_up(&mut self, place: Placed) {
         let Some(progress) = &mut self.writing else { return };
-        let (wish, stood) = match self.back {
+        let (request, stood) = match self.back {
             Some((reentry, stood)) => (Some(reentry), Some(stood)),
-            None => (self.wish, self.stood),
+            None => (self.request, self.stood),
         };
-        if let Some(wish) = wish {
-            progress.drop_steps(wish);
+        if let Some(request) = request {
+            progress.drop_steps(request);
         }
         let reached = &mut self.reached;
         (reached.stopped, reached.moving, reached.place) = (true, false, place);
@@ -58,7 +58,7 @@ impl Tape {
     /// The operator gives a job up that waits: it can be taken up as if he had not answered, which is the last
     /// that was told.
     pub(crate) fn given_up_by_answer(&mut self, place: Placed) {
-        self.wish = self.writing.as_ref().and_then(Progress::last_step);
+        self.request = self.writing.as_ref().and_then(Progress::last_step);
         (self.back, self.stood) = (None, Some((self.reached.made, 0.0)));
         self.given_up(place);
     }

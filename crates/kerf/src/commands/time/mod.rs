@@ -99,7 +99,12 @@ fn run_elsewhere(args: &TimeArgs) -> Result<Exit> {
 
 fn follow(job: &mut Job, sink: &mut dyn Sink, args: &TimeArgs) -> Summary {
     let mut pace = args.run.operator.script();
-    let company = Company { sink, operator: &mut job.answers, pace: &mut pace, machine: None };
+    let company = Company {
+        sink,
+        operator: &mut job.answers,
+        requests: &mut pace,
+        machine: kerf_control::simulated(),
+    };
     let (work, options) = (std::mem::take(&mut job.work), job.options.clone());
     job.session.run(work, options, &mut job.shelf, company)
 }

@@ -1,0 +1,60 @@
+//! Boards that the fake pretends to be.
+
+/// What a board tells of itself, and how much it holds.
+#[derive(Clone, Debug)]
+pub struct Board {
+    /// The line with which it greets.
+    pub greeting: &'static str,
+    /// Its answer to `$I`.
+    pub tells: Vec<String>,
+    /// Bytes that its receive buffer holds.
+    pub rx: usize,
+    /// Moves that its planner holds.
+    pub planner: usize,
+    /// Auxiliary outputs (`M64`).
+    pub aux: u8,
+    /// It knows the bits of `$10` and `$22` of grblHAL.
+    pub hal: bool,
+}
+
+impl Board {
+    /// grbl 1.1h on an Arduino, built as it comes.
+    pub fn grbl() -> Self {
+        let tells = vec!["[VER:1.1h.20190825:]".into(), "[OPT:V,15,128]".into()];
+        let greeting = "Grbl 1.1h ['$' for help]";
+        Self { greeting, tells, rx: 128, planner: 15, aux: 0, hal: false }
+    }
+
+    /// grbl 1.1h with other letters of options.
+    pub fn grbl_with(options: &str) -> Self {
+        let tells = vec!["[VER:1.1h.20190825:]".into(), format!("[OPT:{options},15,128]")];
+        Self { tells, ..Self::grbl() }
+    }
+
+    /// grblHAL, with so many auxiliary outputs; it says nothing of them when there are none.
+    pub fn hal(aux: u8) -> Self {
+        let mut tells: Vec<String> = [
+            "[VER:1.1f.20260817:]",
+            "[OPT:VNML+,100,1024,3,0]",
+            "[AXS:3:XYZ]",
+            "[NEWOPT:ENUMS,RT+,TC,SED]",
+            "[FIRMWARE:grblHAL]",
+            "[SIGNALS:D]",
+        ]
+        .map(String::from)
+        .into();
+        if aux > 0 {
+            tells.push(format!("[AUX IO:2,{aux},0,0]"));
+        }
+        let greeting = "GrblHAL 1.1f ['$' or '$HELP' for help]";
+        Self { greeting, tells, rx: 1024, planner: 100, aux, hal: true }
+    }
+
+    /// `FluidNC`, which tells no sizes.
+    pub fn fluid() -> Self {
+        let tells = ["[VER:4.0 FluidNC v4.0.0 (posix-) :]", "[OPT:MPHS]", "[MSG:Machine: Table]"];
+        let greeting = "Grbl 4.0 [FluidNC v4.0.0 (posix) '$' for help]";
+        let tells = tells.map(String::from).into();
+        Self { greeting, tells, rx: 255, planner: 16, aux: 0, hal: false }
+    }
+}

@@ -1,0 +1,307 @@
+//! The receiving side of the driver: lines of the controller and what follows from them.
+
+use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, at_once, with};
+use crate::facts::{self, PROBE_INPUT};
+use crate::lines::straight;
+use crate::place::{millimetres, on_steps};
+use crate::report::{Doing, Report, axes};
+use crate::words;
+use kerf_machine::driver::{Driver, Garbled, Order, Reply, Ticket, Trouble};
+
+/// The error of a controller that moves, and tells nothing of itself meanwhile.
+const BUSY: u16 = 8;
+
+/// A place that is farther than this from the one that was ordered is another, mm: more than a step of any machine.
+const ELSEWHERE_MM: f64 = 0.05;
+
+impl Grbl {
+    pub(crate) fn line(&mut self, line: &str, now_s: f64) {
+        if line.is_empty() {
+        } else if line == "ok" {
+            self.answered(now_s);
+        } else if let Some(number) = numbered(line, "error:") {
+            self.refused(number);
+        } else if let Some(number) = numbered(line, "ALARM:") {
+            self.alarm(number);
+        } else if line.starts_with('<') {
+            match Report::read(line) {
+                Some(report) => self.report(&report, now_s),
+                None => self.replies.push(Err(Garbled)),
+            }
+        } else if let Some(told) = line.strip_prefix("[PRB:") {
+            self.touched(told);
+        } else if line.starts_with('[') && line.ends_with(']') {
+            self.told.bracket(line);
+        } else if line.starts_with("Grbl") {
+            self.greeted(now_s);
+        } else if !self.told.setting(line) && !line.starts_with('>') {
+            self.replies.push(Err(Garbled));
+        }
+    }
+
+    /// It has started.
+    fn greeted(&mut self, now_s: f64) {
+        self.pending.clear();
+        self.on = 0;
+        match self.phase {
+            Phase::Resetting => {
+                self.greets = true;
+                self.out.push(at_once::ASK);
+            }
+            Phase::Silent | Phase::Asked => self.ask_all(now_s),
+            Phase::Ready | Phase::Stopping | Phase::Stopped => {
+                let _ = self.trouble.get_or_insert(Trouble::Restarted);
+                self.fail();
+                self.phase = Phase::Stopped;
+            }
+        }
+    }
+
+    fn answered(&mut self, now_s: f64) {
+        let Some(line) = self.pending.pop_front() else { return self.replies.push(Err(Garbled)) };
+        self.asked_s = now_s;
+        if let Some(ticket) = line.ticket {
+            if self.flights.answered(ticket) {
+                self.replies.push(Ok(Reply::Taken(ticket)));
+                self.returns(ticket);
+            }
+        }
+        if line.text.contains('=') {
+            self.changed = self.told.mend().or(self.changed);
+            self.told.setting(&line.text);
+        }
+        self.asks_on();
+    }
+
+    /// All that it was asked about itself is answered: a setting that hides its place is changed, then it is asked
+    /// where it is.
+    fn asks_on(&mut self) {
+        if self.phase != Phase::Asked || !self.has_said_all() {
+            return;
+        }
+        let mend = self.told.mend().filter(|_| !self.mended);
+        self.mended |= mend.is_some();
+        match mend {
+            Some(changed) => self.say(format!("${}={}", changed.number, changed.is)),
+            None => self.out.push(at_once::ASK),
+        }
+    }
+
+    fn refused(&mut self, number: u16) {
+        let line = self.pending.pop_front();
+        let why = words::error(number);
+        if self.phase == Phase::Asked {
+            // Older versions do not know everything that is asked; an empty line may end a garbled one. While it moves
+            // it tells nothing of itself: it is asked again.
+            self.busy |= number == BUSY && line.is_some_and(|line| !line.text.contains('='));
+            return self.asks_on();
+        }
+        let _ = self.trouble.get_or_insert(Trouble::Refused { number, why });
+        match line.and_then(|line| line.ticket) {
+            Some(ticket) => self.replies.push(Ok(Reply::Refused(ticket, why))),
+            None => self.fail(),
+        }
+    }
+
+    fn alarm(&mut self, number: u16) {
+        let (why, lost) = (words::alarm(number), words::is_lost(number));
+        self.trouble = Some(Trouble::Alarm { number, why, lost });
+        self.on = 0;
+        self.fail();
+    }
+
+    /// It tells where the probe changed: `-1.000,2.000,-3.125:1`, in the machine frame; 0 where it did not.
+    fn touched(&mut self, told: &str) {
+        let place = told.trim_end_matches(']').rsplit_once(':').and_then(|(place, changed)| {
+            let (place, _) = axes(place)?;
+            Some((place, changed))
+        });
+        match place {
+            None => self.replies.push(Err(Garbled)),
+            Some((place, "1")) if self.flights.probing().is_some() => {
+                self.contact = Some(on_steps(millimetres(place, &self.told), &self.told));
+            }
+            Some(_) => {}
+        }
+    }
+
+    /// Behind a contact it stands at the end of its ramp: it goes back to where the contact was.
+    fn returns(&mut self, ticket: Ticket) {
+        let probing = self.flights.probing().filter(|sent| sent.ticket == ticket);
+        let Some(Order::Probe { to, speed_mm_s, .. }) = probing.map(|sent| sent.order) else {
+            return;
+        };
+        let Some(contact) = self.contact.filter(|contact| *contact != self.planned) else { return };
+        let Some(facts) = &self.facts else { return };
+        if let Ok(text) = straight(to, contact, speed_mm_s, facts, &mut self.modal) {
+            self.planned = contact;
+            self.flights.extends(0);
+            self.queue.push_back(Line { text, ticket: Some(ticket) });
+        }
+    }
+
+    /// Nothing that was ordered will be done.
+    pub(crate) fn fail(&mut self) {
+        let why = "it stopped by itself";
+        if self.done < self.taken {
+            self.replies.push(Ok(Reply::Refused(self.done + 1, why)));
+        }
+        self.queue.clear();
+    }
+
+    fn report(&mut self, report: &Report, now_s: f64) {
+        self.doing = report.doing;
+        self.place.hear(report, &self.told);
+        self.tell_inputs(&report.pins);
+        match self.phase {
+            Phase::Silent | Phase::Asked => self.learns(report),
+            Phase::Ready => self.follows(report, now_s),
+            Phase::Stopping if self.has_stopped(now_s) => self.reset(),
+            // A hold that came while its spindle came up is forgotten by then.
+            Phase::Stopping if self.runs_on(now_s) => self.out.push(at_once::HOLD),
+            // One that was stopped before it told of itself is asked now.
+            Phase::Resetting if self.greets && self.facts.is_none() => self.phase = Phase::Silent,
+            Phase::Resetting if self.greets => self.phase = Phase::Stopped,
+            Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
+        }
+        self.replies.push(Ok(Reply::Standing(self.standing())));
+    }
+
+    fn runs_on(&self, now_s: f64) -> bool {
+        self.doing == Doing::Run && now_s - self.stopped_s > STALE_S
+    }
+
+    /// It is asked about itself, and tells where it is.
+    fn learns(&mut self, report: &Report) {
+        if let Some(why) = report.doing.unfit() {
+            self.trouble = Some(Trouble::Unfit { why });
+        } else if self.phase == Phase::Asked && !self.busy && self.has_said_all() {
+            self.ready(report);
+        }
+    }
+
+    /// It has told everything; a place of the workpiece without its zero is none.
+    fn ready(&mut self, report: &Report) {
+        if self.place.machine().is_none() {
+            return;
+        }
+        let facts = self.told.facts(report.axes);
+        let hides = "it does not tell its buffers: set $10=3, or $10=511 in grblHAL";
+        let unfit = self.told.unfit(report.axes).or(report.free.is_none().then_some(hides));
+        self.trouble = match (unfit, report.doing) {
+            (Some(why), _) => Some(Trouble::Unfit { why }),
+            (None, Doing::Alarm(_)) => Some(Trouble::Locked { why: facts::locked(facts.homes) }),
+            (None, _) => None,
+        };
+        self.facts = Some(facts);
+        self.begin();
+    }
+
+    /// It is at work.
+    fn follows(&mut self, report: &Report, now_s: f64) {
+        if let Some(free) = report.free {
+            self.told.planner = self.told.planner.max(free);
+            self.flights.left(self.told.planner - free, now_s);
+        }
+        self.finish(now_s);
+        self.misses_answer(now_s);
+        match report.doing {
+            _ if self.trouble.is_some() => {}
+            // The line that told of the alarm did not come through.
+            Doing::Alarm(number) => self.alarm(number.unwrap_or(0)),
+            Doing::Check | Doing::Sleep => {
+                let why = report.doing.unfit().unwrap_or_default();
+                self.trouble = Some(Trouble::Unfit { why });
+                self.fail();
+            }
+            Doing::Idle if self.has_said_all() && self.flights.is_empty() => self.stands_there(),
+            _ => {}
+        }
+    }
+
+    /// It stands with nothing left to do, at the place to which it was told to go: a line that was garbled on its way
+    /// leads elsewhere. Somebody may have moved it since by hand.
+    fn stands_there(&mut self) {
+        let place = self.position();
+        let apart = place.minus(self.planned).0.iter().any(|way| way.abs() > ELSEWHERE_MM);
+        if !apart {
+            self.arrived = true;
+        } else if self.arrived {
+            self.planned = place;
+        } else {
+            let why = "it stands elsewhere than it was told to: a line was garbled on its way; home it, or set its \
+                       location";
+            self.trouble = Some(Trouble::Refused { number: 0, why });
+            self.fail();
+        }
+    }
+
+    /// Returns `true` if every line is sent and answered.
+    fn has_said_all(&self) -> bool {
+        self.pending.is_empty() && self.queue.is_empty()
+    }
+
+    fn finish(&mut self, now_s: f64) {
+        let stands = self.doing == Doing::Idle;
+        while let Some(flight) = self.flights.done(stands, now_s) {
+            self.done = flight.sent.ticket;
+            match flight.sent.order {
+                Order::Output { line, on } => self.on = with(self.on, line, on),
+                Order::Home | Order::Unlock => {
+                    (self.planned, self.trouble) = (self.position(), None);
+                }
+                Order::Move { .. } | Order::Probe { .. } | Order::Spindle { .. } => {}
+            }
+            self.replies.push(Ok(Reply::Done(self.done)));
+            if let (Order::Probe { active, .. }, Some(_)) = (flight.sent.order, self.contact) {
+                self.tell_probe(active);
+            }
+        }
+    }
+
+    /// It stands, and a line that it must have read long ago is not answered: nobody knows whether it
+    /// took it.
+    fn misses_answer(&mut self, now_s: f64) {
+        let waits = !self.pending.is_empty() && self.doing == Doing::Idle && !self.quiet();
+        if waits && self.trouble.is_none() && now_s - self.asked_s > ANSWER_S {
+            let why = "an answer did not come through: look at the cable";
+            self.trouble = Some(Trouble::Refused { number: 0, why });
+            self.fail();
+        }
+    }
+
+    /// The contact that ended a move is told behind it, whatever reports say meanwhile.
+    fn tell_probe(&mut self, on: bool) {
+        self.pins.retain(|pin| pin != PROBE);
+        if on {
+            self.pins.push(PROBE);
+        }
+        self.replies.push(Ok(Reply::Input { line: PROBE_INPUT, on }));
+    }
+
+    fn tell_inputs(&mut self, pins: &str) {
+        let mut pins = pins.to_owned();
+        if self.flights.probing().is_some() {
+            pins.retain(|pin| pin != PROBE);
+            pins.extend(self.pins.chars().filter(|pin| *pin == PROBE));
+        }
+        for (pin, line) in INPUTS {
+            let (was, on) = (self.pins.contains(pin), pins.contains(pin));
+            if was != on {
+                self.replies.push(Ok(Reply::Input { line, on }));
+            }
+        }
+        self.pins = pins;
+    }
+}
+
+/// The letter of the probe in a report.
+const PROBE: char = 'P';
+
+/// The pins whose state is told, as inputs: the probe and the limits. A door is no input: the controller holds by
+/// itself while it is open.
+const INPUTS: [(char, u8); 5] = [(PROBE, PROBE_INPUT), ('X', 5), ('Y', 6), ('Z', 7), ('A', 8)];
+
+fn numbered(line: &str, before: &str) -> Option<u16> {
+    line.strip_prefix(before)?.parse().ok()
+}
