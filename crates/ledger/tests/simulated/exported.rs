@@ -62,9 +62,16 @@ fn cut_to(events: &[Event], surface_mm: f64) -> Vec<[f64; 3]> {
     cuts.map(|made| [made.to.x, made.to.y, made.to.z - surface_mm]).collect()
 }
 
+/// A shape as part programs can say it: OpenSBP knows no circular jog, so that a traversal round arcs is a cut there.
+fn spoken(shape: &JobShape) -> JobShape {
+    let arcs = shape.path.vertices.iter().any(|vertex| vertex.bulge != 0.0);
+    JobShape { traversal: shape.traversal && !arcs, ..shape.clone() }
+}
+
 /// Holds the part program of a job against the job; `false` for a job that does not run to its end.
 fn check(told: &str, job: Job, machine: &Configuration) -> bool {
-    let job = Job { origin: Some(Point2::default()), repeats: 1, ..job };
+    let shapes = job.shapes.iter().map(spoken).collect();
+    let job = Job { shapes, origin: Some(Point2::default()), repeats: 1, ..job };
     let cut = JobRun::new(job.clone()).with(|own| *own = machine.clone()).run();
     if cut.summary.status != Status::Ok {
         return false;
