@@ -101,7 +101,7 @@ impl Schedule<'_> {
         if self.cut(shape).pierces() {
             return self.cut(shape).laser_start(z);
         }
-        let slope = self.cut(shape).slopes_from(&self.progress, spot);
+        let slope = self.cut(shape).slopes_from(self.progress, spot);
         let mut steps = self.tool_on(self.cut(shape).tool_of());
         steps.extend(self.cut(shape).down(slope.unwrap_or(z)));
         steps.push(Step::Switch(Output::cut(shape.cut), true));
