@@ -10,7 +10,7 @@ use crate::away::Aside;
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use crate::pendant::KEY;
-use kerf_machine::sequence::Word;
+use kerf_machine::Word;
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
 

@@ -1,11 +1,15 @@
 //! Drawings and pictures as programs: DXF, SVG, HPGL, RSG, RSM, BMP, JPEG and PNG.
 
+use crate::job_file;
 use kerf_drawing::{Drawing, Editor, Operation, Shape};
 use kerf_formats::{Finding, Imported, Weight, bitmap, dxf, hpgl, rsg, svg};
 use kerf_geom::{Point2, Vec2};
+use kerf_machine::Configuration;
+use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
 use kerf_program::{CutChoice, Printer, decimal};
-use kerf_toolpath::{Heights, Job, Relief, print_relief};
+use kerf_sequence::Speeds;
+use kerf_toolpath::{Job, Relief, print_relief};
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -117,11 +121,9 @@ pub fn print(
     } else {
         job(drawing(bytes, kind), how)?
     };
-    let heights = Heights { top_mm: how.safe_mm, surface_mm: 0.0, bottom_mm: -how.depth_mm };
-    let uncut = |wrong: Vec<kerf_toolpath::Warning>| {
-        DrawnError::Uncut(wrong.iter().map(ToString::to_string).collect())
-    };
-    kerf_toolpath::print(&job, &heights, printer).map_err(uncut)?;
+    let zpos = ZPositions { top_mm: how.safe_mm, surface_mm: 0.0, bottom_mm: -how.depth_mm };
+    let machine = Configuration { zpos, ..Configuration::default() };
+    job_file::print(&job, &machine, Speeds::OfRun, printer).map_err(DrawnError::Uncut)?;
     Ok(findings)
 }
 

@@ -4,9 +4,9 @@
 use crate::{Event, RunOptions, Sink};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::lines::Input;
-use kerf_machine::sequence::Sequence;
 use kerf_program::job::Heights;
 use kerf_program::{Gauge, HeightLaw};
+use kerf_sequence::Sequence;
 use kerf_sim::Sheet;
 use std::sync::Arc;
 

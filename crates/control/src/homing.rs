@@ -7,7 +7,7 @@ use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
-use kerf_machine::sequence::planner_settings;
+use kerf_machine::planning::hand_settings;
 use kerf_motion::Mover;
 use kerf_program::{At, Axes, Axis, AxisSet, Feed, Interpreter, Line, MoveKind, Settings, Status};
 use kerf_sim::{Machine, Watched};
@@ -19,7 +19,7 @@ impl<I: Interpreter> Runner<'_, I> {
             return self.home_by_itself();
         }
         let machine = self.world.machine_is.clone();
-        let settings = planner_settings(&machine);
+        let settings = hand_settings(&machine);
         let now_s = self.world.now();
         self.world.machine.advance(now_s);
         let mut rig =

@@ -4,8 +4,11 @@ use crate::Work;
 use kerf_formats::{Finding, Weight};
 use kerf_geom::Point2;
 use kerf_machine::Configuration;
-use kerf_program::job::JobShape;
-use kerf_toolpath::{Damaged, Job, NoRoom};
+use kerf_machine::settings::zpos::ZPositions;
+use kerf_program::Printer;
+use kerf_program::job::{Heights, JobShape};
+use kerf_sequence::Speeds;
+use kerf_toolpath::{Damaged, Job, NoRoom, too_deep};
 use std::sync::Arc;
 
 /// The extension of jobs.
@@ -54,6 +57,28 @@ pub fn work(job: &Job, name: Arc<str>, machine: Configuration) -> Work {
     let shapes = neutral.shapes.iter().zip(1..);
     neutral.shapes = shapes.map(|(shape, number)| JobShape { number, ..shape.clone() }).collect();
     Work::Job(Arc::new(neutral), Arc::new(machine))
+}
+
+/// Writes a job as a part program, as a machine cuts it; what is noticed on the way is returned.
+///
+/// # Errors
+/// Paths that would go below ZBottom, a sentence each.
+pub fn print(
+    job: &Job,
+    machine: &Configuration,
+    speeds: Speeds,
+    printer: &mut dyn Printer,
+) -> Result<Vec<String>, Vec<String>> {
+    let ZPositions { top_mm, surface_mm, bottom_mm } = machine.zpos;
+    let wrong = too_deep(job, &Heights { top_mm, surface_mm, bottom_mm });
+    if !wrong.is_empty() {
+        return Err(wrong.iter().map(ToString::to_string).collect());
+    }
+    job.drawing.comments().iter().for_each(|line| printer.comment(line));
+    match kerf_sequence::print(&job.neutral(Arc::default()), machine, speeds, printer) {
+        Ok(noticed) => Ok(noticed.into_iter().map(|noticed| noticed.message).collect()),
+        Err(low) => Err(vec![low.message]),
+    }
 }
 
 impl Choice {

@@ -10,7 +10,7 @@ use crate::world::Unanswered;
 use crate::{Event, OperatorRequest, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
-use kerf_machine::sequence::Word;
+use kerf_machine::Word;
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_motion::Move;
 use kerf_program::{

@@ -1,5 +1,6 @@
 //! Settings by which the shapes of a group are cut.
 
+use kerf_program::job::Plunge;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -36,43 +37,6 @@ impl Lead {
     }
 }
 
-/// Way in which the tool goes down into the material.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Plunge {
-    /// Straight down.
-    #[default]
-    Straight,
-    /// Down along the path.
-    Ramp {
-        /// Steepness, degrees below the level.
-        angle_deg: f64,
-    },
-    /// Down round a circle that touches the path at its start.
-    Helix {
-        /// Radius of the circle, millimetres. It lies on the side of a lead-in, on the other one when the
-        /// radius is negative.
-        radius_mm: f64,
-        /// Steepness, degrees below the level.
-        angle_deg: f64,
-    },
-}
-
-impl Plunge {
-    /// Returns the steepness, degrees below the level; a straight plunge is as steep as can be.
-    fn angle_deg(self) -> f64 {
-        match self {
-            Self::Straight => 90.0,
-            Self::Ramp { angle_deg } | Self::Helix { angle_deg, .. } => angle_deg,
-        }
-    }
-
-    /// The radius of the helix; for others one that is none.
-    fn radius_mm(self) -> f64 {
-        if let Self::Helix { radius_mm, .. } = self { radius_mm } else { 1.0 }
-    }
-}
-
 /// The cut settings and the path settings of a group (Profiler reference, tables 9 and 10).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GroupSettings {
@@ -102,7 +66,8 @@ pub struct GroupSettings {
     pub lead_in: Lead,
     /// The way off the path.
     pub lead_out: Lead,
-    /// The way down into the material.
+    /// The way down into the material. A helix lies on the side of a lead-in, on the other one when its radius is
+    /// negative.
     #[serde(default)]
     pub plunge: Plunge,
     /// Diameter of the cutter, millimetres, for pictures; `None` is twice the offset.
@@ -185,7 +150,11 @@ impl GroupSettings {
         let angle = |lead: Lead| (0.0..=360.0).contains(&lead.angle_deg);
         let number = "a number";
         let cutter = self.cutter_mm.unwrap_or(1.0);
-        let (steep, helix) = (self.plunge.angle_deg(), self.plunge.radius_mm());
+        let (steep, helix) = match self.plunge {
+            Plunge::Straight => (90.0, 1.0),
+            Plunge::Ramp { angle_deg } => (angle_deg, 1.0),
+            Plunge::Helix { radius_mm, angle_deg } => (angle_deg, radius_mm),
+        };
         [
             ("height", depth, true, number),
             ("pass", pass, pass > 0.0, "above 0 mm"),

@@ -181,8 +181,8 @@ pub struct FileArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Motion")]
 pub struct MotionArgs {
-    /// The model of ramps [default: that of the configuration; else optimal where it or --accel,
-    /// --axis-speed, --jerk or --tolerance tell what the axes can do; else shopbot]
+    /// The model of ramps, of part files and jobs alike [default: that of the configuration; else optimal where it
+    /// or --accel, --axis-speed, --jerk or --tolerance tell what the axes can do; else shopbot]
     #[arg(long, value_parser = parse::ramps)]
     pub ramps: Option<RampModel>,
     /// With --ramps optimal: how far the path may leave the programmed one, mm [default: 0.01]

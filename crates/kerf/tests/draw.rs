@@ -200,7 +200,7 @@ fn pro_group_rough_multi() {
 #[test]
 fn traversal_shapes_lead_the_head_at_the_height_of_travel() {
     let script = "line 0,0 0,100 200,100; select 1; group red; set red traversal=on";
-    assert_eq!(program(script), ["JZ,10", "MY,100", "MX,200", "J2,0,0"]);
+    assert_eq!(program(script), ["JZ,10", "JY,100", "JX,200", "J2,0,0"]);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The model of a machine: its settings, its moves by hand, its jobs and its drivers.
+//! The model of a machine: its settings, its moves by hand and its drivers.
 //!
 //! [`Configuration`] is the one model of a machine's settings: those of the V commands
 //! ([`kerf_program::Settings`]) and, beside them, what the Profiler tables list, an area a file in
@@ -18,18 +18,19 @@ pub mod homing;
 mod levels;
 pub mod lines;
 pub mod machine;
+pub mod planning;
 pub mod profile;
-pub mod sequence;
 pub mod settings;
 pub mod state;
 pub mod table;
 pub mod value;
 pub mod wiring;
+mod words;
 
 pub use hand::{Errand, Hand, Held, Keypad, Stretch};
 pub use machine::{Actuator, Driven, Fault, Going, Machine, News, OVERRUN_MM, Watch};
-pub use sequence::Sequence;
 pub use settings::Configuration;
 pub use state::State;
 pub use table::Setting;
 pub use value::Value;
+pub use words::Word;

@@ -215,7 +215,7 @@ impl State {
     }
 
     /// The answers to the question of a machine that stands: it goes on, or that is the end.
-    pub(crate) const fn ways_on(self) -> [Button; 2] {
+    pub const fn ways_on(self) -> [Button; 2] {
         match self {
             Self::Limited => [Button::Continue, Button::End],
             _ => [Button::Resume, Button::Quit],

@@ -5,6 +5,7 @@ use crate::app::{App, hash, lock, problem};
 use crate::awaited::Awaited;
 use crate::reading;
 use crate::saving::Leave;
+use kerf_control::job_file;
 use kerf_drawing::{Drawing, Editor, Operation, script};
 use kerf_formats::{Imported, dxf, rsg, svg};
 use kerf_gcode::{Writer, Writing};
@@ -13,6 +14,7 @@ use kerf_machine::Configuration;
 use kerf_program::Printer;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Printing, SbpPrinter};
+use kerf_sequence::Speeds;
 use kerf_toolpath::{Heights, Job, JobError, Shaping, shaped_job_until};
 use kerf_wire::{Change, Op, Problem, Why};
 use std::sync::Arc;
@@ -214,7 +216,7 @@ impl App {
         awaited: &Awaited,
     ) -> Done {
         self.nothing_unsaved()?;
-        let (job, warnings) = match desk.job {
+        let (job, mut warnings) = match desk.job {
             // Tool paths are cut as they are.
             Some(_) => (desk.edited_job()?, Vec::new()),
             None => job(&desk.editor.drawing, self.shaping(), awaited)?,
@@ -231,10 +233,9 @@ impl App {
             "nc" => Box::new(Writer::new(&writing)),
             _ => return Err(problem(Why::File, "a program is written as .sbp or .nc")),
         };
-        kerf_toolpath::print(&job, &self.heights(), printer.as_mut()).map_err(|wrong| {
-            let all: Vec<_> = wrong.iter().map(ToString::to_string).collect();
-            problem(Why::Mistake, all.join("; "))
-        })?;
+        let machine = lock(&self.left).session.configuration();
+        let noticed = job_file::print(&job, &machine, Speeds::Written, printer.as_mut());
+        warnings.extend(noticed.map_err(|wrong| problem(Why::Mistake, wrong.join("; ")))?);
         self.save(name, printer.finish().text.as_bytes(), leave)?;
         self.open_file(name)?;
         Ok(warnings)

@@ -6,7 +6,6 @@ use crate::job::kind_of;
 use kerf_control::Work;
 use kerf_geom::Point2;
 use kerf_machine::Configuration;
-use kerf_machine::sequence;
 use kerf_program::Axis;
 use kerf_program::job::{Job, JobShape};
 use kerf_wire::{FileKind, JobChoice, Problem, Why};
@@ -73,7 +72,7 @@ impl App {
     /// machine where no job is open.
     pub(crate) fn lies(&self, open: &Open) -> [Point2; 2] {
         let (job, machine) = self.placed(open);
-        sequence::lies(&job, &machine)
+        kerf_sequence::lies(&job, &machine)
     }
 
     /// An open job as far as it says where it lies, and the machine.
@@ -133,7 +132,7 @@ impl App {
 
 /// A machine with the origin and finish of a job as its own.
 pub fn with_job(mut machine: Configuration, job: &Job) -> Configuration {
-    let lies = sequence::lies(job, &machine).map(|at| [at.x, at.y]);
+    let lies = kerf_sequence::lies(job, &machine).map(|at| [at.x, at.y]);
     [machine.job.origin_mm, machine.job.finish_mm] = lies;
     machine
 }

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! A [`Job`] is what is cut: paths in order, each with what it comes from, and the [`Warning`]s that
-//! arose. Nothing is left out silently: a shape without a path is told with its number. [`print()`] gives a job
-//! to a printer, which writes it as OpenSBP or G-code.
+//! arose. Nothing is left out silently: a shape without a path is told with its number. [`Job::neutral`]
+//! gives a job to those who cut it or write it as a part program.
 //!
 //! Millimetres; positive offsets lie to the right of travel, as in [`kerf_geom::offset()`].
 
@@ -29,7 +29,6 @@ mod neighbours;
 mod neutral;
 mod order;
 mod overlap;
-mod program;
 mod relief;
 mod rsm;
 mod shape_paths;
@@ -48,7 +47,6 @@ pub use job::{
 };
 pub use lead::{Side, lead_in, lead_out};
 pub use lift::{lifted, lowest_mm};
-pub use program::print;
 pub use relief::{Relief, print_relief};
 pub use rsm::{Damaged, read, read_until, read_whole, write};
 pub use shape_paths::Pass;

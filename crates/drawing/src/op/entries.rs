@@ -5,8 +5,9 @@
 use super::clear;
 use super::words::{WordError, Words, number, pair};
 use super::{Change, How, Operation};
-use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order, Plunge};
+use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order};
 use kerf_geom::{Point2, Vec2, Vertex};
+use kerf_program::job::Plunge;
 
 /// An operation as a person writes it.
 #[derive(Clone, Copy, Debug)]

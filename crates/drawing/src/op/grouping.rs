@@ -1,7 +1,8 @@
 //! Groups: who belongs to which, and how each is cut (Profiler reference, "Groups").
 
 use super::OpError;
-use crate::{Editor, Group, GroupSettings, Height, Lead, Plunge, Shape};
+use crate::{Editor, Group, GroupSettings, Height, Lead, Shape};
+use kerf_program::job::Plunge;
 use serde::{Deserialize, Serialize};
 
 /// A change of one setting of a group.

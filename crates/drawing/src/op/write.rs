@@ -1,8 +1,9 @@
 //! Operations in the words that [`super::script`] reads.
 
 use super::{Change, How, Operation, Picking, Sequencing};
-use crate::{ArrayLevel, Choice, Height, Level, Plunge, Search};
+use crate::{ArrayLevel, Choice, Height, Level, Search};
 use kerf_geom::{Point2, Vec2, Vertex};
+use kerf_program::job::Plunge;
 use std::fmt::{Display, Formatter, Result, Write};
 
 impl Display for Operation {

@@ -35,7 +35,7 @@ use kerf_control::controller::Controller;
 use kerf_control::journal::{JournalError, Whereabouts};
 use kerf_control::json::JsonLines;
 use kerf_control::{Company, Session, Shelf, Summary, Work};
-use kerf_machine::{Configuration, sequence, table};
+use kerf_machine::{Configuration, table};
 use kerf_program::job::Job;
 use on_server::{REACHES_SERVERS, remotely};
 use options::{PaceName, STANDARD_OUTPUT};
@@ -156,7 +156,7 @@ fn in_force(job: &Job, machine: &Configuration) -> String {
     let speeds = &machine.program.speeds;
     let cut = machine.program.smoothing.cut_speed_mm_s.unwrap_or(speeds.cut.xy);
     let mm_min = |mm_s: f64| out::number(mm_s * 60.0, 1);
-    let (z, [origin, _]) = (machine.zpos, sequence::lies(job, machine));
+    let (z, [origin, _]) = (machine.zpos, kerf_sequence::lies(job, machine));
     let origin = match machine.job.change_origin_at_start {
         true => "where the tool is".to_owned(),
         false => format!("{},{}", origin.x, origin.y),

@@ -8,15 +8,17 @@ pub use kind::{extension, is_drawing};
 use crate::exit::Usage;
 use crate::given;
 use crate::out;
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow, bail};
 use kerf_control::job_file;
 use kerf_drawing::{Drawing, Group, Shape};
 use kerf_formats::{Finding, Imported, Weight, dxf, hpgl, rsg, svg};
 use kerf_gcode::{Writer, Writing};
+use kerf_machine::Configuration;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Printer, Written};
 use kerf_sbp::{Printing, SbpPrinter};
-use kerf_toolpath::{Damaged, Heights, Job, Shaping, Warning};
+use kerf_sequence::Speeds;
+use kerf_toolpath::{Damaged, Job, Shaping, Warning};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -180,32 +182,32 @@ fn of_file(file: &Path) -> impl Fn(Damaged) -> DamagedFile {
     move |damaged| DamagedFile(file.display().to_string(), damaged)
 }
 
-/// A job as a part program of OpenSBP, millimetres.
-pub fn part_program(file: &Path, job: &Job, heights: &Heights) -> Result<Written> {
+/// A job as a part program of OpenSBP, millimetres, as a machine cuts it.
+pub fn part_program(file: &Path, job: &Job, machine: &Configuration) -> Result<Written> {
     let printing = Printing {
         unit: LinearUnit::Mm,
         title: Some(format!("Made from {}", name(file))),
         ..Printing::default()
     };
-    print(file, job, heights, Box::new(SbpPrinter::new(&printing)))
+    print(file, job, machine, Box::new(SbpPrinter::new(&printing)))
 }
 
-/// A job as G-code.
-pub fn gcode_program(file: &Path, job: &Job, heights: &Heights) -> Result<Written> {
+/// A job as G-code, as a machine cuts it.
+pub fn gcode_program(file: &Path, job: &Job, machine: &Configuration) -> Result<Written> {
     let writing =
         Writing { title: Some(format!("Made from {}", name(file))), ..Writing::default() };
-    print(file, job, heights, Box::new(Writer::new(&writing)))
+    print(file, job, machine, Box::new(Writer::new(&writing)))
 }
 
 fn print(
     file: &Path,
     job: &Job,
-    heights: &Heights,
+    machine: &Configuration,
     mut printer: Box<dyn Printer + '_>,
 ) -> Result<Written> {
-    if let Err(wrong) = kerf_toolpath::print(job, heights, printer.as_mut()) {
-        let all: Vec<_> = wrong.iter().map(ToString::to_string).collect();
-        bail!("{}: {}", file.display(), all.join("\n"));
+    let noticed = job_file::print(job, machine, Speeds::Written, printer.as_mut());
+    for noticed in noticed.map_err(|wrong| anyhow!("{}: {}", file.display(), wrong.join("\n")))? {
+        eprintln!("{}: warning: {noticed}", file.display());
     }
     Ok(printer.finish())
 }

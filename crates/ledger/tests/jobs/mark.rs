@@ -2,8 +2,8 @@
 
 use kerf_ledger::jobs::{JobRun, JobTrace, drawn};
 use kerf_machine::lines::Output;
-use kerf_machine::sequence::Sequence;
 use kerf_program::{Axes, Command, Interpreter, Status, Step};
+use kerf_sequence::Sequence;
 use std::sync::Arc;
 
 use crate::jobs::patient::Patient;

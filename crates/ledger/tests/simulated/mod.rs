@@ -13,6 +13,7 @@
 mod alike;
 mod case;
 mod dice;
+mod exported;
 mod jobs;
 mod levels;
 mod life;

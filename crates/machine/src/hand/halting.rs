@@ -2,8 +2,8 @@
 
 use super::Hand;
 use super::ways::Leg;
-use crate::sequence::{Word, stop_input};
 use crate::state::{Effect, Event, RELEASE_S, State};
+use crate::words::Word;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_program::{
     Answer, Axis, Command, Halted, Host, Question, QuestionKind, Sourced, Status, Step,
@@ -68,7 +68,7 @@ impl Hand {
     /// The state in which it goes on; nothing while a stop input is active.
     fn goes_on_in(&self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Option<State> {
         let settings = self.stop_settings();
-        if stop_input(&self.settings.io, host) {
+        if self.settings.io.stop_is_active(host) {
             let text = "release the stop input".into();
             self.give(Command::Message { text }, out);
             self.give(Command::Wait { seconds: RELEASE_S }, out);

@@ -11,7 +11,7 @@ mod ways;
 pub use errand::{Errand, FAR, Held, Keypad, Stretch, cut_move, keypad_settings};
 
 use crate::lines::Input;
-use crate::sequence::{CHORDS, planner_settings, rapid_mm_s};
+use crate::planning::{CHORDS, hand_settings, rapid_mm_s};
 use crate::settings::Configuration;
 use crate::state::{Event, State, StopSettings};
 use kerf_diag::{Code, Diagnostic};
@@ -53,7 +53,7 @@ impl Hand {
     pub fn new(errand: Errand, machine: Arc<Configuration>, position: Axes, frame: Frame) -> Self {
         let mut settings = match &errand {
             Errand::Keypad(keypad) => keypad_settings(&machine.program, keypad.speed),
-            _ => planner_settings(&machine),
+            _ => hand_settings(&machine),
         };
         if let (Errand::Held(held), Some(dynamics)) = (&errand, &mut settings.dynamics) {
             let share = held.accel.clamp(0.01, 1.0);

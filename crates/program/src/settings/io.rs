@@ -1,5 +1,6 @@
 //! Modes of inputs and outputs, torch height, laser and heater (VN, SO 4, VH).
 
+use crate::Host;
 use serde::{Deserialize, Serialize};
 
 /// Inputs and outputs a machine has.
@@ -62,6 +63,11 @@ impl IoModes {
             Some(4) => !reads,
             _ => false,
         }
+    }
+
+    /// Returns `true` if any stop input is active.
+    pub fn stop_is_active(&self, host: &mut dyn Host) -> bool {
+        self.stop_inputs().any(|number| self.stops(number, host.input(number)))
     }
 }
 

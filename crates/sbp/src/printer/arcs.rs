@@ -7,7 +7,7 @@
 use super::SbpPrinter;
 use super::moves::fields;
 use kerf_geom::{Arc2, Point2};
-use kerf_program::{Arc, Axes, Axis, Feed, Line};
+use kerf_program::{Arc, Axes, Axis, Feed, Line, MoveKind};
 use std::f64::consts::{PI, TAU};
 
 /// Ends nearer than this are one place for CG, mm; its own bound and some room.
@@ -93,7 +93,7 @@ impl SbpPrinter<'_> {
             return self.chord(arc);
         }
         let delta = arc.to.minus(from);
-        self.speed(arc.feed, path.length(), delta);
+        self.speed(MoveKind::Cut, arc.feed, path.length(), delta);
         let (start, end) = (self.places.values(from), self.places.values(arc.to));
         let [x, y] = [&end[0], &end[1]];
         let i = self.places.length(arc.centre[0] - from.0[0]);

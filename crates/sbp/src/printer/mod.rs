@@ -85,6 +85,7 @@ pub struct SbpPrinter<'a> {
     changed: Option<Arc<Settings>>,
     places: Places,
     speeds: speeds::Written,
+    jog_speeds: speeds::Written,
     coolant: [bool; 2],
     changing: Changing,
     /// A comment that names a tool path was written for this line already.
@@ -105,6 +106,7 @@ impl<'a> SbpPrinter<'a> {
             changed: None,
             places: Places::new(printing),
             speeds: speeds::Written::default(),
+            jog_speeds: speeds::Written::default(),
             coolant: [false; 2],
             changing: Changing::default(),
             named: None,

@@ -1,7 +1,7 @@
 //! Straight moves, and where the zero is.
 
 use super::SbpPrinter;
-use kerf_program::{AXES, Axes, Axis, AxisSet, Feed, Frame, Line, MoveKind};
+use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Line, MoveKind};
 use std::fmt::Write as _;
 
 impl SbpPrinter<'_> {
@@ -13,12 +13,8 @@ impl SbpPrinter<'_> {
         if named.iter().all(Option::is_none) {
             return;
         }
-        if line.kind == MoveKind::Cut {
-            let delta = line.to.minus(from);
-            self.speed(line.feed, delta.0[0].hypot(delta.0[1]), delta);
-        } else if let Feed::Path(_) | Feed::Time(_) = line.feed {
-            self.unsaid("the speed of a jog");
-        }
+        let delta = line.to.minus(from);
+        self.speed(line.kind, line.feed, delta.0[0].hypot(delta.0[1]), delta);
         let text = move_words(line.kind, &named);
         self.line(&text);
     }

@@ -1,4 +1,4 @@
-//! Feeds as speeds of VS.
+//! Feeds as speeds of VS, those of jogs among them.
 //!
 //! A feed v counts along the path. VS gives XY a vector speed and Z one of its own, and the move is
 //! as fast as both allow. Equal speeds v give the feed for moves in XY and for plunges; on a slope
@@ -9,7 +9,7 @@
 use super::SbpPrinter;
 use super::moves::fields;
 use kerf_program::settings::{MM_PER_INCH, PerGroup};
-use kerf_program::{Axes, Axis, Feed, decimal};
+use kerf_program::{Axes, Axis, Feed, MoveKind, decimal};
 
 /// Times that differ by less than this share count as equal.
 const SAME_SHARE: f64 = 0.005;
@@ -41,8 +41,8 @@ impl Written {
 }
 
 impl SbpPrinter<'_> {
-    /// Writes the speeds that a cutting move needs; `xy` is the length of its path in XY.
-    pub(super) fn speed(&mut self, feed: Feed, xy: f64, delta: Axes) {
+    /// Writes the speeds that a move needs; `xy` is the length of its path in XY.
+    pub(super) fn speed(&mut self, kind: MoveKind, feed: Feed, xy: f64, delta: Axes) {
         let distances = [xy, delta[Axis::Z].abs(), delta[Axis::A].abs(), delta[Axis::B].abs()];
         if delta[Axis::C] != 0.0 && distances == [0.0; 4] {
             return self.unsaid("the speed of C");
@@ -52,10 +52,10 @@ impl SbpPrinter<'_> {
         let time = match feed {
             Feed::Path(speed) => (if space > 0.0 { space } else { turned }) / speed,
             Feed::Time(seconds) => seconds,
-            Feed::Axis => return self.axis_speeds(&distances),
+            Feed::Axis => return self.axis_speeds(kind, &distances),
         };
         let same = |t: f64| (t / time - 1.0).abs() <= SAME_SHARE;
-        if self.speeds.time(&distances).is_some_and(same) {
+        if self.written(kind).time(&distances).is_some_and(same) {
             return;
         }
         let along = if space > 0.0 { space } else { turned } / time;
@@ -70,23 +70,36 @@ impl SbpPrinter<'_> {
                 }
             }
         }
-        self.write_speeds(&wanted);
+        self.write_speeds(kind, &wanted);
     }
 
-    /// Moves without a feed of their own: the speeds of the settings.
-    fn axis_speeds(&mut self, distances: &[f64; 4]) {
-        let settings = self.settings.speeds.cut;
+    /// Moves without a feed of their own: the speeds of the settings. Jogs have those of the machine until the file
+    /// says others.
+    fn axis_speeds(&mut self, kind: MoveKind, distances: &[f64; 4]) {
+        let settings = match kind {
+            MoveKind::Cut => self.settings.speeds.cut,
+            MoveKind::Jog => self.settings.speeds.jog,
+        };
+        let written = self.written(kind).0;
         let mut wanted = Written::default();
         for (i, axis) in GROUPS.into_iter().enumerate() {
             let speed = settings.of(axis);
-            if distances[i] > 0.0 && self.speeds.0[i] != Some(speed) {
+            let unsaid = kind == MoveKind::Jog && written[i].is_none();
+            if distances[i] > 0.0 && written[i] != Some(speed) && !unsaid {
                 wanted.0[i] = Some(speed);
             }
         }
-        self.write_speeds(&wanted);
+        self.write_speeds(kind, &wanted);
     }
 
-    fn write_speeds(&mut self, wanted: &Written) {
+    const fn written(&mut self, kind: MoveKind) -> &mut Written {
+        match kind {
+            MoveKind::Cut => &mut self.speeds,
+            MoveKind::Jog => &mut self.jog_speeds,
+        }
+    }
+
+    fn write_speeds(&mut self, kind: MoveKind, wanted: &Written) {
         let mut named: [Option<String>; 4] = Default::default();
         for (i, axis) in GROUPS.into_iter().enumerate() {
             let Some(speed) = wanted.0[i] else { continue };
@@ -99,11 +112,13 @@ impl SbpPrinter<'_> {
             } else {
                 speed
             };
-            self.speeds.0[i] = Some(speed);
+            self.written(kind).0[i] = Some(speed);
             named[i] = Some(decimal(speed / scale, 6));
         }
         if named.iter().any(Option::is_some) {
-            let text = fields("VS", &named);
+            // Behind the speeds of moves stand those of jogs.
+            let command = if kind == MoveKind::Cut { "VS" } else { "VS,,,," };
+            let text = fields(command, &named);
             self.line(&text);
         }
     }

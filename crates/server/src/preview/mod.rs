@@ -29,10 +29,10 @@ use kerf_control::{
     Company, OperatorRequest, Requests, RunOptions, Session, Shelf, Sink, Summary, Work,
 };
 use kerf_machine::Configuration;
-use kerf_machine::sequence::straddling;
 use kerf_program::settings::Mode;
 use kerf_program::{Axis, Frame, Settings};
 use kerf_sbp::{FileParameters, Status};
+use kerf_sequence::straddling;
 use kerf_wire::Finding;
 use kerf_wire::preview::{Detail, PreviewInfo, Timing, ToolPathInfo};
 use std::collections::BTreeMap;

@@ -53,6 +53,8 @@ pub const ROOMS: &[Room] = &[
     at(3.0, Half::Machine, "kerf-motion"),
     at(3.0, Half::Machine, "kerf-convert"),
     at(4.0, Half::Machine, "kerf-machine"),
+    // Beside `part` in what it is, an interpreter; above the machine, whose table of states it goes by.
+    at(4.5, Half::Machine, "kerf-sequence"),
     at(4.0, Half::Machine, "kerf-preview"),
     at(5.0, Half::Machine, "kerf-sim"),
     // Bytes in and out; it knows nothing of who speaks.

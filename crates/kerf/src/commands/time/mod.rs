@@ -19,7 +19,8 @@ use std::path::PathBuf;
 
 /// Tells how long a part file takes: cutting, jogging, waiting, tool changes, each tool path
 ///
-/// The times come from the plan that a run follows: speeds, ramps and corners as VS and VR set them.
+/// The times come from the plan that a run follows: speeds, ramps and corners as the settings say. Part files and
+/// jobs have the same model of ramps, which is told: --ramps chooses another.
 /// Other controllers plan otherwise; --controller tells what grbl or LinuxCNC would take.
 #[derive(Args)]
 #[command(after_help = "Examples:
@@ -45,6 +46,9 @@ struct Times<'a> {
     jog: f64,
     wait: f64,
     tool_change: f64,
+    /// The model of ramps; another controller has its own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ramps: Option<&'static str>,
     toolpaths: &'a [ToolPathTime],
 }
 
@@ -53,10 +57,11 @@ pub fn run(args: &TimeArgs) -> Result<Exit> {
         return run_elsewhere(args);
     }
     let mut job = setup::job(&args.file, &args.run, true)?;
+    let ramps = job.session.memory.settings.model().word();
     args.controller.controller(&job.session.memory.settings.axis_dynamics())?;
     let mut sink = Diagnostics::default();
     let summary = follow(&mut job, &mut sink, args);
-    tell(&times(summary.seconds, &summary.tally), args);
+    tell(&Times { ramps: Some(ramps), ..times(summary.seconds, &summary.tally) }, args);
     Ok(summary.status.into())
 }
 
@@ -118,6 +123,7 @@ fn times(total: f64, tally: &Tally) -> Times<'_> {
         jog: tally.jog_s,
         wait: tally.wait_s,
         tool_change: tally.tool_change_s,
+        ramps: None,
         toolpaths: &tally.toolpaths,
     }
 }
@@ -133,6 +139,9 @@ fn text(times: &Times<'_>) -> String {
     let mut text = String::new();
     for (name, seconds) in rows {
         text += &format!("{name:<14}{:>12}\n", out::duration(seconds));
+    }
+    if let Some(ramps) = times.ramps {
+        text += &format!("{:<14}{ramps:>12}\n", "ramps");
     }
     if !times.toolpaths.is_empty() {
         text += "\n";

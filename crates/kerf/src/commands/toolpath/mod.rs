@@ -72,23 +72,20 @@ impl ToolpathArgs {
     }
 }
 
-/// Heights of the machine, as Z above its home; what is not said is the machine's, in a part program 10, 0 and
-/// −10 mm.
+/// Heights of the machine, as Z above its home; in a part program counted from the surface. What is not said is
+/// the machine's.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct HeightArgs {
-    /// Where the tool travels [default: the machine's; in a part program 10]
+    /// Where the tool travels [default: the machine's]
     #[arg(long, value_name = "MM", value_parser = parse::number)]
     z_top: Option<f64>,
-    /// The surface of the material; zero of Z in a part program [default: the machine's; in a part program 0]
+    /// The surface of the material; zero of Z in a part program [default: the machine's, in a part program 0]
     #[arg(long, value_name = "MM", value_parser = parse::number)]
     z_surface: Option<f64>,
-    /// Where THRU cuts; nothing is cut below it [default: the machine's; in a part program -10]
+    /// Where THRU cuts; nothing is cut below it [default: the machine's]
     #[arg(long, value_name = "MM", value_parser = parse::number)]
     z_bottom: Option<f64>,
 }
-
-/// The heights of a part program: its zero of Z is the surface.
-const PROGRAM: Heights = Heights { top_mm: 10.0, surface_mm: 0.0, bottom_mm: -10.0 };
 
 impl HeightArgs {
     fn over(self, usual: Heights) -> Result<Heights> {
@@ -110,13 +107,10 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     let output = args.written();
     let kind = Kind::of(&output)?;
     job_options::refuse_all(&args.run)?;
-    let machine = setup::machine_of(&args.run.place, true)?;
-    let heights = args.heights.over(if kind == Kind::Program {
-        PROGRAM
-    } else {
-        let zpos = machine.zpos;
-        Heights { top_mm: zpos.top_mm, surface_mm: zpos.surface_mm, bottom_mm: zpos.bottom_mm }
-    })?;
+    let mut machine = setup::machine_of(&args.run.place, true)?;
+    let heights = args.heights.over(usual_heights(&machine, kind))?;
+    let Heights { top_mm, surface_mm, bottom_mm } = heights;
+    machine.zpos = ZPositions { top_mm, surface_mm, bottom_mm };
     let shaping = setup::shaping(&machine, &args.run);
     let (job, mut warnings) = drawings::job_with_warnings(&args.drawing, shaping, args.run.units)?;
     let job = args.placed(job)?;
@@ -131,12 +125,12 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     warnings.extend(too_flat(&job, &heights));
     tell(args, &warnings);
     if kind != Kind::Picture {
-        keep(args, &output, kind, &job, &heights)?;
+        keep(args, &output, kind, &job, &machine)?;
     }
     if kind != Kind::Picture && !args.report {
         return Ok(Exit::Good);
     }
-    let dry = dry_run::follow(args, work(args, kind, &job, machine, &heights)?)?;
+    let dry = dry_run::follow(args, work(args, kind, &job, machine)?)?;
     if kind == Kind::Picture {
         let scene = coloured(&dry.scene, &job.drawing, args.colours);
         picture::write(&scene, Picture::of(&output)?, &output)?;
@@ -149,6 +143,17 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
         _ => report::tell(&job, &dry.summary, &warnings, args.format),
     }
     Ok(dry.summary.status.into())
+}
+
+/// The heights of the machine; a part program counts them from the surface, its zero of Z.
+fn usual_heights(machine: &Configuration, kind: Kind) -> Heights {
+    let ZPositions { top_mm, surface_mm, bottom_mm } = machine.zpos;
+    let zero_mm = if kind == Kind::Program { surface_mm } else { 0.0 };
+    Heights {
+        top_mm: top_mm - zero_mm,
+        surface_mm: surface_mm - zero_mm,
+        bottom_mm: bottom_mm - zero_mm,
+    }
 }
 
 /// Kind of the file that is written.
@@ -174,20 +179,12 @@ impl Kind {
 }
 
 /// Returns the work that a dry run follows: the part program when one is written, else the job as `kerf run` runs it.
-fn work(
-    args: &ToolpathArgs,
-    kind: Kind,
-    job: &Job,
-    mut machine: Configuration,
-    heights: &Heights,
-) -> Result<Work> {
+fn work(args: &ToolpathArgs, kind: Kind, job: &Job, machine: Configuration) -> Result<Work> {
     let name = args.drawing.display().to_string();
     if kind == Kind::Program {
-        let text = drawings::part_program(&args.drawing, job, heights)?.text;
+        let text = drawings::part_program(&args.drawing, job, &machine)?.text;
         return Ok(kerf_part::read(name.into(), text.into_bytes()).into());
     }
-    let Heights { top_mm, surface_mm, bottom_mm } = *heights;
-    machine.zpos = ZPositions { top_mm, surface_mm, bottom_mm };
     Ok(Work::Job(Arc::new(job.neutral(name.into())), Arc::new(machine)))
 }
 
@@ -217,7 +214,7 @@ fn keep(
     output: &Path,
     kind: Kind,
     job: &Job,
-    heights: &Heights,
+    machine: &Configuration,
 ) -> Result<()> {
     if !args.force && args.drawing != output && drawings::is_edited(output) {
         bail!(
@@ -227,8 +224,8 @@ fn keep(
     }
     let text = match drawings::extension(output).as_str() {
         _ if kind == Kind::Job => write(job),
-        "sbp" => told(output, drawings::part_program(&args.drawing, job, heights)?),
-        _ => told(output, drawings::gcode_program(&args.drawing, job, heights)?),
+        "sbp" => told(output, drawings::part_program(&args.drawing, job, machine)?),
+        _ => told(output, drawings::gcode_program(&args.drawing, job, machine)?),
     };
     out::file(output, text)
 }

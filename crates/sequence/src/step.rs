@@ -1,13 +1,13 @@
-//! The small steps that every cutting sequence is made of.
+//! The steps of a job.
 
-use crate::lines::{Input, Output};
 use kerf_geom::Point2;
+use kerf_machine::lines::{Input, Output};
 use kerf_program::{Axis, Beam, HeightLaw};
 use std::sync::Arc;
 
 /// One step. Each is carried out to its end before the next begins.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Small {
+pub(crate) enum Step {
     /// An output goes on or off.
     Switch(Output, bool),
     /// Time passes, seconds.
@@ -67,16 +67,16 @@ pub(crate) enum Small {
     /// The job is given up.
     GiveUp,
     /// The machine enters a state.
-    Enter(crate::State),
+    Enter(kerf_machine::State),
     /// A word to the operator.
     Say(Arc<str>),
     /// A word to the operator while an input is not on.
     SayUnless(Input, &'static str),
 }
 
-impl Small {
+impl Step {
     /// Returns `true` if it switches something off, or tells that the machine is in a state that it stopped in.
-    pub fn belongs_to_stop(&self, state: crate::State) -> bool {
+    pub fn belongs_to_stop(&self, state: kerf_machine::State) -> bool {
         match self {
             Self::Switch(_, on) => !on,
             Self::Beam(beam) => *beam == Beam::Off,

@@ -34,7 +34,7 @@ const PER_MIN: f64 = 60.0;
 
 impl Word {
     /// Returns `true` if something moves or comes on when it is obeyed.
-    pub(super) const fn moves(self) -> bool {
+    pub const fn moves(self) -> bool {
         match self {
             Self::Continue | Self::Shape(_) | Self::Next | Self::Previous | Self::Move(..) => true,
             Self::Abort
