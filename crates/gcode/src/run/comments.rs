@@ -1,7 +1,8 @@
 //! Comments that ask for something: MSG, PRINT, DEBUG.
 
-use super::context::{Context, Stop};
-use crate::syntax::tree::{CommentKind, Extra, Program, Span};
+use super::context::Context;
+use super::parameters::Parameters;
+use crate::syntax::tree::{CommentKind, Extra, Span};
 use kerf_program::{Command, ToolPathStart};
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -9,82 +10,72 @@ use std::sync::Arc;
 /// Words that CAM programs write before the name of a tool path.
 const NAMED: [&str; 5] = ["toolpath name", "toolpath", "tool path", "operation", "cut name"];
 
-impl Context<'_> {
-    pub(super) fn comments(
-        &mut self,
-        program: &Program,
-        extra: Option<&Extra>,
-    ) -> Result<(), Stop> {
-        let Some(extra) = extra else { return Ok(()) };
-        for comment in &extra.comments {
-            match comment.kind {
-                CommentKind::Plain => self.plain_comment(&comment.text),
-                CommentKind::Msg => {
-                    self.emit(Command::Message { text: comment.text.trim().into() })
-                }
-                CommentKind::Print => {
-                    let text = self.filled(program, &comment.text).into();
-                    self.emit(Command::Print { text, newline: true });
-                }
-                CommentKind::Debug => {
-                    let text = self.filled(program, &comment.text).trim().into();
-                    self.emit(Command::Message { text });
-                }
-                CommentKind::Log => {}
+/// Carries out what the comments of a line ask for.
+pub(super) fn comments(c: &mut Context<'_>, extra: Option<&Extra>) {
+    for comment in extra.iter().flat_map(|extra| &extra.comments) {
+        match comment.kind {
+            CommentKind::Plain => plain_comment(c, &comment.text),
+            CommentKind::Msg => c.emit(Command::Message { text: comment.text.trim().into() }),
+            CommentKind::Print => {
+                let text = filled(&c.core.parameters(), &comment.text).into();
+                c.emit(Command::Print { text, newline: true });
             }
-        }
-        Ok(())
-    }
-
-    fn plain_comment(&mut self, text: &Arc<str>) {
-        if !self.core.options.comments || text.is_empty() {
-            return;
-        }
-        if let Some(name) = tool_path_name(text) {
-            self.emit(Command::ToolPath(ToolPathStart { name: Some(name.into()), tool: None }));
-        }
-        self.emit(Command::Message { text: text.clone() });
-    }
-
-    /// A text with its parameters replaced: `#5`, `#<name>`; `%d` and `%f2` choose how.
-    fn filled(&self, program: &Program, text: &str) -> String {
-        let mut out = String::with_capacity(text.len());
-        let mut places = 6;
-        let mut rest = text;
-        while let Some(at) = rest.find(['#', '%']) {
-            out.push_str(&rest[..at]);
-            rest = &rest[at..];
-            if let Some((chosen, after)) = format_of(rest) {
-                (places, rest) = (chosen, after);
-            } else if let Some((value, after)) = self.shown(program, rest) {
-                match value {
-                    Some(v) => drop(write!(out, "{v:.places$}")),
-                    None => out.push_str("######"),
-                }
-                rest = after;
-            } else {
-                out.push_str(&rest[..1]);
-                rest = &rest[1..];
+            CommentKind::Debug => {
+                let text = filled(&c.core.parameters(), &comment.text).trim().into();
+                c.emit(Command::Message { text });
             }
+            CommentKind::Log => {}
         }
-        out.push_str(rest);
-        out
     }
+}
 
-    /// The value of the parameter that a text begins with, and what follows.
-    fn shown<'t>(&self, program: &Program, text: &'t str) -> Option<(Option<f64>, &'t str)> {
-        let text = text.strip_prefix('#')?;
-        if let Some(named) = text.strip_prefix('<') {
-            let (name, after) = named.split_once('>')?;
-            let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();
-            return Some((self.core.named(&name.to_lowercase()), after));
-        }
-        let digits = text.bytes().take_while(u8::is_ascii_digit).count();
-        let number = text.get(..digits)?.parse().ok()?;
-        let value = self.core.parameter(number, Span::default());
-        let _ = program;
-        Some((value.ok(), &text[digits..]))
+fn plain_comment(c: &mut Context<'_>, text: &Arc<str>) {
+    if !c.core.options.comments || text.is_empty() {
+        return;
     }
+    if let Some(name) = tool_path_name(text) {
+        c.emit(Command::ToolPath(ToolPathStart { name: Some(name.into()), tool: None }));
+    }
+    c.emit(Command::Message { text: text.clone() });
+}
+
+/// A text with its parameters replaced: `#5`, `#<name>`; `%d` and `%f2` choose how.
+fn filled(parameters: &Parameters<'_>, text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut places = 6;
+    let mut rest = text;
+    while let Some(at) = rest.find(['#', '%']) {
+        out.push_str(&rest[..at]);
+        rest = &rest[at..];
+        if let Some((chosen, after)) = format_of(rest) {
+            (places, rest) = (chosen, after);
+        } else if let Some((value, after)) = shown(parameters, rest) {
+            match value {
+                Some(v) => drop(write!(out, "{v:.places$}")),
+                None => out.push_str("######"),
+            }
+            rest = after;
+        } else {
+            out.push_str(&rest[..1]);
+            rest = &rest[1..];
+        }
+    }
+    out.push_str(rest);
+    out
+}
+
+/// The value of the parameter that a text begins with, and what follows.
+fn shown<'t>(parameters: &Parameters<'_>, text: &'t str) -> Option<(Option<f64>, &'t str)> {
+    let text = text.strip_prefix('#')?;
+    if let Some(named) = text.strip_prefix('<') {
+        let (name, after) = named.split_once('>')?;
+        let name: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+        return Some((parameters.named(&name.to_lowercase()), after));
+    }
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    let number = text.get(..digits)?.parse().ok()?;
+    let value = parameters.numbered(number, Span::default());
+    Some((value.ok(), &text[digits..]))
 }
 
 /// `%d`, `%f`, `%lf`, `%.3f`: how many places, and what follows.

@@ -3,23 +3,16 @@
 //! grbl is as its parser has it (gcode.c of version 1.1h, built as it is shipped). Of grblHAL and Mach3 only what
 //! their own lists of codes lack is refused.
 
-use super::Plane;
+use super::state::Plane;
+use super::stop::{Refused, fail};
 use crate::syntax::codes::{G_GROUPS, M_GROUPS, MOTION, ONCE, g_name};
 use crate::syntax::dialect::Dialect;
 use crate::syntax::gathered::{Gathered, letters};
 use kerf_diag::Code;
 
-/// A thing that a controller refuses.
-pub(super) struct Refused {
-    pub(super) code: Code,
-    pub(super) what: String,
-    pub(super) mend: &'static str,
-}
-
-impl Refused {
-    fn new(dialect: Dialect, what: &str, mend: &'static str) -> Self {
-        Self { code: Code::NotInDialect, what: format!("{} has no {what}", dialect.title()), mend }
-    }
+/// The error of a thing that a controller does not have.
+fn lacks(dialect: Dialect, what: &str, mend: &str) -> Refused {
+    fail(Code::NotInDialect, format!("{} has no {what}", dialect.title()), mend)
 }
 
 pub(super) const EXPRESSIONS: &str = "expressions";
@@ -31,8 +24,13 @@ const LINUXCNC: &str = "run it with --dialect linuxcnc";
 const GRBLHAL: &str = "grblHAL has it: run it with --dialect grblhal";
 const GENERIC: &str = "run it with --dialect generic";
 
+/// Refuses words that a controller does not have: grbl itself has no expressions and no O-words, Mach3 no O-words.
+pub(super) fn need_words(dialect: Dialect, what: &str) -> Result<(), Refused> {
+    if lacks_words(dialect, what) { Err(lacks(dialect, what, LINUXCNC)) } else { Ok(()) }
+}
+
 /// Returns `true` if a controller has no such words.
-pub(super) fn lacks_words(dialect: Dialect, what: &str) -> bool {
+fn lacks_words(dialect: Dialect, what: &str) -> bool {
     match dialect {
         Dialect::Grbl => true,
         Dialect::Mach3 => matches!(what, O_WORDS | NAMED),
@@ -49,17 +47,17 @@ pub(super) fn refuses(
 ) -> Option<Refused> {
     if let Some(code) = g.cancels.filter(|_| !dialect.is_lenient()) {
         let mend = "it switches off what is never on: leave it out, or run the file with --dialect generic";
-        return Some(Refused::new(dialect, &g_name(code), mend));
+        return Some(lacks(dialect, &g_name(code), mend));
     }
     if !dialect.is_lenient() && g.g[MOTION].is_some_and(|m| m != 800) && g.goes_home() {
-        let what = "G28 and G30 beside a motion need the axis words both".into();
+        let what = "G28 and G30 beside a motion need the axis words both";
         let mend =
             "write the motion on a line of its own; --dialect generic reads it as Fanuc does";
-        return Some(Refused { code: Code::ModalConflict, what, mend });
+        return Some(fail(Code::ModalConflict, what, mend));
     }
     if let Some(lacking) = lacking_code(dialect, g) {
         let hal = dialect == Dialect::Grbl && lacking_code(Dialect::GrblHal, g).is_none();
-        return Some(Refused::new(dialect, &lacking, if hal { GRBLHAL } else { LINUXCNC }));
+        return Some(lacks(dialect, &lacking, if hal { GRBLHAL } else { LINUXCNC }));
     }
     if dialect == Dialect::Grbl { words_of_grbl(g, motion, plane) } else { None }
 }
@@ -102,8 +100,7 @@ const fn mach_lacks(code: i32) -> bool {
 
 /// Words that grbl does not know or does not expect.
 fn words_of_grbl(g: &Gathered, motion: Option<i32>, plane: Plane) -> Option<Refused> {
-    let refused =
-        |holds: bool, what: &str, mend| holds.then(|| Refused::new(Dialect::Grbl, what, mend));
+    let refused = |holds: bool, what: &str, mend| holds.then(|| lacks(Dialect::Grbl, what, mend));
     let arc = matches!(motion, Some(20 | 30));
     let [u, v, _] = plane.axes().map(|axis| letters(&[b"XYZ"[axis]]));
     refused(g.has_any(letters(b"@^")), "polar places (@ and ^)", GENERIC)

@@ -1,13 +1,12 @@
 //! The fast road: runs of plain moves while no special mode holds.
 //!
-//! Does exactly what [`Context::execute`](super::context::Context) does with such blocks, with
+//! Does exactly what [`execute`](super::execute::execute) does with such blocks, with
 //! everything that stays the same kept outside the loop.
 
-use super::Core;
-use super::arc;
-use super::feed;
-use super::modes;
+use super::core::Core;
+use super::spindle::SPINDLE_NUMBER;
 use super::state::{FeedMode, Plane, Rates};
+use super::{feed, round};
 use crate::syntax::moves;
 use crate::syntax::text::after_line_end;
 use crate::syntax::tree::PlainMove;
@@ -31,10 +30,10 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
     if !holds(core) {
         return;
     }
-    let Some(call) = core.calls.last() else { return };
-    let Some(program) = core.programs.get(call.file as usize).cloned() else { return };
+    let Some(call) = core.calls.open.last() else { return };
+    let Some(program) = core.calls.programs.get(call.file as usize).cloned() else { return };
     let bound = if core.options.max_lines == 0 { u64::MAX } else { core.options.max_lines };
-    let most = most.min(bound.saturating_sub(core.lines));
+    let most = most.min(bound.saturating_sub(core.progress.lines));
     let (first, before) = (call.next, out.len());
     let mut road = Road::of(core, call.file, first);
     let Some(line) = program.line(first + 1) else { return };
@@ -53,17 +52,18 @@ pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
 /// Returns `true` if nothing special holds.
 fn holds(core: &Core) -> bool {
     let modal = &core.state.modal;
-    core.started
-        && !core.over
-        && core.only.is_none()
-        && core.stepping.is_off()
+    let (progress, place, sequels) = (&core.progress, &core.place, &core.sequels);
+    progress.started
+        && !progress.over
+        && progress.only.is_none()
+        && progress.stepping.is_off()
         && core.told.units | modal.unit_said
-        && core.turned.is_none()
-        && core.compensator.is_none()
-        && core.beside.is_none()
-        && core.probing.is_none()
-        && core.cycle.is_none()
-        && core.nurbs.is_none()
+        && core.coordinates.turned.is_none()
+        && place.compensator.is_none()
+        && place.beside.is_none()
+        && core.under_way.probing.is_none()
+        && sequels.cycle.is_none()
+        && sequels.nurbs.is_none()
         && modal.feed_mode == FeedMode::PerMinute
         && modal.plane == Plane::Xy
         && core.options.proportion[0] == core.options.proportion[1]
@@ -102,15 +102,15 @@ impl Road {
         Self {
             settings: core.settings.clone(),
             file,
-            scale: core.scale,
-            zero: core.zero,
+            scale: core.coordinates.scale,
+            zero: core.coordinates.zero,
             relative: modal.relative,
             arc_absolute: modal.arc_absolute,
             idle: AXIS_WORDS & u16::MAX.checked_shl(active).unwrap_or(0),
             grbl: core.options.dialect.is_of_grbl(),
             unit: modal.unit.mm(),
             line,
-            position: core.position,
+            position: core.place.programmed,
             motion: modal.motion,
             straight: modal.before_cycle,
             rates: modal.feed,
@@ -142,7 +142,7 @@ impl Road {
         let at = At { file: self.file, line: self.line };
         if let Some(rpm) = plain.value(S).filter(|rpm| *rpm != self.rpm) {
             self.rpm = rpm;
-            let command = Command::Spindle { number: modes::SPINDLE_NUMBER, rpm };
+            let command = Command::Spindle { number: SPINDLE_NUMBER, rpm };
             out.push(Sourced { at, command });
         }
         if to != self.position || motion > 10 {
@@ -192,8 +192,8 @@ impl Road {
         let rates = self.rates_with(plain);
         let feed = Feed::Path(rates?.linear / 60.0);
         let centre = [x + i, y + j];
-        let sweep = arc::checked_sweep(self.position, centre, to, clockwise)?;
-        let arc = arc::command(&self.settings, self.position, centre, sweep, to, feed);
+        let sweep = round::checked_sweep(self.position, centre, to, clockwise)?;
+        let arc = round::command(&self.settings, self.position, centre, sweep, to, feed);
         Some((Command::Arc(arc), rates))
     }
 
@@ -206,16 +206,14 @@ impl Road {
         if self.line == first {
             return;
         }
-        core.position = self.position;
+        core.place.programmed = self.position;
         let modal = &mut core.state.modal;
         (modal.motion, modal.feed, modal.rpm) = (self.motion, self.rates, self.rpm);
         modal.before_cycle = self.straight;
-        core.lines += u64::from(self.line - first);
-        core.motions += self.motions;
-        core.settled &= silent;
-        core.spline_end = None;
-        if let Some(call) = core.calls.last_mut() {
-            call.next = self.line;
-        }
+        core.progress.lines += u64::from(self.line - first);
+        core.progress.motions += self.motions;
+        core.asking.settled &= silent;
+        core.sequels.spline_end = None;
+        core.calls.go_on_at(self.line);
     }
 }

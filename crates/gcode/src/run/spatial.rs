@@ -4,8 +4,12 @@
 //! G17, G18 or G19 fits (readings, P-6). The arc turns about the normal of the plane through
 //! start, centre and end, taken so that it looks the same way as the axis of the plane in force.
 
-use super::arc::{ArcWords, chords_within};
-use super::context::{Context, Stop};
+use super::arc_words::ArcWords;
+use super::context::Context;
+use super::core::Core;
+use super::feed;
+use super::round::{chords_within, is_round};
+use super::stop::{Refused, fail};
 use kerf_diag::Code;
 use kerf_program::{Axes, Command, Feed, Line, MoveKind};
 use std::f64::consts::TAU;
@@ -85,66 +89,60 @@ impl Spatial {
     }
 }
 
-impl Context<'_> {
-    /// The arc in space that words mean which are none in the plane in force; nothing when they may be.
-    pub(super) fn spatial(&self, words: &ArcWords, to: Axes) -> Result<Option<Spatial>, Stop> {
-        let Some(offsets) = words.all_offsets() else { return Ok(None) };
-        if !self.core.options.dialect.is_lenient() || self.core.compensator.is_some() {
-            return Ok(None);
+/// The arc in space that words mean which are none in the plane in force; nothing when they may be.
+pub(super) fn spatial(core: &Core, words: &ArcWords, to: Axes) -> Result<Option<Spatial>, Refused> {
+    let Core { options, coordinates, place, state, .. } = core;
+    let Some(offsets) = words.all_offsets() else { return Ok(None) };
+    if !options.dialect.is_lenient() || place.compensator.is_some() {
+        return Ok(None);
+    }
+    let plain = |place: Axes| -> V3 { std::array::from_fn(|i| place.0[i] / options.proportion[i]) };
+    let from = plain(coordinates.place_of(place.programmed));
+    let end = plain(coordinates.place_of(to));
+    let offsets = offsets.map(|o| o * state.modal.unit.mm());
+    let absolute = state.modal.arc_absolute;
+    let centre: V3 =
+        std::array::from_fn(|i| if absolute { offsets[i] } else { from[i] + offsets[i] });
+    let [u, v, w] = state.modal.plane.axes();
+    let flat = |a: V3| [a[u], a[v]];
+    if centre[w] == from[w] && is_round(flat(from), flat(centre), flat(end)) {
+        return Ok(None);
+    }
+    match Spatial::new(from, centre, end, w, words.clockwise) {
+        Ok(arc) => Ok(Some(arc)),
+        // Nothing of an arc in space: what is wrong in the plane is told.
+        Err(NoArc::Radii(..)) if centre[w] == from[w] => Ok(None),
+        Err(NoArc::Radii(r1, r2)) => {
+            let message = format!(
+                "the end is not on the circle: {r1:.4} mm from the centre at the start, {r2:.4} at the end"
+            );
+            let hint = "check I, J and K; G90.1 makes them places, G91.1 distances from the start";
+            Err(fail(Code::BadArc, message, hint))
         }
-        let proportion = self.core.options.proportion;
-        let plain = |place: Axes| -> V3 { std::array::from_fn(|i| place.0[i] / proportion[i]) };
-        let from = plain(self.core.place_of(self.core.position));
-        let end = plain(self.core.place_of(to));
-        let offsets = offsets.map(|o| o * self.core.state.modal.unit.mm());
-        let absolute = self.core.state.modal.arc_absolute;
-        let centre: V3 =
-            std::array::from_fn(|i| if absolute { offsets[i] } else { from[i] + offsets[i] });
-        let [u, v, w] = self.core.state.modal.plane.axes();
-        let flat = |a: V3| [a[u], a[v]];
-        if centre[w] == from[w] && super::arc::is_round(flat(from), flat(centre), flat(end)) {
-            return Ok(None);
-        }
-        match Spatial::new(from, centre, end, w, words.is_clockwise()) {
-            Ok(arc) => Ok(Some(arc)),
-            // Nothing of an arc in space: what is wrong in the plane is told.
-            Err(NoArc::Radii(..)) if centre[w] == from[w] => Ok(None),
-            Err(NoArc::Radii(r1, r2)) => {
-                let message = format!(
-                    "the end is not on the circle: {r1:.4} mm from the centre at the start, {r2:.4} at the end"
-                );
-                let hint =
-                    "check I, J and K; G90.1 makes them places, G91.1 distances from the start";
-                Err(self.fail(Code::BadArc, message, hint))
-            }
-            Err(NoArc::OneLine) => {
-                let message = "start, centre and end lie on one line: the plane of the arc is open";
-                Err(self.fail(Code::BadArc, message, "divide the arc in two"))
-            }
+        Err(NoArc::OneLine) => {
+            let message = "start, centre and end lie on one line: the plane of the arc is open";
+            Err(fail(Code::BadArc, message, "divide the arc in two"))
         }
     }
+}
 
-    /// An arc in space as chords.
-    pub(super) fn spatial_arc(&mut self, arc: &Spatial, to: Axes, feed: Feed) {
-        let proportion = self.core.options.proportion;
-        let largest = proportion.iter().fold(1.0f64, |most, p| most.max(p.abs()));
-        let within = self.core.options.tolerance_mm / largest;
-        // An even number, so that the middle of the arc is a place of the path.
-        let count = chords_within(length(arc.arms[0]), arc.sweep, within).div_ceil(2) * 2;
-        let feed = match feed {
-            Feed::Time(seconds) => Feed::Time(seconds / f64::from(count)),
-            feed => feed,
-        };
-        let begin = self.core.position;
-        for n in 1..=count {
-            let share = f64::from(n) / f64::from(count);
-            let even = begin.zip(to, |a, b| a + (b - a) * share);
-            let place = arc.at(share);
-            let places = (0..3).map(|axis| (axis, place[axis] * proportion[axis]));
-            let next = if n == count { to } else { self.core.moved(even, places) };
-            self.core.position = next;
-            self.emit(Command::Line(Line { kind: MoveKind::Cut, to: next, feed }));
-        }
+/// An arc in space as chords.
+pub(super) fn spatial_arc(c: &mut Context<'_>, arc: &Spatial, to: Axes, feed: Feed) {
+    let proportion = c.core.options.proportion;
+    let largest = proportion.iter().fold(1.0f64, |most, p| most.max(p.abs()));
+    let within = c.core.options.tolerance_mm / largest;
+    // An even number, so that the middle of the arc is a place of the path.
+    let count = chords_within(length(arc.arms[0]), arc.sweep, within).div_ceil(2) * 2;
+    let feed = feed::part(feed, count);
+    let begin = c.core.place.programmed;
+    for n in 1..=count {
+        let share = f64::from(n) / f64::from(count);
+        let even = begin.zip(to, |a, b| a + (b - a) * share);
+        let place = arc.at(share);
+        let places = (0..3).map(|axis| (axis, place[axis] * proportion[axis]));
+        let next = if n == count { to } else { c.core.coordinates.moved(even, places) };
+        c.core.place.programmed = next;
+        c.emit(Command::Line(Line { kind: MoveKind::Cut, to: next, feed }));
     }
 }
 

@@ -1,7 +1,7 @@
 //! The memory of G-code: modes, offsets, parameters, tools.
 
-use kerf_program::settings::LinearUnit;
-use kerf_program::{Axes, PathControl, Turn};
+use kerf_program::settings::{AxisUnit, LinearUnit};
+use kerf_program::{Axes, Axis, PathControl, Settings, Turn};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -68,6 +68,13 @@ pub struct Rates {
     pub rotary: f64,
 }
 
+impl Rates {
+    /// The rates of an F word; `None` for F0.
+    pub(super) fn new(f: f64, unit_mm: f64) -> Option<Self> {
+        (f > 0.0).then_some(Self { linear: f * unit_mm, rotary: f })
+    }
+}
+
 /// The modes in force.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Modal {
@@ -131,6 +138,17 @@ impl Default for Modal {
             mist: false,
             flood: false,
             overrides: [true; 2],
+        }
+    }
+}
+
+impl Modal {
+    /// Millimetres or degrees of one unit in the file, without the proportions of FP. A, B and C that the
+    /// machine has as linear axes are measured like X.
+    pub(super) fn unit_of(&self, settings: &Settings, axis: Axis) -> f64 {
+        match settings.axis_unit(axis) {
+            AxisUnit::Linear(_) => self.unit.mm(),
+            AxisUnit::Degrees => 1.0,
         }
     }
 }
@@ -203,4 +221,11 @@ pub struct State {
     pub globals: BTreeMap<Arc<str>, f64>,
     /// The tool table.
     pub tools: BTreeMap<u32, Tool>,
+}
+
+impl State {
+    /// The coordinate system in force.
+    pub(super) fn system(&self) -> CoordinateSystem {
+        self.systems[self.modal.system.min(8)]
+    }
 }

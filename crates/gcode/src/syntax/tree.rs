@@ -247,6 +247,13 @@ impl Program {
         whole.trim_end_matches(['\r', '\n'])
     }
 
+    /// The code of a line, counted from 1: blanks around it left out.
+    pub(crate) fn code_of(&self, line: u32) -> Span {
+        let text = self.line_text(line);
+        let code = text.trim_start();
+        Span { start: (text.len() - code.len()) as u32, end: text.trim_end().len() as u32 }
+    }
+
     /// The move of a line, counted from 1, that is a [`Node::Move`].
     pub fn move_of(&self, line: u32) -> Option<PlainMove> {
         let node = self.line(line).filter(|l| l.node() == Node::Move)?;

@@ -5,6 +5,7 @@ mod beside;
 mod controllers;
 mod cycles;
 mod motion;
+mod nudge;
 mod placed;
 mod posts;
 mod programs;

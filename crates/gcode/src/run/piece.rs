@@ -1,8 +1,8 @@
 //! One move of the tool beside the path: where it ends, where two of them cross.
 
-use crate::run::{Core, arc};
+use super::round;
 use kerf_geom::{Point2, Vec2};
-use kerf_program::{At, Axes, Command, Feed, Line, MoveKind};
+use kerf_program::{At, Axes, Command, Feed, Line, MoveKind, Settings};
 use serde::{Deserialize, Serialize};
 
 /// Lengths below this are rounding, mm.
@@ -10,7 +10,7 @@ pub(super) const TINY_MM: f64 = 1e-7;
 
 /// A move of the tool beside the path.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(in crate::run) struct Piece {
+pub(super) struct Piece {
     pub(super) at: At,
     pub(super) kind: MoveKind,
     pub(super) feed: Feed,
@@ -25,7 +25,7 @@ pub(in crate::run) struct Piece {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub(in crate::run) enum Shape {
+pub(super) enum Shape {
     Line,
     Arc { centre: Point2, sweep: f64 },
 }
@@ -119,14 +119,15 @@ impl Piece {
         }
     }
 
-    pub(super) fn command(&self, core: &Core, from: Axes) -> Option<Command> {
+    /// The command that makes it from a place; `None` for one that goes nowhere.
+    pub(super) fn command(&self, settings: &Settings, from: Axes) -> Option<Command> {
         let Self { kind, to, feed, .. } = *self;
         Some(match self.shape {
             Shape::Line if from == to => return None,
             Shape::Line => Command::Line(Line { kind, to, feed }),
             Shape::Arc { centre, sweep } => {
                 let centre = [centre.x, centre.y];
-                let mut command = arc::command(&core.settings, from, centre, sweep, to, feed);
+                let mut command = round::command(settings, from, centre, sweep, to, feed);
                 command.kind = kind;
                 Command::Arc(command)
             }
