@@ -214,6 +214,7 @@ impl Road {
         core.progress.motions += self.motions;
         core.asking.settled &= silent;
         core.sequels.spline_end = None;
+        core.told.motion_lost = false;
         core.calls.go_on_at(self.line);
     }
 }
