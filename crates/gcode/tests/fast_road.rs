@@ -36,10 +36,12 @@ const OTHERS: &[&str] = &[
     "G49",
     "G52 X2",
     "G41.1 D1",
+    "G41.1 D1\nG1 X9\nG40",
     "G40",
     "G1",
     "G80",
     "G81 X1 Y1 Z-1 R1",
+    "G81 X1 Y1 Z-1 R1\nG1 X2",
     "G82 Z-2 R2 P1",
     "G5 X9 Y9 I1 J1 P1 Q1",
     "G5 X4 Y5 P1 Q2",
@@ -73,7 +75,7 @@ fn number() -> impl Strategy<Value = f64> {
     prop_oneof![1 => Just(0), 9 => -9000..9000i32].prop_map(|n| f64::from(n) / 1000.0)
 }
 
-/// A line of a plain move, valid or not.
+/// A line of letters that plain moves have, valid or not.
 fn plain() -> impl Strategy<Value = String> {
     let letters = prop::sample::subsequence(b"XYZABIJKRFS".to_vec(), 1..5);
     let motion = prop::sample::select(vec!["", "", "", "G0 ", "G1 ", "G2 ", "G3 "]);
@@ -82,6 +84,18 @@ fn plain() -> impl Strategy<Value = String> {
         let word = |(letter, v): (u8, f64)| format!("{}{}", letter as char, signed(letter, v));
         let words: Vec<String> = letters.into_iter().zip(values).map(word).collect();
         format!("{motion}{}", words.join(" "))
+    })
+}
+
+/// A line of a straight move.
+fn straight() -> impl Strategy<Value = String> {
+    let axes = prop::sample::subsequence(b"XYZA".to_vec(), 1..3);
+    let motion = prop::sample::select(vec!["", "G0 ", "G1 "]);
+    let rate = prop::sample::select(vec!["", "", "", " F70", " S9000"]);
+    (motion, axes, prop::array::uniform2(number()), rate).prop_map(|(motion, axes, to, rate)| {
+        let word = |(letter, v): (u8, f64)| format!("{}{v}", letter as char);
+        let words: Vec<String> = axes.into_iter().zip(to).map(word).collect();
+        format!("{motion}{}{rate}", words.join(" "))
     })
 }
 
@@ -95,7 +109,7 @@ fn half_circle() -> impl Strategy<Value = String> {
 
 fn line() -> impl Strategy<Value = String> {
     let other = prop::sample::select(OTHERS).prop_map(str::to_owned);
-    prop_oneof![5 => plain(), 4 => half_circle(), 2 => other]
+    prop_oneof![1 => plain(), 5 => straight(), 4 => half_circle(), 2 => other]
 }
 
 fn options() -> impl Strategy<Value = Options> {
@@ -151,16 +165,12 @@ proptest! {
         options in options(),
         (axes, linear) in (3..7u8, any::<bool>()),
         chunk in 1..9u64,
-        entered in prop::option::weighted(0.1, 1..20u32),
+        mut entered in prop::option::weighted(0.2, 1..20u32),
     ) {
         let text = format!("{head}{}", lines.join("\n"));
         let fresh = || Interpreter::new(
             read("p".into(), text.as_bytes()), session(axes, linear), options.clone());
         let (mut fast, mut slow) = (Run::of(fresh()), Run::of(fresh()));
-        if let Some(line) = entered {
-            fast.interpreter.enter_line(line);
-            slow.interpreter.enter_line(line);
-        }
         for _ in 0..60 {
             let done = fast.interpreter.run(&mut Quiet::default(), &mut fast.commands, chunk);
             let (lines, ended) = (fast.interpreter.lines(), done != Step::Ran);
@@ -178,6 +188,10 @@ proptest! {
                 "another state behind line {lines} of\n{text}");
             if ended {
                 break;
+            }
+            if let Some(line) = entered.take() {
+                fast.interpreter.enter_line(line);
+                slow.interpreter.enter_line(line);
             }
         }
     }

@@ -8,11 +8,17 @@
 //! are read and where values are shown.
 //!
 //! ```text
-//!  step ── fast::run_moves     runs of plain moves
-//!       └─ step::step ── execute   one block, in the order of RS274/NGC 3.8
-//!                          modes offsets stops flow comments
-//!                          motion arc cycles spline probe ── compensation ──► commands
+//!  interpreter ─ fast::run_moves     runs of plain moves
+//!              └ step::step ─ execute   one block, in the order of RS274/NGC 3.8
+//!                   modes offsets spindle stops flow comments
+//!                   motion ─ arc cycles spline probe ─ go ──► commands
+//!  context      what a block is lent: the core, the host, the list of commands
+//!  core         the whole state, as values that know nothing of each other's callers:
+//!                 state coordinates place (compensation) calls progress under_way asking sequels
 //! ```
+//!
+//! A file knows only files below it. Functions that give no commands are lent the values that they read and
+//! return [`Refused`](stop::Refused); its place in the file is looked up once, where a step ends.
 
 mod arc;
 mod arc_words;
