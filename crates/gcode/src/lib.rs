@@ -16,27 +16,20 @@
 //!
 //! The crate knows nothing of planning, machines, files or clocks.
 
-mod checks;
-pub mod codes;
-mod expr;
-mod format;
-mod gathered;
-mod interp;
-mod lines;
-mod no_path;
-mod reader;
+mod run;
+mod syntax;
 #[cfg(test)]
 mod testing;
-pub mod tree;
-mod writer;
 
-pub use expr::{Expr, Function, Operator};
-pub use format::format;
-pub use interp::{
-    CoordinateSystem, Dialect, FeedMode, Interpreter, Modal, Options, Plane, Rates, Session, Side,
-    State, Tool,
+pub use run::{
+    CoordinateSystem, FeedMode, Interpreter, Modal, Options, Plane, Rates, Session, Side, State,
+    Tool,
 };
-pub use no_path::no_path;
-pub use reader::{looks_like_opensbp, read, read_text};
-pub use tree::Program;
-pub use writer::{Writer, Writing, write};
+pub use syntax::dialect::Dialect;
+pub use syntax::expr::{Expr, Function, Operator};
+pub use syntax::format::format;
+pub use syntax::no_path::no_path;
+pub use syntax::reader::{looks_like_opensbp, read, read_text};
+pub use syntax::tree::Program;
+pub use syntax::writer::{Writer, Writing, write};
+pub use syntax::{codes, tree};

@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
 mod conformance;
+mod fast_road;
 #[path = "../../../tests/corpus/find.rs"]
 mod find;
 mod mutated;

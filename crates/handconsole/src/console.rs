@@ -3,6 +3,7 @@
 use crate::digitizing::Digitizing;
 use crate::file::Choosing;
 use crate::functions::{Selecting, Stepping};
+use crate::next::{Next, Note, To};
 use crate::start::Starting;
 use crate::{Key, Screen, View, Waits, Wish, idle, running, start};
 use kerf_digitize::Digitizer;
@@ -10,7 +11,7 @@ use kerf_wire::State;
 
 /// Present use of the console.
 #[derive(Clone, Debug)]
-pub(crate) enum Mode {
+enum Mode {
     /// Nothing: what the machine does decides what is shown, and what keys mean.
     Rest(Starting),
     /// A job is chosen.
@@ -31,62 +32,6 @@ impl Default for Mode {
     fn default() -> Self {
         Self::Rest(Starting::default())
     }
-}
-
-/// Consequences of a key: the mode, wishes, a note, a beep.
-#[derive(Debug, Default)]
-pub(crate) struct Next {
-    mode: Mode,
-    wishes: Vec<Wish>,
-    note: Option<Note>,
-    beeps: bool,
-}
-
-impl Next {
-    /// Another mode, or the same again.
-    pub fn to(mode: Mode) -> Self {
-        Self { mode, ..Self::default() }
-    }
-
-    /// The mode in which the machine decides what is shown, and wishes.
-    pub fn wish(wishes: impl IntoIterator<Item = Wish>) -> Self {
-        Self { wishes: wishes.into_iter().collect(), ..Self::default() }
-    }
-
-    /// The same with wishes.
-    pub fn and(self, wishes: impl IntoIterator<Item = Wish>) -> Self {
-        Self { wishes: wishes.into_iter().collect(), ..self }
-    }
-
-    /// The same with a text that is shown until the next key, and a beep.
-    pub fn refused(self, text: impl AsRef<str>) -> Self {
-        let note = Some(Note { screen: Screen::of_text(text.as_ref()), control: false });
-        Self { note, beeps: true, ..self }
-    }
-
-    /// The same with a text below the name of what was done, until the next key; nothing for no text.
-    pub fn said(self, name: &str, text: &str) -> Self {
-        let note = Note { screen: Screen::new(name, text), control: false };
-        Self { note: (!text.is_empty()).then_some(note), ..self }
-    }
-
-    /// The same inside of another mode.
-    pub fn within(self, wrap: impl FnOnce(Mode) -> Mode) -> Self {
-        Self { mode: wrap(self.mode), ..self }
-    }
-
-    /// The same with a beep.
-    pub fn beep(self) -> Self {
-        Self { beeps: true, ..self }
-    }
-}
-
-/// A screen that is shown until the next key.
-#[derive(Clone, Debug)]
-struct Note {
-    screen: Screen,
-    /// Enter takes control.
-    control: bool,
 }
 
 /// The hand console.
@@ -122,8 +67,11 @@ impl Console {
             }
             return Vec::new();
         }
-        let next = std::mem::take(&mut self.mode).press(key, view);
-        self.mode = next.mode;
+        let mut next = std::mem::take(&mut self.mode).press(key, view);
+        if let To::Function(function) = next.to {
+            next = Stepping::begin(function, view).map(Mode::Stepping);
+        }
+        self.mode = Mode::after(next.to, view);
         if let Mode::Digitizing(digitizing) = &mut self.mode
             && let Some(points) = self.left.take()
         {
@@ -201,10 +149,23 @@ impl Console {
 }
 
 impl Mode {
-    fn press(self, key: Key, view: &View) -> Next {
+    /// The mode that a key leads to.
+    fn after(to: To<Self>, view: &View) -> Self {
+        match to {
+            To::Rest | To::Function(_) => Self::default(),
+            To::Stay(mode) => mode,
+            To::File => Self::File(Choosing::new(&view.files)),
+            To::Selecting => Self::Selecting(Selecting::default()),
+            To::Digitizing => Self::Digitizing(Box::default()),
+            To::Aborting => Self::Aborting,
+            To::Doing(name) => Self::Doing(name),
+        }
+    }
+
+    fn press(self, key: Key, view: &View) -> Next<Self> {
         match self {
             Self::Rest(starting) => match &view.waits {
-                Waits::Start(shape) => starting.press(key, *shape, view.shapes()),
+                Waits::Start(shape) => starting.press(key, *shape, view.shapes()).map(Self::Rest),
                 Waits::Paused => running::press_paused(key),
                 Waits::Question(asked) => running::press_asked(key, asked),
                 Waits::No => match (view.state, key) {
@@ -216,12 +177,15 @@ impl Mode {
                     (state, _) => running::press(key, state),
                 },
             },
-            Self::File(choosing) => choosing.press(key),
-            Self::Selecting(selecting) => selecting.press(key, view),
-            Self::Stepping(stepping) => stepping.press(key, view),
-            Self::Digitizing(digitizing) => digitizing.press(key, view),
+            Self::File(choosing) => choosing.press(key).map(Self::File),
+            Self::Selecting(selecting) => selecting.press(key).map(Self::Selecting),
+            Self::Stepping(stepping) => stepping.press(key, view).map(Self::Stepping),
+            Self::Digitizing(digitizing) => {
+                let next = digitizing.press(key, view);
+                next.map(|digitizing| Self::Digitizing(Box::new(digitizing)))
+            }
             Self::Aborting => start::press_aborting(key, &view.waits),
-            Self::Doing(_) => Next::to(self),
+            Self::Doing(_) => Next::stay(self),
         }
     }
 

@@ -1,6 +1,6 @@
 //! A job is chosen from the current folder.
 
-use crate::console::{Mode, Next};
+use crate::next::Next;
 use crate::{Key, Screen, Wish};
 
 /// So many files the keys 3 and 9 go on.
@@ -24,7 +24,7 @@ impl Choosing {
         Screen::new(format!("Select File ({}):", self.files.len()), shown)
     }
 
-    pub fn press(self, key: Key) -> Next {
+    pub fn press(self, key: Key) -> Next<Self> {
         let last = self.files.len().saturating_sub(1);
         let at = match key {
             Key::Digit(2) => self.at + 1,
@@ -35,6 +35,6 @@ impl Choosing {
             Key::File | Key::Func => return Next::default(),
             _ => self.at,
         };
-        Next::to(Mode::File(Self { at: at.min(last), ..self }))
+        Next::stay(Self { at: at.min(last), ..self })
     }
 }

@@ -1,8 +1,6 @@
 //! The machine stands and nothing is typed: the digits move the tool.
 
-use crate::console::{Mode, Next};
-use crate::file::Choosing;
-use crate::functions::Selecting;
+use crate::next::{Next, To};
 use crate::{COLUMNS, Key, Screen, View, Wish};
 use kerf_machine::Held;
 use kerf_program::AXES;
@@ -32,12 +30,12 @@ fn rounded(mm: f64, decimals: i32) -> f64 {
     (mm * unit).round() / unit + 0.0
 }
 
-pub(crate) fn press(key: Key, view: &View) -> Next {
+pub(crate) fn press<M>(key: Key, view: &View) -> Next<M> {
     match key {
         Key::Digit(digit) => Next::wish(jog(digit, view).map(Wish::Jog)),
-        Key::File => Next::to(Mode::File(Choosing::new(&view.files))),
+        Key::File => Next::to(To::File),
         Key::Start => Next::wish([Wish::Start]),
-        Key::Func => Next::to(Mode::Selecting(Selecting::default())),
+        Key::Func => Next::to(To::Selecting),
         Key::PlusMinus | Key::Enter | Key::Stop => Next::default(),
     }
 }

@@ -21,6 +21,7 @@ mod file;
 pub mod functions;
 mod idle;
 mod key;
+mod next;
 mod running;
 mod screen;
 mod start;

@@ -1,6 +1,6 @@
 //! The machine moves, is paused, asks something, or is in alarm.
 
-use crate::console::{Mode, Next};
+use crate::next::{Next, To};
 use crate::start::GO_ON;
 use crate::{COLUMNS, Key, Screen, View, Wish};
 use kerf_wire::{Asked, State};
@@ -22,7 +22,7 @@ pub(crate) fn screen_of_shape(action: &str, view: &View) -> Screen {
     }
 }
 
-pub(crate) fn press(key: Key, state: State) -> Next {
+pub(crate) fn press<M>(key: Key, state: State) -> Next<M> {
     match (key, state) {
         (Key::Enter, State::Alarm) => Next::wish([Wish::Acknowledge]),
         (Key::Start, State::Held) => Next::wish([Wish::Resume]),
@@ -31,10 +31,10 @@ pub(crate) fn press(key: Key, state: State) -> Next {
 }
 
 /// Start goes on, Func gives up if Enter says so.
-pub(crate) fn press_paused(key: Key) -> Next {
+pub(crate) fn press_paused<M>(key: Key) -> Next<M> {
     match key {
         Key::Start => Next::wish([Wish::Answer(GO_ON.into())]),
-        Key::Func => Next::to(Mode::Aborting),
+        Key::Func => Next::to(To::Aborting),
         _ => Next::default(),
     }
 }
@@ -47,7 +47,7 @@ pub(crate) fn question(asked: &Asked) -> Screen {
     Screen::new(text, answers.chars().take(COLUMNS).collect::<String>())
 }
 
-pub(crate) fn press_asked(key: Key, asked: &Asked) -> Next {
+pub(crate) fn press_asked<M>(key: Key, asked: &Asked) -> Next<M> {
     let Key::Digit(digit) = key else { return Next::default() };
     let button = usize::from(digit).checked_sub(1).and_then(|at| asked.buttons.get(at));
     Next::wish(button.cloned().map(Wish::Answer))

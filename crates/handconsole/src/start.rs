@@ -1,7 +1,7 @@
 //! A job was started and waits for the second Start: the shape it begins with is chosen.
 
-use crate::console::{Mode, Next};
 use crate::entry::Typed;
+use crate::next::{Next, To};
 use crate::{JobWish, Key, Screen, Waits, Wish};
 use kerf_machine::Errand;
 
@@ -25,28 +25,26 @@ impl Starting {
         Screen::new("Start job", shown)
     }
 
-    pub fn press(self, key: Key, shape: u32, shapes: u32) -> Next {
+    pub fn press(self, key: Key, shape: u32, shapes: u32) -> Next<Self> {
         let goes = |word: String| Next::wish([Wish::Answer(word)]);
         match key {
-            Key::Digit(_) | Key::Stop => {
-                Next::to(Mode::Rest(Self { typed: self.typed.press_whole(key) }))
-            }
+            Key::Digit(_) | Key::Stop => Next::stay(Self { typed: self.typed.press_whole(key) }),
             Key::Start => goes(GO_ON.into()),
-            Key::Func => Next::to(Mode::Aborting),
+            Key::Func => Next::to(To::Aborting),
             Key::PlusMinus if shape > 1 => goes("previous".into()),
             Key::Enter if !self.typed.is_empty() => match self.typed.whole() {
                 Some(number) if (1..=shapes).contains(&number) => goes(number.to_string()),
                 _ => Next::default().refused(format!("1-{shapes}")),
             },
             Key::Enter if shape < shapes => goes("next".into()),
-            Key::PlusMinus | Key::Enter | Key::File => Next::to(Mode::Rest(self)),
+            Key::PlusMinus | Key::Enter | Key::File => Next::stay(self),
         }
     }
 }
 
 /// Enter gives the job up, and the head returns to the origin; any other key leaves it as it is. The shape that
 /// was chosen is the one with which the job begins from now on.
-pub(crate) fn press_aborting(key: Key, waits: &Waits) -> Next {
+pub(crate) fn press_aborting<M>(key: Key, waits: &Waits) -> Next<M> {
     let start = match waits {
         Waits::Start(shape) => Some(Wish::Job(JobWish::Start(*shape))),
         _ => None,

@@ -2,9 +2,9 @@
 
 use super::table::{Does, Entry, FUNCTIONS};
 use super::{Digitizing, heading, stand};
-use crate::console::{Mode, Next};
 use crate::entry::Typed;
 use crate::functions::{Stepping, function};
+use crate::next::{Next, To};
 use crate::{COLUMNS, Key, Screen, View};
 use kerf_digitize::{Digitizer, Stand};
 
@@ -76,7 +76,7 @@ impl Asks {
 
 impl Digitizing {
     /// A key answers what is asked.
-    pub(super) fn answer(mut self, key: Key, view: &View) -> Next {
+    pub(super) fn answer(mut self, key: Key, view: &View) -> Next<Self> {
         match std::mem::take(&mut self.asks) {
             Asks::Function { typed, .. } => self.choose(typed, key, view),
             Asks::Numbers(stepping) => {
@@ -88,7 +88,7 @@ impl Digitizing {
         }
     }
 
-    fn choose(self, typed: Typed, key: Key, view: &View) -> Next {
+    fn choose(self, typed: Typed, key: Key, view: &View) -> Next<Self> {
         match key {
             Key::Func => self.stay(),
             Key::Enter => match entry(&typed) {
@@ -104,7 +104,7 @@ impl Digitizing {
         }
     }
 
-    fn run(self, entry: &Entry, view: &View) -> Next {
+    fn run(self, entry: &Entry, view: &View) -> Next<Self> {
         let tool = stand(view);
         match entry.does {
             Does::Edit(edit) => self.edit(|points| edit(points, tool)),
@@ -138,7 +138,7 @@ impl Digitizing {
         }
     }
 
-    fn lose(mut self, losing: Losing, view: &View) -> Next {
+    fn lose(mut self, losing: Losing, view: &View) -> Next<Self> {
         match losing {
             Losing::Clear => {
                 self.points.clear();
@@ -150,13 +150,13 @@ impl Digitizing {
     }
 
     /// A function of the console asks its numbers in here, and what it wishes is done from here.
-    fn within(self, next: Next) -> Next {
-        next.within(|mode| {
-            let asks = match mode {
-                Mode::Stepping(stepping) => Asks::Numbers(stepping),
+    fn within(self, next: Next<Stepping>) -> Next<Self> {
+        next.within(|to| {
+            let asks = match to {
+                To::Stay(stepping) => Asks::Numbers(stepping),
                 _ => Asks::Nothing,
             };
-            Mode::Digitizing(Box::new(Self { asks, ..self }))
+            To::Stay(Self { asks, ..self })
         })
     }
 }

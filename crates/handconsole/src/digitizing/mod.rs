@@ -5,7 +5,7 @@ mod table;
 
 pub use table::{Entry, FUNCTIONS};
 
-use crate::console::{Mode, Next};
+use crate::next::{Next, To};
 use crate::{Key, Screen, View, Waits, Wish, idle, running};
 use asking::Asks;
 use kerf_digitize::{Digitizer, Dimension, Kind, Leg, Stand};
@@ -67,7 +67,7 @@ impl Digitizing {
         self.asks.screen(&points, view).unwrap_or_else(|| idle_screen(&points))
     }
 
-    pub fn press(mut self, key: Key, view: &View) -> Next {
+    pub fn press(mut self, key: Key, view: &View) -> Next<Self> {
         self.follow(view);
         let elsewhere = match &view.waits {
             Waits::Question(asked) => Some(running::press_asked(key, asked)),
@@ -76,14 +76,14 @@ impl Digitizing {
             Waits::No => None,
         };
         match elsewhere {
-            Some(next) => next.within(|_| Mode::Digitizing(Box::new(self))),
+            Some(next) => next.within(|_: To<Self>| To::Stay(self)),
             None if self.asks.is_open() => self.answer(key, view),
             None => self.press_at_rest(key, view),
         }
     }
 
     /// The keys that move through the points and record them.
-    fn press_at_rest(mut self, key: Key, view: &View) -> Next {
+    fn press_at_rest(mut self, key: Key, view: &View) -> Next<Self> {
         let tool = stand(view);
         if !matches!(key, Key::Digit(_)) {
             self.asks = Asks::Nothing;
@@ -105,11 +105,11 @@ impl Digitizing {
         }
     }
 
-    fn stay(self) -> Next {
-        Next::to(Mode::Digitizing(Box::new(self)))
+    fn stay(self) -> Next<Self> {
+        Next::stay(self)
     }
 
-    fn ask(self, asks: Asks) -> Next {
+    fn ask(self, asks: Asks) -> Next<Self> {
         Self { asks, ..self }.stay()
     }
 
@@ -117,7 +117,7 @@ impl Digitizing {
     fn edit(
         mut self,
         edit: impl FnOnce(&mut Digitizer) -> Result<(), kerf_digitize::Refusal>,
-    ) -> Next {
+    ) -> Next<Self> {
         match edit(&mut self.points) {
             Ok(()) => self.stay(),
             Err(why) => self.stay().refused(why.to_string()),
@@ -125,7 +125,7 @@ impl Digitizing {
     }
 
     /// The tool goes a way; a beep says that there is none.
-    fn go(self, way: Vec<Leg>) -> Next {
+    fn go(self, way: Vec<Leg>) -> Next<Self> {
         if way.is_empty() {
             return self.stay().beep();
         }
@@ -135,7 +135,7 @@ impl Digitizing {
     }
 
     /// The points become a shape of the drawing or the job.
-    fn save(self, closed: bool, view: &View) -> Next {
+    fn save(self, closed: bool, view: &View) -> Next<Self> {
         match self.points.shape(closed, view.machine.zpos.surface_mm) {
             Ok(shape) => Self { saving: true, ..self }.stay().and([Wish::AddShape(shape.into())]),
             Err(why) => self.stay().refused(why.to_string()),
@@ -143,7 +143,7 @@ impl Digitizing {
     }
 
     /// The points of the nearest shape take the place of these.
-    fn load(self, view: &View) -> Next {
+    fn load(self, view: &View) -> Next<Self> {
         let (tool, surface_mm) = (stand(view), view.machine.zpos.surface_mm);
         let shapes = view.drawn.clone();
         self.edit(|points| {

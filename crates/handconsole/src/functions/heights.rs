@@ -2,7 +2,8 @@
 
 use super::moves::to_height;
 use super::settings::{set, with};
-use super::{Done, Function, Height, Number, Refusal};
+use super::spec::Step::{Height, Number};
+use super::spec::{Done, Function, Refusal, shown, tidy};
 use crate::{JobWish, View, Wish};
 use kerf_machine::Errand;
 use kerf_program::{Axis, AxisSet};
@@ -33,8 +34,7 @@ pub(super) const SETTING: Function = Function {
     ],
     does: |heights, view| {
         let keys = ["zpos.top_mm", "zpos.surface_mm", "zpos.bottom_mm"];
-        let values =
-            keys.into_iter().zip(heights).map(|(key, z)| (key, super::tidy(*z).to_string()));
+        let values = keys.into_iter().zip(heights).map(|(key, z)| (key, tidy(*z).to_string()));
         Ok(set(view, values.collect())?.into())
     },
 };
@@ -88,9 +88,9 @@ pub(super) const ADJUST_Y: Function =
 
 /// Z bottom by a distance.
 fn lowered(view: &View, by_mm: f64) -> Result<Done, Refusal> {
-    let bottom_mm = super::tidy(view.machine.zpos.bottom_mm + by_mm);
+    let bottom_mm = tidy(view.machine.zpos.bottom_mm + by_mm);
     let wishes = with(view, &["zpos.bottom_mm"], bottom_mm)?;
-    Ok(Done::from(wishes).saying(format!("ZBottom {}", super::shown(bottom_mm))))
+    Ok(Done::from(wishes).saying(format!("ZBottom {}", shown(bottom_mm))))
 }
 
 /// The set points by distances.

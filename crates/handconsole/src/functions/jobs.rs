@@ -1,6 +1,7 @@
 //! Functions of the open job, and of what is kept.
 
-use super::{Done, Function, Number};
+use super::spec::Step::Number;
+use super::spec::{Done, Function, shown, tidy};
 use crate::{JobWish, View, Wish};
 use kerf_program::Axis;
 
@@ -20,7 +21,7 @@ pub(super) const SET_FINISH: Function = Function {
     steps: &[],
     does: |_, view| {
         let ([x, y], [x0, y0]) = (here(view), view.machine.job.origin_mm);
-        let finish = [x - x0, y - y0].map(super::tidy);
+        let finish = [x - x0, y - y0].map(tidy);
         Ok(placed(JobWish::Finish(finish), "Finish", finish))
     },
 };
@@ -62,11 +63,11 @@ pub(super) const OFFSET: Function = Function {
 };
 
 fn placed(wish: JobWish, what: &str, [x, y]: [f64; 2]) -> Done {
-    let said = format!("{what} {},{}", super::shown(x), super::shown(y));
+    let said = format!("{what} {},{}", shown(x), shown(y));
     Done::from(vec![Wish::Job(wish)]).saying(said)
 }
 
 /// Returns the place of the tool in the plane, from home.
 fn here(view: &View) -> [f64; 2] {
-    [Axis::X, Axis::Y].map(|axis| super::tidy(view.position[axis]))
+    [Axis::X, Axis::Y].map(|axis| tidy(view.position[axis]))
 }

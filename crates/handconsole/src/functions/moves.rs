@@ -1,6 +1,7 @@
 //! Functions that move the machine.
 
-use super::{Done, Function, Number, Refusal};
+use super::spec::Step::Number;
+use super::spec::{Done, Function, Refusal};
 use crate::{View, Wish};
 use kerf_machine::Errand;
 use kerf_machine::settings::axes::W;

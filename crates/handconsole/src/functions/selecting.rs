@@ -1,10 +1,9 @@
 //! A function is chosen by its number.
 
-use super::table::DIGITIZE;
-use super::{Stepping, function};
-use crate::console::{Mode, Next};
+use super::table::{DIGITIZE, function};
 use crate::entry::Typed;
-use crate::{Key, Screen, View};
+use crate::next::{Next, To};
+use crate::{Key, Screen};
 
 /// The number as far as it is typed.
 #[derive(Clone, Debug, Default)]
@@ -30,21 +29,19 @@ impl Selecting {
         Screen::new("Enter function:", bottom)
     }
 
-    pub fn press(self, key: Key, view: &View) -> Next {
+    pub fn press(self, key: Key) -> Next<Self> {
         match key {
             Key::Enter => match function(&self.number()) {
-                Some(function) if function.number == DIGITIZE => {
-                    Next::to(Mode::Digitizing(Box::default()))
-                }
-                Some(function) => Stepping::begin(function, view),
-                None => Next::to(Mode::Selecting(Self { refused: true, ..self })).beep(),
+                Some(function) if function.number == DIGITIZE => Next::to(To::Digitizing),
+                Some(function) => Next::to(To::Function(function)),
+                None => Next::stay(Self { refused: true, ..self }).beep(),
             },
             Key::Func => Next::default(),
             Key::Digit(_) | Key::File | Key::Stop => {
                 let typed = self.typed.press(key);
-                Next::to(Mode::Selecting(Self { typed, refused: false }))
+                Next::stay(Self { typed, refused: false })
             }
-            Key::PlusMinus | Key::Start => Next::to(Mode::Selecting(self)),
+            Key::PlusMinus | Key::Start => Next::stay(self),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Functions that give settings of the machine the number that is typed.
 
-use super::{Done, Function, Number, Refusal};
+use super::spec::Step::Number;
+use super::spec::{Done, Function, Refusal, shown};
 use crate::{View, Wish};
 use kerf_machine::contradictions::{Contradiction, contradictions};
 use kerf_machine::{Configuration, Value, table};
@@ -176,7 +177,7 @@ pub(super) const SCALE: Function = Function {
     does: |typed, view| {
         let wanted = changed(view, &[("height.scale_mm", typed[0].to_string())])?;
         let steps = wanted.program.resolution.steps_per_unit[Axis::Z];
-        let k = super::shown(wanted.height.suggested_k(steps));
+        let k = shown(wanted.height.suggested_k(steps));
         Ok(Done::from(with(view, &["height.scale_mm"], typed[0])?)
             .saying(format!("Suggested K {k}")))
     },
@@ -217,7 +218,7 @@ fn changed(view: &View, values: &[(&'static str, String)]) -> Result<Configurati
 /// Names the settings that do not go together, in words that a small screen has room for.
 fn in_short(crossed: &Contradiction, wanted: &Configuration) -> Refusal {
     let most = wanted.program.axis_dynamics().speed_mm_s;
-    let at_most = |axis: Axis| format!("at most {} mm/min", super::shown(most[axis] * PER_MIN));
+    let at_most = |axis: Axis| format!("at most {} mm/min", shown(most[axis] * PER_MIN));
     match crossed.keys[..] {
         ["smoothing.cut_speed_mm_s", ..] => at_most(Axis::X),
         ["plunge.speed_mm_s", ..] => at_most(Axis::Z),

@@ -1,8 +1,8 @@
 //! A function asks for its numbers and heights, one after the other.
 
-use super::{Function, Step, shown};
-use crate::console::{Mode, Next};
+use super::spec::{Function, Step, shown};
 use crate::entry::Typed;
+use crate::next::{Next, To};
 use crate::{Key, Screen, View, Wish, idle};
 use kerf_machine::Held;
 use kerf_program::Axis;
@@ -17,7 +17,7 @@ pub(crate) struct Stepping {
 
 impl Stepping {
     /// A function begins.
-    pub fn begin(function: &'static Function, view: &View) -> Next {
+    pub fn begin(function: &'static Function, view: &View) -> Next<Self> {
         Self { function, answers: Vec::new(), typed: Typed::default() }.go_on(view)
     }
 
@@ -26,35 +26,36 @@ impl Stepping {
     }
 
     /// Goes on to the next question; finishes when everything is known.
-    fn go_on(self, view: &View) -> Next {
+    fn go_on(self, view: &View) -> Next<Self> {
         match self.step() {
             None => self.finish(view),
-            Some(Step::Number { .. }) => Next::to(Mode::Stepping(self)),
+            Some(Step::Number { .. }) => Next::stay(self),
             Some(Step::Height { there, .. }) => {
                 let ways = there(view).into_iter().map(Wish::Go);
-                Next::to(Mode::Stepping(self)).and(ways)
+                Next::stay(self).and(ways)
             }
         }
     }
 
-    fn finish(self, view: &View) -> Next {
+    fn finish(self, view: &View) -> Next<Self> {
         let Self { function, mut answers, .. } = self;
         match (function.does)(&answers, view) {
             Ok(done) if done.wishes.iter().any(Wish::lasts) => {
-                Next::to(Mode::Doing(function.name)).and(done.wishes)
+                Next::to(To::Doing(function.name)).and(done.wishes)
             }
             Ok(done) => Next::wish(done.wishes).said(function.name, &done.says),
             Err(why) => {
                 // The last number is asked for again.
                 answers.pop();
                 let again = Self { function, answers, typed: Typed::default() };
-                Next::to(again.step().map_or_else(Mode::default, |_| Mode::Stepping(again)))
-                    .refused(why)
+                let asks = again.step().is_some();
+                let next = if asks { Next::stay(again) } else { Next::default() };
+                next.refused(why)
             }
         }
     }
 
-    fn answered(mut self, value: f64, view: &View) -> Next {
+    fn answered(mut self, value: f64, view: &View) -> Next<Self> {
         self.answers.push(value);
         self.typed = Typed::default();
         self.go_on(view)
@@ -76,26 +77,26 @@ impl Stepping {
         }
     }
 
-    pub fn press(self, key: Key, view: &View) -> Next {
+    pub fn press(self, key: Key, view: &View) -> Next<Self> {
         match (self.step(), key) {
             (_, Key::Func) | (None, _) => Next::default(),
             (Some(Step::Number { now, .. }), Key::Enter) => {
                 let kept = if self.typed.is_empty() { now(view) } else { self.typed.value() };
                 match kept {
                     Some(value) => self.answered(value, view),
-                    None => Next::to(Mode::Stepping(self)).beep(),
+                    None => Next::stay(self).beep(),
                 }
             }
             (Some(Step::Number { .. }), _) => {
                 let typed = self.typed.clone().press(key);
-                Next::to(Mode::Stepping(Self { typed, ..self }))
+                Next::stay(Self { typed, ..self })
             }
             (Some(Step::Height { .. }), Key::Enter) => self.answered(view.position[Axis::Z], view),
             (Some(Step::Height { .. }), Key::Digit(digit)) => {
                 let jog = idle::jog(digit, view).map(|held| Held { sets_bottom: true, ..held });
-                Next::to(Mode::Stepping(self)).and(jog.map(Wish::Jog))
+                Next::stay(self).and(jog.map(Wish::Jog))
             }
-            (Some(Step::Height { .. }), _) => Next::to(Mode::Stepping(self)),
+            (Some(Step::Height { .. }), _) => Next::stay(self),
         }
     }
 }

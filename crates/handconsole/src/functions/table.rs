@@ -1,6 +1,7 @@
 //! The table of functions (Profiler reference, "Hand Console").
 
-use super::{Function, heights, jobs, moves, settings};
+use super::spec::Function;
+use super::{heights, jobs, moves, settings};
 
 /// Every function, in the order of their numbers.
 pub const FUNCTIONS: &[Function] = &[
@@ -52,3 +53,9 @@ const DIGITIZING: Function = Function {
     steps: &[],
     does: |_, _| Ok(Vec::new().into()),
 };
+
+/// The function of a number as it is typed: `18.1`, and `018.10` too.
+pub fn function(number: &str) -> Option<&'static Function> {
+    let typed: f64 = number.parse().ok()?;
+    FUNCTIONS.iter().find(|function| function.number.parse() == Ok(typed))
+}

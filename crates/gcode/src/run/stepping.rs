@@ -1,0 +1,144 @@
+//! A file that is gone through line by line, or taken up in the middle.
+//!
+//! ```text
+//!  ask ─┬─ Step: this line runs, ask again        go to N ─► lines before N are passed over, all
+//!       ├─ Run: from here on without asking                  of them or only what they set up
+//!       └─ Quit: the run ends
+//! ```
+//!
+//! The question is a step of its own: its answer is kept until the line has run, because a line may
+//! have to wait.
+
+use super::block::{assign, gather};
+use super::context::Context;
+use super::execute::execute;
+use super::expression::evaluate_settings;
+use super::stop::{Stop, fail};
+use crate::syntax::codes::{
+    ARC_DISTANCE, DISTANCE, FEED_MODE, MOTION, PATH, PLANE, RETURN, SYSTEM, TOOL_LENGTH, UNITS,
+};
+use crate::syntax::gathered::Gathered;
+use crate::syntax::tree::{Block, Node, Program};
+use kerf_diag::Code;
+use kerf_program::{Answer, Button, GoTo, Question, QuestionKind, Status};
+
+/// The modes that lines set up for those behind them. Zeros (G10, G92), tools, spindle, outputs
+/// and cutter compensation are not among them: they do something.
+const MODES: [usize; 9] =
+    [PLANE, DISTANCE, ARC_DISTANCE, FEED_MODE, UNITS, RETURN, SYSTEM, PATH, TOOL_LENGTH];
+
+/// Begins at the line that the options name.
+pub(super) fn begin_at(c: &mut Context<'_>) -> Result<(), Stop> {
+    match c.core.options.from.take() {
+        Some(to) => go_to(c, to),
+        None => Ok(()),
+    }
+}
+
+/// Asks about a line, or passes over it; false when it is to run.
+pub(super) fn steps_over(c: &mut Context<'_>, program: &Program, node: Node) -> Result<bool, Stop> {
+    if c.core.progress.stepping.is_off() {
+        return Ok(false);
+    }
+    if let Some(to) = c.core.progress.stepping.skip_to {
+        if c.at.line <= to {
+            // Behind a mistake too, so that a check comes to its end.
+            c.core.calls.go_on_at(c.at.line);
+            set_up(c, program, node)?;
+            return Ok(true);
+        }
+        c.core.progress.stepping.skip_to = None;
+    }
+    let stepping = c.core.progress.stepping;
+    if !stepping.asks || stepping.granted || node == Node::Blank {
+        return Ok(false);
+    }
+    ask_step(c, program)?;
+    Ok(true)
+}
+
+fn ask_step(c: &mut Context<'_>, program: &Program) -> Result<(), Stop> {
+    let last = c.host.last_line(&program.name);
+    let question = Question {
+        kind: QuestionKind::Step,
+        text: program.line_text(c.at.line).trim().into(),
+        title: program.name.to_string(),
+        buttons: vec![Button::Step, Button::Run, Button::Quit],
+        default: 0,
+        prefill: last.map_or_else(String::new, |line| line.to_string()),
+        icon: 0,
+        until: None,
+    };
+    match c.ask_at_once(&question)? {
+        Answer::Button(Button::Step) => c.core.progress.stepping.granted = true,
+        Answer::Button(Button::Run) => c.core.progress.stepping.asks = false,
+        Answer::Button(_) => return Err(Stop::Finished(Status::Stopped)),
+        Answer::Text(words) => {
+            if let Some(to) = GoTo::read(&words, last) {
+                go_to(c, to)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn go_to(c: &mut Context<'_>, to: GoTo) -> Result<(), Stop> {
+    let program = c.program();
+    if to.line > program.line_count() {
+        let message = format!("there is no line {} in {}", to.line, program.name);
+        let hint = format!("its last line is {}", program.line_count());
+        c.warn(Code::OutOfRange, message, hint);
+        return Ok(());
+    }
+    if c.core.calls.open.len() == 1 && program.is_in_subroutine(to.line) {
+        let message = format!("line {} lies in a subroutine", to.line);
+        return Err(fail(Code::BadFlow, message, "begin at a line that calls it"));
+    }
+    let index = to.line - 1;
+    c.core.progress.stepping.skip_to = to.settings.then_some(index);
+    match (to.settings, c.core.calls.open.last_mut()) {
+        (false, Some(call)) => call.next = index,
+        (true, Some(call)) if index < call.next => call.next = 0,
+        _ => {}
+    }
+    Ok(())
+}
+
+/// Carries out what a line sets up for those behind it: modes, feed, speed, parameters.
+fn set_up(c: &mut Context<'_>, program: &Program, node: Node) -> Result<(), Stop> {
+    match node {
+        Node::Move => {
+            let plain = program.move_of(c.at.line).unwrap_or_default();
+            set_modes(c, &Gathered::of_move(&plain))
+        }
+        Node::Block(index) => match program.blocks.get(index as usize) {
+            Some(block) => set_up_block(c, program, *block),
+            None => Ok(()),
+        },
+        _ => Ok(()),
+    }
+}
+
+fn set_up_block(c: &mut Context<'_>, program: &Program, block: Block) -> Result<(), Stop> {
+    let extra = program.extra_of(&block);
+    if block.delete > 0 && block.delete <= c.core.options.block_delete
+        || extra.is_some_and(|e| e.flow.is_some())
+    {
+        return Ok(());
+    }
+    let gathered = gather(c.core, program, &block, c.span)?;
+    let settings = match extra {
+        Some(extra) => evaluate_settings(&c.core.parameters(), program, &extra.settings)?,
+        None => Vec::new(),
+    };
+    set_modes(c, &gathered)?;
+    assign(c, program, settings)
+}
+
+fn set_modes(c: &mut Context<'_>, all: &Gathered) -> Result<(), Stop> {
+    execute(c, &all.only(&MODES, b"FST"))?;
+    if let Some(motion @ (0 | 10 | 20 | 30)) = all.g[MOTION] {
+        c.core.state.modal.motion = Some(motion);
+    }
+    Ok(())
+}

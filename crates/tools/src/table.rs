@@ -1,0 +1,21 @@
+//! The table of tools.
+
+use crate::tool::Tool;
+use crate::{copy, drill_press, fluter, header, indexer, setup, surfacer, typesetter};
+
+/// Every tool, in the order of its letters.
+pub const TOOLS: [&Tool; 8] = [
+    &copy::TOOL,
+    &drill_press::TOOL,
+    &fluter::TOOL,
+    &header::TOOL,
+    &indexer::TOOL,
+    &setup::TOOL,
+    &surfacer::TOOL,
+    &typesetter::TOOL,
+];
+
+/// The tool of a letter.
+pub fn tool(letter: char) -> Option<&'static Tool> {
+    TOOLS.into_iter().find(|tool| tool.letter == letter.to_ascii_uppercase())
+}
