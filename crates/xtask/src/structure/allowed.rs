@@ -13,6 +13,8 @@ const TABLE: &str = "crates/xtask/src/structure/allowed.toml";
 pub struct Measured {
     /// Files of each circle, the largest first.
     pub circles: Vec<Vec<String>>,
+    /// Arrows between their files, in words.
+    pub arrows: Vec<String>,
     /// Files with an `impl` of each type.
     pub types: BTreeMap<String, Vec<String>>,
 }
@@ -27,6 +29,9 @@ impl fmt::Display for Measured {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for circle in &self.circles {
             writeln!(f, "a circle of {}: {}", circle.len(), circle.join(" "))?;
+        }
+        for arrow in &self.arrows {
+            writeln!(f, "  {arrow}")?;
         }
         for (name, files) in &self.types {
             writeln!(f, "`impl {name}` in {}: {}", files.len(), files.join(" "))?;
@@ -109,7 +114,8 @@ mod tests {
         let files = |n: usize| (0..n).map(|i| format!("{i}.rs")).collect::<Vec<_>>();
         let circles = if circle > 0 { vec![files(circle)] } else { Vec::new() };
         let types = of.iter().map(|(name, n)| ((*name).to_owned(), files(*n))).collect();
-        let measured = [("a".to_owned(), Measured { circles, types })].into();
+        let measured =
+            [("a".to_owned(), Measured { circles, types, ..Measured::default() })].into();
         let found = compare(&Tree::of(&[(TABLE, table)]), &measured).unwrap();
         assert_eq!(found.len(), expected.len(), "{found:?}");
         for (finding, expected) in found.iter().zip(expected) {

@@ -37,7 +37,7 @@ impl<'a> Search<'a> {
         self.visits.insert(file, Visit { index, low: index, on_stack: true });
         self.stack.push(file);
         let mut low = index;
-        for next in graph.get(file).into_iter().flatten() {
+        for next in graph.get(file).into_iter().flat_map(|known| known.keys()) {
             low = low.min(match self.visits.get(next.as_str()) {
                 None => self.visit(graph, next),
                 Some(visit) if visit.on_stack => visit.index,
@@ -75,7 +75,7 @@ mod tests {
     fn check(edges: &[(&str, &str)], expected: &[&str]) {
         let mut graph = Graph::new();
         for (from, to) in edges {
-            graph.entry((*from).to_owned()).or_default().insert((*to).to_owned());
+            graph.entry((*from).to_owned()).or_default().entry((*to).to_owned()).or_default();
         }
         let found: Vec<String> = circles(&graph).iter().map(|circle| circle.join(" ")).collect();
         assert_eq!(found, expected, "{edges:?}");

@@ -23,8 +23,8 @@ use std::fmt::Write;
 /// Largest number of files that may know each other in a circle, and over which the methods of a type may be spread.
 const MOST_FILES: usize = 3;
 
-/// Files by path, each with those that it knows or those that stand for it.
-type Graph = BTreeMap<String, BTreeSet<String>>;
+/// Files by path, each with those that it knows and the names it takes from them.
+type Graph = BTreeMap<String, BTreeMap<String, BTreeSet<String>>>;
 
 /// Findings where the structure of a crate differs from what the table allows.
 ///
@@ -34,7 +34,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
     allowed::compare(tree, &measure(tree)?)
 }
 
-/// Tells every circle and every spread type above the limit, with its files.
+/// Tells every circle and every spread type above the limit, with its files and the arrows between them.
 ///
 /// # Errors
 /// When a source cannot be parsed.
@@ -58,17 +58,29 @@ fn measure(tree: &Tree) -> Result<BTreeMap<String, Measured>> {
 fn measured(modules: &Modules, name: &str) -> Measured {
     let folder = format!("crates/{name}/src/");
     let short = |path: &String| path.trim_start_matches(&folder).to_owned();
-    let circles =
-        circles::circles(&modules.graph()).into_iter().filter(|circle| circle.len() > MOST_FILES);
-    let mut types = BTreeMap::new();
-    for ((_, name), files) in
-        modules.impls().into_iter().filter(|(_, files)| files.len() > MOST_FILES)
-    {
-        let files: Vec<String> = files.iter().map(short).collect();
-        let widest: &mut Vec<String> = types.entry(name).or_default();
-        if files.len() > widest.len() {
-            *widest = files;
+    let graph = modules.graph();
+    let mut measured = Measured::default();
+    for circle in circles::circles(&graph).into_iter().filter(|circle| circle.len() > MOST_FILES) {
+        measured.arrows.extend(arrows(&graph, &circle).map(|arrow| arrow.replace(&folder, "")));
+        measured.circles.push(circle.iter().map(short).collect());
+    }
+    for ((_, name), files) in modules.impls() {
+        let widest: &mut Vec<String> = measured.types.entry(name).or_default();
+        if files.len() > widest.len().max(MOST_FILES) {
+            *widest = files.iter().map(short).collect();
         }
     }
-    Measured { circles: circles.map(|circle| circle.iter().map(short).collect()).collect(), types }
+    measured.types.retain(|_, files| !files.is_empty());
+    measured
+}
+
+/// The arrows between the files of a circle, in words.
+fn arrows<'a>(graph: &'a Graph, circle: &'a [String]) -> impl Iterator<Item = String> + 'a {
+    let known = circle
+        .iter()
+        .flat_map(|from| graph.get(from).into_iter().flatten().map(move |arrow| (from, arrow)));
+    known.filter(|(_, (to, _))| circle.contains(to)).map(|(from, (to, names))| {
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        format!("{from} -> {to}: {}", names.join(" "))
+    })
 }

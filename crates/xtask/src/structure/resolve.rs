@@ -21,8 +21,10 @@ impl Modules {
         let mut graph = Graph::new();
         for (id, module) in self.all.iter().enumerate().filter(|(_, module)| !module.is_facade()) {
             let known = graph.entry(module.file.clone()).or_default();
-            for path in &module.mentions {
-                known.extend(self.targets(id, path).iter().filter_map(|target| self.file(target)));
+            for target in module.mentions.iter().flat_map(|path| self.targets(id, path)) {
+                if let Target::Item(of, name) = target {
+                    known.entry(self.all[of].file.clone()).or_default().insert(name);
+                }
             }
         }
         for (file, known) in &mut graph {
@@ -43,13 +45,6 @@ impl Modules {
             }
         }
         impls
-    }
-
-    fn file(&self, target: &Target) -> Option<String> {
-        match target {
-            Target::Module(_) => None,
-            Target::Item(id, _) => Some(self.all[*id].file.clone()),
-        }
     }
 
     fn targets(&self, from: Id, path: &[String]) -> BTreeSet<Target> {
@@ -150,7 +145,7 @@ mod tests {
         let graph = modules.graph();
         let known = graph.get("crates/a/src/user.rs").cloned().unwrap_or_default();
         let known: Vec<&str> =
-            known.iter().map(|file| file.trim_start_matches("crates/a/src/")).collect();
+            known.keys().map(|file| file.trim_start_matches("crates/a/src/")).collect();
         assert_eq!(known, expected, "{user}");
         assert!(!graph.contains_key("crates/a/src/lib.rs"), "{graph:?}");
         assert!(graph["crates/a/src/room/table.rs"].is_empty(), "{graph:?}");
@@ -177,8 +172,9 @@ mod tests {
     #[test]
     fn impls_are_counted_for_the_type_that_they_are_of() {
         let modules = modules(&[
-            ("lib.rs", "mod x;\nmod y;\npub struct T;\nimpl T {}\n"),
-            ("x.rs", "use super::T;\nimpl<A> T<A> {}\nimpl Clone for T {}\nstruct U;\nimpl U {}\n"),
+            ("lib.rs", "mod x;\nmod y;\nmod z;\npub struct T;\nimpl T {}\n"),
+            ("x.rs", "use super::T;\nimpl<A> T<A> {}\nstruct U;\nimpl U {}\n"),
+            ("z.rs", "impl Clone for super::T {}\n"),
             ("y.rs", "struct T;\nimpl T {}\nimpl crate::T {}\n"),
         ]);
         let impls = modules.impls();
