@@ -81,6 +81,10 @@ impl Modules {
         if let Some(child) = module.children.get(name) {
             found.extend(self.below(*child, rest, pending));
         }
+        // A function may bear the name of a module, but nothing lies in it.
+        if !rest.is_empty() && !found.is_empty() {
+            return found;
+        }
         if module.items.contains(name) {
             found.insert(Target::Item(id, name.clone()));
         }
@@ -130,7 +134,10 @@ mod tests {
     /// Holds the files that `user.rs` knows against those expected, in a crate with this text in the file.
     fn check(user: &str, expected: &[&str]) {
         let modules = modules(&[
-            ("lib.rs", "mod room;\nmod user;\npub use room::{Table, chair as seat};\n"),
+            (
+                "lib.rs",
+                "mod room;\nmod user;\npub use room::{Table, chair as seat, own as user};\n",
+            ),
             (
                 "room/mod.rs",
                 "mod chair;\nmod table;\npub use table::*;\npub use chair::chair;\nfn own() {}\n",
@@ -160,8 +167,10 @@ mod tests {
         check("use crate::room;\nfn f() { vec![room::chair()] }", &["room/chair.rs"]);
         check("use crate::*;\nfn f() -> Table { Table::Round }", &["room/table.rs"]);
         check("fn f() { a::room::own() }", &[]);
+        check("fn g() { crate::user::f() }", &[]);
         check("fn f() { kerf_a::room::own() }", &["room/mod.rs"]);
         check("mod inner { use super::super::room::{self, Table}; fn g() {} }", &["room/table.rs"]);
+        check("use crate::room::chair::Seat;\nfn f() {}", &["room/chair.rs"]);
         check("pub use crate::Table;\nfn f() {}", &[]);
         check("pub use crate::Table;\nfn f() -> Table {}", &["room/table.rs"]);
         check("use crate::Table;", &[]);
