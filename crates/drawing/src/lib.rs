@@ -15,6 +15,7 @@
 //! measured from ZSurface. The operations are those of the Profiler reference (chapters Draw, Edit,
 //! Layout, Clipboard, Path, Sequence), read as `docs/readings.md` says where it contradicts itself.
 
+mod apply;
 mod array;
 mod drawing;
 mod editor;

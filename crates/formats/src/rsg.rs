@@ -6,15 +6,12 @@
 //! its lines and arcs (readings, P-7). Files of the old program, which have no such comments,
 //! are read as drawings.
 
-use crate::dxf::{self, Notes, Options};
+use crate::dxf::{self, MARK, Notes, Options};
 use crate::{Finding, Imported, Weight};
 use kerf_drawing::{Arrays, Drawing, Group, GroupSettings, Kind, Shape};
 use kerf_geom::Vec2;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-
-/// Beginning of a comment of Kerf.
-pub(crate) const MARK: &str = "KERF ";
 
 /// The version that is written. A file of a later one is read as a plain drawing, and that is told.
 const VERSION: u32 = 1;

@@ -3,7 +3,8 @@
 use crate::clock::{Clock, Tick};
 use crate::ease::Easing;
 use crate::moves::Move;
-use crate::plan::{Plan, State};
+use crate::plan::Plan;
+use crate::state::State;
 use kerf_program::{Axes, Dynamics};
 use std::sync::Arc;
 

@@ -2,7 +2,10 @@
 
 use crate::profiler::spline::{Spline, Vec3, unit};
 use kerf_geom::{Arc2, Point2};
+use kerf_motion_optimal::{Leg, Shape};
 use kerf_program::{At, Axes, MoveKind};
+
+pub(crate) use kerf_motion_optimal::Basis;
 
 /// The way from one position to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,46 +31,6 @@ pub enum Path {
         /// Direction at the end.
         end: [f32; 3],
     },
-}
-
-/// Axes along which the reference length of a move is measured. Speeds of two moves can be compared only
-/// when these are the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Basis {
-    /// The path in XY.
-    Xy,
-    /// The path in XYZ.
-    Space,
-    /// One axis.
-    Axis(u8),
-    /// A, B and C together, degrees.
-    Rotary,
-}
-
-impl Basis {
-    /// Returns `true` if an axis counts.
-    pub const fn counts(self, axis: usize) -> bool {
-        match self {
-            Self::Xy => axis < 2,
-            Self::Space => axis < 3,
-            Self::Axis(own) => axis == own as usize + 2,
-            Self::Rotary => axis > 2,
-        }
-    }
-
-    /// The square of what counts.
-    pub fn square(self, all: &[f64]) -> f64 {
-        all.iter().enumerate().filter(|(k, _)| self.counts(*k)).map(|(_, v)| v * v).sum()
-    }
-
-    /// Returns the number of axes of a path in XY or XYZ; 0 where one axis or the rotary ones count.
-    pub const fn axes(self) -> usize {
-        match self {
-            Self::Xy => 2,
-            Self::Space => 3,
-            Self::Axis(_) | Self::Rotary => 0,
-        }
-    }
 }
 
 /// One move, ready for planning. Made by a [`Mover`](crate::Mover); never of zero length.
@@ -216,6 +179,20 @@ impl Move {
     pub(crate) fn continues(&self, before: &Self) -> bool {
         let cuts = self.kind == MoveKind::Cut && before.kind == MoveKind::Cut;
         cuts && self.basis == before.basis
+    }
+
+    /// The move as the search of the `optimal` model sees it.
+    pub(crate) fn leg(&self) -> Leg {
+        let shape = match self.path {
+            Path::Line => Shape::Line,
+            Path::Curve { .. } => Shape::Curve,
+            Path::Arc { centre, sweep_rad, .. } => {
+                let (x, y) = (self.from.0[0] - centre[0], self.from.0[1] - centre[1]);
+                Shape::Arc { radius_mm: (x * x + y * y).sqrt(), sweep_rad }
+            }
+        };
+        let Self { from, to, basis, speed_mm_s, .. } = *self;
+        Leg { from, to, shape, basis, speed_mm_s, top_mm_s: self.top_mm_s() }
     }
 
     /// The arc in XY, if it is one.

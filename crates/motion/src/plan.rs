@@ -3,8 +3,9 @@
 use crate::chain::{Clocked, plain_clock};
 use crate::clock::Clock;
 use crate::moves::Move;
-use crate::optimal::Timed;
 use crate::ramped::Ramped;
+use crate::state::State;
+use kerf_motion_optimal::{Moment, Timed};
 use kerf_program::{Axes, Dynamics, MoveKind};
 use std::sync::Arc;
 
@@ -31,24 +32,6 @@ impl Default for Law {
     fn default() -> Self {
         Self::Ramped(Ramped::default())
     }
-}
-
-/// State of the machine at one time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
-    /// Place of the axes, machine frame.
-    pub position: Axes,
-    /// Speed along the reference length of the move (for cuts of OpenSBP, XY vector speed).
-    pub path_speed_mm_s: f64,
-    /// Speed of each axis, signed, mm/s or degrees/s.
-    pub velocity: Axes,
-    /// Acceleration of each axis, mm/s² or degrees/s². With the ramps of VR the speed jumps where
-    /// the direction does; that is not in it.
-    pub acceleration: Axes,
-    /// The move being made.
-    pub move_index: usize,
-    /// Share of its path that has been made, 0 … 1.
-    pub share: f64,
 }
 
 /// One move in time.
@@ -185,7 +168,7 @@ impl Plan {
         }
         match &self.law {
             Law::Ramped(law) => law.at(t_s, &self.moves),
-            Law::Timed(law) => law.at(t_s, &self.moves),
+            Law::Timed(law) => state_of(&law.at(t_s), &self.moves),
             Law::Clocked(law) => law.at(t_s),
         }
     }
@@ -228,9 +211,25 @@ impl Plan {
         let (t0_s, t1_s) = self.span_s(index);
         let [v_entry, v_peak, v_exit] = match &self.law {
             Law::Ramped(law) => law.speeds(index),
-            Law::Timed(law) => law.speeds(index, made),
+            Law::Timed(law) => speeds_of(law, index, made),
             Law::Clocked(law) => law.speeds(index),
         };
         Span { index, made, t0_s, t1_s, v_entry, v_peak, v_exit }
     }
+}
+
+/// State of the machine at a moment of a smoothed path.
+fn state_of(moment: &Moment, moves: &[Move]) -> State {
+    let Moment { position, velocity, acceleration, move_index, share } = *moment;
+    let made = &moves[move_index.min(moves.len() - 1)];
+    let path_speed_mm_s = made.basis.square(&velocity.0).sqrt();
+    State { position, path_speed_mm_s, velocity, acceleration, move_index, share }
+}
+
+/// Speeds of a move on a smoothed path along its reference length: at its start, the highest, at its end.
+fn speeds_of(law: &Timed, index: usize, made: &Move) -> [f64; 3] {
+    let length = law.length_mm(index);
+    let scale = if length > 0.0 { made.length_mm / length } else { 1.0 };
+    // Along the smoothed path, which is shorter, the tool is no faster than it may be.
+    law.speeds(index).map(|v| (v * scale).min(made.top_mm_s()))
 }

@@ -7,13 +7,14 @@
 //! ```
 
 use crate::moves::Move;
-use crate::optimal::OptimalPlanner;
 use crate::plan::Plan;
-use crate::profiler::ProfilerPlanner;
-use crate::retimed::Retimed;
 use crate::stop::Stop;
-use crate::window::ShopBotPlanner;
-use kerf_program::{RampModel, Settings};
+
+/// A model of motion: decides how fast a stack of moves is run.
+pub trait Model {
+    /// Plans a stack. It starts and ends at rest.
+    fn plan(&self, moves: Vec<Move>) -> Plan;
+}
 
 /// Plans one stack of moves, which starts and ends at rest, while it is read.
 ///
@@ -51,14 +52,4 @@ pub trait Replanner: Planner {
     /// What is left of the stack stays: it comes out as another stack, which goes on there at the
     /// present speed, at time 0. Moves that are pushed later have their own share.
     fn feed(&mut self, piece: Plan, t_s: f64, share: f32) -> Option<(Plan, Stop)>;
-}
-
-/// The planner of the model of motion in force, for a stack that begins under these settings.
-pub fn planner(settings: &Settings) -> Box<dyn Replanner> {
-    let dynamics = settings.axis_dynamics();
-    match settings.model() {
-        RampModel::Shopbot => Box::new(ShopBotPlanner::new(&settings.ramps)),
-        RampModel::Profiler => Box::new(ProfilerPlanner::new(&dynamics, &settings.smoothing)),
-        RampModel::Optimal => Box::new(Retimed::new(OptimalPlanner::new(&dynamics))),
-    }
 }

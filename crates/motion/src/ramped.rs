@@ -1,8 +1,8 @@
 //! The law of motion of ramps: every move along its own path, with a trapezoid of speed.
 
 use crate::moves::Move;
-use crate::plan::State;
 use crate::profile::{Phases, Profile};
+use crate::state::State;
 use kerf_program::Axes;
 
 /// Profiles of a stack of moves.

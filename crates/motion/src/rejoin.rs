@@ -14,11 +14,13 @@ use crate::chain::{Clocked, plain_clock};
 use crate::clock::{Clock, Tick};
 use crate::ease::Easing;
 use crate::moves::Move;
-use crate::optimal::{Node, Running, Way};
-use crate::plan::{Law, Plan, State};
+use crate::optimal::Running;
+use crate::plan::{Law, Plan};
 use crate::retimed::Retimed;
 use crate::splice::{same_course, speed};
+use crate::state::State;
 use crate::stop::Stop;
+use kerf_motion_optimal::{Node, Way};
 use std::sync::Arc;
 
 /// So many moves behind are enough for the same path.

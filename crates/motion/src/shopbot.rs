@@ -17,15 +17,9 @@
 
 use crate::moves::Move;
 use crate::plan::Plan;
-use crate::planner::Planner;
+use crate::planner::{Model, Planner};
 use crate::window::ShopBotPlanner;
 use kerf_program::settings::Ramps;
-
-/// A model of motion: decides how fast a stack of moves is run.
-pub trait Model {
-    /// Plans a stack. It starts and ends at rest.
-    fn plan(&self, moves: Vec<Move>) -> Plan;
-}
 
 /// Linear ramps between ramp speed and move speed, slowed where the direction changes.
 #[derive(Clone, Copy, Debug)]

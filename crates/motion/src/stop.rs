@@ -8,9 +8,10 @@
 use crate::chain::{Clocked, plain_clock};
 use crate::clock::{Clock, Tick};
 use crate::moves::Move;
-use crate::plan::{Law, Plan, State};
+use crate::plan::{Law, Plan};
 use crate::profile::Profile;
 use crate::ramped::Ramped;
+use crate::state::State;
 use kerf_program::Axes;
 
 /// Place and time at which a stop comes to rest.

@@ -2,12 +2,13 @@
 
 use anyhow::{Result, bail};
 use std::process::ExitCode;
-use xtask::{Finding, Tree, conformance, deps, pages, tidy};
+use xtask::{Finding, Tree, conformance, deps, pages, structure, tidy};
 
 const USAGE: &str = "usage: cargo xtask COMMAND
   check              all rules below
   deps               direction of dependencies, purity of the lower crates
   tidy               file sizes, links, examples, the list of dependencies
+  structure          circles of files, types with methods in many files: lists them all
   conformance check  docs/conformance.toml against the ledgers and the tests
   conformance mark   sets the rows whose tests exist to done
   conformance page   writes docs/conformance.md
@@ -36,6 +37,10 @@ fn run(words: &[&str]) -> Result<Vec<Finding>> {
             tell_long_files(&tree);
             tidy::check(&tree)?
         }
+        ["structure"] => {
+            eprint!("{}", structure::listing(&tree)?);
+            structure::check(&tree)?
+        }
         ["conformance", "check"] => conformance::check(&tree)?,
         ["conformance", "mark"] => written(conformance::mark(&tree)?),
         ["conformance", "page"] => written(pages::write(&tree, conformance::PAGE)?),
@@ -53,7 +58,7 @@ fn tell_long_files(tree: &Tree) {
 }
 
 fn check(tree: &Tree) -> Result<Vec<Finding>> {
-    let rules = [deps::check, tidy::check, conformance::check, pages::check];
+    let rules = [deps::check, tidy::check, structure::check, conformance::check, pages::check];
     let findings: Result<Vec<_>> = rules.iter().map(|rule| rule(tree)).collect();
     Ok(findings?.concat())
 }

@@ -1,6 +1,6 @@
 //! The rules of the project, as tests of the checkout itself.
 
-use xtask::{Finding, Tree, conformance, deps, pages, tidy};
+use xtask::{Finding, Tree, conformance, deps, pages, structure, tidy};
 
 fn check(rule: impl Fn(&Tree) -> anyhow::Result<Vec<Finding>>) {
     let findings = Tree::here().and_then(|tree| rule(&tree)).expect("the checkout can be read");
@@ -16,6 +16,11 @@ fn dependencies_point_downwards_and_lower_crates_are_pure() {
 #[test]
 fn the_checkout_is_tidy() {
     check(tidy::check);
+}
+
+#[test]
+fn no_circle_and_no_spread_type_is_new() {
+    check(structure::check);
 }
 
 #[test]

@@ -10,8 +10,6 @@
 
 use super::Unkept;
 use super::gcode_expressions::location;
-use super::gcode_lines::Keeper;
-use super::gcode_motion::Places;
 
 /// The speeds of a straight slope, and of anything whose way in XY is known.
 const SLOPE: &str = "\
@@ -47,54 +45,78 @@ IF &angle < 0.0001 THEN &angle = &angle + 6.283185
 GOTO SPEEDS
 ";
 
-impl Keeper<'_> {
-    /// F.
-    pub(super) fn feed(&mut self, value: &str) {
+/// The values of a block that makes a motion.
+#[derive(Default)]
+pub(super) struct Places {
+    pub(super) axes: [Option<String>; 3],
+    pub(super) centre: [Option<String>; 2],
+}
+
+/// The feed while a part file is written.
+pub(super) struct Feed {
+    /// Some cut moves Z beside X or Y.
+    slopes: bool,
+    /// An F was written.
+    said: bool,
+    /// Speeds of slopes, and those of helices, are worked out somewhere.
+    sloped: bool,
+    helices: bool,
+}
+
+impl Feed {
+    /// Of a program in which nothing was written yet.
+    pub(super) const fn new(slopes: bool) -> Self {
+        Self { slopes, said: false, sloped: false, helices: false }
+    }
+
+    /// The lines of an F.
+    pub(super) fn set(&mut self, value: &str) -> Vec<String> {
         let speed = match value.parse::<f64>() {
             Ok(feed) => kerf_program::decimal(feed / 60.0, 6),
             Err(_) => format!("{value} / 60"),
         };
-        self.feed_said = true;
-        if self.survey.slopes {
-            self.line(&format!("&feed = {speed}"));
-            self.line("VS,&feed,&feed");
+        self.said = true;
+        if self.slopes {
+            vec![format!("&feed = {speed}"), "VS,&feed,&feed".to_owned()]
         } else {
-            self.line(&format!("VS,{speed},{speed}"));
+            vec![format!("VS,{speed},{speed}")]
         }
     }
 
-    /// A cut on which Z moves beside X or Y, with speeds of its own.
+    /// The lines of a cut on which Z moves beside X or Y, with speeds of its own.
     pub(super) fn on_a_slope(
         &mut self,
         line: u32,
         places: &Places,
         turn: Option<&str>,
         cut: &str,
-    ) -> Result<(), Unkept> {
-        if !self.feed_said {
+    ) -> Result<Vec<String>, Unkept> {
+        if !self.said {
             return Err(Unkept::new(line, "a slope before any F"));
         }
+        let mut lines = Vec::new();
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             let to = places.axes[axis].clone().unwrap_or_else(|| location(axis));
-            self.line(&format!("&to_{name} = {to}"));
+            lines.push(format!("&to_{name} = {to}"));
         }
         if let Some(turn) = turn {
             for (axis, name) in ["i", "j"].into_iter().enumerate() {
-                let to = places.centre[axis].as_deref().unwrap_or("0").to_owned();
-                self.line(&format!("&to_{name} = {to}"));
+                lines.push(format!(
+                    "&to_{name} = {}",
+                    places.centre[axis].as_deref().unwrap_or("0")
+                ));
             }
-            self.line(&format!("&turn = {turn}"));
+            lines.push(format!("&turn = {turn}"));
             self.helices = true;
         }
         self.sloped = true;
-        self.line(if turn.is_some() { "GOSUB HELIX" } else { "GOSUB SLOPE" });
-        self.line(cut);
-        self.line("VS,&feed,&feed");
-        Ok(())
+        let works_out = if turn.is_some() { "GOSUB HELIX" } else { "GOSUB SLOPE" };
+        lines.extend([works_out, cut, "VS,&feed,&feed"].map(str::to_owned));
+        Ok(lines)
     }
 
     /// The subroutines that the written lines call.
-    pub(super) const fn feed_subroutines(&self) -> [&'static str; 2] {
+    pub(super) const fn subroutines(&self) -> [&'static str; 2] {
         [if self.helices { HELIX } else { "" }, if self.sloped { SLOPE } else { "" }]
     }
 }

@@ -3,9 +3,9 @@
 use super::Unkept;
 use super::gcode_expressions::Words;
 use super::gcode_lines::Keeper;
-use super::gcode_survey::{changes, end_of_sub};
+use super::gcode_survey::{changes, end_of_sub, name_of};
 use kerf_gcode::Expr;
-use kerf_gcode::tree::{Flow, Keyword, Label};
+use kerf_gcode::tree::{Flow, Keyword};
 
 impl Keeper<'_> {
     /// Writes an O-word.
@@ -182,15 +182,6 @@ impl Keeper<'_> {
 
     pub(super) fn words(&self, line: u32) -> Words<'_> {
         Words { program: self.program, line, sub: self.sub.as_deref() }
-    }
-}
-
-pub(super) fn name_of(label: &Label) -> String {
-    match label {
-        Label::Number(n) => n.to_string(),
-        Label::Name(name) => {
-            name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
-        }
     }
 }
 

@@ -8,6 +8,7 @@
 
 use super::Unkept;
 use super::gcode_expressions::{asks_location, each};
+use super::gcode_feed::Feed;
 use super::gcode_modes::{Known, Ways};
 use super::gcode_survey::Survey;
 use crate::Conversion;
@@ -18,9 +19,11 @@ use std::collections::BTreeSet;
 
 /// Writes a G-code program with its variables.
 pub(super) fn to_sbp(program: &Program, how: &Conversion) -> Result<String, Unkept> {
+    let survey = Survey::of(program)?;
     let mut keeper = Keeper {
         program,
-        survey: Survey::of(program)?,
+        feed: Feed::new(survey.slopes),
+        survey,
         unit: how.settings.linear_unit,
         coolant: how.coolant_outputs,
         text: String::new(),
@@ -30,9 +33,6 @@ pub(super) fn to_sbp(program: &Program, how: &Conversion) -> Result<String, Unke
         labels: BTreeSet::new(),
         ways: Ways::new(),
         raised: false,
-        feed_said: false,
-        sloped: false,
-        helices: false,
         over: false,
     };
     for line in 1..=program.line_count() {
@@ -62,11 +62,7 @@ pub(super) struct Keeper<'a> {
     pub(super) ways: Ways,
     /// Behind a change of tools: the tool may stand above the height that it had.
     pub(super) raised: bool,
-    /// An F was written.
-    pub(super) feed_said: bool,
-    /// Speeds of slopes, and those of helices, are worked out somewhere.
-    pub(super) sloped: bool,
-    pub(super) helices: bool,
+    pub(super) feed: Feed,
     /// M2 stood outside of any condition.
     over: bool,
 }
@@ -77,6 +73,10 @@ impl Keeper<'_> {
         let out = if subroutine { &mut self.subs } else { &mut self.text };
         out.push_str(text);
         out.push('\n');
+    }
+
+    pub(super) fn lines(&mut self, lines: &[String]) {
+        lines.iter().for_each(|text| self.line(text));
     }
 
     fn whole(self, how: &Conversion) -> String {
@@ -96,7 +96,7 @@ impl Keeper<'_> {
                 _ => format!("IF &p{n} = \"\" THEN &p{n} = 0\n"),
             })
             .collect();
-        let feed = self.feed_subroutines().concat();
+        let feed = self.feed.subroutines().concat();
         let subs = self.subs;
         format!("{title}{guard}{unset}{}END\n{subs}{feed}UNIT_ERROR:\nC#,91\nEND\n", self.text)
     }
@@ -259,7 +259,10 @@ impl Keeper<'_> {
     fn settings_before(&mut self, line: u32, words: &[(u8, String)]) -> Result<(), Unkept> {
         for (letter, value) in words {
             match letter {
-                b'F' => self.feed(value),
+                b'F' => {
+                    let lines = self.feed.set(value);
+                    self.lines(&lines);
+                }
                 b'S' => self.line(&format!("TR,{value}")),
                 b'T' => self.ways.modes().tool = Known::Is(Some(value.clone())),
                 b'A' | b'B' | b'C' | b'U' | b'V' | b'W' => {

@@ -2,15 +2,9 @@
 
 use super::Unkept;
 use super::gcode_expressions::location;
+use super::gcode_feed::Places;
 use super::gcode_lines::Keeper;
 use super::gcode_modes::Known;
-
-/// The values of a block that makes a motion.
-#[derive(Default)]
-pub(super) struct Places {
-    pub(super) axes: [Option<String>; 3],
-    pub(super) centre: [Option<String>; 2],
-}
 
 impl Keeper<'_> {
     /// The owner's file changes the tool; it may leave it higher than it was.
@@ -87,7 +81,9 @@ impl Keeper<'_> {
             self.line(&text);
             return Ok(());
         }
-        self.on_a_slope(line, places, None, &text)
+        let lines = self.feed.on_a_slope(line, places, None, &text)?;
+        self.lines(&lines);
+        Ok(())
     }
 
     fn arc(&mut self, line: u32, clockwise: bool, places: &Places) -> Result<(), Unkept> {
@@ -102,7 +98,9 @@ impl Keeper<'_> {
             return Ok(());
         };
         let helix = format!("{flat},{z} - {},1,,,3,1", location(2));
-        self.on_a_slope(line, places, Some(turn), &helix)
+        let lines = self.feed.on_a_slope(line, places, Some(turn), &helix)?;
+        self.lines(&lines);
+        Ok(())
     }
 }
 

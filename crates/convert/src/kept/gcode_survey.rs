@@ -2,9 +2,8 @@
 
 use super::Unkept;
 use super::gcode_expressions::{each, number_of};
-use super::gcode_flow::name_of;
 use super::gcode_modes::Changes;
-use kerf_gcode::tree::{Extra, Flow, Keyword, Node, Target, Value, Word};
+use kerf_gcode::tree::{Extra, Flow, Keyword, Label, Node, Target, Value, Word};
 use kerf_gcode::{Expr, Program};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -206,4 +205,14 @@ fn slopes(program: &Program) -> bool {
 /// Returns `true` if a block names G0.
 fn jogs(words: &[Word]) -> bool {
     words.iter().any(|word| word.letter == b'G' && word.value == Value::Number(0.0))
+}
+
+/// The name of a label, as a part file can have it.
+pub(super) fn name_of(label: &Label) -> String {
+    match label {
+        Label::Number(n) => n.to_string(),
+        Label::Name(name) => {
+            name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect()
+        }
+    }
 }

@@ -7,7 +7,7 @@
 use super::clear_group::{outlines_put_away, prepared_group};
 use super::region::regions;
 use super::words::{WordError, Words, number};
-use super::{OpError, Operation, Outcome};
+use super::{OpError, Outcome};
 use crate::{Editor, Group, Height, Shape};
 use kerf_geom::{GeomError, Offsetter, Polyarc};
 use kerf_pocket::{Cleared, Cutter, PocketError, Way, Zigzag};
@@ -46,7 +46,7 @@ pub enum Pattern {
 }
 
 /// The words of engraving after its name.
-pub(super) fn read_engrave(w: &mut Words) -> Result<Operation, WordError> {
+pub(super) fn read_engrave(w: &mut Words) -> Result<Clearing, WordError> {
     let mut clearing = Clearing { all: w.takes("all"), ..Clearing::default() };
     while w.peek().is_some() {
         if w.takes("cut-outlines") {
@@ -56,11 +56,11 @@ pub(super) fn read_engrave(w: &mut Words) -> Result<Operation, WordError> {
         }
     }
     complete(&clearing)?;
-    Ok(Operation::Engrave(clearing))
+    Ok(clearing)
 }
 
 /// The words of a pocket after its name.
-pub(super) fn read_pocket(w: &mut Words) -> Result<Operation, WordError> {
+pub(super) fn read_pocket(w: &mut Words) -> Result<(Clearing, Pattern), WordError> {
     let mut clearing = Clearing { all: w.takes("all"), ..Clearing::default() };
     let mut pocket = PocketWords::default();
     while w.peek().is_some() {
@@ -77,7 +77,7 @@ pub(super) fn read_pocket(w: &mut Words) -> Result<Operation, WordError> {
         }
     }
     complete(&clearing)?;
-    Ok(Operation::Pocket { clearing, pattern: pocket.pattern()? })
+    Ok((clearing, pocket.pattern()?))
 }
 
 /// Words about a pocket's pattern.

@@ -3,7 +3,7 @@
 //! The help of `kerf draw`, the reference page and the reader of clauses are made from this table.
 
 use super::clear;
-use super::words::{WordError, Words, number, pair};
+use super::words::{WordError, Words, number, numbers, pair};
 use super::{Change, How, Operation};
 use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order};
 use kerf_geom::{Point2, Vec2, Vertex};
@@ -221,7 +221,7 @@ pub const ENTRIES: &[Entry] = &[
         "adds paths that clear the areas of the selected or all shapes with a tool of that diameter, \
          holes left out, so far below ZSurface; the paths go to a group that cuts them as they are, the outlines to \
          one that is off, unless they are to be cut too",
-        clear::read_engrave,
+        |w| Ok(Operation::Engrave(clear::read_engrave(w)?)),
     ),
     entry(
         "pocket",
@@ -230,7 +230,7 @@ pub const ENTRIES: &[Entry] = &[
          [finish=MM]",
         "as engrave, the other way round with climb, from the middle to the wall with outward; with zigzag \
          in lines at an angle, and then along the walls, where they leave so much to finish",
-        clear::read_pocket,
+        pocket,
     ),
     entry(
         "sequence",
@@ -239,14 +239,14 @@ pub const ENTRIES: &[Entry] = &[
          [lift=S] [tool-change=S] [tries=N]",
         "changes the order in which shapes are cut; travel seeks the least time between the cuts, and with \
          starts also where closed shapes begin",
-        super::sequence::read,
+        |w| Ok(Operation::Sequence { order: super::sequence::read(w)? }),
     ),
     entry(
         "pick",
         "pick SHAPES | pick groups COLOURS | pick remove SHAPES | pick none",
         "begins a new order, shape by shape or group by group, or goes on with it; removing a shape of a \
          picked group takes the group back; `sequence picked` puts what was picked first",
-        super::picks::read,
+        |w| Ok(Operation::Pick { picking: super::picks::read(w)? }),
     ),
     entry(
         "array",
@@ -400,21 +400,9 @@ pub(super) fn group(w: &mut Words) -> Result<Group, WordError> {
     w.read("the group", "a group: black blue green cyan red magenta brown white", Group::named)
 }
 
-/// `3,5-9`.
-pub(super) fn numbers(w: &mut Words) -> Result<Vec<usize>, WordError> {
-    w.read("the list of shapes", "a list of shapes such as 1,3-5", |word| {
-        let ranges = word.split(',').map(range).collect::<Option<Vec<_>>>()?;
-        Some(ranges.into_iter().flatten().collect())
-    })
-}
-
-/// The most shapes that a list of numbers may name.
-const MOST_SHAPES: usize = 10_000_000;
-
-fn range(word: &str) -> Option<std::ops::RangeInclusive<usize>> {
-    let (from, to) = word.split_once('-').unwrap_or((word, word));
-    let (from, to) = (from.parse().ok()?, to.parse().ok()?);
-    (from > 0 && from <= to && to <= MOST_SHAPES).then_some(from..=to)
+fn pocket(w: &mut Words) -> Read {
+    let (clearing, pattern) = clear::read_pocket(w)?;
+    Ok(Operation::Pocket { clearing, pattern })
 }
 
 fn rectangle(w: &mut Words) -> Read {

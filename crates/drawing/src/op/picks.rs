@@ -1,50 +1,12 @@
 //! A new order that is being picked, shape by shape or group by group (Profiler reference, "Full
 //! Manual Sequencing", "Group Manual Sequencing").
 
-use super::entries::numbers;
 use super::sequence::{groups, without_shapes};
-use super::words::{WordError, Words};
-use super::{OpError, Operation};
-use crate::{Drawing, Editor, Group};
+use super::words::{WordError, Words, numbers};
+use super::{OpError, Picks};
+use crate::{Editor, Group};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
-
-/// Shapes or groups that have been picked so far, in order. They last until the drawing changes.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Picks {
-    /// Shapes, as places in the drawing.
-    Shapes(Vec<usize>),
-    /// Groups.
-    Groups(Vec<Group>),
-}
-
-impl Default for Picks {
-    fn default() -> Self {
-        Self::Shapes(Vec::new())
-    }
-}
-
-impl Picks {
-    /// Tells whether nothing is picked.
-    pub const fn is_empty(&self) -> bool {
-        match self {
-            Self::Shapes(places) => places.is_empty(),
-            Self::Groups(groups) => groups.is_empty(),
-        }
-    }
-
-    /// The shapes picked, as places in the drawing, in the new order.
-    pub fn shapes(&self, drawing: &Drawing) -> Vec<usize> {
-        let of_group = |group: &Group| {
-            let group = *group;
-            (0..drawing.shapes.len()).filter(move |n| drawing.shapes[*n].group == group)
-        };
-        match self {
-            Self::Shapes(places) => places.clone(),
-            Self::Groups(groups) => groups.iter().flat_map(of_group).collect(),
-        }
-    }
-}
 
 /// A step of picking.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -121,14 +83,13 @@ fn places(draft: &Editor, numbers: &[usize]) -> Result<Vec<usize>, OpError> {
 }
 
 /// The words of `pick`.
-pub(super) fn read(w: &mut Words) -> Result<Operation, WordError> {
-    let picking = match () {
+pub(super) fn read(w: &mut Words) -> Result<Picking, WordError> {
+    Ok(match () {
         () if w.takes("none") => Picking::None,
         () if w.takes("groups") => Picking::Groups(groups(w)?),
         () if w.takes("remove") => Picking::Remove(numbers(w)?),
         () => Picking::Shapes(numbers(w)?),
-    };
-    Ok(Operation::Pick { picking })
+    })
 }
 
 #[cfg(test)]

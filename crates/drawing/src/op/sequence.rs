@@ -1,8 +1,7 @@
 //! The order in which shapes are cut (Profiler reference, "Sequencing").
 
-use super::entries::numbers;
-use super::words::{WordError, Words, number};
-use super::{OpError, Operation, Outcome, path};
+use super::words::{WordError, Words, number, numbers};
+use super::{OpError, Outcome, path};
 use crate::travel::{self, Search, travelled};
 use crate::{Drawing, Editor, Group, Nesting, Picks, Shape};
 use kerf_geom::Point2;
@@ -194,8 +193,8 @@ fn outer_before_inner(drawing: &Drawing) -> Vec<String> {
 }
 
 /// The words of `sequence`.
-pub(super) fn read(w: &mut Words) -> Result<Operation, WordError> {
-    let order = match () {
+pub(super) fn read(w: &mut Words) -> Result<Sequencing, WordError> {
+    Ok(match () {
         () if w.takes("reverse") => Sequencing::Reverse,
         () if w.takes("auto") => Sequencing::Auto(w.point("the place to begin near")?),
         () if w.takes("level") => Sequencing::Level(numbers(w)?),
@@ -203,8 +202,7 @@ pub(super) fn read(w: &mut Words) -> Result<Operation, WordError> {
         () if w.takes("groups") => by_groups(w)?,
         () if w.takes("picked") => Sequencing::Picked,
         () => Sequencing::Full(numbers(w)?),
-    };
-    Ok(Operation::Sequence { order })
+    })
 }
 
 /// `red,black`, or `of 4,1`.

@@ -126,6 +126,23 @@ pub(super) fn number(word: &str) -> Option<f64> {
     word.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
+/// `3,5-9`.
+pub(super) fn numbers(w: &mut Words) -> Result<Vec<usize>, WordError> {
+    w.read("the list of shapes", "a list of shapes such as 1,3-5", |word| {
+        let ranges = word.split(',').map(range).collect::<Option<Vec<_>>>()?;
+        Some(ranges.into_iter().flatten().collect())
+    })
+}
+
+/// The most shapes that a list of numbers may name.
+const MOST_SHAPES: usize = 10_000_000;
+
+fn range(word: &str) -> Option<std::ops::RangeInclusive<usize>> {
+    let (from, to) = word.split_once('-').unwrap_or((word, word));
+    let (from, to) = (from.parse().ok()?, to.parse().ok()?);
+    (from > 0 && from <= to && to <= MOST_SHAPES).then_some(from..=to)
+}
+
 /// Two finite numbers with a comma between.
 pub(super) fn pair(word: &str) -> Option<(f64, f64)> {
     let (x, y) = word.split_once(',')?;

@@ -1,12 +1,12 @@
 //! ELLIPSE and SPLINE, and chords of arcs.
 
 use super::file::Entity;
-use super::import::{Import, Place};
+use super::importing::{Import, Place};
 use super::map::Vec3;
 use super::through::through;
 use kerf_drawing::Shape;
 use kerf_geom::fit::{Ellipse, Nurbs};
-use kerf_geom::{Point2, Polyarc, Segment, Vec2};
+use kerf_geom::{Point2, Polyarc, Vec2};
 use std::f64::consts::TAU;
 
 pub(super) fn ellipse<'f, 'a>(
@@ -180,23 +180,4 @@ fn set(point: Option<&mut Vec3>, code: u16, value: f64) {
     if let Some(point) = point {
         *(if code < 30 { &mut point.y } else { &mut point.z }) = value;
     }
-}
-
-/// Places along a path such that the chords between them stay within the tolerance.
-pub(super) fn chords(path: &Polyarc, tolerance: f64) -> Vec<Point2> {
-    let mut places: Vec<Point2> = path.start().into_iter().collect();
-    for segment in path.segments() {
-        let count = match segment {
-            Segment::Line { .. } => 1,
-            Segment::Arc { radius, sweep_rad, .. } => {
-                let step = 2.0 * (1.0 - (tolerance / radius).min(1.0)).acos();
-                (sweep_rad.abs() / step).ceil().clamp(1.0, 10_000.0) as u32
-            }
-        };
-        places.extend((1..=count).map(|n| segment.at(f64::from(n) / f64::from(count))));
-    }
-    if path.closed {
-        places.pop();
-    }
-    places
 }

@@ -1,7 +1,7 @@
 //! INSERT: the entities of a block, placed again.
 
 use super::file::{Entity, entities};
-use super::import::{Import, OpenBlock, Place};
+use super::importing::{Import, OpenBlock, Place};
 use super::map::{Map3, Vec3};
 
 /// Blocks within blocks, at the most.

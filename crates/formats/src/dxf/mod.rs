@@ -8,9 +8,11 @@
 //! else is counted and told. Source: the DXF references of the releases, and real files.
 
 mod binary;
+mod chords;
 mod curves;
 mod file;
 mod import;
+mod importing;
 mod insert;
 mod map;
 mod polyline;
@@ -21,8 +23,9 @@ mod units;
 mod unseen;
 mod write;
 
-pub use import::{Options, read, read_until};
+pub use import::{read, read_until};
+pub use importing::Options;
 pub use write::write;
 
 pub(crate) use import::read_with_notes;
-pub(crate) use write::{Notes, write_with};
+pub(crate) use write::{MARK, Notes, write_with};

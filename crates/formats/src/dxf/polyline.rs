@@ -1,7 +1,7 @@
 //! POLYLINE with its VERTEX entities, and LWPOLYLINE.
 
 use super::file::Entity;
-use super::import::{Import, Place};
+use super::importing::{Import, Place};
 use super::map::Vec3;
 use super::skipped;
 use kerf_geom::{Polyarc, Vertex};

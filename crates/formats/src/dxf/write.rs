@@ -3,6 +3,9 @@
 use kerf_drawing::{Drawing, Group, Kind, Shape};
 use std::fmt::{Display, Write};
 
+/// Beginning of a comment of Kerf.
+pub(crate) const MARK: &str = "KERF ";
+
 /// Contents of a file besides lines and arcs.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Notes {

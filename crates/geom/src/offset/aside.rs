@@ -1,7 +1,7 @@
 //! Each segment of a result lies at its distance from what it says it is parallel to, on its side.
 
-use super::Origin;
-use super::validate::{Checked, Wanted, unproved};
+use super::path::Origin;
+use super::wanted::{Checked, Wanted, unproved};
 use crate::segment::square;
 use crate::{Point2, Segment, Vec2};
 

@@ -146,7 +146,7 @@ fn behind(ends: Option<[Vec2; 2]>, centre: Point2, edge: f64, other: &Segment) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::offset::chains::Chord;
+    use crate::offset::chord::Chord;
 
     /// Segments and places that are dismissed without measuring are never nearer than the limit.
     #[test]

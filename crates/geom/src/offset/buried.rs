@@ -3,7 +3,7 @@
 //! Where a contour is dense and the distance large, most of the raw offset is of this kind, and it crosses itself
 //! all over.
 
-use super::raw::Piece;
+use super::elements::Piece;
 use super::scratch::Buffer;
 use super::slices::TOO_NEAR_MM;
 use super::source::Source;

@@ -5,9 +5,10 @@
 
 use super::beyond::Beyond;
 use super::chains::Chains;
+use super::elements::Range2;
 use super::scratch::Buffer;
-use super::source::{Range2, Source};
-use crate::segment::square;
+use super::source::Source;
+use crate::segment::{comes_nearer, square};
 use crate::{Bounds2, Point2, Segment};
 use std::cell::OnceCell;
 
@@ -106,7 +107,7 @@ impl Near<'_, '_> {
         let near = |k: usize| {
             boxes[k].meets(&area)
                 && !beyond.has(&segments[k], ways[k].leaves)
-                && segment.comes_nearer(&segments[k], self.limit)
+                && comes_nearer(segment, &segments[k], self.limit)
         };
         let run_near = |&(from, to): &Range2| (from..to).any(near);
         self.runs.iter().any(run_near).then(|| segment.middle())

@@ -1,8 +1,9 @@
 //! No part of a parallel curve that has room is missing from a result.
 
+use super::path::OffsetPath;
+use super::raw;
 use super::scratch::Buffer;
-use super::validate::{Checked, Wanted, unproved};
-use super::{OffsetPath, raw};
+use super::wanted::{Checked, Wanted, unproved};
 use crate::segment::square;
 use crate::{BoxTree, Point2, Segment, Vec2};
 use std::cell::OnceCell;

@@ -1,12 +1,9 @@
 //! Crossings of the raw offset with itself.
 
-use super::raw::Piece;
+use super::elements::{Cut, Piece};
 use super::scratch::{Buffer, Scratch};
 use crate::segment::square;
 use crate::{BoxTree, Point2, Segment, Vec2, tol};
-
-/// Number of a piece, and the share of it at which the raw offset is cut.
-pub(super) type Cut = (usize, f64);
 
 /// All cuts, by piece and share.
 pub(super) type Cuts<'a> = Buffer<'a, Cut>;

@@ -22,10 +22,13 @@ mod aside;
 mod beyond;
 mod buried;
 mod chains;
+mod chord;
 mod chords;
 mod clearance;
 mod complete;
 mod cuts;
+mod elements;
+mod path;
 mod prepared;
 mod raw;
 mod rings;
@@ -33,59 +36,15 @@ mod scratch;
 mod slices;
 mod source;
 mod validate;
+mod wanted;
 
-pub use validate::CHECK_MM;
+pub use path::{CHECK_MM, Coarse, OffsetPath, Origin, Proposer};
 
 pub(crate) use raw::parallel;
 
 use crate::{GeomError, Polyarc, tol};
 use prepared::Prepared;
 use scratch::Scratch;
-use std::fmt;
-
-/// Element of the source to which a segment of an offset is parallel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Origin {
-    /// Number of the contour.
-    pub contour: usize,
-    /// Number of the segment, or of the vertex when it is a corner.
-    pub element: usize,
-    /// An arc about a vertex instead of a parallel of a segment.
-    pub corner: bool,
-}
-
-/// An offset curve and where each of its segments comes from.
-#[derive(Clone, Debug, PartialEq)]
-pub struct OffsetPath {
-    /// The curve.
-    pub path: Polyarc,
-    /// For each segment of the path what it is parallel to.
-    pub origins: Vec<Origin>,
-    /// Tolerance of the path's distance from its source: [`CHECK_MM`], unless it had to be made of chords; then a
-    /// person should be told.
-    pub within_mm: f64,
-}
-
-/// An offset that could not be made exactly; its message tells a person.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coarse {
-    /// Greatest error, mm.
-    pub within_mm: f64,
-}
-
-impl Coarse {
-    /// Sums up some paths; nothing when all are as exact as usual.
-    pub fn of(paths: &[OffsetPath]) -> Option<Self> {
-        let within_mm = paths.iter().map(|path| path.within_mm).fold(0.0, f64::max);
-        (within_mm > CHECK_MM).then_some(Self { within_mm })
-    }
-}
-
-impl fmt::Display for Coarse {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "its offset could not be made exactly: it may be off by {} mm", self.within_mm)
-    }
-}
 
 /// The offset of one polyarc: rings for a closed one, pieces for an open one. Nothing remains when the
 /// distance is larger than the shape allows; that is no error.
@@ -116,10 +75,6 @@ pub fn offset(source: &Polyarc, distance: f64) -> Result<Vec<OffsetPath>, GeomEr
 pub fn offset_region(contours: &[Polyarc], distance: f64) -> Result<Vec<OffsetPath>, GeomError> {
     Offsetter::default().region(contours, distance)
 }
-
-/// Function that proposes an offset of contours by a distance, or nothing. The contours lie about the origin, have no
-/// segment without length and no arc of more than half a circle.
-pub type Proposer<'a> = dyn Fn(&[Polyarc], f64) -> Option<Vec<OffsetPath>> + 'a;
 
 /// Makes offsets: the first engine proposes, the check decides, and what it refuses the second engine makes.
 /// One that is kept makes those of many shapes in the same buffers, which takes half of the time for small ones.
@@ -211,7 +166,7 @@ pub fn parallel_path(source: &Polyarc, distance: f64) -> Result<Polyarc, GeomErr
     }
     let mut pieces = Vec::new();
     let segments: Vec<_> = source.segments().collect();
-    let ways: Vec<_> = segments.iter().map(source::Ways::of).collect();
+    let ways: Vec<_> = segments.iter().map(elements::Ways::of).collect();
     raw::append(&Scratch::default(), 0, (&segments, &ways, source.closed), distance, &mut pieces);
     let joints = if source.closed { pieces.len() } else { pieces.len().saturating_sub(1) };
     let broken = pieces[..joints].iter().find(|piece| piece.next.is_none());

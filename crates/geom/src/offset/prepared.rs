@@ -1,8 +1,9 @@
 //! From contours as they come to an offset that passed its check, by one engine or the other.
 
+use super::path::{CHECK_MM, OffsetPath, Proposer};
 use super::scratch::{Buffer, Scratch};
 use super::source::Source;
-use super::{CHECK_MM, OffsetPath, Proposer, buried, chords, raw, rings, slices, validate};
+use super::{buried, chords, raw, rings, slices, validate};
 use crate::{Bounds2, BoxTree, GeomError, Point2, Polyarc, Transform2};
 
 /// The contours moved to the origin, without empty segments and long arcs.

@@ -6,24 +6,12 @@
 //!      │   │ source                                    one that closes is cut later
 //! ```
 
-use super::Origin;
+use super::elements::{Piece, Trim, Ways};
+use super::path::Origin;
 use super::scratch::{Buffer, Scratch};
-use super::source::Ways;
 use crate::segment::square;
 use crate::{Point2, Polyarc, Segment, Vec2, tol};
 use std::f64::consts::PI;
-
-/// A parallel line or arc, or the arc about a corner.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
-    pub segment: Segment,
-    pub origin: Origin,
-    /// The piece that starts where this one ends.
-    pub next: Option<usize>,
-}
-
-/// Shares on two neighbours where they are cut back.
-pub(super) type Trim = Option<[f64; 2]>;
 
 /// Angles whose arc about a corner would be shorter than this are no corners.
 const NO_CORNER_MM: f64 = tol::CONTACT_MM;

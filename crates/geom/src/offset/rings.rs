@@ -1,10 +1,11 @@
 //! Slices joined into rings, with their starts put where the source starts.
 
-use super::raw::{self, Piece};
+use super::elements::{Part, Piece, Slice, Stretch};
+use super::path::{CHECK_MM, OffsetPath};
+use super::raw;
 use super::scratch::{Buffer, Scratch};
-use super::slices::{Slice, Slices, Stretch};
+use super::slices::Slices;
 use super::source::Source;
-use super::{CHECK_MM, OffsetPath, Origin};
 use crate::segment::square;
 use crate::stitch::{Strand, Turn, stitch};
 use crate::{Point2, Polyarc, Segment, Vec2, Vertex, tol};
@@ -15,9 +16,6 @@ const LOOK_AHEAD: f64 = 1e-3;
 
 /// A ring is nothing when it encloses less than a strip of this width along its length.
 const THIN_MM: f64 = tol::SAME_PLACE_MM;
-
-/// One piece of a ring.
-pub(super) type Part = (Segment, Origin);
 
 pub(super) fn rings(
     source: &Source,

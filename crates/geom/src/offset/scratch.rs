@@ -4,12 +4,8 @@
 //! it: a sheet has a thousand small shapes, and the lists of a long contour are handed back page by page.
 //! So lists that are done with wait in a [`Scratch`], by type, until the next step or the next shape needs one.
 
-use super::chains::{Block, Chord};
-use super::cuts::Cut;
-use super::raw::{Piece, Trim};
-use super::rings::Part;
-use super::slices::{Slice, Stretch};
-use super::source::{Range2, Ways};
+use super::chord::{Block, Chord};
+use super::elements::{Cut, Part, Piece, Range2, Slice, Stretch, Trim, Ways};
 use crate::stitch::Strand;
 use crate::{Bounds2, Point2, Segment, Vertex};
 use std::cell::RefCell;

@@ -4,8 +4,8 @@
 //! to come nearer to another segment it has to cross the parallel curve of that segment. So one place
 //! of each slice decides about all of it.
 
-use super::cuts::{Cut, cuts};
-use super::raw::Piece;
+use super::cuts::cuts;
+use super::elements::{Cut, Piece, Slice, Stretch};
 use super::scratch::{Buffer, Scratch};
 use super::source::Source;
 use crate::{Bounds2, BoxTree, Point2, Segment, tol};
@@ -14,20 +14,6 @@ use crate::{Bounds2, BoxTree, Point2, Segment, tol};
 pub(super) const TOO_NEAR_MM: f64 = 1e-8;
 /// A slice nearer by less than this is certainly right; in between it is kept if its neighbours need it.
 const SURE_MM: f64 = 1e-10;
-
-/// A piece's number and the shares between which it belongs to something.
-pub(super) type Stretch = (usize, f64, f64);
-
-/// A stretch of consecutive pieces without crossings inside.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Slice {
-    /// Its stretches are these of the list of all.
-    from: usize,
-    to: usize,
-    pub sure: bool,
-    /// It was cut nowhere and comes back to where it begins.
-    pub ring: bool,
-}
 
 /// Slices, and the stretches of all of them.
 pub(super) struct Slices<'a> {
@@ -181,7 +167,7 @@ fn chain<'c>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::offset::Origin;
+    use crate::offset::path::Origin;
 
     /// Pieces of two lines there and back that are not cut: as many slices as there are chains.
     fn check(next: [Option<usize>; 4], slices: usize, rings: usize) {

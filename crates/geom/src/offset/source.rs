@@ -1,8 +1,9 @@
 //! The contours that are offset, and how far places are from them.
 
+use super::elements::{Range2, Ways};
 use super::scratch::{Buffer, Scratch};
 use crate::segment::square;
-use crate::{Bounds2, Indexed, Point2, Polyarc, Segment, Vec2};
+use crate::{Bounds2, Indexed, Point2, Polyarc, Segment};
 use std::cell::Cell;
 
 /// All segments of all contours with an index.
@@ -17,32 +18,6 @@ pub(super) struct Source<'a> {
     /// Number of times the contours wind round what lies to the left of one of them: the one that was asked last, as
     /// questions come in the order of contours.
     left_of: Cell<Option<(usize, Option<i32>)>>,
-}
-
-/// Unit directions of travel at the ends of a segment.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Ways {
-    pub leaves: Vec2,
-    pub arrives: Vec2,
-}
-
-/// From a number to before another.
-pub(super) type Range2 = (usize, usize);
-
-impl Ways {
-    pub fn of(segment: &Segment) -> Self {
-        match *segment {
-            Segment::Line { .. } => {
-                let way = segment.direction(0.0);
-                Self { leaves: way, arrives: way }
-            }
-            Segment::Arc { start, end, centre, radius, sweep_rad } => {
-                let turned = sweep_rad.signum() / radius;
-                let way = |at: Point2| (at - centre).left() * turned;
-                Self { leaves: way(start), arrives: way(end) }
-            }
-        }
-    }
 }
 
 impl Drop for Source<'_> {

@@ -8,40 +8,16 @@
 //! - *Complete*: the parallel of each source segment and the arc of each corner is walked; where it has
 //!   room on its far side it must belong to the result ([`super::complete`]).
 
-use super::OffsetPath;
 use super::aside::follows_origin;
 use super::clearance::too_near;
 use super::complete::{Coverage, complete};
+use super::path::OffsetPath;
 use super::scratch::Buffer;
 use super::source::Source;
-use crate::{GeomError, Point2, Polyarc, Segment};
+use super::wanted::{Checked, Wanted, unproved};
+use crate::{Polyarc, Segment};
 
-/// Tolerance of a result's distance from its source. A hundredth of the 1e-4 mm that is promised, a thousand times
-/// what rounding accounts for.
-pub const CHECK_MM: f64 = 1e-6;
-
-/// A place is wrongly missing only if there is so many times the tolerance of room beyond it. A slot exactly
-/// as wide as the tool has no room: its offset may come or go.
-const ROOM: f64 = 10.0;
-
-pub(super) type Checked = Result<(), GeomError>;
-
-/// Terms of a check: the source, the distance, the tolerance.
-#[derive(Clone, Copy)]
-pub(super) struct Wanted<'a> {
-    pub source: &'a Source<'a>,
-    pub distance: f64,
-    pub within: f64,
-}
-
-impl Wanted<'_> {
-    /// So much room tells that something is missing.
-    pub fn room(&self) -> f64 {
-        ROOM * self.within
-    }
-}
-
-/// Checks that `found` is the offset of the source within a tolerance, usually [`CHECK_MM`].
+/// Checks that `found` is the offset of the source within a tolerance, usually [`CHECK_MM`](super::CHECK_MM).
 pub(super) fn validate(
     source: &Source,
     distance: f64,
@@ -66,8 +42,4 @@ pub(super) fn validate(
         return unproved("nearer to another part of the source", at);
     }
     complete(&wanted, &Coverage::new(&wanted, found, segments))
-}
-
-pub(super) fn unproved(why: &'static str, at: Point2) -> Checked {
-    Err(GeomError::Unproved { why, at })
 }

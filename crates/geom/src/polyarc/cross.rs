@@ -1,6 +1,7 @@
 //! Crossings of polyarcs with each other and with themselves.
 
-use super::{Place, Polyarc};
+use super::Polyarc;
+use super::place::Place;
 use crate::{Bounds2, BoxTree, Segment, tol};
 
 /// A place that two polyarcs, or two parts of one, share.
@@ -14,66 +15,53 @@ pub struct Crossing {
     pub along: bool,
 }
 
-impl Polyarc {
-    /// The boxes of all segments, for finding them by place.
-    pub fn index(&self) -> BoxTree {
-        BoxTree::new(self.segments().map(|s| s.bounds().grown(tol::CONTACT_MM)))
-    }
+/// All places that two polyarcs share, in the order of travel along the first.
+pub(super) fn crossings(first: &Polyarc, second: &Polyarc) -> Vec<Crossing> {
+    let (mine, theirs) = (Listed::new(first), Listed::new(second));
+    let mut found = Vec::new();
+    mine.index.pairs(&theirs.index, |a, b| {
+        add_contacts(&mine.segments, a, &theirs.segments, b, &mut found);
+    });
+    in_order(found, (mine.segments.len(), theirs.segments.len()))
+}
 
-    /// All places shared with another polyarc, in the order of travel along this one. Touching counts.
-    pub fn crossings(&self, other: &Self) -> Vec<Crossing> {
-        let (mine, theirs) = (Listed::new(self), Listed::new(other));
-        let mut found = Vec::new();
-        mine.index.pairs(&theirs.index, |a, b| {
-            add_contacts(&mine.segments, a, &theirs.segments, b, &mut found);
-        });
-        in_order(found, (mine.segments.len(), theirs.segments.len()))
-    }
+/// All places where a polyarc crosses or touches itself, in the order of travel.
+pub(super) fn self_crossings(path: &Polyarc) -> Vec<Crossing> {
+    let mine = Listed::new(path);
+    let count = mine.segments.len();
+    let mut found = Vec::new();
+    mine.index.own_pairs(|a, b| {
+        add_contacts(&mine.segments, a, &mine.segments, b, &mut found);
+    });
+    found.retain(|c| !is_joint(path, c, count));
+    in_order(found, (count, count))
+}
 
-    /// All places where the polyarc crosses or touches itself, in the order of travel; the joints of
-    /// neighbouring segments are none.
-    pub fn self_crossings(&self) -> Vec<Crossing> {
-        let mine = Listed::new(self);
-        let count = mine.segments.len();
-        let mut found = Vec::new();
-        mine.index.own_pairs(|a, b| {
-            add_contacts(&mine.segments, a, &mine.segments, b, &mut found);
-        });
-        found.retain(|c| !self.is_joint(c, count));
-        in_order(found, (count, count))
-    }
+/// One of these places, without a look for the others.
+pub(super) fn crosses_itself(path: &Polyarc) -> Option<Crossing> {
+    let mine = Listed::new(path);
+    let (count, mut found) = (mine.segments.len(), Vec::new());
+    mine.index.own_pairs_while(|a, b| {
+        add_contacts(&mine.segments, a, &mine.segments, b, &mut found);
+        found.retain(|c| !is_joint(path, c, count));
+        found.is_empty()
+    });
+    found.pop()
+}
 
-    /// One of the places where the polyarc crosses or touches itself; it does not look for the others.
-    pub fn crosses_itself(&self) -> Option<Crossing> {
-        let mine = Listed::new(self);
-        let (count, mut found) = (mine.segments.len(), Vec::new());
-        mine.index.own_pairs_while(|a, b| {
-            add_contacts(&mine.segments, a, &mine.segments, b, &mut found);
-            found.retain(|c| !self.is_joint(c, count));
-            found.is_empty()
-        });
-        found.pop()
-    }
-
-    /// Returns `true` if the polyarc is closed and neither crosses nor touches itself.
-    pub fn is_simple(&self) -> bool {
-        self.closed && self.segment_count() > 1 && self.crosses_itself().is_none()
-    }
-
-    /// Tells whether a crossing is only the joint between a segment and the next.
-    fn is_joint(&self, c: &Crossing, count: usize) -> bool {
-        let near = |place: &Place, segment: usize, end: bool| {
-            place.segment == segment && {
-                let s = self.segment(segment);
-                place.at.distance(if end { s.end() } else { s.start() }) <= tol::SAME_PLACE_MM
-            }
-        };
-        let follows = |a: &Place, b: &Place| {
-            let next = if self.closed { (a.segment + 1) % count } else { a.segment + 1 };
-            next == b.segment && near(a, a.segment, true) && near(b, b.segment, false)
-        };
-        !c.along && (follows(&c.first, &c.second) || follows(&c.second, &c.first))
-    }
+/// Tells whether a crossing is only the joint between a segment and the next.
+fn is_joint(path: &Polyarc, c: &Crossing, count: usize) -> bool {
+    let near = |place: &Place, segment: usize, end: bool| {
+        place.segment == segment && {
+            let s = path.segment(segment);
+            place.at.distance(if end { s.end() } else { s.start() }) <= tol::SAME_PLACE_MM
+        }
+    };
+    let follows = |a: &Place, b: &Place| {
+        let next = if path.closed { (a.segment + 1) % count } else { a.segment + 1 };
+        next == b.segment && near(a, a.segment, true) && near(b, b.segment, false)
+    };
+    !c.along && (follows(&c.first, &c.second) || follows(&c.second, &c.first))
 }
 
 struct Listed {

@@ -1,21 +1,48 @@
-//! Length, area, bounds, places along the path, the nearest place.
+//! What is asked of a polyarc: length, area, bounds, places along it, what lies in it and what crosses it.
 
 use super::Polyarc;
+use super::cross::{self, Crossing};
+use super::place::Place;
+use super::winding::winding_of;
 use crate::segment::{square, twice_cap_area};
-use crate::{Bounds2, Point2, Vec2};
+use crate::{Bounds2, BoxTree, GeomError, Point2, Segment, Vec2, tol};
 
-/// A place on a polyarc.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Place {
-    /// Number of the segment.
-    pub segment: usize,
-    /// Share of the segment's path, 0 … 1.
-    pub share: f64,
-    /// Coordinates of the place.
-    pub at: Point2,
+/// Position of a place relative to a closed contour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Position {
+    /// The contour winds round it.
+    Inside,
+    /// The contour does not wind round it.
+    Outside,
+    /// It is on the contour, within [`tol::SAME_PLACE_MM`].
+    OnEdge,
 }
 
 impl Polyarc {
+    /// Checks that every number is finite and every place, the tops of arcs too, within
+    /// [`tol::FARTHEST_MM`].
+    ///
+    /// # Errors
+    /// Names the first vertex that is not.
+    pub fn check(&self) -> Result<(), GeomError> {
+        for (vertex, v) in self.vertices.iter().enumerate() {
+            if !(v.at.x.is_finite() && v.at.y.is_finite() && v.bulge.is_finite()) {
+                return Err(GeomError::NotFinite { vertex });
+            }
+            if v.at.x.abs().max(v.at.y.abs()) > tol::FARTHEST_MM {
+                return Err(GeomError::TooFar { vertex });
+            }
+        }
+        let rises = |vertex: &usize| {
+            let from = self.vertices[*vertex];
+            let to = self.vertices.get(vertex + 1).unwrap_or(&self.vertices[0]);
+            let rise_squared = || 0.25 * from.bulge * from.bulge * square(to.at - from.at);
+            from.bulge != 0.0 && rise_squared() > tol::FARTHEST_MM * tol::FARTHEST_MM
+        };
+        let far = (0..self.segment_count()).find(rises);
+        far.map_or(Ok(()), |vertex| Err(GeomError::TooFar { vertex }))
+    }
+
     /// Length of the path.
     pub fn length(&self) -> f64 {
         // A sum of nothing is −0.
@@ -97,5 +124,70 @@ impl Polyarc {
     /// Unit direction of travel at a place.
     pub fn direction(&self, place: &Place) -> Vec2 {
         self.segments().nth(place.segment).map_or(Vec2::default(), |s| s.direction(place.share))
+    }
+
+    /// Counts how often the contour winds counter-clockwise round a place that is not on it. An open
+    /// polyarc is closed by a straight line.
+    ///
+    /// Counts crossings of the ray from the place to the right: up +1, down −1. Each segment is cut
+    /// where it turns from up to down, and counts its lower end but not its upper one, so that a
+    /// vertex on the ray is counted once.
+    pub fn winding(&self, place: Point2) -> i32 {
+        let closing = match (self.closed, self.start(), self.vertices.last()) {
+            (false, Some(start), Some(last)) => winding_of(&Segment::line(last.at, start), place),
+            _ => 0,
+        };
+        self.segments().map(|s| winding_of(&s, place)).sum::<i32>() + closing
+    }
+
+    /// Returns the position of a place: inside if the contour winds round it, in either direction. For a contour that
+    /// crosses itself, loops count as inside however they are turned.
+    pub fn position(&self, place: Point2) -> Position {
+        if self.segments().any(|s| s.distance(place) <= tol::SAME_PLACE_MM) {
+            Position::OnEdge
+        } else if self.winding(place) != 0 {
+            Position::Inside
+        } else {
+            Position::Outside
+        }
+    }
+
+    /// Tells whether another polyarc lies inside this closed one. The two may touch; they must not cross
+    /// ([`Polyarc::crossings`] tells), as the contours of a part and its holes do not.
+    pub fn contains(&self, other: &Self) -> bool {
+        if !self.bounds().grown(tol::SAME_PLACE_MM).holds_box(&other.bounds()) {
+            return false;
+        }
+        let middles = other.segments().map(|s| s.at(0.5));
+        let places = middles.chain(other.vertices.iter().map(|v| v.at));
+        let decided = places.map(|p| self.position(p)).find(|&p| p != Position::OnEdge);
+        // Wholly on the edge: one is the other, or a part of it.
+        decided.is_none_or(|p| p == Position::Inside)
+    }
+
+    /// The boxes of all segments, for finding them by place.
+    pub fn index(&self) -> BoxTree {
+        BoxTree::new(self.segments().map(|s| s.bounds().grown(tol::CONTACT_MM)))
+    }
+
+    /// All places shared with another polyarc, in the order of travel along this one. Touching counts.
+    pub fn crossings(&self, other: &Self) -> Vec<Crossing> {
+        cross::crossings(self, other)
+    }
+
+    /// All places where the polyarc crosses or touches itself, in the order of travel; the joints of
+    /// neighbouring segments are none.
+    pub fn self_crossings(&self) -> Vec<Crossing> {
+        cross::self_crossings(self)
+    }
+
+    /// One of the places where the polyarc crosses or touches itself; it does not look for the others.
+    pub fn crosses_itself(&self) -> Option<Crossing> {
+        cross::crosses_itself(self)
+    }
+
+    /// Returns `true` if the polyarc is closed and neither crosses nor touches itself.
+    pub fn is_simple(&self) -> bool {
+        self.closed && self.segment_count() > 1 && self.crosses_itself().is_none()
     }
 }

@@ -7,13 +7,12 @@
 //!    end ─────┴───── start   so it lies to the right of its chord
 //! ```
 
-mod apart;
-mod bounds;
 mod meet;
 mod near;
 mod nearest;
 
 pub use meet::{Contact, Contacts};
+pub(crate) use near::comes_nearer;
 pub use nearest::Foot;
 pub(crate) use nearest::square;
 

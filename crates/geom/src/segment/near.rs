@@ -6,20 +6,18 @@
 use super::{Segment, square};
 use crate::{Point2, Vec2};
 
-impl Segment {
-    /// Tells whether some place of the path lies nearer to some place of another one than `limit`.
-    pub(crate) fn comes_nearer(&self, other: &Self, limit: f64) -> bool {
-        self.is_nearer(other.start(), limit)
-            || self.is_nearer(other.end(), limit)
-            || other.is_nearer(self.start(), limit)
-            || other.is_nearer(self.end(), limit)
-            || match (self, other) {
-                (Self::Line { .. }, Self::Line { .. }) => lines_cross(self, other),
-                (Self::Line { .. }, Self::Arc { .. }) => line_and_arc(self, other, limit),
-                (Self::Arc { .. }, Self::Line { .. }) => line_and_arc(other, self, limit),
-                (Self::Arc { .. }, Self::Arc { .. }) => arcs(self, other, limit),
-            }
-    }
+/// Tells whether some place of a segment lies nearer to some place of another one than `limit`.
+pub(crate) fn comes_nearer(a: &Segment, b: &Segment, limit: f64) -> bool {
+    a.is_nearer(b.start(), limit)
+        || a.is_nearer(b.end(), limit)
+        || b.is_nearer(a.start(), limit)
+        || b.is_nearer(a.end(), limit)
+        || match (a, b) {
+            (Segment::Line { .. }, Segment::Line { .. }) => lines_cross(a, b),
+            (Segment::Line { .. }, Segment::Arc { .. }) => line_and_arc(a, b, limit),
+            (Segment::Arc { .. }, Segment::Line { .. }) => line_and_arc(b, a, limit),
+            (Segment::Arc { .. }, Segment::Arc { .. }) => arcs(a, b, limit),
+        }
 }
 
 fn lines_cross(a: &Segment, b: &Segment) -> bool {
@@ -99,10 +97,10 @@ mod tests {
             let mut bulge = || if dice() < 0.4 { 0.0 } else { dice() * 1.9 - 0.95 };
             let (a, b) = (Segment::bulged(p, q, bulge()), Segment::bulged(r, s, bulge()));
             let least = sampled(&a, &b);
-            assert!(a.comes_nearer(&b, least + 1e-9), "{a:?} {b:?} {least}");
+            assert!(comes_nearer(&a, &b, least + 1e-9), "{a:?} {b:?} {least}");
             // Between two places that were looked at it may be nearer by a little.
             let slack = 0.5 * (a.length() / 400.0);
-            assert!(least < slack || !a.comes_nearer(&b, least - slack), "{a:?} {b:?} {least}");
+            assert!(least < slack || !comes_nearer(&a, &b, least - slack), "{a:?} {b:?} {least}");
         }
     }
 }

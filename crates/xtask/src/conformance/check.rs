@@ -1,9 +1,9 @@
 //! Checks of the score.
 
 use super::SCORE;
+use super::by::By;
 use super::ledger::{Row, SUITES};
 use super::score::{Entry, Score, Status};
-use super::shown::By;
 use super::tests_found::Tests;
 use crate::Finding;
 use std::collections::BTreeMap;

@@ -6,6 +6,7 @@
 //! library; `docs/conformance.md` is written from it. [`shown`] holds rows that speak of what a person sees to tests that
 //! look there.
 
+mod by;
 mod check;
 mod ledger;
 mod page;

@@ -1,7 +1,8 @@
 //! The page for users: what works, per area and row by row.
 
+use super::by::By;
 use super::score::{Area, Entry, Score, Status};
-use super::shown::{By, NOT_YET, Unshown};
+use super::shown::{NOT_YET, Unshown};
 use std::fmt::Write as _;
 
 const INTRODUCTION: &str = "\

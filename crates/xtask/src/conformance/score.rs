@@ -1,7 +1,7 @@
 //! The score itself: reading `docs/conformance.toml`, changing it, writing it back.
 
+use super::by::By;
 use super::ledger::Row as LedgerRow;
-use super::shown::By;
 use super::tests_found::Tests;
 use anyhow::{Context, Result};
 use serde::Deserialize;

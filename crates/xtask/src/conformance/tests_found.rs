@@ -4,7 +4,7 @@
 //! `#[test]`; a table of rows is a `rows! {` whose entries begin with the test's name. A test of the
 //! console is an `it("` whose words begin with the name, or with several and commas between.
 
-use super::shown::By;
+use super::by::By;
 use crate::Tree;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -50,6 +50,8 @@ pub const ROOMS: &[Room] = &[
     at(2.5, Half::Drawing, "kerf-digitize"),
     at(2.5, Half::Drawing, "kerf-formats"),
     at(3.0, Half::Drawing, "kerf-toolpath"),
+    // Below `motion`, which makes plans of what it finds.
+    at(2.5, Half::Machine, "kerf-motion-optimal"),
     at(3.0, Half::Machine, "kerf-motion"),
     at(3.0, Half::Machine, "kerf-convert"),
     at(4.0, Half::Machine, "kerf-machine"),

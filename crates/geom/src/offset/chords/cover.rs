@@ -12,9 +12,14 @@
 
 use super::super::raw;
 use super::super::source::Source;
-use super::{CHORD_MM, Polygon};
 use crate::{Point2, Polyarc, Segment, Vec2};
 use std::f64::consts::PI;
+
+/// Chords lie no farther than this from their arcs.
+pub(super) const CHORD_MM: f64 = 1e-4;
+
+/// Corners of a polygon.
+pub(super) type Polygon = Vec<[f64; 2]>;
 
 /// Angle by which pieces about corners reach over their neighbours.
 const OVER_RAD: f64 = 1e-3;

@@ -10,16 +10,14 @@
 mod cover;
 mod refit;
 
-use super::OffsetPath;
+use super::path::OffsetPath;
 use super::rings::started_like_source;
 use super::source::Source;
 use crate::{Point2, Polyarc};
+use cover::Polygon;
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::float::overlay::{FloatOverlay, OverlayOptions};
-
-/// Chords lie no farther than this from their arcs.
-pub(super) const CHORD_MM: f64 = 1e-4;
 
 /// Tolerance of a path of chords that is not exact: ten times the chords, and still a tenth of what a
 /// good machine repeats to.
@@ -27,8 +25,6 @@ pub(super) const LOOSE_MM: f64 = 1e-3;
 
 /// More segments than this take longer than anybody waits for a second opinion.
 const MOST_SEGMENTS: usize = 20_000;
-
-type Polygon = Vec<[f64; 2]>;
 
 /// The offset, not yet checked; nothing when the contours bound no region, or when the boundary cannot be
 /// told apart.

@@ -3,10 +3,11 @@
 //! Every edge of the polygon lies on the parallel of a segment or on the circle about a corner. Edges in a
 //! row on the same curve are one *stretch* of it; where two stretches meet, their curves do.
 
+use super::super::path::{OffsetPath, Origin};
 use super::super::scratch::{Buffer, Scratch};
 use super::super::source::Source;
-use super::super::{OffsetPath, Origin, raw, rings};
-use super::CHORD_MM;
+use super::super::{raw, rings};
+use super::cover::CHORD_MM;
 use crate::{BoxTree, Point2, Polyarc, Segment, tol};
 
 /// An edge belongs to a curve that it leaves by no more than this: a chord does by [`CHORD_MM`].

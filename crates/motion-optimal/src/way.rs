@@ -1,0 +1,10 @@
+//! A piece of motion along a path.
+
+/// A piece of path with the Bézier ordinates of the squared speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// Its length, mm.
+    pub h: f64,
+    /// The ordinates.
+    pub x: [f64; 3],
+}
