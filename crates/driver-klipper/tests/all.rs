@@ -2,6 +2,7 @@
 
 #![allow(clippy::expect_used, clippy::unwrap_used, missing_docs, dead_code)]
 
+mod compress;
 mod fake;
 mod line;
 mod recorded;
