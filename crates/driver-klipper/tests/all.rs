@@ -5,4 +5,6 @@
 mod compress;
 mod fake;
 mod line;
+mod motion;
 mod recorded;
+mod session;

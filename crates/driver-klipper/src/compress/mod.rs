@@ -164,6 +164,9 @@ impl Compressor {
         if gap > LONGEST_GAP {
             self.run = Run::new((due.clock as u64).saturating_sub(LEAD_IN));
         }
+        // A step back that is a little late harms less than one that the driver takes for one ahead.
+        let late = if turns { f64::from(least) + self.run.from() as f64 } else { 0.0 };
+        let window = [window[0], window[1].max(late)];
         if self.run.begin(due.forward, window, least) {
             return Ok(());
         }

@@ -105,6 +105,11 @@ impl Dictionary {
         self.texts.get(name).map(String::as_str)
     }
 
+    /// Returns the constants that are texts, with their names.
+    pub fn texts(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.texts.iter().map(|(name, text)| (name.as_str(), text.as_str()))
+    }
+
     /// Returns the number of a word in an enumeration: of a pin, a bus.
     ///
     /// # Errors

@@ -31,6 +31,8 @@ const BITS: f64 = 10.0;
 struct Command {
     bytes: Vec<u8>,
     mark: Option<u32>,
+    /// Of no use once motion is dropped.
+    motion: bool,
 }
 
 /// News of a line.
@@ -100,27 +102,32 @@ impl Link {
     /// Sends a command behind all others. It has at most [`CONTENT`] bytes; a longer one is refused.
     #[must_use = "a command that is too long is not sent"]
     pub fn send(&mut self, bytes: Vec<u8>, mark: Option<u32>) -> bool {
-        let fits = (1..=CONTENT).contains(&bytes.len());
-        if fits {
-            self.waiting.push_back(Command { bytes, mark });
-        }
-        fits
+        Self::queue(&mut self.waiting, Command { bytes, mark, motion: false })
+    }
+
+    /// Sends a command behind all others that is of no use once motion is dropped. One that is too long is refused.
+    #[must_use = "a command that is too long is not sent"]
+    pub fn send_motion(&mut self, bytes: Vec<u8>) -> bool {
+        Self::queue(&mut self.waiting, Command { bytes, mark: None, motion: true })
     }
 
     /// Sends a command before those that wait. One that is too long is refused.
     #[must_use = "a command that is too long is not sent"]
     pub fn send_urgent(&mut self, bytes: Vec<u8>, mark: Option<u32>) -> bool {
-        let fits = (1..=CONTENT).contains(&bytes.len());
+        Self::queue(&mut self.urgent, Command { bytes, mark, motion: false })
+    }
+
+    fn queue(queue: &mut VecDeque<Command>, command: Command) -> bool {
+        let fits = (1..=CONTENT).contains(&command.bytes.len());
         if fits {
-            self.urgent.push_back(Command { bytes, mark });
+            queue.push_back(command);
         }
         fits
     }
 
-    /// Drops the commands that are in no frame yet.
+    /// Drops the commands of motion that are in no frame yet.
     pub fn forget(&mut self) {
-        self.waiting.clear();
-        self.urgent.clear();
+        self.waiting.retain(|command| !command.motion);
     }
 
     /// Reads bytes of the board.

@@ -9,6 +9,7 @@ pub mod reader;
 pub mod stepper;
 pub mod switch;
 pub mod words;
+pub mod world;
 
 pub use board::Board;
 pub use line::{Faults, Line};
