@@ -2,9 +2,11 @@
 
 #![allow(clippy::expect_used, clippy::unwrap_used, missing_docs, dead_code)]
 
+mod bytes;
 mod compress;
 mod fake;
 mod line;
 mod motion;
+mod mutated;
 mod recorded;
 mod session;

@@ -8,13 +8,13 @@ use kerf_driver_klipper::identify::Identify;
 use kerf_driver_klipper::wire::frame::{Reader, frame};
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 fn folder() -> Option<PathBuf> {
     let folder =
         PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/anchors/step-queue");
     if !folder.is_dir() {
-        println!("skipped: no ../shared beside the checkout");
+        eprintln!("skipped: no ../shared beside the checkout");
         return None;
     }
     Some(folder)
@@ -142,7 +142,7 @@ fn encoded(dictionary: &Dictionary, command: &str) -> Vec<u8> {
 }
 
 /// The real board's words, for the one that is none.
-fn words(folder: &PathBuf) -> Words {
+fn words(folder: &Path) -> Words {
     let text = fs::read_to_string(folder.join("messages.tsv")).expect("messages");
     let (mut commands, mut responses, mut reasons) = (vec![], vec![], vec![]);
     for line in text.lines().filter(|line| !line.starts_with('#')) {

@@ -17,8 +17,8 @@ pub fn dictionary(packed: &[u8]) -> Read<Dictionary> {
         .map_err(|_| DictionaryError::Packed)?;
     let all: Value = serde_json::from_slice(&text).map_err(|_| bad("no JSON"))?;
     let part = |key: &str| all.get(key).and_then(Value::as_object);
-    let mut found = Dictionary::default();
-    found.version = all.get("version").and_then(Value::as_str).unwrap_or_default().to_owned();
+    let version = all.get("version").and_then(Value::as_str).unwrap_or_default().to_owned();
+    let mut found = Dictionary { version, ..Dictionary::default() };
     for (text, number) in part("commands").ok_or_else(|| bad("no commands"))? {
         let format = Format::read(text, whole(number)?).map_err(DictionaryError::Content)?;
         found.commands.insert(format.name.clone(), format);

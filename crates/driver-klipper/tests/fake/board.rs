@@ -197,7 +197,7 @@ impl Board {
         self.say_content(&content);
     }
 
-    fn say_content(&mut self, content: &[u8]) {
+    pub fn say_content(&mut self, content: &[u8]) {
         let frame = self.reader.frame(content);
         self.out.extend(frame);
     }

@@ -266,7 +266,7 @@ fn stepped(
             }
             let half = if forward { half + 0.5 } else { half - 0.5 };
             let (mut low, mut high) = (since_s, until_s);
-            for _ in 0..30 {
+            for _ in 0..18 {
                 let middle = 0.5 * (low + high);
                 if (place(middle) > half) == forward { high = middle } else { low = middle }
             }
