@@ -6,6 +6,7 @@ mod bytes;
 mod compress;
 mod fake;
 mod line;
+mod measured;
 mod motion;
 mod mutated;
 mod recorded;
