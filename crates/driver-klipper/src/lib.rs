@@ -17,6 +17,7 @@
 //! - [`setup`]: what hangs on a board, as its configuration. [`clock`]: the time in the board.
 //! - [`compress`]: steps as few commands. [`queue`]: motion that ends at rest whatever happens to its planner.
 //! - [`board`]: all of that for one board: found, configured, moved, stopped, counted.
+//! - [`convoy`]: several boards as one machine, on a [`timeline`] each.
 //! - [`tmc`]: registers of motor drivers on a single wire.
 //!
 //! Three promises hold for whoever drives: no step goes out before the board's latch is armed over it; nothing that was sent
@@ -27,11 +28,13 @@
 pub mod board;
 pub mod clock;
 pub mod compress;
+pub mod convoy;
 pub mod dictionary;
 pub mod identify;
 pub mod link;
 pub mod orders;
 pub mod queue;
 pub mod setup;
+pub mod timeline;
 pub mod tmc;
 pub mod wire;

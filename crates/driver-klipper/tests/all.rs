@@ -4,6 +4,7 @@
 
 mod bytes;
 mod compress;
+mod convoy;
 mod fake;
 mod line;
 mod measured;

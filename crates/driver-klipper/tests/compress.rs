@@ -119,6 +119,23 @@ fn without_quick_turns(steps: &[(f64, bool)]) -> Vec<(f64, bool)> {
 }
 
 #[test]
+fn fast_steps_are_within_half_a_step_and_turns_within_their_time() {
+    let mut dice = Dice(5);
+    for _ in 0..300 {
+        let (mut clock, mut steps) = (100_000.0, Vec::new());
+        for n in 0..12 {
+            // As close as a driver lets them be, and to and fro as close as it turns.
+            for _ in 0..1 + dice.below(9) {
+                clock += 100.0 + dice.share() * 60.0;
+                steps.push((clock, n % 2 == 0));
+            }
+            clock += 145.0 + dice.share() * 30.0;
+        }
+        check(LIMITS, &steps);
+    }
+}
+
+#[test]
 fn a_step_there_and_back_at_once_is_not_made() {
     let steps = [(5000.0, true), (9000.0, true), (9100.0, false), (20_000.0, false)];
     let commands = compressed(LIMITS, &steps).expect("steps");

@@ -50,15 +50,27 @@ pub struct Latches {
     pub homes: Vec<Home>,
     /// Moment at which deadlines are pushed along.
     again_s: f64,
+    /// They are not: another board of the machine is lost.
+    expires: bool,
 }
 
 impl Latches {
     pub fn new(count: usize) -> Self {
-        Self { triggered: vec![Some(0); count], homes: Vec::new(), again_s: f64::INFINITY }
+        Self {
+            triggered: vec![Some(0); count],
+            homes: Vec::new(),
+            again_s: f64::INFINITY,
+            expires: false,
+        }
     }
 
     pub fn count(&self) -> usize {
         self.triggered.len()
+    }
+
+    /// Deadlines are pushed along no more, or again.
+    pub const fn let_expire(&mut self, expires: bool) {
+        self.expires = expires;
     }
 
     /// None is armed.
@@ -101,6 +113,7 @@ impl Session {
         now_s: f64,
     ) -> Result<(), OrderError> {
         self.latches.homes = homes.to_vec();
+        self.latches.let_expire(false);
         let first = clock + (FIRST_S * self.frequency) as u64;
         let report = (self.options.deadline_s / 2.0 * self.frequency) as u32;
         for latch in 0..=homes.len() {
@@ -125,7 +138,7 @@ impl Session {
 
     /// Pushes the deadlines along.
     pub fn push_along(&mut self, clock: u64, now_s: f64) -> Result<(), OrderError> {
-        if now_s < self.latches.again_s {
+        if now_s < self.latches.again_s || self.latches.expires {
             return Ok(());
         }
         self.latches.again_s = now_s + self.options.deadline_s / AGAIN;

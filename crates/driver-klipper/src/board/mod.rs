@@ -19,10 +19,12 @@ pub use latch::Home;
 pub use motion::{NotNow, Start};
 pub use news::{Ended, Fault, News};
 
+use crate::clock::Clock;
 use crate::identify::Identify;
 use crate::link::{Join, Link, Outgoing};
 use crate::queue::{Piece, Refused};
 use crate::setup::Setup;
+use motion::Motion;
 use session::Session;
 use std::collections::VecDeque;
 
@@ -135,6 +137,51 @@ impl Board {
         self.open()?.start(homes, now_s)
     }
 
+    /// The same, at a clock that the owner chose, some tenths of a second ahead: with other boards.
+    ///
+    /// # Errors
+    ///
+    /// The board cannot be moved now.
+    pub fn start_at(&mut self, homes: &[Home], clock: u64, now_s: f64) -> Result<Start, NotNow> {
+        self.open()?.start_at(homes, clock, now_s)
+    }
+
+    /// Nothing moves, and motion could begin.
+    pub fn is_at_rest(&self) -> bool {
+        self.shown()
+            .is_some_and(|open| open.is_ready() && open.motion == Motion::Rest && !open.shutdown)
+    }
+
+    /// Motion goes on, or is about to.
+    pub fn is_moving(&self) -> bool {
+        self.shown().is_some_and(|open| matches!(open.motion, Motion::Arming | Motion::Moving))
+    }
+
+    /// Motion was broken off: by the host, a switch, a deadline, a shutdown, or the end of the session.
+    pub fn is_stopping(&self) -> bool {
+        self.shown().is_none_or(|open| match open.motion {
+            Motion::Ending(why) | Motion::Reading(why) => why != Ended::Rested,
+            _ => open.shutdown,
+        })
+    }
+
+    /// Deadlines are pushed along no more, because another board of the machine is lost, or again.
+    pub fn let_expire(&mut self, expires: bool) {
+        if let Phase::Open(open) = &mut self.phase {
+            open.latches.let_expire(expires);
+        }
+    }
+
+    /// Seconds for which the board has not been heard.
+    pub fn unheard_s(&self, now_s: f64) -> f64 {
+        self.shown().map_or(f64::INFINITY, |open| now_s - open.link.heard_s())
+    }
+
+    /// The board's clock, once it is known.
+    pub fn line(&self) -> Option<&Clock> {
+        self.shown()?.clock.as_ref().filter(|clock| clock.is_known())
+    }
+
     /// Takes a piece of motion behind those that it has.
     ///
     /// # Errors
@@ -239,32 +286,30 @@ impl Board {
 
     /// Clock of the board at a moment, and the farthest that it may be off, ticks; nothing before it is known.
     pub fn clock(&self, now_s: f64) -> Option<(u64, u64)> {
-        match &self.phase {
-            Phase::Open(open) => open.now(now_s),
-            _ => None,
-        }
+        self.shown()?.now(now_s)
     }
 
     /// Count of a motor at a clock that is not long past, if it made all that it was told.
     pub fn count_at(&self, motor: usize, clock: u64) -> Option<i64> {
-        match &self.phase {
-            Phase::Open(open) => open.count_at(motor, clock),
-            _ => None,
-        }
+        self.shown()?.count_at(motor, clock)
     }
 
     /// Longest stall of the host that was seen, and the lead that follows from it, seconds.
     pub fn lead_s(&self) -> Option<[f64; 2]> {
-        match &self.phase {
-            Phase::Open(open) => Some(open.lead_s()),
-            _ => None,
-        }
+        self.shown().map(|open| open.lead_s())
     }
 
     fn open(&mut self) -> Result<&mut Session, NotNow> {
         match &mut self.phase {
             Phase::Open(open) => Ok(open),
             _ => Err(NotNow::Absent),
+        }
+    }
+
+    fn shown(&self) -> Option<&Session> {
+        match &self.phase {
+            Phase::Open(open) => Some(open),
+            _ => None,
         }
     }
 

@@ -63,6 +63,13 @@ pub enum Motion {
 
 impl Session {
     pub fn start(&mut self, homes: &[Home], now_s: f64) -> Result<Start, NotNow> {
+        let Some((now, _)) = self.now(now_s) else { return Err(NotNow::Busy) };
+        let starts = now + (self.lead.full_s().max(FIRST_S) * self.frequency) as u64;
+        self.start_at(homes, starts, now_s)
+    }
+
+    /// Motion begins at a clock that is far enough ahead.
+    pub fn start_at(&mut self, homes: &[Home], starts: u64, now_s: f64) -> Result<Start, NotNow> {
         if self.shutdown {
             return Err(NotNow::Shutdown);
         }
@@ -71,7 +78,6 @@ impl Session {
             return Err(NotNow::Busy);
         };
         let ticks_per_s = clock.rate();
-        let starts = now + (self.lead.full_s().max(FIRST_S) * self.frequency) as u64;
         self.arm(homes, now, starts, now_s)?;
         self.queue.start(starts, &self.counts);
         self.motion = Motion::Arming;
@@ -226,7 +232,7 @@ impl Session {
         self.dictionary.constant("PWM_MAX").unwrap_or(255.0) as u32
     }
 
-    fn is_ready(&self) -> bool {
+    pub fn is_ready(&self) -> bool {
         self.learning == Learning::Ready
     }
 

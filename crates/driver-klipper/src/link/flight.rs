@@ -147,6 +147,15 @@ mod tests {
     }
 
     #[test]
+    fn twelve_frames_are_on_their_way_at_most() {
+        let mut flight = Flight::new(9);
+        (0..12).for_each(|_| drop(flight.push(&[1], vec![], 0.0)));
+        assert_eq!(flight.room(), None);
+        flight.heard(10, true);
+        assert_eq!(flight.room(), Some(CONTENT));
+    }
+
+    #[test]
     fn a_buffer_is_emptied_by_empty_frames_alone() {
         let mut flight = Flight::new(0);
         flight.limit(64);

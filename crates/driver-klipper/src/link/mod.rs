@@ -76,6 +76,8 @@ pub struct Link {
     again: bool,
     /// Frames that went out a second time.
     resent: u64,
+    /// Moment at which the board was heard last.
+    heard_s: f64,
 }
 
 impl Link {
@@ -91,6 +93,7 @@ impl Link {
             free_s: f64::NEG_INFINITY,
             again: false,
             resent: 0,
+            heard_s: f64::NEG_INFINITY,
         }
     }
 
@@ -136,6 +139,7 @@ impl Link {
         for frame in self.reader.read(bytes) {
             let empty = frame.content.is_empty();
             let Some(answer) = self.flight.heard(frame.number, empty) else { continue };
+            self.heard_s = now_s;
             for sent in answer.acknowledged {
                 let once = !sent.resent;
                 if once {
@@ -201,6 +205,11 @@ impl Link {
     /// Seconds for which the oldest frame in flight has not been acknowledged.
     pub fn silent_s(&self, now_s: f64) -> f64 {
         self.flight.oldest_s().map_or(0.0, |sent_s| now_s - sent_s)
+    }
+
+    /// Moment at which the board was heard last.
+    pub const fn heard_s(&self) -> f64 {
+        self.heard_s
     }
 
     /// Frames that went out again so far, and damaged places in what came.
