@@ -1,0 +1,143 @@
+//! What a board tells of its inputs: switches, rows of inputs, voltages, registers of motor drivers.
+
+use super::motion::NotNow;
+use super::news::News;
+use super::questions::About;
+use super::session::{Session, Told};
+use crate::dictionary::{Message, Value};
+use crate::orders::{Order, OrderError};
+use crate::setup::Object;
+use crate::tmc;
+use std::collections::VecDeque;
+
+/// Time until the first look, seconds: the line may need some resends by then.
+const FIRST_S: f64 = 0.5;
+/// Time between two looks at a row of inputs, seconds.
+const LOOK_S: f64 = 0.002;
+/// Looks after which a change that was not acknowledged is told again.
+const AGAIN: u32 = 50;
+/// Measurements that are added up, and the time between them, seconds.
+const SAMPLES: u32 = 8;
+const SAMPLE_S: f64 = 0.001;
+/// Bytes of a report of voltages: a sum each.
+const REPORT: u32 = 2;
+
+/// A row of inputs.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Buttons {
+    /// Changes that were taken, modulo 256.
+    taken: u8,
+}
+
+impl Session {
+    pub fn look_at_buttons(&mut self, clock: u64) -> Result<(), OrderError> {
+        if self.setup.buttons.is_empty() {
+            return Ok(());
+        }
+        let oid = self.setup.oid(Object::Buttons);
+        let first = clock + (FIRST_S * self.frequency) as u64;
+        let rest = (LOOK_S * self.frequency) as u32;
+        self.send(Order::QueryButtons, [oid, first as u32, rest, AGAIN, 0])
+    }
+
+    /// Reads changes of a row of inputs; those that were told before are left out.
+    pub fn told_buttons(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) -> Told {
+        let told = message.number("ack_count").unwrap_or_default() as u8;
+        let states = message.bytes("state").unwrap_or_default();
+        let known = usize::from(self.buttons.taken.wrapping_sub(told));
+        let Some(fresh) = states.get(known..).filter(|fresh| !fresh.is_empty()) else {
+            return Ok(());
+        };
+        let inverted = self.setup.buttons.iter().enumerate().filter(|(_, pin)| pin.inverted);
+        let mask = inverted.fold(0, |mask, (n, _)| mask | 1_u8 << n);
+        news.extend(fresh.iter().map(|state| News::Buttons(state ^ mask)));
+        self.buttons.taken = self.buttons.taken.wrapping_add(fresh.len() as u8);
+        Ok(self.send(Order::AckButtons, [self.setup.oid(Object::Buttons), fresh.len() as u32])?)
+    }
+
+    pub fn ask_switch(&mut self, switch: usize) -> Result<(), OrderError> {
+        let oid = self.setup.oid(Object::Switch(switch));
+        self.ask(About::Switch(switch), Order::EndstopState, [oid])
+    }
+
+    pub fn told_switch(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) {
+        let number = |field| message.number(field).unwrap_or_default();
+        let switches = &self.setup.switches;
+        let found =
+            (0..switches.len()).find(|n| self.setup.oid(Object::Switch(*n)) == number("oid"));
+        let Some(switch) = found.filter(|n| self.questions.answered(About::Switch(*n))) else {
+            return;
+        };
+        let home = self.latches.homes.iter().find(|home| home.switch == switch);
+        if let Some(home) = home.filter(|_| self.latches.touched().contains(&switch)) {
+            let rest = (home.look_s * self.frequency).round().max(1.0) as u64;
+            let next = self.clock.as_ref().map(|clock| clock.unwrapped(number("next_clock")));
+            let clock = next.unwrap_or_default().saturating_sub(rest);
+            return news.push_back(News::Touched { switch, clock });
+        }
+        let inverted = switches.get(switch).is_some_and(|pin| pin.inverted);
+        news.push_back(News::Switch { switch, on: (number("pin_value") != 0) != inverted });
+    }
+
+    pub fn measure(&mut self, voltage: usize, every_s: f64, now_s: f64) -> Result<(), NotNow> {
+        let Some((clock, _)) = self.now(now_s) else { return Err(NotNow::Busy) };
+        let ticks = |time_s: f64| (time_s * self.frequency) as u32;
+        let first = (clock + u64::from(ticks(FIRST_S))) as u32;
+        let oid = self.setup.oid(Object::Voltage(voltage));
+        let (sample, rest) = (ticks(SAMPLE_S), ticks(every_s));
+        let numbers = [oid, first, sample, SAMPLES, rest, REPORT, 0, 0xffff, 0];
+        Ok(self.send(Order::QueryAnalog, numbers)?)
+    }
+
+    pub fn told_voltage(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) {
+        let oid = message.number("oid");
+        let mut voltages = 0..self.setup.voltages.len();
+        let found = voltages.find(|n| Some(self.setup.oid(Object::Voltage(*n))) == oid);
+        let Some(voltage) = found else { return };
+        let full = self.dictionary.constant("ADC_MAX").unwrap_or(4095.0) * f64::from(SAMPLES);
+        let sums = message.bytes("values").unwrap_or_default().chunks_exact(2);
+        let share = |sum: &[u8]| f64::from(u16::from_le_bytes([sum[0], sum[1]])) / full;
+        news.push_back(News::Voltage { voltage, shares: sums.map(share).collect() });
+    }
+
+    pub fn ask_register(
+        &mut self,
+        driver: usize,
+        address: u8,
+        register: u8,
+    ) -> Result<(), OrderError> {
+        let command = self.bits(driver, tmc::read(address, register), tmc::ANSWER_BITS)?;
+        self.questions.ask(About::Register(driver, register), command);
+        Ok(())
+    }
+
+    pub fn write_register(
+        &mut self,
+        driver: usize,
+        address: u8,
+        register: u8,
+        value: u32,
+    ) -> Result<(), OrderError> {
+        let command = self.bits(driver, tmc::write(address, register, value), 0)?;
+        self.push(command, None)
+    }
+
+    pub fn told_register(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) {
+        let oid = message.number("oid");
+        let mut wires = 0..self.setup.drivers.len();
+        let found = wires.find(|n| Some(self.setup.oid(Object::Driver(*n))) == oid);
+        let asked = |register: &u8| {
+            self.questions.has(|about| about == About::Register(found.unwrap_or(0), *register))
+        };
+        let Some((driver, register)) = found.zip((0..=u8::MAX).find(asked)) else { return };
+        self.questions.answered(About::Register(driver, register));
+        let value = tmc::answer(register, message.bytes("read").unwrap_or_default());
+        news.push_back(News::Register { driver, register, value });
+    }
+
+    fn bits(&self, driver: usize, bits: Vec<u8>, read: u32) -> Result<Vec<u8>, OrderError> {
+        let oid = self.setup.oid(Object::Driver(driver));
+        let values = [Value::Number(oid), Value::Bytes(bits), Value::Number(read)];
+        self.orders.write_values(Order::DriverUart, &values)
+    }
+}

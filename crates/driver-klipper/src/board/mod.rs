@@ -1,0 +1,335 @@
+//! One board, from the first byte to the last: joined, identified, configured, moved, stopped.
+//!
+//! ```text
+//!  joining ─► identifying ─► learning ─► (configuring) ─► ready ◄────────┐
+//!                                                          │ start       │ counts are read
+//!                                              arming ─► moving ─► ending ─► reading
+//!                 shutdown, restart, silence: told from each state, and nothing moves by itself
+//! ```
+
+mod inputs;
+mod latch;
+mod learn;
+mod motion;
+mod news;
+mod questions;
+mod session;
+
+pub use latch::Home;
+pub use motion::{NotNow, Start};
+pub use news::{Ended, Fault, News};
+
+use crate::clock::Clock;
+use crate::identify::Identify;
+use crate::link::{Join, Link, Outgoing};
+use crate::queue::{Piece, Refused};
+use crate::setup::Setup;
+use motion::Motion;
+use session::Session;
+use std::collections::VecDeque;
+
+/// Choices for a session.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Bits a second of a serial line; none over USB.
+    pub baud: Option<u32>,
+    /// Time without word from the host after which the board stops all motors by itself, seconds.
+    pub deadline_s: f64,
+    /// Farthest that a step is from its planned moment, seconds.
+    pub error_s: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { baud: None, deadline_s: 0.1, error_s: 5e-6 }
+    }
+}
+
+/// The state of a session.
+enum Phase {
+    Joining(Join),
+    Identifying(Box<(Link, Identify)>),
+    Open(Box<Session>),
+    Over,
+}
+
+/// A board and what hangs on it. Moments are seconds on the owner's clock, which never goes back.
+pub struct Board {
+    setup: Setup,
+    options: Options,
+    phase: Phase,
+    news: VecDeque<News>,
+}
+
+impl Board {
+    /// Begins to look for a board.
+    pub fn new(setup: Setup, options: Options, now_s: f64) -> Self {
+        let (phase, news) = (Phase::Joining(Join::new(now_s)), VecDeque::new());
+        Self { setup, options, phase, news }
+    }
+
+    /// Reads bytes that came.
+    pub fn receive(&mut self, bytes: &[u8], now_s: f64) {
+        let next = match &mut self.phase {
+            Phase::Joining(join) => join.receive(bytes, now_s).map(|expected| {
+                let link = Link::new(expected, self.options.baud);
+                Ok(Phase::Identifying(Box::new((link, Identify::new(now_s)))))
+            }),
+            Phase::Identifying(pair) => {
+                Self::identified(pair, bytes, now_s).transpose().map(|found| {
+                    let (link, dictionary) = found?;
+                    let (setup, options) = (self.setup.clone(), self.options);
+                    Session::new(setup, options, link, dictionary)
+                        .map(|open| Phase::Open(Box::new(open)))
+                })
+            }
+            Phase::Open(open) => open.receive(bytes, now_s, &mut self.news).err().map(Err),
+            Phase::Over => None,
+        };
+        match next {
+            Some(Ok(phase)) => self.phase = phase,
+            Some(Err(fault)) => self.over(fault),
+            None => {}
+        }
+    }
+
+    /// Returns the bytes to be written now.
+    pub fn transmit(&mut self, now_s: f64) -> Outgoing {
+        let written = match &mut self.phase {
+            Phase::Joining(join) if join.is_vain(now_s) => Err(Fault::NoBoard),
+            Phase::Joining(join) => Ok(Outgoing { bytes: join.transmit(now_s), replaces: false }),
+            Phase::Identifying(pair) => {
+                let (link, identify) = pair.as_mut();
+                let asked = identify.ask(now_s).is_none_or(|question| link.send(question, None));
+                let silent = !asked || link.silent_s(now_s) > session::SILENCE_S;
+                if silent { Err(Fault::Silent) } else { Ok(link.transmit(now_s)) }
+            }
+            Phase::Open(open) => open.transmit(now_s, &mut self.news),
+            Phase::Over => Ok(Outgoing::default()),
+        };
+        written.unwrap_or_else(|fault| {
+            self.over(fault);
+            Outgoing::default()
+        })
+    }
+
+    /// Returns the moment at which [`transmit`](Self::transmit) has something to do, if nothing comes before.
+    pub fn due_s(&self) -> f64 {
+        match &self.phase {
+            Phase::Joining(join) => join.due_s(),
+            Phase::Identifying(pair) => pair.0.due_s().min(pair.1.due_s()),
+            Phase::Open(open) => open.due_s(),
+            Phase::Over => f64::INFINITY,
+        }
+    }
+
+    /// Takes the oldest news.
+    pub fn news(&mut self) -> Option<News> {
+        self.news.pop_front()
+    }
+
+    /// Motion begins, from rest: the latches are armed, and pieces may be offered. Switches of `homes` stop their motors.
+    ///
+    /// # Errors
+    ///
+    /// The board cannot be moved now.
+    pub fn start(&mut self, homes: &[Home], now_s: f64) -> Result<Start, NotNow> {
+        self.open()?.start(homes, now_s)
+    }
+
+    /// The same, at a clock that the owner chose, some tenths of a second ahead: with other boards.
+    ///
+    /// # Errors
+    ///
+    /// The board cannot be moved now.
+    pub fn start_at(&mut self, homes: &[Home], clock: u64, now_s: f64) -> Result<Start, NotNow> {
+        self.open()?.start_at(homes, clock, now_s)
+    }
+
+    /// Nothing moves, and motion could begin.
+    pub fn is_at_rest(&self) -> bool {
+        self.shown()
+            .is_some_and(|open| open.is_ready() && open.motion == Motion::Rest && !open.shutdown)
+    }
+
+    /// Motion goes on, or is about to.
+    pub fn is_moving(&self) -> bool {
+        self.shown().is_some_and(|open| matches!(open.motion, Motion::Arming | Motion::Moving))
+    }
+
+    /// Motion was broken off: by the host, a switch, a deadline, a shutdown, or the end of the session.
+    pub fn is_stopping(&self) -> bool {
+        self.shown().is_none_or(|open| match open.motion {
+            Motion::Ending(why) | Motion::Reading(why) => why != Ended::Rested,
+            _ => open.shutdown,
+        })
+    }
+
+    /// Deadlines are pushed along no more, because another board of the machine is lost, or again.
+    pub fn let_expire(&mut self, expires: bool) {
+        if let Phase::Open(open) = &mut self.phase {
+            open.latches.let_expire(expires);
+        }
+    }
+
+    /// Seconds for which the board has not been heard.
+    pub fn unheard_s(&self, now_s: f64) -> f64 {
+        self.shown().map_or(f64::INFINITY, |open| now_s - open.link.heard_s())
+    }
+
+    /// The board's clock, once it is known.
+    pub fn line(&self) -> Option<&Clock> {
+        self.shown()?.clock.as_ref().filter(|clock| clock.is_known())
+    }
+
+    /// Takes a piece of motion behind those that it has.
+    ///
+    /// # Errors
+    ///
+    /// It does not follow, or cannot be made. Nothing of it is taken.
+    pub fn offer(&mut self, piece: &Piece) -> Result<(), Refused> {
+        match &mut self.phase {
+            Phase::Open(open) => open.offer(piece),
+            _ => Err(Refused::Stopping),
+        }
+    }
+
+    /// Takes back what has not been sent, and returns the clock from which other pieces may follow: the way to slow down
+    /// on the path.
+    ///
+    /// # Errors
+    ///
+    /// Nothing moves.
+    pub fn withdraw(&mut self) -> Result<u64, NotNow> {
+        self.open()?.withdraw()
+    }
+
+    /// Stops all motors at once, without a ramp. Their counts are told when they are known.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there.
+    pub fn stop(&mut self) -> Result<(), NotNow> {
+        self.open()?.stop(Ended::Asked).map_err(NotNow::Order)
+    }
+
+    /// Shuts the board down: motors stand, outputs go off.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there.
+    pub fn emergency_stop(&mut self) -> Result<(), NotNow> {
+        self.open()?.emergency_stop().map_err(NotNow::Order)
+    }
+
+    /// Goes on after a shutdown. Counts are read; they are those of pulses, and a motor that was stopped at speed may
+    /// have slipped.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there, or not shut down.
+    pub fn recover(&mut self) -> Result<(), NotNow> {
+        self.open()?.recover()
+    }
+
+    /// Sets an output, counted as in the setup: those that go on and off, then those with a share of time; from 0 (off)
+    /// to 1.
+    ///
+    /// # Errors
+    ///
+    /// The board is not ready.
+    pub fn set_output(&mut self, output: usize, share: f64, now_s: f64) -> Result<(), NotNow> {
+        self.open()?.set_output(output, share, now_s)
+    }
+
+    /// Asks for the state of a switch.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there.
+    pub fn ask_switch(&mut self, switch: usize) -> Result<(), NotNow> {
+        self.open()?.ask_switch(switch).map_err(NotNow::Order)
+    }
+
+    /// Asks for a register of a motor driver.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there, or has no such wire.
+    pub fn ask_register(&mut self, driver: usize, address: u8, register: u8) -> Result<(), NotNow> {
+        self.open()?.ask_register(driver, address, register).map_err(NotNow::Order)
+    }
+
+    /// Writes a register of a motor driver. Nothing tells that it came: ask for it.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there, or has no such wire.
+    pub fn write_register(
+        &mut self,
+        driver: usize,
+        address: u8,
+        register: u8,
+        value: u32,
+    ) -> Result<(), NotNow> {
+        self.open()?.write_register(driver, address, register, value).map_err(NotNow::Order)
+    }
+
+    /// Measures a voltage again and again, every so many seconds.
+    ///
+    /// # Errors
+    ///
+    /// The board is not ready.
+    pub fn measure(&mut self, voltage: usize, every_s: f64, now_s: f64) -> Result<(), NotNow> {
+        self.open()?.measure(voltage, every_s, now_s)
+    }
+
+    /// Clock of the board at a moment, and the farthest that it may be off, ticks; nothing before it is known.
+    pub fn clock(&self, now_s: f64) -> Option<(u64, u64)> {
+        self.shown()?.now(now_s)
+    }
+
+    /// Count of a motor at a clock that is not long past, if it made all that it was told.
+    pub fn count_at(&self, motor: usize, clock: u64) -> Option<i64> {
+        self.shown()?.count_at(motor, clock)
+    }
+
+    /// Longest stall of the host that was seen, and the lead that follows from it, seconds.
+    pub fn lead_s(&self) -> Option<[f64; 2]> {
+        self.shown().map(|open| open.lead_s())
+    }
+
+    fn open(&mut self) -> Result<&mut Session, NotNow> {
+        match &mut self.phase {
+            Phase::Open(open) => Ok(open),
+            _ => Err(NotNow::Absent),
+        }
+    }
+
+    fn shown(&self) -> Option<&Session> {
+        match &self.phase {
+            Phase::Open(open) => Some(open),
+            _ => None,
+        }
+    }
+
+    fn over(&mut self, fault: Fault) {
+        self.phase = Phase::Over;
+        self.news.push_back(News::Fault(fault));
+    }
+
+    /// Reads pieces of the dictionary; returns it with the line once it is whole.
+    fn identified(
+        (link, identify): &mut (Link, Identify),
+        bytes: &[u8],
+        now_s: f64,
+    ) -> Result<Option<(Link, crate::dictionary::Dictionary)>, Fault> {
+        for heard in link.receive(bytes, now_s) {
+            let crate::link::Heard::Message(message) = heard else { continue };
+            if let Some(dictionary) = identify.heard(&message)? {
+                return Ok(Some((link.clone(), dictionary)));
+            }
+        }
+        Ok(None)
+    }
+}

@@ -1,0 +1,245 @@
+//! The near end of the line: commands become frames, frames that are lost are sent again.
+//!
+//! A board runs frames in the order of their numbers and tells in each of its own frames the number that it expects next.
+//! So each command that goes in here is run once and in order, however the line spoils bytes. Answers are not assured:
+//! whoever asks asks again.
+//!
+//! ```text
+//!  send ──► waiting ──► in flight (≤ 12 frames, ≤ the board's buffer) ──► acknowledged
+//!                           ▲     │ nak, timeout
+//!                           └─────┘ all of them again, unchanged, oldest first
+//! ```
+//!
+//! Times are seconds on the owner's clock, which never goes back.
+
+mod flight;
+mod join;
+mod round_trip;
+
+pub use join::Join;
+
+use crate::wire::frame::{CONTENT, Reader, SYNC};
+use flight::Flight;
+use round_trip::RoundTrip;
+use std::collections::VecDeque;
+
+/// Bits of a byte on a serial line: start, eight, stop.
+const BITS: f64 = 10.0;
+
+/// A command that is not in a frame yet.
+#[derive(Clone, Debug)]
+struct Command {
+    bytes: Vec<u8>,
+    mark: Option<u32>,
+    /// Of no use once motion is dropped.
+    motion: bool,
+}
+
+/// News of a line.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Heard {
+    /// The board has run a command that was sent with a mark. Comes before the answer to it.
+    Delivered {
+        /// The mark.
+        mark: u32,
+        /// Moment at which it was handed to the line.
+        sent_s: f64,
+        /// It was sent once, so that times measured by it are true.
+        once: bool,
+    },
+    /// A message of the board, as bytes.
+    Message(Vec<u8>),
+}
+
+/// Bytes for the line.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outgoing {
+    /// They are to be written now.
+    pub bytes: Vec<u8>,
+    /// They hold again all that the line has not sent yet: a serial port may drop that.
+    pub replaces: bool,
+}
+
+/// A line to a board that has been joined.
+#[derive(Clone, Debug)]
+pub struct Link {
+    reader: Reader,
+    flight: Flight,
+    round_trip: RoundTrip,
+    urgent: VecDeque<Command>,
+    waiting: VecDeque<Command>,
+    /// Seconds a byte takes on the line.
+    byte_s: f64,
+    /// Moment from which the line is free.
+    free_s: f64,
+    /// Frames in flight go out again.
+    again: bool,
+    /// Frames that went out a second time.
+    resent: u64,
+    /// Moment at which the board was heard last.
+    heard_s: f64,
+}
+
+impl Link {
+    /// A line whose board expects a number next, as [`Join`] found it; bits a second where it is a serial one.
+    pub fn new(expected: u8, baud: Option<u32>) -> Self {
+        Self {
+            reader: Reader::default(),
+            flight: Flight::new(expected),
+            round_trip: RoundTrip::default(),
+            urgent: VecDeque::new(),
+            waiting: VecDeque::new(),
+            byte_s: baud.map_or(0.0, |baud| BITS / f64::from(baud.max(1))),
+            free_s: f64::NEG_INFINITY,
+            again: false,
+            resent: 0,
+            heard_s: f64::NEG_INFINITY,
+        }
+    }
+
+    /// The board's buffer holds so many bytes (its constant `RECEIVE_WINDOW`).
+    pub fn limit(&mut self, window: usize) {
+        self.flight.limit(window);
+    }
+
+    /// Sends a command behind all others. It has at most [`CONTENT`] bytes; a longer one is refused.
+    #[must_use = "a command that is too long is not sent"]
+    pub fn send(&mut self, bytes: Vec<u8>, mark: Option<u32>) -> bool {
+        Self::queue(&mut self.waiting, Command { bytes, mark, motion: false })
+    }
+
+    /// Sends a command behind all others that is of no use once motion is dropped. One that is too long is refused.
+    #[must_use = "a command that is too long is not sent"]
+    pub fn send_motion(&mut self, bytes: Vec<u8>) -> bool {
+        Self::queue(&mut self.waiting, Command { bytes, mark: None, motion: true })
+    }
+
+    /// Sends a command before those that wait. One that is too long is refused.
+    #[must_use = "a command that is too long is not sent"]
+    pub fn send_urgent(&mut self, bytes: Vec<u8>, mark: Option<u32>) -> bool {
+        Self::queue(&mut self.urgent, Command { bytes, mark, motion: false })
+    }
+
+    fn queue(queue: &mut VecDeque<Command>, command: Command) -> bool {
+        let fits = (1..=CONTENT).contains(&command.bytes.len());
+        if fits {
+            queue.push_back(command);
+        }
+        fits
+    }
+
+    /// Drops the commands of motion that are in no frame yet.
+    pub fn forget(&mut self) {
+        self.waiting.retain(|command| !command.motion);
+    }
+
+    /// Reads bytes of the board.
+    pub fn receive(&mut self, bytes: &[u8], now_s: f64) -> Vec<Heard> {
+        let mut news = Vec::new();
+        for frame in self.reader.read(bytes) {
+            let empty = frame.content.is_empty();
+            let Some(answer) = self.flight.heard(frame.number, empty) else { continue };
+            self.heard_s = now_s;
+            for sent in answer.acknowledged {
+                let once = !sent.resent;
+                if once {
+                    self.round_trip.measured(now_s - sent.sent_s);
+                }
+                let delivered = |mark| Heard::Delivered { mark, sent_s: sent.sent_s, once };
+                news.extend(sent.marks.into_iter().map(delivered));
+                self.round_trip.progressed(self.free_s.max(now_s));
+            }
+            self.again |= answer.missed && self.round_trip.is_over_resend(now_s);
+            if !empty {
+                news.push(Heard::Message(frame.content));
+            }
+        }
+        news
+    }
+
+    /// Returns the bytes to be written now.
+    pub fn transmit(&mut self, now_s: f64) -> Outgoing {
+        if now_s >= self.round_trip.due_s() {
+            self.timed_out(now_s);
+        }
+        let mut out = Outgoing::default();
+        if std::mem::take(&mut self.again) {
+            out.replaces = true;
+            out.bytes.push(SYNC);
+            out.bytes.extend(self.flight.again());
+            self.resent += self.flight.frames() as u64;
+        }
+        while let Some(bytes) = self.next_frame(now_s) {
+            out.bytes.extend(bytes);
+        }
+        if !out.bytes.is_empty() {
+            self.free_s = self.free_s.max(now_s) + self.byte_s * out.bytes.len() as f64;
+            self.round_trip.start(self.free_s);
+            if out.replaces {
+                self.round_trip.resent(self.free_s);
+            }
+        }
+        out
+    }
+
+    /// Returns the moment from which [`transmit`](Self::transmit) has something to do; infinite where nothing is due.
+    pub fn due_s(&self) -> f64 {
+        let first = self.urgent.front().or(self.waiting.front());
+        let fits = |command: &Command| self.flight.room().is_some_and(|n| n >= command.bytes.len());
+        if self.again || first.is_some_and(fits) {
+            return f64::NEG_INFINITY;
+        }
+        if self.flight.is_idle() { f64::INFINITY } else { self.round_trip.due_s() }
+    }
+
+    /// Returns `true` when every command that was sent has been run.
+    pub fn is_idle(&self) -> bool {
+        self.flight.frames() == 0 && self.urgent.is_empty() && self.waiting.is_empty()
+    }
+
+    /// Bytes of commands that are in no frame yet.
+    pub fn waiting(&self) -> usize {
+        self.urgent.iter().chain(&self.waiting).map(|command| command.bytes.len()).sum()
+    }
+
+    /// Seconds for which the oldest frame in flight has not been acknowledged.
+    pub fn silent_s(&self, now_s: f64) -> f64 {
+        self.flight.oldest_s().map_or(0.0, |sent_s| now_s - sent_s)
+    }
+
+    /// Moment at which the board was heard last.
+    pub const fn heard_s(&self) -> f64 {
+        self.heard_s
+    }
+
+    /// Frames that went out again so far, and damaged places in what came.
+    pub const fn troubles(&self) -> [u64; 2] {
+        [self.resent, self.reader.damaged()]
+    }
+
+    fn timed_out(&mut self, now_s: f64) {
+        if self.flight.frames() == 0 {
+            self.flight.drained();
+            self.round_trip.stop();
+            return;
+        }
+        self.round_trip.missed(now_s);
+        self.again = true;
+    }
+
+    /// Fills the next frame with whole commands, as far as the board has room.
+    fn next_frame(&mut self, now_s: f64) -> Option<Vec<u8>> {
+        let room = self.flight.room()?;
+        let queue = if self.urgent.is_empty() { &mut self.waiting } else { &mut self.urgent };
+        let (mut content, mut marks) = (Vec::new(), Vec::new());
+        while let Some(command) = queue.front() {
+            if content.len() + command.bytes.len() > room {
+                break;
+            }
+            content.extend_from_slice(&command.bytes);
+            marks.extend(command.mark);
+            queue.pop_front();
+        }
+        (!content.is_empty()).then(|| self.flight.push(&content, marks, now_s))
+    }
+}

@@ -1,0 +1,65 @@
+//! The time by which motion is sent before it is made, from the stalls that the host was seen to make.
+
+/// Shortest time before the end of what was sent at which the tail is decided, seconds: the line and its resends.
+const SHORTEST_S: f64 = 0.05;
+/// Longest one.
+const LONGEST_S: f64 = 0.35;
+/// Times the longest stall that is provided for.
+const SAFETY: f64 = 2.0;
+/// Share of a stall that is forgotten in a second.
+const FORGOTTEN: f64 = 0.02;
+/// The whole lead, in times of the shortest one.
+const FULL: f64 = 2.0;
+
+/// How far ahead of its time motion is sent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lead {
+    /// Ticks a second.
+    frequency: f64,
+    /// Longest time between two looks at the queue, slowly forgotten, seconds.
+    stall_s: f64,
+    looked_s: Option<f64>,
+}
+
+impl Lead {
+    /// For a board with so many ticks a second.
+    pub const fn new(frequency: f64) -> Self {
+        Self { frequency, stall_s: 0.0, looked_s: None }
+    }
+
+    /// The host looks at the queue at a moment. It has stalled since the last look, as far as this can tell.
+    pub fn looked(&mut self, now_s: f64) {
+        let gap_s = self.looked_s.map_or(0.0, |looked_s| now_s - looked_s);
+        self.stall_s = (self.stall_s * (1.0 - FORGOTTEN * gap_s)).max(gap_s);
+        self.looked_s = Some(now_s);
+    }
+
+    /// Moment of the last look.
+    pub fn looked_s(&self) -> f64 {
+        self.looked_s.unwrap_or(f64::NEG_INFINITY)
+    }
+
+    /// Longest stall that was seen, seconds.
+    pub const fn stall_s(&self) -> f64 {
+        self.stall_s
+    }
+
+    /// Ticks before the end of what was sent at which the tail goes out.
+    pub fn least(&self) -> u64 {
+        (self.least_s() * self.frequency) as u64
+    }
+
+    /// Ticks by which a piece is sent before it begins.
+    pub fn full(&self) -> u64 {
+        (self.full_s() * self.frequency) as u64
+    }
+
+    /// The same, seconds.
+    pub fn full_s(&self) -> f64 {
+        FULL * self.least_s()
+    }
+
+    fn least_s(&self) -> f64 {
+        (SHORTEST_S + SAFETY * self.stall_s).min(LONGEST_S)
+    }
+}

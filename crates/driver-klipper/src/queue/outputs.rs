@@ -1,0 +1,82 @@
+//! Outputs that change at a clock, and are told again before the board's watch takes their host for dead.
+
+use super::Lead;
+
+/// Parts of the watch after which an output is told again.
+const AGAIN: u64 = 4;
+
+/// An output changes at a clock.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Change {
+    /// Its place among all outputs: those that go on and off, then those with a share of time.
+    pub output: usize,
+    /// Clock.
+    pub clock: u64,
+    /// Its value as the board takes it.
+    pub value: u32,
+}
+
+/// An output as the board knows it.
+#[derive(Clone, Copy, Debug)]
+struct Output {
+    /// Ticks after which the board shuts down when it was not told again; 0 for never.
+    watch: u64,
+    /// Value at which it is off.
+    off: u32,
+    /// Newest change that was sent.
+    last: Option<Change>,
+}
+
+/// All outputs of a board.
+#[derive(Clone, Debug)]
+pub struct Outputs(Vec<Output>);
+
+impl Outputs {
+    pub fn new(outputs: &[(u64, u32)]) -> Self {
+        Self(
+            outputs
+                .iter()
+                .map(|(watch, off)| Output { watch: *watch, off: *off, last: None })
+                .collect(),
+        )
+    }
+
+    /// Notes a change that goes out, at the earliest at a clock and behind the one before; returns it as it goes.
+    pub fn sent(&mut self, change: Change, earliest: u64) -> Change {
+        let Some(output) = self.0.get_mut(change.output) else { return change };
+        let behind = output.last.map_or(0, |last| last.clock + 1);
+        let change = Change { clock: change.clock.max(earliest).max(behind), ..change };
+        output.last = Some(change);
+        change
+    }
+
+    /// Changes that put all outputs off that are on, or that were told to go on later.
+    pub fn off(&self) -> impl Iterator<Item = Change> {
+        let off = |output: &Output| {
+            let last = output.last.filter(|last| last.value != output.off);
+            last.map(|last| Change { clock: 0, value: output.off, ..last })
+        };
+        self.0.iter().filter_map(off)
+    }
+
+    /// Outputs are off, and no change is on its way.
+    pub fn forget(&mut self) {
+        self.0.iter_mut().for_each(|output| output.last = None);
+    }
+
+    /// Changes that tell again what stands, for outputs that are on.
+    pub fn again(&mut self, now: u64, lead: &Lead) -> impl Iterator<Item = Change> + use<> {
+        let clock = now + lead.least();
+        let due = |output: &&mut Output| {
+            let on = output.last.filter(|last| last.value != output.off && output.watch > 0);
+            on.is_some_and(|last| last.clock + output.watch / AGAIN <= clock)
+        };
+        let again = |output: &mut Output| {
+            let change = output.last.map(|last| Change { clock, ..last });
+            output.last = change;
+            change
+        };
+        let told: Vec<Change> = self.0.iter_mut().filter(due).filter_map(again).collect();
+        told.into_iter()
+    }
+}

@@ -1,0 +1,91 @@
+//! A piece of motion and the way to rest behind it.
+
+use super::{Change, Refused, Release, due};
+use crate::compress::{Compressor, Steps};
+
+/// A step of a motor as it is planned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// Clock, with its fraction.
+    pub clock: f64,
+    /// The motor's count rises.
+    pub forward: bool,
+}
+
+/// A piece of motion: it begins where the one before ends.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Piece {
+    /// Steps of each motor, in order of time.
+    pub steps: Vec<Vec<Step>>,
+    /// Changes of outputs, in order of time.
+    pub changes: Vec<Change>,
+    /// Its end.
+    pub ends: u64,
+    /// The steps that bring each motor to rest from there; none where they stand.
+    pub tail: Vec<Vec<Step>>,
+    /// End of the tail.
+    pub rests: u64,
+}
+
+/// A piece as it is told to the board.
+#[derive(Clone, Debug)]
+pub(super) struct Prepared {
+    pub starts: u64,
+    pub ends: u64,
+    pub releases: Vec<Release>,
+    /// State of compression behind it.
+    pub behind: Vec<Compressor>,
+    /// The way to rest, where the motors do not stand at its end.
+    pub tail: Option<Box<Prepared>>,
+}
+
+impl Prepared {
+    pub fn new(piece: &Piece, starts: u64, before: &[Compressor]) -> Result<Self, Refused> {
+        if piece.steps.len() != before.len() || ![0, before.len()].contains(&piece.tail.len()) {
+            return Err(Refused::Motors);
+        }
+        let span = [starts, piece.ends];
+        let mut prepared = Self::of(&piece.steps, span, before)?;
+        let inside = |change: &Change| span[0] <= change.clock && change.clock <= span[1];
+        if !piece.changes.iter().all(inside) {
+            return Err(Refused::Order);
+        }
+        prepared.releases.extend(piece.changes.iter().copied().map(Release::Output));
+        prepared.releases.sort_by_key(due);
+        if piece.tail.iter().any(|steps| !steps.is_empty()) {
+            let tail = Self::of(&piece.tail, [piece.ends, piece.rests], &prepared.behind)?;
+            prepared.tail = Some(Box::new(tail));
+        }
+        Ok(prepared)
+    }
+
+    fn of(motors: &[Vec<Step>], span: [u64; 2], before: &[Compressor]) -> Result<Self, Refused> {
+        if span[1] < span[0] {
+            return Err(Refused::Order);
+        }
+        let (mut behind, mut releases) = (before.to_vec(), Vec::new());
+        for (motor, (steps, compressor)) in motors.iter().zip(&mut behind).enumerate() {
+            let commands = compressed(steps, span, compressor)?;
+            releases.extend(commands.into_iter().map(|steps| Release::Steps { motor, steps }));
+        }
+        releases.sort_by_key(due);
+        Ok(Self { starts: span[0], ends: span[1], releases, behind, tail: None })
+    }
+}
+
+fn compressed(
+    steps: &[Step],
+    [starts, ends]: [u64; 2],
+    compressor: &mut Compressor,
+) -> Result<Vec<Steps>, Refused> {
+    let (mut commands, mut since) = (Vec::new(), starts as f64);
+    for Step { clock, forward } in steps {
+        if !(since..=ends as f64).contains(clock) {
+            return Err(Refused::Order);
+        }
+        since = *clock;
+        compressor.push(*clock, *forward, &mut commands)?;
+    }
+    compressor.finish(&mut commands)?;
+    Ok(commands)
+}

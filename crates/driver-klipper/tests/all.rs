@@ -1,0 +1,14 @@
+//! The tests of this crate from outside, one program: linking one a file would cost more than running them.
+
+#![allow(clippy::expect_used, clippy::unwrap_used, missing_docs, dead_code)]
+
+mod bytes;
+mod compress;
+mod convoy;
+mod fake;
+mod line;
+mod measured;
+mod motion;
+mod mutated;
+mod recorded;
+mod session;

@@ -1,0 +1,212 @@
+//! Sessions with boards that are none: found, refused, shut down, restarted, gone.
+
+use crate::fake::world::{Motion, World, motor, setup};
+use crate::fake::{Board as Fake, Faults};
+use kerf_driver_klipper::board::{Ended, Fault, News, Options};
+use kerf_driver_klipper::setup::{Pin, Setup, SetupError};
+
+fn ready(news: &News) -> bool {
+    matches!(news, News::Ready { .. })
+}
+
+/// Lets another host find the board, and returns what it tells first.
+fn second(world: &mut World, setup: Setup) -> News {
+    world.host = kerf_driver_klipper::board::Board::new(setup, Options::default(), world.now_s);
+    world.news.clear();
+    world.wait(|news| ready(news) || matches!(news, News::Fault(_)))
+}
+
+#[test]
+fn a_board_that_is_known_is_taken_up_with_its_counts() {
+    let mut world = World::ready(1, Faults::default());
+    world.make(&Motion::straight(500.0, 1.0), &[]);
+    let News::Ready { version, counts } = second(&mut world, setup()) else {
+        panic!("it is ready")
+    };
+    assert_eq!((version.as_str(), &counts[..]), ("fake-1", &[500, 0, 0][..]));
+}
+
+#[test]
+fn a_board_that_still_moves_is_put_at_rest_first() {
+    let mut world = World::ready(2, Faults::default());
+    let motion = Motion::straight(9000.0, 3.0);
+    let mut feed = world.begin(&motion, &[]);
+    for _ in 0..1500 {
+        world.feed(&motion, &mut feed);
+        world.pass();
+    }
+    let News::Ready { counts, .. } = second(&mut world, setup()) else { panic!("it is ready") };
+    assert_eq!(counts[0], world.fake.steppers[&0].position);
+    assert!(counts[0] > 100 && !world.fake.is_stepping(0));
+}
+
+#[test]
+fn a_board_that_was_configured_otherwise_is_refused() {
+    let mut world = World::ready(3, Faults::default());
+    let other = Setup { motors: vec![motor(5)], ..Setup::default() };
+    let told = second(&mut world, other);
+    assert!(matches!(told, News::Fault(Fault::Foreign(_))), "{told:?}");
+    let before = world.fake.ran.get("queue_step").copied();
+    world.pass_for(1.0);
+    assert_eq!(before, world.fake.ran.get("queue_step").copied(), "nothing moves by itself");
+}
+
+#[test]
+fn a_shutdown_is_told_with_its_reason_and_counts_survive() {
+    let mut world = World::ready(4, Faults::default());
+    let motion = Motion::straight(9000.0, 3.0);
+    let mut feed = world.begin(&motion, &[]);
+    for _ in 0..1500 {
+        world.feed(&motion, &mut feed);
+        world.pass();
+    }
+    world.host.emergency_stop().expect("a board");
+    let told = world.wait(|news| matches!(news, News::Shutdown(_)));
+    assert_eq!(told, News::Shutdown("Command request".to_owned()));
+    let made = world.fake.steppers[&0].position;
+    assert!(made > 100);
+    assert!(world.host.start(&[], world.now_s).is_err());
+    world.host.recover().expect("a board that is shut down");
+    assert_eq!(world.wait_end(), (Ended::Shutdown, vec![made, 0, 0]));
+    world.news.clear();
+    assert!(world.host.start(&[], world.now_s).is_ok());
+}
+
+#[test]
+fn a_board_that_is_shut_down_already_tells_why() {
+    let mut world = World::ready(5, Faults::default());
+    world.fake.shut("ADC out of range");
+    let told = second(&mut world, setup());
+    assert_eq!(told, News::Fault(Fault::ShutDown("ADC out of range".to_owned())));
+}
+
+#[test]
+fn a_board_that_restarts_is_told() {
+    let mut world = World::ready(6, Faults::default());
+    world.fake.reset();
+    assert_eq!(world.wait_fault(), Fault::Restarted);
+}
+
+#[test]
+fn a_cable_that_is_pulled_is_told() {
+    let mut world = World::ready(7, Faults::default());
+    world.there.faults.drop = 1.0;
+    assert_eq!(world.wait_fault(), Fault::Silent);
+}
+
+#[test]
+fn a_port_without_a_board_is_told() {
+    let mut world =
+        World::new(8, Faults { drop: 1.0, ..Faults::default() }, setup(), Options::default());
+    assert_eq!(world.wait_fault(), Fault::NoBoard);
+}
+
+#[test]
+fn sessions_begin_on_faulty_lines() {
+    for seed in 0..10 {
+        World::ready(100 + seed, Faults::all(0.01));
+    }
+}
+
+fn check_setup(setup: Setup, expected: SetupError) {
+    let mut world = World::new(9, Faults::default(), setup, Options::default());
+    assert_eq!(world.wait_fault(), Fault::Setup(expected));
+    assert!(!world.fake.ran.contains_key("allocate_oids"), "nothing was configured");
+}
+
+#[test]
+fn setups_that_do_not_fit_are_refused_before_anything_is_configured() {
+    let twice = Setup { motors: vec![motor(1), motor(1)], ..Setup::default() };
+    check_setup(twice, SetupError::Twice("gpio2".to_owned()));
+    let many = Setup {
+        buttons: (0..9).map(|n| Pin::new(&format!("gpio{n}"))).collect(),
+        ..Setup::default()
+    };
+    check_setup(many, SetupError::Many { what: "inputs that are looked at", most: 8, count: 9 });
+    let mut fault = World::new(
+        9,
+        Faults::default(),
+        Setup { switches: vec![Pin::new("gpio99")], ..Setup::default() },
+        Options::default(),
+    );
+    assert_eq!(fault.wait_fault().to_string(), "the board has no pin `gpio99`");
+}
+
+#[test]
+fn an_output_is_kept_on_and_goes_off_when_it_is_told() {
+    let mut world = World::ready(10, Faults::default());
+    world.host.set_output(0, 1.0, world.now_s).expect("a board");
+    world.pass_for(3.0);
+    let value = |fake: &Fake| fake.outputs.values().next().unwrap().value;
+    assert_eq!(value(&world.fake), 1, "{:?}", world.fake.reason());
+    world.host.set_output(0, 0.0, world.now_s).expect("a board");
+    world.pass_for(0.5);
+    assert_eq!(value(&world.fake), 0);
+    assert!(!world.fake.is_shutdown());
+}
+
+#[test]
+fn a_stop_puts_outputs_off() {
+    let mut world = World::ready(11, Faults::default());
+    let mut motion = Motion::straight(9000.0, 3.0);
+    motion.switches_s = vec![(0.2, 1), (1.2, 0), (1.21, 1)];
+    let mut feed = world.begin(&motion, &[]);
+    let since_s = world.now_s;
+    while world.now_s < since_s + 1.3 {
+        world.feed(&motion, &mut feed);
+        world.pass();
+    }
+    world.host.stop().expect("a board");
+    world.wait_end();
+    world.pass_for(1.0);
+    assert_eq!(world.fake.outputs.values().next().unwrap().value, 0);
+    assert!(!world.fake.is_shutdown(), "{:?}", world.fake.reason());
+}
+
+#[test]
+fn inputs_are_told_once_each_change() {
+    let mut setup = setup();
+    setup.buttons = vec![Pin::new("gpio30"), Pin { inverted: true, ..Pin::new("gpio31") }];
+    let mut world = World::new(12, Faults::all(0.01), setup, Options::default());
+    world.wait(ready);
+    world.pass_for(1.0);
+    let now = world.fake.now;
+    let at = |s: f64| now + (s * 12e6) as u64;
+    world.fake.driven.insert(30, vec![(at(0.1), true), (at(0.5), false)]);
+    world.fake.driven.insert(31, vec![(at(0.3), true)]);
+    world.pass_for(1.5);
+    let told: Vec<u8> = world
+        .news
+        .iter()
+        .filter_map(|n| match n {
+            News::Buttons(b) => Some(*b),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(told, [0b11, 0b01, 0b00]);
+}
+
+#[test]
+fn voltages_and_registers_are_read() {
+    let mut setup = setup();
+    setup.voltages = vec![Pin::new("ADC")];
+    setup.drivers = vec![kerf_driver_klipper::setup::DriverWire {
+        rx: Pin::new("gpio40"),
+        tx: Pin::new("gpio40"),
+    }];
+    let mut world = World::new(13, Faults::default(), setup, Options::default());
+    world.fake.answers = vec![(
+        vec![0x0a, 0x02, 0xc8, 0xa0, 0xb7],
+        vec![0x0a, 0xfa, 0xcf, 0xa0, 0x90, 0x00, 0x02, 0x08, 0xa8, 0xa7],
+    )];
+    world.wait(ready);
+    world.host.ask_register(0, 0, 6).expect("a board");
+    let told = world.wait(|news| matches!(news, News::Register { .. }));
+    assert_eq!(told, News::Register { driver: 0, register: 6, value: Ok(0x2100_0040) });
+    world.host.measure(0, 0.1, world.now_s).expect("a board");
+    let News::Voltage { shares, .. } = world.wait(|news| matches!(news, News::Voltage { .. }))
+    else {
+        panic!()
+    };
+    assert!((shares[0] - 0.5).abs() < 0.01, "{shares:?}");
+}

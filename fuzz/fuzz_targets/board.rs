@@ -1,0 +1,12 @@
+//! Any bytes as what a board with step queues says: never a panic, and nothing moves by itself.
+#![no_main]
+#![allow(dead_code)]
+
+#[path = "../../crates/driver-klipper/tests/bytes/mod.rs"]
+mod bytes;
+#[path = "../../crates/driver-klipper/tests/fake/mod.rs"]
+mod fake;
+
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|data: &[u8]| bytes::check(data));
