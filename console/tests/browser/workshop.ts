@@ -241,6 +241,8 @@ export interface WorkshopOptions {
   readonly machine?: string;
   /** Seconds of machine time in a second. */
   readonly rate?: number;
+  /** What the server tells a page comes later by so much, milliseconds. */
+  readonly lagMs?: number;
 }
 
 const chromiumFlags = [
@@ -273,9 +275,9 @@ function addressOf(server: ChildProcess): Promise<string> {
 }
 
 /** What the server tells a page comes later by so much, milliseconds: tests must not hurry before it. */
-const lagMs = Number(process.env.KERF_LAG_MS ?? 0);
+const usualLagMs = Number(process.env.KERF_LAG_MS ?? 0);
 
-async function delayed(page: Page): Promise<void> {
+async function delayed(page: Page, lagMs: number): Promise<void> {
   if (lagMs === 0) return;
   await page.routeWebSocket(/\/ws$/, (link) => {
     const server = link.connectToServer();
@@ -327,7 +329,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
         if (message.type() === "error") mistakes.push(message.text());
       });
       pages.push(page);
-      await delayed(page);
+      await delayed(page, options.lagMs ?? usualLagMs);
       await page.goto(wayIn);
       return page;
     },
