@@ -5,8 +5,9 @@ import { copyFileSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
-import { type Browser, chromium, type Page } from "playwright-core";
+import type { Browser, Page } from "playwright-core";
 import type { Snapshot } from "../../src/wire/messages";
+import { connect } from "./browsers";
 
 const root = resolve(import.meta.dirname, "../../..");
 /** The command that is tested. */
@@ -245,19 +246,6 @@ export interface WorkshopOptions {
   readonly lagMs?: number;
 }
 
-const chromiumFlags = [
-  "--headless",
-  "--no-sandbox",
-  "--disable-gpu",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
-
 /** Waits for the line that tells the address. */
 function addressOf(server: ChildProcess): Promise<string> {
   return new Promise((resolve, reject) => {
@@ -302,10 +290,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const wayIn = await addressOf(server);
   const { origin: address, searchParams } = new URL(wayIn);
   const token = searchParams.get("token");
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: chromiumFlags,
-  });
+  const browser = await connect();
   const mistakes: string[] = [];
   const pages: Page[] = [];
   const ended = async (signal: NodeJS.Signals) => {
