@@ -19,7 +19,11 @@ export function SaveAs({ first, onSave, onCancel }: SaveAsProps) {
       title="Save as"
       onClose={onCancel}
       foot={
-        <Button look="primary" isDisabled={name.trim() === ""} onPress={() => save()}>
+        <Button
+          look="primary"
+          refused={name.trim() === "" ? "Enter a name first." : undefined}
+          onPress={() => save()}
+        >
           Save
         </Button>
       }
