@@ -11,6 +11,10 @@ export default defineConfig({
     testTimeout: 240_000,
     hookTimeout: 120_000,
     expect: { poll: { timeout: 40_000, interval: 50 } },
-    fileParallelism: false,
+    globalSetup: ["tests/browser/browsers.ts"],
+    // Each with a browser, a server and a machine of its own.
+    maxWorkers: 2,
+    // What the files share is loaded once a worker.
+    isolate: false,
   },
 });

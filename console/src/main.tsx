@@ -7,8 +7,11 @@ import { createRoot } from "react-dom/client";
 import { App } from "./app/App";
 import { createScreen } from "./app/screen";
 import { openLink, socketAddress } from "./link/link";
+import { keepRecent } from "./operator/recent";
 
 const hands = { link: openLink(socketAddress(location)), screen: createScreen() };
+
+keepRecent(hands.link.shown);
 
 // How far this page has followed the server, for whoever looks at it from outside: compare `revision` of
 // /api/state.

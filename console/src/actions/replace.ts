@@ -40,7 +40,8 @@ export async function writing(world: World, name: string, attempt: Attempt): Pro
 export const mayReplace = async (world: World, name: string): Promise<boolean> =>
   asked(world, await aboutFile(name));
 
-const aboutFile = (name: string): Promise<FileAbout> =>
+/** What lies under a name. */
+export const aboutFile = (name: string): Promise<FileAbout> =>
   getJson<FileAbout>(`${fileAddress(name)}?about`);
 
 /** Asks; another sheet in the way is no leave. */

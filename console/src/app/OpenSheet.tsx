@@ -2,6 +2,7 @@ import { CommandSheet } from "../command/CommandSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
 import { TimingSheet } from "../timing/TimingSheet";
+import { BinSheet } from "../tools/BinSheet";
 import { ConfirmSheet } from "../tools/ConfirmSheet";
 import { InputsSheet } from "../tools/InputsSheet";
 import { MoveToSheet } from "../tools/MoveToSheet";
@@ -50,6 +51,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <TimingSheet onClose={close} />;
     case "versions":
       return <VersionsSheet name={sheet.name} onClose={close} />;
+    case "bin":
+      return <BinSheet onClose={close} />;
     case "confirm":
       return <ConfirmSheet action={sheet.action} onClose={close} />;
     case "replace":

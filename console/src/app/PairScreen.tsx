@@ -29,7 +29,12 @@ export function PairScreen() {
       title="Pair this device"
       shape="question"
       foot={
-        <Button look="primary" size="large" isDisabled={!ready} onPress={() => void pair()}>
+        <Button
+          look="primary"
+          size="large"
+          refused={ready ? undefined : "Enter the code and a name first."}
+          onPress={() => void pair()}
+        >
           Pair
         </Button>
       }

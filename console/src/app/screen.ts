@@ -24,6 +24,7 @@ export type Sheet =
   | { readonly kind: "tools" }
   | { readonly kind: "timing" }
   | { readonly kind: "versions"; readonly name: string }
+  | { readonly kind: "bin" }
   | { readonly kind: "confirm"; readonly action: string }
   | {
       readonly kind: "replace";

@@ -163,7 +163,11 @@ interface RecallProps {
 function Recall({ letters, onRecall }: RecallProps) {
   const last = lastEntries(letters);
   return (
-    <Button size="small" isDisabled={last === undefined} onPress={() => last && onRecall(last)}>
+    <Button
+      size="small"
+      refused={last === undefined ? "The command was not given before." : undefined}
+      onPress={() => last && onRecall(last)}
+    >
       Recall last
     </Button>
   );

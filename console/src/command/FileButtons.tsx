@@ -27,10 +27,16 @@ export function FileButtons({ line, entries, onDone }: FileButtonsProps) {
   };
   return (
     <>
-      <Button isDisabled={name === ""} onPress={() => void preview()}>
+      <Button
+        refused={name === "" ? "Choose a file first." : undefined}
+        onPress={() => void preview()}
+      >
         Preview
       </Button>
-      <Button isDisabled={name === ""} onPress={() => void step()}>
+      <Button
+        refused={name === "" ? "Choose a file first." : undefined}
+        onPress={() => void step()}
+      >
         Single step
       </Button>
     </>

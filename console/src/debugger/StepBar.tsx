@@ -47,7 +47,12 @@ function Steps({ due, onAnswer, onBegin }: StepsProps) {
       <Button look="primary" onPress={() => onAnswer("Step")} autoFocus>
         Step
       </Button>
-      <Button isDisabled={breakpoints.length === 0} onPress={onBegin}>
+      <Button
+        refused={
+          breakpoints.length === 0 ? "No line has a breakpoint: set one in the editor." : undefined
+        }
+        onPress={onBegin}
+      >
         To breakpoint
       </Button>
       <Button onPress={() => onAnswer("Run")}>Run on</Button>
@@ -81,10 +86,13 @@ function GoToLine({ onGo }: { onGo: (words: string) => void }) {
           onChange={(event) => setLine(event.target.value)}
         />
       </label>
-      <Button type="submit" isDisabled={!valid}>
+      <Button type="submit" refused={valid ? undefined : "Enter the number of a line of the file."}>
         Go to
       </Button>
-      <Button isDisabled={!valid} onPress={() => onGo(`${line.trim()} settings`)}>
+      <Button
+        refused={valid ? undefined : "Enter the number of a line of the file."}
+        onPress={() => onGo(`${line.trim()} settings`)}
+      >
         … with settings
       </Button>
     </form>

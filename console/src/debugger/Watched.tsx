@@ -34,7 +34,14 @@ export function Watched() {
         }}
       >
         <Field label="Variable" value={text} onChange={setText} placeholder="&depth" />
-        <Button type="submit" isDisabled={namesIn(text).length === 0}>
+        <Button
+          type="submit"
+          refused={
+            namesIn(text).length === 0
+              ? "Enter the name of a variable first, as &depth."
+              : undefined
+          }
+        >
           Watch
         </Button>
       </form>

@@ -169,7 +169,7 @@ function MoveTo({ world, units }: { world: World; units: Units }) {
       {entry("x")}
       {entry("y")}
       <span>{units.linear}</span>
-      <Button size="small" type="submit" isDisabled={!ready}>
+      <Button size="small" type="submit" refused={ready ? undefined : "Enter X and Y first."}>
         Move to
       </Button>
     </form>

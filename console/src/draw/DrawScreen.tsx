@@ -38,7 +38,7 @@ export function DrawScreen() {
   const drawing = useSnapshot("drawing");
   const pickRadius = useSnapshot("setup")?.pickRadius || usualRadius;
   const percent = useSnapshot("setup")?.windowExpansion ?? usualExpansion;
-  const loaded = useShapes();
+  const { loaded, fresh } = useShapes();
   const [optionsStore] = useState(createOptions);
   const options = useSyncExternalStore(optionsStore.watch, optionsStore.get);
   const digitized = useSnapshot("digitized") ?? null;
@@ -49,12 +49,8 @@ export function DrawScreen() {
   );
   const lastJoin = round((drawing?.join ?? usualJoin) / (useSnapshot("units")?.mm ?? 1));
   const picked = drawing?.picked ?? nothingPicked;
-  const desk = useDesk(scene, {
-    pickRadius,
-    lastJoin,
-    picked,
-    expansion: expansionFactor(percent),
-  });
+  const ways = { pickRadius, lastJoin, picked, expansion: expansionFactor(percent) };
+  const desk = useDesk(scene, ways, fresh);
   const [operation, setOperation] = useState<string | null>(null);
   const [aspect, setAspect] = useState<Aspect>("top");
   const plane = useRef(0);

@@ -24,6 +24,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
   const [asking, setAsking] = useState<Asking | null>(null);
   // Tool paths that were opened stay tool paths: their name is not that of their drawing.
   const isJob = drawing?.name?.toLowerCase().endsWith(".rsm") ?? false;
+  const empty = drawing?.shapes ? undefined : "The drawing has no shapes yet.";
   const draw = (op: Op) => ask(worldOf(hands), { do: "draw", op });
   /** Writes a file of the drawing; one that is there already is replaced when the person says so. */
   const write = (op: "save" | "program", name: string) =>
@@ -57,14 +58,14 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         <span className="drawing-gap" />
         <Button
           size="small"
-          isDisabled={!drawing?.canUndo}
+          refused={drawing?.canUndo ? undefined : "There is nothing to take back."}
           onPress={() => void draw({ op: "undo" })}
         >
           Undo
         </Button>
         <Button
           size="small"
-          isDisabled={!drawing?.canRedo}
+          refused={drawing?.canRedo ? undefined : "There is nothing to make again."}
           onPress={() => void draw({ op: "redo" })}
         >
           Redo
@@ -76,18 +77,14 @@ export function DrawingHead({ desk }: { desk: Desk }) {
           Show all
         </Button>
         <span className="drawing-gap" />
-        <Button
-          size="small"
-          isDisabled={!drawing || drawing.shapes === 0}
-          onPress={() => setAsking("program")}
-        >
+        <Button size="small" refused={empty} onPress={() => setAsking("program")}>
           Make the part program…
         </Button>
         {!drawingOnly && (
           <Button
             size="small"
             look="primary"
-            isDisabled={!drawing || drawing.shapes === 0}
+            refused={empty}
             onPress={() => void machine(worldOf(hands), null)}
           >
             Machine

@@ -12,12 +12,12 @@ import { lookedAt } from "../digitize/points";
 import { useLook } from "../digitize/useLook";
 import { useSize } from "../view/useSize";
 import { Chooser } from "./Chooser";
-import { grabbed, moved, pressed, released, rightClicked } from "./desk";
+import { dragged, grabbed, moved, pressed, released, rightClicked } from "./desk";
 import { EntryBox } from "./EntryBox";
 import { boxOf, type Place, place } from "./geometry/vec";
 import { overlayOf } from "./ghost";
 import { inkOf, pixelOf } from "./ink";
-import { typed } from "./keys";
+import { isDeskKey, typed } from "./keys";
 import { paintOverlay } from "./paint/overlay";
 import { paintPaper } from "./paint/paper";
 import { sheetOn } from "./paint/pen";
@@ -67,7 +67,7 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
     <section className="sheet-panel" aria-label="Sheet">
       <div
         ref={box}
-        className={desk.state.running ? "sheet-box sheet-picking" : "sheet-box"}
+        className={classOf(desk)}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: the drawing is worked on with keys
         tabIndex={0}
         role="application"
@@ -81,7 +81,8 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
         }
         onPointerUp={(event) => {
           if (event.button === 2) return;
-          desk.act((state, around) => released(state, event.shiftKey, around));
+          const [{ drag }, adds] = [desk.set(released), event.shiftKey];
+          desk.act((state, around) => dragged(state, drag, adds, around));
         }}
         onPointerLeave={() => desk.set((state) => ({ ...state, pointer: null }))}
         onContextMenu={(event) => {
@@ -108,6 +109,10 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
     </section>
   );
 }
+
+/** The cursor tells that something is to be picked, or that a click waits for its turn. */
+const classOf = ({ state, waits }: Desk): string =>
+  ["sheet-box", state.running ? "sheet-picking" : "", waits ? "sheet-waits" : ""].join(" ").trim();
 
 /** What is in sight of a new drawing, mm: the corner of a table at its origin. */
 const corner = boxOf(place(-10, -10), place(300, 200));
@@ -186,13 +191,15 @@ function pointerDown(desk: Desk, event: PointerEvent<HTMLElement>, at: Place, pi
   if (event.button === 2) return;
   event.currentTarget.focus();
   event.currentTarget.setPointerCapture(event.pointerId);
-  desk.act((state) => (event.button === 1 ? grabbed(state, pixel) : pressed(state, at)));
+  desk.set((state) => (event.button === 1 ? grabbed(state, pixel) : pressed(state, at)));
 }
 
 /** Keys of the drawing; what they mean nothing to goes on to the page. */
 function keyed(desk: Desk, event: KeyboardEvent): void {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (desk.act((state, around) => typed(state, event.key.toLowerCase(), around))) {
-    event.preventDefault();
-  }
+  const key = event.key.toLowerCase();
+  const meant = desk.waits ? isDeskKey(key) : typed(desk.state, key, desk.around) !== null;
+  if (!meant) return;
+  event.preventDefault();
+  desk.act((state, around) => typed(state, key, around));
 }

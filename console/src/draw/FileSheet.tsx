@@ -77,7 +77,11 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
         <div className="file-sheet-foot">
           {reads && <UploadButton uploads={uploads} folder="" endings={endings} />}
           <Button onPress={onClose}>Cancel</Button>
-          <Button type="submit" look="primary" isDisabled={name.trim() === ""}>
+          <Button
+            type="submit"
+            look="primary"
+            refused={name.trim() === "" ? "Enter a name first." : undefined}
+          >
             {reads ? "Open" : "Write"}
           </Button>
         </div>

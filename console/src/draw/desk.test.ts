@@ -4,6 +4,7 @@ import {
   chosen,
   type DeskState,
   type Done,
+  dragged,
   escaped,
   firstDesk,
   moved,
@@ -30,15 +31,18 @@ const around = (selected: readonly number[] = []): Around => ({
 });
 
 const click = (state: DeskState, x: number, y: number, world = around(), adds = false): Done =>
-  released(moved(pressed(state, place(x, y)).state, place(x, y), place(0, 0)), adds, world);
+  drag(state, [x, y], [x, y], world, adds);
 
 const drag = (
   state: DeskState,
   from: [number, number],
   to: [number, number],
   world = around(),
-): Done =>
-  released(moved(pressed(state, place(...from)).state, place(...to), place(0, 0)), false, world);
+  adds = false,
+): Done => {
+  const over = moved(pressed(state, place(...from)), place(...to), place(0, 0));
+  return dragged(released(over), over.drag, adds, world);
+};
 
 const key = (state: DeskState, name: string) => typed(state, name, around())?.state ?? state;
 

@@ -133,13 +133,16 @@ export const takesPlace = (running: Running): boolean => {
 };
 
 /** The left button went down. */
-export const pressed = (state: DeskState, at: Place): Done => ({
-  state: { ...state, drag: { kind: "region", from: at, to: at }, chooser: null },
+export const pressed = (state: DeskState, at: Place): DeskState => ({
+  ...state,
+  drag: { kind: "region", from: at, to: at },
+  chooser: null,
 });
 
 /** The middle button went down, or the space bar is held. */
-export const grabbed = (state: DeskState, pixel: Place): Done => ({
-  state: { ...state, drag: { kind: "pan", at: pixel } },
+export const grabbed = (state: DeskState, pixel: Place): DeskState => ({
+  ...state,
+  drag: { kind: "pan", at: pixel },
 });
 
 export function moved(state: DeskState, at: Place, pixel: Place): DeskState {
@@ -151,15 +154,16 @@ export function moved(state: DeskState, at: Place, pixel: Place): DeskState {
   return { ...state, pointer: at, drag: drag && { ...drag, to: at } };
 }
 
-/** A button went up: a click or a region. `adds` keeps what is selected. */
-export function released(state: DeskState, adds: boolean, around: Around): Done {
-  const { drag } = state;
-  const still = { ...state, drag: null };
-  if (drag?.kind !== "region") return { state: still };
+/** A button went up. */
+export const released = (state: DeskState): DeskState => ({ ...state, drag: null });
+
+/** Acts on what was dragged until a button went up: a click or a region. `adds` keeps what is selected. */
+export function dragged(state: DeskState, drag: Drag | null, adds: boolean, around: Around): Done {
+  if (drag?.kind !== "region") return { state };
   const far = distance(drag.from, drag.to) / state.window.mmPerPixel;
   return far < clickSlack
-    ? clicked(still, drag.from, adds, around)
-    : spanned(still, drag.from, drag.to, adds, around);
+    ? clicked(state, drag.from, adds, around)
+    : spanned(state, drag.from, drag.to, adds, around);
 }
 
 function clicked(state: DeskState, at: Place, adds: boolean, around: Around): Done {

@@ -148,9 +148,15 @@ const takesEntry = ({ running }: DeskState): boolean =>
   running !== null &&
   (takesPlace(running) || running.bending !== null || asked(running)?.ask === "number");
 
+const beginsNumber = (key: string): boolean => /^[\d@.-]$/.test(key);
+
 /** The beginning of a number opens the entry with it. */
 const begun = (state: DeskState, key: string): Done | null =>
-  takesEntry(state) && /^[\d@.-]$/.test(key) ? { state: { ...state, entry: key } } : null;
+  takesEntry(state) && beginsNumber(key) ? { state: { ...state, entry: key } } : null;
+
+/** Tells whether a key without modifiers may mean something here, at one time or another. */
+export const isDeskKey = (key: string): boolean =>
+  beginsNumber(key) || deskKeys.some((other) => other.key === key);
 
 /** A key without modifiers; nothing when it means nothing here. */
 export function typed(state: DeskState, key: string, around: Around): Done | null {

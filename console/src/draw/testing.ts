@@ -5,6 +5,7 @@ import {
   chosen,
   type DeskState,
   type Done,
+  dragged,
   escaped,
   firstDesk,
   moved,
@@ -76,14 +77,15 @@ export class Hand {
     return this;
   }
   click(x: number, y: number, adds = false): this {
-    this.#take(pressed(this.state, place(x, y)));
-    return this.move(x, y).#take(released(this.state, adds, this.around));
+    return this.press(x, y).move(x, y).release(adds);
   }
   press(x: number, y: number): this {
-    return this.#take(pressed(this.state, place(x, y)));
+    this.state = pressed(this.state, place(x, y));
+    return this;
   }
-  release(): this {
-    return this.#take(released(this.state, false, this.around));
+  release(adds = false): this {
+    const { drag } = this.state;
+    return this.#take(dragged(released(this.state), drag, adds, this.around));
   }
   /** Chooses a shape among those that a click met. */
   choose(number: number): this {
@@ -91,8 +93,7 @@ export class Hand {
     return this.#take(chosen(this.state, number, at, false, this.around));
   }
   drag(x0: number, y0: number, x1: number, y1: number): this {
-    this.#take(pressed(this.state, place(x0, y0)));
-    return this.move(x1, y1).#take(released(this.state, false, this.around));
+    return this.press(x0, y0).move(x1, y1).release();
   }
   /** Answers whatever is asked. */
   answer(): this {

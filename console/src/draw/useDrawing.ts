@@ -13,19 +13,26 @@ import {
   notMachined,
 } from "./scene";
 
-export function useShapes(): Loaded {
+/** The shapes that are shown; `fresh` while no newer ones are being read. */
+export function useShapes(): { loaded: Loaded; fresh: boolean } {
   const revision = useSnapshot("drawing")?.revision;
   const { screen } = useHands();
   const [loaded, setLoaded] = useState(nothingLoaded);
+  const [unread, setUnread] = useState(-1);
   useEffect(() => {
     if (revision === undefined) return setLoaded(nothingLoaded);
     const gone = new AbortController();
     getJson<ShapeList>("/api/drawing/shapes", gone.signal)
       .then((list) => setLoaded(loadedOf(list)))
-      .catch((error: Error) => gone.signal.aborted || screen.tell(error.message));
+      .catch((error: Error) => {
+        if (gone.signal.aborted) return;
+        setUnread(revision);
+        screen.tell(error.message);
+      });
     return () => gone.abort();
   }, [revision, screen]);
-  return loaded;
+  const fresh = revision === undefined || loaded.revision >= revision || unread === revision;
+  return { loaded, fresh };
 }
 
 /** What the drawing becomes when it is machined, where that is wanted. */

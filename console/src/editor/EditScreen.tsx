@@ -32,6 +32,12 @@ function useSpot(name: string | null, show: (name: string) => Promise<void>): nu
   return spot?.file === name ? (spot?.line ?? null) : null;
 }
 
+/** Why a new text cannot be begun, and why none can be saved or dropped. */
+const refusals = (changed: boolean, name: string | null) => ({
+  begin: changed && name === null ? "Save the new file first, or drop its changes." : undefined,
+  save: changed ? undefined : "Nothing was changed.",
+});
+
 /** The editor of part files (FE), and the debugger in it (FG). */
 export function EditScreen() {
   const hands = useHands();
@@ -48,6 +54,7 @@ export function EditScreen() {
   };
   const changed = isChanged(file);
   const kept = check.is === "unchecked" && !changed ? savedFindings(open, file) : null;
+  const refused = refusals(changed, file.name);
   return (
     <div className="edit">
       <header className="edit-head">
@@ -61,14 +68,14 @@ export function EditScreen() {
           onShow={({ name, page }) => void show(name, page)}
         />
         <ActionButton action={openFiles}>Open…</ActionButton>
-        <Button onPress={() => void show("")} isDisabled={changed && file.name === null}>
+        <Button onPress={() => void show("")} refused={refused.begin}>
           New
         </Button>
-        <Button onPress={() => setAsking("drop")} isDisabled={!changed}>
+        <Button onPress={() => setAsking("drop")} refused={refused.save}>
           Drop changes…
         </Button>
         <Button onPress={() => setAsking("name")}>Save as…</Button>
-        <Button look="primary" onPress={() => void saveAs(file.name)} isDisabled={!changed}>
+        <Button look="primary" onPress={() => void saveAs(file.name)} refused={refused.save}>
           Save
         </Button>
       </header>

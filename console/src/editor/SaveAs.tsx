@@ -5,22 +5,30 @@ import { Sheet } from "../ui/Sheet";
 import { withEnding } from "./document";
 
 interface SaveAsProps {
+  title?: string;
+  /** What its button says. */
+  verb?: string;
   first: string;
   onSave: (name: string) => void;
   onCancel: () => void;
 }
 
 /** Asks for the name of a file in the part folder. */
-export function SaveAs({ first, onSave, onCancel }: SaveAsProps) {
+export function SaveAs(props: SaveAsProps) {
+  const { title = "Save as", verb = "Save", first, onSave, onCancel } = props;
   const [name, setName] = useState(first);
   const save = () => name.trim() !== "" && onSave(withEnding(name.trim()));
   return (
     <Sheet
-      title="Save as"
+      title={title}
       onClose={onCancel}
       foot={
-        <Button look="primary" isDisabled={name.trim() === ""} onPress={() => save()}>
-          Save
+        <Button
+          look="primary"
+          refused={name.trim() === "" ? "Enter a name first." : undefined}
+          onPress={() => save()}
+        >
+          {verb}
         </Button>
       }
     >

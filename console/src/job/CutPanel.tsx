@@ -1,7 +1,8 @@
 import { ask, drive } from "../actions/ask";
 import { openMoveTo } from "../actions/go";
-import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { useHands, useSnapshot, worldOf } from "../app/context";
 import { placeText } from "../app/units";
+import { useBusy } from "../app/useBusy";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
@@ -21,7 +22,7 @@ export function CutPanel({ plan }: { plan: Plan }) {
   const units = useSnapshot("units");
   const offset = useSnapshot("opened")?.choice.offset ?? 0;
   const job = useSnapshot("job");
-  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  const busy = useBusy();
   if (!units) return null;
   const { view } = plan;
   const runs = job?.ended === null ? job : null;
@@ -31,7 +32,7 @@ export function CutPanel({ plan }: { plan: Plan }) {
   const { mm, linear } = units;
   const speed = (key: string) => (value: number) => set(key, `${value * mm} mm/min`);
   const height = (key: string) => (value: number) => set(key, String(value * mm));
-  const off = !idle;
+  const off = busy !== undefined;
   const perMin = `${linear}/min`;
   const fields: readonly ValueFieldProps[] = [
     {
@@ -78,7 +79,7 @@ export function CutPanel({ plan }: { plan: Plan }) {
           />
         </div>
       </div>
-      <Origin plan={plan} isDisabled={off} />
+      <Origin plan={plan} busy={busy} />
       <NotHomed />
       <div className="cut-origin">
         <ActionButton action={openMoveTo} size="small">
@@ -105,11 +106,12 @@ function NotHomed() {
 }
 
 /** Where the job lies on the table. */
-function Origin({ plan, isDisabled }: { plan: Plan; isDisabled: boolean }) {
+function Origin({ plan, busy }: { plan: Plan; busy: string | undefined }) {
   const hands = useHands();
   const units = useSnapshot("units");
   const at = useSnapshot("motion")?.at.machine;
   const chosen = useSnapshot("opened")?.choice.origin ?? null;
+  const own = chosen ? undefined : "It lies where its file says.";
   if (!units || !at) return null;
   return (
     <div className="cut-origin">
@@ -123,21 +125,21 @@ function Origin({ plan, isDisabled }: { plan: Plan; isDisabled: boolean }) {
         <>
           <Button
             size="small"
-            isDisabled={isDisabled}
+            refused={busy}
             onPress={() => void choose(worldOf(hands), { origin: [at[0], at[1]] })}
           >
             Set it here
           </Button>
           <Button
             size="small"
-            isDisabled={isDisabled || chosen === null}
+            refused={busy ?? own}
             onPress={() => void choose(worldOf(hands), { origin: null })}
           >
             As in the file
           </Button>
           <Button
             size="small"
-            isDisabled={isDisabled || chosen === null}
+            refused={busy ?? own}
             onPress={() => void ask(worldOf(hands), { do: "keepOrigin" })}
           >
             Keep it in the file

@@ -3,6 +3,7 @@ import { ask } from "../actions/ask";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { DigitizePanel } from "../digitize/DigitizePanel";
 import { FileSheet } from "../draw/FileSheet";
+import { busy } from "../keypad/refusal";
 import { JobBar } from "../operator/JobBar";
 import { LocationDisplay } from "../operator/LocationDisplay";
 import { Button } from "../ui/Button";
@@ -57,7 +58,7 @@ function JobHead() {
   return (
     <header className="job-head">
       <p className="drawing-name">{name || "No job is open"}</p>
-      <Button size="small" isDisabled={!idle} onPress={() => setAsking(true)}>
+      <Button size="small" refused={idle ? undefined : busy} onPress={() => setAsking(true)}>
         Open a job…
       </Button>
       <Added />

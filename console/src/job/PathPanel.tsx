@@ -1,5 +1,6 @@
 import { useEffect, useRef } from "react";
-import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { useBusy } from "../app/useBusy";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import { chooseStart } from "./actions";
@@ -40,16 +41,23 @@ export function PathPanel({ plan, standing }: PathPanelProps) {
 
 function StartChoice({ count, start }: { count: number; start: number }) {
   const hands = useHands();
-  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  const busy = useBusy();
+  const first = start <= 1 ? "It begins with the first path." : undefined;
+  const last = start >= count ? "It begins with the last path." : undefined;
   const begin = (number: number) =>
     chooseStart(worldOf(hands), Math.min(Math.max(Math.round(number), 1), count));
   return (
     <div className="start-choice">
-      <ValueField label="Begins with path" value={start} isDisabled={!idle} onSet={begin} />
+      <ValueField
+        label="Begins with path"
+        value={start}
+        isDisabled={busy !== undefined}
+        onSet={begin}
+      />
       <Button
         size="small"
         aria-label="The path before"
-        isDisabled={!idle || start <= 1}
+        refused={busy ?? first}
         onPress={() => void begin(start - 1)}
       >
         −
@@ -57,12 +65,12 @@ function StartChoice({ count, start }: { count: number; start: number }) {
       <Button
         size="small"
         aria-label="The next path"
-        isDisabled={!idle || start >= count}
+        refused={busy ?? last}
         onPress={() => void begin(start + 1)}
       >
         +
       </Button>
-      <Button size="small" isDisabled={!idle || start === 1} onPress={() => void begin(1)}>
+      <Button size="small" refused={busy ?? first} onPress={() => void begin(1)}>
         First
       </Button>
     </div>

@@ -132,7 +132,7 @@ function paintNumbers(sheet: Sheet, plan: Plan, standing: Standing, ink: Ink): v
     pen.beginPath();
     pen.roundRect(left, top, wide, 16, 4);
     pen.fill();
-    pen.fillStyle = runs || starts ? "#221500" : ink("--text");
+    pen.fillStyle = runs || starts ? ink("--draw-start-text") : ink("--text");
     pen.fillText(words, left + wide / 2, top + 8.5);
   }
 }

@@ -3,12 +3,11 @@ import { ask, leased } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { useDisplay } from "../app/display";
 import { evaluate } from "../app/expression";
-import { Choice } from "../ui/Choice";
-import { Field } from "../ui/Field";
 import { KeyHelp } from "../ui/KeyHelp";
 import { Sheet } from "../ui/Sheet";
 import type { Speeds } from "../wire/messages";
 import { JogButtons } from "./JogButtons";
+import { JogManner, type Manner } from "./JogManner";
 import "./keypad.css";
 import { type Direction, directions, keyHelp, type Way, wayOfKey } from "./keys";
 import { Pendant } from "./Pendant";
@@ -16,13 +15,6 @@ import { Recorded } from "./Recorded";
 import { recorded } from "./record";
 import { useJog } from "./useJog";
 import { useMayMove } from "./useMayMove";
-
-type Manner = "hold" | "distance";
-
-const manners: readonly { value: Manner; words: string }[] = [
-  { value: "hold", words: "While held" },
-  { value: "distance", words: "Fixed distance" },
-];
 
 /** What else moves the tool (VD, keypad remote). */
 const otherHands: Record<number, string> = {
@@ -47,8 +39,11 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
   const display = useDisplay();
   const fixed = display?.fixedMm;
   const others = display && otherHands[display.remote];
-  const [typed, setStep] = useState<string | null>(null);
-  const step = typed ?? String(Number(((fixed ?? 2.54) / (units?.mm ?? 25.4)).toFixed(4)));
+  const [typed, setTyped] = useState<{ text: string; mm: number } | null>(null);
+  const mm = units?.mm ?? 25.4;
+  // What was typed in another unit is another distance.
+  const given = typed?.mm === mm ? typed.text : undefined;
+  const step = given ?? String(Number(((fixed ?? 2.54) / mm).toFixed(4)));
   const [places, setPlaces] = useState<readonly string[] | null>(null);
   const [pendant, setPendant] = useState(false);
   const may = useMayMove();
@@ -93,12 +88,17 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
             The link is slow: only fixed distances move.
           </p>
         )}
-        <div className="keypad-manner">
-          <Choice label="Motion" options={manners} value={manner} onChange={setManner} />
-          {manner === "distance" && (
-            <Field label="Distance" value={step} onChange={setStep} unit={units?.linear ?? ""} />
-          )}
-        </div>
+        {units && (
+          <JogManner
+            units={units}
+            manner={manner}
+            step={step}
+            onChange={(manner, step) => {
+              setManner(manner);
+              setTyped({ text: step, mm });
+            }}
+          />
+        )}
         <JogButtons
           isDisabled={may.refused !== undefined || onlySteps}
           onHold={begin}

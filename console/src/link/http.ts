@@ -54,8 +54,8 @@ export async function postJson<T>(path: string, body: unknown): Promise<T> {
   return response.json() as Promise<T>;
 }
 
-export async function deleteAt(path: string): Promise<void> {
-  await request(path, { method: "DELETE" });
+export async function deleteAt(path: string, headers: Record<string, string> = {}): Promise<void> {
+  await request(path, { method: "DELETE", headers });
 }
 
 const encoded = (name: string): string => name.split("/").map(encodeURIComponent).join("/");
@@ -87,14 +87,39 @@ export async function writeFile(
   text: string,
   replaces: string | null,
 ): Promise<string> {
-  const plain = { "content-type": "application/octet-stream" };
-  const response = await request(fileAddress(name), {
-    method: "PUT",
-    headers: replaces ? { ...plain, "if-match": `"${replaces}"` } : plain,
-    body: text,
-  });
+  const headers = writingOver(replaces);
+  const response = await request(fileAddress(name), { method: "PUT", headers, body: text });
   return hashOf(response);
 }
+
+const plain = { "content-type": "application/octet-stream" };
+
+/** Headers of a write, in the place of the file with this hash where there is one. */
+const writingOver = (replaces: string | null): Record<string, string> =>
+  replaces ? { ...plain, "if-match": `"${replaces}"` } : plain;
+
+/** Writes a copy of a file; gives why nothing was written. */
+export async function copyFile(
+  name: string,
+  to: string,
+  replaces: string | null,
+): Promise<Problem | null> {
+  try {
+    const body = await getBytes(fileAddress(name));
+    await request(fileAddress(to), { method: "PUT", headers: writingOver(replaces), body });
+    return null;
+  } catch (error) {
+    if (error instanceof Refused) return error.problem;
+    throw error;
+  }
+}
+
+/** Moves the file with this hash into the bin. */
+export const deleteFile = (name: string, hash: string): Promise<void> =>
+  deleteAt(fileAddress(name), { "if-match": `"${hash}"` });
+
+/** Takes a file out of the bin, for good. */
+export const forgetFile = (name: string): Promise<void> => deleteAt(`${fileAddress(name)}?forget`);
 
 /** Brings an earlier content of a file back. */
 export async function restoreFile(name: string, number: number): Promise<void> {

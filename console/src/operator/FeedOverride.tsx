@@ -31,7 +31,11 @@ export function FeedOverride() {
       <SliderTrack className="feed-track">
         <SliderThumb className="feed-thumb" />
       </SliderTrack>
-      <Button size="small" isDisabled={told === usual} onPress={() => ask(usual)}>
+      <Button
+        size="small"
+        refused={told === usual ? "It is 100 % already." : undefined}
+        onPress={() => ask(usual)}
+      >
         100 %
       </Button>
     </Slider>

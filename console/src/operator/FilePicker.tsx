@@ -1,13 +1,20 @@
 import { useEffect, useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import { ask } from "../actions/ask";
+import { copied, renamed } from "../actions/files";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { SaveAs } from "../editor/SaveAs";
+import { download } from "../link/download";
 import { Button } from "../ui/Button";
+import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo } from "../wire/messages";
+import { DeleteFile } from "./DeleteFile";
+import { copyName, type FileUse, fileUses } from "./fileUses";
 import { sizeText } from "./fileWords";
 import { baseOf, inFolder, parentOf } from "./folder";
+import { RecentFiles } from "./RecentFiles";
 import { UploadButton, UploadList } from "./UploadList";
 import { useFiles } from "./useFiles";
 import { useUploads } from "./useUploads";
@@ -24,7 +31,8 @@ export function FilePicker({ given }: FilePickerProps) {
   const kept = useSnapshot("folder");
   const [folder, setFolder] = useState(kept?.name ?? "");
   const [mask, setMask] = useState("");
-  const [looksBack, setLooksBack] = useState(false);
+  const [use, setUse] = useState<FileUse>("open");
+  const [asking, setAsking] = useState<string | null>(null);
   const files = useFiles(folder);
   const uploads = useUploads();
   // biome-ignore lint/correctness/useExhaustiveDependencies: once for each time that files are given
@@ -41,10 +49,14 @@ export function FilePicker({ given }: FilePickerProps) {
   };
   const choose = ({ folder, name }: FileInfo) => {
     if (folder) return setFolder(name);
-    if (looksBack) return hands.screen.open({ kind: "versions", name });
-    void open(name);
+    if (use === "open") void open(name);
+    else if (use === "download") download(name);
+    else if (use === "versions") hands.screen.open({ kind: "versions", name });
+    else setAsking(name);
   };
   const shown = inFolder(files, folder, mask);
+  if (asking !== null)
+    return <FileQuestion use={use} name={asking} onDone={() => setAsking(null)} />;
   return (
     <Sheet
       title={folder ? `Part folder / ${folder}` : "Part folder"}
@@ -55,9 +67,7 @@ export function FilePicker({ given }: FilePickerProps) {
           <span className="files-hint">
             Upload brings files of this computer here, and so does dropping them on the page.
           </span>
-          <Button onPress={() => setLooksBack(!looksBack)}>
-            {looksBack ? "Open a file" : "Versions…"}
-          </Button>
+          <Button onPress={() => hands.screen.open({ kind: "bin" })}>Bin…</Button>
           <UploadButton uploads={uploads} folder={folder} />
         </>
       }
@@ -70,9 +80,10 @@ export function FilePicker({ given }: FilePickerProps) {
           onChange={setMask}
           first
         />
+        <Choice label="A file that is chosen" options={fileUses} value={use} onChange={setUse} />
       </div>
+      <RecentFiles onOpen={(name) => void open(name)} />
       <UploadList uploads={uploads} onUse={(name) => void open(name)} />
-      {looksBack && <p>Choose the file whose earlier versions are shown.</p>}
       <ListBox
         aria-label="Files"
         className="files"
@@ -94,6 +105,33 @@ export function FilePicker({ given }: FilePickerProps) {
         ))}
       </ListBox>
     </Sheet>
+  );
+}
+
+interface FileQuestionProps {
+  use: FileUse;
+  name: string;
+  onDone: () => void;
+}
+
+/** Asks what has to be known before a file is copied, renamed or deleted. */
+function FileQuestion({ use, name, onDone }: FileQuestionProps) {
+  const hands = useHands();
+  if (use === "delete") return <DeleteFile name={name} onDone={onDone} />;
+  const copies = use === "copy";
+  const go = async (to: string) => {
+    const does = copies ? copied : renamed;
+    if (await does(worldOf(hands), name, to)) hands.screen.open({ kind: "files" });
+    onDone();
+  };
+  return (
+    <SaveAs
+      title={copies ? `Copy ${name}` : `Rename ${name}`}
+      verb={copies ? "Copy" : "Rename"}
+      first={copies ? copyName(name) : name}
+      onSave={(to) => void go(to)}
+      onCancel={onDone}
+    />
   );
 }
 

@@ -44,7 +44,10 @@ function Free() {
         onChange={setAgain}
         error={differ ? "The two are not the same." : undefined}
       />
-      <Button type="submit" isDisabled={first === "" || first !== again}>
+      <Button
+        type="submit"
+        refused={first === "" || first !== again ? "Enter the same password twice." : undefined}
+      >
         Protect the settings
       </Button>
     </form>
@@ -71,11 +74,15 @@ function Locked() {
       </p>
       <Field label="Password" type="password" value={password} onChange={setPassword} />
       <div className="password-buttons">
-        <Button type="submit" look="primary" isDisabled={password === ""}>
+        <Button
+          type="submit"
+          look="primary"
+          refused={password === "" ? "Enter the password first." : undefined}
+        >
           Open
         </Button>
         <Button
-          isDisabled={password === ""}
+          refused={password === "" ? "Enter the password first." : undefined}
           onPress={() => void send({ do: "protect", password, new: null })}
         >
           Take the protection away

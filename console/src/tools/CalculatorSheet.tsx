@@ -29,7 +29,7 @@ export function CalculatorSheet({ field }: { field: HTMLInputElement | null }) {
         field?.isConnected && (
           <Button
             look="primary"
-            isDisabled={value === undefined}
+            refused={value === undefined ? "There is no result yet." : undefined}
             onPress={() => {
               if (value !== undefined) enter(field, resultText(value));
               close();

@@ -1,8 +1,9 @@
 import { useState } from "react";
 import { drive } from "../actions/ask";
-import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { useHands, useSnapshot, worldOf } from "../app/context";
 import { evaluate } from "../app/expression";
 import { usedAxes } from "../app/units";
+import { useBusy } from "../app/useBusy";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
@@ -30,10 +31,10 @@ const cuts = [
 export function MoveToSheet({ onClose }: { onClose: () => void }) {
   const hands = useHands();
   const units = useSnapshot("units");
-  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  const busy = useBusy();
   const go = (way: ByHand) => void drive(worldOf(hands), { do: "go", way });
   if (!units) return null;
-  const shared = { units, isDisabled: !idle, go };
+  const shared = { units, busy, go };
   return (
     <Sheet title="Move the tool to" shape="side" onClose={onClose}>
       <p className="tool-words">
@@ -48,7 +49,7 @@ export function MoveToSheet({ onClose }: { onClose: () => void }) {
 
 interface WayProps {
   units: Units;
-  isDisabled: boolean;
+  busy: string | undefined;
   go: (way: ByHand) => void;
 }
 
@@ -67,7 +68,7 @@ function useEntries(read: (entries: Entries) => Made, go: (way: ByHand) => void)
   return { entries, enter, wrong, send };
 }
 
-function MoveTo({ units, isDisabled, go }: WayProps) {
+function MoveTo({ units, busy, go }: WayProps) {
   const [base, setBase] = useState<"origin" | "here">("origin");
   const [way, setWay] = useState<"2d" | "3d">("3d");
   const axes = usedAxes(units);
@@ -92,14 +93,14 @@ function MoveTo({ units, isDisabled, go }: WayProps) {
       <Choice label="From" options={from} value={base} onChange={setBase} />
       <Choice label="Way" options={ways} value={way} onChange={setWay} />
       <Wrong text={wrong} />
-      <Button look="primary" isDisabled={isDisabled} onPress={send}>
+      <Button look="primary" refused={busy} onPress={send}>
         Move
       </Button>
     </section>
   );
 }
 
-function CutMoveTo({ units, isDisabled, go }: WayProps) {
+function CutMoveTo({ units, busy, go }: WayProps) {
   const [cut, setCut] = useState<"yes" | "no">("no");
   const axes = usedAxes(units).slice(0, 2);
   const { entries, enter, wrong, send } = useEntries(
@@ -119,14 +120,14 @@ function CutMoveTo({ units, isDisabled, go }: WayProps) {
         <Choice label="Cuts on the way" options={cuts} value={cut} onChange={setCut} />
       </div>
       <Wrong text={wrong} />
-      <Button look={cut === "yes" ? "hold" : "primary"} isDisabled={isDisabled} onPress={send}>
+      <Button look={cut === "yes" ? "hold" : "primary"} refused={busy} onPress={send}>
         {cut === "yes" ? "Cut there" : "Move there"}
       </Button>
     </section>
   );
 }
 
-function Home({ units, isDisabled, go }: WayProps) {
+function Home({ units, busy, go }: WayProps) {
   const [left, setLeft] = useState<readonly string[]>([]);
   const letters = usedAxes(units).map(({ axis }) => axis.letter);
   const chosen = letters.filter((letter) => !left.includes(letter));
@@ -149,7 +150,7 @@ function Home({ units, isDisabled, go }: WayProps) {
       </div>
       <Button
         look="primary"
-        isDisabled={isDisabled || chosen.length === 0}
+        refused={busy ?? (chosen.length === 0 ? "Choose an axis first." : undefined)}
         onPress={() => go({ to: "home", axes: chosen.join("") })}
       >
         Move home

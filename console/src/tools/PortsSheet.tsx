@@ -1,6 +1,7 @@
 import { useEffect, useState } from "react";
 import { drive } from "../actions/ask";
-import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { useHands, useSnapshot, worldOf } from "../app/context";
+import { useBusy } from "../app/useBusy";
 import { getJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
@@ -19,7 +20,7 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
   const ports = useSnapshot("io")?.ports;
   const bits = useBits();
   const hands = useHands();
-  const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
+  const busy = useBusy();
   const simulated = useSnapshot("machine")?.mode !== "cut";
   const switchBit = ({ port, place }: PortBit, on: boolean) =>
     void drive(worldOf(hands), { do: "bit", name: `${port}${place}`, on });
@@ -41,7 +42,7 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
                     key={bit.place}
                     bit={bit}
                     on={((byte >> bit.place) & 1) === 1}
-                    isDisabled={!idle}
+                    busy={busy}
                     onSwitch={simulated && isSwitched(bit) ? switchBit : undefined}
                   />
                 ))}
@@ -63,7 +64,7 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
                     <Button
                       key={String(forward)}
                       size="small"
-                      isDisabled={!idle}
+                      refused={busy}
                       aria-label={`Step ${motor} ${forward ? "forward" : "back"}`}
                       onPress={() => step(motor, forward)}
                     >
@@ -94,12 +95,12 @@ const motorsOf = (bits: readonly PortBit[]): string[] =>
 interface LightProps {
   bit: PortBit;
   on: boolean;
-  isDisabled: boolean;
+  busy: string | undefined;
   /** Nothing for what cannot be switched by hand. */
   onSwitch: ((bit: PortBit, on: boolean) => void) | undefined;
 }
 
-function Light({ bit, on, isDisabled, onSwitch }: LightProps) {
+function Light({ bit, on, busy, onSwitch }: LightProps) {
   const { port, place, name, about, output } = bit;
   const side = output ? "out" : "in";
   return (
@@ -117,7 +118,7 @@ function Light({ bit, on, isDisabled, onSwitch }: LightProps) {
       {onSwitch && (
         <Button
           size="small"
-          isDisabled={isDisabled}
+          refused={busy}
           aria-label={`Switch ${name} ${on ? "off" : "on"}`}
           onPress={() => onSwitch(bit, !on)}
         >

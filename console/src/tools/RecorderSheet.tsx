@@ -60,7 +60,7 @@ export function RecorderSheet({ onClose }: { onClose: () => void }) {
         }}
       >
         <Field label="Part file" value={name} onChange={setName} placeholder="recorded.sbp" />
-        <Button type="submit" isDisabled={name.trim() === ""}>
+        <Button type="submit" refused={name.trim() === "" ? "Enter a name first." : undefined}>
           Save
         </Button>
       </form>

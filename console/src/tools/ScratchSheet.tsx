@@ -38,7 +38,7 @@ export function ScratchSheet({ onClose }: { onClose: () => void }) {
           <Button onPress={() => write("")}>Empty</Button>
           <Button
             look="go"
-            isDisabled={refused !== undefined || text.trim() === ""}
+            refused={refused ?? (text.trim() === "" ? "Enter a line first." : undefined)}
             onPress={() => run(text)}
           >
             Run

@@ -38,7 +38,11 @@ export function VariableLines({ variables, onDone }: VariableLinesProps) {
       </p>
       <div className="variable-tools">
         <Button onPress={onDone}>Cancel</Button>
-        <Button look="primary" isDisabled={wrong !== undefined} onPress={() => void save()}>
+        <Button
+          look="primary"
+          refused={wrong && `This sets no variable: ${wrong}`}
+          onPress={() => void save()}
+        >
           Save
         </Button>
       </div>

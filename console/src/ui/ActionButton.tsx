@@ -5,7 +5,8 @@ import { useHands, useShown, worldOf } from "../app/context";
 import type { Shown } from "../link/shown";
 import { Button, type ButtonProps } from "./Button";
 
-interface ActionButtonProps extends Omit<ButtonProps, "children" | "onPress" | "isDisabled"> {
+interface ActionButtonProps
+  extends Omit<ButtonProps, "children" | "onPress" | "refused" | "onRefused"> {
   action: Action;
   /** What stands on it instead of the action's title. */
   children?: ReactNode;
@@ -22,24 +23,13 @@ export function ActionButton({ action, children, ...rest }: ActionButtonProps) {
     ),
   );
   return (
-    // biome-ignore lint/a11y/noStaticElementInteractions: a finger sees no title
-    // biome-ignore lint/a11y/useKeyWithClickEvents: what has the focus can be pressed
-    <span
-      className="action-place"
-      title={refused}
-      onClick={() => {
-        if (refused === undefined) return;
-        screen.tell(refused);
-        action.mends?.(worldOf(hands));
-      }}
+    <Button
+      {...rest}
+      refused={refused}
+      onRefused={() => action.mends?.(worldOf(hands))}
+      onPress={() => attempt(action, worldOf(hands))}
     >
-      <Button
-        {...rest}
-        isDisabled={refused !== undefined}
-        onPress={() => attempt(action, worldOf(hands))}
-      >
-        {children ?? action.title}
-      </Button>
-    </span>
+      {children ?? action.title}
+    </Button>
   );
 }

@@ -1,13 +1,44 @@
+import { useContext } from "react";
 import { Button as AriaButton, type ButtonProps as AriaProps } from "react-aria-components";
+import { HandsContext } from "../app/context";
 import "./button.css";
 
-export interface ButtonProps extends AriaProps {
+export interface ButtonProps extends Omit<AriaProps, "isDisabled"> {
   /** What pressing it means: `go` starts, `hold` pauses, `plain` is everything else. */
   look?: "plain" | "go" | "hold" | "quiet" | "primary";
   size?: "normal" | "large" | "small";
+  /** Why it cannot be pressed now: it is greyed, and says so to a hand that tries. Nothing when it can. */
+  refused?: string | undefined;
+  /** A hand tried while it is refused, and was told why. */
+  onRefused?: (() => void) | undefined;
 }
 
-export function Button({ look = "plain", size = "normal", className, ...rest }: ButtonProps) {
+/** A button. One that may be refused stands in a place that tells why. */
+export function Button(props: ButtonProps) {
+  const { look = "plain", size = "normal", className, refused, onRefused, ...rest } = props;
+  const screen = useContext(HandsContext)?.screen;
   const extra = typeof className === "string" ? className : "";
-  return <AriaButton {...rest} className={`button button-${look} button-${size} ${extra}`} />;
+  const button = (
+    <AriaButton
+      {...rest}
+      isDisabled={refused !== undefined}
+      className={`button button-${look} button-${size} ${extra}`}
+    />
+  );
+  if (!("refused" in props)) return button;
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: a finger sees no title
+    // biome-ignore lint/a11y/useKeyWithClickEvents: what has the focus can be pressed
+    <span
+      className="action-place"
+      title={refused}
+      onClick={() => {
+        if (refused === undefined) return;
+        screen?.tell(refused);
+        onRefused?.();
+      }}
+    >
+      {button}
+    </span>
+  );
 }

@@ -47,7 +47,11 @@ export function PlayBar({ playback, seconds, onChange }: PlayBarProps) {
       >
         ×{playback.speed}
       </Button>
-      <Button size="small" isDisabled={playback.at === null} onPress={() => onChange(live)}>
+      <Button
+        size="small"
+        refused={playback.at === null ? "The machine as it is now is shown already." : undefined}
+        onPress={() => onChange(live)}
+      >
         Live
       </Button>
     </div>

@@ -1,63 +1,112 @@
 // Made from crates/wire by `cargo xtask wire`; changes are lost.
 
-/** An act that is to be done. Those that move the machine carry the number of the lease. */
-export type Act = { "do": "stop" } | { "do": "hold" } | { "do": "resume",
+export type ActStop = { "do": "stop" };
+
+export type ActHold = { "do": "hold" };
+
+export type ActResume = { "do": "resume",
 /** Number of the lease. */
-lease: number, } | { "do": "answer",
+lease: number, };
+
+export type ActAnswer = { "do": "answer",
 /** Which question. */
 question: number,
 /** The word of a button, or what was entered. */
-answer: string, } | { "do": "takeLease",
+answer: string, };
+
+export type ActTakeLease = { "do": "takeLease",
 /** Takes it from whoever has it; not while the machine moves by a jog. */
-force: boolean, } | { "do": "giveLease",
+force: boolean, };
+
+export type ActGiveLease = { "do": "giveLease",
 /** Number of the lease. */
-lease: number, } | { "do": "arm",
+lease: number, };
+
+export type ActArm = { "do": "arm",
 /** Number of the lease. */
-lease: number, } | { "do": "disarm" } | { "do": "giveUp" } | { "do": "open",
+lease: number, };
+
+export type ActDisarm = { "do": "disarm" };
+
+export type ActGiveUp = { "do": "giveUp" };
+
+export type ActOpen = { "do": "open",
 /** Its name below the part folder. */
 name: string,
 /** Parameters with which it is run. */
-parameters?: FileParameters, } | { "do": "parameters",
+parameters?: FileParameters, };
+
+export type ActParameters = { "do": "parameters",
 /** Parameters with which it is run. */
-parameters: FileParameters, } | { "do": "choose",
+parameters: FileParameters, };
+
+export type ActChoose = { "do": "choose",
 /** Choices with which it is cut. */
-choice: JobChoice, } | { "do": "keepOrigin" } | { "do": "saveJob" } | { "do": "takeShapeBack" } | { "do": "machine",
+choice: JobChoice, };
+
+export type ActKeepOrigin = { "do": "keepOrigin" };
+
+export type ActSaveJob = { "do": "saveJob" };
+
+export type ActTakeShapeBack = { "do": "takeShapeBack" };
+
+export type ActMachine = { "do": "machine",
 /** The drawing, a file of the part folder; nothing for the one that is drawn. */
 drawing: string | null,
 /** Also where the paths of that job were changed by hand, which is lost then. */
-anew: boolean, } | { "do": "folder",
+anew: boolean, };
+
+export type ActFolder = { "do": "folder",
 /** Below the part folder that the server was given, which an empty name means. */
 name: string,
 /** As `*.sb?`; nothing keeps what is shown. */
-mask: string | null, } | { "do": "close" } | { "do": "run",
+mask: string | null, };
+
+export type ActClose = { "do": "close" };
+
+export type ActRun = { "do": "run",
 /** Number of the lease. */
 lease: number,
 /** Its hash: what was previewed is what runs, with the parameters of then. */
 hash: string,
 /** Go through it line by line. */
-step: boolean, } | { "do": "takeUp",
+step: boolean, };
+
+export type ActTakeUp = { "do": "takeUp",
 /** Number of the lease. */
-lease: number, } | { "do": "command",
+lease: number, };
+
+export type ActCommand = { "do": "command",
 /** Number of the lease. */
 lease: number,
 /** The line; several are a program. */
-line: string, } | { "do": "record",
+line: string, };
+
+export type ActRecord = { "do": "record",
 /** A command of OpenSBP. */
-line: string, } | { "do": "watch",
+line: string, };
+
+export type ActWatch = { "do": "watch",
 /** Names with `&`, `$` or `#`; 50 at most. */
-names: Array<string>, } | { "do": "input",
+names: Array<string>, };
+
+export type ActInput = { "do": "input",
 /** Number of the lease. */
 lease: number,
 /** Which input, from 1. */
 number: number,
 /** Its contact is closed. */
-on: boolean, } | { "do": "set",
+on: boolean, };
+
+export type ActSet = { "do": "set",
 /** Number of the lease. */
 lease: number,
 /** Its key. */
 key: string,
 /** Its value, as it is written in a configuration. */
-value: string, } | { "do": "jogStart",
+value: string, };
+
+export type ActJogStart = { "do": "jogStart",
 /** Number of the lease. */
 lease: number,
 /** Grows with every jog of a page, by a million at most; one that comes behind its own stop is dropped. */
@@ -69,19 +118,27 @@ direction: [number, number, number, number, number, number],
 /** Factor of the direction: motion ends there. Without it, at the table limits. */
 distance: number | null,
 /** Share of the jog speed, 0 … 1. */
-speedShare: number, } | { "do": "jogRenew",
+speedShare: number, };
+
+export type ActJogRenew = { "do": "jogRenew",
 /** Number of the lease. */
 lease: number,
 /** Of the jog. */
 seq: number,
 /** As that of the start. */
-clockMs: number, } | { "do": "lift",
+clockMs: number, };
+
+export type ActLift = { "do": "lift",
 /** Number of the lease. */
 lease: number,
 /** Number of the question. */
-question: number, } | { "do": "jogStop",
+question: number, };
+
+export type ActJogStop = { "do": "jogStop",
 /** Of the jog. */
-seq: number, } | { "do": "key",
+seq: number, };
+
+export type ActKey = { "do": "key",
 /** Number of the lease. */
 lease: number,
 /** As that of a jog. */
@@ -89,41 +146,110 @@ seq: number,
 /** As that of a jog; without it the key counts as held when it arrives. */
 clockMs?: number,
 /** A digit, `-` the sign, carriage return for Enter, `F` File, `S` Start, `P` Stop, `U` Func. */
-key: string, } | { "do": "nudge",
+key: string, };
+
+export type ActNudge = { "do": "nudge",
 /** Number of the lease. */
 lease: number,
 /** Letter of the axis. */
 axis: string,
 /** Length of the shift. */
-distance: number, } | { "do": "go",
+distance: number, };
+
+export type ActGo = { "do": "go",
 /** Number of the lease. */
 lease: number,
 /** The kind of move and its goal. */
-way: ByHand, } | { "do": "bit",
+way: ByHand, };
+
+export type ActBit = { "do": "bit",
 /** Number of the lease. */
 lease: number,
 /** Its name, or port and bit: tool2, B2. */
 name: string,
 /** On; off otherwise. */
-on: boolean, } | { "do": "step",
+on: boolean, };
+
+export type ActStep = { "do": "step",
 /** Number of the lease. */
 lease: number,
 /** x, y, z, w, q or r. */
 motor: string,
 /** Forward; back otherwise. */
-forward: boolean, } | { "do": "override",
+forward: boolean, };
+
+export type ActOverride = { "do": "override",
 /** Number of the lease. */
 lease: number,
 /** Of the speed asked for, 10 … 200. */
-feedPercent: number, } | { "do": "sheetDone" } | { "do": "clearPrinted" } | { "do": "acknowledge" } | { "do": "draw",
+feedPercent: number, };
+
+export type ActSheetDone = { "do": "sheetDone" };
+
+export type ActClearPrinted = { "do": "clearPrinted" };
+
+export type ActAcknowledge = { "do": "acknowledge" };
+
+export type ActDraw = { "do": "draw",
 /** The change. */
-op: Op, } | { "do": "unlock",
+op: Op, };
+
+export type ActUnlock = { "do": "unlock",
 /** The password. */
-password: string, } | { "do": "protect",
+password: string, };
+
+export type ActProtect = { "do": "protect",
 /** The password until now, where there is one. */
 password: string | null,
 /** The new one, twice; none takes the protection away. */
-new: [string, string] | null, } | { "do": "ping" };
+new: [string, string] | null, };
+
+export type ActPing = { "do": "ping" };
+
+/** An act that is to be done. Those that move the machine carry the number of the lease. */
+export type Act =
+  | ActStop
+  | ActHold
+  | ActResume
+  | ActAnswer
+  | ActTakeLease
+  | ActGiveLease
+  | ActArm
+  | ActDisarm
+  | ActGiveUp
+  | ActOpen
+  | ActParameters
+  | ActChoose
+  | ActKeepOrigin
+  | ActSaveJob
+  | ActTakeShapeBack
+  | ActMachine
+  | ActFolder
+  | ActClose
+  | ActRun
+  | ActTakeUp
+  | ActCommand
+  | ActRecord
+  | ActWatch
+  | ActInput
+  | ActSet
+  | ActJogStart
+  | ActJogRenew
+  | ActLift
+  | ActJogStop
+  | ActKey
+  | ActNudge
+  | ActGo
+  | ActBit
+  | ActStep
+  | ActOverride
+  | ActSheetDone
+  | ActClearPrinted
+  | ActAcknowledge
+  | ActDraw
+  | ActUnlock
+  | ActProtect
+  | ActPing;
 
 /** A level of arrays. Mm. */
 export type ArrayState = {
@@ -189,22 +315,40 @@ max: [number, number],
 /** Least and greatest height of its 3D shapes; nothing without any. Flat shapes have no height. */
 z: [number, number] | null, };
 
-/** A move by hand of a machine that does nothing else. Mm, degrees. */
-export type ByHand = { "to": "findHome",
+export type ByHandFindHome = { "to": "findHome",
 /** Their letters, as `xy`; all that have a switch for nothing. */
-axes: string | null, } | { "to": "home",
+axes: string | null, };
+
+export type ByHandHome = { "to": "home",
 /** Their letters, as `xy`; all for nothing. */
-axes: string | null, } | { "to": "origin" } | { "to": "finish" } | { "to": "place",
+axes: string | null, };
+
+export type ByHandOrigin = { "to": "origin" };
+
+export type ByHandFinish = { "to": "finish" };
+
+export type ByHandPlace = { "to": "place",
 /** X and Y from the job origin, the others from home; or all from where the tool is. Axes without a value stay. */
 place: [number | null, number | null, number | null, number | null, number | null, number | null],
 /** From where the tool is. */
 relative: boolean,
 /** X and Y first, then the others; else all together. */
-flat: boolean, } | { "to": "cutMove",
+flat: boolean, };
+
+export type ByHandCutMove = { "to": "cutMove",
 /** That place. */
 at: [number, number],
 /** Cuts on the way, as a job of one line. */
 cut: boolean, };
+
+/** A move by hand of a machine that does nothing else. Mm, degrees. */
+export type ByHand =
+  | ByHandFindHome
+  | ByHandHome
+  | ByHandOrigin
+  | ByHandFinish
+  | ByHandPlace
+  | ByHandCutMove;
 
 /** A file that a run is in. */
 export type Call = {
@@ -213,8 +357,95 @@ file: string,
 /** The line that is read next. */
 line: number, };
 
+export type ChangeMachine = { "change": "machine", machine: Machine, };
+
+export type ChangeMotion = { "change": "motion", motion: Motion, };
+
+export type ChangeUnits = { "change": "units", units: Units, };
+
+export type ChangeSetup = { "change": "setup", setup: Setup, };
+
+export type ChangeSpeeds = { "change": "speeds", speeds: Speeds, };
+
+export type ChangeIo = { "change": "io", io: Io, };
+
+export type ChangeOpened = { "change": "opened", opened: Opened | null, };
+
+export type ChangeJob = { "change": "job", job: Job | null, };
+
+export type ChangeTyped = { "change": "typed", typed: TypedPath, };
+
+export type ChangeInterrupted = { "change": "interrupted", interrupted: Interrupted | null, };
+
+export type ChangeAsked = { "change": "asked", asked: Asked | null, };
+
+export type ChangePause = { "change": "pause", pause: Pause | null, };
+
+export type ChangeSound = { "change": "sound", sound: Sound | null, };
+
+export type ChangeOverrides = { "change": "overrides", overrides: Overrides, };
+
+export type ChangePrinted = { "change": "printed", lines: Array<string>, };
+
+export type ChangeClearPrinted = { "change": "clearPrinted" };
+
+export type ChangeMessages = { "change": "messages", messages: Array<Message>, };
+
+export type ChangeStart = { "change": "start", start: StartUp | null, };
+
+export type ChangeLease = { "change": "lease", lease: Lease | null, };
+
+export type ChangeClients = { "change": "clients", clients: Array<Client>, };
+
+export type ChangeDrawing = { "change": "drawing", drawing: DrawingState | null, };
+
+export type ChangeFiles = { "change": "files", files: number, };
+
+export type ChangeFolder = { "change": "folder", folder: Folder, };
+
+export type ChangeRecorder = { "change": "recorder", recorder: Recorder, };
+
+export type ChangeWatched = { "change": "watched", watched: Array<NamedValue>, };
+
+export type ChangeSettings = { "change": "settings", settings: number, };
+
+export type ChangeHandConsole = { "change": "handConsole", handConsole: HandConsole, };
+
+export type ChangeDigitized = { "change": "digitized", digitized: Digitized | null, };
+
+export type ChangeLooked = { "change": "looked", looked: Looked | null, };
+
 /** One change of what a page shows: a section of the [`Snapshot`] as it is now, or what is added to one. */
-export type Change = { "change": "machine", machine: Machine, } | { "change": "motion", motion: Motion, } | { "change": "units", units: Units, } | { "change": "setup", setup: Setup, } | { "change": "speeds", speeds: Speeds, } | { "change": "io", io: Io, } | { "change": "opened", opened: Opened | null, } | { "change": "job", job: Job | null, } | { "change": "typed", typed: TypedPath, } | { "change": "interrupted", interrupted: Interrupted | null, } | { "change": "asked", asked: Asked | null, } | { "change": "pause", pause: Pause | null, } | { "change": "sound", sound: Sound | null, } | { "change": "overrides", overrides: Overrides, } | { "change": "printed", lines: Array<string>, } | { "change": "clearPrinted" } | { "change": "messages", messages: Array<Message>, } | { "change": "start", start: StartUp | null, } | { "change": "lease", lease: Lease | null, } | { "change": "clients", clients: Array<Client>, } | { "change": "drawing", drawing: DrawingState | null, } | { "change": "files", files: number, } | { "change": "folder", folder: Folder, } | { "change": "recorder", recorder: Recorder, } | { "change": "watched", watched: Array<NamedValue>, } | { "change": "settings", settings: number, } | { "change": "handConsole", handConsole: HandConsole, } | { "change": "digitized", digitized: Digitized | null, } | { "change": "looked", looked: Looked | null, };
+export type Change =
+  | ChangeMachine
+  | ChangeMotion
+  | ChangeUnits
+  | ChangeSetup
+  | ChangeSpeeds
+  | ChangeIo
+  | ChangeOpened
+  | ChangeJob
+  | ChangeTyped
+  | ChangeInterrupted
+  | ChangeAsked
+  | ChangePause
+  | ChangeSound
+  | ChangeOverrides
+  | ChangePrinted
+  | ChangeClearPrinted
+  | ChangeMessages
+  | ChangeStart
+  | ChangeLease
+  | ChangeClients
+  | ChangeDrawing
+  | ChangeFiles
+  | ChangeFolder
+  | ChangeRecorder
+  | ChangeWatched
+  | ChangeSettings
+  | ChangeHandConsole
+  | ChangeDigitized
+  | ChangeLooked;
 
 /** Findings about a text that is being edited. */
 export type Checked = {
@@ -711,22 +942,46 @@ name: string,
 /** Its value. */
 value: string, };
 
-/** A change of the drawing. */
-export type Op = { "op": "new" } | { "op": "open",
+export type OpNew = { "op": "new" };
+
+export type OpOpen = { "op": "open",
 /** Its name below the part folder. */
-name: string, } | { "op": "save",
+name: string, };
+
+export type OpSave = { "op": "save",
 /** Its name below the part folder: `.rsg`, `.dxf` or `.svg`; `.rsm` for tool paths that were opened. */
 name: string,
 /** The hash of the file that may be replaced; `*` for any. The file that was opened or saved last needs none while it is as it was. */
-replaces: string | null, } | { "op": "do",
+replaces: string | null, };
+
+export type OpDo = { "op": "do",
 /** The clauses. */
-clauses: string, } | { "op": "undo" } | { "op": "redo" } | { "op": "finish",
+clauses: string, };
+
+export type OpUndo = { "op": "undo" };
+
+export type OpRedo = { "op": "redo" };
+
+export type OpFinish = { "op": "finish",
 /** Mm from the origin. */
-at: [number, number], } | { "op": "program",
+at: [number, number], };
+
+export type OpProgram = { "op": "program",
 /** Name of the program below the part folder: `.sbp` or `.nc`. */
 name: string,
 /** The hash of the file that may be replaced; `*` for any. */
 replaces: string | null, };
+
+/** A change of the drawing. */
+export type Op =
+  | OpNew
+  | OpOpen
+  | OpSave
+  | OpDo
+  | OpUndo
+  | OpRedo
+  | OpFinish
+  | OpProgram;
 
 /** The file that is open, to be looked at and run. */
 export type Opened = {
@@ -783,18 +1038,63 @@ optional: boolean,
 /** It may be said several times. */
 repeats: boolean, };
 
-/** Kind of value that is entered for a part. */
-export type OperationValue = { "is": "pair" } | { "is": "vertex" } | { "is": "triple" } | { "is": "length",
+export type OperationValuePair = { "is": "pair" };
+
+export type OperationValueVertex = { "is": "vertex" };
+
+export type OperationValueTriple = { "is": "triple" };
+
+export type OperationValueLength = { "is": "length",
 /** Its name in the table: `RADIUS`, `D`. */
-name: string, } | { "is": "number",
+name: string, };
+
+export type OperationValueNumber = { "is": "number",
 /** Its name in the table: `ANGLE`, `FACTOR`. */
-name: string, } | { "is": "arc" } | { "is": "grid" } | { "is": "shape" } | { "is": "shapes" } | { "is": "group" } | { "is": "groups" } | { "is": "words",
+name: string, };
+
+export type OperationValueArc = { "is": "arc" };
+
+export type OperationValueGrid = { "is": "grid" };
+
+export type OperationValueShape = { "is": "shape" };
+
+export type OperationValueShapes = { "is": "shapes" };
+
+export type OperationValueGroup = { "is": "group" };
+
+export type OperationValueGroups = { "is": "groups" };
+
+export type OperationValueWords = { "is": "words",
 /** The words. */
-words: Array<string>, } | { "is": "wordsOr",
+words: Array<string>, };
+
+export type OperationValueWordsOr = { "is": "wordsOr",
 /** The words. */
 words: Array<string>,
 /** The number is a length. */
-length: boolean, } | { "is": "file" } | { "is": "text" };
+length: boolean, };
+
+export type OperationValueFile = { "is": "file" };
+
+export type OperationValueText = { "is": "text" };
+
+/** Kind of value that is entered for a part. */
+export type OperationValue =
+  | OperationValuePair
+  | OperationValueVertex
+  | OperationValueTriple
+  | OperationValueLength
+  | OperationValueNumber
+  | OperationValueArc
+  | OperationValueGrid
+  | OperationValueShape
+  | OperationValueShapes
+  | OperationValueGroup
+  | OperationValueGroups
+  | OperationValueWords
+  | OperationValueWordsOr
+  | OperationValueFile
+  | OperationValueText;
 
 /** One way to say an operation: its parts in order, after the name. */
 export type OperationVariant = {
@@ -831,10 +1131,34 @@ most: number | null,
 /** Its purpose. */
 doc: string, };
 
-/** Kind of value that may be written for a parameter. */
-export type ParameterKind = { "is": "number" } | { "is": "whole" } | { "is": "choice",
+export type ParameterKindNumber = { "is": "number" };
+
+export type ParameterKindWhole = { "is": "whole" };
+
+export type ParameterKindChoice = { "is": "choice",
 /** As they are written. */
-words: Array<string>, } | { "is": "numberOrOff" } | { "is": "text" } | { "is": "file" } | { "is": "axis" } | { "is": "obsolete" };
+words: Array<string>, };
+
+export type ParameterKindNumberOrOff = { "is": "numberOrOff" };
+
+export type ParameterKindText = { "is": "text" };
+
+export type ParameterKindFile = { "is": "file" };
+
+export type ParameterKindAxis = { "is": "axis" };
+
+export type ParameterKindObsolete = { "is": "obsolete" };
+
+/** Kind of value that may be written for a parameter. */
+export type ParameterKind =
+  | ParameterKindNumber
+  | ParameterKindWhole
+  | ParameterKindChoice
+  | ParameterKindNumberOrOff
+  | ParameterKindText
+  | ParameterKindFile
+  | ParameterKindAxis
+  | ParameterKindObsolete;
 
 /** A pause of so many seconds, while it lasts. */
 export type Pause = {
@@ -903,12 +1227,21 @@ details: Array<Detail>,
 /** The tool paths that the program names. */
 toolpaths: Array<ToolPathInfo>, };
 
-/** State of a preview. */
-export type PreviewState = { "state": "working" } | { "state": "ready",
+export type PreviewStateWorking = { "state": "working" };
+
+export type PreviewStateReady = { "state": "ready",
 /** Changes whenever the preview does. */
-key: string, } | { "state": "failed",
+key: string, };
+
+export type PreviewStateFailed = { "state": "failed",
 /** Reason of the failure. */
 why: string, };
+
+/** State of a preview. */
+export type PreviewState =
+  | PreviewStateWorking
+  | PreviewStateReady
+  | PreviewStateFailed;
 
 /** Reason why something was not done. */
 export type Problem = {
@@ -975,16 +1308,31 @@ value: string,
 /** Its purpose. */
 doc: string, };
 
-/** Kind of value that may be written for a setting. */
-export type SettingKind = { "is": "flag" } | { "is": "number",
+export type SettingKindFlag = { "is": "flag" };
+
+export type SettingKindNumber = { "is": "number",
 /** The setting may be absent. */
-none: boolean, } | { "is": "choice",
+none: boolean, };
+
+export type SettingKindChoice = { "is": "choice",
 /** As they are written. */
-words: Array<string>, } | { "is": "text" } | { "is": "list",
+words: Array<string>, };
+
+export type SettingKindText = { "is": "text" };
+
+export type SettingKindList = { "is": "list",
 /** Number of values. */
 length: number,
 /** The setting may be absent. */
 none: boolean, };
+
+/** Kind of value that may be written for a setting. */
+export type SettingKind =
+  | SettingKindFlag
+  | SettingKindNumber
+  | SettingKindChoice
+  | SettingKindText
+  | SettingKindList;
 
 /** Settings of the machine's configuration that pages show or follow, and which axes were homed. Mm. */
 export type Setup = {
@@ -1181,14 +1529,23 @@ grain: number,
 /** Moments, seconds, and the value there. An axis goes evenly between them; a value or a bit is 0 before the first and keeps what it is to the next. */
 points: Array<[number, number]>, };
 
-/** A message over the socket to the page: one JSON text each. */
-export type ToPage = { "tell": "snapshot",
+export type ToPageSnapshot = { "tell": "snapshot",
 /** The page: its number, role and device. */
 who: Who,
 /** Everything. */
-snapshot: Snapshot, } | { "tell": "changes",
+snapshot: Snapshot, };
+
+export type ToPageChanges = { "tell": "changes",
 /** At least one. */
-changes: Array<Change>, } | { "tell": "reply" } & Reply;
+changes: Array<Change>, };
+
+export type ToPageReply = { "tell": "reply" } & Reply;
+
+/** A message over the socket to the page: one JSON text each. */
+export type ToPage =
+  | ToPageSnapshot
+  | ToPageChanges
+  | ToPageReply;
 
 /** Sort of message. */
 export type Tone = "note" | "program" | "warning" | "error";

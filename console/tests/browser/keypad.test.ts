@@ -3,6 +3,9 @@ import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import {
   arm,
+  carryOut,
+  command,
+  commandDesk,
   hold,
   keysOf,
   location,
@@ -114,6 +117,25 @@ it("sbp_con_keypad_fixed: D moves the distance that is set", async () => {
   await page.keyboard.press("d");
 });
 
+const steps = (on: Page, unit: string) =>
+  on.getByRole("radiogroup", { name: `Steps, ${unit}` }).getByRole("radio");
+
+it("a step is one press: its button, then a direction", async () => {
+  expect(await steps(page, "in").allTextContents()).toEqual(["0.001", "0.01", "0.1", "1"]);
+  await page.getByRole("radio", { name: "0.01", exact: true }).click();
+  expect(await page.getByLabel("Distance", { exact: true }).inputValue()).toBe("0.01");
+  const right = page.getByRole("button", { name: "X plus", exact: true });
+  // Where the link is slow for a moment a step ends early.
+  await until(async () => {
+    const from = (await at()).x;
+    await right.click({ delay: 250 });
+    await standing();
+    return Math.abs((await at()).x - from - 0.01) < 1e-4;
+  }, "a step of 0.01 in");
+  await page.getByRole("radio", { name: "While held" }).click();
+  expect(await page.getByRole("radio", { name: "0.01", checked: true }).count()).toBe(0);
+});
+
 it("sbp_con_keypad_record: # and a digit keep the place", async () => {
   await page.keyboard.press("#");
   await page.keyboard.press("2");
@@ -147,6 +169,28 @@ it("sbp_con_keypad_help: the keys are listed", async () => {
   const help = await page.locator(".keypad-help").textContent();
   for (const key of ["← →", "PgUp PgDn", "Ctrl", "Alt", "#", "D", "Esc"])
     expect(help).toContain(key);
+});
+
+it("steps are in millimetres where the page reads millimetres", async () => {
+  const other = await openWorkshop({ rate: 100 });
+  try {
+    const desk = await commandDesk(other);
+    await arm(desk);
+    await carryOut(other, desk, "VD,,,1");
+    await command(desk, "SK");
+    await steps(desk, "mm").first().waitFor();
+    expect(await steps(desk, "mm").allTextContents()).toEqual(["0.01", "0.1", "1", "10"]);
+    await desk.getByRole("radio", { name: "10", exact: true }).click();
+    if (process.env.SHOTS) await desk.screenshot({ path: `${process.env.SHOTS}/keypad.png` });
+    await until(async () => {
+      const from = (await stateOf(other)).motion.at.working[1];
+      await desk.getByRole("button", { name: "Y plus", exact: true }).click({ delay: 250 });
+      await until(() => stands(other), "the machine stands");
+      return Math.abs((await stateOf(other)).motion.at.working[1] - from - 10) < 1e-3;
+    }, "a step of 10 mm");
+  } finally {
+    await other.close();
+  }
 });
 
 /** Holds the arrow until the tool moves. */

@@ -14,7 +14,7 @@ beforeAll(async () => {
     join(folder, "change.sbp"),
     "SO,1,1\nMZ,-.1\nMX,.2\n'Change the tool\nPAUSE\nMX,.4\nSO,1,0\nEND\n",
   );
-  workshop = await openWorkshop({ folder, open: "change.sbp" });
+  workshop = await openWorkshop({ folder, open: "change.sbp", rate: 20 });
   page = await workshop.page();
 });
 afterAll(() => workshop?.close());

@@ -342,6 +342,25 @@ it("pro_select_chooser_order: they are offered in cutting order", async () => {
     .toEqual(offered);
 });
 
+it("a hand that is quicker than the link: what follows an operation means what came of it", async () => {
+  const far = await openWorkshop({ lagMs: 300 });
+  try {
+    const slow = await openSheet(far);
+    await slow.scaled(square, 1, [50, 0]);
+    const given = (await slow.shapes()).length;
+    await slow.click([50, 0]);
+    await slow.click([150, 50]);
+    await slow.drag([150, 120], [120, 80]);
+    await slow.click([50, 0]);
+    await slow.page.keyboard.press("Delete");
+    await expect.poll(async () => (await slow.shapes()).length).toBe(given - 1);
+    expect(await slow.selected()).toEqual([]);
+    expect(far.mistakes).toEqual([]);
+  } finally {
+    await far.close();
+  }
+});
+
 it("nothing went wrong on the page", () => {
   expect(workshop.mistakes).toEqual([]);
 });

@@ -125,7 +125,7 @@ it("asks before text of the editor replaces another file, and keeps what it was"
   await until(async () => read("a.sbp").includes("MX,4"), "it is saved");
 
   await page.getByRole("button", { name: "Open…" }).click();
-  await page.getByRole("button", { name: "Versions…" }).click();
+  await page.getByRole("radio", { name: "Versions…" }).click();
   await page.getByRole("option", { name: /a\.sbp/ }).click();
   const versions = page.getByRole("dialog", { name: "Versions of a.sbp" });
   await versions.getByRole("listitem").nth(1).waitFor();

@@ -116,7 +116,7 @@ const overlays: Record<string, () => Promise<void>> = {
   },
   "versions of a file": async () => {
     await sheet("Open a file")();
-    await page.getByRole("button", { name: "Versions…" }).click();
+    await page.getByRole("radio", { name: "Versions…" }).click();
     await page.getByRole("option", { name: /ask\.sbp/ }).click();
     await page.getByRole("dialog", { name: "Versions of ask.sbp" }).waitFor();
   },

@@ -5,8 +5,9 @@ import { copyFileSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
-import { type Browser, chromium, type Page } from "playwright-core";
+import type { Browser, Page } from "playwright-core";
 import type { Snapshot } from "../../src/wire/messages";
+import { connect } from "./browsers";
 
 const root = resolve(import.meta.dirname, "../../..");
 /** The command that is tested. */
@@ -243,20 +244,9 @@ export interface WorkshopOptions {
   readonly controller?: string;
   /** Seconds of machine time in a second. */
   readonly rate?: number;
+  /** What the server tells a page comes later by so much, milliseconds. */
+  readonly lagMs?: number;
 }
-
-const chromiumFlags = [
-  "--headless",
-  "--no-sandbox",
-  "--disable-gpu",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
 
 /** Waits for the line that tells the address. */
 function addressOf(server: ChildProcess): Promise<string> {
@@ -275,9 +265,9 @@ function addressOf(server: ChildProcess): Promise<string> {
 }
 
 /** What the server tells a page comes later by so much, milliseconds: tests must not hurry before it. */
-const lagMs = Number(process.env.KERF_LAG_MS ?? 0);
+const usualLagMs = Number(process.env.KERF_LAG_MS ?? 0);
 
-async function delayed(page: Page): Promise<void> {
+async function delayed(page: Page, lagMs: number): Promise<void> {
   if (lagMs === 0) return;
   await page.routeWebSocket(/\/ws$/, (link) => {
     const server = link.connectToServer();
@@ -303,10 +293,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const wayIn = await addressOf(server);
   const { origin: address, searchParams } = new URL(wayIn);
   const token = searchParams.get("token");
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: chromiumFlags,
-  });
+  const browser = await connect();
   const mistakes: string[] = [];
   const pages: Page[] = [];
   const ended = async (signal: NodeJS.Signals) => {
@@ -330,7 +317,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
         if (message.type() === "error") mistakes.push(message.text());
       });
       pages.push(page);
-      await delayed(page);
+      await delayed(page, options.lagMs ?? usualLagMs);
       await page.goto(wayIn);
       return page;
     },

@@ -85,6 +85,34 @@ impl Versions {
         RealDisk.read(&wanted.ok_or_else(none)?.1)
     }
 
+    /// Names of the files of which something is kept, in their order.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn names(&self) -> io::Result<Vec<String>> {
+        let mut all = Vec::new();
+        if self.root.is_dir() {
+            below(&self.root, &mut all)?;
+        }
+        let folders =
+            all.iter().filter_map(|(_, place)| place.parent()?.strip_prefix(&self.root).ok());
+        let mut names: Vec<String> = folders.map(with_slashes).collect();
+        names.sort();
+        names.dedup();
+        Ok(names)
+    }
+
+    /// Ends what is kept of a file.
+    ///
+    /// # Errors
+    /// Whatever the disk says.
+    pub fn forget(&self, name: &str) -> io::Result<()> {
+        for (_, kept) in placed(&self.folder(name)?)? {
+            fs::remove_file(kept)?;
+        }
+        Ok(())
+    }
+
     fn folder(&self, name: &str) -> io::Result<PathBuf> {
         let name = Path::new(name);
         let plain = name.components().all(|part| matches!(part, Component::Normal(_)));
@@ -114,6 +142,12 @@ impl Versions {
         }
         Ok(())
     }
+}
+
+/// A name as part files have it, whatever the system puts between folders.
+fn with_slashes(path: &Path) -> String {
+    let parts = path.components().map(|part| part.as_os_str().to_string_lossy());
+    parts.collect::<Vec<_>>().join("/")
 }
 
 /// The versions in a folder, the oldest first; none where the folder is not there.
@@ -217,6 +251,20 @@ mod tests {
         saved.versions.keep("a.sbp", &file).unwrap();
         saved.versions.keep("a.sbp", &file).unwrap();
         assert_eq!(saved.texts("a.sbp"), ["one"]);
+    }
+
+    #[test]
+    fn names_are_told_until_they_are_forgotten() {
+        let saved = Saved::new(MOST_VERSION_BYTES);
+        assert!(saved.versions.names().unwrap().is_empty());
+        for (name, text) in
+            [("doors/a.sbp", "one"), ("doors/a.sbp", "two"), ("b.sbp", "one"), ("b.sbp", "two")]
+        {
+            saved.save(name, text);
+        }
+        assert_eq!(saved.versions.names().unwrap(), ["b.sbp", "doors/a.sbp"]);
+        saved.versions.forget("doors/a.sbp").unwrap();
+        assert_eq!(saved.versions.names().unwrap(), ["b.sbp"]);
     }
 
     #[test]

@@ -121,6 +121,16 @@ impl PartFolder {
         RealDisk.write(&place, bytes).map_err(|error| problem(name, &error))
     }
 
+    /// Takes a file away.
+    ///
+    /// # Errors
+    /// The name leads elsewhere, or the disk refuses.
+    pub fn remove(&self, name: &str) -> Result<(), Problem> {
+        let place = self.place(name)?;
+        fs::remove_file(place)
+            .map_err(|error| Problem { why: Why::File, text: format!("{name}: {error}") })
+    }
+
     /// Lists a folder, folders first; the part folder itself for an empty name.
     ///
     /// # Errors

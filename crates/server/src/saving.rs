@@ -9,7 +9,7 @@ use crate::app::{hash, lock, problem};
 use crate::files::{self, PartFolder};
 use crate::job::kind_of;
 use kerf_control::versions::Versions;
-use kerf_wire::{FileAbout, FileKind, FileVersion, Problem, Why};
+use kerf_wire::{FileAbout, FileInfo, FileKind, FileVersion, Problem, Why};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Mutex;
@@ -84,17 +84,72 @@ impl Saves {
             if !leave.is_for(&present) {
                 return Err(replaces(name, &present));
             }
-            let kept = self.versions.keep(name, &parts.find(name)?);
-            kept.map_err(|error| {
-                let text = format!(
-                    "{name} stays as it is: its present version cannot be kept in the data folder \
-                     ({error}); make room there, or save under another name"
-                );
-                problem(files::why(&error), text)
-            })?;
+            self.keep(parts, name)?;
         }
         parts.write(name, bytes)?;
         Ok(hash(bytes))
+    }
+
+    /// Keeps the content of a file that is about to be another, or none.
+    fn keep(&self, parts: &PartFolder, name: &str) -> Result<(), Problem> {
+        self.versions.keep(name, &parts.find(name)?).map_err(|error| {
+            let text = format!(
+                "{name} stays as it is: its present version cannot be kept in the data folder \
+                 ({error}); make room there, or save under another name"
+            );
+            problem(files::why(&error), text)
+        })
+    }
+
+    /// Moves a file into the bin: it is gone from the part folder, and what it was is kept as a version.
+    ///
+    /// # Errors
+    /// Nothing lies under the name, there is no leave for what does, or as of [`Saves::save`].
+    pub fn delete(&self, parts: &PartFolder, name: &str, leave: &Leave) -> Result<(), Problem> {
+        let _turn = lock(&self.turn);
+        let present = parts.read(name)?;
+        if !leave.is_for(&present) {
+            let text =
+                format!("{name} is another file by now: look at it again before you delete it");
+            return Err(problem(Why::Replaces, text));
+        }
+        self.keep(parts, name)?;
+        parts.remove(name)
+    }
+
+    /// The files in the bin: those of which only earlier contents are left.
+    ///
+    /// # Errors
+    /// The disk refuses.
+    pub fn bin(&self, parts: &PartFolder) -> Result<Vec<FileInfo>, Problem> {
+        let names = self.versions.names().map_err(|error| unread("the bin", &error))?;
+        let mut bin = Vec::new();
+        for name in names {
+            let last = self.versions(parts, &name)?.into_iter().next();
+            if let (Some(last), None) = (last, parts.present(&name)?) {
+                let FileVersion { changed, bytes, .. } = last;
+                bin.push(FileInfo {
+                    name,
+                    folder: false,
+                    bytes,
+                    changed,
+                    header: None,
+                    part: true,
+                });
+            }
+        }
+        Ok(bin)
+    }
+
+    /// Takes a file out of the bin for good.
+    ///
+    /// # Errors
+    /// It is not in the bin, or the disk refuses.
+    pub fn forget(&self, parts: &PartFolder, name: &str) -> Result<(), Problem> {
+        if parts.present(name)?.is_some() {
+            return Err(problem(Why::File, format!("{name} is not in the bin")));
+        }
+        self.versions.forget(name).map_err(|error| unread(name, &error))
     }
 
     /// Writes the job of a drawing. One that was made before, and not touched since, is made anew; any other

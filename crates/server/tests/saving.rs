@@ -94,6 +94,36 @@ fn a_file_that_went_comes_back_from_its_versions() {
 }
 
 #[test]
+fn a_file_is_deleted_into_the_bin_and_comes_back_or_goes_for_good() {
+    let shop = shop(1.0, &[("a.sbp", "MX,1\n"), ("b.sbp", "MX,2\n")]);
+    let bin = || {
+        let list = shop.get("/api/files?bin").json();
+        let names =
+            list.as_array().unwrap().iter().map(|it| it["name"].as_str().unwrap().to_owned());
+        names.collect::<Vec<_>>()
+    };
+    let about = shop.get("/api/files/a.sbp?about").json();
+    let tag = format!("\"{}\"", about["hash"].as_str().unwrap());
+    let delete = |path: &str, tag: &str| {
+        shop.ask(&format!("DELETE /api/files/{path}"), &[("if-match", tag)], b"")
+    };
+    assert_eq!(why(&delete("a.sbp", "\"0000\"")), "replaces");
+    assert_eq!(why(&delete("c.sbp", &tag)), "file");
+    assert_eq!(why(&delete("../a.sbp", &tag)), "file");
+    assert_eq!((bin(), read(&shop, "a.sbp")), (Vec::new(), "MX,1\n".into()));
+    assert_eq!(delete("a.sbp", &tag).status, 200);
+    assert!(!shop.part("a.sbp").exists());
+    assert_eq!(bin(), ["a.sbp"]);
+    let number = versions(&shop, "a.sbp")[0];
+    let back = shop.ask(&format!("POST /api/files/a.sbp?restore={number}"), &[], b"");
+    assert_eq!((back.status, read(&shop, "a.sbp"), bin()), (200, "MX,1\n".into(), Vec::new()));
+    assert_eq!(why(&delete("b.sbp?forget", &tag)), "file");
+    assert_eq!(delete("a.sbp", &tag).status, 200);
+    assert_eq!(delete("a.sbp?forget", "").status, 200);
+    assert!(bin().is_empty() && versions(&shop, "a.sbp").is_empty());
+}
+
+#[test]
 fn a_drawing_and_its_program_replace_no_file_without_leave() {
     let shop = shop(1.0, &[("door.rsg", "by hand"), ("door.sbp", "MX,1"), ("door.dxf", "old")]);
     does(&shop, "rect 0,0 10,5");

@@ -16,7 +16,7 @@
 //! - The tool path comes in binary pieces over HTTP ([`preview`]).
 //!
 //! The TypeScript of these types is in `console/src/wire`; `cargo xtask wire` writes it, and a test
-//! says when it is old.
+//! says when it is old. [`fold_vectors`] lie beside it: the page's own `apply` is tested against them.
 
 mod act;
 mod by_hand;
@@ -37,6 +37,7 @@ mod setting;
 mod setup;
 mod snapshot;
 mod typescript;
+mod vectors;
 
 pub use act::{Act, Request};
 pub use by_hand::ByHand;
@@ -68,6 +69,7 @@ pub use setting::{SettingArea, SettingEntry, SettingKind};
 pub use setup::{Setup, ZHeights};
 pub use snapshot::{Snapshot, StartUp};
 pub use typescript::typescript;
+pub use vectors::fold_vectors;
 
 /// Inputs, and outputs, of a machine.
 pub const LAMPS: usize = 12;

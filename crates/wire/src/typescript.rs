@@ -26,10 +26,60 @@ impl TypeVisitor for Declared {
             return;
         }
         let docs = T::docs().unwrap_or_default();
-        let text = format!("{docs}export {}\n", T::decl(&self.config));
+        let text = match Variants::read(&name, &T::decl(&self.config)) {
+            Some(variants) => variants.text(&docs),
+            None => format!("{docs}export {}\n", T::decl(&self.config)),
+        };
         self.texts.insert(name, text);
         T::visit_dependencies(self);
     }
+}
+
+/// A type of several shapes, told apart by a tag: each shape has a name of its own.
+struct Variants {
+    name: String,
+    /// Name and declaration of each.
+    shapes: Vec<(String, String)>,
+}
+
+impl Variants {
+    /// Reads `type Name = { "tag": "one", … } | { "tag": "two" } & More;`; nothing where it is another sort of type.
+    fn read(name: &str, declaration: &str) -> Option<Self> {
+        let (_, union) = declaration.split_once(" = ")?;
+        let shapes = apart(union.trim_end().trim_end_matches(';'));
+        let named = |shape: &str| {
+            let tag = shape.strip_prefix("{ \"")?.split('"').nth(2)?;
+            let (first, rest) = tag.split_at_checked(1)?;
+            Some((format!("{name}{}{rest}", first.to_uppercase()), shape.to_owned()))
+        };
+        let shapes: Vec<_> = shapes.into_iter().map(named).collect::<Option<_>>()?;
+        (shapes.len() > 1).then(|| Self { name: name.to_owned(), shapes })
+    }
+
+    fn text(&self, docs: &str) -> String {
+        let one = |(name, shape): &(String, String)| format!("export type {name} = {shape};\n\n");
+        let all: String = self.shapes.iter().map(one).collect();
+        let names = self.shapes.iter().map(|(name, _)| format!("\n  | {name}"));
+        format!("{all}{docs}export type {} ={};\n", self.name, names.collect::<String>())
+    }
+}
+
+/// The members of a union.
+fn apart(union: &str) -> Vec<&str> {
+    let (mut depth, mut from, mut members) = (0, 0, Vec::new());
+    for (at, sign) in union.char_indices() {
+        match sign {
+            '{' | '<' | '[' => depth += 1,
+            '}' | '>' | ']' => depth -= 1,
+            '|' if depth == 0 => {
+                members.push(union[from..at].trim());
+                from = at + 1;
+            }
+            _ => {}
+        }
+    }
+    members.push(union[from..].trim());
+    members
 }
 
 /// The module with every type of this crate.

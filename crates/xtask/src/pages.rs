@@ -13,8 +13,8 @@ struct Page {
     command: &'static str,
 }
 
-/// The messages between server and console, for the console.
-pub const WIRE: &str = "console/src/wire/messages.ts";
+/// The folder of the messages between server and console, for the console.
+pub const WIRE: &str = "console/src/wire";
 
 const PAGES: &[Page] = &[
     Page { path: conformance::PAGE, text: conformance::page, command: "make conformance" },
@@ -26,7 +26,16 @@ const PAGES: &[Page] = &[
         command: "make book",
     },
     Page { path: "docs/book/commands.md", text: book::commands, command: "make book" },
-    Page { path: WIRE, text: |_| Ok(kerf_wire::typescript()), command: "cargo xtask wire" },
+    Page {
+        path: "console/src/wire/messages.ts",
+        text: |_| Ok(kerf_wire::typescript()),
+        command: "cargo xtask wire",
+    },
+    Page {
+        path: "console/src/wire/fold.json",
+        text: |_| Ok(kerf_wire::fold_vectors()?),
+        command: "cargo xtask wire",
+    },
 ];
 
 /// Pages that differ from what would be written now.

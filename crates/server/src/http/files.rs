@@ -24,6 +24,8 @@ pub struct Folder {
     folder: String,
     /// Which files are listed: all when nothing is given.
     mask: Option<String>,
+    /// Lists the bin in place of a folder.
+    bin: Option<String>,
 }
 
 /// Lists a folder.
@@ -32,6 +34,9 @@ pub async fn list(
     Query(query): Query<Folder>,
 ) -> Result<Json<Vec<FileInfo>>, Refused> {
     let list = move || {
+        if query.bin.is_some() {
+            return app.saves.bin(&app.parts);
+        }
         let mut files = app.parts.list(&query.folder)?;
         let parts = app.hub.read(|now| now.folder.mask.clone());
         files.iter_mut().filter(|file| !file.folder).for_each(|file| app.look(file, &parts));
@@ -153,6 +158,38 @@ pub async fn restore(
     let hash = aside(move || parts.saves.restore(&parts.parts, &name, restore)).await?;
     app.files_changed();
     Ok(([(header::ETAG, tagged(&hash))], Json(())))
+}
+
+/// Query about a file that is deleted.
+#[derive(Debug, Deserialize)]
+pub struct Deleting {
+    /// Takes it out of the bin, for good.
+    forget: Option<String>,
+}
+
+/// Moves a file into the bin, or takes it out of there for good. Only while nothing runs: it may be the one that
+/// does.
+pub async fn delete(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    Path(name): Path<String>,
+    Query(deleting): Query<Deleting>,
+    headers: HeaderMap,
+) -> Result<Json<()>, Refused> {
+    demand(&caller, Role::Operator)?;
+    if !matches!(app.state(), wire::State::Idle | wire::State::Alarm) {
+        let text = "the machine is busy: files are deleted when nothing runs".to_owned();
+        return Err(Problem { why: Why::State, text }.into());
+    }
+    let leave = Writing::default().leave(&headers);
+    let shop = app.clone();
+    let delete = move || match deleting.forget {
+        Some(_) => shop.saves.forget(&shop.parts, &name),
+        None => shop.saves.delete(&shop.parts, &name, &leave),
+    };
+    aside(delete).await?;
+    app.files_changed();
+    Ok(Json(()))
 }
 
 /// The checksum of a file that is sent from another computer, as eight hexadecimal digits. Such a file is

@@ -44,7 +44,8 @@ pub fn paths() -> Vec<&'static str> {
 /// Lists every route and what serves it. This is the one list.
 fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
     let most = DefaultBodyLimit::max;
-    let upload = get(files::read).put(files::write).post(files::restore).layer(most(bodies::FILE));
+    let upload = get(files::read).put(files::write).post(files::restore).delete(files::delete);
+    let upload = upload.layer(most(bodies::FILE));
     let texts = get(texts::list).put(texts::keep).delete(texts::end);
     vec![
         ("/ws", any(socket::socket)),
@@ -129,7 +130,7 @@ fn routes() -> Vec<Route> {
         },
         looks(
             "/api/files",
-            "What a folder of the part folder holds: ?folder=NAME, and ?mask=*.sb?",
+            "What a folder of the part folder holds: ?folder=NAME, and ?mask=*.sb?; with ?bin the files that were deleted",
             Some(list),
         ),
         looks(
@@ -150,6 +151,13 @@ fn routes() -> Vec<Route> {
             path: "/api/files/{name}",
             method: "post",
             doc: "Brings a version back: ?restore=NUMBER",
+            body: None,
+            answer: None,
+        },
+        Route {
+            path: "/api/files/{name}",
+            method: "delete",
+            doc: "Moves the file with the hash that If-Match names into the bin; with ?forget it leaves the bin for good",
             body: None,
             answer: None,
         },

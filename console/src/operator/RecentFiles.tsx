@@ -1,0 +1,19 @@
+import { useState } from "react";
+import { Button } from "../ui/Button";
+import { recentFiles } from "./recent";
+
+/** The files that were opened last, one press each. */
+export function RecentFiles({ onOpen }: { onOpen: (name: string) => void }) {
+  const [names] = useState(recentFiles);
+  if (names.length === 0) return null;
+  return (
+    <section className="files-recent" aria-label="Opened last">
+      <span>Opened last</span>
+      {names.map((name) => (
+        <Button key={name} size="small" onPress={() => onOpen(name)}>
+          {name}
+        </Button>
+      ))}
+    </section>
+  );
+}

@@ -1,0 +1,100 @@
+import { useEffect, useState } from "react";
+import { useHands, useSnapshot } from "../app/context";
+import { fileAddress, forgetFile, getJson, restoreFile } from "../link/http";
+import { sizeText, timeText } from "../operator/fileWords";
+import { Button } from "../ui/Button";
+import { Sheet } from "../ui/Sheet";
+import type { FileInfo, FileVersion } from "../wire/messages";
+
+/** Brings a file back as it was when it was deleted. */
+async function bringBack(name: string): Promise<void> {
+  const [last] = await getJson<FileVersion[]>(`${fileAddress(name)}?versions`);
+  if (last) await restoreFile(name, last.number);
+}
+
+/** Files that were deleted, the way back for each, and the way to be rid of them. */
+export function BinSheet({ onClose }: { onClose: () => void }) {
+  const { screen } = useHands();
+  const changes = useSnapshot("files");
+  const [bin, setBin] = useState<readonly FileInfo[]>([]);
+  const [asks, setAsks] = useState(false);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: read again when files change
+  useEffect(() => {
+    getJson<FileInfo[]>("/api/files?bin").then(setBin, (error: Error) =>
+      screen.tell(error.message),
+    );
+  }, [changes, screen]);
+  const does = (work: Promise<void>) => work.catch((error: Error) => screen.tell(error.message));
+  const empty = async () => {
+    for (const { name } of bin) await does(forgetFile(name));
+    setAsks(false);
+  };
+  if (asks) return <EmptyBin bin={bin} onEmpty={empty} onCancel={() => setAsks(false)} />;
+  return (
+    <Sheet
+      title="Bin"
+      onClose={onClose}
+      foot={
+        <Button
+          refused={bin.length === 0 ? "The bin is empty." : undefined}
+          onPress={() => setAsks(true)}
+        >
+          Empty the bin…
+        </Button>
+      }
+    >
+      <p className="tool-words">
+        A file that is deleted is kept here, with what it was before, until the bin is emptied or
+        newer versions of other files need the room.
+      </p>
+      {bin.length === 0 && <p className="tail-empty">Nothing was deleted.</p>}
+      <ol className="versions" aria-label="Deleted files">
+        {bin.map(({ name, bytes, changed }) => (
+          <li key={name}>
+            <span>{name}</span>
+            <span className="versions-size">{`${sizeText(bytes)}, ${timeText(changed)}`}</span>
+            <Button
+              size="small"
+              aria-label={`Bring back ${name}`}
+              onPress={() => void does(bringBack(name))}
+            >
+              Bring back
+            </Button>
+          </li>
+        ))}
+      </ol>
+    </Sheet>
+  );
+}
+
+interface EmptyBinProps {
+  bin: readonly FileInfo[];
+  onEmpty: () => void;
+  onCancel: () => void;
+}
+
+/** Asks before what is in the bin is lost, and says what that is. */
+function EmptyBin({ bin, onEmpty, onCancel }: EmptyBinProps) {
+  const names = bin.map(({ name }) => name).join(", ");
+  return (
+    <Sheet
+      title="Empty the bin?"
+      shape="question"
+      onClose={onCancel}
+      foot={
+        <>
+          <Button size="large" data-first onPress={onCancel}>
+            Cancel
+          </Button>
+          <Button size="large" look="primary" onPress={onEmpty}>
+            Empty the bin
+          </Button>
+        </>
+      }
+    >
+      <p className="question-text">
+        {names}: lost for good, with every version that was kept of them.
+      </p>
+    </Sheet>
+  );
+}

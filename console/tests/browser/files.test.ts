@@ -1,0 +1,146 @@
+/** Files of the part folder are brought to this computer, copied, renamed, deleted and brought back. */
+
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
+import { openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
+
+let workshop: Workshop;
+let page: Page;
+
+const cut = "SA\nM2,1,0\nM2,1,1\n";
+const other = "SA\nMX,3\n";
+const place = (name: string) => join(workshop.parts, name);
+const read = (name: string) => readFileSync(place(name), "utf8");
+const there = (name: string) => existsSync(place(name));
+
+beforeAll(async () => {
+  workshop = await openWorkshop({ rate: 100 });
+  page = await workshop.page();
+});
+afterAll(() => workshop?.close());
+
+beforeEach(async () => {
+  for (const [name, text] of [
+    ["cut.sbp", cut],
+    ["other.sbp", other],
+    ["door.sbp", cut],
+  ] as const)
+    writeFileSync(place(name), text);
+  for (let n = 0; n < 3 && (await page.getByRole("dialog").count()) > 0; n += 1)
+    await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+o");
+  await page.getByRole("dialog", { name: "Part folder" }).waitFor();
+});
+
+const button = (name: string) => page.getByRole("button", { name, exact: true });
+const row = (name: RegExp) => page.getByRole("option", { name });
+
+/** Chooses what becomes of a file, then the file. */
+async function use(what: string, file: RegExp): Promise<void> {
+  await page.getByRole("radio", { name: what, exact: true }).click();
+  await row(file).click();
+}
+
+async function names(to: string): Promise<void> {
+  await page.getByLabel("Name in the part folder").fill(to);
+  await page.keyboard.press("Enter");
+}
+
+async function shot(name: string): Promise<void> {
+  if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/${name}.png` });
+}
+
+it("a file is downloaded byte for byte in two presses", async () => {
+  const comes = page.waitForEvent("download");
+  await use("Download", /cut\.sbp/);
+  const download = await comes;
+  expect(download.suggestedFilename()).toBe("cut.sbp");
+  // A hidden file is in no list.
+  await download.saveAs(place(".downloaded"));
+  expect(read(".downloaded")).toBe(cut);
+  await shot("files");
+  expect(await violations(page)).toEqual([]);
+});
+
+it("a copy replaces nothing unless somebody says so", async () => {
+  await use("Copy…", /cut\.sbp/);
+  expect(await page.getByLabel("Name in the part folder").inputValue()).toBe("cut copy.sbp");
+  await page.keyboard.press("Enter");
+  await row(/cut copy\.sbp/).waitFor();
+  expect(read("cut copy.sbp")).toBe(cut);
+  await use("Copy…", /cut\.sbp/);
+  await names("other.sbp");
+  const asked = page.getByRole("dialog", { name: "Replace other.sbp?" });
+  await asked.getByText("a part program of 2 lines").waitFor();
+  await asked.getByRole("button", { name: "Cancel" }).click();
+  await asked.waitFor({ state: "detached" });
+  expect([read("other.sbp"), read("cut.sbp")]).toEqual([other, cut]);
+  // That it was refused at first the browser tells its own log.
+  workshop.mistakes.length = 0;
+});
+
+it("a file that is open is open under its new name", async () => {
+  await script(workshop, "open", { name: "cut.sbp" });
+  await use("Rename…", /cut\.sbp/);
+  await names("gate.sbp");
+  await until(async () => (await stateOf(workshop)).opened?.name === "gate.sbp", "it is open");
+  expect([there("cut.sbp"), read("gate.sbp")]).toEqual([false, cut]);
+});
+
+it("a file that was opened before is opened again by one press, also after a reload", async () => {
+  for (const name of ["cut.sbp", "other.sbp"]) await script(workshop, "open", { name });
+  await until(async () => (await stateOf(workshop)).opened?.name === "other.sbp", "it is open");
+  await page.reload();
+  await page.locator(".job-name", { hasText: "other.sbp" }).waitFor();
+  await page.keyboard.press("Control+o");
+  const last = page.getByRole("region", { name: "Opened last" });
+  await expect
+    .poll(async () => (await last.getByRole("button").allTextContents()).slice(0, 2))
+    .toEqual(["other.sbp", "cut.sbp"]);
+  await last.getByRole("button", { name: "cut.sbp", exact: true }).click();
+  await until(async () => (await stateOf(workshop)).opened?.name === "cut.sbp", "it is open");
+});
+
+it("what is deleted says what it is, lies in the bin, comes back, and goes when the bin is emptied", async () => {
+  await use("Delete…", /other\.sbp/);
+  const asked = page.getByRole("dialog", { name: "Delete other.sbp?" });
+  await asked.getByText("a part program of 2 lines").waitFor();
+  await shot("delete");
+  await asked.getByRole("button", { name: "Cancel" }).click();
+  expect(there("other.sbp")).toBe(true);
+  for (const name of [/other\.sbp/, /door\.sbp/]) {
+    await row(name).click();
+    await button("Delete").click();
+    await row(name).waitFor({ state: "detached" });
+  }
+  expect([there("other.sbp"), there("door.sbp")]).toEqual([false, false]);
+  await button("Bin…").click();
+  await button("Bring back other.sbp").waitFor();
+  await shot("bin");
+  expect(await violations(page)).toEqual([]);
+  await button("Bring back other.sbp").click();
+  await until(async () => there("other.sbp"), "it is back");
+  expect(read("other.sbp")).toBe(other);
+  await button("Bring back other.sbp").waitFor({ state: "detached" });
+  await button("Empty the bin…").click();
+  await page.getByText("lost for good").waitFor();
+  await button("Empty the bin").click();
+  await page.getByText("Nothing was deleted.").waitFor();
+  // A greyed button tells a hand that tries why it is greyed.
+  await page.locator(".action-place", { has: button("Empty the bin…") }).click();
+  await page.locator(".notice", { hasText: "The bin is empty." }).waitFor();
+});
+
+it("by keys alone: a file is chosen to be deleted, and is", async () => {
+  await page.getByRole("radio", { name: "Delete…" }).focus();
+  await page.keyboard.press("Enter");
+  await row(/other\.sbp/).focus();
+  await page.keyboard.press("Enter");
+  await page.getByRole("dialog", { name: "Delete other.sbp?" }).waitFor();
+  await button("Delete").focus();
+  await page.keyboard.press("Enter");
+  await until(async () => !there("other.sbp"), "it is gone");
+  expect(workshop.mistakes).toEqual([]);
+});
