@@ -4,7 +4,7 @@
 #[path = "../../../tests/corpus/find.rs"]
 pub(crate) mod find;
 
-use crate::format::tests::keeps_meaning;
+use crate::syntax::format::tests::keeps_meaning;
 use crate::{Dialect, check, read, read_as};
 use kerf_diag::{Code, Diagnostic, Severity};
 use kerf_program::settings::LinearUnit;

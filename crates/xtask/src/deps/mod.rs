@@ -1,5 +1,6 @@
-//! Which crate may know which, and what the lower crates may not touch.
+//! Which crate and which floor of a crate may know which, and what the lower crates may not touch.
 
+mod floors;
 mod manifest;
 mod purity;
 mod rooms;
@@ -11,7 +12,7 @@ use manifest::Manifest;
 pub use manifest::third_party;
 pub use rooms::{Half, ROOMS, Room};
 
-/// Every arrow that points the wrong way, and every lower crate that reaches for the outside.
+/// Every arrow that points the wrong way, between crates and between the floors of one, and every lower crate that reaches for the outside.
 ///
 /// # Errors
 /// When a manifest cannot be read.
@@ -26,6 +27,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
             )),
         }
     }
+    findings.extend(floors::check(tree));
     Ok(findings)
 }
 

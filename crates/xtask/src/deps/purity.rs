@@ -49,7 +49,7 @@ pub fn check(tree: &Tree, folder: &str) -> Vec<Finding> {
 }
 
 /// Returns where the modules of their own that a file declares for tests only lie, without `.rs` or `/`.
-fn test_modules(path: &str, text: &str) -> Vec<String> {
+pub(super) fn test_modules(path: &str, text: &str) -> Vec<String> {
     let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
     let folder = match file {
         "lib.rs" | "main.rs" | "mod.rs" => folder.to_owned(),
@@ -61,7 +61,7 @@ fn test_modules(path: &str, text: &str) -> Vec<String> {
     names.map(|(_, name)| format!("{folder}/{name}")).collect()
 }
 
-fn is_inside(path: &str, modules: &[String]) -> bool {
+pub(super) fn is_inside(path: &str, modules: &[String]) -> bool {
     let below = |rest: &str| rest == ".rs" || rest.starts_with('/');
     modules.iter().any(|module| path.strip_prefix(module.as_str()).is_some_and(below))
 }
@@ -143,7 +143,7 @@ fn split_group(inner: &str) -> Vec<&str> {
 /// The text with comments and test modules blanked, line numbers kept.
 ///
 /// The code is formatted, so a test module at the outer level ends at a `}` in the first column.
-fn without_tests_and_comments(text: &str) -> String {
+pub(super) fn without_tests_and_comments(text: &str) -> String {
     let (mut in_tests, mut code) = (false, String::new());
     for line in text.lines() {
         in_tests |= line == "#[cfg(test)]";
