@@ -36,19 +36,19 @@ pub struct Context<'a> {
 impl Context<'_> {
     /// The settings in force.
     pub(crate) fn settings(&self) -> &Settings {
-        &self.core.settings
+        &self.core.values.settings
     }
 
     /// Changes settings and tells everyone behind.
     pub(crate) fn change_settings(&mut self, change: impl FnOnce(&mut Settings)) {
-        let before = self.core.settings.clone();
-        change(Arc::make_mut(&mut self.core.settings));
+        let before = self.core.values.settings.clone();
+        change(Arc::make_mut(&mut self.core.values.settings));
         if before.torch_on() && !self.settings().torch_on() {
-            self.core.adrift.insert(Axis::Z);
+            self.core.place.adrift.insert(Axis::Z);
         }
-        if before != self.core.settings {
+        if before != self.core.values.settings {
             self.core.refresh_scale();
-            let settings = self.core.settings.clone();
+            let settings = self.core.values.settings.clone();
             self.emit(Command::Settings(settings));
         }
     }
@@ -60,19 +60,19 @@ impl Context<'_> {
         }
         // Nobody has to wait for what is only told. A command that warns and then waits would
         // otherwise wait again each time it is repeated, for ever.
-        self.core.settled &= matches!(command, Command::Diagnostic(_));
+        self.core.given.settled &= matches!(command, Command::Diagnostic(_));
         self.out.push(Sourced { at: self.at, command });
     }
 
     /// Waits until everything given so far has been carried out.
     pub(crate) fn settle(&mut self) -> Result<(), Stop> {
         self.interrupt_tabs();
-        if self.core.settled {
+        if self.core.given.settled {
             return Ok(());
         }
         match self.host.settle() {
             Poll::Ready(()) => {
-                self.core.settled = true;
+                self.core.given.settled = true;
                 Ok(())
             }
             Poll::Pending => Err(Stop::Waiting),
@@ -82,18 +82,11 @@ impl Context<'_> {
     /// Asks the operator. A step may ask several times: what was answered stays when it is repeated.
     pub(crate) fn ask(&mut self, question: &Question) -> Result<Answer, Stop> {
         self.settle()?;
-        let answer = match self.core.heard.get(self.core.taken).cloned() {
-            Some(answer) => answer,
-            None => match self.host.ask(question) {
-                Poll::Ready(answer) => {
-                    self.core.heard.push(answer.clone());
-                    answer
-                }
-                Poll::Pending => return Err(Stop::Waiting),
-            },
-        };
-        self.core.taken += 1;
-        Ok(answer)
+        let host = &mut *self.host;
+        match self.core.answers.next(|| host.ask(question)) {
+            Poll::Ready(answer) => Ok(answer),
+            Poll::Pending => Err(Stop::Waiting),
+        }
     }
 
     /// An error at the statement.
@@ -148,23 +141,18 @@ impl Context<'_> {
 
     /// The lines that called the innermost file, innermost first.
     pub(crate) fn callers(&self) -> Vec<Place> {
-        self.core.callers()
+        self.core.flow.callers(&self.core.files)
     }
 
     /// The error of a refused request to the host.
     pub(crate) fn refused(&self, error: HostError) -> Stop {
-        match error {
-            HostError::NotFound(what) => self.fail(Code::FileNotFound, what),
-            HostError::NotAllowed(what) => self.fail(Code::FileNotAllowed, what),
-            HostError::EndOfFile => self.fail(Code::EndOfFile, "end of file"),
-            HostError::Disabled(what) => self.fail(Code::ShellDisabled, what),
-            HostError::Refused(what) => self.fail(Code::FileError, what),
-        }
+        let (code, what) = error.told();
+        self.fail(code, what)
     }
 
     /// Refuses an axis that VD has not switched on, or that MI keeps moving.
     pub(crate) fn need_axis(&self, axis: Axis) -> Result<(), Stop> {
-        if self.core.independent.contains(axis) {
+        if self.core.place.independent.contains(axis) {
             let letter = axis.letter();
             let message = format!("{letter} axis is moving by itself");
             let hint = format!("MI,{letter},1,0 stops it");
@@ -187,7 +175,7 @@ impl Context<'_> {
 
     /// Tells that locations changed.
     pub(crate) fn location_changed(&mut self, working: AxisSet, base: AxisSet) {
-        let frame = self.core.frame;
+        let frame = self.core.place.frame;
         self.emit(Command::Location { frame, working, base });
     }
 }

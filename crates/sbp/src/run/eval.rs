@@ -27,11 +27,11 @@ impl Context<'_> {
             ExprNode::Variable(name) => Ok(self.variable(*name).cloned().unwrap_or_default()),
             ExprNode::Persistent(name) => {
                 // Other programs write it too.
-                self.core.changes = true;
+                self.core.idling.changes = true;
                 Ok(self.persistent(*name))
             }
             ExprNode::System(index) => {
-                self.core.changes = true;
+                self.core.idling.changes = true;
                 let number = self.eval_number(&operands[*index])?;
                 self.system_variable(number, expr.span)
             }
@@ -40,7 +40,7 @@ impl Context<'_> {
                 self.binary(*op, &operands[*left], &operands[*right], expr.span)
             }
             ExprNode::Member(path) => {
-                self.core.changes = true;
+                self.core.idling.changes = true;
                 self.member(&operands[*path], expr.span)
             }
             ExprNode::Call(function, argument) => {
@@ -120,20 +120,19 @@ impl Context<'_> {
 
     /// Slot of a name of the present file.
     pub(crate) fn slot(&self, name: NameId) -> u32 {
-        let links = self.core.links.get(self.at.file as usize);
-        links.and_then(|l| l.get(name.0 as usize)).copied().unwrap_or(u32::MAX)
+        self.core.files.slot(self.at.file, name)
     }
 
     /// Value of a user variable.
     pub(crate) fn variable(&self, name: NameId) -> Option<&Value> {
-        self.core.variables.at(self.slot(name))
+        self.core.memory.variables.at(self.slot(name))
     }
 
     /// Gives a user variable a value.
     pub(crate) fn set_variable(&mut self, name: NameId, value: Value) {
         let slot = self.slot(name);
-        self.core.changes |= self.core.variables.at(slot) != Some(&value);
-        self.core.variables.put(slot, value);
+        self.core.idling.changes |= self.core.memory.variables.at(slot) != Some(&value);
+        self.core.memory.variables.put(slot, value);
     }
 
     fn persistent(&mut self, name: NameId) -> Value {
@@ -319,8 +318,8 @@ impl Context<'_> {
             Function::Acos => n.acos(),
             Function::Pi => std::f64::consts::PI,
             Function::Rnd => {
-                self.core.changes = true;
-                next_random(&mut self.core.random)
+                self.core.idling.changes = true;
+                next_random(&mut self.core.memory.random)
             }
         };
         self.finite(result, span)

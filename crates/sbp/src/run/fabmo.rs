@@ -16,11 +16,11 @@ impl Context<'_> {
             return self.warn(Code::Unusual, message, "back off before probing again");
         }
         let watch = Watch::change(input, true, false);
-        let level = self.core.levels.len();
+        let level = self.core.flow.levels.len();
         // First in the list: an ON INPUT of the same input does not fire for a probe.
-        self.core.watches.insert(0, Handler { watch, at: self.at, level, probe: true });
+        self.core.handlers.watches.insert(0, Handler { watch, at: self.at, level, probe: true });
         self.line_at(MoveKind::Cut, to, Feed::Path(speed_mm_s));
-        self.core.pausing = true;
+        self.core.handlers.pausing = true;
     }
 
     /// DIALOG, and PAUSE with a text: OK goes on, Cancel ends the run.
@@ -66,16 +66,16 @@ impl Context<'_> {
     /// SC,0: locations are those of the table base until SC,1 or the end of the run. What is set meanwhile as a working
     /// location is one of the working locations that come back.
     pub(crate) fn use_table_base(&mut self) {
-        let frame = &mut self.core.frame;
-        self.core.working_aside.get_or_insert(frame.working_zero);
+        let frame = &mut self.core.place.frame;
+        self.core.place.working_aside.get_or_insert(frame.working_zero);
         frame.working_zero = frame.base_zero;
         self.location_changed(AxisSet::first(6), AxisSet::EMPTY);
     }
 
     /// SC,1: locations are the working ones again.
     pub(crate) fn use_working_locations(&mut self) {
-        let Some(zero) = self.core.working_aside.take() else { return };
-        self.core.frame.working_zero = zero;
+        let Some(zero) = self.core.place.working_aside.take() else { return };
+        self.core.place.frame.working_zero = zero;
         self.location_changed(AxisSet::first(6), AxisSet::EMPTY);
     }
 

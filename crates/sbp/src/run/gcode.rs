@@ -7,9 +7,8 @@
 //!  step … gcode_due() ──► (the other interpreter runs) ──► gcode_done(after) ──► step …
 //! ```
 
-use super::core::Level;
+use super::flow::Level;
 use super::{Context, Core, Interpreter, Stop, lifecycle};
-use crate::tree::Language;
 use kerf_diag::Place;
 use kerf_program::{At, Axes, Axis, Frame, GoTo, Host, Sourced};
 
@@ -76,40 +75,34 @@ pub struct GcodeDone {
 impl Core {
     /// The G-code that is due now; none while something else comes first.
     pub(super) fn gcode_due(&self) -> Option<GcodeDue> {
-        let other = !self.started || self.pausing || !self.fired.is_empty();
-        if other || !self.adrift.is_empty() {
+        let other = !self.flow.started || self.handlers.pausing || !self.handlers.fired.is_empty();
+        if other || !self.place.adrift.is_empty() {
             return None;
         }
-        if let Some(at) = self.gcode_line {
+        if let Some(at) = self.flow.gcode_line {
             return Some(GcodeDue::Line(at));
         }
-        let level = self.levels.last()?;
-        let due = level.next == 0 && self.is_gcode(level);
+        let level = self.flow.levels.last()?;
+        let due = level.next == 0 && self.files.is_gcode(level);
         due.then_some(GcodeDue::File(level.file))
-    }
-
-    /// Returns `true` if a file is G-code.
-    pub(super) fn is_gcode(&self, level: &Level) -> bool {
-        let program = self.programs.get(level.file as usize);
-        program.is_some_and(|p| p.language == Language::Gcode)
     }
 
     fn gcode_done(&mut self, due: GcodeDue, done: &GcodeDone) {
         for axis in Axis::ALL {
-            if self.position[axis] != done.position[axis] {
-                self.position[axis] = done.position[axis];
-                self.offset_applied[axis] = 0.0;
+            if self.place.position[axis] != done.position[axis] {
+                self.place.position[axis] = done.position[axis];
+                self.place.offset_applied[axis] = 0.0;
             }
         }
-        self.frame = done.frame;
-        self.settled = false;
-        self.motions += done.motions;
-        self.lines += if matches!(due, GcodeDue::File(_)) { done.lines } else { 0 };
-        self.gcode_line = None;
+        self.place.frame = done.frame;
+        self.given.settled = false;
+        self.given.motions += done.motions;
+        self.given.lines += if matches!(due, GcodeDue::File(_)) { done.lines } else { 0 };
+        self.flow.gcode_line = None;
         if done.runs_on {
-            self.levels.iter_mut().for_each(|level| level.stepped = false);
+            self.flow.levels.iter_mut().for_each(|level| level.stepped = false);
         }
-        if let (GcodeDue::File(_), Some(level)) = (due, self.levels.last_mut()) {
+        if let (GcodeDue::File(_), Some(level)) = (due, self.flow.levels.last_mut()) {
             level.next = 1;
         }
     }
@@ -120,7 +113,7 @@ impl Context<'_> {
     pub(super) fn gcode_statement(&mut self) -> Result<(), Stop> {
         self.need_gcode("G-code in a part file cannot be carried out here")?;
         self.end_tabs();
-        self.core.gcode_line = Some(self.at);
+        self.core.flow.gcode_line = Some(self.at);
         Ok(())
     }
 
@@ -151,27 +144,27 @@ impl Interpreter {
 
     /// Returns the placement of what is in the innermost file.
     pub fn file_place(&self) -> FilePlace {
-        self.core.level().map(FilePlace::of).unwrap_or_default()
+        self.core.flow.level().map(FilePlace::of).unwrap_or_default()
     }
 
     /// Returns `true` if the program ended with EXIT SHOPBOT: what runs it is to close, too.
     pub const fn closes(&self) -> bool {
-        self.core.closes
+        self.core.flow.closes
     }
 
     /// Returns the number of files that are open within each other.
     pub fn depth(&self) -> usize {
-        self.core.levels.len()
+        self.core.flow.levels.len()
     }
 
     /// The lines that led to the innermost file, innermost first.
     pub fn callers(&self) -> Vec<Place> {
-        self.core.callers()
+        self.core.flow.callers(&self.core.files)
     }
 
     /// Ends the run as an error does: what G-code did cannot go on.
     pub fn abandon(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) {
-        self.core.gcode_line = None;
+        self.core.flow.gcode_line = None;
         lifecycle::finish(&mut self.core, host, out);
     }
 }
@@ -179,8 +172,8 @@ impl Interpreter {
 impl Core {
     /// M2 or M30 in a line: the file that it stands in is over.
     fn end_file_at(&mut self, at: At) {
-        let lines = self.programs.get(at.file as usize).map_or(0, |p| p.lines.len());
-        if let Some(level) = self.levels.last_mut().filter(|l| l.file == at.file) {
+        let lines = self.files.programs.get(at.file as usize).map_or(0, |p| p.lines.len());
+        if let Some(level) = self.flow.levels.last_mut().filter(|l| l.file == at.file) {
             level.next = lines as u32;
         }
     }

@@ -5,7 +5,7 @@
 //! which goes back to the state right behind the interrupted move. The handler's action then runs
 //! as if it stood there.
 
-use super::core::{Level, Purpose};
+use super::flow::{Level, Purpose};
 use super::watch::Handler;
 use super::{Context, Core, Stop, Watch};
 use crate::tree::{Node, Program, Statement, Target};
@@ -17,19 +17,19 @@ use kerf_program::Axes;
 ///
 /// A handler ends with the outermost file: what arrives after its last move was made is ignored.
 pub(super) fn arrive(core: &mut Core, watch: &Watch, position: Axes) {
-    if core.levels.is_empty() {
+    if core.flow.levels.is_empty() {
         return;
     }
-    core.position = position;
-    core.settled = true;
+    core.place.position = position;
+    core.given.settled = true;
     // Moves that were still in the tab filter lie behind the interruption and are dropped.
-    if let Some(tabs) = core.tabs.as_mut() {
+    if let Some(tabs) = core.cutting.tabs.as_mut() {
         tabs.drop_buffered();
     }
-    if let Some(index) = core.watches.iter().position(|h| h.watch == *watch) {
-        let handler = core.watches.remove(index);
-        core.fired.push(handler);
-        core.heard.clear();
+    if let Some(index) = core.handlers.watches.iter().position(|h| h.watch == *watch) {
+        let handler = core.handlers.watches.remove(index);
+        core.handlers.fired.push(handler);
+        core.answers.forget();
     }
 }
 
@@ -47,10 +47,10 @@ impl Context<'_> {
         }
         let watch = self.watch(switch, state)?;
         self.settle()?;
-        self.core.watches.retain(|h| h.watch != watch);
+        self.core.handlers.watches.retain(|h| h.watch != watch);
         if armed {
-            let level = self.core.levels.len();
-            self.core.watches.push(Handler { watch, at: self.at, level, probe: false });
+            let level = self.core.flow.levels.len();
+            self.core.handlers.watches.push(Handler { watch, at: self.at, level, probe: false });
         }
         Ok(())
     }
@@ -106,10 +106,10 @@ impl Context<'_> {
     fn handler_sub(&mut self, target: &Target, depth: usize) -> Result<(), Stop> {
         let home = self.need_open(depth)?;
         let line = self.label_line(target)?;
-        if self.core.levels.len() == depth {
+        if self.core.flow.levels.len() == depth {
             return self.call_sub(line);
         }
-        self.core.levels.push(Level {
+        self.core.flow.levels.push(Level {
             next: line,
             gosubs: Vec::new(),
             gosub_left: false,
@@ -127,7 +127,7 @@ impl Context<'_> {
 
     /// The handler's own file, which must still be open for its labels to mean anything.
     fn need_open(&self, depth: usize) -> Result<Level, Stop> {
-        let level = depth.checked_sub(1).and_then(|index| self.core.levels.get(index));
+        let level = depth.checked_sub(1).and_then(|index| self.core.flow.levels.get(index));
         level.filter(|l| l.file == self.at.file).cloned().ok_or_else(|| {
             let message = "the file of this ON INPUT is over, so its labels cannot be reached";
             let hint = "set the handler in the file that has its label";

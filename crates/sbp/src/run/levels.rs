@@ -5,7 +5,7 @@
 //!                  │ plunge                     └──────► none left: Z back, caller goes on
 //! ```
 
-use super::core::{Level, Purpose};
+use super::flow::{Level, Purpose};
 use super::registry::PART_FILE;
 use super::{Context, FileParameters, Stop};
 use crate::{Language, Program};
@@ -25,7 +25,7 @@ impl Context<'_> {
         parameters: FileParameters,
     ) -> Result<(), Stop> {
         self.settle()?;
-        if self.core.levels.len() >= MOST_LEVELS {
+        if self.core.flow.levels.len() >= MOST_LEVELS {
             let message = format!("nested deeper than {MOST_LEVELS} files");
             return Err(self.fail(Code::NestedTooDeep, message));
         }
@@ -58,7 +58,7 @@ impl Context<'_> {
     /// The program of a file; what is doubtful in it is told when it is first read.
     fn read_cached(&mut self, source: &SourceFile) -> Result<Arc<Program>, Stop> {
         let same = |p: &&Arc<Program>| p.name == source.name && p.text.as_bytes() == &*source.bytes;
-        if let Some(known) = self.core.programs.iter().find(same).cloned() {
+        if let Some(known) = self.core.files.programs.iter().find(same).cloned() {
             return Ok(known);
         }
         let program =
@@ -91,24 +91,26 @@ impl Context<'_> {
 
     /// Opens a file that was read; its first line runs next.
     pub(crate) fn open_level(&mut self, program: Arc<Program>, mut parameters: FileParameters) {
-        let (proportion, offset, tabs, stepped) = match self.core.level() {
+        let (proportion, offset, tabs, stepped) = match self.core.flow.level() {
             Some(l) => (l.proportion, l.offset, l.tabs_hold(), l.stepped),
             None => ([1.0; 3], [0.0; 3], false, false),
         };
         // The plunge is a distance of the file that calls, so its proportion holds.
         parameters.plunge_mm *= proportion[2];
-        let place = self.core.working().minus(self.core.offset_applied).first3();
+        let place = self.core.place.working().minus(self.core.place.offset_applied).first3();
         let offset = match parameters.offset {
             1 => place,
             2 => [place[0], place[1], offset[2]],
             _ => offset,
         };
-        if self.core.levels.len() == self.files_begin_at() && self.core.before_preview.is_some() {
-            self.core.looked_at = Some(self.core.settings.clone());
+        if self.core.flow.levels.len() == self.files_begin_at()
+            && self.core.place.before_preview.is_some()
+        {
+            self.core.values.looked_at = Some(self.core.values.settings.clone());
         }
         let start_z = self.plunge_start(&parameters);
         let file = self.core.load(program);
-        self.core.calls.insert(file, parameters.call());
+        self.core.flow.calls.insert(file, parameters.call());
         let mut level = Level {
             file,
             next: 0,
@@ -125,10 +127,10 @@ impl Context<'_> {
             purpose: Purpose::Run,
         };
         // G-code is taken up by whoever runs it.
-        if let Some(to) = parameters.from.filter(|_| !self.core.is_gcode(&level)) {
+        if let Some(to) = parameters.from.filter(|_| !self.core.files.is_gcode(&level)) {
             level.go_to(to);
         }
-        self.core.levels.push(level);
+        self.core.flow.levels.push(level);
         self.core.refresh_scale();
         self.plunge();
         self.refresh_tabs();
@@ -139,7 +141,7 @@ impl Context<'_> {
         if parameters.plunge_mm == 0.0 && !parameters.plunge_from_zero {
             return None;
         }
-        let start = self.core.position[Axis::Z];
+        let start = self.core.place.position[Axis::Z];
         if parameters.plunge_from_zero {
             let zero = self.core.file_zero(Axis::Z);
             self.move_z(zero);
@@ -149,16 +151,16 @@ impl Context<'_> {
 
     /// One plunge of the innermost file, at Z move speed.
     fn plunge(&mut self) {
-        let Some(level) = self.core.level() else { return };
+        let Some(level) = self.core.flow.level() else { return };
         let rise = level.parameters.plunge_mm;
         if rise != 0.0 {
-            let z = self.core.position[Axis::Z] + rise;
+            let z = self.core.place.position[Axis::Z] + rise;
             self.move_z(z);
         }
     }
 
     fn move_z(&mut self, machine_z: f64) {
-        let mut to = self.core.position;
+        let mut to = self.core.place.position;
         to[Axis::Z] = machine_z;
         self.line(MoveKind::Cut, to);
     }
@@ -190,7 +192,7 @@ impl Context<'_> {
 
     /// The innermost file came to its end: repeat it, or go back to its caller.
     pub(crate) fn file_over(&mut self) {
-        let Some(level) = self.core.levels.last_mut() else { return };
+        let Some(level) = self.core.flow.levels.last_mut() else { return };
         level.gosubs.clear();
         if let Purpose::Handler(home) = level.purpose {
             self.leave_levels(home);
@@ -202,7 +204,7 @@ impl Context<'_> {
             self.refresh_tabs();
         } else {
             let start_z = level.start_z;
-            self.leave_levels(self.core.levels.len() - 1);
+            self.leave_levels(self.core.flow.levels.len() - 1);
             if let Some(z) = start_z {
                 self.move_z(z);
             }
@@ -211,15 +213,15 @@ impl Context<'_> {
 
     /// END: the innermost file is over.
     pub(crate) fn end_file(&mut self) {
-        let Some(level) = self.core.levels.last_mut() else { return };
-        let lines = self.core.programs.get(level.file as usize).map_or(0, |p| p.lines.len());
+        let Some(level) = self.core.flow.levels.last_mut() else { return };
+        let lines = self.core.files.programs.get(level.file as usize).map_or(0, |p| p.lines.len());
         level.next = lines as u32;
     }
 
     /// Closes files until only so many are open.
     pub(crate) fn leave_levels(&mut self, depth: usize) {
-        while self.core.levels.len() > depth {
-            let left = self.core.levels.pop();
+        while self.core.flow.levels.len() > depth {
+            let left = self.core.flow.levels.pop();
             if left.is_some_and(|l| l.purpose == Purpose::ToolChange) {
                 self.emit(Command::ToolChange { begin: false });
             }
@@ -238,21 +240,22 @@ impl Context<'_> {
 
     /// Starts or ends tabs after VB, a file or a repetition changed whether they hold.
     pub(crate) fn refresh_tabs(&mut self) {
-        let by_file = self.core.level().is_some_and(Level::tabs_hold);
-        let wanted = self.core.settings.tabs.on || by_file;
-        if wanted == self.core.tabs.is_some() {
+        let by_file = self.core.flow.level().is_some_and(Level::tabs_hold);
+        let wanted = self.core.values.settings.tabs.on || by_file;
+        if wanted == self.core.cutting.tabs.is_some() {
             return;
         }
         if !wanted {
             self.end_tabs();
             return;
         }
-        let mut tabs = self.core.settings.tabs;
+        let mut tabs = self.core.values.settings.tabs;
         if !tabs.on {
             tabs.count = None;
             tabs.start_mm = None;
         }
-        self.core.tabs = Some(kerf_cut::Tabber::new(&tabs, self.core.settings.cutter.safe_z_mm));
+        self.core.cutting.tabs =
+            Some(kerf_cut::Tabber::new(&tabs, self.core.values.settings.cutter.safe_z_mm));
     }
 }
 

@@ -36,7 +36,7 @@ pub(super) fn too_many_lines(
     at: At,
 ) -> Step {
     let bound = core.options.max_lines;
-    let program = &core.program(at.file);
+    let program = &core.files.program(at.file);
     let context = Context { core, program, host, out, at, span: Span::default() };
     let diagnostic = context
         .diagnostic(Span::default(), Code::LineLimit, format!("stopped after {bound} lines"))
@@ -52,7 +52,7 @@ pub(super) fn endless(
     out: &mut Vec<Sourced>,
     at: At,
 ) -> Step {
-    let program = &core.program(at.file);
+    let program = &core.files.program(at.file);
     let context = Context { core, program, host, out, at, span: Span::default() };
     let message = "endless loop: this line comes again and again, and nothing has changed since";
     let diagnostic = context.diagnostic(Span::default(), Code::LineLimit, message).hint(
@@ -69,7 +69,7 @@ pub(super) fn no_gcode(
     out: &mut Vec<Sourced>,
     at: At,
 ) -> Step {
-    let program = &core.program(at.file);
+    let program = &core.files.program(at.file);
     let context = Context { core, program, host, out, at, span: Span::default() };
     let failed = context.fail(Code::NotSupported, "G-code files cannot be run here");
     after(core, host, out, Err(failed))
@@ -77,8 +77,8 @@ pub(super) fn no_gcode(
 
 /// Opens the file the operator started, with the parameters of FP.
 pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
-    core.started = true;
-    let Some(first) = core.programs.first().cloned() else { return end(core, host, out) };
+    core.flow.started = true;
+    let Some(first) = core.files.programs.first().cloned() else { return end(core, host, out) };
     host.store(CLEARED_VALUE, None);
     if !core.options.typed {
         let path = host.full_path(&first.name);
@@ -94,17 +94,17 @@ pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>
 
 /// The last line of the innermost file was executed, or END.
 pub(super) fn end_of_file(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
-    let Some(level) = core.levels.last() else { return end(core, host, out) };
+    let Some(level) = core.flow.levels.last() else { return end(core, host, out) };
     let at = At { file: level.file, line: level.next };
-    let empty = level.next == 0 || core.is_gcode(level);
+    let empty = level.next == 0 || core.files.is_gcode(level);
     if empty && level.repetitions_left > 0 {
         // Without lines in the file nothing else would bound the repetitions.
-        core.lines += 1;
-        if core.options.max_lines > 0 && core.lines >= core.options.max_lines {
+        core.given.lines += 1;
+        if core.options.max_lines > 0 && core.given.lines >= core.options.max_lines {
             return too_many_lines(core, host, out, At { line: 1, ..at });
         }
     }
-    let program = &core.program(at.file);
+    let program = &core.files.program(at.file);
     Context { core, program, host, out, at, span: Span::default() }.file_over();
     Step::Ran
 }
@@ -112,7 +112,7 @@ pub(super) fn end_of_file(core: &mut Core, host: &mut dyn Host, out: &mut Vec<So
 /// The outermost file is over: once all motion is made, so is the run. Until then handlers live.
 pub(super) fn end(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
     let at = At::default();
-    let program = &core.program(at.file);
+    let program = &core.files.program(at.file);
     let mut context = Context { core, program, host, out, at, span: Span::default() };
     let outcome = context.end_run(Status::Ok);
     after(core, host, out, Err(outcome))
@@ -120,15 +120,15 @@ pub(super) fn end(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) 
 
 /// Ends the run: closes files, disarms handlers, gives temporary values back.
 pub(super) fn finish(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) {
-    let at = core.levels.last().map_or(At::default(), |l| At { file: l.file, line: l.next });
-    let program = &core.program(at.file);
+    let at = core.flow.levels.last().map_or(At::default(), |l| At { file: l.file, line: l.next });
+    let program = &core.files.program(at.file);
     let mut context = Context { core, program, host, out, at, span: Span::default() };
     // What is still buffered for tabs never moves: after an error, a stop or a limit.
-    context.core.tabs = None;
+    context.core.cutting.tabs = None;
     context.close_user_files();
-    context.core.watches.clear();
-    context.core.fired.clear();
-    context.core.pausing = false;
+    context.core.handlers.watches.clear();
+    context.core.handlers.fired.clear();
+    context.core.handlers.pausing = false;
     context.use_working_locations();
     if !context.core.options.typed {
         context.restore_temporary();
@@ -148,7 +148,7 @@ impl Context<'_> {
     pub(super) fn exit(&mut self) -> Stop {
         let over = self.end_run(Status::Ended);
         if matches!(over, Stop::Finished(_)) {
-            self.core.closes = true;
+            self.core.flow.closes = true;
             self.emit(Command::Message { text: "closed by part file".into() });
         }
         over
@@ -156,7 +156,7 @@ impl Context<'_> {
 
     /// VS, VI, VU and limits go back to what they were; VO and the VC trigger end (readings, A-91).
     fn restore_temporary(&mut self) {
-        let kept = self.core.kept.clone();
+        let kept = self.core.values.kept.clone();
         let unit = (self.core.options.dialect == Dialect::Fabmo).then_some(kept.linear_unit);
         self.change_settings(|s| {
             // SU holds for the run.
@@ -174,6 +174,6 @@ impl Context<'_> {
             s.tabs.count = None;
             s.tabs.start_mm = None;
         });
-        self.core.offset_applied = Default::default();
+        self.core.place.offset_applied = Default::default();
     }
 }

@@ -19,68 +19,46 @@ use super::{Context, Core};
 use crate::syntax::Dialect;
 use kerf_diag::Code;
 use kerf_program::settings::Distance;
-use kerf_program::{Axes, Axis, AxisSet, Host};
+use kerf_program::{Axes, Axis, AxisSet};
 
 impl Core {
     /// Machine position of one axis when a program gives it a value.
     ///
     /// `value` is in internal units (mm, degrees) before the proportion of the file.
     pub(crate) fn target(&mut self, axis: Axis, value: f64) -> f64 {
-        self.target_scaled(axis, value * self.proportion(axis))
+        self.target_scaled(axis, value * self.flow.proportion(axis))
     }
 
     /// The same with the proportion already applied.
     pub(crate) fn target_scaled(&mut self, axis: Axis, value: f64) -> f64 {
-        match self.settings.distance {
-            Distance::Absolute => self.place(axis, self.file_zero(axis) + value),
+        match self.values.settings.distance {
+            Distance::Absolute => self.with_tool_offset(axis, self.file_zero(axis) + value),
             Distance::Relative => self.shifted(axis, value),
         }
     }
 
     /// Machine position so far from where the axis is.
     pub(crate) fn shifted(&mut self, axis: Axis, distance: f64) -> f64 {
-        self.place(axis, self.free(axis) + distance)
+        self.with_tool_offset(axis, self.place.free(axis) + distance)
     }
 
     /// Machine position for a place that does not contain the tool offset yet.
-    pub(crate) fn place(&mut self, axis: Axis, free: f64) -> f64 {
-        let shift = self.settings.tool_offset;
+    pub(crate) fn with_tool_offset(&mut self, axis: Axis, free: f64) -> f64 {
+        let shift = self.values.settings.tool_offset;
         let wanted = if shift.on { shift.offset[axis] } else { 0.0 };
-        self.offset_applied[axis] = wanted;
+        self.place.offset_applied[axis] = wanted;
         free + wanted
-    }
-
-    /// Returns the place of the axis, without the part that the tool offset contributes, machine frame.
-    pub(crate) fn free(&self, axis: Axis) -> f64 {
-        self.position[axis] - self.offset_applied[axis]
-    }
-
-    /// Proportion of the file for an axis.
-    pub(crate) fn proportion(&self, axis: Axis) -> f64 {
-        self.level().and_then(|l| l.proportion.get(axis.index())).copied().unwrap_or(1.0)
     }
 
     /// Machine position of the file's own zero.
     pub(crate) fn file_zero(&self, axis: Axis) -> f64 {
-        let offset = self.level().and_then(|l| l.offset.get(axis.index()).copied()).unwrap_or(0.0);
-        self.frame.working_zero[axis] + offset
-    }
-
-    /// Takes over where axes really are, for those that moved by themselves or by hand.
-    pub(crate) fn take_position(&mut self, axes: AxisSet, host: &mut dyn Host) {
-        let real = Axes(host.machine_position());
-        for axis in axes.iter() {
-            // A controller that counts steps is a hair off; that is no motion.
-            if (real[axis] - self.position[axis]).abs() > 1e-6 {
-                self.position[axis] = real[axis];
-                self.offset_applied[axis] = 0.0;
-            }
-        }
+        let offset = self.flow.level().map_or(0.0, |level| level.offset(axis));
+        self.place.frame.working_zero[axis] + offset
     }
 
     /// Returns the lead of a base coordinate of the program over the base location: see the head of the file.
     fn base_ahead(&self, axis: Axis) -> f64 {
-        if self.reads_base() { 0.0 } else { self.working()[axis] }
+        if self.reads_base() { 0.0 } else { self.place.working()[axis] }
     }
 
     fn reads_base(&self) -> bool {
@@ -91,14 +69,14 @@ impl Core {
     /// the program sent it.
     pub(crate) fn base_coordinate(&self, axis: Axis, drift: f64) -> f64 {
         let drift = if self.reads_base() { drift } else { 0.0 };
-        self.frame.base(self.position)[axis] - self.base_ahead(axis) + drift
+        self.place.frame.base(self.place.position)[axis] - self.base_ahead(axis) + drift
     }
 }
 
 impl Context<'_> {
     /// Machine position when the program gives values for some axes.
     pub(crate) fn targets(&mut self, values: impl IntoIterator<Item = (Axis, f64)>) -> Axes {
-        let mut to = self.core.position;
+        let mut to = self.core.place.position;
         for (axis, value) in values {
             to[axis] = self.core.target(axis, value);
         }
@@ -107,13 +85,13 @@ impl Context<'_> {
 
     /// Takes over where some axes really are, once the machine is at rest.
     pub(crate) fn take_machine_position(&mut self, axes: AxisSet) {
-        self.core.take_position(axes, self.host);
+        self.core.place.take_position(axes, self.host);
     }
 
     /// Returns the place of the machine, with the true place of an axis that may have moved by itself. The
     /// machine is at rest.
     fn real_position(&mut self, axis: Axis) -> Axes {
-        let mut position = self.core.position;
+        let mut position = self.core.place.position;
         if self.core.wanders(axis) {
             position[axis] = self.host.machine_position()[axis.index()];
         }
@@ -123,9 +101,9 @@ impl Context<'_> {
     /// Calls the present place of an axis so, in working locations.
     pub(crate) fn set_working(&mut self, axis: Axis, value: f64) {
         let position = self.real_position(axis);
-        match &mut self.core.working_aside {
+        match &mut self.core.place.working_aside {
             Some(zero) => zero[axis] = position[axis] - value,
-            None => self.core.frame.set_working(axis, position, value),
+            None => self.core.place.frame.set_working(axis, position, value),
         }
     }
 
@@ -133,9 +111,9 @@ impl Context<'_> {
     pub(crate) fn set_base(&mut self, axis: Axis, value: f64) {
         let location = value + self.core.base_ahead(axis);
         let position = self.real_position(axis);
-        self.core.frame.set_base(axis, position, location);
-        if self.core.working_aside.is_some() {
-            self.core.frame.working_zero[axis] = self.core.frame.base_zero[axis];
+        self.core.place.frame.set_base(axis, position, location);
+        if self.core.place.working_aside.is_some() {
+            self.core.place.frame.working_zero[axis] = self.core.place.frame.base_zero[axis];
         }
     }
 
@@ -146,13 +124,15 @@ impl Context<'_> {
         for axis in working.iter() {
             if self
                 .core
+                .flow
                 .levels
                 .iter()
                 .any(|l| l.offset.get(axis.index()).is_some_and(|o| *o != 0.0))
             {
                 ended.push(axis.letter());
             }
-            for offset in self.core.levels.iter_mut().filter_map(|l| l.offset.get_mut(axis.index()))
+            for offset in
+                self.core.flow.levels.iter_mut().filter_map(|l| l.offset.get_mut(axis.index()))
             {
                 *offset = 0.0;
             }

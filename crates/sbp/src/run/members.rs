@@ -65,7 +65,7 @@ impl Context<'_> {
         if persistent {
             return self.host.stored(&persistent_key(name)).map(|text| number_or_text(&text));
         }
-        self.core.variables.get(name).cloned()
+        self.core.memory.variables.get(name).cloned()
     }
 
     fn keep_named(&mut self, persistent: bool, only_new: bool, name: &str, value: Value) {
@@ -75,7 +75,7 @@ impl Context<'_> {
         if persistent {
             self.host.store(&persistent_key(name), Some(&value.stored().display()));
         } else {
-            self.core.variables.set(name, value);
+            self.core.memory.variables.set(name, value);
         }
     }
 

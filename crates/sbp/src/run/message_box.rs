@@ -92,7 +92,7 @@ impl Context<'_> {
             let hint = format!("answer {}", words.join(" or "));
             return Err(self.fail_at(self.span, Code::OutOfRange, message, hint));
         };
-        self.core.variables.set(ANSWER, Value::text(button.word()));
+        self.core.memory.variables.set(ANSWER, Value::text(button.word()));
         Ok(())
     }
 }

@@ -17,8 +17,13 @@ mod cutting;
 mod dialogs;
 mod eval;
 mod fabmo;
+mod fast;
 mod fields;
+mod files;
+mod flow;
 mod gcode;
+mod given;
+mod idling;
 mod interrupt;
 mod language;
 mod levels;
@@ -29,6 +34,7 @@ mod message_box;
 mod outward;
 mod past;
 mod pauses;
+mod place;
 mod preview;
 mod printing;
 mod programs;
@@ -44,13 +50,14 @@ mod sysvar;
 #[cfg(test)]
 mod tests;
 mod user_files;
+mod values;
 mod variables;
 mod watch;
 mod z_moves;
 
-pub use self::core::Core;
-pub use arguments::Arguments;
-pub use context::{Context, Stop};
+pub(crate) use self::core::Core;
+pub(crate) use arguments::Arguments;
+pub(crate) use context::{Context, Stop};
 pub use gcode::{FilePlace, GcodeDone, GcodeDue};
 pub use kerf_program::{Status, Step, Watch};
 pub use recorder::{RECORDED, RECORDING, Replay, with_recorded};
@@ -90,12 +97,12 @@ impl Interpreter {
             if host.settle().is_pending() {
                 return Step::Waiting;
             }
-            self.core.settled = true;
+            self.core.given.settled = true;
             self.past.clear();
         }
-        let number = self.core.steps;
+        let number = self.core.given.steps;
         let step = step::step(&mut self.core, host, out);
-        self.core.steps += u64::from(step != Step::Waiting);
+        self.core.given.steps += u64::from(step != Step::Waiting);
         self.past.keep(&mut self.core, number, &step);
         step
     }
@@ -103,18 +110,18 @@ impl Interpreter {
     /// Executes lines until the host is needed, the run is over, a stack of moves has ended (so that
     /// the machine is never more than one stack behind), or so many lines are done.
     pub fn run(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
-        let bound = self.core.lines.saturating_add(lines);
+        let bound = self.core.given.lines.saturating_add(lines);
         // Steps that are no line (a file ends, a handler's action) count too, so that this ends.
         for _ in 0..lines {
-            let left = bound.saturating_sub(self.core.lines);
+            let left = bound.saturating_sub(self.core.given.lines);
             if left == 0 {
                 break;
             }
             // What is typed goes through the recorder, line by line.
-            if self.core.watches.is_empty() && !self.core.options.typed {
-                step::run_moves(&mut self.core, out, left);
+            if self.core.handlers.watches.is_empty() && !self.core.options.typed {
+                fast::run_moves(&mut self.core, out, left);
                 let jogs = out.last().is_some_and(|s| s.command.ends_stack());
-                if jogs || self.core.lines >= bound {
+                if jogs || self.core.given.lines >= bound {
                     break;
                 }
             }
@@ -166,33 +173,37 @@ impl Interpreter {
 
     /// The ON INPUT handlers that are armed.
     pub fn watches(&self) -> impl Iterator<Item = &Watch> {
-        self.core.watches.iter().map(|w| &w.watch)
+        self.core.handlers.watches.iter().map(|w| &w.watch)
     }
 
     /// Name of a file of [`At`].
     pub fn file_name(&self, file: u32) -> Arc<str> {
-        self.core.programs.get(file as usize).map_or_else(|| Arc::from(""), |p| p.name.clone())
+        self.core
+            .files
+            .programs
+            .get(file as usize)
+            .map_or_else(|| Arc::from(""), |p| p.name.clone())
     }
 
     /// Returns the last call of a file of [`At`].
     pub fn file_call(&self, file: u32) -> Option<FileCall> {
-        self.core.calls.get(&file).copied()
+        self.core.flow.calls.get(&file).copied()
     }
 
     /// The program of a file of [`At`].
     pub fn program(&self, file: u32) -> Option<&Program> {
-        self.core.programs.get(file as usize).map(AsRef::as_ref)
+        self.core.files.programs.get(file as usize).map(AsRef::as_ref)
     }
 
     /// The open files and the line that runs next in each, outermost first.
     pub fn call_stack(&self) -> impl Iterator<Item = At> {
-        self.core.levels.iter().map(|l| At { file: l.file, line: l.next + 1 })
+        self.core.flow.levels.iter().map(|l| At { file: l.file, line: l.next + 1 })
     }
 
     /// Number of the last motion command given, counted from 1. After an interrupt the count goes
     /// on behind the motions of the interrupted line.
     pub fn motions(&self) -> u64 {
-        self.core.motions
+        self.core.given.motions
     }
 
     /// Tells that all motion up to this number has been carried out: nothing before it can be
@@ -203,34 +214,34 @@ impl Interpreter {
 
     /// Lines executed so far.
     pub fn lines(&self) -> u64 {
-        self.core.lines
+        self.core.given.lines
     }
 
     /// The settings in force.
     pub fn settings(&self) -> &Arc<Settings> {
-        &self.core.settings
+        &self.core.values.settings
     }
 
     /// The frames in force.
     pub fn frame(&self) -> &Frame {
-        &self.core.frame
+        &self.core.place.frame
     }
 
     /// Returns the place to which the program has sent the machine, machine frame.
     pub fn position(&self) -> Axes {
-        self.core.position
+        self.core.place.position
     }
 
     /// The user's variables.
     pub fn variables(&self) -> &Variables {
-        &self.core.variables
+        &self.core.memory.variables
     }
 
     /// A system variable as a program would read it now; `None` while the machine is still busy.
     pub fn system_variable(&mut self, host: &mut dyn Host, number: u8) -> Option<Value> {
         let mut out = Vec::new();
         let (at, span) = (At::default(), Span::default());
-        let program = &self.core.program(at.file);
+        let program = &self.core.files.program(at.file);
         let core = &mut self.core;
         let mut context = Context { core, program, host, out: &mut out, at, span };
         context.system_variable(f64::from(number), span).ok()

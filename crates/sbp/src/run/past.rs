@@ -21,17 +21,17 @@ pub(super) struct Past {
 impl Past {
     /// Keeps what a step did; forgets everything when nothing can be interrupted any more.
     pub(super) fn keep(&mut self, core: &mut Core, number: u64, step: &Step) {
-        let given_by = std::mem::take(&mut core.given_by);
-        if core.watches.is_empty() || core.settled {
+        let given_by = std::mem::take(&mut core.given.given_by);
+        if core.handlers.watches.is_empty() || core.given.settled {
             self.clear();
         }
-        if core.watches.is_empty() {
+        if core.handlers.watches.is_empty() {
             return;
         }
-        let first = core.motions + 1 - given_by.len() as u64;
+        let first = core.given.motions + 1 - given_by.len() as u64;
         let moved = !given_by.is_empty();
         self.motions.extend((first..).zip(given_by));
-        if *step != Step::Waiting && (moved || core.tabs.is_some()) {
+        if *step != Step::Waiting && (moved || core.cutting.tabs.is_some()) {
             self.states.push_back((number, core.clone()));
         }
     }

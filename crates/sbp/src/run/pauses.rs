@@ -21,7 +21,7 @@ impl Context<'_> {
         }
         self.settle()?;
         self.emit(Command::Wait { seconds: n });
-        self.core.pausing = !self.core.watches.is_empty();
+        self.core.handlers.pausing = !self.core.handlers.watches.is_empty();
         Ok(())
     }
 

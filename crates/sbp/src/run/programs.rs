@@ -1,6 +1,6 @@
 //! PLAY, SHELL and custom cuts: sounds and programs that lie outside the part file.
 
-use super::core::Purpose;
+use super::flow::Purpose;
 use super::{Context, FileParameters, Stop};
 use crate::syntax::Dialect;
 use crate::tree::{DialogText, Shell};
@@ -96,7 +96,7 @@ impl Context<'_> {
 
     /// The file just opened changes the tool; its end is told when it is left.
     fn begin_tool_change(&mut self) {
-        if let Some(level) = self.core.levels.last_mut() {
+        if let Some(level) = self.core.flow.levels.last_mut() {
             level.purpose = Purpose::ToolChange;
             self.emit(Command::ToolChange { begin: true });
         }

@@ -78,7 +78,7 @@ impl Context<'_> {
     /// Runs recorded commands again, as a file that is called.
     pub(crate) fn replay(&mut self, replay: Replay<'_>) -> Result<(), Stop> {
         self.settle()?;
-        if self.core.levels.len() >= super::levels::MOST_LEVELS {
+        if self.core.flow.levels.len() >= super::levels::MOST_LEVELS {
             return Err(self.fail(Code::NestedTooDeep, "recorded commands replay themselves"));
         }
         let text = replay.lines.join("\n");

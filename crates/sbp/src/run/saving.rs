@@ -36,7 +36,7 @@ impl SavedProgram {
 impl From<Interpreter> for Saved {
     fn from(interpreter: Interpreter) -> Self {
         let Interpreter { core, past } = interpreter;
-        let programs = core.programs.iter().map(|p| SavedProgram::of(p)).collect();
+        let programs = core.files.programs.iter().map(|p| SavedProgram::of(p)).collect();
         Self { programs, core, past }
     }
 }
@@ -48,9 +48,9 @@ impl From<Saved> for Interpreter {
             programs.into_iter().map(|saved| Arc::new(saved.read(core.options.dialect))).collect();
         // An older state knows the first few of the same list; knowing more changes nothing.
         for state in past.states_mut() {
-            state.programs.clone_from(&programs);
+            state.files.programs.clone_from(&programs);
         }
-        core.programs = programs;
+        core.files.programs = programs;
         Self { core, past }
     }
 }

@@ -1,6 +1,6 @@
 //! The effect of each statement. The larger families have files of their own.
 
-use super::core::Purpose;
+use super::flow::Purpose;
 use super::{Arguments, Context, Status, Stop, commands};
 use crate::Expr;
 use crate::Value;
@@ -19,7 +19,7 @@ impl Context<'_> {
     /// Executes a statement.
     pub(crate) fn statement(&mut self, statement: &Statement) -> Result<(), Stop> {
         // An assignment changes something where the value is another; a condition by what it looks at.
-        self.core.changes |= !matches!(
+        self.core.idling.changes |= !matches!(
             statement,
             Statement::Goto(_)
                 | Statement::If { .. }
@@ -76,7 +76,7 @@ impl Context<'_> {
     /// Refuses a typed command that sets the machine while a password protects it.
     fn refuse_protected(&self, spec: &CommandSpec) -> Result<(), Stop> {
         let options = &self.core.options;
-        let typed = options.typed && self.core.levels.len() == 1;
+        let typed = options.typed && self.core.flow.levels.len() == 1;
         if !(options.protected && typed && spec.sets_machine()) {
             return Ok(());
         }
@@ -123,8 +123,8 @@ impl Context<'_> {
 
     /// The old software had room for 100 variables; files that need more are told of once.
     fn warn_many_variables(&mut self) {
-        if self.core.variables.count() > 100 && !self.core.told_many_variables {
-            self.core.told_many_variables = true;
+        if self.core.memory.variables.count() > 100 && !self.core.memory.told_many_variables {
+            self.core.memory.told_many_variables = true;
             self.warn(Code::Unusual, "more than 100 variables", "older software has room for 100");
         }
     }
@@ -132,7 +132,7 @@ impl Context<'_> {
     /// Goes to a label of this file.
     fn jump(&mut self, target: &Target) -> Result<(), Stop> {
         let line = self.label_line(target)?;
-        if let Some(level) = self.core.levels.last_mut() {
+        if let Some(level) = self.core.flow.levels.last_mut() {
             level.next = line;
             level.gosub_left |= !level.gosubs.is_empty();
         }
@@ -159,7 +159,7 @@ impl Context<'_> {
 
     /// Goes to a line of the innermost file; RETURN comes back to the one that would be next.
     pub(super) fn call_sub(&mut self, line: u32) -> Result<(), Stop> {
-        let Some(level) = self.core.levels.last_mut() else { return Ok(()) };
+        let Some(level) = self.core.flow.levels.last_mut() else { return Ok(()) };
         let deep = level.gosubs.len() >= MOST_GOSUBS;
         if deep && level.gosub_left {
             level.gosubs.drain(..FORGOTTEN_GOSUBS);
@@ -167,7 +167,7 @@ impl Context<'_> {
             let message = format!("GOSUB nested deeper than {MOST_GOSUBS}");
             return Err(self.fail(Code::NestedTooDeep, message));
         }
-        if let Some(level) = self.core.levels.last_mut() {
+        if let Some(level) = self.core.flow.levels.last_mut() {
             level.gosubs.push(level.next);
             level.next = line;
         }
@@ -175,13 +175,13 @@ impl Context<'_> {
     }
 
     fn return_from_sub(&mut self) -> Result<(), Stop> {
-        let Some(level) = self.core.levels.last_mut() else { return Ok(()) };
+        let Some(level) = self.core.flow.levels.last_mut() else { return Ok(()) };
         if let Some(line) = level.gosubs.pop() {
             level.next = line;
             return Ok(());
         }
         if matches!(level.purpose, Purpose::Handler(_)) {
-            self.leave_levels(self.core.levels.len() - 1);
+            self.leave_levels(self.core.flow.levels.len() - 1);
             return Ok(());
         }
         // What was read before it is complete, as at the end of a file, and is carried out.

@@ -17,8 +17,8 @@ use kerf_program::{Answer, At, Button, GoTo, Host, Question, QuestionKind, Sourc
 
 /// Returns `true` if the operator decides about the line that is next.
 pub(super) fn asks(core: &Core, node: Node) -> bool {
-    let stepped = core.level().is_some_and(|l| l.stepped && l.skip_to.is_none());
-    stepped && !core.granted && !matches!(node, Node::Blank)
+    let stepped = core.flow.level().is_some_and(|l| l.stepped && l.skip_to.is_none());
+    stepped && !core.flow.granted && !matches!(node, Node::Blank)
 }
 
 /// Asks what to do with the line that is next.
@@ -36,7 +36,7 @@ pub(super) fn ask(
 
 /// Passes over a line before the one that the file goes on at. False when the line is to run.
 pub(super) fn passes_over(core: &mut Core, program: &Program, node: Node) -> bool {
-    let Some(level) = core.levels.last_mut() else { return false };
+    let Some(level) = core.flow.levels.last_mut() else { return false };
     let Some(to) = level.skip_to else { return false };
     if level.next >= to {
         level.skip_to = None;
@@ -83,9 +83,9 @@ impl Context<'_> {
             )
         };
         match self.ask(&question)? {
-            Answer::Button(Button::Step) => self.core.granted = true,
+            Answer::Button(Button::Step) => self.core.flow.granted = true,
             Answer::Button(Button::Run) => {
-                self.core.levels.iter_mut().for_each(|level| level.stepped = false);
+                self.core.flow.levels.iter_mut().for_each(|level| level.stepped = false);
             }
             Answer::Button(_) => return Err(self.terminated()),
             Answer::Text(words) => {
@@ -104,7 +104,7 @@ impl Context<'_> {
             let message = format!("there is no line {} in {}", to.line, program.name);
             return self.warn(Code::OutOfRange, message, format!("its last line is {lines}"));
         }
-        if let Some(level) = self.core.levels.last_mut() {
+        if let Some(level) = self.core.flow.levels.last_mut() {
             level.go_to(to);
         }
     }

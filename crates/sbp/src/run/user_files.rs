@@ -1,11 +1,24 @@
 //! OPEN, CLOSE, INPUT # and the files behind WRITE # (handbook, OPEN … CLOSE; readings, A-38, A-48).
 
-use super::core::UserFile;
 use super::{Context, Stop, fields};
 use crate::tree::NameId;
 use crate::{Expr, Value};
 use kerf_diag::Code;
 use kerf_program::{Command, FileMode, FileOp, HostError};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// Open files by number − 1.
+pub(crate) type UserFiles = [Option<UserFile>; 9];
+
+/// A file of the user that is open.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct UserFile {
+    pub(crate) path: Arc<str>,
+    pub(crate) mode: FileMode,
+    /// Fields of the last line read that were not taken yet.
+    pub(crate) fields: Vec<Value>,
+}
 
 impl Context<'_> {
     /// OPEN path FOR mode AS #number.
@@ -31,7 +44,7 @@ impl Context<'_> {
         let path = opened.map_err(|e| self.cannot("open", name, e))?;
         let file = UserFile { path: path.into(), mode, fields: Vec::new() };
         self.tell_file(FileOp::Open, &file);
-        self.core.files[usize::from(slot) - 1] = Some(file);
+        self.core.user_files[usize::from(slot) - 1] = Some(file);
         Ok(())
     }
 
@@ -62,7 +75,7 @@ impl Context<'_> {
     }
 
     fn close_file(&mut self, number: u8) -> Result<(), HostError> {
-        match self.core.files[usize::from(number) - 1].take() {
+        match self.core.user_files[usize::from(number) - 1].take() {
             None => Ok(()),
             Some(file) => {
                 self.tell_file(FileOp::Close, &file);
@@ -92,7 +105,7 @@ impl Context<'_> {
 
     fn next_field(&mut self, number: u8) -> Result<Value, Stop> {
         loop {
-            let slot = self.core.files.get_mut(usize::from(number) - 1);
+            let slot = self.core.user_files.get_mut(usize::from(number) - 1);
             let Some(file) = slot.and_then(Option::as_mut) else {
                 return Err(self.not_open(number, "reading"));
             };
@@ -106,7 +119,7 @@ impl Context<'_> {
                 }
                 other => self.refused(other),
             })?;
-            if let Some(file) = self.core.files[usize::from(number) - 1].as_mut() {
+            if let Some(file) = self.core.user_files[usize::from(number) - 1].as_mut() {
                 file.fields = fields::split(&line);
             }
         }
@@ -146,7 +159,7 @@ impl Context<'_> {
     }
 
     fn user_file(&self, number: u8) -> Option<&UserFile> {
-        self.core.files.get(usize::from(number).checked_sub(1)?)?.as_ref()
+        self.core.user_files.get(usize::from(number).checked_sub(1)?)?.as_ref()
     }
 
     fn not_open(&self, number: u8, purpose: &str) -> Stop {

@@ -99,6 +99,22 @@ impl From<Variables> for BTreeMap<String, Value> {
     }
 }
 
+/// What a program keeps in mind by itself.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Memory {
+    pub(crate) variables: Variables,
+    /// State of the random sequence.
+    pub(crate) random: u64,
+    /// Variables made beyond the hundredth were told of.
+    pub(crate) told_many_variables: bool,
+}
+
+impl Memory {
+    pub(super) const fn new(variables: Variables, random: u64) -> Self {
+        Self { variables, random, told_many_variables: false }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

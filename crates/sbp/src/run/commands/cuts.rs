@@ -83,8 +83,8 @@ fn circle(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
 fn point_circle(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let shape = round_shape(c, a, 3);
     let to = c.targets([(Axis::X, a.number_or(1, 0.0)), (Axis::Y, a.number_or(2, 0.0))]);
-    let centre = c.core.frame.working(to);
-    if c.core.working()[Axis::Z] < 0.0 {
+    let centre = c.core.place.frame.working(to);
+    if c.core.place.working()[Axis::Z] < 0.0 {
         c.warn(
             Code::Unusual,
             "CP moves to its first point below the surface",
@@ -99,7 +99,7 @@ fn arc_to(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let passes = passes(c, a, 7);
     let given = [(Axis::X, a.number(1)), (Axis::Y, a.number(2))];
     let to = c.targets(given.into_iter().filter_map(|(axis, v)| Some((axis, v?))));
-    let end = c.core.frame.working(to);
+    let end = c.core.place.frame.working(to);
     let arc = ArcTo {
         diameter_mm: a.number(0),
         end: given.map(|(axis, v)| v.map(|_| end[axis])),
@@ -109,9 +109,9 @@ fn arc_to(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         proportion: proportion(a, 9),
         passes: with_features(passes, a, 11),
     };
-    let made = kerf_cut::arc_to(&arc, c.core.last_ij, &c.cut_context());
+    let made = kerf_cut::arc_to(&arc, c.core.cutting.last_ij, &c.cut_context());
     let (cut, used) = made.map_err(|e| refused(c, &e))?;
-    c.core.last_ij = used;
+    c.core.cutting.last_ij = used;
     c.carry_out(cut, arc.passes.feature == Feature::Tab);
     Ok(())
 }

@@ -15,9 +15,9 @@ pub(super) fn go(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         c.need_axis(axis)?;
     }
     let z = z_change(c, a)?;
-    let mut to = c.core.position;
+    let mut to = c.core.place.position;
     for (axis, distance) in [(Axis::X, along.x), (Axis::Y, along.y)] {
-        to[axis] = c.core.shifted(axis, distance * c.core.proportion(axis));
+        to[axis] = c.core.shifted(axis, distance * c.core.flow.proportion(axis));
     }
     if let Some(change) = z {
         move_z(c, &mut to, change);
@@ -34,9 +34,11 @@ enum Change {
 }
 
 fn move_z(c: &mut Context<'_>, to: &mut Axes, change: Change) {
-    let proportion = c.core.proportion(Axis::Z);
+    let proportion = c.core.flow.proportion(Axis::Z);
     to[Axis::Z] = match change {
-        Change::To(z) => c.core.place(Axis::Z, c.core.file_zero(Axis::Z) + z * proportion),
+        Change::To(z) => {
+            c.core.with_tool_offset(Axis::Z, c.core.file_zero(Axis::Z) + z * proportion)
+        }
         Change::By(z) => c.core.shifted(Axis::Z, z * proportion),
     };
 }
@@ -76,10 +78,10 @@ fn relative(c: &Context<'_>, text: &str) -> Option<f64> {
 
 /// Direction of the last move as the file sees it: proportions of the file taken out.
 fn heading(c: &Context<'_>) -> Option<f64> {
-    let seen = kerf_geom::clock_to_vec(c.core.heading?);
-    let scale = [Axis::X, Axis::Y].map(|axis| c.core.proportion(axis));
+    let seen = kerf_geom::clock_to_vec(c.core.cutting.heading?);
+    let scale = [Axis::X, Axis::Y].map(|axis| c.core.flow.proportion(axis));
     if scale[0] == scale[1] && scale[0] > 0.0 {
-        return c.core.heading;
+        return c.core.cutting.heading;
     }
     Some(kerf_geom::vec_to_clock(Vec2::new(seen.x / scale[0], seen.y / scale[1])))
 }

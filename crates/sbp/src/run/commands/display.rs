@@ -25,10 +25,10 @@ pub(super) fn set(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         new.display.keypad_fixed_mm = distance / old.linear_unit.mm() * new.linear_unit.mm();
     }
     turn_axes(c, &old, &new);
-    c.core.settings = Arc::new(new);
+    c.core.values.settings = Arc::new(new);
     c.core.refresh_scale();
     // Told even when all is as before: a given value also opens or closes the message screen.
-    let settings = c.core.settings.clone();
+    let settings = c.core.values.settings.clone();
     c.emit(Command::Settings(settings));
     Ok(())
 }
@@ -43,13 +43,13 @@ fn turn_axes(c: &mut Context<'_>, old: &Settings, new: &Settings) {
             continue;
         }
         turned.insert(axis);
-        let position = c.core.position;
+        let position = c.core.place.position;
         let renamed = |internal: f64| to_user(internal, old.axis_scale(axis)) * unit.scale();
-        let working = renamed(c.core.frame.working(position)[axis]);
-        let base = renamed(c.core.frame.base(position)[axis]);
-        c.core.frame.set_working(axis, position, working);
-        c.core.frame.set_base(axis, position, base);
-        let kept = Arc::make_mut(&mut c.core.kept);
+        let working = renamed(c.core.place.frame.working(position)[axis]);
+        let base = renamed(c.core.place.frame.base(position)[axis]);
+        c.core.place.frame.set_working(axis, position, working);
+        c.core.place.frame.set_base(axis, position, base);
+        let kept = Arc::make_mut(&mut c.core.values.kept);
         kept.rotary_units = old.rotary_units;
         set_axis_unit(kept, axis, unit);
     }

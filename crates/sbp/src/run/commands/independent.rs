@@ -16,12 +16,12 @@ pub(super) fn start(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let motion = motion(c, a, axis)?;
     refuse_too_fast(c, a, axis, motion)?;
     if motion == Independent::Off {
-        if c.core.independent.contains(axis) {
-            c.core.adrift.insert(axis);
+        if c.core.place.independent.contains(axis) {
+            c.core.place.adrift.insert(axis);
         }
-        c.core.independent.remove(axis);
+        c.core.place.independent.remove(axis);
     } else {
-        c.core.independent.insert(axis);
+        c.core.place.independent.insert(axis);
     }
     c.emit(Command::Independent { axis, motion });
     Ok(())
@@ -107,10 +107,10 @@ fn refuse_too_fast(
 
 /// Cuts motor power; no axis is trusted to be where it was.
 pub(super) fn motors_off(c: &mut Context<'_>) -> Result<(), Stop> {
-    for axis in c.core.independent.iter() {
-        c.core.adrift.insert(axis);
+    for axis in c.core.place.independent.iter() {
+        c.core.place.adrift.insert(axis);
     }
-    c.core.independent = AxisSet::EMPTY;
+    c.core.place.independent = AxisSet::EMPTY;
     c.emit(Command::MotorsOff);
     c.remember_lost(AxisSet::first(c.settings().axis_count.into()));
     Ok(())

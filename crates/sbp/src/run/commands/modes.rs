@@ -16,7 +16,7 @@ pub(super) fn run(c: &mut Context<'_>, act: Act, a: &Arguments) -> Result<(), St
         Act::Coordinates if a.flag(0) == Some(true) => c.use_working_locations(),
         Act::Coordinates => c.use_table_base(),
         Act::Unit => unit(c, a),
-        Act::ClearVariables => c.core.variables.clear(),
+        Act::ClearVariables => c.core.memory.variables.clear(),
         Act::KeepValues => return keep_values(c),
         Act::EndStack => return end_stack(c, a),
         Act::Warning => warning(c, a),
@@ -60,7 +60,7 @@ fn keep_values(c: &mut Context<'_>) -> Result<(), Stop> {
         c.warn(Code::KeptProtected, message, hint);
         return Ok(());
     }
-    c.core.kept = c.core.settings.clone();
+    c.core.values.kept = c.core.values.settings.clone();
     Ok(())
 }
 
@@ -77,7 +77,7 @@ fn warning(c: &mut Context<'_>, a: &Arguments) {
         return set(c, a);
     }
     // Shipped files keep the duration from a system variable that is empty here, and give it back with SW.
-    let before = c.core.kept.warning_s;
+    let before = c.core.values.kept.warning_s;
     c.change_settings(|s| s.warning_s = before);
 }
 

@@ -44,9 +44,9 @@ fn home(c: &mut Context<'_>, kind: MoveKind) -> Result<(), Stop> {
     c.need_axis(Axis::Y)?;
     let up = lifted(c)?;
     c.line(kind, up);
-    let mut to = c.core.position;
+    let mut to = c.core.place.position;
     for axis in [Axis::X, Axis::Y] {
-        to[axis] = c.core.place(axis, c.core.file_zero(axis));
+        to[axis] = c.core.with_tool_offset(axis, c.core.file_zero(axis));
     }
     c.line(kind, to);
     Ok(())
@@ -55,7 +55,7 @@ fn home(c: &mut Context<'_>, kind: MoveKind) -> Result<(), Stop> {
 /// Returns the place of the tool after lifting Z, and an A axis that moves up and down, to their safe heights.
 fn lifted(c: &mut Context<'_>) -> Result<Axes, Stop> {
     let cutter = c.settings().cutter;
-    let mut to = c.core.position;
+    let mut to = c.core.place.position;
     let lifting_a = c.settings().axis_count > 3
         && c.settings().axis_unit(Axis::A) != AxisUnit::Degrees
         && cutter.safe_z_mm.is_some();
@@ -63,10 +63,10 @@ fn lifted(c: &mut Context<'_>) -> Result<Axes, Stop> {
         [(Axis::Z, cutter.safe_z_mm), (Axis::A, Some(cutter.safe_a_mm).filter(|_| lifting_a))];
     for (axis, height) in heights {
         let Some(height) = height else { continue };
-        let safe = c.core.frame.working_zero[axis] + height;
-        if c.core.free(axis) < safe {
+        let safe = c.core.place.frame.working_zero[axis] + height;
+        if c.core.place.free(axis) < safe {
             c.need_axis(axis)?;
-            to[axis] = c.core.place(axis, safe);
+            to[axis] = c.core.with_tool_offset(axis, safe);
         }
     }
     if cutter.safe_z_mm.is_none() {

@@ -33,7 +33,7 @@ pub(super) fn run(c: &mut Context<'_>, act: Utility, a: &Arguments) -> Result<()
 }
 
 fn variables(c: &Context<'_>) -> String {
-    let lines = c.core.variables.list().into_iter();
+    let lines = c.core.memory.variables.list().into_iter();
     let lines: Vec<_> = lines.map(|(name, v)| format!("&{name} = {}", v.display())).collect();
     if lines.is_empty() { "no variables".into() } else { lines.join("\n") }
 }
@@ -43,7 +43,7 @@ pub(super) fn locations_line(c: &Context<'_>) -> String {
     let axes = || Axis::ALL.into_iter().take(5);
     let scaled =
         |axis: Axis, internal: f64| format_number(internal / c.settings().axis_scale(axis));
-    let working = axes().map(|axis| scaled(axis, c.core.working()[axis]));
+    let working = axes().map(|axis| scaled(axis, c.core.place.working()[axis]));
     let base = axes().map(|axis| scaled(axis, c.core.base_coordinate(axis, 0.0)));
     let values: Vec<String> = working.chain(base).collect();
     format!("VA,{}", values.join(","))
@@ -65,8 +65,11 @@ fn diagnostics(c: &mut Context<'_>) -> String {
     let settings = c.settings();
     lines.push(format!("connection: {}", settings.driver.connection(&settings.controller)));
     lines.push(format!("port: {}", c.settings().driver.port));
-    lines.push(format!("working: {}", places(c, |c, axis| c.core.working()[axis])));
-    lines.push(format!("base: {}", places(c, |c, axis| c.core.frame.base(c.core.position)[axis])));
+    lines.push(format!("working: {}", places(c, |c, axis| c.core.place.working()[axis])));
+    lines.push(format!(
+        "base: {}",
+        places(c, |c, axis| c.core.place.frame.base(c.core.place.position)[axis])
+    ));
     let lost: Vec<String> = c.lost_axes().iter().map(|axis| axis.letter().to_string()).collect();
     if !lost.is_empty() {
         lines.push(format!("position not verified: {}", lost.join(" ")));

@@ -9,18 +9,20 @@ pub(super) fn run(c: &mut Context<'_>, act: Zero) -> Result<(), Stop> {
     match act {
         Zero::Working(axes) => return zero_working(c, axes),
         Zero::TableBase => {
-            c.core.frame.base_zero = c.core.position;
+            c.core.place.frame.base_zero = c.core.place.position;
             c.location_set(AxisSet::EMPTY, AxisSet::first(6));
         }
         Zero::Everything => {
-            c.core.frame.working_zero = c.core.position;
-            c.core.working_aside = c.core.working_aside.and(Some(c.core.position));
-            c.core.frame.base_zero = c.core.position;
+            c.core.place.frame.working_zero = c.core.place.position;
+            c.core.place.working_aside =
+                c.core.place.working_aside.and(Some(c.core.place.position));
+            c.core.place.frame.base_zero = c.core.place.position;
             c.location_set(AxisSet::first(6), AxisSet::first(6));
         }
         Zero::ToTableBase => {
-            c.core.frame.working_zero = c.core.frame.base_zero;
-            c.core.working_aside = c.core.working_aside.and(Some(c.core.frame.base_zero));
+            c.core.place.frame.working_zero = c.core.place.frame.base_zero;
+            c.core.place.working_aside =
+                c.core.place.working_aside.and(Some(c.core.place.frame.base_zero));
             c.location_set(AxisSet::first(6), AxisSet::EMPTY);
         }
     }

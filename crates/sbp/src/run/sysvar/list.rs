@@ -122,20 +122,20 @@ pub(super) static FAMILIES: &[Family] = &[
         |c, i| truth(c.input_state(i + 1)?),
     ),
     family(60, "text", &["name of the current file"], |c, _| {
-        let running = !c.core.levels.is_empty();
+        let running = !c.core.flow.levels.is_empty();
         Ok(if running { Value::text(&c.program.name) } else { Value::Empty })
     }),
     family(
         61,
         UNITS,
         &["offset X of the file", "offset Y of the file", "offset Z of the file"],
-        |c, i| Ok(c.length_value(c.core.level().map_or(0.0, |l| l.offset[i]))),
+        |c, i| Ok(c.length_value(c.core.flow.level().map_or(0.0, |l| l.offset[i]))),
     ),
     family(
         66,
         "factor",
         &["proportion X of the file", "proportion Y of the file", "proportion Z of the file"],
-        |c, i| Ok(Value::Number(c.core.proportion(Axis::ALL[i]))),
+        |c, i| Ok(Value::Number(c.core.flow.proportion(Axis::ALL[i]))),
     ),
     family(
         71,
@@ -224,7 +224,7 @@ pub(super) static FAMILIES: &[Family] = &[
         |c, i| number(c.settings().io.outputs[i]),
     ),
     family(123, SWITCH, &["an axis moves by itself (MI)"], |c, _| {
-        truth(!c.core.independent.is_empty())
+        truth(!c.core.place.independent.is_empty())
     }),
     family(126, SWITCH, &["input 9", "input 10", "input 11", "input 12"], |c, i| {
         truth(c.input_state(i + 9)?)

@@ -98,13 +98,13 @@ impl Context<'_> {
             return Ok(0.0);
         }
         self.settle()?;
-        Ok(self.host.machine_position()[axis.index()] - self.core.position[axis])
+        Ok(self.host.machine_position()[axis.index()] - self.core.place.position[axis])
     }
 
     /// Working location of an axis.
     fn working_location(&mut self, axis: Axis) -> Result<Value, Stop> {
-        let place = self.core.position[axis] + self.drift(axis)?;
-        Ok(self.axis_value(axis, place - self.core.frame.working_zero[axis]))
+        let place = self.core.place.position[axis] + self.drift(axis)?;
+        Ok(self.axis_value(axis, place - self.core.place.frame.working_zero[axis]))
     }
 
     /// Table base coordinate of an axis, in the reading of the dialect.
