@@ -9,28 +9,31 @@ use kerf_geom::Vec2;
 use kerf_program::settings::Distance;
 use kerf_program::{AXES, At, Axes, Axis, Command, Feed, Line, MoveKind, Sourced};
 
-/// Executes plain moves until there is another line, a jog was given, or so many are done.
-pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) {
+/// Executes plain moves until there is another line, a jog was given, or so many are done; `true` after a jog.
+pub(super) fn run_moves(core: &mut Core, out: &mut Vec<Sourced>, most: u64) -> bool {
     if !holds(core) {
-        return;
+        return false;
     }
-    let Some(level) = core.flow.level().filter(|l| !l.watched()) else { return };
-    let Some(program) = core.files.get(level.file) else { return };
+    let Some(level) = core.flow.level().filter(|l| !l.watched()) else { return false };
+    let Some(program) = core.files.get(level.file) else { return false };
     if !program.lines.get(level.next as usize).is_some_and(|line| line.node.is_move()) {
-        return;
+        return false;
     }
     let program = program.clone();
     let (first, before) = (level.next, out.len());
+    let mut jogged = false;
     let mut road = Road::of(core, level.file, first);
     for _ in 0..most.min(lines_left(core)) {
         let Some(line) = program.lines.get(road.line as usize) else { break };
         let Node::Move { command, given, first } = line.node else { break };
         let Some(to) = road.target(&program, command, given, first as usize) else { break };
-        if road.go(to, command.jog, out) {
+        jogged = road.go(to, command.jog, out);
+        if jogged {
             break;
         }
     }
     road.arrive(core, first, (out.len() - before) as u64);
+    jogged
 }
 
 /// Returns `true` if nothing special holds.

@@ -119,9 +119,8 @@ impl Interpreter {
             }
             // What is typed goes through the recorder, line by line.
             if self.core.handlers.watches.is_empty() && !self.core.options.typed {
-                fast::run_moves(&mut self.core, out, left);
-                let jogs = out.last().is_some_and(|s| s.command.ends_stack());
-                if jogs || self.core.given.lines >= bound {
+                let jogged = fast::run_moves(&mut self.core, out, left);
+                if jogged || self.core.given.lines >= bound {
                     break;
                 }
             }

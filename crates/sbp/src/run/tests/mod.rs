@@ -4,6 +4,7 @@
 mod corpus;
 mod dialogs;
 mod fabmo;
+mod fast;
 mod file_parameters;
 mod files;
 mod flow;
