@@ -1,6 +1,6 @@
 //! Checked and converted arguments of a command.
 
-use super::{Context, Stop};
+use super::{Context, Stop, eval};
 use crate::table::{Bound, CommandSpec, Default as Blank, Kind, ParamSpec, Unit};
 use crate::tree::{Arg, ArgKind, Span};
 use crate::{Value, format_number};
@@ -102,7 +102,7 @@ fn argument(
     let value = match arg.map(|a| &a.kind) {
         None | Some(ArgKind::Blank) => None,
         Some(ArgKind::Word(word)) => Some(Value::Text(word.clone())),
-        Some(ArgKind::Expr(expr)) => Some(c.eval_given(expr)?),
+        Some(ArgKind::Expr(expr)) => Some(eval::eval_given(c, expr)?),
     };
     // A text argument that is empty ("") counts as blank, as post-processors write VS,"","",1.
     match value.filter(|v| !v.is_blank()) {

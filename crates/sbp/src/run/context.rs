@@ -1,8 +1,9 @@
 //! The surroundings that an effect works with: the state, the host, the list of commands.
 
-use super::{Core, Status};
+use super::{Core, cutting};
 use crate::tree::{Program, Span};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_program::Status;
 use kerf_program::{
     Answer, At, Axis, AxisSet, Command, Host, HostError, Question, Settings, Sourced,
 };
@@ -56,7 +57,7 @@ impl Context<'_> {
     /// Gives a command. Moves that wait in the tab filter come first.
     pub(crate) fn emit(&mut self, command: Command) {
         if !command.is_motion() {
-            self.interrupt_tabs();
+            cutting::interrupt_tabs(self);
         }
         // Nobody has to wait for what is only told. A command that warns and then waits would
         // otherwise wait again each time it is repeated, for ever.
@@ -66,7 +67,7 @@ impl Context<'_> {
 
     /// Waits until everything given so far has been carried out.
     pub(crate) fn settle(&mut self) -> Result<(), Stop> {
-        self.interrupt_tabs();
+        cutting::interrupt_tabs(self);
         if self.core.given.settled {
             return Ok(());
         }

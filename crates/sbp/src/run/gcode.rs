@@ -7,8 +7,8 @@
 //!  step … gcode_due() ──► (the other interpreter runs) ──► gcode_done(after) ──► step …
 //! ```
 
-use super::flow::Level;
-use super::{Context, Core, Interpreter, Stop, lifecycle};
+use super::state::Level;
+use super::{Core, Interpreter, lifecycle};
 use kerf_diag::Place;
 use kerf_program::{At, Axes, Axis, Frame, GoTo, Host, Sourced};
 
@@ -87,6 +87,14 @@ impl Core {
         due.then_some(GcodeDue::File(level.file))
     }
 
+    /// M2 or M30 in a line: the file that it stands in is over.
+    fn end_file_at(&mut self, at: At) {
+        let lines = self.files.programs.get(at.file as usize).map_or(0, |p| p.lines.len());
+        if let Some(level) = self.flow.levels.last_mut().filter(|l| l.file == at.file) {
+            level.next = lines as u32;
+        }
+    }
+
     fn gcode_done(&mut self, due: GcodeDue, done: &GcodeDone) {
         for axis in Axis::ALL {
             if self.place.position[axis] != done.position[axis] {
@@ -100,27 +108,11 @@ impl Core {
         self.given.lines += if matches!(due, GcodeDue::File(_)) { done.lines } else { 0 };
         self.flow.gcode_line = None;
         if done.runs_on {
-            self.flow.levels.iter_mut().for_each(|level| level.stepped = false);
+            self.flow.run_on();
         }
         if let (GcodeDue::File(_), Some(level)) = (due, self.flow.levels.last_mut()) {
             level.next = 1;
         }
-    }
-}
-
-impl Context<'_> {
-    /// A line of G-code: whoever runs both languages takes it from here.
-    pub(super) fn gcode_statement(&mut self) -> Result<(), Stop> {
-        self.need_gcode("G-code in a part file cannot be carried out here")?;
-        self.end_tabs();
-        self.core.flow.gcode_line = Some(self.at);
-        Ok(())
-    }
-
-    /// Fails where nobody runs G-code.
-    pub(super) fn need_gcode(&self, message: &str) -> Result<(), Stop> {
-        let runs = self.core.options.gcode;
-        if runs { Ok(()) } else { Err(self.fail(kerf_diag::Code::NotSupported, message)) }
     }
 }
 
@@ -166,15 +158,5 @@ impl Interpreter {
     pub fn abandon(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) {
         self.core.flow.gcode_line = None;
         lifecycle::finish(&mut self.core, host, out);
-    }
-}
-
-impl Core {
-    /// M2 or M30 in a line: the file that it stands in is over.
-    fn end_file_at(&mut self, at: At) {
-        let lines = self.files.programs.get(at.file as usize).map_or(0, |p| p.lines.len());
-        if let Some(level) = self.flow.levels.last_mut().filter(|l| l.file == at.file) {
-            level.next = lines as u32;
-        }
     }
 }

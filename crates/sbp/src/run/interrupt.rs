@@ -5,13 +5,14 @@
 //! which goes back to the state right behind the interrupted move. The handler's action then runs
 //! as if it stood there.
 
-use super::flow::{Level, Purpose};
-use super::watch::Handler;
-use super::{Context, Core, Stop, Watch};
+use super::state::Handler;
+use super::state::{Level, Purpose};
+use super::{Context, Core, Stop, eval, jumps, levels, pauses, statements};
 use crate::tree::{Node, Program, Statement, Target};
 use crate::{Expr, Value};
 use kerf_diag::Code;
 use kerf_program::Axes;
+use kerf_program::Watch;
 
 /// Takes the machine's position over and queues the handler's action; the handler is disarmed.
 ///
@@ -33,105 +34,106 @@ pub(super) fn arrive(core: &mut Core, watch: &Watch, position: Axes) {
     }
 }
 
-impl Context<'_> {
-    /// ON INPUT arms a handler, or disarms it when no action is given.
-    pub(super) fn on_input(
-        &mut self,
-        switch: &Expr,
-        state: &Expr,
-        armed: bool,
-    ) -> Result<(), Stop> {
-        if !armed && self.eval(switch)? == Value::Empty {
-            self.nothing_to_disarm(switch);
-            return Ok(());
-        }
-        let watch = self.watch(switch, state)?;
-        self.settle()?;
-        self.core.handlers.watches.retain(|h| h.watch != watch);
-        if armed {
-            let level = self.core.flow.levels.len();
-            self.core.handlers.watches.push(Handler { watch, at: self.at, level, probe: false });
-        }
-        Ok(())
+/// ON INPUT arms a handler, or disarms it when no action is given.
+pub(super) fn on_input(
+    c: &mut Context<'_>,
+    switch: &Expr,
+    state: &Expr,
+    armed: bool,
+) -> Result<(), Stop> {
+    if !armed && eval::eval(c, switch)? == Value::Empty {
+        nothing_to_disarm(c, switch);
+        return Ok(());
     }
-
-    /// Files tidy up with a variable that they never set: nothing was armed with it either.
-    fn nothing_to_disarm(&mut self, switch: &Expr) {
-        let message = format!("{} has no value: no ON INPUT is ended", self.spelled(switch.span));
-        self.span = switch.span;
-        self.warn(Code::Unusual, message, "name the switch that is no longer watched");
+    let watch = watch(c, switch, state)?;
+    c.settle()?;
+    c.core.handlers.watches.retain(|h| h.watch != watch);
+    if armed {
+        let level = c.core.flow.levels.len();
+        c.core.handlers.watches.push(Handler { watch, at: c.at, level, probe: false });
     }
+    Ok(())
+}
 
-    fn watch(&mut self, switch: &Expr, state: &Expr) -> Result<Watch, Stop> {
-        let input = self.switch_number(switch)?;
-        let condition = self.eval_number(state)?;
-        let known =
-            [(0.0, false, false), (1.0, true, false), (2.0, false, true), (3.0, true, true)];
-        match known.into_iter().find(|(number, ..)| *number == condition) {
-            Some((_, on, ramped)) => Ok(Watch::change(input, on, ramped)),
-            None => {
-                let shown = Value::Number(condition).display();
-                let message = format!("condition must be 0, 1, 2 or 3, not {shown}");
-                let hint = "1 on, 0 off, 3 on with a ramped stop, 2 off with a ramped stop";
-                Err(self.fail_at(state.span, Code::OutOfRange, message, hint))
-            }
+/// Files tidy up with a variable that they never set: nothing was armed with it either.
+fn nothing_to_disarm(c: &mut Context<'_>, switch: &Expr) {
+    let message = format!("{} has no value: no ON INPUT is ended", eval::spelled(c, switch.span));
+    c.span = switch.span;
+    c.warn(Code::Unusual, message, "name the switch that is no longer watched");
+}
+
+fn watch(c: &mut Context<'_>, switch: &Expr, state: &Expr) -> Result<Watch, Stop> {
+    let input = pauses::switch_number(c, switch)?;
+    let condition = eval::eval_number(c, state)?;
+    let known = [(0.0, false, false), (1.0, true, false), (2.0, false, true), (3.0, true, true)];
+    match known.into_iter().find(|(number, ..)| *number == condition) {
+        Some((_, on, ramped)) => Ok(Watch::change(input, on, ramped)),
+        None => {
+            let shown = Value::Number(condition).display();
+            let message = format!("condition must be 0, 1, 2 or 3, not {shown}");
+            let hint = "1 on, 0 off, 3 on with a ramped stop, 2 off with a ramped stop";
+            Err(c.fail_at(state.span, Code::OutOfRange, message, hint))
         }
     }
+}
 
-    /// Runs the action of the ON INPUT line at `self.at`, which was armed at a depth of files.
-    pub(super) fn handler_action(&mut self, program: &Program, depth: usize) -> Result<(), Stop> {
-        let node = program.lines.get(self.at.line.saturating_sub(1) as usize).map(|l| l.node);
-        let Some(Node::Statement(index)) = node else { return Ok(()) };
-        match program.statements.get(index as usize) {
-            Some(Statement::OnInput { action: Some(action), .. }) => self.act(action, depth),
-            _ => Ok(()),
+/// Runs the action of the ON INPUT line at `c.at`, which was armed at a depth of files.
+pub(super) fn handler_action(
+    c: &mut Context<'_>,
+    program: &Program,
+    depth: usize,
+) -> Result<(), Stop> {
+    let node = program.lines.get(c.at.line.saturating_sub(1) as usize).map(|l| l.node);
+    let Some(Node::Statement(index)) = node else { return Ok(()) };
+    match program.statements.get(index as usize) {
+        Some(Statement::OnInput { action: Some(action), .. }) => act(c, action, depth),
+        _ => Ok(()),
+    }
+}
+
+fn act(c: &mut Context<'_>, action: &Statement, depth: usize) -> Result<(), Stop> {
+    match action {
+        Statement::Gosub(target) => handler_sub(c, target, depth),
+        // These belong to the handler's own file: files it called end.
+        Statement::Goto(_) | Statement::Return | Statement::End => {
+            need_open(c, depth)?;
+            levels::leave_levels(c, depth);
+            statements::execute(c, action)
         }
+        other => statements::execute(c, other),
     }
+}
 
-    fn act(&mut self, action: &Statement, depth: usize) -> Result<(), Stop> {
-        match action {
-            Statement::Gosub(target) => self.handler_sub(target, depth),
-            // These belong to the handler's own file: files it called end.
-            Statement::Goto(_) | Statement::Return | Statement::End => {
-                self.need_open(depth)?;
-                self.leave_levels(depth);
-                self.statement(action)
-            }
-            other => self.statement(other),
-        }
+/// GOSUB as an action: RETURN goes back to the line behind the interrupted move, even when
+/// that is in a file which the handler's own file called.
+fn handler_sub(c: &mut Context<'_>, target: &Target, depth: usize) -> Result<(), Stop> {
+    let home = need_open(c, depth)?;
+    let line = jumps::label_line(c, target)?;
+    if c.core.flow.levels.len() == depth {
+        return jumps::call_sub(c, line);
     }
+    c.core.flow.levels.push(Level {
+        next: line,
+        gosubs: Vec::new(),
+        gosub_left: false,
+        repetitions_left: 0,
+        start_z: None,
+        skip_to: None,
+        tabs: home.tabs_hold(),
+        purpose: Purpose::Handler(depth),
+        ..home
+    });
+    c.core.refresh_scale();
+    levels::refresh_tabs(c);
+    Ok(())
+}
 
-    /// GOSUB as an action: RETURN goes back to the line behind the interrupted move, even when
-    /// that is in a file which the handler's own file called.
-    fn handler_sub(&mut self, target: &Target, depth: usize) -> Result<(), Stop> {
-        let home = self.need_open(depth)?;
-        let line = self.label_line(target)?;
-        if self.core.flow.levels.len() == depth {
-            return self.call_sub(line);
-        }
-        self.core.flow.levels.push(Level {
-            next: line,
-            gosubs: Vec::new(),
-            gosub_left: false,
-            repetitions_left: 0,
-            start_z: None,
-            skip_to: None,
-            tabs: home.tabs_hold(),
-            purpose: Purpose::Handler(depth),
-            ..home
-        });
-        self.core.refresh_scale();
-        self.refresh_tabs();
-        Ok(())
-    }
-
-    /// The handler's own file, which must still be open for its labels to mean anything.
-    fn need_open(&self, depth: usize) -> Result<Level, Stop> {
-        let level = depth.checked_sub(1).and_then(|index| self.core.flow.levels.get(index));
-        level.filter(|l| l.file == self.at.file).cloned().ok_or_else(|| {
-            let message = "the file of this ON INPUT is over, so its labels cannot be reached";
-            let hint = "set the handler in the file that has its label";
-            self.fail_at(self.span, Code::LabelNotFound, message, hint)
-        })
-    }
+/// The handler's own file, which must still be open for its labels to mean anything.
+fn need_open(c: &Context<'_>, depth: usize) -> Result<Level, Stop> {
+    let level = depth.checked_sub(1).and_then(|index| c.core.flow.levels.get(index));
+    level.filter(|l| l.file == c.at.file).cloned().ok_or_else(|| {
+        let message = "the file of this ON INPUT is over, so its labels cannot be reached";
+        let hint = "set the handler in the file that has its label";
+        c.fail_at(c.span, Code::LabelNotFound, message, hint)
+    })
 }

@@ -1,11 +1,12 @@
 //! Beginning and end of a run.
 
 use super::registry::{CLEARED_VALUE, PART_FILE};
-use super::{Context, Core, Status, Step, Stop};
+use super::{Context, Core, Stop, cutting, levels, locate, user_files};
 use crate::syntax::Dialect;
 use crate::tree::Span;
 use kerf_diag::Code;
 use kerf_program::{At, Command, Host, Sourced};
+use kerf_program::{Status, Step};
 
 /// Turns the outcome of a line into a step.
 pub(super) fn after(
@@ -87,8 +88,8 @@ pub(super) fn start(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>
     let parameters = core.options.file;
     let at = At { file: 0, line: 0 };
     let mut context = Context { core, program: &first, host, out, at, span: Span::default() };
-    context.doubt_plunge(&first, &parameters);
-    context.open_level(first.clone(), parameters);
+    levels::doubt_plunge(&mut context, &first, &parameters);
+    levels::open_level(&mut context, first.clone(), parameters);
     Step::Ran
 }
 
@@ -105,7 +106,8 @@ pub(super) fn end_of_file(core: &mut Core, host: &mut dyn Host, out: &mut Vec<So
         }
     }
     let program = &core.files.program(at.file);
-    Context { core, program, host, out, at, span: Span::default() }.file_over();
+    let mut context = Context { core, program, host, out, at, span: Span::default() };
+    levels::file_over(&mut context);
     Step::Ran
 }
 
@@ -114,7 +116,7 @@ pub(super) fn end(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>) 
     let at = At::default();
     let program = &core.files.program(at.file);
     let mut context = Context { core, program, host, out, at, span: Span::default() };
-    let outcome = context.end_run(Status::Ok);
+    let outcome = end_run(&mut context, Status::Ok);
     after(core, host, out, Err(outcome))
 }
 
@@ -125,55 +127,51 @@ pub(super) fn finish(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced
     let mut context = Context { core, program, host, out, at, span: Span::default() };
     // What is still buffered for tabs never moves: after an error, a stop or a limit.
     context.core.cutting.tabs = None;
-    context.close_user_files();
-    context.core.handlers.watches.clear();
-    context.core.handlers.fired.clear();
-    context.core.handlers.pausing = false;
-    context.use_working_locations();
+    user_files::close_user_files(&mut context);
+    context.core.handlers.disarm();
+    locate::use_working_locations(&mut context);
     if !context.core.options.typed {
-        context.restore_temporary();
+        restore_temporary(&mut context);
     }
-    context.leave_levels(0);
+    levels::leave_levels(&mut context, 0);
     context.host.store(CLEARED_VALUE, None);
 }
 
-impl Context<'_> {
-    /// Waits until all motion is made, then ends the run.
-    pub(super) fn end_run(&mut self, status: Status) -> Stop {
-        self.end_tabs();
-        self.settle().err().unwrap_or(Stop::Finished(status))
-    }
+/// Waits until all motion is made, then ends the run.
+pub(super) fn end_run(c: &mut Context<'_>, status: Status) -> Stop {
+    cutting::end_tabs(c);
+    c.settle().err().unwrap_or(Stop::Finished(status))
+}
 
-    /// EXIT SHOPBOT: as the end of everything, and whoever looks is told why Kerf closes.
-    pub(super) fn exit(&mut self) -> Stop {
-        let over = self.end_run(Status::Ended);
-        if matches!(over, Stop::Finished(_)) {
-            self.core.flow.closes = true;
-            self.emit(Command::Message { text: "closed by part file".into() });
+/// EXIT SHOPBOT: as the end of everything, and whoever looks is told why Kerf closes.
+pub(super) fn exit(c: &mut Context<'_>) -> Stop {
+    let over = end_run(c, Status::Ended);
+    if matches!(over, Stop::Finished(_)) {
+        c.core.flow.closes = true;
+        c.emit(Command::Message { text: "closed by part file".into() });
+    }
+    over
+}
+
+/// VS, VI, VU and limits go back to what they were; VO and the VC trigger end (readings, A-91).
+fn restore_temporary(c: &mut Context<'_>) {
+    let kept = c.core.values.kept.clone();
+    let unit = (c.core.options.dialect == Dialect::Fabmo).then_some(kept.linear_unit);
+    c.change_settings(|s| {
+        // SU holds for the run.
+        if let Some(unit) = unit {
+            s.use_linear_unit(unit);
         }
-        over
-    }
-
-    /// VS, VI, VU and limits go back to what they were; VO and the VC trigger end (readings, A-91).
-    fn restore_temporary(&mut self) {
-        let kept = self.core.values.kept.clone();
-        let unit = (self.core.options.dialect == Dialect::Fabmo).then_some(kept.linear_unit);
-        self.change_settings(|s| {
-            // SU holds for the run.
-            if let Some(unit) = unit {
-                s.use_linear_unit(unit);
-            }
-            s.speeds = kept.speeds;
-            s.driver = kept.driver;
-            s.resolution = kept.resolution;
-            s.limits = kept.limits;
-            s.io.limits_active = kept.io.limits_active;
-            s.tool_offset.on = false;
-            s.cutter.trigger.active = false;
-            s.tabs.on = false;
-            s.tabs.count = None;
-            s.tabs.start_mm = None;
-        });
-        self.core.place.offset_applied = Default::default();
-    }
+        s.speeds = kept.speeds;
+        s.driver = kept.driver;
+        s.resolution = kept.resolution;
+        s.limits = kept.limits;
+        s.io.limits_active = kept.io.limits_active;
+        s.tool_offset.on = false;
+        s.cutter.trigger.active = false;
+        s.tabs.on = false;
+        s.tabs.count = None;
+        s.tabs.start_mm = None;
+    });
+    c.core.place.offset_applied = Default::default();
 }

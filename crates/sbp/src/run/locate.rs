@@ -15,7 +15,7 @@
 //! and for setting alike; the dialect strict and [`Options::base_locations`](super::Options) follow
 //! the reference. Both agree wherever working is 0.
 
-use super::{Context, Core};
+use super::{Context, Core, registry};
 use crate::syntax::Dialect;
 use kerf_diag::Code;
 use kerf_program::settings::Distance;
@@ -73,87 +73,94 @@ impl Core {
     }
 }
 
-impl Context<'_> {
-    /// Machine position when the program gives values for some axes.
-    pub(crate) fn targets(&mut self, values: impl IntoIterator<Item = (Axis, f64)>) -> Axes {
-        let mut to = self.core.place.position;
-        for (axis, value) in values {
-            to[axis] = self.core.target(axis, value);
+/// Machine position when the program gives values for some axes.
+pub(crate) fn targets(c: &mut Context<'_>, values: impl IntoIterator<Item = (Axis, f64)>) -> Axes {
+    let mut to = c.core.place.position;
+    for (axis, value) in values {
+        to[axis] = c.core.target(axis, value);
+    }
+    to
+}
+
+/// Takes over where some axes really are, once the machine is at rest.
+pub(crate) fn take_machine_position(c: &mut Context<'_>, axes: AxisSet) {
+    c.core.place.take_position(axes, c.host);
+}
+
+/// Returns the place of the machine, with the true place of an axis that may have moved by itself. The
+/// machine is at rest.
+fn real_position(c: &mut Context<'_>, axis: Axis) -> Axes {
+    let mut position = c.core.place.position;
+    if c.core.wanders(axis) {
+        position[axis] = c.host.machine_position()[axis.index()];
+    }
+    position
+}
+
+/// Calls the present place of an axis so, in working locations.
+pub(crate) fn set_working(c: &mut Context<'_>, axis: Axis, value: f64) {
+    let position = real_position(c, axis);
+    match &mut c.core.place.working_aside {
+        Some(zero) => zero[axis] = position[axis] - value,
+        None => c.core.place.frame.set_working(axis, position, value),
+    }
+}
+
+/// Gives the present place of an axis the base coordinate that programs read.
+pub(crate) fn set_base(c: &mut Context<'_>, axis: Axis, value: f64) {
+    let location = value + c.core.base_ahead(axis);
+    let position = real_position(c, axis);
+    c.core.place.frame.set_base(axis, position, location);
+    if c.core.place.working_aside.is_some() {
+        c.core.place.frame.working_zero[axis] = c.core.place.frame.base_zero[axis];
+    }
+}
+
+/// Working and base locations of these axes were set: tells it, and ends the zero that the
+/// file has of its own for the working ones (readings, A-85, A-128).
+pub(crate) fn location_set(c: &mut Context<'_>, working: AxisSet, base: AxisSet) {
+    let mut ended = String::new();
+    for axis in working.iter() {
+        if c.core.flow.levels.iter().any(|l| l.offset.get(axis.index()).is_some_and(|o| *o != 0.0))
+        {
+            ended.push(axis.letter());
         }
-        to
-    }
-
-    /// Takes over where some axes really are, once the machine is at rest.
-    pub(crate) fn take_machine_position(&mut self, axes: AxisSet) {
-        self.core.place.take_position(axes, self.host);
-    }
-
-    /// Returns the place of the machine, with the true place of an axis that may have moved by itself. The
-    /// machine is at rest.
-    fn real_position(&mut self, axis: Axis) -> Axes {
-        let mut position = self.core.place.position;
-        if self.core.wanders(axis) {
-            position[axis] = self.host.machine_position()[axis.index()];
-        }
-        position
-    }
-
-    /// Calls the present place of an axis so, in working locations.
-    pub(crate) fn set_working(&mut self, axis: Axis, value: f64) {
-        let position = self.real_position(axis);
-        match &mut self.core.place.working_aside {
-            Some(zero) => zero[axis] = position[axis] - value,
-            None => self.core.place.frame.set_working(axis, position, value),
+        for offset in c.core.flow.levels.iter_mut().filter_map(|l| l.offset.get_mut(axis.index())) {
+            *offset = 0.0;
         }
     }
-
-    /// Gives the present place of an axis the base coordinate that programs read.
-    pub(crate) fn set_base(&mut self, axis: Axis, value: f64) {
-        let location = value + self.core.base_ahead(axis);
-        let position = self.real_position(axis);
-        self.core.place.frame.set_base(axis, position, location);
-        if self.core.place.working_aside.is_some() {
-            self.core.place.frame.working_zero[axis] = self.core.place.frame.base_zero[axis];
-        }
+    if !ended.is_empty() {
+        let message = format!("the offset of the file for {ended} ends here");
+        c.warn(Code::Unusual, message, "locations that follow count from the new zero");
     }
+    is_certain_of(c, base);
+    c.location_changed(working, base);
+}
 
-    /// Working and base locations of these axes were set: tells it, and ends the zero that the
-    /// file has of its own for the working ones (readings, A-85, A-128).
-    pub(crate) fn location_set(&mut self, working: AxisSet, base: AxisSet) {
-        let mut ended = String::new();
-        for axis in working.iter() {
-            if self
-                .core
-                .flow
-                .levels
-                .iter()
-                .any(|l| l.offset.get(axis.index()).is_some_and(|o| *o != 0.0))
-            {
-                ended.push(axis.letter());
-            }
-            for offset in
-                self.core.flow.levels.iter_mut().filter_map(|l| l.offset.get_mut(axis.index()))
-            {
-                *offset = 0.0;
-            }
-        }
-        if !ended.is_empty() {
-            let message = format!("the offset of the file for {ended} ends here");
-            self.warn(Code::Unusual, message, "locations that follow count from the new zero");
-        }
-        self.is_certain_of(base);
-        self.location_changed(working, base);
-    }
+/// Somebody has said where these axes are: their locations count again.
+pub(crate) fn is_certain_of(c: &mut Context<'_>, axes: AxisSet) {
+    let lost = registry::lost_axes(c.host).iter().filter(|axis| !axes.contains(*axis));
+    let lost = lost.fold(AxisSet::EMPTY, AxisSet::with);
+    registry::remember_lost(c, lost);
+}
 
-    /// Somebody has said where these axes are: their locations count again.
-    pub(crate) fn is_certain_of(&mut self, axes: AxisSet) {
-        let lost = self.lost_axes().iter().filter(|axis| !axes.contains(*axis));
-        let lost = lost.fold(AxisSet::EMPTY, AxisSet::with);
-        self.remember_lost(lost);
-    }
+/// A move without any location.
+pub(crate) fn warn_no_motion(c: &mut Context<'_>) {
+    c.warn(Code::NoMotion, "no location is given", "give at least one value");
+}
 
-    /// A move without any location.
-    pub(crate) fn warn_no_motion(&mut self) {
-        self.warn(Code::NoMotion, "no location is given", "give at least one value");
-    }
+/// SC,0: locations are those of the table base until SC,1 or the end of the run. What is set meanwhile as a working
+/// location is one of the working locations that come back.
+pub(super) fn use_table_base(c: &mut Context<'_>) {
+    let frame = &mut c.core.place.frame;
+    c.core.place.working_aside.get_or_insert(frame.working_zero);
+    frame.working_zero = frame.base_zero;
+    c.location_changed(AxisSet::first(6), AxisSet::EMPTY);
+}
+
+/// SC,1: locations are the working ones again.
+pub(super) fn use_working_locations(c: &mut Context<'_>) {
+    let Some(zero) = c.core.place.working_aside.take() else { return };
+    c.core.place.frame.working_zero = zero;
+    c.location_changed(AxisSet::first(6), AxisSet::EMPTY);
 }

@@ -1,6 +1,6 @@
 //! MSGBOX: a box with buttons, its answer in `&msganswer` (handbook, MSGBOX; readings, A-39, A-40).
 
-use super::{Context, Stop};
+use super::{Context, Stop, questions};
 use crate::Value;
 use crate::tree::MsgBox;
 use kerf_diag::Code;
@@ -70,31 +70,29 @@ fn number_or_word(text: &str) -> Option<u32> {
     if text.is_empty() { Some(0) } else { text.parse::<u16>().ok().map(u32::from) }
 }
 
-impl Context<'_> {
-    /// Shows the box and keeps the answer.
-    pub(super) fn message_box(&mut self, shown: &MsgBox) -> Result<(), Stop> {
-        let text = self.dialog_text(&shown.body)?;
-        let style = Style::read(&self.dialog_text(&shown.style)?);
-        let question = Question {
-            title: self.dialog_text(&shown.title)?,
-            default: style.default,
-            icon: style.icon,
-            ..self.question(QuestionKind::Msgbox, text, style.buttons)
-        };
-        let pressed = match self.ask(&question)? {
-            Answer::Button(button) => button.word().to_string(),
-            Answer::Text(word) => word,
-        };
-        let known = style.buttons.iter().find(|b| b.word().eq_ignore_ascii_case(pressed.trim()));
-        let Some(button) = known else {
-            let words: Vec<_> = style.buttons.iter().map(|b| b.word()).collect();
-            let message = format!("'{pressed}' is no button of this box");
-            let hint = format!("answer {}", words.join(" or "));
-            return Err(self.fail_at(self.span, Code::OutOfRange, message, hint));
-        };
-        self.core.memory.variables.set(ANSWER, Value::text(button.word()));
-        Ok(())
-    }
+/// Shows the box and keeps the answer.
+pub(super) fn message_box(c: &mut Context<'_>, shown: &MsgBox) -> Result<(), Stop> {
+    let text = questions::dialog_text(c, &shown.body)?;
+    let style = Style::read(&questions::dialog_text(c, &shown.style)?);
+    let question = Question {
+        title: questions::dialog_text(c, &shown.title)?,
+        default: style.default,
+        icon: style.icon,
+        ..questions::question(c, QuestionKind::Msgbox, text, style.buttons)
+    };
+    let pressed = match c.ask(&question)? {
+        Answer::Button(button) => button.word().to_string(),
+        Answer::Text(word) => word,
+    };
+    let known = style.buttons.iter().find(|b| b.word().eq_ignore_ascii_case(pressed.trim()));
+    let Some(button) = known else {
+        let words: Vec<_> = style.buttons.iter().map(|b| b.word()).collect();
+        let message = format!("'{pressed}' is no button of this box");
+        let hint = format!("answer {}", words.join(" or "));
+        return Err(c.fail_at(c.span, Code::OutOfRange, message, hint));
+    };
+    c.core.memory.variables.set(ANSWER, Value::text(button.word()));
+    Ok(())
 }
 
 #[cfg(test)]

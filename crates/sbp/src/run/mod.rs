@@ -11,20 +11,17 @@
 
 mod arguments;
 mod commands;
+mod comments;
 mod context;
-mod core;
 mod cutting;
 mod dialogs;
 mod eval;
 mod fabmo;
 mod fast;
 mod fields;
-mod files;
-mod flow;
 mod gcode;
-mod given;
-mod idling;
 mod interrupt;
+mod jumps;
 mod language;
 mod levels;
 mod lifecycle;
@@ -34,7 +31,6 @@ mod message_box;
 mod outward;
 mod past;
 mod pauses;
-mod place;
 mod preview;
 mod printing;
 mod programs;
@@ -43,6 +39,7 @@ mod recorder;
 mod registry;
 mod saving;
 mod session;
+mod state;
 mod statements;
 mod step;
 mod stepping;
@@ -50,12 +47,8 @@ mod sysvar;
 #[cfg(test)]
 mod tests;
 mod user_files;
-mod values;
-mod variables;
-mod watch;
 mod z_moves;
 
-pub(crate) use self::core::Core;
 pub(crate) use arguments::Arguments;
 pub(crate) use context::{Context, Stop};
 pub use gcode::{FilePlace, GcodeDone, GcodeDue};
@@ -63,8 +56,9 @@ pub use kerf_program::{Status, Step, Watch};
 pub use recorder::{RECORDED, RECORDING, Replay, with_recorded};
 pub use registry::{EDITOR, LAST_ERROR, PART_FILE, POSITION_LOST, SPINDLE_STATUS, USER_VALUE};
 pub use session::{BeforePreview, FileParameters, Options, Session};
+pub(crate) use state::Core;
+pub use state::Variables;
 pub use sysvar::{SystemVariable, VERSION, system_variables};
-pub use variables::Variables;
 
 use crate::tree::Span;
 use crate::{Program, Value};
@@ -243,7 +237,7 @@ impl Interpreter {
         let program = &self.core.files.program(at.file);
         let core = &mut self.core;
         let mut context = Context { core, program, host, out: &mut out, at, span };
-        context.system_variable(f64::from(number), span).ok()
+        sysvar::system_variable(&mut context, f64::from(number), span).ok()
     }
 
     /// Returns the state that stays after the run: settings, frames, position, variables.

@@ -5,7 +5,8 @@
 //! move. The tab filter gives moves later than their lines are read; hence each motion command is
 //! kept with the step that it comes from.
 
-use super::{Core, Step};
+use super::Core;
+use kerf_program::Step;
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 

@@ -1,9 +1,9 @@
 //! The recorder: commands that were typed, kept outside the program under a key.
 
-use super::{Context, FileParameters, Stop};
+use super::{Context, FileParameters, Stop, levels};
 use crate::tree::{Node, Statement};
 use kerf_diag::Code;
-use kerf_program::{FileMode, HostError};
+use kerf_program::{FileMode, Host, HostError};
 use std::sync::Arc;
 
 /// Key of the recorded commands, a line each.
@@ -36,66 +36,64 @@ pub fn with_recorded(mut lines: Vec<String>, line: &str) -> Vec<String> {
     lines.split_off(first)
 }
 
-impl Context<'_> {
-    /// RA, RI.
-    pub(crate) fn set_recording(&mut self, on: bool) {
-        self.host.store(RECORDING, (!on).then_some("0"));
-    }
+/// RA, RI.
+pub(crate) fn set_recording(host: &mut dyn Host, on: bool) {
+    host.store(RECORDING, (!on).then_some("0"));
+}
 
-    /// RZ.
-    pub(crate) fn forget_recorded(&mut self) {
-        self.host.store(RECORDED, None);
-    }
+/// RZ.
+pub(crate) fn forget_recorded(host: &mut dyn Host) {
+    host.store(RECORDED, None);
+}
 
-    /// The recorded commands, oldest first.
-    pub(crate) fn recorded(&mut self) -> Vec<String> {
-        let text = self.host.stored(RECORDED).unwrap_or_default();
-        text.lines().map(str::to_owned).collect()
-    }
+/// The recorded commands, oldest first.
+pub(crate) fn recorded(host: &mut dyn Host) -> Vec<String> {
+    let text = host.stored(RECORDED).unwrap_or_default();
+    text.lines().map(str::to_owned).collect()
+}
 
-    /// Records the line that was typed and carried out. Commands of the recorder are not recorded.
-    pub(super) fn record(&mut self, node: Node) {
-        if !self.is_recorded(node) || self.host.stored(RECORDING).as_deref() == Some("0") {
-            return;
-        }
-        let line = self.program.line_text(self.at.line);
-        let lines = with_recorded(self.recorded(), line);
-        self.host.store(RECORDED, Some(&lines.join("\n")));
+/// Records the line that was typed and carried out. Commands of the recorder are not recorded.
+pub(super) fn record(c: &mut Context<'_>, node: Node) {
+    if !is_recorded(c, node) || c.host.stored(RECORDING).as_deref() == Some("0") {
+        return;
     }
+    let line = c.program.line_text(c.at.line);
+    let lines = with_recorded(recorded(c.host), line);
+    c.host.store(RECORDED, Some(&lines.join("\n")));
+}
 
-    fn is_recorded(&self, node: Node) -> bool {
-        match node {
-            Node::Move { .. } => true,
-            Node::Statement(index) => match self.program.statements.get(index as usize) {
-                Some(Statement::Command { spec, .. }) => !spec.letters.starts_with('R'),
-                Some(Statement::Custom { .. } | Statement::Gcode(_)) => true,
-                _ => false,
-            },
+fn is_recorded(c: &Context<'_>, node: Node) -> bool {
+    match node {
+        Node::Move { .. } => true,
+        Node::Statement(index) => match c.program.statements.get(index as usize) {
+            Some(Statement::Command { spec, .. }) => !spec.letters.starts_with('R'),
+            Some(Statement::Custom { .. } | Statement::Gcode(_)) => true,
             _ => false,
-        }
+        },
+        _ => false,
     }
+}
 
-    /// Runs recorded commands again, as a file that is called.
-    pub(crate) fn replay(&mut self, replay: Replay<'_>) -> Result<(), Stop> {
-        self.settle()?;
-        if self.core.flow.levels.len() >= super::levels::MOST_LEVELS {
-            return Err(self.fail(Code::NestedTooDeep, "recorded commands replay themselves"));
-        }
-        let text = replay.lines.join("\n");
-        let program = crate::read_as(Arc::from(NAME), text.as_bytes(), self.core.options.dialect);
-        let parameters = FileParameters { repetitions: replay.times, ..FileParameters::default() };
-        self.open_level(Arc::new(program), parameters);
-        Ok(())
+/// Runs recorded commands again, as a file that is called.
+pub(crate) fn replay(c: &mut Context<'_>, replay: Replay<'_>) -> Result<(), Stop> {
+    c.settle()?;
+    if c.core.flow.levels.len() >= super::levels::MOST_LEVELS {
+        return Err(c.fail(Code::NestedTooDeep, "recorded commands replay themselves"));
     }
+    let text = replay.lines.join("\n");
+    let program = crate::read_as(Arc::from(NAME), text.as_bytes(), c.core.options.dialect);
+    let parameters = FileParameters { repetitions: replay.times, ..FileParameters::default() };
+    levels::open_level(c, Arc::new(program), parameters);
+    Ok(())
+}
 
-    /// Writes lines into a file of the part folder.
-    pub(crate) fn save_recorded(&mut self, name: &str, lines: &[String]) -> Result<(), Stop> {
-        self.settle()?;
-        let mut save = || -> Result<(), HostError> {
-            self.host.open(OWN_FILE, name, FileMode::Output)?;
-            self.host.write(OWN_FILE, &(lines.join("\n") + "\n"))?;
-            self.host.close(OWN_FILE)
-        };
-        save().map_err(|error| self.refused(error))
-    }
+/// Writes lines into a file of the part folder.
+pub(crate) fn save_recorded(c: &mut Context<'_>, name: &str, lines: &[String]) -> Result<(), Stop> {
+    c.settle()?;
+    let mut save = || -> Result<(), HostError> {
+        c.host.open(OWN_FILE, name, FileMode::Output)?;
+        c.host.write(OWN_FILE, &(lines.join("\n") + "\n"))?;
+        c.host.close(OWN_FILE)
+    };
+    save().map_err(|error| c.refused(error))
 }

@@ -2,12 +2,12 @@
 //! commands; readings, A-43 … A-45).
 
 use super::eval::number_or_text;
-use super::{Context, Stop};
+use super::{Context, Stop, eval, questions};
 use crate::Value;
 use crate::tree::{DialogText, NameId, Registry};
 use kerf_diag::Code;
 use kerf_program::settings::Mode;
-use kerf_program::{Axis, AxisSet};
+use kerf_program::{Axis, AxisSet, Host};
 
 /// Key of the value of SetUsrVal.
 pub const USER_VALUE: &str = "uValue";
@@ -30,74 +30,72 @@ pub const LAST_ERROR: &str = "LastError";
 /// power, or a run never came to its end.
 pub const POSITION_LOST: &str = "PositionLost";
 
-impl Context<'_> {
-    /// Set…: keeps a value.
-    pub(super) fn store(&mut self, which: Registry, value: &DialogText) -> Result<(), Stop> {
-        let text = self.dialog_text(value)?.trim().to_string();
-        let key = match which {
-            Registry::SetUsrVal => USER_VALUE,
-            Registry::SetUsrValClrd => CLEARED_VALUE,
-            _ => {
-                self.need_flag(&text)?;
-                SPINDLE_STATUS
-            }
-        };
-        self.settle()?;
-        self.host.store(key, Some(&text));
-        Ok(())
-    }
+/// Set…: keeps a value.
+pub(super) fn store(c: &mut Context<'_>, which: Registry, value: &DialogText) -> Result<(), Stop> {
+    let text = questions::dialog_text(c, value)?.trim().to_string();
+    let key = match which {
+        Registry::SetUsrVal => USER_VALUE,
+        Registry::SetUsrValClrd => CLEARED_VALUE,
+        _ => {
+            need_flag(c, &text)?;
+            SPINDLE_STATUS
+        }
+    };
+    c.settle()?;
+    c.host.store(key, Some(&text));
+    Ok(())
+}
 
-    fn need_flag(&self, text: &str) -> Result<(), Stop> {
-        match text {
-            "0" | "1" => Ok(()),
-            _ => {
-                let message = format!("spindle status must be 0 or 1, not '{text}'");
-                let hint = "0 asks before the next start, 1 counts as running";
-                Err(self.fail_at(self.span, Code::OutOfRange, message, hint))
-            }
+fn need_flag(c: &Context<'_>, text: &str) -> Result<(), Stop> {
+    match text {
+        "0" | "1" => Ok(()),
+        _ => {
+            let message = format!("spindle status must be 0 or 1, not '{text}'");
+            let hint = "0 asks before the next start, 1 counts as running";
+            Err(c.fail_at(c.span, Code::OutOfRange, message, hint))
         }
     }
+}
 
-    /// Get…: puts a kept value into a variable.
-    pub(super) fn fetch(&mut self, which: Registry, variable: NameId) -> Result<(), Stop> {
-        self.settle()?;
-        let value = match which {
-            Registry::GetUsrVal => self.kept(USER_VALUE),
-            Registry::GetUsrValClrd => self.kept(CLEARED_VALUE),
-            Registry::GetSpindleStatus => match self.kept(SPINDLE_STATUS) {
-                Value::Number(n) => Value::Number(n),
-                _ => Value::Number(0.0),
-            },
-            Registry::GetUsrPath => Value::text(self.host.user_path()),
-            Registry::GetAppPath => Value::text(self.host.app_path()),
-            _ => Value::text(self.last_part_file()),
-        };
-        self.set_variable(variable, value);
-        Ok(())
-    }
+/// Get…: puts a kept value into a variable.
+pub(super) fn fetch(c: &mut Context<'_>, which: Registry, variable: NameId) -> Result<(), Stop> {
+    c.settle()?;
+    let value = match which {
+        Registry::GetUsrVal => kept(c.host, USER_VALUE),
+        Registry::GetUsrValClrd => kept(c.host, CLEARED_VALUE),
+        Registry::GetSpindleStatus => match kept(c.host, SPINDLE_STATUS) {
+            Value::Number(n) => Value::Number(n),
+            _ => Value::Number(0.0),
+        },
+        Registry::GetUsrPath => Value::text(c.host.user_path()),
+        Registry::GetAppPath => Value::text(c.host.app_path()),
+        _ => Value::text(last_part_file(c.host)),
+    };
+    eval::set_variable(c, variable, value);
+    Ok(())
+}
 
-    /// Name of the part file that was read last, also by an earlier run; empty when there is none.
-    pub(crate) fn last_part_file(&mut self) -> String {
-        self.host.stored(PART_FILE).unwrap_or_default()
-    }
+/// Name of the part file that was read last, also by an earlier run; empty when there is none.
+pub(crate) fn last_part_file(host: &mut dyn Host) -> String {
+    host.stored(PART_FILE).unwrap_or_default()
+}
 
-    /// The axes whose base coordinates are not to be trusted.
-    pub(crate) fn lost_axes(&mut self) -> AxisSet {
-        let letters = self.host.stored(POSITION_LOST).unwrap_or_default();
-        let axes = letters.chars().filter_map(Axis::from_letter);
-        axes.fold(AxisSet::EMPTY, AxisSet::with)
-    }
+/// The axes whose base coordinates are not to be trusted.
+pub(crate) fn lost_axes(host: &mut dyn Host) -> AxisSet {
+    let letters = host.stored(POSITION_LOST).unwrap_or_default();
+    let axes = letters.chars().filter_map(Axis::from_letter);
+    axes.fold(AxisSet::EMPTY, AxisSet::with)
+}
 
-    /// Remembers which axes are not to be trusted; a preview moves nothing.
-    pub(crate) fn remember_lost(&mut self, axes: AxisSet) {
-        if self.settings().mode == Mode::Preview || axes == self.lost_axes() {
-            return;
-        }
-        let letters: String = axes.iter().map(Axis::letter).collect();
-        self.host.store(POSITION_LOST, Some(letters.as_str()).filter(|l| !l.is_empty()));
+/// Remembers which axes are not to be trusted; a preview moves nothing.
+pub(crate) fn remember_lost(c: &mut Context<'_>, axes: AxisSet) {
+    if c.settings().mode == Mode::Preview || axes == lost_axes(c.host) {
+        return;
     }
+    let letters: String = axes.iter().map(Axis::letter).collect();
+    c.host.store(POSITION_LOST, Some(letters.as_str()).filter(|l| !l.is_empty()));
+}
 
-    fn kept(&mut self, key: &str) -> Value {
-        number_or_text(&self.host.stored(key).unwrap_or_default())
-    }
+fn kept(host: &mut dyn Host, key: &str) -> Value {
+    number_or_text(&host.stored(key).unwrap_or_default())
 }

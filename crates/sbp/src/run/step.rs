@@ -1,9 +1,13 @@
 //! One line at a time.
 
-use super::watch::Handler;
-use super::{Context, Core, Step, Stop, lifecycle, stepping};
+use super::state::Handler;
+use super::{
+    Context, Core, Stop, comments, cutting, interrupt, lifecycle, locate, recorder, statements,
+    stepping,
+};
 use crate::tree::{MoveCommand, Node, Program, Span};
 use kerf_diag::Code;
+use kerf_program::Step;
 use kerf_program::{At, Axis, AxisSet, Command, Host, MoveKind, Sourced};
 use std::sync::Arc;
 
@@ -79,7 +83,7 @@ fn execute(
     let typed = context.core.options.typed && context.core.flow.levels.len() == 1;
     let outcome = node(&mut context, program, line);
     if typed && outcome.is_ok() {
-        context.record(line);
+        recorder::record(&mut context, line);
     }
     if matches!(outcome, Err(Stop::Waiting)) {
         core.flow.go_on_at(at.line - 1);
@@ -146,12 +150,12 @@ fn node(c: &mut Context<'_>, program: &Arc<Program>, node: Node) -> Result<(), S
     match node {
         Node::Blank | Node::Label(_) => Ok(()),
         Node::Comment => {
-            c.comment_line(program);
+            comments::comment_line(c, program);
             Ok(())
         }
         Node::Move { command, given, first } => plain_move(c, program, command, given, first),
         Node::Statement(index) => match program.statements.get(index as usize) {
-            Some(statement) => c.statement(statement),
+            Some(statement) => statements::execute(c, statement),
             None => Ok(()),
         },
         Node::Bad => {
@@ -189,9 +193,9 @@ fn plain_move(
         to[axis] = c.core.target_scaled(axis, scaled);
     }
     if given == 0 {
-        c.warn_no_motion();
+        locate::warn_no_motion(c);
     }
-    c.line(if command.jog { MoveKind::Jog } else { MoveKind::Cut }, to);
+    cutting::line(c, if command.jog { MoveKind::Jog } else { MoveKind::Cut }, to);
     Ok(())
 }
 
@@ -201,7 +205,7 @@ fn handler(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>, fired: 
     let program = &core.files.program(at.file);
     let before = Before::of(core, out);
     let mut context = Context { core, program, host, out, at, span: Span::LINE };
-    let outcome = context.handler_action(program, fired.level);
+    let outcome = interrupt::handler_action(&mut context, program, fired.level);
     if matches!(outcome, Err(Stop::Waiting)) {
         return before.wait(core, out);
     }

@@ -9,11 +9,11 @@
 //!       └─ Quit: the run ends                                assignments
 //! ```
 
-use super::{Context, Core, Step, Stop, lifecycle};
+use super::{Context, Core, Stop, lifecycle, questions};
 use crate::table::{CommandSpec, Group};
 use crate::tree::{Node, Program, Span, Statement};
 use kerf_diag::Code;
-use kerf_program::{Answer, At, Button, GoTo, Host, Question, QuestionKind, Sourced};
+use kerf_program::{At, GoTo, Host, Question, Sourced, Step, StepChoice};
 
 /// Returns `true` if the operator decides about the line that is next.
 pub(super) fn asks(core: &Core, node: Node) -> bool {
@@ -30,7 +30,7 @@ pub(super) fn ask(
     program: &Program,
 ) -> Step {
     let mut context = Context { core, program, host, out, at, span: Span::default() };
-    let outcome = context.ask_step();
+    let outcome = ask_step(&mut context);
     lifecycle::after(core, host, out, outcome)
 }
 
@@ -70,42 +70,28 @@ fn sets(spec: &CommandSpec) -> bool {
         || matches!(spec.letters, "SA" | "SR" | "SF" | "MS" | "JS")
 }
 
-impl Context<'_> {
-    fn ask_step(&mut self) -> Result<(), Stop> {
-        let program = self.program;
-        let last = self.host.last_line(&program.name);
-        let question = Question {
-            prefill: last.map_or_else(String::new, |line| line.to_string()),
-            ..self.question(
-                QuestionKind::Step,
-                program.line_text(self.at.line).trim(),
-                &[Button::Step, Button::Run, Button::Quit],
-            )
-        };
-        match self.ask(&question)? {
-            Answer::Button(Button::Step) => self.core.flow.granted = true,
-            Answer::Button(Button::Run) => {
-                self.core.flow.levels.iter_mut().for_each(|level| level.stepped = false);
-            }
-            Answer::Button(_) => return Err(self.terminated()),
-            Answer::Text(words) => {
-                if let Some(to) = GoTo::read(&words, last) {
-                    self.go_to(to);
-                }
-            }
-        }
-        Ok(())
+fn ask_step(c: &mut Context<'_>) -> Result<(), Stop> {
+    let program = c.program;
+    let last = c.host.last_line(&program.name);
+    let question = Question::of_step(&program.name, program.line_text(c.at.line), last);
+    match StepChoice::of(&c.ask(&question)?, last) {
+        StepChoice::Once => c.core.flow.granted = true,
+        StepChoice::RunOn => c.core.flow.run_on(),
+        StepChoice::Quit => return Err(questions::terminated(c)),
+        StepChoice::GoTo(to) => go_to(c, to),
+        StepChoice::Again => {}
     }
+    Ok(())
+}
 
-    fn go_to(&mut self, to: GoTo) {
-        let program = self.program;
-        let lines = program.lines.len();
-        if to.line as usize > lines {
-            let message = format!("there is no line {} in {}", to.line, program.name);
-            return self.warn(Code::OutOfRange, message, format!("its last line is {lines}"));
-        }
-        if let Some(level) = self.core.flow.levels.last_mut() {
-            level.go_to(to);
-        }
+fn go_to(c: &mut Context<'_>, to: GoTo) {
+    let program = c.program;
+    let lines = program.lines.len();
+    if to.line as usize > lines {
+        let message = format!("there is no line {} in {}", to.line, program.name);
+        return c.warn(Code::OutOfRange, message, format!("its last line is {lines}"));
+    }
+    if let Some(level) = c.core.flow.levels.last_mut() {
+        level.go_to(to);
     }
 }

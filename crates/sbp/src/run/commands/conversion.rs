@@ -1,5 +1,6 @@
 //! FC: a drawing, a picture or a G-code file becomes a part file beside it.
 
+use crate::run::questions;
 use crate::run::{Arguments, Context, Stop};
 use kerf_diag::Code;
 use kerf_program::settings::LinearUnit;
@@ -46,19 +47,19 @@ pub(super) fn convert(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
 
 /// Asks for the kind of a file whose name does not say it.
 fn ask_kind(c: &mut Context<'_>, name: &str) -> Result<String, Stop> {
-    let question = c.entry(format!("What is {name}? DXF, HPGL, G-code or bitmap"), "");
-    Ok(c.typed(&question)?.trim().to_ascii_lowercase())
+    let question = questions::entry(c, format!("What is {name}? DXF, HPGL, G-code or bitmap"), "");
+    Ok(questions::typed(c, &question)?.trim().to_ascii_lowercase())
 }
 
 fn may_overwrite(c: &mut Context<'_>, path: &str) -> Result<bool, Stop> {
     let text = format!("{path} is there already. Write over it?");
-    let question = c.question(QuestionKind::Msgbox, text, &[Button::No, Button::Yes]);
+    let question = questions::question(c, QuestionKind::Msgbox, text, &[Button::No, Button::Yes]);
     Ok(c.ask(&question)? == Answer::Button(Button::Yes))
 }
 
 fn ask_unit(c: &mut Context<'_>, name: &str, usual: LinearUnit) -> Result<LinearUnit, Stop> {
     let text = format!("Which unit has {name}: in or mm?");
-    let typed = c.typed(&c.entry(text, usual.symbol()))?;
+    let typed = questions::typed(c, &questions::entry(c, text, usual.symbol()))?;
     match typed.trim().to_ascii_lowercase().as_str() {
         "" => Ok(usual),
         "in" => Ok(LinearUnit::Inch),
@@ -83,8 +84,8 @@ fn ask_cut(
     words.extend(usual.white_deepest.map(|_| ("deepest: black or white".into(), "black".into())));
     let (names, values): (Vec<String>, Vec<String>) = words.into_iter().unzip();
     let names = names.join(", ");
-    let question = c.entry(format!("How is {name} cut? {names}"), values.join(", "));
-    let typed = c.typed(&question)?;
+    let question = questions::entry(c, format!("How is {name} cut? {names}"), values.join(", "));
+    let typed = questions::typed(c, &question)?;
     read_cut(&typed, unit, usual).ok_or_else(|| {
         let hint = format!("answer {names}, with commas between them; numbers above 0");
         wrong(c, &typed, &hint)

@@ -1,6 +1,9 @@
 //! Circles, arcs, arches and rectangles. The geometry is the crate `kerf-cut`'s.
 
-use super::{Arguments, Context, Stop};
+use crate::run::cutting;
+use crate::run::levels;
+use crate::run::locate;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::act::Cut as Act;
 use kerf_cut::{
     ArcTo, Arch, Circle, Corner, Cut, CutError, Feature, Passes, Rectangle, Side, Turn,
@@ -43,7 +46,7 @@ fn feature(a: &Arguments, index: usize) -> Feature {
 /// Plunge at `plunge`, repetitions behind it; a plunge that lifts is told of.
 fn passes(c: &mut Context<'_>, a: &Arguments, plunge: usize) -> Passes {
     let plunge_mm = a.number_or(plunge, 0.0);
-    c.doubt_lift(plunge_mm);
+    levels::doubt_lift(c, plunge_mm);
     Passes {
         plunge_mm,
         repetitions: a.number_or(plunge + 1, 1.0).min(f64::from(u32::MAX)) as u32,
@@ -76,13 +79,13 @@ fn round_shape(c: &mut Context<'_>, a: &Arguments, side_at: usize) -> Circle {
 
 fn circle(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let shape = round_shape(c, a, 1);
-    let cut = kerf_cut::circle(&shape, &c.cut_context());
+    let cut = kerf_cut::circle(&shape, &cutting::cut_context(c));
     carry_out(c, cut, shape.passes.feature)
 }
 
 fn point_circle(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let shape = round_shape(c, a, 3);
-    let to = c.targets([(Axis::X, a.number_or(1, 0.0)), (Axis::Y, a.number_or(2, 0.0))]);
+    let to = locate::targets(c, [(Axis::X, a.number_or(1, 0.0)), (Axis::Y, a.number_or(2, 0.0))]);
     let centre = c.core.place.frame.working(to);
     if c.core.place.working()[Axis::Z] < 0.0 {
         c.warn(
@@ -91,14 +94,18 @@ fn point_circle(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
             "lift the tool before CP",
         );
     }
-    let cut = kerf_cut::point_circle([centre[Axis::X], centre[Axis::Y]], &shape, &c.cut_context());
+    let cut = kerf_cut::point_circle(
+        [centre[Axis::X], centre[Axis::Y]],
+        &shape,
+        &cutting::cut_context(c),
+    );
     carry_out(c, cut, shape.passes.feature)
 }
 
 fn arc_to(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let passes = passes(c, a, 7);
     let given = [(Axis::X, a.number(1)), (Axis::Y, a.number(2))];
-    let to = c.targets(given.into_iter().filter_map(|(axis, v)| Some((axis, v?))));
+    let to = locate::targets(c, given.into_iter().filter_map(|(axis, v)| Some((axis, v?))));
     let end = c.core.place.frame.working(to);
     let arc = ArcTo {
         diameter_mm: a.number(0),
@@ -109,10 +116,10 @@ fn arc_to(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         proportion: proportion(a, 9),
         passes: with_features(passes, a, 11),
     };
-    let made = kerf_cut::arc_to(&arc, c.core.cutting.last_ij, &c.cut_context());
+    let made = kerf_cut::arc_to(&arc, c.core.cutting.last_ij, &cutting::cut_context(c));
     let (cut, used) = made.map_err(|e| refused(c, &e))?;
     c.core.cutting.last_ij = used;
-    c.carry_out(cut, arc.passes.feature == Feature::Tab);
+    cutting::carry_out(c, cut, arc.passes.feature == Feature::Tab);
     Ok(())
 }
 
@@ -127,7 +134,7 @@ fn arch(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         proportion: proportion(a, 7),
         passes: with_features(passes, a, 9),
     };
-    let cut = kerf_cut::arch(&shape, &c.cut_context());
+    let cut = kerf_cut::arch(&shape, &cutting::cut_context(c));
     carry_out(c, cut, shape.passes.feature)
 }
 
@@ -142,7 +149,7 @@ fn rectangle(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         corner: Corner::from_number(a.number_or(4, 4.0) as u8).unwrap_or_default(),
         passes: Passes { feature: feature(a, 7), from_zero: a.flag(8).unwrap_or(false), ..passes },
     };
-    let cut = kerf_cut::rectangle(&shape, &c.cut_context());
+    let cut = kerf_cut::rectangle(&shape, &cutting::cut_context(c));
     carry_out(c, cut, shape.passes.feature)
 }
 
@@ -152,7 +159,7 @@ fn carry_out(
     feature: Feature,
 ) -> Result<(), Stop> {
     let cut = cut.map_err(|e| refused(c, &e))?;
-    c.carry_out(cut, feature == Feature::Tab);
+    cutting::carry_out(c, cut, feature == Feature::Tab);
     Ok(())
 }
 

@@ -1,6 +1,7 @@
 //! MD: so far in a direction.
 
-use super::{Arguments, Context, Stop};
+use crate::run::cutting;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::Value;
 use crate::syntax::value::parse_number;
 use kerf_diag::Code;
@@ -22,7 +23,7 @@ pub(super) fn go(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     if let Some(change) = z {
         move_z(c, &mut to, change);
     }
-    c.line(MoveKind::Cut, to);
+    cutting::line(c, MoveKind::Cut, to);
     Ok(())
 }
 

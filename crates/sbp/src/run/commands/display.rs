@@ -1,6 +1,7 @@
 //! VD: units, number of axes, and what is displayed.
 
-use super::{Arguments, Context, Stop, changed};
+use super::setting::changed;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::{is_turn, set_axis_unit};
 use kerf_diag::Code;
 use kerf_program::settings::to_user;

@@ -1,8 +1,11 @@
 //! Part files that are run, shown, looked for and made from others.
 
 use super::conversion;
-use super::{Arguments, Context, Stop};
 use crate::run::FileParameters;
+use crate::run::levels;
+use crate::run::questions;
+use crate::run::registry;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::act::File;
 use kerf_program::{Button, FileRequest, Folder, QuestionKind};
 
@@ -14,7 +17,7 @@ pub(super) fn run(c: &mut Context<'_>, act: File, a: &Arguments) -> Result<(), S
         File::Edit => {
             let name = match a.text(0) {
                 Some(name) => name.trim().to_string(),
-                None => c.last_part_file(),
+                None => registry::last_part_file(c.host),
             };
             edit(c, &name)
         }
@@ -26,7 +29,7 @@ pub(super) fn run(c: &mut Context<'_>, act: File, a: &Arguments) -> Result<(), S
 
 fn call(c: &mut Context<'_>, a: &Arguments, parameters: FileParameters) -> Result<(), Stop> {
     let name = a.text(0).unwrap_or_default().trim().to_string();
-    c.call_file(FileRequest { folder: Folder::Parts, name }, parameters)
+    levels::call_file(c, FileRequest { folder: Folder::Parts, name }, parameters)
 }
 
 fn parameters(a: &Arguments) -> FileParameters {
@@ -43,7 +46,7 @@ fn parameters(a: &Arguments) -> FileParameters {
 }
 
 pub(super) fn edit(c: &mut Context<'_>, name: &str) -> Result<(), Stop> {
-    let question = c.question(QuestionKind::Editor, name, &[Button::OK]);
+    let question = questions::question(c, QuestionKind::Editor, name, &[Button::OK]);
     c.ask(&question).map(drop)
 }
 

@@ -1,6 +1,6 @@
 //! Pages of help that the console shows.
 
-use super::Context;
+use crate::run::Context;
 use crate::syntax::table::CommandSpec;
 use kerf_diag::Code;
 use kerf_program::Command;

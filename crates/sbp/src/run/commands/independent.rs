@@ -1,6 +1,7 @@
 //! MI: an axis that turns or swings beside the others. MO: motors off.
 
-use super::{Arguments, Context, Stop};
+use crate::run::registry;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::format_number;
 use kerf_diag::Code;
 use kerf_program::settings::to_user;
@@ -112,6 +113,6 @@ pub(super) fn motors_off(c: &mut Context<'_>) -> Result<(), Stop> {
     }
     c.core.place.independent = AxisSet::EMPTY;
     c.emit(Command::MotorsOff);
-    c.remember_lost(AxisSet::first(c.settings().axis_count.into()));
+    registry::remember_lost(c, AxisSet::first(c.settings().axis_count.into()));
     Ok(())
 }

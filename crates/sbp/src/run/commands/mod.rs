@@ -14,6 +14,7 @@ mod modes;
 mod moves;
 mod outputs;
 mod recorder;
+mod setting;
 mod settings_files;
 mod speeds;
 #[cfg(test)]
@@ -23,9 +24,8 @@ mod utilities;
 mod values;
 mod zero;
 
-use super::{Arguments, Context, Stop};
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::{Act, CommandSpec};
-use kerf_program::Settings;
 
 /// Carries a command out. Its arguments are checked: count, kind, bounds, required ones given.
 pub(super) fn carry_out(
@@ -48,21 +48,4 @@ pub(super) fn carry_out(
             Ok(())
         }
     }
-}
-
-/// The settings as they will be when the values given are put where they belong.
-fn changed(c: &Context<'_>, a: &Arguments) -> Settings {
-    let mut settings = c.settings().clone();
-    for (index, param) in a.params().iter().enumerate() {
-        if let (Some(setting), Some(value)) = (param.setting, a.value(index)) {
-            (setting.write)(&mut settings, value);
-        }
-    }
-    settings
-}
-
-/// Sets what is given, without further check.
-fn set(c: &mut Context<'_>, a: &Arguments) {
-    let settings = changed(c, a);
-    c.change_settings(|s| *s = settings);
 }

@@ -1,6 +1,11 @@
 //! Modes, and what becomes of locations, variables and values.
 
-use super::{Arguments, Context, Stop, outputs, set};
+use super::outputs;
+use super::setting::set;
+use crate::run::locate;
+use crate::run::preview;
+use crate::run::questions;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::act::Mode as Act;
 use kerf_diag::Code;
 use kerf_program::settings::{LinearUnit, Mode};
@@ -12,9 +17,9 @@ pub(super) fn run(c: &mut Context<'_>, act: Act, a: &Arguments) -> Result<(), St
         Act::Distance(distance) => c.change_settings(|s| s.distance = distance),
         Act::MoveCut => move_cut(c),
         Act::Preview if c.settings().mode == Mode::Preview => c.emit(Command::ClearPreview),
-        Act::Preview => c.enter_preview(),
-        Act::Coordinates if a.flag(0) == Some(true) => c.use_working_locations(),
-        Act::Coordinates => c.use_table_base(),
+        Act::Preview => preview::enter_preview(c),
+        Act::Coordinates if a.flag(0) == Some(true) => locate::use_working_locations(c),
+        Act::Coordinates => locate::use_table_base(c),
         Act::Unit => unit(c, a),
         Act::ClearVariables => c.core.memory.variables.clear(),
         Act::KeepValues => return keep_values(c),
@@ -32,7 +37,7 @@ pub(super) fn run(c: &mut Context<'_>, act: Act, a: &Arguments) -> Result<(), St
 }
 
 fn move_cut(c: &mut Context<'_>) {
-    c.leave_preview();
+    preview::leave_preview(c);
     if !c.core.options.preview && !c.host.is_connected() {
         let text = "not connected: nothing moves; SP shows files in preview".into();
         c.emit(Command::Message { text });
@@ -87,9 +92,9 @@ fn keypad(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         return Ok(());
     }
     let text = a.text(0).unwrap_or_default();
-    let question = c.question(QuestionKind::Keypad, &*text, &[Button::OK]);
+    let question = questions::question(c, QuestionKind::Keypad, &*text, &[Button::OK]);
     c.ask(&question)?;
-    c.take_machine_position(AxisSet::first(6));
+    locate::take_machine_position(c, AxisSet::first(6));
     if c.settings().display.keypad_auto_off {
         for number in 1..=12 {
             if c.host.output(number) {

@@ -1,7 +1,10 @@
 //! Moves, jogs and probes.
 
-use super::{Arguments, Context, Stop};
 use super::{direction, independent, speeds};
+use crate::run::cutting;
+use crate::run::fabmo;
+use crate::run::locate;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::act::Move;
 use kerf_diag::Code;
 use kerf_program::settings::AxisUnit;
@@ -29,13 +32,13 @@ fn go(c: &mut Context<'_>, a: &Arguments, kind: MoveKind, first: usize) -> Resul
     let given = (0..a.len()).filter_map(|i| Some((Axis::ALL[first + i], a.number(i)?)));
     let given: Vec<_> = given.collect();
     if given.is_empty() {
-        c.warn_no_motion();
+        locate::warn_no_motion(c);
     }
     for (axis, _) in &given {
         c.need_axis(*axis)?;
     }
-    let to = c.targets(given);
-    c.line(kind, to);
+    let to = locate::targets(c, given);
+    cutting::line(c, kind, to);
     Ok(())
 }
 
@@ -43,12 +46,12 @@ fn home(c: &mut Context<'_>, kind: MoveKind) -> Result<(), Stop> {
     c.need_axis(Axis::X)?;
     c.need_axis(Axis::Y)?;
     let up = lifted(c)?;
-    c.line(kind, up);
+    cutting::line(c, kind, up);
     let mut to = c.core.place.position;
     for axis in [Axis::X, Axis::Y] {
         to[axis] = c.core.with_tool_offset(axis, c.core.file_zero(axis));
     }
-    c.line(kind, to);
+    cutting::line(c, kind, to);
     Ok(())
 }
 
@@ -84,8 +87,8 @@ fn probe(c: &mut Context<'_>, a: &Arguments, first: usize) -> Result<(), Stop> {
     for (axis, _) in &given {
         c.need_axis(*axis)?;
     }
-    let to = c.targets(given);
+    let to = locate::targets(c, given);
     let input = a.number_or(count + 1, 1.0) as u8;
-    c.probe(to, a.number_or(count, 1.0), input);
+    fabmo::probe(c, to, a.number_or(count, 1.0), input);
     Ok(())
 }

@@ -1,7 +1,8 @@
 //! Outputs, and the spindle.
 
-use super::{Arguments, Context, Stop};
 use crate::run::SPINDLE_STATUS;
+use crate::run::questions;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::format_number;
 use kerf_diag::Code;
 use kerf_program::settings::Mode;
@@ -67,8 +68,9 @@ fn ask_spindle(c: &mut Context<'_>) -> Result<(), Stop> {
         return Ok(());
     }
     let buttons = [Button::OK, Button::Cancel];
-    let question = c.question(QuestionKind::Spindle, "The spindle is about to start.", &buttons);
-    c.confirm(&question)?;
+    let question =
+        questions::question(c, QuestionKind::Spindle, "The spindle is about to start.", &buttons);
+    questions::confirm(c, &question)?;
     c.host.store(SPINDLE_STATUS, Some("1"));
     Ok(())
 }
@@ -78,8 +80,9 @@ pub(super) fn spindle_speed(c: &mut Context<'_>, a: &Arguments) -> Result<(), St
     let (number, rpm) = (a.whole(1).unwrap_or(1) as u8, a.number_or(0, 0.0));
     if !c.settings().spindle_device && !draws(c) {
         let text = format!("Set spindle {number} to {} rpm.", format_number(rpm));
-        let question = c.question(QuestionKind::Spindle, &text, &[Button::OK, Button::Cancel]);
-        c.confirm(&question)?;
+        let question =
+            questions::question(c, QuestionKind::Spindle, &text, &[Button::OK, Button::Cancel]);
+        questions::confirm(c, &question)?;
     }
     c.emit(Command::EndStack);
     c.emit(Command::Spindle { number, rpm });

@@ -1,7 +1,9 @@
 //! What was typed is recorded and can be run again (readings, A-132).
 
-use super::{Arguments, Context, Stop, files};
+use super::files;
 use crate::run::Replay;
+use crate::run::recorder;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::act::Record;
 use kerf_diag::Code;
 
@@ -14,11 +16,11 @@ const USUAL_FILE: &str = "SBTEMP.SBP";
 /// Carries a command of the recorder out.
 pub(super) fn run(c: &mut Context<'_>, act: Record, a: &Arguments) -> Result<(), Stop> {
     match act {
-        Record::Switch(on) => c.set_recording(on),
+        Record::Switch(on) => recorder::set_recording(c.host, on),
         Record::PlayAll => return replay(c, None, 1),
         Record::Replay => return replay_last(c, a),
         Record::Save => return save(c, a),
-        Record::Clear => c.forget_recorded(),
+        Record::Clear => recorder::forget_recorded(c.host),
     }
     Ok(())
 }
@@ -40,7 +42,7 @@ fn save(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     let back = a.whole(1).map(|n| counted(c, &n.to_string())).transpose()?;
     let lines = recorded(c, back)?;
     let name = a.text(0).map_or(USUAL_FILE.into(), |name| file_name(&name));
-    c.save_recorded(&name, &lines)?;
+    recorder::save_recorded(c, &name, &lines)?;
     files::edit(c, &name)
 }
 
@@ -54,7 +56,7 @@ fn counted(c: &Context<'_>, text: &str) -> Result<usize, Stop> {
 
 /// The last so many recorded lines, as many as there are and can be used.
 fn recorded(c: &mut Context<'_>, back: Option<usize>) -> Result<Vec<String>, Stop> {
-    let lines = c.recorded();
+    let lines = recorder::recorded(c.host);
     if lines.is_empty() {
         return Err(c.fail(Code::NothingRecorded, "no commands are recorded"));
     }
@@ -64,7 +66,7 @@ fn recorded(c: &mut Context<'_>, back: Option<usize>) -> Result<Vec<String>, Sto
 
 fn replay(c: &mut Context<'_>, back: Option<usize>, times: u32) -> Result<(), Stop> {
     let lines = recorded(c, back)?;
-    c.replay(Replay { lines: &lines, times })
+    recorder::replay(c, Replay { lines: &lines, times })
 }
 
 /// A name without an extension is that of a part file.

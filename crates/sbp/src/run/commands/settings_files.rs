@@ -1,8 +1,10 @@
 //! Settings files and the firmware of the controller.
 
 use super::utilities::locations_line;
-use super::{Arguments, Context, Stop};
 use crate::run::FileParameters;
+use crate::run::levels;
+use crate::run::questions;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::settings_lines;
 use kerf_diag::Code;
 use kerf_program::{Answer, Button, Command, FileRequest, Folder, QuestionKind};
@@ -37,7 +39,8 @@ pub(super) fn load(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
         Some(delete) => delete == 1,
         None => {
             let text = "Delete the system log first?";
-            let question = c.question(QuestionKind::Msgbox, text, &[Button::No, Button::Yes]);
+            let question =
+                questions::question(c, QuestionKind::Msgbox, text, &[Button::No, Button::Yes]);
             c.ask(&question)? == Answer::Button(Button::Yes)
         }
     };
@@ -52,7 +55,7 @@ pub(super) fn load(c: &mut Context<'_>, a: &Arguments) -> Result<(), Stop> {
     if delete {
         c.host.forget_system_log().map_err(|e| c.refused(e))?;
     }
-    c.call_file(FileRequest { folder: Folder::Settings, name }, FileParameters::default())
+    levels::call_file(c, FileRequest { folder: Folder::Settings, name }, FileParameters::default())
 }
 
 fn named(a: &Arguments) -> Option<String> {
@@ -61,7 +64,7 @@ fn named(a: &Arguments) -> Option<String> {
 
 /// A name that the operator enters; Cancel ends the run.
 fn entered(c: &mut Context<'_>, text: &str, prefill: &str) -> Result<String, Stop> {
-    let typed = c.typed(&c.entry(text, prefill))?;
+    let typed = questions::typed(c, &questions::entry(c, text, prefill))?;
     match typed.trim() {
         "" => Err(c.fail(Code::MissingParameter, "the name of a settings file expected")),
         name => Ok(name.to_owned()),
@@ -72,7 +75,7 @@ fn entered(c: &mut Context<'_>, text: &str, prefill: &str) -> Result<String, Sto
 pub(super) fn install(c: &mut Context<'_>) -> Result<(), Stop> {
     c.settle()?;
     let text = "Load the controller's firmware now? Do not cut the power meanwhile.";
-    let question = c.question(QuestionKind::Msgbox, text, &[Button::Yes, Button::No]);
+    let question = questions::question(c, QuestionKind::Msgbox, text, &[Button::Yes, Button::No]);
     if c.ask(&question)? != Answer::Button(Button::Yes) {
         return Ok(());
     }

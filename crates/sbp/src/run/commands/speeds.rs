@@ -1,6 +1,7 @@
 //! Move and jog speeds.
 
-use super::{Arguments, Context, Stop, changed};
+use super::setting::changed;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::Unit;
 use kerf_diag::Code;
 use kerf_program::settings::{MM_PER_INCH, NO_SHIFT_JOG_MM_S, to_user};

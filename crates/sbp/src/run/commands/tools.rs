@@ -1,6 +1,6 @@
 //! Virtual tools, those of Kerf and those that somebody added.
 
-use super::{Arguments, Context, Stop};
+use crate::run::{Arguments, Context, Stop};
 use kerf_diag::Code;
 use kerf_program::{Command, HostError, ToolCall, no_such_tool};
 

@@ -1,6 +1,8 @@
 //! What is shown of the running session.
 
-use super::{Arguments, Context, Stop, settings_files};
+use super::settings_files;
+use crate::run::registry;
+use crate::run::{Arguments, Context, Stop};
 use crate::run::{EDITOR, LAST_ERROR, USER_VALUE};
 use crate::syntax::table::act::Utility;
 use crate::syntax::table::settings_lines;
@@ -70,7 +72,8 @@ fn diagnostics(c: &mut Context<'_>) -> String {
         "base: {}",
         places(c, |c, axis| c.core.place.frame.base(c.core.place.position)[axis])
     ));
-    let lost: Vec<String> = c.lost_axes().iter().map(|axis| axis.letter().to_string()).collect();
+    let lost: Vec<String> =
+        registry::lost_axes(c.host).iter().map(|axis| axis.letter().to_string()).collect();
     if !lost.is_empty() {
         lines.push(format!("position not verified: {}", lost.join(" ")));
     }

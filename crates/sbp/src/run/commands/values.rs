@@ -1,6 +1,11 @@
 //! The values of the machine. A line that is refused changes nothing: everything is checked before anything is changed.
 
-use super::{Arguments, Context, Stop, changed, display, set, speeds};
+use super::setting::{changed, set};
+use super::{display, speeds};
+use crate::run::cutting;
+use crate::run::levels;
+use crate::run::locate;
+use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::act::Value;
 use kerf_diag::Code;
 use kerf_program::settings::{AxisUnit, MM_PER_INCH};
@@ -43,15 +48,15 @@ fn locations(c: &mut Context<'_>, a: &Arguments, axes: usize) {
     };
     let (mut working, mut base) = (AxisSet::EMPTY, AxisSet::EMPTY);
     for (axis, value) in given(0) {
-        c.set_working(axis, value);
+        locate::set_working(c, axis, value);
         working.insert(axis);
     }
     for (axis, value) in given(axes) {
-        c.set_base(axis, value);
+        locate::set_base(c, axis, value);
         base.insert(axis);
     }
     if !(working.is_empty() && base.is_empty()) {
-        c.location_set(working, base);
+        locate::location_set(c, working, base);
     }
 }
 
@@ -65,9 +70,9 @@ fn tabs(c: &mut Context<'_>, a: &Arguments) {
         settings.tabs.start_mm = a.number(ON + 2);
     }
     // A series under way ends; what follows is tabbed by the new values.
-    c.end_tabs();
+    cutting::end_tabs(c);
     c.change_settings(|s| *s = settings);
-    c.refresh_tabs();
+    levels::refresh_tabs(c);
 }
 
 const TRIGGER: usize = 7;

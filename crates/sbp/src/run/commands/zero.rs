@@ -1,6 +1,7 @@
 //! Zeros: where the display reads 0.
 
-use super::{Context, Stop};
+use crate::run::locate;
+use crate::run::{Context, Stop};
 use crate::syntax::table::act::Zero;
 use kerf_program::AxisSet;
 
@@ -10,20 +11,20 @@ pub(super) fn run(c: &mut Context<'_>, act: Zero) -> Result<(), Stop> {
         Zero::Working(axes) => return zero_working(c, axes),
         Zero::TableBase => {
             c.core.place.frame.base_zero = c.core.place.position;
-            c.location_set(AxisSet::EMPTY, AxisSet::first(6));
+            locate::location_set(c, AxisSet::EMPTY, AxisSet::first(6));
         }
         Zero::Everything => {
             c.core.place.frame.working_zero = c.core.place.position;
             c.core.place.working_aside =
                 c.core.place.working_aside.and(Some(c.core.place.position));
             c.core.place.frame.base_zero = c.core.place.position;
-            c.location_set(AxisSet::first(6), AxisSet::first(6));
+            locate::location_set(c, AxisSet::first(6), AxisSet::first(6));
         }
         Zero::ToTableBase => {
             c.core.place.frame.working_zero = c.core.place.frame.base_zero;
             c.core.place.working_aside =
                 c.core.place.working_aside.and(Some(c.core.place.frame.base_zero));
-            c.location_set(AxisSet::first(6), AxisSet::EMPTY);
+            locate::location_set(c, AxisSet::first(6), AxisSet::EMPTY);
         }
     }
     Ok(())
@@ -31,11 +32,11 @@ pub(super) fn run(c: &mut Context<'_>, act: Zero) -> Result<(), Stop> {
 
 fn zero_working(c: &mut Context<'_>, axes: AxisSet) -> Result<(), Stop> {
     for axis in axes.iter() {
-        c.set_working(axis, 0.0);
+        locate::set_working(c, axis, 0.0);
     }
     // Whoever zeroes an axis has looked where it is.
-    c.is_certain_of(axes);
-    c.location_set(axes, AxisSet::EMPTY);
+    locate::is_certain_of(c, axes);
+    locate::location_set(c, axes, AxisSet::EMPTY);
     Ok(())
 }
 

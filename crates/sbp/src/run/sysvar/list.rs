@@ -2,6 +2,7 @@
 
 use super::{Context, Family, Stop, VERSION};
 use crate::Value;
+use crate::run::sysvar;
 use kerf_program::Axis;
 use kerf_program::settings::{Distance, LinearUnit, Mode, PerGroup};
 
@@ -25,13 +26,13 @@ pub(super) static FAMILIES: &[Family] = &[
         1,
         UNITS,
         &["location X", "location Y", "location Z", "location A", "location B"],
-        |c, i| c.working_location(Axis::ALL[i]),
+        |c, i| sysvar::working_location(c, Axis::ALL[i]),
     ),
     family(
         6,
         UNITS,
         &["table base X", "table base Y", "table base Z", "table base A", "table base B"],
-        |c, i| c.base_location(Axis::ALL[i]),
+        |c, i| sysvar::base_location(c, Axis::ALL[i]),
     ),
     family(
         11,
@@ -51,7 +52,7 @@ pub(super) static FAMILIES: &[Family] = &[
         |c, i| {
             let (axis, limits) = (Axis::ALL[i / 2], c.settings().limits);
             let side = if i % 2 == 0 { limits.low } else { limits.high };
-            Ok(c.axis_value(axis, side[axis]))
+            Ok(sysvar::axis_value(c, axis, side[axis]))
         },
     ),
     family(21, SWITCH, &["distance mode: 0 absolute, 1 relative"], |c, _| {
@@ -61,7 +62,7 @@ pub(super) static FAMILIES: &[Family] = &[
         truth(c.core.options.preview || c.settings().mode == Mode::Preview)
     }),
     family(23, UNITS, &["cutter diameter"], |c, _| {
-        Ok(c.length_value(c.settings().cutter.diameter_mm))
+        Ok(sysvar::length_value(c, c.settings().cutter.diameter_mm))
     }),
     family(25, SWITCH, &["linear unit: 0 inches, 1 mm"], |c, _| {
         truth(c.settings().linear_unit == LinearUnit::Mm)
@@ -69,9 +70,11 @@ pub(super) static FAMILIES: &[Family] = &[
     family(27, "3-6", &["number of axes"], |c, _| number(c.settings().axis_count)),
     family(28, UNITS, &["Safe-Z, empty when off"], |c, _| {
         let height = c.settings().cutter.safe_z_mm;
-        Ok(height.map_or(Value::Empty, |mm| c.length_value(mm)))
+        Ok(height.map_or(Value::Empty, |mm| sysvar::length_value(c, mm)))
     }),
-    family(29, UNITS, &["Safe-A"], |c, _| Ok(c.axis_value(Axis::A, c.settings().cutter.safe_a_mm))),
+    family(29, UNITS, &["Safe-A"], |c, _| {
+        Ok(sysvar::axis_value(c, Axis::A, c.settings().cutter.safe_a_mm))
+    }),
     family(30, "3-6", &["number of axes whose limits are checked"], |c, _| {
         number(c.settings().axis_count)
     }),
@@ -100,7 +103,7 @@ pub(super) static FAMILIES: &[Family] = &[
     ),
     family(41, UNITS, &["tab pull-up", "distance to next tab", "tab size", "tab lead"], |c, i| {
         let tabs = c.settings().tabs;
-        Ok(c.length_value([tabs.up_mm, tabs.next_mm, tabs.size_mm, tabs.lead_mm][i]))
+        Ok(sysvar::length_value(c, [tabs.up_mm, tabs.next_mm, tabs.size_mm, tabs.lead_mm][i]))
     }),
     family(46, SWITCH, &["input 3 is a limit (obsolete)"], |c, _| {
         truth(matches!(c.settings().io.inputs[2], 1 | 2))
@@ -113,13 +116,13 @@ pub(super) static FAMILIES: &[Family] = &[
         Ok(Value::Number(f64::from(c.host.firmware())))
     }),
     family(50, "0-255", &["inputs 1-8 as a byte, input 1 lowest"], |c, _| {
-        byte(c, 1, |c, n| c.input_state(n))
+        byte(c, 1, sysvar::input_state)
     }),
     family(
         51,
         SWITCH,
         &["input 1", "input 2", "input 3", "input 4", "input 5", "input 6", "input 7", "input 8"],
-        |c, i| truth(c.input_state(i + 1)?),
+        |c, i| truth(sysvar::input_state(c, i + 1)?),
     ),
     family(60, "text", &["name of the current file"], |c, _| {
         let running = !c.core.flow.levels.is_empty();
@@ -129,7 +132,7 @@ pub(super) static FAMILIES: &[Family] = &[
         61,
         UNITS,
         &["offset X of the file", "offset Y of the file", "offset Z of the file"],
-        |c, i| Ok(c.length_value(c.core.flow.level().map_or(0.0, |l| l.offset[i]))),
+        |c, i| Ok(sysvar::length_value(c, c.core.flow.level().map_or(0.0, |l| l.offset[i]))),
     ),
     family(
         66,
@@ -190,7 +193,7 @@ pub(super) static FAMILIES: &[Family] = &[
     ),
     family(99, SWITCH, &["torch height control"], |c, _| truth(c.settings().io.analog == 1)),
     family(100, "0-255", &["outputs 1-8 as a byte, output 1 lowest"], |c, _| {
-        byte(c, 1, |c, n| c.output_state(n))
+        byte(c, 1, sysvar::output_state)
     }),
     family(
         101,
@@ -199,7 +202,7 @@ pub(super) static FAMILIES: &[Family] = &[
             "output 1", "output 2", "output 3", "output 4", "output 5", "output 6", "output 7",
             "output 8",
         ],
-        |c, i| truth(c.output_state(i + 1)?),
+        |c, i| truth(sysvar::output_state(c, i + 1)?),
     ),
     family(109, "-1 to -4", &["mode of output 4"], |c, _| {
         Ok(Value::Number(f64::from(c.settings().io.output4)))
@@ -227,7 +230,7 @@ pub(super) static FAMILIES: &[Family] = &[
         truth(!c.core.place.independent.is_empty())
     }),
     family(126, SWITCH, &["input 9", "input 10", "input 11", "input 12"], |c, i| {
-        truth(c.input_state(i + 9)?)
+        truth(sysvar::input_state(c, i + 9)?)
     }),
     family(
         131,
@@ -236,17 +239,17 @@ pub(super) static FAMILIES: &[Family] = &[
         |c, i| input_mode(c, i + 8),
     ),
     family(135, "0-15", &["outputs 9-12 in four bits, output 9 lowest"], |c, _| {
-        byte(c, 9, |c, n| c.output_state(n))
+        byte(c, 9, sysvar::output_state)
     }),
     family(136, SWITCH, &["output 9", "output 10", "output 11", "output 12"], |c, i| {
-        truth(c.output_state(i + 9)?)
+        truth(sysvar::output_state(c, i + 9)?)
     }),
     family(141, UNITS, &["trigger on threshold", "trigger off threshold"], |c, i| {
         let trigger = c.settings().cutter.trigger;
-        Ok(c.length_value([trigger.on_at_mm, trigger.off_at_mm][i]))
+        Ok(sysvar::length_value(c, [trigger.on_at_mm, trigger.off_at_mm][i]))
     }),
-    family(144, UNITS, &["location C"], |c, _| c.working_location(Axis::C)),
-    family(145, UNITS, &["table base C"], |c, _| c.base_location(Axis::C)),
+    family(144, UNITS, &["location C"], |c, _| sysvar::working_location(c, Axis::C)),
+    family(145, UNITS, &["table base C"], |c, _| sysvar::base_location(c, Axis::C)),
     family(150, "1-100", &["step interval divider"], |c, _| {
         number(c.settings().resolution.divider)
     }),
@@ -275,7 +278,7 @@ fn number(n: u8) -> Result<Value, Stop> {
 
 fn speed(c: &Context<'_>, speeds: PerGroup, place: usize) -> Result<Value, Stop> {
     let axis = Axis::ALL[place];
-    Ok(c.axis_value(axis, speeds.of(axis)))
+    Ok(sysvar::axis_value(c, axis, speeds.of(axis)))
 }
 
 /// Mode of an input by index. Input 4 is always a stop; VN says only which kind.

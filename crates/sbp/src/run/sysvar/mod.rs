@@ -51,85 +51,83 @@ struct Family {
     read: fn(&mut Context<'_>, usize) -> Result<Value, Stop>,
 }
 
-impl Context<'_> {
-    /// The value of a system variable in the user's units.
-    pub(crate) fn system_variable(&mut self, number: f64, span: Span) -> Result<Value, Stop> {
-        if number.fract() != 0.0 || !(1.0..=f64::from(LAST)).contains(&number) {
-            let message = format!("no system variable {}", Value::Number(number).display());
-            let hint = "they are numbered 1 to 161";
-            return Err(self.fail_at(span, Code::NoSystemVariable, message, hint));
-        }
-        let n = match self.core.options.dialect {
-            crate::Dialect::Fabmo => self.fabmo_number(number as u8, span)?,
-            _ => number as u8,
-        };
-        let found = FAMILIES.iter().find_map(|family| {
-            let place = usize::from(n.checked_sub(family.first)?);
-            (place < family.names.len()).then_some((family, place))
-        });
-        match found {
-            Some((family, place)) => (family.read)(self, place),
-            None => {
-                let message = format!("system variable {n} is not assigned");
-                self.warn(Code::UnassignedSystemVariable, message, "it reads as empty");
-                Ok(Value::Empty)
-            }
+/// The value of a system variable in the user's units.
+pub(crate) fn system_variable(c: &mut Context<'_>, number: f64, span: Span) -> Result<Value, Stop> {
+    if number.fract() != 0.0 || !(1.0..=f64::from(LAST)).contains(&number) {
+        let message = format!("no system variable {}", Value::Number(number).display());
+        let hint = "they are numbered 1 to 161";
+        return Err(c.fail_at(span, Code::NoSystemVariable, message, hint));
+    }
+    let n = match c.core.options.dialect {
+        crate::Dialect::Fabmo => fabmo_number(c, number as u8, span)?,
+        _ => number as u8,
+    };
+    let found = FAMILIES.iter().find_map(|family| {
+        let place = usize::from(n.checked_sub(family.first)?);
+        (place < family.names.len()).then_some((family, place))
+    });
+    match found {
+        Some((family, place)) => (family.read)(c, place),
+        None => {
+            let message = format!("system variable {n} is not assigned");
+            c.warn(Code::UnassignedSystemVariable, message, "it reads as empty");
+            Ok(Value::Empty)
         }
     }
+}
 
-    /// The number here of a system variable of FabMo's dialect: C comes behind B there, so that
-    /// locations are 1 to 6 and base coordinates 7 to 12.
-    fn fabmo_number(&self, n: u8, span: Span) -> Result<u8, Stop> {
-        match n {
-            6 => Ok(144),
-            7..=11 => Ok(n - 1),
-            12 => Ok(145),
-            77..=112 => {
-                let message = format!("%({n}) of FabMo's dialect is not known here");
-                Err(self.fail_at(span, Code::NotSupported, message, "limits and jerk are not read"))
-            }
-            _ => Ok(n),
+/// The number here of a system variable of FabMo's dialect: C comes behind B there, so that
+/// locations are 1 to 6 and base coordinates 7 to 12.
+fn fabmo_number(c: &Context<'_>, n: u8, span: Span) -> Result<u8, Stop> {
+    match n {
+        6 => Ok(144),
+        7..=11 => Ok(n - 1),
+        12 => Ok(145),
+        77..=112 => {
+            let message = format!("%({n}) of FabMo's dialect is not known here");
+            Err(c.fail_at(span, Code::NotSupported, message, "limits and jerk are not read"))
         }
+        _ => Ok(n),
     }
+}
 
-    /// Returns the distance of an axis that moves by itself from where the program sent it; 0 for any other.
-    fn drift(&mut self, axis: Axis) -> Result<f64, Stop> {
-        if !self.core.wanders(axis) {
-            return Ok(0.0);
-        }
-        self.settle()?;
-        Ok(self.host.machine_position()[axis.index()] - self.core.place.position[axis])
+/// Returns the distance of an axis that moves by itself from where the program sent it; 0 for any other.
+fn drift(c: &mut Context<'_>, axis: Axis) -> Result<f64, Stop> {
+    if !c.core.wanders(axis) {
+        return Ok(0.0);
     }
+    c.settle()?;
+    Ok(c.host.machine_position()[axis.index()] - c.core.place.position[axis])
+}
 
-    /// Working location of an axis.
-    fn working_location(&mut self, axis: Axis) -> Result<Value, Stop> {
-        let place = self.core.place.position[axis] + self.drift(axis)?;
-        Ok(self.axis_value(axis, place - self.core.place.frame.working_zero[axis]))
-    }
+/// Working location of an axis.
+fn working_location(c: &mut Context<'_>, axis: Axis) -> Result<Value, Stop> {
+    let place = c.core.place.position[axis] + drift(c, axis)?;
+    Ok(axis_value(c, axis, place - c.core.place.frame.working_zero[axis]))
+}
 
-    /// Table base coordinate of an axis, in the reading of the dialect.
-    fn base_location(&mut self, axis: Axis) -> Result<Value, Stop> {
-        let drift = self.drift(axis)?;
-        Ok(self.axis_value(axis, self.core.base_coordinate(axis, drift)))
-    }
+/// Table base coordinate of an axis, in the reading of the dialect.
+fn base_location(c: &mut Context<'_>, axis: Axis) -> Result<Value, Stop> {
+    let drift = drift(c, axis)?;
+    Ok(axis_value(c, axis, c.core.base_coordinate(axis, drift)))
+}
 
-    fn axis_value(&self, axis: Axis, internal: f64) -> Value {
-        Value::Number(to_user(internal, self.settings().axis_scale(axis)))
-    }
+fn axis_value(c: &Context<'_>, axis: Axis, internal: f64) -> Value {
+    Value::Number(to_user(internal, c.settings().axis_scale(axis)))
+}
 
-    fn length_value(&self, mm: f64) -> Value {
-        Value::Number(to_user(mm, self.settings().linear_unit.mm()))
-    }
+fn length_value(c: &Context<'_>, mm: f64) -> Value {
+    Value::Number(to_user(mm, c.settings().linear_unit.mm()))
+}
 
-    /// State of an input, 1 … 12.
-    fn input_state(&mut self, number: usize) -> Result<bool, Stop> {
-        self.settle()?;
-        Ok(self.host.input(number as u8))
-    }
+/// State of an input, 1 … 12.
+fn input_state(c: &mut Context<'_>, number: usize) -> Result<bool, Stop> {
+    c.settle()?;
+    Ok(c.host.input(number as u8))
+}
 
-    /// State of an output, 1 … 12.
-    fn output_state(&mut self, number: usize) -> Result<bool, Stop> {
-        self.settle()?;
-        Ok(self.host.output(number as u8))
-    }
+/// State of an output, 1 … 12.
+fn output_state(c: &mut Context<'_>, number: usize) -> Result<bool, Stop> {
+    c.settle()?;
+    Ok(c.host.output(number as u8))
 }

@@ -14,12 +14,12 @@ pub(crate) struct Idling {
 
 impl Idling {
     /// Counts a line that was executed.
-    pub(super) fn count(&mut self, changed: bool) {
+    pub(crate) fn count(&mut self, changed: bool) {
         self.lines = if changed { 0 } else { self.lines + 1 };
     }
 
     /// Returns `true` if more lines idled than a file has: one came again, and nothing has changed since.
-    pub(super) fn exceeds(&self, lines: usize) -> bool {
+    pub(crate) fn exceeds(&self, lines: usize) -> bool {
         self.lines > lines as u64
     }
 }

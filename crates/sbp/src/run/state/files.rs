@@ -1,6 +1,6 @@
 //! The programs that a run has read.
 
-use super::Variables;
+use super::variables::Variables;
 use crate::syntax::Program;
 use crate::syntax::tree::NameId;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ pub(crate) struct Files {
 
 impl Files {
     /// Adds a program, or finds the same one read before; returns its number.
-    pub(super) fn load(&mut self, program: Arc<Program>, variables: &mut Variables) -> u32 {
+    pub(crate) fn load(&mut self, program: Arc<Program>, variables: &mut Variables) -> u32 {
         let known = |p: &Arc<Program>| {
             Arc::ptr_eq(p, &program) || p.name == program.name && p.text == program.text
         };
@@ -28,24 +28,24 @@ impl Files {
     }
 
     /// Finds the slots of the names of all programs that have none yet.
-    pub(super) fn link(&mut self, variables: &mut Variables) {
+    pub(crate) fn link(&mut self, variables: &mut Variables) {
         for program in self.programs.iter().skip(self.links.len()) {
             self.links.push(program.names.iter().map(|name| variables.slot(name)).collect());
         }
     }
 
     /// A program by its number, where there is one.
-    pub(super) fn get(&self, file: u32) -> Option<&Arc<Program>> {
+    pub(crate) fn get(&self, file: u32) -> Option<&Arc<Program>> {
         self.programs.get(file as usize)
     }
 
     /// A program by its number; an empty one for a number that none has.
-    pub(super) fn program(&self, file: u32) -> Arc<Program> {
+    pub(crate) fn program(&self, file: u32) -> Arc<Program> {
         self.get(file).cloned().unwrap_or_default()
     }
 
     /// Variable slot of a name of a file.
-    pub(super) fn slot(&self, file: u32, name: NameId) -> u32 {
+    pub(crate) fn slot(&self, file: u32, name: NameId) -> u32 {
         let links = self.links.get(file as usize);
         links.and_then(|l| l.get(name.0 as usize)).copied().unwrap_or(u32::MAX)
     }

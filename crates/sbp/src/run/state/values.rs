@@ -16,7 +16,7 @@ pub(crate) struct Values {
 }
 
 impl Values {
-    pub(super) fn new(settings: Settings) -> Self {
+    pub(crate) fn new(settings: Settings) -> Self {
         let settings = Arc::new(settings);
         Self { kept: settings.clone(), settings, looked_at: None }
     }

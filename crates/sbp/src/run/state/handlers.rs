@@ -16,7 +16,7 @@ pub(crate) struct Handlers {
 
 impl Handlers {
     /// Disarms all of them.
-    pub(super) fn disarm(&mut self) {
+    pub(crate) fn disarm(&mut self) {
         *self = Self::default();
     }
 }

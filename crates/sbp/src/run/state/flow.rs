@@ -1,7 +1,7 @@
 //! The open part files and the line that runs next in each.
 
-use super::FileParameters;
 use super::files::Files;
+use crate::run::session::FileParameters;
 use crate::syntax::Language;
 use crate::syntax::tree::Span;
 use kerf_diag::Place;
@@ -33,7 +33,7 @@ impl Flow {
     }
 
     /// Chooses the line (by index) that the innermost file goes on at.
-    pub(super) fn go_on_at(&mut self, index: u32) {
+    pub(crate) fn go_on_at(&mut self, index: u32) {
         if let Some(level) = self.levels.last_mut() {
             level.next = index;
         }
@@ -45,7 +45,7 @@ impl Flow {
     }
 
     /// The innermost file runs on without questions, and so do those that called it.
-    pub(super) fn run_on(&mut self) {
+    pub(crate) fn run_on(&mut self) {
         self.levels.iter_mut().for_each(|level| level.stepped = false);
     }
 
@@ -130,7 +130,7 @@ impl Level {
 
 impl Files {
     /// Returns `true` if a file is G-code.
-    pub(super) fn is_gcode(&self, level: &Level) -> bool {
+    pub(crate) fn is_gcode(&self, level: &Level) -> bool {
         self.get(level.file).is_some_and(|p| p.language == Language::Gcode)
     }
 }

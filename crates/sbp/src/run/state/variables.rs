@@ -1,6 +1,6 @@
 //! The user's variables: global to all files, kept until the software ends.
 
-use crate::Value;
+use crate::syntax::Value;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -110,7 +110,7 @@ pub(crate) struct Memory {
 }
 
 impl Memory {
-    pub(super) const fn new(variables: Variables, random: u64) -> Self {
+    pub(crate) const fn new(variables: Variables, random: u64) -> Self {
         Self { variables, random, told_many_variables: false }
     }
 }

@@ -1,16 +1,29 @@
 //! The whole state of a running program: values with a state of their own, and what follows from several of them.
 
-use super::cutting::Cutting;
-use super::files::Files;
-use super::flow::Flow;
-use super::given::Given;
-use super::idling::Idling;
-use super::place::Place;
-use super::user_files::UserFiles;
-use super::values::Values;
-use super::variables::Memory;
-use super::watch::Handlers;
-use super::{Options, Session};
+mod files;
+mod flow;
+mod given;
+mod handlers;
+mod idling;
+mod path;
+mod place;
+mod user_files;
+mod values;
+mod variables;
+
+pub(crate) use files::Files;
+pub(crate) use flow::{Flow, Level, Purpose};
+pub(crate) use given::Given;
+pub(crate) use handlers::{Handler, Handlers};
+pub(crate) use idling::Idling;
+pub(crate) use path::{Cutting, Origin};
+pub(crate) use place::Place;
+pub(crate) use user_files::{UserFile, UserFiles};
+pub(crate) use values::Values;
+pub(crate) use variables::Memory;
+pub use variables::Variables;
+
+use super::session::{Options, Session};
 use crate::syntax::Program;
 use kerf_program::{Answers, Axes, Axis};
 use serde::{Deserialize, Serialize};
@@ -36,7 +49,7 @@ pub(crate) struct Core {
 }
 
 impl Core {
-    pub(super) fn new(program: Arc<Program>, session: Session, options: Options) -> Self {
+    pub(crate) fn new(program: Arc<Program>, session: Session, options: Options) -> Self {
         let mut core = Self {
             files: Files::default(),
             flow: Flow::default(),
@@ -75,7 +88,7 @@ impl Core {
     }
 
     /// The workpiece lies elsewhere by so much: what the program knows in the machine frame follows.
-    pub(super) fn nudge(&mut self, by: Axes) {
+    pub(crate) fn nudge(&mut self, by: Axes) {
         self.place.nudge(by);
         for level in &mut self.flow.levels {
             level.start_z = level.start_z.map(|z| z + by[Axis::Z]);
@@ -87,7 +100,7 @@ impl Core {
         self.place.independent.contains(axis) || axis == Axis::Z && self.values.settings.torch_on()
     }
 
-    pub(super) fn into_session(self) -> Session {
+    pub(crate) fn into_session(self) -> Session {
         Session {
             settings: Arc::unwrap_or_clone(self.values.settings),
             frame: self.place.frame,

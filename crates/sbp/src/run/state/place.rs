@@ -1,6 +1,6 @@
 //! Where the machine has been sent, and what places are called.
 
-use super::BeforePreview;
+use crate::run::session::BeforePreview;
 use kerf_program::Axis;
 use kerf_program::{AXES, Axes, AxisSet, Frame, Host};
 use serde::{Deserialize, Serialize};
@@ -49,7 +49,7 @@ impl Place {
     }
 
     /// The workpiece lies elsewhere by so much.
-    pub(super) fn nudge(&mut self, by: Axes) {
+    pub(crate) fn nudge(&mut self, by: Axes) {
         self.frame.working_zero = self.frame.working_zero.plus(by);
         self.position = self.position.plus(by);
     }
