@@ -1,6 +1,7 @@
 //! Text that is arithmetic: the operator types `3/4` or `12+11/16`, and a number is needed.
 
 use crate::syntax::Expressions;
+use crate::syntax::Value;
 use crate::syntax::expr::{BinaryOp, Expr, ExprNode, UnaryOp};
 
 use crate::syntax::tree::{Assigned, Node, Statement};
@@ -53,6 +54,16 @@ pub(crate) fn operate(op: BinaryOp, a: f64, b: f64) -> Option<f64> {
         BinaryOp::Add => Some(a + b),
         BinaryOp::Subtract => Some(a - b),
         _ => None,
+    }
+}
+
+impl Value {
+    /// As a number where one is needed: also what was typed, where it is arithmetic, as `3/4`.
+    pub(crate) fn calculated(&self) -> Option<f64> {
+        let typed = || {
+            if let Self::Typed(t) = self { calculate(t) } else { None }
+        };
+        self.number().or_else(typed)
     }
 }
 

@@ -38,14 +38,6 @@ impl Value {
         }
     }
 
-    /// As a number where one is needed: also what was typed, where it is arithmetic, as `3/4`.
-    pub(crate) fn calculated(&self) -> Option<f64> {
-        let typed = || {
-            if let Self::Typed(t) = self { crate::syntax::arithmetic::calculate(t) } else { None }
-        };
-        self.number().or_else(typed)
-    }
-
     /// Its text, where it is text.
     pub(crate) const fn as_text(&self) -> Option<&Arc<str>> {
         match self {

@@ -1,89 +1,88 @@
 //! Straight moves, and where the zero is.
 
-use super::SbpPrinter;
+use super::file::SbpPrinter;
+use super::places::fields;
+use super::speeds;
 use kerf_program::{AXES, Axes, Axis, AxisSet, Feed, Frame, Line, MoveKind};
-use std::fmt::Write as _;
 
-impl SbpPrinter<'_> {
-    pub(super) fn straight(&mut self, line: &Line) {
-        let from = self.places.position;
-        self.settle_height(line, from);
-        let named = self.places.changes(line.to);
-        self.places.position = line.to;
-        if named.iter().all(Option::is_none) {
-            return;
-        }
-        if line.kind == MoveKind::Cut {
-            let delta = line.to.minus(from);
-            self.speed(line.feed, delta.0[0].hypot(delta.0[1]), delta);
-        } else if let Feed::Path(_) | Feed::Time(_) = line.feed {
-            self.unsaid("the speed of a jog");
-        }
-        let text = move_words(line.kind, &named);
-        self.line(&text);
+pub(super) fn straight(p: &mut SbpPrinter<'_>, line: &Line) {
+    let from = p.places.position;
+    settle_height(p, line, from);
+    let named = p.places.changes(line.to);
+    p.places.position = line.to;
+    if named.iter().all(Option::is_none) {
+        return;
     }
+    if line.kind == MoveKind::Cut {
+        let delta = line.to.minus(from);
+        speeds::speed(p, line.feed, delta.0[0].hypot(delta.0[1]), delta);
+    } else if let Feed::Path(_) | Feed::Time(_) = line.feed {
+        p.unsaid("the speed of a jog");
+    }
+    let text = move_words(line.kind, &named);
+    p.line(&text);
+}
 
-    /// After a change of tools the tool may stand higher than the program knows: before it cuts it
-    /// goes to where it should be. A jog may start from above.
-    fn settle_height(&mut self, line: &Line, from: Axes) {
-        if line.kind == MoveKind::Cut {
-            self.lower();
-        } else if line.to[Axis::Z] != from[Axis::Z] {
-            self.places.raised = false;
-        }
+/// After a change of tools the tool may stand higher than the program knows: before it cuts it
+/// goes to where it should be. A jog may start from above.
+fn settle_height(p: &mut SbpPrinter<'_>, line: &Line, from: Axes) {
+    if line.kind == MoveKind::Cut {
+        lower(p);
+    } else if line.to[Axis::Z] != from[Axis::Z] {
+        p.places.raised = false;
     }
+}
 
-    /// Brings the tool to the height that the program knows.
-    pub(super) fn lower(&mut self) {
-        if std::mem::take(&mut self.places.raised) {
-            let z = self.places.values(self.places.position)[Axis::Z.index()].clone();
-            self.line(&format!("JZ,{z}"));
-            self.places.wrote(Axis::Z, z);
-        }
+/// Brings the tool to the height that the program knows.
+pub(super) fn lower(p: &mut SbpPrinter<'_>) {
+    if std::mem::take(&mut p.places.raised) {
+        let z = p.places.values(p.places.position)[Axis::Z.index()].clone();
+        p.line(&format!("JZ,{z}"));
+        p.places.wrote(Axis::Z, z);
     }
+}
 
-    /// Nothing moves: the present place is called otherwise.
-    pub(super) fn locate(&mut self, frame: Frame, working: AxisSet) {
-        let before = self.places.frame;
-        let moved = working
-            .iter()
-            .filter(|a| frame.working_zero[*a] != before.working_zero[*a])
-            .fold(AxisSet::EMPTY, AxisSet::with);
-        if !moved.is_empty() {
-            // The height that it goes down to is one of the zero before.
-            self.lower();
-        }
-        self.places.frame = frame;
-        if moved.is_empty() {
-            return;
-        }
-        let values = self.places.values(self.places.position);
-        let mut named: [Option<String>; AXES] = Default::default();
-        for axis in moved.iter() {
-            let value = values[axis.index()].clone();
-            self.places.wrote(axis, value.clone());
-            named[axis.index()] = Some(value);
-        }
-        if named[5].take().is_some() {
-            self.unsaid_motion("a new zero of C");
-        }
-        let text = fields("VA", &named[..5]);
-        self.line(&text);
+/// Nothing moves: the present place is called otherwise.
+pub(super) fn locate(p: &mut SbpPrinter<'_>, frame: Frame, working: AxisSet) {
+    let before = p.places.frame;
+    let moved = working
+        .iter()
+        .filter(|a| frame.working_zero[*a] != before.working_zero[*a])
+        .fold(AxisSet::EMPTY, AxisSet::with);
+    if !moved.is_empty() {
+        // The height that it goes down to is one of the zero before.
+        lower(p);
     }
+    p.places.frame = frame;
+    if moved.is_empty() {
+        return;
+    }
+    let values = p.places.values(p.places.position);
+    let mut named: [Option<String>; AXES] = Default::default();
+    for axis in moved.iter() {
+        let value = values[axis.index()].clone();
+        p.places.wrote(axis, value.clone());
+        named[axis.index()] = Some(value);
+    }
+    if named[5].take().is_some() {
+        p.unsaid_motion("a new zero of C");
+    }
+    let text = fields("VA", &named[..5]);
+    p.line(&text);
+}
 
-    /// The present place is called by what it is in the table base coordinates, which the program does not move:
-    /// `%(1)+%(6)` is where the tool stands in them.
-    pub(super) fn locate_in_machine(&mut self, frame: &Frame, axes: AxisSet) {
-        self.lower();
-        let mut named: [Option<String>; AXES] = Default::default();
-        for axis in axes.iter().filter(|axis| axis.index() < 5) {
-            let ahead = self.places.zero_at(axis, frame);
-            let number = axis.index() + 1;
-            named[axis.index()] = Some(format!("%({number})+%({}){ahead}", number + 5));
-        }
-        let text = fields("VA", &named[..5]);
-        self.line(&text);
+/// The present place is called by what it is in the table base coordinates, which the program does not move:
+/// `%(1)+%(6)` is where the tool stands in them.
+pub(super) fn locate_in_machine(p: &mut SbpPrinter<'_>, frame: &Frame, axes: AxisSet) {
+    lower(p);
+    let mut named: [Option<String>; AXES] = Default::default();
+    for axis in axes.iter().filter(|axis| axis.index() < 5) {
+        let ahead = p.places.zero_at(axis, frame);
+        let number = axis.index() + 1;
+        named[axis.index()] = Some(format!("%({number})+%({}){ahead}", number + 5));
     }
+    let text = fields("VA", &named[..5]);
+    p.line(&text);
 }
 
 /// A move of the axes that have values: MX for one, M2 … M6 for several.
@@ -99,14 +98,4 @@ fn move_words(kind: MoveKind, named: &[Option<String>; AXES]) -> String {
         ),
         Some(last) => fields(&format!("{letter}{}", last + 1), &named[..=last]),
     }
-}
-
-/// A command and its values, empty ones at the end left out.
-pub(super) fn fields(command: &str, values: &[Option<String>]) -> String {
-    let count = values.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
-    let mut text = String::from(command);
-    for value in &values[..count] {
-        let _ = write!(text, ",{}", value.as_deref().unwrap_or_default());
-    }
-    text
 }

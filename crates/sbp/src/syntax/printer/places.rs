@@ -1,8 +1,9 @@
 //! The place of the machine, and which values of it were written.
 
-use super::Printing;
+use super::printing::Printing;
 use kerf_program::settings::AxisUnit;
 use kerf_program::{AXES, Axes, Axis, Command, Frame, Settings, decimal, length_places};
+use std::fmt::Write as _;
 use std::sync::Arc;
 
 /// Decimals of an angle.
@@ -101,4 +102,14 @@ impl Places {
             _ => {}
         }
     }
+}
+
+/// A command and its values, empty ones at the end left out.
+pub(super) fn fields(command: &str, values: &[Option<String>]) -> String {
+    let count = values.iter().rposition(Option::is_some).map_or(0, |last| last + 1);
+    let mut text = String::from(command);
+    for value in &values[..count] {
+        let _ = write!(text, ",{}", value.as_deref().unwrap_or_default());
+    }
+    text
 }

@@ -6,105 +6,78 @@
 //! the move take as long as the feed says. Slopes up to about 5°, where that is less than half a
 //! percent, stay at v, so that a shallow relief is not a list of speeds.
 
-use super::SbpPrinter;
-use super::moves::fields;
-use kerf_program::settings::{MM_PER_INCH, PerGroup};
+use super::file::SbpPrinter;
+use super::places::fields;
+use super::written_speeds::{GROUPS, Written};
+use kerf_program::settings::MM_PER_INCH;
 use kerf_program::{Axes, Axis, Feed, decimal};
 
 /// Times that differ by less than this share count as equal.
 const SAME_SHARE: f64 = 0.005;
 /// VS takes no linear speed below this, mm/s.
 const SLOWEST_MM_S: f64 = 0.05 * MM_PER_INCH;
-/// The groups of VS: XY, Z, A, B.
-const GROUPS: [Axis; 4] = [Axis::X, Axis::Z, Axis::A, Axis::B];
-
-/// The move speeds as they were last written; `None` for those that the file has not said.
-#[derive(Debug, Default)]
-pub(super) struct Written([Option<f64>; 4]);
-
-impl Written {
-    /// Those of the settings.
-    pub(super) fn of(speeds: &PerGroup) -> Self {
-        Self(GROUPS.map(|axis| Some(speeds.of(axis))))
+/// Writes the speeds that a cutting move needs; `xy` is the length of its path in XY.
+pub(super) fn speed(p: &mut SbpPrinter<'_>, feed: Feed, xy: f64, delta: Axes) {
+    let distances = [xy, delta[Axis::Z].abs(), delta[Axis::A].abs(), delta[Axis::B].abs()];
+    if delta[Axis::C] != 0.0 && distances == [0.0; 4] {
+        return p.unsaid("the speed of C");
     }
-
-    /// Returns the time that a move of these distances takes; `None` when the file has not said it.
-    fn time(&self, distances: &[f64; 4]) -> Option<f64> {
-        let mut time = 0.0_f64;
-        for (speed, distance) in self.0.iter().zip(distances) {
-            if *distance > 0.0 {
-                time = time.max(distance / (*speed)?);
+    let space = xy.hypot(delta[Axis::Z]);
+    let turned = delta[Axis::A].hypot(delta[Axis::B]).hypot(delta[Axis::C]);
+    let time = match feed {
+        Feed::Path(speed) => (if space > 0.0 { space } else { turned }) / speed,
+        Feed::Time(seconds) => seconds,
+        Feed::Axis => return axis_speeds(p, &distances),
+    };
+    let same = |t: f64| (t / time - 1.0).abs() <= SAME_SHARE;
+    if p.speeds.time(&distances).is_some_and(same) {
+        return;
+    }
+    let along = if space > 0.0 { space } else { turned } / time;
+    let mut wanted = Written(distances.map(|d| (d > 0.0).then_some(along)));
+    if !wanted.time(&distances).is_some_and(same) {
+        let linear = if space > 0.0 { 2 } else { 4 };
+        let leading = (0..linear).rev().max_by(|a, b| distances[*a].total_cmp(&distances[*b]));
+        for (group, distance) in distances.iter().enumerate() {
+            // Rotary axes beside linear ones keep pace; of linear ones the longer way leads.
+            if *distance > 0.0 && (Some(group) == leading || group >= 2) {
+                wanted.0[group] = Some(distance / time);
             }
         }
-        Some(time)
     }
+    write_speeds(p, &wanted);
 }
 
-impl SbpPrinter<'_> {
-    /// Writes the speeds that a cutting move needs; `xy` is the length of its path in XY.
-    pub(super) fn speed(&mut self, feed: Feed, xy: f64, delta: Axes) {
-        let distances = [xy, delta[Axis::Z].abs(), delta[Axis::A].abs(), delta[Axis::B].abs()];
-        if delta[Axis::C] != 0.0 && distances == [0.0; 4] {
-            return self.unsaid("the speed of C");
+/// Moves without a feed of their own: the speeds of the settings.
+fn axis_speeds(p: &mut SbpPrinter<'_>, distances: &[f64; 4]) {
+    let settings = p.settings.speeds.cut;
+    let mut wanted = Written::default();
+    for (i, axis) in GROUPS.into_iter().enumerate() {
+        let speed = settings.of(axis);
+        if distances[i] > 0.0 && p.speeds.0[i] != Some(speed) {
+            wanted.0[i] = Some(speed);
         }
-        let space = xy.hypot(delta[Axis::Z]);
-        let turned = delta[Axis::A].hypot(delta[Axis::B]).hypot(delta[Axis::C]);
-        let time = match feed {
-            Feed::Path(speed) => (if space > 0.0 { space } else { turned }) / speed,
-            Feed::Time(seconds) => seconds,
-            Feed::Axis => return self.axis_speeds(&distances),
+    }
+    write_speeds(p, &wanted);
+}
+
+fn write_speeds(p: &mut SbpPrinter<'_>, wanted: &Written) {
+    let mut named: [Option<String>; 4] = Default::default();
+    for (i, axis) in GROUPS.into_iter().enumerate() {
+        let Some(speed) = wanted.0[i] else { continue };
+        let scale = if i < 2 { p.printing.unit.mm() } else { p.settings.axis_scale(axis) };
+        let linear = i < 2 || scale != 1.0;
+        let speed = if linear && speed < SLOWEST_MM_S * (1.0 - 1e-9) {
+            p.unsaid(format!("{} mm/s: VS begins at 1.27", decimal(speed, 3)));
+            SLOWEST_MM_S
+        } else {
+            speed
         };
-        let same = |t: f64| (t / time - 1.0).abs() <= SAME_SHARE;
-        if self.speeds.time(&distances).is_some_and(same) {
-            return;
-        }
-        let along = if space > 0.0 { space } else { turned } / time;
-        let mut wanted = Written(distances.map(|d| (d > 0.0).then_some(along)));
-        if !wanted.time(&distances).is_some_and(same) {
-            let linear = if space > 0.0 { 2 } else { 4 };
-            let leading = (0..linear).rev().max_by(|a, b| distances[*a].total_cmp(&distances[*b]));
-            for (group, distance) in distances.iter().enumerate() {
-                // Rotary axes beside linear ones keep pace; of linear ones the longer way leads.
-                if *distance > 0.0 && (Some(group) == leading || group >= 2) {
-                    wanted.0[group] = Some(distance / time);
-                }
-            }
-        }
-        self.write_speeds(&wanted);
+        p.speeds.0[i] = Some(speed);
+        named[i] = Some(decimal(speed / scale, 6));
     }
-
-    /// Moves without a feed of their own: the speeds of the settings.
-    fn axis_speeds(&mut self, distances: &[f64; 4]) {
-        let settings = self.settings.speeds.cut;
-        let mut wanted = Written::default();
-        for (i, axis) in GROUPS.into_iter().enumerate() {
-            let speed = settings.of(axis);
-            if distances[i] > 0.0 && self.speeds.0[i] != Some(speed) {
-                wanted.0[i] = Some(speed);
-            }
-        }
-        self.write_speeds(&wanted);
-    }
-
-    fn write_speeds(&mut self, wanted: &Written) {
-        let mut named: [Option<String>; 4] = Default::default();
-        for (i, axis) in GROUPS.into_iter().enumerate() {
-            let Some(speed) = wanted.0[i] else { continue };
-            let scale =
-                if i < 2 { self.printing.unit.mm() } else { self.settings.axis_scale(axis) };
-            let linear = i < 2 || scale != 1.0;
-            let speed = if linear && speed < SLOWEST_MM_S * (1.0 - 1e-9) {
-                self.unsaid(format!("{} mm/s: VS begins at 1.27", decimal(speed, 3)));
-                SLOWEST_MM_S
-            } else {
-                speed
-            };
-            self.speeds.0[i] = Some(speed);
-            named[i] = Some(decimal(speed / scale, 6));
-        }
-        if named.iter().any(Option::is_some) {
-            let text = fields("VS", &named);
-            self.line(&text);
-        }
+    if named.iter().any(Option::is_some) {
+        let text = fields("VS", &named);
+        p.line(&text);
     }
 }

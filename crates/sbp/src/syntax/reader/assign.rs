@@ -1,165 +1,164 @@
 //! Assignments: `&name = …`, `$name = …`, `&name := …`.
 
 use super::line::{Failed, Line, Read, is_name};
+use super::{expression, members};
 use crate::syntax::Dialect;
 use crate::syntax::expr::{BinaryOp, Expr, ExprNode, Function};
 use crate::syntax::tree::{Assigned, Span, Statement};
 use kerf_diag::{Code, Diagnostic};
 
-impl Line<'_, '_> {
-    pub(super) fn assignment(&mut self, persistent: bool) -> Read<Statement> {
-        let start = self.at;
-        let end = self.word_end(start + 1);
-        self.at = end;
-        if self.file.dialect == Dialect::Fabmo && end > start + 1 && self.at_member(start) {
-            return self.member_assignment(start);
-        }
-        self.skip_blanks();
-        let only_if_undefined = self.peek() == b':' && self.byte(self.at + 1) == b'=';
-        self.at += usize::from(only_if_undefined);
-        if end > start + 1 && self.at_end() {
-            return Ok(self.mention(start));
-        }
-        if end == start + 1 || self.peek() != b'=' {
-            return Err(self.bad_name(start, end));
-        }
-        self.at += 1;
-        let name = self.name(start + 1, end);
-        let value = self.assigned()?;
-        let span = Span { start: start as u32, end: end as u32 };
-        Ok(Statement::Assign { name, persistent, only_if_undefined, value, span })
+pub(super) fn assignment(l: &mut Line<'_, '_>, persistent: bool) -> Read<Statement> {
+    let start = l.at;
+    let end = l.word_end(start + 1);
+    l.at = end;
+    if l.file.program.dialect == Dialect::Fabmo && end > start + 1 && members::at_member(l, start) {
+        return member_assignment(l, start);
     }
+    l.skip_blanks();
+    let only_if_undefined = l.peek() == b':' && l.byte(l.at + 1) == b'=';
+    l.at += usize::from(only_if_undefined);
+    if end > start + 1 && l.at_end() {
+        return Ok(mention(l, start));
+    }
+    if end == start + 1 || l.peek() != b'=' {
+        return Err(bad_name(l, start, end));
+    }
+    l.at += 1;
+    let name = l.name(start + 1, end);
+    let value = assigned(l)?;
+    let span = Span { start: start as u32, end: end as u32 };
+    Ok(Statement::Assign { name, persistent, only_if_undefined, value, span })
+}
 
-    /// A variable alone on its line: files that run on machines have it, and nothing happens there.
-    fn mention(&mut self, start: usize) -> Statement {
-        let span = self.span_from(start);
-        let message = "a variable alone on its line does nothing";
-        self.warn(Code::DoubtfulSpelling, span, message, "an assignment is written &name = value");
-        Statement::Mention(span)
-    }
+/// A variable alone on its line: files that run on machines have it, and nothing happens there.
+fn mention(l: &mut Line<'_, '_>, start: usize) -> Statement {
+    let span = l.span_from(start);
+    let message = "a variable alone on its line does nothing";
+    l.warn(Code::DoubtfulSpelling, span, message, "an assignment is written &name = value");
+    Statement::Mention(span)
+}
 
-    /// Reports that what stands before `=` is no variable's name.
-    fn bad_name(&mut self, start: usize, end: usize) -> Failed {
-        let equals = self.until(start, b'=');
-        let name = Span { start: start as u32, end: end as u32 };
-        if equals >= self.end {
-            let hint = "an assignment is written &name = value";
-            return self.fault(Code::Syntax, name, "= expected behind a variable", hint);
-        }
-        let bad = (end..equals).find(|at| !is_name(self.byte(*at))).unwrap_or(end);
-        let found = self.slice(bad, equals).chars().next().unwrap_or('=');
-        let span = Span { start: bad as u32, end: (bad + found.len_utf8()) as u32 };
-        let hint = match found {
-            '[' | '.' => super::fabmo::ARRAYS_HINT,
-            _ => "letters, digits and underscores are allowed",
-        };
-        let message = format!("character not allowed in a variable name: '{found}'");
-        self.fault(Code::BadVariableName, span, message, hint)
+/// Reports that what stands before `=` is no variable's name.
+fn bad_name(l: &mut Line<'_, '_>, start: usize, end: usize) -> Failed {
+    let equals = l.until(start, b'=');
+    let name = Span { start: start as u32, end: end as u32 };
+    if equals >= l.end {
+        let hint = "an assignment is written &name = value";
+        return l.fault(Code::Syntax, name, "= expected behind a variable", hint);
     }
+    let bad = (end..equals).find(|at| !is_name(l.byte(*at))).unwrap_or(end);
+    let found = l.slice(bad, equals).chars().next().unwrap_or('=');
+    let span = Span { start: bad as u32, end: (bad + found.len_utf8()) as u32 };
+    let hint = match found {
+        '[' | '.' => members::ARRAYS_HINT,
+        _ => "letters, digits and underscores are allowed",
+    };
+    let message = format!("character not allowed in a variable name: '{found}'");
+    l.fault(Code::BadVariableName, span, message, hint)
+}
 
-    /// The value: computed where all of it can be, text otherwise.
-    pub(super) fn assigned(&mut self) -> Read<Assigned> {
-        let text = self.rest();
-        if text.is_empty() {
-            return Ok(Assigned::Nothing);
-        }
-        let span = self.span_to_end();
-        if text.starts_with('"') && !text[1..].contains('"') {
-            self.expression()?;
-        }
-        let mark = self.mark();
-        match self.whole_expression(span) {
-            Ok(expr) if !(self.words && self.is_text(&expr)) => {
-                self.at = self.end;
-                return Ok(Assigned::Expr(self.spelled_out(expr)));
-            }
-            Ok(expr) => self.refuse_words(&expr)?,
-            Err(failed) if self.foreign || self.calls(mark) => return Err(failed),
-            Err(_) => {}
-        }
-        self.forget(mark);
-        self.at = self.end;
-        // A number and then a command: a line end was forgotten.
-        if looks_computed(text) || (self.second_command && !text.starts_with(char::is_alphabetic)) {
-            let hint = "put text in quotes, or mend the expression";
-            let message = "this is no expression and is taken as text";
-            self.warn(Code::DoubtfulSpelling, span, message, hint);
-        }
-        Ok(Assigned::Text(text.into()))
+/// The value: computed where all of it can be, text otherwise.
+pub(super) fn assigned(l: &mut Line<'_, '_>) -> Read<Assigned> {
+    let text = l.rest();
+    if text.is_empty() {
+        return Ok(Assigned::Nothing);
     }
+    let span = l.span_to_end();
+    if text.starts_with('"') && !text[1..].contains('"') {
+        expression::expression(l)?;
+    }
+    let mark = l.mark();
+    match expression::whole_expression(l, span) {
+        Ok(expr) if !(l.words && is_text(l, &expr)) => {
+            l.at = l.end;
+            return Ok(Assigned::Expr(spelled_out(l, expr)));
+        }
+        Ok(expr) => refuse_words(l, &expr)?,
+        Err(failed) if l.foreign || calls(l, mark) => return Err(failed),
+        Err(_) => {}
+    }
+    l.forget(mark);
+    l.at = l.end;
+    // A number and then a command: a line end was forgotten.
+    if looks_computed(text) || (l.second_command && !text.starts_with(char::is_alphabetic)) {
+        let hint = "put text in quotes, or mend the expression";
+        let message = "this is no expression and is taken as text";
+        l.warn(Code::DoubtfulSpelling, span, message, hint);
+    }
+    Ok(Assigned::Text(text.into()))
+}
 
-    /// Returns `true` if reading failed at an unknown function that was surely meant to be one: its parenthesis follows
-    /// at once and holds no words.
-    fn calls(&self, mark: usize) -> bool {
-        let unknown = |found: &&Diagnostic| found.code == Code::UnknownFunction;
-        let Some(found) = self.file.diagnostics[mark..].iter().find(unknown) else { return false };
-        let behind = found.place.column as usize - 1 + found.place.length as usize;
-        let text: String = self.slice(0, self.end).chars().skip(behind).collect();
-        let Some(inside) = text.strip_prefix('(') else { return false };
-        let inside = inside.rsplit_once(')').map_or(inside, |(inside, _)| inside);
-        inside.split(|c: char| !(c.is_alphanumeric() || "_&$".contains(c))).all(is_computed)
-    }
+/// Returns `true` if reading failed at an unknown function that was surely meant to be one: its parenthesis follows
+/// at once and holds no words.
+fn calls(l: &Line<'_, '_>, mark: usize) -> bool {
+    let unknown = |found: &&Diagnostic| found.code == Code::UnknownFunction;
+    let Some(found) = l.file.program.diagnostics[mark..].iter().find(unknown) else { return false };
+    let behind = found.place.column as usize - 1 + found.place.length as usize;
+    let text: String = l.slice(0, l.end).chars().skip(behind).collect();
+    let Some(inside) = text.strip_prefix('(') else { return false };
+    let inside = inside.rsplit_once(')').map_or(inside, |(inside, _)| inside);
+    inside.split(|c: char| !(c.is_alphanumeric() || "_&$".contains(c))).all(is_computed)
+}
 
-    /// Refuses a bare word within arithmetic that cannot be text: it is multiplied, or calculated with a value.
-    fn refuse_words(&mut self, expr: &Expr) -> Read<()> {
-        let Some(word) = self.word_in_arithmetic(expr) else { return Ok(()) };
-        let text = self.slice(word.start as usize, word.end as usize);
-        let message = format!("the word {text} stands in a calculation");
-        let hint = format!("write &{text} for the variable, or put text in quotes");
-        Err(self.fault(Code::BadExpression, word, message, hint))
-    }
+/// Refuses a bare word within arithmetic that cannot be text: it is multiplied, or calculated with a value.
+fn refuse_words(l: &mut Line<'_, '_>, expr: &Expr) -> Read<()> {
+    let Some(word) = word_in_arithmetic(l, expr) else { return Ok(()) };
+    let text = l.slice(word.start as usize, word.end as usize);
+    let message = format!("the word {text} stands in a calculation");
+    let hint = format!("write &{text} for the variable, or put text in quotes");
+    Err(l.fault(Code::BadExpression, word, message, hint))
+}
 
-    /// The place of such a word.
-    fn word_in_arithmetic(&self, expr: &Expr) -> Option<Span> {
-        let ExprNode::Binary(op, a, b) = expr.node else { return None };
-        let operands = &self.file.expressions;
-        let (a, b) = (&operands[a], &operands[b]);
-        let named = |expr: &Expr| match expr.node {
-            ExprNode::Word(text) => !operands[text].contains([' ', '.']),
-            _ => false,
-        };
-        let calculated = |expr: &Expr| match op {
-            BinaryOp::Multiply | BinaryOp::Power => !operands.has_words(expr),
-            _ => op.precedence() > BinaryOp::Join.precedence() && operands.has_values(expr),
-        };
-        for (word, other) in [(a, b), (b, a)] {
-            if named(word) && calculated(other) {
-                return Some(word.span);
-            }
-        }
-        self.word_in_arithmetic(a).or_else(|| self.word_in_arithmetic(b))
-    }
-
-    /// True for bare words that are no part of a join or a comparison with something else.
-    fn is_text(&self, expr: &Expr) -> bool {
-        let operands = &self.file.expressions;
-        let is_word = |expr: &Expr| matches!(expr.node, ExprNode::Word(_));
-        match expr.node {
-            ExprNode::Word(_) => true,
-            ExprNode::Binary(op, a, b) if op.precedence() <= BinaryOp::Join.precedence() => {
-                let (a, b) = (&operands[a], &operands[b]);
-                let (text_a, text_b) = (self.is_text(a), self.is_text(b));
-                text_a && (text_b || !is_word(a)) || (text_b && !is_word(b))
-            }
-            _ => operands.has_words(expr),
+/// The place of such a word.
+fn word_in_arithmetic(l: &Line<'_, '_>, expr: &Expr) -> Option<Span> {
+    let ExprNode::Binary(op, a, b) = expr.node else { return None };
+    let operands = &l.file.program.expressions;
+    let (a, b) = (&operands[a], &operands[b]);
+    let named = |expr: &Expr| match expr.node {
+        ExprNode::Word(text) => !operands[text].contains([' ', '.']),
+        _ => false,
+    };
+    let calculated = |expr: &Expr| match op {
+        BinaryOp::Multiply | BinaryOp::Power => !operands.has_words(expr),
+        _ => op.precedence() > BinaryOp::Join.precedence() && operands.has_values(expr),
+    };
+    for (word, other) in [(a, b), (b, a)] {
+        if named(word) && calculated(other) {
+            return Some(word.span);
         }
     }
+    word_in_arithmetic(l, a).or_else(|| word_in_arithmetic(l, b))
+}
 
-    /// `&a = "&b"` is an old way to say: the value of b as text.
-    fn spelled_out(&mut self, expr: Expr) -> Expr {
-        let ExprNode::Text(text) = &expr.node else { return expr };
-        let text = self.file.expressions[*text].clone();
-        let Some(name) = text.strip_prefix('&') else { return expr };
-        if name.is_empty() || !name.bytes().all(is_name) {
-            return expr;
+/// True for bare words that are no part of a join or a comparison with something else.
+fn is_text(l: &Line<'_, '_>, expr: &Expr) -> bool {
+    let operands = &l.file.program.expressions;
+    let is_word = |expr: &Expr| matches!(expr.node, ExprNode::Word(_));
+    match expr.node {
+        ExprNode::Word(_) => true,
+        ExprNode::Binary(op, a, b) if op.precedence() <= BinaryOp::Join.precedence() => {
+            let (a, b) = (&operands[a], &operands[b]);
+            let (text_a, text_b) = (is_text(l, a), is_text(l, b));
+            text_a && (text_b || !is_word(a)) || (text_b && !is_word(b))
         }
-        let span = Span { start: expr.span.start + 1, end: expr.span.end - 1 };
-        let id = self.file.name_id(name);
-        let variable = Expr { node: ExprNode::Variable(id), span };
-        let nothing = self.text_at("", span);
-        let node = self.join(BinaryOp::Join, variable, nothing);
-        Expr { node, span: expr.span }
+        _ => operands.has_words(expr),
     }
+}
+
+/// `&a = "&b"` is an old way to say: the value of b as text.
+fn spelled_out(l: &mut Line<'_, '_>, expr: Expr) -> Expr {
+    let ExprNode::Text(text) = &expr.node else { return expr };
+    let text = l.file.program.expressions[*text].clone();
+    let Some(name) = text.strip_prefix('&') else { return expr };
+    if name.is_empty() || !name.bytes().all(is_name) {
+        return expr;
+    }
+    let span = Span { start: expr.span.start + 1, end: expr.span.end - 1 };
+    let id = l.file.name_id(name);
+    let variable = Expr { node: ExprNode::Variable(id), span };
+    let nothing = expression::text_at(l, "", span);
+    let node = expression::join(l, BinaryOp::Join, variable, nothing);
+    Expr { node, span: expr.span }
 }
 
 /// Returns `true` if a part of an argument is a number, a variable or a function.
@@ -173,6 +172,23 @@ fn looks_computed(text: &str) -> bool {
     text.starts_with(['&', '$', '%', '(', '-', '+'])
         || text.contains('"')
         || !text.bytes().any(|b| b.is_ascii_alphabetic())
+}
+
+/// `&name[n].field = value`; the cursor stands behind the name.
+fn member_assignment(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    expression::begin_expression(l);
+    let path = members::path(l, start)?;
+    let span = l.span_from(start);
+    l.skip_blanks();
+    let only_if_undefined = l.peek() == b':' && l.byte(l.at + 1) == b'=';
+    l.at += usize::from(only_if_undefined);
+    if !l.take(b'=') {
+        let hint = "an assignment is written &name = value";
+        return Err(l.fault(Code::Syntax, span, "= expected behind a variable", hint));
+    }
+    let value = assigned(l)?;
+    let path = l.file.program.expressions.add_path(path);
+    Ok(Statement::AssignMember { path, only_if_undefined, value, span })
 }
 
 #[cfg(test)]

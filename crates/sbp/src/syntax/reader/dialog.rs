@@ -1,266 +1,265 @@
 //! Statements that speak to the operator and to other programs.
 
+use super::keywords::Keyword;
 use super::line::{Line, Read, is_name};
-use super::statements::Keyword;
+use super::{ends, expression, files};
 use crate::syntax::expr::{BinaryOp, Expr, ExprNode};
 use crate::syntax::tree::{DialogText, Input, MsgBox, Registry, Shell, Span, Statement, TextPart};
 use kerf_diag::Code;
 
-impl Line<'_, '_> {
-    /// INPUT text ; : &default, &variables (readings, A-36).
-    pub(super) fn input(&mut self, start: usize) -> Read<Statement> {
-        if self.take(b'#') {
-            return self.input_file(start);
-        }
-        self.take(b',');
-        self.skip_blanks();
-        let plain = self.peek() == b'&' && !self.has_join();
-        let text = if plain || matches!(self.peek(), b';' | b':' | 0) {
-            None
-        } else {
-            let text = self.prompt_expression()?;
-            self.warn_commas(&text);
-            Some(text)
+/// INPUT text ; : &default, &variables (readings, A-36).
+pub(super) fn input(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    if l.take(b'#') {
+        return files::input_file(l, start);
+    }
+    l.take(b',');
+    l.skip_blanks();
+    let plain = l.peek() == b'&' && !has_join(l);
+    let text = if plain || matches!(l.peek(), b';' | b':' | 0) {
+        None
+    } else {
+        let text = expression::prompt_expression(l)?;
+        warn_commas(l, &text);
+        Some(text)
+    };
+    let separated = l.take(b';');
+    let with_default = l.take(b':');
+    let default = if with_default {
+        l.skip_blanks();
+        let from = l.at;
+        l.at = l.word_end(from + 1).max(from);
+        let span = l.span_from(from);
+        Some(expression::whole_expression(l, span)?)
+    } else {
+        None
+    };
+    if !separated && !with_default {
+        l.take(b',');
+    }
+    let variables = files::variable_list(l, start, 10)?;
+    let span = l.span_from(start);
+    Ok(Statement::Input(Box::new(Input { text, default, variables, span })))
+}
+
+/// Returns `true` if a `;` or `:` says that the variables before it belong to the text.
+fn has_join(l: &Line<'_, '_>) -> bool {
+    l.until(l.at, b';') < l.end || l.until(l.at, b':') < l.end
+}
+
+fn warn_commas(l: &mut Line<'_, '_>, text: &Expr) {
+    let texts = &l.file.program.expressions;
+    let commas = |node: &ExprNode| matches!(node, ExprNode::Text(t) if texts[*t].contains(','));
+    if l.file.program.expressions.any(text, &commas) {
+        let hint = "old software cut the text at its first comma";
+        let message = "a comma in the message of INPUT";
+        l.warn(Code::DoubtfulSpelling, text.span, message, hint);
+    }
+}
+
+/// MSGBOX(body, style, title); the list ends at the last parenthesis.
+pub(super) fn msgbox(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    let span = Span { start: start as u32, end: l.end as u32 };
+    if !l.take(b'(') {
+        let hint = "write MSGBOX(text, YesNo, title)";
+        return Err(l.fault(Code::Syntax, span, "( expected after MSGBOX", hint));
+    }
+    if l.byte(l.end - 1) == b')' && l.end > l.at {
+        l.end -= 1;
+    } else {
+        let hint = match l.text[l.end..].contains(')') {
+            true => "an apostrophe begins a comment; put the text in quotes",
+            false => "close it with )",
         };
-        let separated = self.take(b';');
-        let with_default = self.take(b':');
-        let default = if with_default {
-            self.skip_blanks();
-            let from = self.at;
-            self.at = self.word_end(from + 1).max(from);
-            let span = self.span_from(from);
-            Some(self.whole_expression(span)?)
-        } else {
-            None
-        };
-        if !separated && !with_default {
-            self.take(b',');
-        }
-        let variables = self.variable_list(start, 10)?;
-        let span = self.span_from(start);
-        Ok(Statement::Input(Box::new(Input { text, default, variables, span })))
+        l.warn(Code::DoubtfulSpelling, span, "the ) of MSGBOX is missing", hint);
     }
-
-    /// Returns `true` if a `;` or `:` says that the variables before it belong to the text.
-    fn has_join(&self) -> bool {
-        self.until(self.at, b';') < self.end || self.until(self.at, b':') < self.end
+    let [body, style, title] = [next_field(l), next_field(l), next_field(l)];
+    let more = next_field(l);
+    if more.start < more.end {
+        let hint = "text and title cannot hold commas";
+        l.warn(Code::DoubtfulSpelling, more, "MSGBOX takes three values", hint);
     }
+    l.at = l.end;
+    let body = dialog_text(l, body);
+    let title = dialog_text(l, title);
+    let style = style_text(l, style);
+    Ok(Statement::MsgBox(Box::new(MsgBox { body, style, title, span })))
+}
 
-    fn warn_commas(&mut self, text: &Expr) {
-        let texts = &self.file.expressions;
-        let commas = |node: &ExprNode| matches!(node, ExprNode::Text(t) if texts[*t].contains(','));
-        if self.file.expressions.any(text, &commas) {
-            let hint = "old software cut the text at its first comma";
-            let message = "a comma in the message of INPUT";
-            self.warn(Code::DoubtfulSpelling, text.span, message, hint);
-        }
-    }
+/// The field at the cursor; the cursor goes behind its comma.
+fn next_field(l: &mut Line<'_, '_>) -> Span {
+    let span = l.field();
+    l.at += usize::from(l.at < l.end);
+    span
+}
 
-    /// MSGBOX(body, style, title); the list ends at the last parenthesis.
-    pub(super) fn msgbox(&mut self, start: usize) -> Read<Statement> {
-        let span = Span { start: start as u32, end: self.end as u32 };
-        if !self.take(b'(') {
-            let hint = "write MSGBOX(text, YesNo, title)";
-            return Err(self.fault(Code::Syntax, span, "( expected after MSGBOX", hint));
-        }
-        if self.byte(self.end - 1) == b')' && self.end > self.at {
-            self.end -= 1;
-        } else {
-            let hint = match self.text[self.end..].contains(')') {
-                true => "an apostrophe begins a comment; put the text in quotes",
-                false => "close it with )",
-            };
-            self.warn(Code::DoubtfulSpelling, span, "the ) of MSGBOX is missing", hint);
-        }
-        let [body, style, title] = [self.next_field(), self.next_field(), self.next_field()];
-        let more = self.next_field();
-        if more.start < more.end {
-            let hint = "text and title cannot hold commas";
-            self.warn(Code::DoubtfulSpelling, more, "MSGBOX takes three values", hint);
-        }
-        self.at = self.end;
-        let body = self.dialog_text(body);
-        let title = self.dialog_text(title);
-        let style = self.style(style);
-        Ok(Statement::MsgBox(Box::new(MsgBox { body, style, title, span })))
-    }
-
-    /// The field at the cursor; the cursor goes behind its comma.
-    fn next_field(&mut self) -> Span {
-        let span = self.field();
-        self.at += usize::from(self.at < self.end);
-        span
-    }
-
-    /// Text with quotes or system variables is an expression, other text holds variables.
-    fn dialog_text(&mut self, span: Span) -> DialogText {
-        let text = self.slice(span.start as usize, span.end as usize);
-        if text.contains('"') || text.contains("%(") {
-            let mark = self.mark();
-            if let Ok(expr) = self.whole_expression(span) {
-                return DialogText::Expr(expr);
-            }
-            self.forget(mark);
-        }
-        DialogText::Parts(self.parts(text))
-    }
-
-    /// The style of a message box: a sum of numbers, or a word.
-    fn style(&mut self, span: Span) -> DialogText {
-        let mark = self.mark();
-        if span.start < span.end
-            && let Ok(expr) = self.whole_expression(span)
-            && !self.file.expressions.has_words(&expr)
-        {
+/// Text with quotes or system variables is an expression, other text holds variables.
+fn dialog_text(l: &mut Line<'_, '_>, span: Span) -> DialogText {
+    let text = l.slice(span.start as usize, span.end as usize);
+    if text.contains('"') || text.contains("%(") {
+        let mark = l.mark();
+        if let Ok(expr) = expression::whole_expression(l, span) {
             return DialogText::Expr(expr);
         }
-        self.forget(mark);
-        DialogText::Parts(self.parts(self.slice(span.start as usize, span.end as usize)))
+        l.forget(mark);
     }
+    DialogText::Parts(text_parts(l, text))
+}
 
-    /// Unquoted text as it is shown: `&name` is a variable, `[&]` an ampersand (readings, A-19).
-    fn parts(&mut self, text: &str) -> Vec<TextPart> {
-        let mut parts = Vec::new();
-        let mut literal = String::new();
-        let mut rest = text;
-        while let Some(at) = rest.find('&') {
-            if rest[..at].ends_with('[') && rest[at + 1..].starts_with(']') {
-                literal.push_str(&rest[..at - 1]);
-                literal.push('&');
-                rest = &rest[at + 2..];
-                continue;
-            }
-            literal.push_str(&rest[..at]);
-            let name = &rest[at + 1..];
-            let name = &name[..name.bytes().position(|b| !is_name(b)).unwrap_or(name.len())];
-            if name.is_empty() {
-                literal.push('&');
-            } else {
-                if !literal.is_empty() {
-                    parts.push(TextPart::Literal(std::mem::take(&mut literal).into()));
-                }
-                let id = self.file.name_id(name);
-                parts.push(TextPart::Variable(id, format!("&{name}").into()));
-            }
-            rest = &rest[at + 1 + name.len()..];
-        }
-        literal.push_str(rest);
-        if !literal.is_empty() {
-            parts.push(TextPart::Literal(literal.into()));
-        }
-        parts
+/// The style of a message box: a sum of numbers, or a word.
+fn style_text(l: &mut Line<'_, '_>, span: Span) -> DialogText {
+    let mark = l.mark();
+    if span.start < span.end
+        && let Ok(expr) = expression::whole_expression(l, span)
+        && !l.file.program.expressions.has_words(&expr)
+    {
+        return DialogText::Expr(expr);
     }
+    l.forget(mark);
+    DialogText::Parts(text_parts(l, l.slice(span.start as usize, span.end as usize)))
+}
 
-    /// PLAY path.
-    pub(super) fn play(&mut self, start: usize) -> Read<Statement> {
-        self.take(b',');
-        let span = self.span_to_end();
-        self.at = self.end;
-        if span.start >= span.end {
-            let whole = self.span_from(start);
-            let hint = "write PLAY name.wav";
-            return Err(self.fault(Code::MissingParameter, whole, "a sound is expected", hint));
+/// Unquoted text as it is shown: `&name` is a variable, `[&]` an ampersand (readings, A-19).
+fn text_parts(l: &mut Line<'_, '_>, text: &str) -> Vec<TextPart> {
+    let mut parts = Vec::new();
+    let mut literal = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find('&') {
+        if rest[..at].ends_with('[') && rest[at + 1..].starts_with(']') {
+            literal.push_str(&rest[..at - 1]);
+            literal.push('&');
+            rest = &rest[at + 2..];
+            continue;
         }
-        Ok(Statement::Play(self.dialog_text(span)))
-    }
-
-    /// SHELL, line, display, ASYNC or SYNC.
-    pub(super) fn shell(&mut self, start: usize) -> Read<Statement> {
-        let span = Span { start: start as u32, end: self.end as u32 };
-        self.take(b',');
-        let command = self.next_field();
-        if command.start >= command.end {
-            let hint = "write SHELL, \"program arguments\"";
-            let message = "a command line is expected";
-            return Err(self.fault(Code::MissingParameter, span, message, hint));
-        }
-        let line = self.shell_text(command)?;
-        let display = self.next_field();
-        let display = match display.start < display.end {
-            true => Some(self.whole_expression(display)?),
-            false => None,
-        };
-        let wait = self.next_field();
-        let wait = match self.slice(wait.start as usize, wait.end as usize) {
-            word if word.eq_ignore_ascii_case("SYNC") => true,
-            word if word.is_empty() || word.eq_ignore_ascii_case("ASYNC") => false,
-            _ => {
-                return Err(self.fault(Code::Syntax, wait, "SYNC or ASYNC expected", ""));
+        literal.push_str(&rest[..at]);
+        let name = &rest[at + 1..];
+        let name = &name[..name.bytes().position(|b| !is_name(b)).unwrap_or(name.len())];
+        if name.is_empty() {
+            literal.push('&');
+        } else {
+            if !literal.is_empty() {
+                parts.push(TextPart::Literal(std::mem::take(&mut literal).into()));
             }
-        };
-        self.trailing_commas();
-        self.expect_end()?;
-        Ok(Statement::Shell(Box::new(Shell { line, display, wait, span })))
+            let id = l.file.name_id(name);
+            parts.push(TextPart::Variable(id, format!("&{name}").into()));
+        }
+        rest = &rest[at + 1 + name.len()..];
     }
+    literal.push_str(rest);
+    if !literal.is_empty() {
+        parts.push(TextPart::Literal(literal.into()));
+    }
+    parts
+}
 
-    /// The command line; variables inside its quotes are replaced too.
-    fn shell_text(&mut self, span: Span) -> Read<DialogText> {
-        let text = self.slice(span.start as usize, span.end as usize);
-        if !text.contains('"') {
-            return Ok(DialogText::Parts(self.parts(text)));
-        }
-        let expr = self.whole_expression(span)?;
-        let mut parts = Vec::new();
-        if self.joined_parts(&expr, &mut parts) {
-            return Ok(DialogText::Parts(parts));
-        }
-        Ok(DialogText::Expr(expr))
+/// PLAY path.
+pub(super) fn play(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    l.take(b',');
+    let span = l.span_to_end();
+    l.at = l.end;
+    if span.start >= span.end {
+        let whole = l.span_from(start);
+        let hint = "write PLAY name.wav";
+        return Err(l.fault(Code::MissingParameter, whole, "a sound is expected", hint));
     }
+    Ok(Statement::Play(dialog_text(l, span)))
+}
 
-    /// Takes a join of texts and variables apart; false when it holds something else.
-    fn joined_parts(&mut self, expr: &Expr, parts: &mut Vec<TextPart>) -> bool {
-        match &expr.node {
-            ExprNode::Text(text) | ExprNode::Word(text) => {
-                let text = self.file.expressions[*text].clone();
-                parts.extend(self.parts(&text));
-                true
-            }
-            ExprNode::Variable(name) => {
-                let written = self.slice(expr.span.start as usize, expr.span.end as usize);
-                parts.push(TextPart::Variable(*name, written.into()));
-                true
-            }
-            ExprNode::Binary(BinaryOp::Join, left, right) => {
-                let operands = &self.file.expressions;
-                let (left, right) = (operands[*left], operands[*right]);
-                self.joined_parts(&left, parts) && self.joined_parts(&right, parts)
-            }
-            _ => false,
-        }
+/// SHELL, line, display, ASYNC or SYNC.
+pub(super) fn shell(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    let span = Span { start: start as u32, end: l.end as u32 };
+    l.take(b',');
+    let command = next_field(l);
+    if command.start >= command.end {
+        let hint = "write SHELL, \"program arguments\"";
+        let message = "a command line is expected";
+        return Err(l.fault(Code::MissingParameter, span, message, hint));
     }
+    let line = shell_text(l, command)?;
+    let display = next_field(l);
+    let display = match display.start < display.end {
+        true => Some(expression::whole_expression(l, display)?),
+        false => None,
+    };
+    let wait = next_field(l);
+    let wait = match l.slice(wait.start as usize, wait.end as usize) {
+        word if word.eq_ignore_ascii_case("SYNC") => true,
+        word if word.is_empty() || word.eq_ignore_ascii_case("ASYNC") => false,
+        _ => {
+            return Err(l.fault(Code::Syntax, wait, "SYNC or ASYNC expected", ""));
+        }
+    };
+    ends::trailing_commas(l);
+    ends::expect_end(l)?;
+    Ok(Statement::Shell(Box::new(Shell { line, display, wait, span })))
+}
 
-    /// The registry statements: one argument behind a comma or a blank.
-    pub(super) fn registry(&mut self, keyword: Keyword, start: usize) -> Read<Statement> {
-        use Registry::*;
-        let (which, store) = match keyword {
-            Keyword::SetUsrVal => (SetUsrVal, true),
-            Keyword::SetUsrValClrd => (SetUsrValClrd, true),
-            Keyword::SetSpindleStatus => (SetSpindleStatus, true),
-            Keyword::GetUsrVal => (GetUsrVal, false),
-            Keyword::GetUsrValClrd => (GetUsrValClrd, false),
-            Keyword::GetSpindleStatus => (GetSpindleStatus, false),
-            Keyword::GetUsrPath => (GetUsrPath, false),
-            Keyword::GetAppPath => (GetAppPath, false),
-            _ => (GetPartFileName, false),
-        };
-        self.take(b',');
-        let span = Span { start: start as u32, end: self.end as u32 };
-        let argument = self.span_to_end();
-        if argument.start >= argument.end {
-            let hint = if store { "give the value to keep" } else { "name a variable: &name" };
-            let message = "an argument is missing";
-            return Err(self.fault(Code::MissingParameter, span, message, hint));
-        }
-        if store {
-            let value = self.dialog_text(argument);
-            self.at = self.end;
-            return Ok(Statement::Store { which, value, span });
-        }
-        let variable = self.variable_name()?;
-        self.trailing_commas();
-        self.expect_end()?;
-        Ok(Statement::Fetch { which, variable, span })
+/// The command line; variables inside its quotes are replaced too.
+fn shell_text(l: &mut Line<'_, '_>, span: Span) -> Read<DialogText> {
+    let text = l.slice(span.start as usize, span.end as usize);
+    if !text.contains('"') {
+        return Ok(DialogText::Parts(text_parts(l, text)));
     }
+    let expr = expression::whole_expression(l, span)?;
+    let mut parts = Vec::new();
+    if joined_parts(l, &expr, &mut parts) {
+        return Ok(DialogText::Parts(parts));
+    }
+    Ok(DialogText::Expr(expr))
+}
+
+/// Takes a join of texts and variables apart; false when it holds something else.
+fn joined_parts(l: &mut Line<'_, '_>, expr: &Expr, parts: &mut Vec<TextPart>) -> bool {
+    match &expr.node {
+        ExprNode::Text(text) | ExprNode::Word(text) => {
+            let text = l.file.program.expressions[*text].clone();
+            parts.extend(text_parts(l, &text));
+            true
+        }
+        ExprNode::Variable(name) => {
+            let written = l.slice(expr.span.start as usize, expr.span.end as usize);
+            parts.push(TextPart::Variable(*name, written.into()));
+            true
+        }
+        ExprNode::Binary(BinaryOp::Join, left, right) => {
+            let operands = &l.file.program.expressions;
+            let (left, right) = (operands[*left], operands[*right]);
+            joined_parts(l, &left, parts) && joined_parts(l, &right, parts)
+        }
+        _ => false,
+    }
+}
+
+/// The registry statements: one argument behind a comma or a blank.
+pub(super) fn registry(l: &mut Line<'_, '_>, keyword: Keyword, start: usize) -> Read<Statement> {
+    use Registry::*;
+    let (which, store) = match keyword {
+        Keyword::SetUsrVal => (SetUsrVal, true),
+        Keyword::SetUsrValClrd => (SetUsrValClrd, true),
+        Keyword::SetSpindleStatus => (SetSpindleStatus, true),
+        Keyword::GetUsrVal => (GetUsrVal, false),
+        Keyword::GetUsrValClrd => (GetUsrValClrd, false),
+        Keyword::GetSpindleStatus => (GetSpindleStatus, false),
+        Keyword::GetUsrPath => (GetUsrPath, false),
+        Keyword::GetAppPath => (GetAppPath, false),
+        _ => (GetPartFileName, false),
+    };
+    l.take(b',');
+    let span = Span { start: start as u32, end: l.end as u32 };
+    let argument = l.span_to_end();
+    if argument.start >= argument.end {
+        let hint = if store { "give the value to keep" } else { "name a variable: &name" };
+        let message = "an argument is missing";
+        return Err(l.fault(Code::MissingParameter, span, message, hint));
+    }
+    if store {
+        let value = dialog_text(l, argument);
+        l.at = l.end;
+        return Ok(Statement::Store { which, value, span });
+    }
+    let variable = files::variable_name(l)?;
+    ends::trailing_commas(l);
+    ends::expect_end(l)?;
+    Ok(Statement::Fetch { which, variable, span })
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::line::{Failed, Line, Read, is_name};
 use super::moves::number;
+use super::{ends, members};
 use crate::syntax::expr::{BinaryOp, Expr, ExprNode, Function, UnaryOp};
 use crate::syntax::tree::Span;
 use kerf_diag::Code;
@@ -30,334 +31,334 @@ enum Infix {
     None,
 }
 
-impl Line<'_, '_> {
-    /// An expression that fills a whole field.
-    pub(super) fn whole_expression(&mut self, span: Span) -> Read<Expr> {
-        self.within(span, |line| {
-            let expr = line.expression()?;
-            line.expect_end()?;
-            Ok(expr)
-        })
-    }
+/// An expression that fills a whole field.
+pub(super) fn whole_expression(l: &mut Line<'_, '_>, span: Span) -> Read<Expr> {
+    l.within(span, |line| {
+        let expr = expression(line)?;
+        ends::expect_end(line)?;
+        Ok(expr)
+    })
+}
 
-    /// The longest expression at the cursor.
-    pub(super) fn expression(&mut self) -> Read<Expr> {
-        self.bounded(0, true)
-    }
+/// The longest expression at the cursor.
+pub(super) fn expression(l: &mut Line<'_, '_>) -> Read<Expr> {
+    bounded(l, 0, true)
+}
 
-    /// An expression that ends where a variable follows without an operator (INPUT).
-    pub(super) fn prompt_expression(&mut self) -> Read<Expr> {
-        self.bounded(0, false)
-    }
+/// An expression that ends where a variable follows without an operator (INPUT).
+pub(super) fn prompt_expression(l: &mut Line<'_, '_>) -> Read<Expr> {
+    bounded(l, 0, false)
+}
 
-    /// An expression without comparisons and logic, for places where `=` ends it.
-    fn bounded(&mut self, min: u8, join_adjacent: bool) -> Read<Expr> {
-        self.begin_expression();
-        self.binary(min, join_adjacent)
-    }
+/// An expression without comparisons and logic, for places where `=` ends it.
+fn bounded(l: &mut Line<'_, '_>, min: u8, join_adjacent: bool) -> Read<Expr> {
+    begin_expression(l);
+    binary(l, min, join_adjacent)
+}
 
-    /// Sets the bounds of an expression.
-    pub(super) fn begin_expression(&mut self) {
-        self.operators_left = MOST_OPERATORS;
-        self.depth_left = MOST_DEPTH;
-        self.words = false;
-    }
+/// Sets the bounds of an expression.
+pub(super) fn begin_expression(l: &mut Line<'_, '_>) {
+    l.operators_left = MOST_OPERATORS;
+    l.depth_left = MOST_DEPTH;
+    l.words = false;
+}
 
-    /// An expression inside another one, which shares its bounds.
-    pub(super) fn inner_expression(&mut self) -> Read<Expr> {
-        self.binary(0, true)
-    }
+/// An expression inside another one, which shares its bounds.
+pub(super) fn inner_expression(l: &mut Line<'_, '_>) -> Read<Expr> {
+    binary(l, 0, true)
+}
 
-    fn binary(&mut self, min: u8, adjacent: bool) -> Read<Expr> {
-        let mut left = self.operand(adjacent)?;
-        loop {
-            self.skip_blanks();
-            let (op, length) = match self.infix() {
-                Infix::Operator(op, length) => (op, length),
-                Infix::Adjacent if adjacent => (BinaryOp::Join, 0),
-                Infix::Adjacent | Infix::None => return Ok(left),
-            };
-            if op.precedence() < min {
-                return Ok(left);
+fn binary(l: &mut Line<'_, '_>, min: u8, adjacent: bool) -> Read<Expr> {
+    let mut left = operand(l, adjacent)?;
+    loop {
+        l.skip_blanks();
+        let (op, length) = match infix(l) {
+            Infix::Operator(op, length) => (op, length),
+            Infix::Adjacent if adjacent => (BinaryOp::Join, 0),
+            Infix::Adjacent | Infix::None => return Ok(left),
+        };
+        if op.precedence() < min {
+            return Ok(left);
+        }
+        let span = operator(l, op, length)?;
+        l.at += length;
+        l.skip_blanks();
+        if l.at_end() || matches!(l.peek(), b',' | b')' | b';') {
+            let message = format!("a value is missing after {}", op.symbol());
+            return Err(l.fault(Code::BadExpression, span, message, ""));
+        }
+        let right = binary(l, op.precedence() + 1, adjacent)?;
+        let span = Span { start: left.span.start, end: right.span.end };
+        let node = join(l, op, left, right);
+        left = Expr { node, span };
+    }
+}
+
+/// Two operands with an operator between them.
+pub(super) fn join(l: &mut Line<'_, '_>, op: BinaryOp, left: Expr, right: Expr) -> ExprNode {
+    let operands = &mut l.file.program.expressions;
+    ExprNode::Binary(op, operands.add(left), operands.add(right))
+}
+
+/// A text as an expression.
+pub(super) fn text_at(l: &mut Line<'_, '_>, text: &str, span: Span) -> Expr {
+    Expr { node: ExprNode::Text(l.file.program.expressions.add_text(text)), span }
+}
+
+/// Counts an operator and tells of doubtful spellings.
+fn operator(l: &mut Line<'_, '_>, op: BinaryOp, length: usize) -> Read<Span> {
+    let (start, end) = (l.at, l.at + length);
+    let span = Span { start: start as u32, end: end as u32 };
+    l.operators_left = l.operators_left.saturating_sub(1);
+    if l.operators_left == 0 {
+        let hint = "work it out in steps, with variables";
+        return Err(l.fault(Code::BadExpression, span, "the expression is too long", hint));
+    }
+    let written = l.slice(start, end);
+    if matches!(written, "=>" | "=<" | "==" | "!=") {
+        let message = format!("{written} is read as {}", op.symbol());
+        l.warn(Code::DoubtfulSpelling, span, message, format!("write {}", op.symbol()));
+    } else if length == 0 {
+        let message = "an & to join is missing before this variable";
+        l.warn(Code::DoubtfulSpelling, span, message, "write \"text\" & &name");
+    }
+    Ok(span)
+}
+
+fn infix(l: &Line<'_, '_>) -> Infix {
+    use BinaryOp::*;
+    let (op, length) = match (l.peek(), l.byte(l.at + 1)) {
+        (b'+', _) => (Add, 1),
+        (b'-', _) => (Subtract, 1),
+        (b'*', _) => (Multiply, 1),
+        (b'/', _) => (Divide, 1),
+        (b'\\', _) => (IntegerDivide, 1),
+        (b'^', _) => (Power, 1),
+        (b'<', b'>') | (b'!', b'=') => (NotEqual, 2),
+        (b'<', b'=') | (b'=', b'<') => (LessEqual, 2),
+        (b'>', b'=') | (b'=', b'>') => (GreaterEqual, 2),
+        (b'=', b'=') => (Equal, 2),
+        (b'<', _) => (Less, 1),
+        (b'>', _) => (Greater, 1),
+        (b'=', _) => (Equal, 1),
+        (b'&', next) if is_name(next) => return Infix::Adjacent,
+        (b'&', _) => (Join, 1),
+        (first, _) if first.is_ascii_alphabetic() => return word_operator(l),
+        _ => return Infix::None,
+    };
+    Infix::Operator(op, length)
+}
+
+fn word_operator(l: &Line<'_, '_>) -> Infix {
+    let word = l.slice(l.at, l.word_end(l.at));
+    let found = [BinaryOp::And, BinaryOp::Or, BinaryOp::Modulo]
+        .into_iter()
+        .find(|op| op.symbol().eq_ignore_ascii_case(word));
+    found.map_or(Infix::None, |op| Infix::Operator(op, word.len()))
+}
+
+/// A value with its signs.
+fn operand(l: &mut Line<'_, '_>, adjacent: bool) -> Read<Expr> {
+    l.skip_blanks();
+    let start = l.at;
+    let prefix = match l.peek() {
+        b'-' => Some((UnaryOp::Minus, SIGN, 1)),
+        b'+' => Some((UnaryOp::Plus, SIGN, 1)),
+        b'N' | b'n' if l.slice(start, l.word_end(start)).eq_ignore_ascii_case("NOT") => {
+            Some((UnaryOp::Not, NOT, 3))
+        }
+        _ => None,
+    };
+    let Some((op, binds, length)) = prefix else { return primary(l, adjacent) };
+    l.at += length;
+    let operand = deeper(l, start, |line| binary(line, binds, adjacent))?;
+    let span = Span { start: start as u32, end: operand.span.end };
+    let node = match (op, operand.node) {
+        (UnaryOp::Minus, ExprNode::Number(n)) => ExprNode::Number(-n),
+        (UnaryOp::Plus, ExprNode::Number(n)) => ExprNode::Number(n),
+        (_, node) => ExprNode::Unary(op, l.file.program.expressions.add(Expr { node, ..operand })),
+    };
+    Ok(Expr { node, span })
+}
+
+/// Goes one level down, within bounds.
+fn deeper<T>(
+    l: &mut Line<'_, '_>,
+    start: usize,
+    read: impl FnOnce(&mut Line<'_, '_>) -> Read<T>,
+) -> Read<T> {
+    if l.depth_left == 0 {
+        let span = Span { start: start as u32, end: start as u32 + 1 };
+        let hint = "work it out in steps, with variables";
+        return Err(l.fault(Code::BadExpression, span, "nested too deep", hint));
+    }
+    l.depth_left -= 1;
+    let result = read(l);
+    l.depth_left += 1;
+    result
+}
+
+fn primary(l: &mut Line<'_, '_>, adjacent: bool) -> Read<Expr> {
+    let start = l.at;
+    let node = match l.peek() {
+        b'0'..=b'9' | b'.' => literal(l)?,
+        b'"' => quoted(l)?,
+        b'&' | b'$' if is_name(l.byte(start + 1)) => variable(l, start)?,
+        b'%' => {
+            l.at += 1;
+            if !l.take(b'(') {
+                let span = l.span_from(start);
+                let hint = "a system variable is written %(n)";
+                return Err(l.fault(Code::BadExpression, span, "( expected after %", hint));
             }
-            let span = self.operator(op, length)?;
-            self.at += length;
-            self.skip_blanks();
-            if self.at_end() || matches!(self.peek(), b',' | b')' | b';') {
-                let message = format!("a value is missing after {}", op.symbol());
-                return Err(self.fault(Code::BadExpression, span, message, ""));
-            }
-            let right = self.binary(op.precedence() + 1, adjacent)?;
-            let span = Span { start: left.span.start, end: right.span.end };
-            let node = self.join(op, left, right);
-            left = Expr { node, span };
+            let index = parenthesised(l, start, adjacent)?;
+            ExprNode::System(l.file.program.expressions.add(index))
         }
-    }
-
-    /// Two operands with an operator between them.
-    pub(super) fn join(&mut self, op: BinaryOp, left: Expr, right: Expr) -> ExprNode {
-        let operands = &mut self.file.expressions;
-        ExprNode::Binary(op, operands.add(left), operands.add(right))
-    }
-
-    /// A text as an expression.
-    pub(super) fn text_at(&mut self, text: &str, span: Span) -> Expr {
-        Expr { node: ExprNode::Text(self.file.expressions.add_text(text)), span }
-    }
-
-    /// Counts an operator and tells of doubtful spellings.
-    fn operator(&mut self, op: BinaryOp, length: usize) -> Read<Span> {
-        let (start, end) = (self.at, self.at + length);
-        let span = Span { start: start as u32, end: end as u32 };
-        self.operators_left = self.operators_left.saturating_sub(1);
-        if self.operators_left == 0 {
-            let hint = "work it out in steps, with variables";
-            return Err(self.fault(Code::BadExpression, span, "the expression is too long", hint));
+        b'(' => {
+            l.at += 1;
+            let inner = parenthesised(l, start, adjacent)?;
+            return Ok(Expr { node: inner.node, span: l.span_from(start) });
         }
-        let written = self.slice(start, end);
-        if matches!(written, "=>" | "=<" | "==" | "!=") {
-            let message = format!("{written} is read as {}", op.symbol());
-            self.warn(Code::DoubtfulSpelling, span, message, format!("write {}", op.symbol()));
-        } else if length == 0 {
-            let message = "an & to join is missing before this variable";
-            self.warn(Code::DoubtfulSpelling, span, message, "write \"text\" & &name");
-        }
-        Ok(span)
-    }
+        first if is_name(first) => return word(l, start, adjacent),
+        _ => return Err(no_value(l)),
+    };
+    Ok(Expr { node, span: l.span_from(start) })
+}
 
-    fn infix(&self) -> Infix {
-        use BinaryOp::*;
-        let (op, length) = match (self.peek(), self.byte(self.at + 1)) {
-            (b'+', _) => (Add, 1),
-            (b'-', _) => (Subtract, 1),
-            (b'*', _) => (Multiply, 1),
-            (b'/', _) => (Divide, 1),
-            (b'\\', _) => (IntegerDivide, 1),
-            (b'^', _) => (Power, 1),
-            (b'<', b'>') | (b'!', b'=') => (NotEqual, 2),
-            (b'<', b'=') | (b'=', b'<') => (LessEqual, 2),
-            (b'>', b'=') | (b'=', b'>') => (GreaterEqual, 2),
-            (b'=', b'=') => (Equal, 2),
-            (b'<', _) => (Less, 1),
-            (b'>', _) => (Greater, 1),
-            (b'=', _) => (Equal, 1),
-            (b'&', next) if is_name(next) => return Infix::Adjacent,
-            (b'&', _) => (Join, 1),
-            (first, _) if first.is_ascii_alphabetic() => return self.word_operator(),
-            _ => return Infix::None,
+/// A variable, or a part of an array or object.
+fn variable(l: &mut Line<'_, '_>, start: usize) -> Read<ExprNode> {
+    let end = l.word_end(start + 1);
+    l.at = end;
+    if members::at_member(l, start) {
+        let path = members::path(l, start)?;
+        return Ok(ExprNode::Member(l.file.program.expressions.add_path(path)));
+    }
+    let name = l.name(start + 1, end);
+    Ok(match l.byte(start) {
+        b'$' => ExprNode::Persistent(name),
+        _ => ExprNode::Variable(name),
+    })
+}
+
+fn no_value(l: &mut Line<'_, '_>) -> Failed {
+    let span = l.span_to_end();
+    let Some(found) = l.slice(l.at, l.end).chars().next() else {
+        return l.fault(Code::BadExpression, span, "a value is expected", "");
+    };
+    let span = Span { start: span.start, end: span.start + found.len_utf8() as u32 };
+    let hint = match found {
+        '[' => "values stand in ( ); in G-code a condition stands in an O-word: O1 if [#1 EQ 1]",
+        '/' => "a comment begins with an apostrophe",
+        '*' => "a power is written 2 ^ 3",
+        _ => "",
+    };
+    l.fault(Code::BadExpression, span, format!("a value is expected, not {found}"), hint)
+}
+
+/// Reads what stands up to the closing parenthesis; the opening one is behind us.
+fn parenthesised(l: &mut Line<'_, '_>, start: usize, adjacent: bool) -> Read<Expr> {
+    let inner = deeper(l, start, |line| binary(line, 0, adjacent))?;
+    if l.take(b')') {
+        return Ok(inner);
+    }
+    if !l.at_end() && l.peek() != b',' && !at_stop(l) {
+        ends::expect_end(l)?;
+    }
+    let span = l.span_from(start);
+    Err(l.fault(Code::UnclosedParenthesis, span, "a ) is missing", ""))
+}
+
+fn literal(l: &mut Line<'_, '_>) -> Read<ExprNode> {
+    let start = l.at;
+    let bytes = &l.text.as_bytes()[..l.end];
+    if let Some(n) = number(bytes, &mut l.at)
+        && l.peek() != b'.'
+        && (!is_name(l.peek()) || at_stop(l))
+    {
+        return Ok(ExprNode::Number(n));
+    }
+    l.at = start;
+    while is_name(l.peek()) || l.peek() == b'.' {
+        l.at += 1;
+    }
+    let span = l.span_from(start);
+    let message = format!("{} is not a number", l.slice(start, l.at));
+    Err(l.fault(Code::BadExpression, span, message, ""))
+}
+
+/// Text in quotes.
+fn quoted(l: &mut Line<'_, '_>) -> Read<ExprNode> {
+    let start = l.at;
+    let bytes = &l.text.as_bytes()[start + 1..l.end];
+    let Some(length) = memchr::memchr(b'"', bytes) else {
+        let span = l.span_to_end();
+        let hint = "text begins and ends with a double quote on the same line";
+        return Err(l.fault(Code::UnclosedQuote, span, "a quote is not closed", hint));
+    };
+    l.at = start + length + 2;
+    let text = l.slice(start + 1, start + 1 + length);
+    Ok(ExprNode::Text(l.file.program.expressions.add_text(text)))
+}
+
+/// A function, or bare words as text.
+fn word(l: &mut Line<'_, '_>, start: usize, adjacent: bool) -> Read<Expr> {
+    l.at = l.word_end(start);
+    let word = l.slice(start, l.at);
+    if is_stop(word) {
+        let span = l.span_from(start);
+        let message = format!("a value is expected, not {}", word.to_uppercase());
+        l.at = start;
+        return Err(l.fault(Code::BadExpression, span, message, ""));
+    }
+    let function = Function::from_name(word);
+    l.skip_blanks();
+    if l.peek() == b'(' {
+        let Some(function) = function.filter(|function| *function != Function::Pi) else {
+            return Err(unknown_function(l, start));
         };
-        Infix::Operator(op, length)
+        l.at += 1;
+        let argument = parenthesised(l, start, adjacent)?;
+        let argument = Some(l.file.program.expressions.add(argument));
+        let node = ExprNode::Call(function, argument);
+        return Ok(Expr { node, span: l.span_from(start) });
     }
+    if let Some(constant @ (Function::Rnd | Function::Pi)) = function {
+        let node = ExprNode::Call(constant, None);
+        return Ok(Expr { node, span: l.span_from(start) });
+    }
+    while more_words(l) {
+        l.at = l.word_end(l.at + 1);
+        l.skip_blanks();
+    }
+    l.words = true;
+    let span = l.span_from(start);
+    let text = l.slice(start, span.end as usize);
+    Ok(Expr { node: ExprNode::Word(l.file.program.expressions.add_text(text)), span })
+}
 
-    fn word_operator(&self) -> Infix {
-        let word = self.slice(self.at, self.word_end(self.at));
-        let found = [BinaryOp::And, BinaryOp::Or, BinaryOp::Modulo]
-            .into_iter()
-            .find(|op| op.symbol().eq_ignore_ascii_case(word));
-        found.map_or(Infix::None, |op| Infix::Operator(op, word.len()))
+/// Returns `true` if the text goes on with another bare word.
+fn more_words(l: &Line<'_, '_>) -> bool {
+    if l.peek() == b'.' {
+        return true;
     }
+    let word = l.slice(l.at, l.word_end(l.at));
+    !word.is_empty() && !is_stop(word)
+}
 
-    /// A value with its signs.
-    fn operand(&mut self, adjacent: bool) -> Read<Expr> {
-        self.skip_blanks();
-        let start = self.at;
-        let prefix = match self.peek() {
-            b'-' => Some((UnaryOp::Minus, SIGN, 1)),
-            b'+' => Some((UnaryOp::Plus, SIGN, 1)),
-            b'N' | b'n' if self.slice(start, self.word_end(start)).eq_ignore_ascii_case("NOT") => {
-                Some((UnaryOp::Not, NOT, 3))
-            }
-            _ => None,
-        };
-        let Some((op, binds, length)) = prefix else { return self.primary(adjacent) };
-        self.at += length;
-        let operand = self.deeper(start, |line| line.binary(binds, adjacent))?;
-        let span = Span { start: start as u32, end: operand.span.end };
-        let node = match (op, operand.node) {
-            (UnaryOp::Minus, ExprNode::Number(n)) => ExprNode::Number(-n),
-            (UnaryOp::Plus, ExprNode::Number(n)) => ExprNode::Number(n),
-            (_, node) => ExprNode::Unary(op, self.file.expressions.add(Expr { node, ..operand })),
-        };
-        Ok(Expr { node, span })
-    }
+/// Returns `true` if the next word ends expressions.
+fn at_stop(l: &Line<'_, '_>) -> bool {
+    is_stop(l.slice(l.at, l.word_end(l.at)))
+}
 
-    /// Goes one level down, within bounds.
-    fn deeper<T>(&mut self, start: usize, read: impl FnOnce(&mut Self) -> Read<T>) -> Read<T> {
-        if self.depth_left == 0 {
-            let span = Span { start: start as u32, end: start as u32 + 1 };
-            let hint = "work it out in steps, with variables";
-            return Err(self.fault(Code::BadExpression, span, "nested too deep", hint));
-        }
-        self.depth_left -= 1;
-        let result = read(self);
-        self.depth_left += 1;
-        result
-    }
-
-    fn primary(&mut self, adjacent: bool) -> Read<Expr> {
-        let start = self.at;
-        let node = match self.peek() {
-            b'0'..=b'9' | b'.' => self.literal()?,
-            b'"' => self.quoted()?,
-            b'&' | b'$' if is_name(self.byte(start + 1)) => self.variable(start)?,
-            b'%' => {
-                self.at += 1;
-                if !self.take(b'(') {
-                    let span = self.span_from(start);
-                    let hint = "a system variable is written %(n)";
-                    return Err(self.fault(Code::BadExpression, span, "( expected after %", hint));
-                }
-                let index = self.parenthesised(start, adjacent)?;
-                ExprNode::System(self.file.expressions.add(index))
-            }
-            b'(' => {
-                self.at += 1;
-                let inner = self.parenthesised(start, adjacent)?;
-                return Ok(Expr { node: inner.node, span: self.span_from(start) });
-            }
-            first if is_name(first) => return self.word(start, adjacent),
-            _ => return Err(self.no_value()),
-        };
-        Ok(Expr { node, span: self.span_from(start) })
-    }
-
-    /// A variable, or a part of an array or object.
-    fn variable(&mut self, start: usize) -> Read<ExprNode> {
-        let end = self.word_end(start + 1);
-        self.at = end;
-        if self.at_member(start) {
-            let path = self.path(start)?;
-            return Ok(ExprNode::Member(self.file.expressions.add_path(path)));
-        }
-        let name = self.name(start + 1, end);
-        Ok(match self.byte(start) {
-            b'$' => ExprNode::Persistent(name),
-            _ => ExprNode::Variable(name),
-        })
-    }
-
-    fn no_value(&mut self) -> Failed {
-        let span = self.span_to_end();
-        let Some(found) = self.slice(self.at, self.end).chars().next() else {
-            return self.fault(Code::BadExpression, span, "a value is expected", "");
-        };
-        let span = Span { start: span.start, end: span.start + found.len_utf8() as u32 };
-        let hint = match found {
-            '[' => {
-                "values stand in ( ); in G-code a condition stands in an O-word: O1 if [#1 EQ 1]"
-            }
-            '/' => "a comment begins with an apostrophe",
-            '*' => "a power is written 2 ^ 3",
-            _ => "",
-        };
-        self.fault(Code::BadExpression, span, format!("a value is expected, not {found}"), hint)
-    }
-
-    /// Reads what stands up to the closing parenthesis; the opening one is behind us.
-    fn parenthesised(&mut self, start: usize, adjacent: bool) -> Read<Expr> {
-        let inner = self.deeper(start, |line| line.binary(0, adjacent))?;
-        if self.take(b')') {
-            return Ok(inner);
-        }
-        if !self.at_end() && self.peek() != b',' && !self.at_stop() {
-            self.expect_end()?;
-        }
-        let span = self.span_from(start);
-        Err(self.fault(Code::UnclosedParenthesis, span, "a ) is missing", ""))
-    }
-
-    fn literal(&mut self) -> Read<ExprNode> {
-        let start = self.at;
-        let bytes = &self.text.as_bytes()[..self.end];
-        if let Some(n) = number(bytes, &mut self.at)
-            && self.peek() != b'.'
-            && (!is_name(self.peek()) || self.at_stop())
-        {
-            return Ok(ExprNode::Number(n));
-        }
-        self.at = start;
-        while is_name(self.peek()) || self.peek() == b'.' {
-            self.at += 1;
-        }
-        let span = self.span_from(start);
-        let message = format!("{} is not a number", self.slice(start, self.at));
-        Err(self.fault(Code::BadExpression, span, message, ""))
-    }
-
-    /// Text in quotes.
-    fn quoted(&mut self) -> Read<ExprNode> {
-        let start = self.at;
-        let bytes = &self.text.as_bytes()[start + 1..self.end];
-        let Some(length) = memchr::memchr(b'"', bytes) else {
-            let span = self.span_to_end();
-            let hint = "text begins and ends with a double quote on the same line";
-            return Err(self.fault(Code::UnclosedQuote, span, "a quote is not closed", hint));
-        };
-        self.at = start + length + 2;
-        let text = self.slice(start + 1, start + 1 + length);
-        Ok(ExprNode::Text(self.file.expressions.add_text(text)))
-    }
-
-    /// A function, or bare words as text.
-    fn word(&mut self, start: usize, adjacent: bool) -> Read<Expr> {
-        self.at = self.word_end(start);
-        let word = self.slice(start, self.at);
-        if is_stop(word) {
-            let span = self.span_from(start);
-            let message = format!("a value is expected, not {}", word.to_uppercase());
-            self.at = start;
-            return Err(self.fault(Code::BadExpression, span, message, ""));
-        }
-        let function = Function::from_name(word);
-        self.skip_blanks();
-        if self.peek() == b'(' {
-            let Some(function) = function.filter(|function| *function != Function::Pi) else {
-                return Err(self.unknown_function(start));
-            };
-            self.at += 1;
-            let argument = self.parenthesised(start, adjacent)?;
-            let argument = Some(self.file.expressions.add(argument));
-            let node = ExprNode::Call(function, argument);
-            return Ok(Expr { node, span: self.span_from(start) });
-        }
-        if let Some(constant @ (Function::Rnd | Function::Pi)) = function {
-            let node = ExprNode::Call(constant, None);
-            return Ok(Expr { node, span: self.span_from(start) });
-        }
-        while self.more_words() {
-            self.at = self.word_end(self.at + 1);
-            self.skip_blanks();
-        }
-        self.words = true;
-        let span = self.span_from(start);
-        let text = self.slice(start, span.end as usize);
-        Ok(Expr { node: ExprNode::Word(self.file.expressions.add_text(text)), span })
-    }
-
-    /// Returns `true` if the text goes on with another bare word.
-    fn more_words(&self) -> bool {
-        if self.peek() == b'.' {
-            return true;
-        }
-        let word = self.slice(self.at, self.word_end(self.at));
-        !word.is_empty() && !is_stop(word)
-    }
-
-    /// Returns `true` if the next word ends expressions.
-    fn at_stop(&self) -> bool {
-        is_stop(self.slice(self.at, self.word_end(self.at)))
-    }
-
-    fn unknown_function(&mut self, start: usize) -> Failed {
-        let end = self.word_end(start);
-        let word = self.slice(start, end);
-        let span = Span { start: start as u32, end: end as u32 };
-        let message = format!("unknown function {}", word.to_uppercase());
-        let names = Function::ALL.iter().map(|f| f.name());
-        let hint = super::did_you_mean(word, names)
-            .unwrap_or_else(|| "see kerf explain S008 for the list".into());
-        self.fault(Code::UnknownFunction, span, message, hint)
-    }
+fn unknown_function(l: &mut Line<'_, '_>, start: usize) -> Failed {
+    let end = l.word_end(start);
+    let word = l.slice(start, end);
+    let span = Span { start: start as u32, end: end as u32 };
+    let message = format!("unknown function {}", word.to_uppercase());
+    let names = Function::ALL.iter().map(|f| f.name());
+    let hint = kerf_diag::did_you_mean(word, names)
+        .unwrap_or_else(|| "see kerf explain S008 for the list".into());
+    l.fault(Code::UnknownFunction, span, message, hint)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! OPEN, CLOSE and reading from files.
 
 use super::line::{Line, Read};
+use super::{ends, expression, output};
 use crate::syntax::expr::{Expr, ExprNode};
 use crate::syntax::tree::{FileMode, NameId, Span, Statement};
 use kerf_diag::Code;
@@ -8,144 +9,139 @@ use kerf_diag::Code;
 /// INPUT asks for, or reads, at most this many values.
 const MOST_VARIABLES: usize = 10;
 
-impl Line<'_, '_> {
-    /// OPEN path FOR mode AS #n.
-    pub(super) fn open(&mut self, start: usize) -> Read<Statement> {
-        self.take(b',');
-        let path = self.open_path(start)?;
-        let mode = self.file_mode(start)?;
-        if !self.take_word("AS") {
-            return Err(self.open_form(start, "AS #n expected"));
-        }
-        self.take(b'#');
-        let number = self.single_value()?;
-        self.check_file_number(&number)?;
-        self.expect_end()?;
-        Ok(Statement::Open { path, mode, number })
+/// OPEN path FOR mode AS #n.
+pub(super) fn open(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    l.take(b',');
+    let path = open_path(l, start)?;
+    let mode = file_mode(l, start)?;
+    if !l.take_word("AS") {
+        return Err(open_form(l, start, "AS #n expected"));
     }
+    l.take(b'#');
+    let number = output::single_value(l)?;
+    check_file_number(l, &number)?;
+    ends::expect_end(l)?;
+    Ok(Statement::Open { path, mode, number })
+}
 
-    fn open_form(&mut self, start: usize, message: &str) -> super::line::Failed {
-        let span = Span { start: start as u32, end: self.end as u32 };
-        let hint = "write OPEN \"name\" FOR OUTPUT AS #1";
-        self.fault(Code::Syntax, span, message, hint)
-    }
+fn open_form(l: &mut Line<'_, '_>, start: usize, message: &str) -> super::line::Failed {
+    let span = Span { start: start as u32, end: l.end as u32 };
+    let hint = "write OPEN \"name\" FOR OUTPUT AS #1";
+    l.fault(Code::Syntax, span, message, hint)
+}
 
-    /// A computed path, or one written without quotes up to FOR.
-    fn open_path(&mut self, start: usize) -> Read<Expr> {
-        self.skip_blanks();
-        if matches!(self.peek(), b'"' | b'&' | b'$') {
-            return self.expression();
-        }
-        let from = self.at;
-        let rest = self.slice(from, self.end).to_ascii_uppercase();
-        let Some(length) = rest.rfind(" FOR ") else {
-            return Err(self.open_form(start, "FOR expected"));
-        };
-        self.at = from + length;
-        let span = self.span_from(from);
-        let text = self.slice(from, span.end as usize);
-        Ok(self.text_at(text, span))
+/// A computed path, or one written without quotes up to FOR.
+fn open_path(l: &mut Line<'_, '_>, start: usize) -> Read<Expr> {
+    l.skip_blanks();
+    if matches!(l.peek(), b'"' | b'&' | b'$') {
+        return expression::expression(l);
     }
+    let from = l.at;
+    let rest = l.slice(from, l.end).to_ascii_uppercase();
+    let Some(length) = rest.rfind(" FOR ") else {
+        return Err(open_form(l, start, "FOR expected"));
+    };
+    l.at = from + length;
+    let span = l.span_from(from);
+    let text = l.slice(from, span.end as usize);
+    Ok(expression::text_at(l, text, span))
+}
 
-    fn file_mode(&mut self, start: usize) -> Read<FileMode> {
-        if !self.take_word("FOR") {
-            return Err(self.open_form(start, "FOR expected"));
-        }
-        let modes = [
-            ("INPUT", FileMode::Input),
-            ("OUTPUT", FileMode::Output),
-            ("APPEND", FileMode::Append),
-        ];
-        for (word, mode) in modes {
-            if self.take_word(word) {
-                return Ok(mode);
-            }
-        }
-        Err(self.open_form(start, "INPUT, OUTPUT or APPEND expected"))
+fn file_mode(l: &mut Line<'_, '_>, start: usize) -> Read<FileMode> {
+    if !l.take_word("FOR") {
+        return Err(open_form(l, start, "FOR expected"));
     }
+    let modes =
+        [("INPUT", FileMode::Input), ("OUTPUT", FileMode::Output), ("APPEND", FileMode::Append)];
+    for (word, mode) in modes {
+        if l.take_word(word) {
+            return Ok(mode);
+        }
+    }
+    Err(open_form(l, start, "INPUT, OUTPUT or APPEND expected"))
+}
 
-    fn check_file_number(&mut self, number: &Expr) -> Read<()> {
-        match number.node {
-            ExprNode::Number(n) if n.fract() != 0.0 || !(1.0..=9.0).contains(&n) => {
-                let message = "file numbers are 1 to 9";
-                Err(self.fault(Code::FileNumber, number.span, message, "use a number from 1 to 9"))
-            }
-            _ => Ok(()),
+fn check_file_number(l: &mut Line<'_, '_>, number: &Expr) -> Read<()> {
+    match number.node {
+        ExprNode::Number(n) if n.fract() != 0.0 || !(1.0..=9.0).contains(&n) => {
+            let message = "file numbers are 1 to 9";
+            Err(l.fault(Code::FileNumber, number.span, message, "use a number from 1 to 9"))
         }
+        _ => Ok(()),
     }
+}
 
-    /// CLOSE, CLOSE #n.
-    pub(super) fn close(&mut self) -> Read<Statement> {
-        self.take(b',');
-        self.take(b'#');
-        self.skip_blanks();
-        if self.at_end() {
-            return Ok(Statement::Close(None));
-        }
-        let number = self.single_value()?;
-        self.check_file_number(&number)?;
-        self.trailing_commas();
-        self.expect_end()?;
-        Ok(Statement::Close(Some(number)))
+/// CLOSE, CLOSE #n.
+pub(super) fn close(l: &mut Line<'_, '_>) -> Read<Statement> {
+    l.take(b',');
+    l.take(b'#');
+    l.skip_blanks();
+    if l.at_end() {
+        return Ok(Statement::Close(None));
     }
+    let number = output::single_value(l)?;
+    check_file_number(l, &number)?;
+    ends::trailing_commas(l);
+    ends::expect_end(l)?;
+    Ok(Statement::Close(Some(number)))
+}
 
-    /// INPUT #n, &a, &b; the cursor stands behind `#`.
-    pub(super) fn input_file(&mut self, start: usize) -> Read<Statement> {
-        let file = self.single_value()?;
-        self.check_file_number(&file)?;
-        if !self.take(b',') {
-            self.take(b';');
-        }
-        let variables = self.variable_list(start, usize::MAX)?;
-        Ok(Statement::InputFile { file, variables, span: self.span_from(start) })
+/// INPUT #n, &a, &b; the cursor stands behind `#`.
+pub(super) fn input_file(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    let file = output::single_value(l)?;
+    check_file_number(l, &file)?;
+    if !l.take(b',') {
+        l.take(b';');
     }
+    let variables = variable_list(l, start, usize::MAX)?;
+    Ok(Statement::InputFile { file, variables, span: l.span_from(start) })
+}
 
-    /// `&a, &b …` up to the end of the code; at least one.
-    pub(super) fn variable_list(&mut self, start: usize, most: usize) -> Read<Vec<NameId>> {
-        let mut names = Vec::new();
-        loop {
-            while self.take(b',') {}
-            self.skip_blanks();
-            if self.at_end() {
-                break;
-            }
-            let from = self.at;
-            let name = self.variable_name()?;
-            if names.len() == most.min(MOST_VARIABLES) && most != usize::MAX {
-                let span = self.span_from(from);
-                let message = "INPUT takes at most ten variables";
-                let hint = "use a second INPUT";
-                return Err(self.fault(Code::TooManyParameters, span, message, hint));
-            }
-            names.push(name);
-            self.skip_blanks();
-            if !self.at_end() && self.peek() != b',' {
-                self.expect_end()?;
-            }
+/// `&a, &b …` up to the end of the code; at least one.
+pub(super) fn variable_list(l: &mut Line<'_, '_>, start: usize, most: usize) -> Read<Vec<NameId>> {
+    let mut names = Vec::new();
+    loop {
+        while l.take(b',') {}
+        l.skip_blanks();
+        if l.at_end() {
+            break;
         }
-        if names.is_empty() {
-            let span = self.span_from(start);
-            let message = "a variable is expected";
-            let hint = "name the variable that takes the value, as in INPUT \"Depth?\" &d";
-            return Err(self.fault(Code::MissingParameter, span, message, hint));
+        let from = l.at;
+        let name = variable_name(l)?;
+        if names.len() == most.min(MOST_VARIABLES) && most != usize::MAX {
+            let span = l.span_from(from);
+            let message = "INPUT takes at most ten variables";
+            let hint = "use a second INPUT";
+            return Err(l.fault(Code::TooManyParameters, span, message, hint));
         }
-        Ok(names)
+        names.push(name);
+        l.skip_blanks();
+        if !l.at_end() && l.peek() != b',' {
+            ends::expect_end(l)?;
+        }
     }
+    if names.is_empty() {
+        let span = l.span_from(start);
+        let message = "a variable is expected";
+        let hint = "name the variable that takes the value, as in INPUT \"Depth?\" &d";
+        return Err(l.fault(Code::MissingParameter, span, message, hint));
+    }
+    Ok(names)
+}
 
-    /// `&name`.
-    pub(super) fn variable_name(&mut self) -> Read<NameId> {
-        self.skip_blanks();
-        let start = self.at;
-        let end = self.word_end(start + 1);
-        if self.peek() != b'&' || end == start + 1 {
-            let span = self.span_to_end();
-            let found: String = self.slice(start, self.end).chars().take(20).collect();
-            let message = format!("a variable is expected, not '{found}'");
-            return Err(self.fault(Code::Syntax, span, message, "variables begin with &"));
-        }
-        self.at = end;
-        Ok(self.name(start + 1, end))
+/// `&name`.
+pub(super) fn variable_name(l: &mut Line<'_, '_>) -> Read<NameId> {
+    l.skip_blanks();
+    let start = l.at;
+    let end = l.word_end(start + 1);
+    if l.peek() != b'&' || end == start + 1 {
+        let span = l.span_to_end();
+        let found: String = l.slice(start, l.end).chars().take(20).collect();
+        let message = format!("a variable is expected, not '{found}'");
+        return Err(l.fault(Code::Syntax, span, message, "variables begin with &"));
     }
+    l.at = end;
+    Ok(l.name(start + 1, end))
 }
 
 #[cfg(test)]

@@ -1,187 +1,185 @@
 //! IF, jumps, ON INPUT, PAUSE and END.
 
-use super::did_you_mean;
-use super::file::is_label;
+use super::labels::is_label;
 use super::line::{Line, Read};
 use super::text::blank;
+use super::{ends, expression, fabmo, members, statements};
 use crate::syntax::expr::{Expr, ExprNode};
 use crate::syntax::tree::{Span, Statement, Target};
 use kerf_diag::Code;
 
-impl Line<'_, '_> {
-    pub(super) fn if_then(&mut self, start: usize, inner: bool) -> Read<Statement> {
-        if inner {
-            let span = Span { start: start as u32, end: self.end as u32 };
-            let hint = "join the conditions with AND, or jump over the line";
-            return Err(self.fault(Code::Syntax, span, "an IF cannot stand here", hint));
-        }
-        let condition = self.expression();
-        let then = match (&condition, self.take_word("THEN")) {
-            (_, true) => true,
-            (Ok(_), false) => return Err(self.then_expected()),
-            // The condition is at fault; go on behind THEN to see the rest of the line.
-            (Err(_), false) => self.seek_then(),
-        };
-        if !then {
-            return Err(super::line::Failed);
-        }
-        self.skip_blanks();
-        if self.at_end() {
-            let span = self.span_to_end();
-            let hint = "write what to do on the same line";
-            return Err(self.fault(Code::Syntax, span, "a statement is expected after THEN", hint));
-        }
-        let then = self.statement(true)?;
-        Ok(Statement::If { condition: condition?, then: Box::new(then) })
+pub(super) fn if_then(l: &mut Line<'_, '_>, start: usize, inner: bool) -> Read<Statement> {
+    if inner {
+        let span = Span { start: start as u32, end: l.end as u32 };
+        let hint = "join the conditions with AND, or jump over the line";
+        return Err(l.fault(Code::Syntax, span, "an IF cannot stand here", hint));
     }
+    let condition = expression::expression(l);
+    let then = match (&condition, l.take_word("THEN")) {
+        (_, true) => true,
+        (Ok(_), false) => return Err(then_expected(l)),
+        // The condition is at fault; go on behind THEN to see the rest of the line.
+        (Err(_), false) => seek_then(l),
+    };
+    if !then {
+        return Err(super::line::Failed);
+    }
+    l.skip_blanks();
+    if l.at_end() {
+        let span = l.span_to_end();
+        let hint = "write what to do on the same line";
+        return Err(l.fault(Code::Syntax, span, "a statement is expected after THEN", hint));
+    }
+    let then = statements::statement(l, true)?;
+    Ok(Statement::If { condition: condition?, then: Box::new(then) })
+}
 
-    fn then_expected(&mut self) -> super::line::Failed {
-        self.skip_blanks();
-        let end = self.word_end(self.at).max(self.at);
-        let word = self.slice(self.at, end);
-        let span = Span { start: self.at as u32, end: end as u32 };
-        let hint = did_you_mean(word, ["THEN"].into_iter())
-            .unwrap_or_else(|| "IF condition THEN statement".into());
-        self.fault(Code::ThenExpected, span, "THEN expected", hint)
-    }
+fn then_expected(l: &mut Line<'_, '_>) -> super::line::Failed {
+    l.skip_blanks();
+    let end = l.word_end(l.at).max(l.at);
+    let word = l.slice(l.at, end);
+    let span = Span { start: l.at as u32, end: end as u32 };
+    let hint = kerf_diag::did_you_mean(word, ["THEN"].into_iter())
+        .unwrap_or_else(|| "IF condition THEN statement".into());
+    l.fault(Code::ThenExpected, span, "THEN expected", hint)
+}
 
-    fn seek_then(&mut self) -> bool {
-        while !self.at_end() {
-            let end = self.word_end(self.at);
-            if self.slice(self.at, end).eq_ignore_ascii_case("THEN") {
-                self.at = end;
-                return true;
-            }
-            let next = self.slice(self.at, self.end).chars().next().map_or(1, char::len_utf8);
-            self.at = end.max(self.at + next);
+fn seek_then(l: &mut Line<'_, '_>) -> bool {
+    while !l.at_end() {
+        let end = l.word_end(l.at);
+        if l.slice(l.at, end).eq_ignore_ascii_case("THEN") {
+            l.at = end;
+            return true;
         }
-        false
+        let next = l.slice(l.at, l.end).chars().next().map_or(1, char::len_utf8);
+        l.at = end.max(l.at + next);
     }
+    false
+}
 
-    /// The label of a jump.
-    pub(super) fn target(&mut self, start: usize) -> Read<Target> {
-        let keyword = self.slice(start, self.at).to_uppercase();
-        let mut span = self.span_to_end();
-        let mut written = self.rest();
-        if let Some(name) = written.strip_suffix(':') {
-            let message = format!("a label is written without a colon after {keyword}");
-            let hint = format!("write {keyword} {}", name.trim_end_matches(blank));
-            self.warn(Code::DoubtfulSpelling, span, message, hint);
-            written = name.trim_end_matches(blank);
-            span.end = span.start + written.len() as u32;
-        }
-        self.at = self.end;
-        if written.is_empty() {
-            let message = format!("{keyword} needs a label");
-            let whole = Span { start: start as u32, end: self.end as u32 };
-            return Err(self.fault(Code::Syntax, whole, message, "name a label of this file"));
-        }
-        if written.split(blank).any(|w| w.eq_ignore_ascii_case("ELSE")) {
-            let hint = "there is no ELSE; use a second IF";
-            return Err(self.fault(Code::UnknownStatement, span, "unknown statement ELSE", hint));
-        }
-        if !is_label(written) {
-            let message = format!("'{written}' is not the name of a label");
-            let hint = "jumps go to labels: names alone on a line, ending in a colon";
-            return Err(self.fault(Code::Syntax, span, message, hint));
-        }
-        Ok(Target { label: self.file.label_id(written), span })
+/// The label of a jump.
+pub(super) fn target(l: &mut Line<'_, '_>, start: usize) -> Read<Target> {
+    let keyword = l.slice(start, l.at).to_uppercase();
+    let mut span = l.span_to_end();
+    let mut written = l.rest();
+    if let Some(name) = written.strip_suffix(':') {
+        let message = format!("a label is written without a colon after {keyword}");
+        let hint = format!("write {keyword} {}", name.trim_end_matches(blank));
+        l.warn(Code::DoubtfulSpelling, span, message, hint);
+        written = name.trim_end_matches(blank);
+        span.end = span.start + written.len() as u32;
     }
+    l.at = l.end;
+    if written.is_empty() {
+        let message = format!("{keyword} needs a label");
+        let whole = Span { start: start as u32, end: l.end as u32 };
+        return Err(l.fault(Code::Syntax, whole, message, "name a label of this file"));
+    }
+    if written.split(blank).any(|w| w.eq_ignore_ascii_case("ELSE")) {
+        let hint = "there is no ELSE; use a second IF";
+        return Err(l.fault(Code::UnknownStatement, span, "unknown statement ELSE", hint));
+    }
+    if !is_label(written) {
+        let message = format!("'{written}' is not the name of a label");
+        let hint = "jumps go to labels: names alone on a line, ending in a colon";
+        return Err(l.fault(Code::Syntax, span, message, hint));
+    }
+    Ok(Target { label: l.file.labels.id(written), span })
+}
 
-    pub(super) fn on_input(&mut self, start: usize, inner: bool) -> Read<Statement> {
-        let whole = Span { start: start as u32, end: self.end as u32 };
-        if inner {
-            let hint = "put it on a line of its own and jump over it";
-            return Err(self.fault(Code::Syntax, whole, "ON INPUT cannot stand here", hint));
-        }
-        let found = self.take_word("INPUT") || self.take_word("INP");
-        if !found || !self.take(b'(') {
-            let hint = "write ON INPUT(switch, state) action";
-            return Err(self.fault(Code::Syntax, whole, "INPUT( expected after ON", hint));
-        }
-        let (switch, state) = self.pair(whole)?;
-        if !self.take(b')') {
-            let span = self.span_to_end();
-            let message = "a ) is missing after the state";
-            return Err(self.fault(Code::UnclosedParenthesis, span, message, ""));
-        }
-        self.skip_blanks();
-        let action = match self.at_end() {
-            true => None,
-            false => Some(Box::new(self.statement(true)?)),
-        };
-        Ok(Statement::OnInput { switch, state, action })
+pub(super) fn on_input(l: &mut Line<'_, '_>, start: usize, inner: bool) -> Read<Statement> {
+    let whole = Span { start: start as u32, end: l.end as u32 };
+    if inner {
+        let hint = "put it on a line of its own and jump over it";
+        return Err(l.fault(Code::Syntax, whole, "ON INPUT cannot stand here", hint));
     }
+    let found = l.take_word("INPUT") || l.take_word("INP");
+    if !found || !l.take(b'(') {
+        let hint = "write ON INPUT(switch, state) action";
+        return Err(l.fault(Code::Syntax, whole, "INPUT( expected after ON", hint));
+    }
+    let (switch, state) = pair(l, whole)?;
+    if !l.take(b')') {
+        let span = l.span_to_end();
+        let message = "a ) is missing after the state";
+        return Err(l.fault(Code::UnclosedParenthesis, span, message, ""));
+    }
+    l.skip_blanks();
+    let action = match l.at_end() {
+        true => None,
+        false => Some(Box::new(statements::statement(l, true)?)),
+    };
+    Ok(Statement::OnInput { switch, state, action })
+}
 
-    /// `switch, state`.
-    fn pair(&mut self, whole: Span) -> Read<(Expr, Expr)> {
-        let switch = self.expression()?;
-        if !self.take(b',') {
-            let hint = "give the switch and its state: 1 for on, 0 for off";
-            return Err(self.fault(Code::MissingParameter, whole, "the state is missing", hint));
-        }
-        Ok((switch, self.expression()?))
+/// `switch, state`.
+fn pair(l: &mut Line<'_, '_>, whole: Span) -> Read<(Expr, Expr)> {
+    let switch = expression::expression(l)?;
+    if !l.take(b',') {
+        let hint = "give the switch and its state: 1 for on, 0 for off";
+        return Err(l.fault(Code::MissingParameter, whole, "the state is missing", hint));
     }
+    Ok((switch, expression::expression(l)?))
+}
 
-    pub(super) fn pause(&mut self, start: usize) -> Read<Statement> {
-        let whole = Span { start: start as u32, end: self.end as u32 };
-        if self.take_word("UNTIL") {
-            self.take(b',');
-            let (switch, state) = self.pair(whole)?;
-            self.trailing_commas();
-            self.expect_end()?;
-            return Ok(Statement::PauseUntil { switch, state });
-        }
-        self.take(b',');
-        self.skip_blanks();
-        if self.at_end() {
-            return Ok(Statement::Pause { seconds: None });
-        }
-        let from = self.at;
-        let seconds = self.expression()?;
-        if self.is_dialog_text(&seconds) {
-            self.at = from;
-            return self.dialog(start);
-        }
-        if self.file.expressions.any(&seconds, &|node| matches!(node, ExprNode::Text(_))) {
-            let hint = super::fabmo::or_else("the comment line above is the message");
-            let message = "PAUSE takes seconds, not text";
-            return Err(self.fault(Code::Syntax, seconds.span, message, hint));
-        }
-        self.trailing_commas();
-        self.skip_blanks();
-        if !self.at_end() && !self.is_statement() {
-            let pause = Statement::Pause { seconds: Some(seconds) };
-            return Ok(self.ended(pause));
-        }
-        self.expect_end()?;
-        Ok(Statement::Pause { seconds: Some(seconds) })
+pub(super) fn pause(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    let whole = Span { start: start as u32, end: l.end as u32 };
+    if l.take_word("UNTIL") {
+        l.take(b',');
+        let (switch, state) = pair(l, whole)?;
+        ends::trailing_commas(l);
+        ends::expect_end(l)?;
+        return Ok(Statement::PauseUntil { switch, state });
     }
+    l.take(b',');
+    l.skip_blanks();
+    if l.at_end() {
+        return Ok(Statement::Pause { seconds: None });
+    }
+    let from = l.at;
+    let seconds = expression::expression(l)?;
+    if fabmo::is_dialog_text(l, &seconds) {
+        l.at = from;
+        return fabmo::dialog(l, start);
+    }
+    if l.file.program.expressions.any(&seconds, &|node| matches!(node, ExprNode::Text(_))) {
+        let hint = members::or_else("the comment line above is the message");
+        let message = "PAUSE takes seconds, not text";
+        return Err(l.fault(Code::Syntax, seconds.span, message, hint));
+    }
+    ends::trailing_commas(l);
+    l.skip_blanks();
+    if !l.at_end() && !ends::is_statement(l) {
+        let pause = Statement::Pause { seconds: Some(seconds) };
+        return Ok(ended(l, pause));
+    }
+    ends::expect_end(l)?;
+    Ok(Statement::Pause { seconds: Some(seconds) })
+}
 
-    /// END and END ALL.
-    pub(super) fn end_statement(&mut self, start: usize) -> Read<Statement> {
-        if self.take_word("ALL") {
-            return Ok(self.ended(Statement::EndAll));
-        }
-        if self.take_word("IF") {
-            let span = self.span_from(start);
-            let hint = "an IF ends with its line";
-            return Err(self.fault(Code::UnknownStatement, span, "unknown statement END IF", hint));
-        }
-        Ok(self.ended(Statement::End))
+/// END and END ALL.
+pub(super) fn end_statement(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    if l.take_word("ALL") {
+        return Ok(ended(l, Statement::EndAll));
     }
+    if l.take_word("IF") {
+        let span = l.span_from(start);
+        let hint = "an IF ends with its line";
+        return Err(l.fault(Code::UnknownStatement, span, "unknown statement END IF", hint));
+    }
+    Ok(ended(l, Statement::End))
+}
 
-    /// A statement behind which the rest of the line means nothing.
-    pub(super) fn ended(&mut self, statement: Statement) -> Statement {
-        self.skip_blanks();
-        if !self.at_end() {
-            let span = self.span_to_end();
-            let hint = "make it a comment with an apostrophe";
-            self.warn(Code::TextAfterEnd, span, "the rest of the line is ignored", hint);
-            self.at = self.end;
-        }
-        statement
+/// A statement behind which the rest of the line means nothing.
+pub(super) fn ended(l: &mut Line<'_, '_>, statement: Statement) -> Statement {
+    l.skip_blanks();
+    if !l.at_end() {
+        let span = l.span_to_end();
+        let hint = "make it a comment with an apostrophe";
+        l.warn(Code::TextAfterEnd, span, "the rest of the line is ignored", hint);
+        l.at = l.end;
     }
+    statement
 }
 
 #[cfg(test)]

@@ -6,74 +6,72 @@ use super::text::is_blank;
 use crate::syntax::tree::Statement;
 use kerf_diag::Code;
 
-impl Line<'_, '_> {
-    /// The rest of the line as G-code.
-    pub(super) fn gcode(&mut self) -> Statement {
-        let text = self.rest();
-        self.at = self.end;
-        Statement::Gcode(text.into())
-    }
+/// The rest of the line as G-code.
+pub(super) fn gcode(l: &mut Line<'_, '_>) -> Statement {
+    let text = l.rest();
+    l.at = l.end;
+    Statement::Gcode(text.into())
+}
 
-    /// True when the code consists of G-code words: a letter and a number each.
-    pub(super) fn is_gcode(&self, start: usize) -> bool {
-        self.gcode_words(start) > 0
-    }
+/// True when the code consists of G-code words: a letter and a number each.
+pub(super) fn is_gcode(l: &Line<'_, '_>, start: usize) -> bool {
+    gcode_words(l, start) > 0
+}
 
-    /// `M3 S12000`: a command of a letter and a digit with another word behind it is G-code.
-    pub(super) fn is_gcode_words(&self, start: usize, word: &str) -> bool {
-        let numbered = word.as_bytes().get(1).is_some_and(u8::is_ascii_digit);
-        numbered && self.gcode_words(start) > 1
-    }
+/// `M3 S12000`: a command of a letter and a digit with another word behind it is G-code.
+pub(super) fn is_gcode_words(l: &Line<'_, '_>, start: usize, word: &str) -> bool {
+    let numbered = word.as_bytes().get(1).is_some_and(u8::is_ascii_digit);
+    numbered && gcode_words(l, start) > 1
+}
 
-    /// Counts the G-code words that the code consists of; 0 when it is something else.
-    pub(super) fn gcode_words(&self, start: usize) -> usize {
-        const LETTERS: &[u8] = b"NGMXYZABCFSTIJKRPQLHDUVWE";
-        let bytes = &self.text.as_bytes()[..self.end];
-        let (mut at, mut words) = (start, 0);
-        while at < bytes.len() {
-            if is_blank(bytes[at]) {
-                at += 1;
-                continue;
-            }
-            if matches!(bytes[at], b'(' | b';') {
-                break;
-            }
-            let letter = bytes[at].to_ascii_uppercase();
+/// Counts the G-code words that the code consists of; 0 when it is something else.
+pub(super) fn gcode_words(l: &Line<'_, '_>, start: usize) -> usize {
+    const LETTERS: &[u8] = b"NGMXYZABCFSTIJKRPQLHDUVWE";
+    let bytes = &l.text.as_bytes()[..l.end];
+    let (mut at, mut words) = (start, 0);
+    while at < bytes.len() {
+        if is_blank(bytes[at]) {
             at += 1;
-            while at < bytes.len() && is_blank(bytes[at]) {
-                at += 1;
-            }
-            at += usize::from(matches!(bytes.get(at), Some(b'-' | b'+')));
-            let valued = number(bytes, &mut at).is_some() || computed(bytes, &mut at);
-            if !valued || !LETTERS.contains(&letter) {
-                return 0;
-            }
-            words += 1;
+            continue;
         }
-        // A line begins with the words that row SBP-GCODE-MIX lists.
-        let first = self.byte(start).to_ascii_uppercase();
-        if words > 0 && !b"NGMXYZABCFST".contains(&first) { 0 } else { words }
-    }
-
-    /// True for `#… = …`, which sets a parameter of G-code.
-    pub(super) fn is_gcode_setting(&self, start: usize) -> bool {
-        let bytes = &self.text.as_bytes()[..self.end];
-        let mut at = start;
-        computed(bytes, &mut at) && bytes[at..].trim_ascii_start().starts_with(b"=")
-    }
-
-    /// Reports what is wrong with an O-word: it needs the lines around it.
-    pub(super) fn o_word(&mut self, start: usize) -> Option<Failed> {
-        let rest = self.text.as_bytes().get(start..self.end)?;
-        if !matches!(rest, [b'O' | b'o', b'0'..=b'9' | b'<' | b'[' | b'#', ..]) {
-            return None;
+        if matches!(bytes[at], b'(' | b';') {
+            break;
         }
-        let message = "O-words do not run between lines of OpenSBP";
-        let hint = "put the G-code into a file of its own (.nc) and run that with FP";
-        self.at = self.end;
-        let span = self.span_from(start);
-        Some(self.fault(Code::UnknownStatement, span, message, hint))
+        let letter = bytes[at].to_ascii_uppercase();
+        at += 1;
+        while at < bytes.len() && is_blank(bytes[at]) {
+            at += 1;
+        }
+        at += usize::from(matches!(bytes.get(at), Some(b'-' | b'+')));
+        let valued = number(bytes, &mut at).is_some() || computed(bytes, &mut at);
+        if !valued || !LETTERS.contains(&letter) {
+            return 0;
+        }
+        words += 1;
     }
+    // A line begins with the words that row SBP-GCODE-MIX lists.
+    let first = l.byte(start).to_ascii_uppercase();
+    if words > 0 && !b"NGMXYZABCFST".contains(&first) { 0 } else { words }
+}
+
+/// True for `#… = …`, which sets a parameter of G-code.
+pub(super) fn is_gcode_setting(l: &Line<'_, '_>, start: usize) -> bool {
+    let bytes = &l.text.as_bytes()[..l.end];
+    let mut at = start;
+    computed(bytes, &mut at) && bytes[at..].trim_ascii_start().starts_with(b"=")
+}
+
+/// Reports what is wrong with an O-word: it needs the lines around it.
+pub(super) fn o_word(l: &mut Line<'_, '_>, start: usize) -> Option<Failed> {
+    let rest = l.text.as_bytes().get(start..l.end)?;
+    if !matches!(rest, [b'O' | b'o', b'0'..=b'9' | b'<' | b'[' | b'#', ..]) {
+        return None;
+    }
+    let message = "O-words do not run between lines of OpenSBP";
+    let hint = "put the G-code into a file of its own (.nc) and run that with FP";
+    l.at = l.end;
+    let span = l.span_from(start);
+    Some(l.fault(Code::UnknownStatement, span, message, hint))
 }
 
 /// Goes behind a value of G-code that is computed: a parameter, or an expression in brackets.

@@ -4,10 +4,9 @@
 //! move without values in a part file. A file that is wholly in the other language is run as what it
 //! is, and told of.
 
-use super::commands::CommandIndex;
 use super::file::File;
-use super::statements::Keyword;
-use super::text::{self, is_blank, line_end};
+use super::index::{CommandIndex, is_opensbp};
+use super::text::{is_blank, line_end};
 use crate::syntax::Dialect;
 use crate::syntax::tree::{Language, Node, Program, Statement};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
@@ -88,7 +87,7 @@ fn whole_gcode(name: Arc<str>, text: impl Into<Arc<String>>) -> Program {
 fn mixed(name: Arc<str>, text: String, dialect: Dialect) -> Program {
     let mut file = File::new(name, dialect);
     file.gcode_first = true;
-    file.read(&text);
+    super::lines::read_all(&mut file, &text);
     Program { language: Language::Mixed, ..file.finish(text) }
 }
 
@@ -154,51 +153,9 @@ fn contents(text: &str, dialect: Dialect) -> (bool, bool) {
         if line.bytes().all(is_blank) {
             continue;
         }
-        let found = may_be_opensbp(line.as_bytes())
-            && is_opensbp(line, commands.get_or_insert_with(|| CommandIndex::new(dialect)));
+        let found = is_opensbp(line, commands.get_or_insert_with(|| CommandIndex::new(dialect)));
         opensbp |= found;
         gcode |= !found;
     }
     (gcode, opensbp)
-}
-
-/// Quick no to nearly every line of G-code: its first letter stands before a number.
-fn may_be_opensbp(line: &[u8]) -> bool {
-    let at = line.iter().position(|b| !is_blank(*b)).unwrap_or_default();
-    match line.get(at) {
-        Some(b'&' | b'\'') => true,
-        Some(b) if b.is_ascii_alphabetic() => match line.get(at + 1) {
-            Some(next) if next.is_ascii_digit() => line.get(at + 2) == Some(&b','),
-            Some(next) => next.is_ascii_alphabetic() || matches!(next, b'#' | b'_' | b':'),
-            None => false,
-        },
-        _ => false,
-    }
-}
-
-/// Returns `true` if a line of a G-code file is surely OpenSBP: a two-letter command, a statement, a
-/// variable, a label, a comment behind an apostrophe.
-pub(super) fn is_opensbp(line: &str, commands: &CommandIndex) -> bool {
-    if !may_be_opensbp(line.as_bytes()) {
-        return false;
-    }
-    let line = line.trim_matches(text::blank);
-    if line.starts_with(['&', '\'']) {
-        return true;
-    }
-    let end = line.bytes().position(|b| !(b.is_ascii_alphanumeric() || b == b'_'));
-    let (word, rest) = line.split_at(end.unwrap_or(line.len()));
-    let separated = rest.is_empty() || rest.starts_with([',', ' ', '\t']);
-    // Fanuc's IF [#1 LT 5] GOTO 10 is refused as what it is.
-    let fanuc = rest.trim_matches(text::blank);
-    if fanuc.starts_with('[')
-        || word.eq_ignore_ascii_case("GOTO") && fanuc.starts_with(|c: char| c.is_ascii_digit())
-    {
-        return false;
-    }
-    Keyword::find(word).is_some()
-        || separated && commands.find(word).is_some()
-        || word.eq_ignore_ascii_case("CN") && rest.starts_with(',')
-        || word.eq_ignore_ascii_case("C") && rest.starts_with("#,")
-        || rest.trim_matches(text::blank) == ":"
 }

@@ -43,7 +43,7 @@ pub(super) struct Line<'f, 't> {
 
 impl<'f, 't> Line<'f, 't> {
     pub(super) fn new(file: &'f mut File, text: &'t str, number: u32) -> Self {
-        let before = file.diagnostics.len();
+        let before = file.program.diagnostics.len();
         let end = code_end(text.as_bytes());
         Self {
             file,
@@ -195,12 +195,12 @@ impl<'f, 't> Line<'f, 't> {
 
     /// Diagnostics of this line so far; [`Self::forget`] goes back to it.
     pub(super) fn mark(&self) -> usize {
-        self.file.diagnostics.len()
+        self.file.program.diagnostics.len()
     }
 
     /// Drops diagnostics of an attempt that did not count.
     pub(super) fn forget(&mut self, mark: usize) {
-        self.file.diagnostics.truncate(mark);
+        self.file.program.diagnostics.truncate(mark);
     }
 
     /// An error of this line.
@@ -234,13 +234,13 @@ impl<'f, 't> Line<'f, 't> {
         hint: String,
         severity: Option<Severity>,
     ) {
-        if self.file.diagnostics.len() - self.before >= MOST_PER_LINE {
+        if self.file.program.diagnostics.len() - self.before >= MOST_PER_LINE {
             return;
         }
         let chars = |text: &str| text.chars().count() as u32;
         let (start, end) = (span.start as usize, span.end.max(span.start) as usize);
         let place = Place {
-            file: self.file.name.clone(),
+            file: self.file.program.name.clone(),
             line: self.number,
             column: chars(self.slice(0, start)) + 1,
             length: chars(self.slice(start, end)),
@@ -249,7 +249,7 @@ impl<'f, 't> Line<'f, 't> {
         if let Some(severity) = severity {
             diagnostic = diagnostic.severity(severity);
         }
-        self.file.diagnostics.push(diagnostic);
+        self.file.program.diagnostics.push(diagnostic);
     }
 }
 

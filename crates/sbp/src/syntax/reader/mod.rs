@@ -3,8 +3,8 @@
 //! ```text
 //!  bytes ── text::decode ──► text ──► a line at a time
 //!                                       │ moves::read        plain moves, one pass over the bytes
-//!                                       └ Line::read         everything else
-//!                                           file        comments, labels
+//!                                       └ lines::read        everything else
+//!                                           lines       comments, labels
 //!                                           statements  which statement is it
 //!                                           commands    two letters and their values, by the table
 //!                                           assign flow output dialog files   one family each
@@ -14,14 +14,20 @@
 mod assign;
 mod commands;
 mod dialog;
+mod ends;
 mod expression;
 mod fabmo;
 mod file;
 mod files;
 mod flow;
 mod gcode;
+mod index;
+mod keywords;
+mod labels;
 mod language;
 mod line;
+mod lines;
+mod members;
 mod moves;
 mod names;
 mod output;
@@ -32,25 +38,19 @@ pub(crate) mod shown;
 mod statements;
 mod text;
 
-pub(crate) use file::END_OF_FILE;
 pub(crate) use kerf_diag::did_you_mean;
+pub use keywords::statement_words;
 pub(crate) use language::read_language;
 pub use language::{
     GCODE_ENDINGS, PART_ENDINGS, is_gcode_name, is_part_name, read_part, read_part_as,
 };
-pub use statements::statement_words;
+pub(crate) use lines::END_OF_FILE;
 pub(crate) use text::{blank, code_end};
 
 use crate::syntax::{Dialect, Program};
 use kerf_diag::{Code, Diagnostic, Place};
 use std::borrow::Cow;
 use std::sync::Arc;
-
-/// Longer lines are refused; no person and no program writes them.
-const MOST_LINE_BYTES: usize = 1_000_000;
-
-/// Diagnostics that are kept; a file that is no part file would give millions.
-const MOST_DIAGNOSTICS: usize = 10_000;
 
 /// Reads a part file.
 ///
@@ -72,7 +72,7 @@ fn read_bytes(name: Arc<str>, bytes: Cow<'_, [u8]>, dialect: Dialect) -> Program
         Err(line) => return refused(name, line, "not a text file"),
     };
     let mut file = file::File::new(name, dialect);
-    file.read(&text);
+    lines::read_all(&mut file, &text);
     file.finish(text)
 }
 

@@ -1,5 +1,6 @@
 //! PRINT and WRITE: items and what joins them (handbook, "PRINT"; readings, A-31 to A-35).
 
+use super::expression;
 use super::line::{Line, Read};
 use crate::syntax::expr::{BinaryOp, Expr, ExprNode};
 use crate::syntax::tree::{Output, Separator, Span, Statement};
@@ -8,179 +9,177 @@ use kerf_diag::Code;
 /// Items of one PRINT or WRITE; a bound for memory.
 const MOST_ITEMS: usize = 1000;
 
-impl Line<'_, '_> {
-    /// The rest of PRINT, or of WRITE; the cursor stands behind the word.
-    pub(super) fn output(&mut self, write: bool) -> Read<Statement> {
-        let file = if self.take(b'#') { Some(self.single_value()?) } else { None };
-        if write && file.is_none() {
-            let span = self.span_to_end();
-            let hint = "write WRITE #1; \"text\" after OPEN ... AS #1";
-            let message = "WRITE needs a file number";
-            return Err(self.fault(Code::MissingParameter, span, message, hint));
+/// The rest of PRINT, or of WRITE; the cursor stands behind the word.
+pub(super) fn output(l: &mut Line<'_, '_>, write: bool) -> Read<Statement> {
+    let file = if l.take(b'#') { Some(single_value(l)?) } else { None };
+    if write && file.is_none() {
+        let span = l.span_to_end();
+        let hint = "write WRITE #1; \"text\" after OPEN ... AS #1";
+        let message = "WRITE needs a file number";
+        return Err(l.fault(Code::MissingParameter, span, message, hint));
+    }
+    let leading = [(b',', Separator::Comma), (b';', Separator::Semicolon)]
+        .into_iter()
+        .find_map(|(byte, separator)| l.take(byte).then_some(separator));
+    let commas = has_outside_quotes(l, b',');
+    let semicolons = has_outside_quotes(l, b';');
+    let separator = leading.unwrap_or(match (commas, semicolons) {
+        (Some(comma), Some(semicolon)) if comma > semicolon => Separator::Semicolon,
+        (None, Some(_)) => Separator::Semicolon,
+        _ => Separator::Comma,
+    });
+    let newline = !drop_last_semicolon(l);
+    let items = match separator {
+        Separator::Comma => comma_items(l, write, leading.is_some() || commas.is_some())?,
+        Separator::Semicolon => semicolon_items(l)?,
+    };
+    Ok(Statement::Output(Output { file, write, items, separator, newline }))
+}
+
+fn has_outside_quotes(l: &Line<'_, '_>, byte: u8) -> Option<usize> {
+    Some(l.until(l.at, byte)).filter(|at| *at < l.end)
+}
+
+/// A semicolon at the very end keeps the next text on the same line.
+fn drop_last_semicolon(l: &mut Line<'_, '_>) -> bool {
+    let mut at = l.at;
+    loop {
+        let semicolon = l.until(at, b';');
+        if semicolon + 1 == l.end {
+            l.end -= 1;
+            return true;
         }
-        let leading = [(b',', Separator::Comma), (b';', Separator::Semicolon)]
-            .into_iter()
-            .find_map(|(byte, separator)| self.take(byte).then_some(separator));
-        let commas = self.has_outside_quotes(b',');
-        let semicolons = self.has_outside_quotes(b';');
-        let separator = leading.unwrap_or(match (commas, semicolons) {
-            (Some(comma), Some(semicolon)) if comma > semicolon => Separator::Semicolon,
-            (None, Some(_)) => Separator::Semicolon,
-            _ => Separator::Comma,
-        });
-        let newline = !self.drop_last_semicolon();
-        let items = match separator {
-            Separator::Comma => self.comma_items(write, leading.is_some() || commas.is_some())?,
-            Separator::Semicolon => self.semicolon_items()?,
-        };
-        Ok(Statement::Output(Output { file, write, items, separator, newline }))
+        if semicolon >= l.end {
+            return false;
+        }
+        at = semicolon + 1;
     }
+}
 
-    fn has_outside_quotes(&self, byte: u8) -> Option<usize> {
-        Some(self.until(self.at, byte)).filter(|at| *at < self.end)
-    }
-
-    /// A semicolon at the very end keeps the next text on the same line.
-    fn drop_last_semicolon(&mut self) -> bool {
-        let mut at = self.at;
-        loop {
-            let semicolon = self.until(at, b';');
-            if semicolon + 1 == self.end {
-                self.end -= 1;
-                return true;
+/// Items between semicolons; a comma between quotes is shown as it is.
+fn semicolon_items(l: &mut Line<'_, '_>) -> Read<Vec<Expr>> {
+    let mut items = Vec::new();
+    while !l.at_end() {
+        let stop = l.until(l.at, b';');
+        while l.at < stop {
+            let comma = l.until_within(l.at, stop, b',');
+            item(l, comma, &mut items)?;
+            if comma < stop {
+                let span = Span { start: comma as u32, end: comma as u32 + 1 };
+                items.push(expression::text_at(l, ",", span));
             }
-            if semicolon >= self.end {
-                return false;
-            }
-            at = semicolon + 1;
+            l.at = comma + 1;
         }
+        l.at = stop + 1;
     }
+    Ok(items)
+}
 
-    /// Items between semicolons; a comma between quotes is shown as it is.
-    fn semicolon_items(&mut self) -> Read<Vec<Expr>> {
-        let mut items = Vec::new();
-        while !self.at_end() {
-            let stop = self.until(self.at, b';');
-            while self.at < stop {
-                let comma = self.until_within(self.at, stop, b',');
-                self.item(comma, &mut items)?;
-                if comma < stop {
-                    let span = Span { start: comma as u32, end: comma as u32 + 1 };
-                    items.push(self.text_at(",", span));
-                }
-                self.at = comma + 1;
-            }
-            self.at = stop + 1;
-        }
-        Ok(items)
+/// Items between commas, those inside quotes included.
+fn comma_items(l: &mut Line<'_, '_>, write: bool, split: bool) -> Read<Vec<Expr>> {
+    if let Some(at) = has_outside_quotes(l, b';') {
+        let span = Span { start: at as u32, end: at as u32 + 1 };
+        let hint = "separate all items with semicolons, or all with commas";
+        let message = "after a comma a semicolon may only be the last character";
+        return Err(l.fault(Code::Syntax, span, message, hint));
     }
+    let mut items = Vec::new();
+    while !l.at_end() {
+        let stop = l.field_end(l.at);
+        let before = items.len();
+        item(l, stop, &mut items)?;
+        if items.len() == before && stop < l.end {
+            items.push(expression::text_at(l, "", Span { start: stop as u32, end: stop as u32 }));
+        }
+        l.at = stop + 1;
+    }
+    if !split {
+        return Ok(items);
+    }
+    let given = items.len();
+    let items: Vec<Expr> = items.into_iter().flat_map(|item| split_at_commas(l, item)).collect();
+    if write && items.len() > given {
+        let span = Span { start: l.text.len() as u32, end: l.text.len() as u32 };
+        let hint = "write WRITE #1; ... with semicolons to keep commas inside quotes";
+        let message = "the commas inside the quotes separate items";
+        l.warn(Code::DoubtfulSpelling, span, message, hint);
+    }
+    Ok(items)
+}
 
-    /// Items between commas, those inside quotes included.
-    fn comma_items(&mut self, write: bool, split: bool) -> Read<Vec<Expr>> {
-        if let Some(at) = self.has_outside_quotes(b';') {
-            let span = Span { start: at as u32, end: at as u32 + 1 };
-            let hint = "separate all items with semicolons, or all with commas";
-            let message = "after a comma a semicolon may only be the last character";
-            return Err(self.fault(Code::Syntax, span, message, hint));
+/// An item of the comma form: text is cut at its commas, also within a join.
+fn split_at_commas(l: &mut Line<'_, '_>, item: Expr) -> Vec<Expr> {
+    match item.node {
+        ExprNode::Text(written) if l.file.program.expressions[written].contains(',') => {
+            let written = l.file.program.expressions[written].clone();
+            written.split(',').map(|part| expression::text_at(l, part, item.span)).collect()
         }
-        let mut items = Vec::new();
-        while !self.at_end() {
-            let stop = self.field_end(self.at);
-            let before = items.len();
-            self.item(stop, &mut items)?;
-            if items.len() == before && stop < self.end {
-                items.push(self.text_at("", Span { start: stop as u32, end: stop as u32 }));
+        ExprNode::Binary(BinaryOp::Join, left, right) => {
+            let (left, right) =
+                (l.file.program.expressions[left], l.file.program.expressions[right]);
+            let mut items = split_at_commas(l, left);
+            let mut more = split_at_commas(l, right).into_iter();
+            if let (Some(left), Some(right)) = (items.pop(), more.next()) {
+                let span = Span { start: left.span.start, end: right.span.end };
+                items.push(Expr { node: expression::join(l, BinaryOp::Join, left, right), span });
             }
-            self.at = stop + 1;
+            items.extend(more);
+            items
         }
-        if !split {
-            return Ok(items);
-        }
-        let given = items.len();
-        let items: Vec<Expr> =
-            items.into_iter().flat_map(|item| self.split_at_commas(item)).collect();
-        if write && items.len() > given {
-            let span = Span { start: self.text.len() as u32, end: self.text.len() as u32 };
-            let hint = "write WRITE #1; ... with semicolons to keep commas inside quotes";
-            let message = "the commas inside the quotes separate items";
-            self.warn(Code::DoubtfulSpelling, span, message, hint);
-        }
-        Ok(items)
+        node => vec![Expr { node, span: item.span }],
     }
+}
 
-    /// An item of the comma form: text is cut at its commas, also within a join.
-    fn split_at_commas(&mut self, item: Expr) -> Vec<Expr> {
-        match item.node {
-            ExprNode::Text(written) if self.file.expressions[written].contains(',') => {
-                let written = self.file.expressions[written].clone();
-                written.split(',').map(|part| self.text_at(part, item.span)).collect()
-            }
-            ExprNode::Binary(BinaryOp::Join, left, right) => {
-                let (left, right) = (self.file.expressions[left], self.file.expressions[right]);
-                let mut items = self.split_at_commas(left);
-                let mut more = self.split_at_commas(right).into_iter();
-                if let (Some(left), Some(right)) = (items.pop(), more.next()) {
-                    let span = Span { start: left.span.start, end: right.span.end };
-                    items.push(Expr { node: self.join(BinaryOp::Join, left, right), span });
-                }
-                items.extend(more);
-                items
-            }
-            node => vec![Expr { node, span: item.span }],
-        }
+/// The item up to a place; blank ones are left out.
+fn item(l: &mut Line<'_, '_>, stop: usize, items: &mut Vec<Expr>) -> Read<()> {
+    l.skip_blanks();
+    let start = l.at.min(stop);
+    l.at = stop;
+    let span = l.span_from(start);
+    if span.start >= span.end {
+        return Ok(());
     }
+    if items.len() >= MOST_ITEMS {
+        let message = format!("more than {MOST_ITEMS} items");
+        let hint = "use several lines; a semicolon at the end keeps them together";
+        return Err(l.fault(Code::TooManyParameters, span, message, hint));
+    }
+    items.push(loosely_quoted(l, span).map_or_else(|| expression::whole_expression(l, span), Ok)?);
+    Ok(())
+}
 
-    /// The item up to a place; blank ones are left out.
-    fn item(&mut self, stop: usize, items: &mut Vec<Expr>) -> Read<()> {
-        self.skip_blanks();
-        let start = self.at.min(stop);
-        self.at = stop;
-        let span = self.span_from(start);
-        if span.start >= span.end {
-            return Ok(());
-        }
-        if items.len() >= MOST_ITEMS {
-            let message = format!("more than {MOST_ITEMS} items");
-            let hint = "use several lines; a semicolon at the end keeps them together";
-            return Err(self.fault(Code::TooManyParameters, span, message, hint));
-        }
-        items.push(self.loosely_quoted(span).map_or_else(|| self.whole_expression(span), Ok)?);
-        Ok(())
+/// Text with a stray quote inside, and the lone quote that some files print for an empty line.
+fn loosely_quoted(l: &mut Line<'_, '_>, span: Span) -> Option<Expr> {
+    let written = l.slice(span.start as usize, span.end as usize);
+    let inner = written.strip_prefix('"')?;
+    let odd = written.bytes().filter(|b| *b == b'"').count() % 2 == 1;
+    let inner = inner.strip_suffix('"').or_else(|| inner.is_empty().then_some(inner))?;
+    if !odd {
+        return None;
     }
+    let hint = "text begins and ends with one double quote";
+    l.warn(Code::DoubtfulSpelling, span, "the quotes of this text do not match", hint);
+    Some(expression::text_at(l, inner, span))
+}
 
-    /// Text with a stray quote inside, and the lone quote that some files print for an empty line.
-    fn loosely_quoted(&mut self, span: Span) -> Option<Expr> {
-        let written = self.slice(span.start as usize, span.end as usize);
-        let inner = written.strip_prefix('"')?;
-        let odd = written.bytes().filter(|b| *b == b'"').count() % 2 == 1;
-        let inner = inner.strip_suffix('"').or_else(|| inner.is_empty().then_some(inner))?;
-        if !odd {
-            return None;
+/// One value without operators.
+pub(super) fn single_value(l: &mut Line<'_, '_>) -> Read<Expr> {
+    l.skip_blanks();
+    let start = l.at;
+    let stop = match l.peek() {
+        b'0'..=b'9' => l.word_end(start),
+        b'&' | b'$' => l.word_end(start + 1),
+        b'(' | b'%' => l.until(start, b')') + 1,
+        _ => {
+            let span = l.span_to_end();
+            let hint = "file numbers are 1 to 9";
+            return Err(l.fault(Code::Syntax, span, "a number is expected here", hint));
         }
-        let hint = "text begins and ends with one double quote";
-        self.warn(Code::DoubtfulSpelling, span, "the quotes of this text do not match", hint);
-        Some(self.text_at(inner, span))
-    }
-
-    /// One value without operators.
-    pub(super) fn single_value(&mut self) -> Read<Expr> {
-        self.skip_blanks();
-        let start = self.at;
-        let stop = match self.peek() {
-            b'0'..=b'9' => self.word_end(start),
-            b'&' | b'$' => self.word_end(start + 1),
-            b'(' | b'%' => self.until(start, b')') + 1,
-            _ => {
-                let span = self.span_to_end();
-                let hint = "file numbers are 1 to 9";
-                return Err(self.fault(Code::Syntax, span, "a number is expected here", hint));
-            }
-        };
-        let span = Span { start: start as u32, end: stop.min(self.end) as u32 };
-        let value = self.whole_expression(span);
-        self.at = stop.min(self.end);
-        value
-    }
+    };
+    let span = Span { start: start as u32, end: stop.min(l.end) as u32 };
+    let value = expression::whole_expression(l, span);
+    l.at = stop.min(l.end);
+    value
 }
 
 #[cfg(test)]

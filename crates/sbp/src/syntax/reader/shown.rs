@@ -2,7 +2,8 @@
 
 use crate::syntax::expr::{Expr, ExprId, ExprNode, Path, PathStep, UnaryOp};
 use crate::syntax::tree::{
-    Arg, ArgKind, Assigned, DialogText, Node, Program, Separator, Statement, TextPart,
+    Arg, ArgKind, Assigned, DialogText, NameId, Node, Output, Program, Separator, Statement,
+    Target, TextPart,
 };
 use crate::syntax::{format_number, read};
 
@@ -84,10 +85,7 @@ pub(crate) fn node(program: &Program, index: usize) -> String {
 
 fn statement(p: &Program, s: &Statement) -> String {
     let e = |expr: &Expr| expression(p, expr);
-    let o = |expr: &Option<Expr>| expr.as_ref().map_or("_".to_string(), |x| expression(p, x));
-    let names = |ids: &[crate::syntax::tree::NameId]| {
-        ids.iter().map(|n| format!(" &{}", p.names[n.0 as usize])).collect::<String>()
-    };
+    let o = |expr: &Option<Expr>| optional(p, expr.as_ref());
     match s {
         Statement::Command { spec, args, .. } => {
             let args = p.args[*args].iter().map(|a| format!(" {}", argument(p, a)));
@@ -95,41 +93,43 @@ fn statement(p: &Program, s: &Statement) -> String {
         }
         Statement::Assign { name, persistent, only_if_undefined, value, .. } => {
             let sign = if *persistent { '$' } else { '&' };
-            let op = if *only_if_undefined { ":=" } else { "=" };
-            let value = match value {
-                Assigned::Nothing => "nothing".into(),
-                Assigned::Expr(x) => e(x),
-                Assigned::Text(t) => format!("'{t}'"),
-            };
-            format!("{sign}{} {op} {value}", p.names[name.0 as usize])
+            let place = format!("{sign}{}", p.names[name.0 as usize]);
+            assignment(p, &place, *only_if_undefined, value)
+        }
+        Statement::AssignMember { path, only_if_undefined, value, .. } => {
+            let place = member(p, &p.expressions[*path]);
+            assignment(p, &place, *only_if_undefined, value)
         }
         Statement::If { condition, then } => {
             format!("if {} then {}", e(condition), statement(p, then))
         }
-        Statement::Goto(t) => {
-            format!("goto {} {:?}", p.label_name(t.label), p.line_of(t).unwrap_or(0))
-        }
-        Statement::Gosub(t) => {
-            format!("gosub {} {:?}", p.label_name(t.label), p.line_of(t).unwrap_or(0))
-        }
+        Statement::Goto(t) => jump(p, "goto", t),
+        Statement::Gosub(t) => jump(p, "gosub", t),
         Statement::OnInput { switch, state, action } => {
             let action = action.as_ref().map_or("_".into(), |a| statement(p, a));
             format!("on {} {} {action}", e(switch), e(state))
         }
         Statement::Pause { seconds } => format!("pause {}", o(seconds)),
         Statement::PauseUntil { switch, state } => format!("until {} {}", e(switch), e(state)),
-        Statement::Output(out) => {
-            let word = if out.write { "write" } else { "print" };
-            let file = out.file.as_ref().map_or(String::new(), |f| format!(" #{}", e(f)));
-            let mode = if out.separator == Separator::Comma { ',' } else { ';' };
-            let items: String = out.items.iter().map(|i| format!(" {}", e(i))).collect();
-            format!("{word}{file} {mode}{items}{}", if out.newline { "" } else { " ..." })
-        }
+        Statement::Fail(text) => format!("fail {}", o(text)),
+        Statement::Custom { number, .. } => format!("custom {}", e(number)),
+        Statement::Gcode(text) => format!("gcode {text}"),
+        Statement::Mention(_) => "mention".into(),
+        other => outward(p, other),
+    }
+}
+
+/// A statement that speaks to the operator, to files or to other programs.
+fn outward(p: &Program, s: &Statement) -> String {
+    let e = |expr: &Expr| expression(p, expr);
+    let o = |expr: &Option<Expr>| optional(p, expr.as_ref());
+    match s {
+        Statement::Output(out) => output(p, out),
         Statement::Input(i) => {
-            format!("input {} {}{}", o(&i.text), o(&i.default), names(&i.variables))
+            format!("input {} {}{}", o(&i.text), o(&i.default), names(p, &i.variables))
         }
         Statement::InputFile { file, variables, .. } => {
-            format!("input #{}{}", e(file), names(variables))
+            format!("input #{}{}", e(file), names(p, variables))
         }
         Statement::MsgBox(b) => {
             let [body, style, title] = [&b.body, &b.style, &b.title].map(|text| dialog(p, text));
@@ -147,37 +147,50 @@ fn statement(p: &Program, s: &Statement) -> String {
         Statement::Fetch { which, variable, .. } => {
             format!("{which:?} &{}", p.names[variable.0 as usize])
         }
-        Statement::AssignMember { path, only_if_undefined, value, .. } => {
-            let op = if *only_if_undefined { ":=" } else { "=" };
-            let value = match value {
-                Assigned::Nothing => "nothing".into(),
-                Assigned::Expr(x) => e(x),
-                Assigned::Text(t) => format!("'{t}'"),
-            };
-            format!("{} {op} {value}", member(p, &p.expressions[*path]))
-        }
         Statement::Dialog(d) => {
-            let variable = d.variable.map_or(String::new(), |n| names(&[n]));
+            let variable = d.variable.map_or(String::new(), |n| names(p, &[n]));
             let word = |name: &str, x: &Option<Expr>| {
                 x.as_ref().map_or(String::new(), |x| format!(" {name} {}", e(x)))
             };
-            format!(
-                "dialog {}{variable}{}{}",
-                e(&d.text),
-                word("ok", &d.ok),
-                word("cancel", &d.cancel)
-            )
+            let (ok, cancel) = (word("ok", &d.ok), word("cancel", &d.cancel));
+            format!("dialog {}{variable}{ok}{cancel}", e(&d.text))
         }
-        Statement::Fail(text) => format!("fail {}", o(text)),
         Statement::Data { request, items } => {
             let items: String = items.iter().map(|i| format!(" {}", e(i))).collect();
             format!("data {}{items}", if *request { "request" } else { "send" })
         }
-        Statement::Custom { number, .. } => format!("custom {}", e(number)),
-        Statement::Gcode(text) => format!("gcode {text}"),
-        Statement::Mention(_) => "mention".into(),
         other => format!("{other:?}").to_lowercase(),
     }
+}
+
+fn optional(p: &Program, expr: Option<&Expr>) -> String {
+    expr.map_or("_".to_string(), |x| expression(p, x))
+}
+
+fn names(p: &Program, ids: &[NameId]) -> String {
+    ids.iter().map(|n| format!(" &{}", p.names[n.0 as usize])).collect()
+}
+
+fn jump(p: &Program, word: &str, target: &Target) -> String {
+    format!("{word} {} {:?}", p.label_name(target.label), p.line_of(target).unwrap_or(0))
+}
+
+fn assignment(p: &Program, place: &str, only_if_undefined: bool, value: &Assigned) -> String {
+    let op = if only_if_undefined { ":=" } else { "=" };
+    let value = match value {
+        Assigned::Nothing => "nothing".into(),
+        Assigned::Expr(x) => expression(p, x),
+        Assigned::Text(t) => format!("'{t}'"),
+    };
+    format!("{place} {op} {value}")
+}
+
+fn output(p: &Program, out: &Output) -> String {
+    let word = if out.write { "write" } else { "print" };
+    let file = out.file.as_ref().map_or(String::new(), |f| format!(" #{}", expression(p, f)));
+    let mode = if out.separator == Separator::Comma { ',' } else { ';' };
+    let items: String = out.items.iter().map(|i| format!(" {}", expression(p, i))).collect();
+    format!("{word}{file} {mode}{items}{}", if out.newline { "" } else { " ..." })
 }
 
 fn argument(p: &Program, arg: &Arg) -> String {

@@ -1,55 +1,15 @@
 //! Finds the kind of statement that a line is.
 
-use super::did_you_mean;
-use super::file::is_label;
+use super::keywords::Keyword;
+use super::labels::is_label;
 use super::line::{Failed, Line, Read, is_name};
 use super::text::blank;
+use super::{
+    assign, commands, dialog, ends, expression, fabmo, files, flow, gcode, members, output,
+};
 use crate::syntax::table;
 use crate::syntax::tree::{Span, Statement};
 use kerf_diag::Code;
-
-macro_rules! keywords {
-    ($($name:ident $text:literal)*) => {
-        /// The words that begin statements.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub(crate) enum Keyword { $($name,)* }
-        impl Keyword {
-            /// Every one.
-            pub(crate) const ALL: &[(&'static str, Self)] = &[$(($text, Self::$name),)*];
-            /// The keyword of a word in capitals.
-            fn exact(word: &[u8]) -> Option<Self> {
-                $(if word == $text.as_bytes() { return Some(Self::$name); })*
-                None
-            }
-        }
-    };
-}
-
-keywords! {
-    If "IF" On "ON" End "END" Goto "GOTO" Open "OPEN" Play "PLAY" Exit "EXIT" Gosub "GOSUB"
-    Pause "PAUSE" Print "PRINT" Input "INPUT" Write "WRITE" Close "CLOSE" Shell "SHELL"
-    EndAll "ENDALL" Return "RETURN" MsgBox "MSGBOX" Warning "WARNING" SetUsrVal "SETUSRVAL"
-    GetUsrVal "GETUSRVAL" GetUsrPath "GETUSRPATH" GetAppPath "GETAPPPATH"
-    SetUsrValClrd "SETUSRVALCLRD" GetUsrValClrd "GETUSRVALCLRD"
-    SetSpindleStatus "SETSPINDLESTATUS" GetSpindleStatus "GETSPINDLESTATUS"
-    GetPartFileName "GETPARTFILENAME"
-}
-
-/// The words that begin statements, for editors.
-pub fn statement_words() -> impl Iterator<Item = &'static str> {
-    Keyword::ALL.iter().map(|(word, _)| *word)
-}
-
-impl Keyword {
-    /// The keyword of a word, in any case.
-    pub(crate) fn find(word: &str) -> Option<Self> {
-        let mut capitals = [0; 16];
-        let capitals = capitals.get_mut(..word.len())?;
-        capitals.copy_from_slice(word.as_bytes());
-        capitals.make_ascii_uppercase();
-        Self::exact(capitals)
-    }
-}
 
 /// Words of FabMo's dialect, and what does the same here.
 const FABMO: &[(&str, &str)] = &[
@@ -88,238 +48,224 @@ const FOREIGN: &[(&str, &str)] = &[
     ("LABEL", "a label is a name alone on its line and a colon behind it"),
 ];
 
-impl Line<'_, '_> {
-    /// A statement at the cursor; `inner` behind THEN or ON INPUT.
-    pub(super) fn statement(&mut self, inner: bool) -> Read<Statement> {
-        self.skip_blanks();
-        let start = self.at;
-        match self.peek() {
-            b'&' => return self.assignment(false),
-            b'$' => return self.assignment(true),
-            b'%' | b'(' | b';' => return self.percent_or_code(start),
-            b'#' if self.is_gcode_setting(start) => return Ok(self.gcode()),
-            _ => {}
-        }
-        let end = self.word_end(start);
-        let word = self.slice(start, end);
-        let separated = self.separated(end);
-        if word.len() == 2
-            && separated
-            && let Some(spec) = self.file.commands.find(word)
-            && !self.is_gcode_words(start, word)
-        {
-            self.at = end;
-            return self.command(spec, start);
-        }
-        if let Some(failed) = self.wrong_separator(start, end) {
-            return Err(failed);
-        }
-        if let Some(keyword) = Keyword::find(word) {
-            self.at = end;
-            return self.keyword(keyword, start, inner);
-        }
-        self.at = end;
-        if let Some(read) = self.fabmo(word, start) {
-            return read;
-        }
-        self.at = start;
-        if let Some(custom) = self.custom(start, end)? {
-            return Ok(custom);
-        }
-        if self.is_gcode(start) {
-            return Ok(self.gcode());
-        }
-        Err(self.o_word(start).unwrap_or_else(|| self.unknown(start, end)))
+/// A statement at the cursor; `inner` behind THEN or ON INPUT.
+pub(super) fn statement(l: &mut Line<'_, '_>, inner: bool) -> Read<Statement> {
+    l.skip_blanks();
+    let start = l.at;
+    match l.peek() {
+        b'&' => return assign::assignment(l, false),
+        b'$' => return assign::assignment(l, true),
+        b'%' | b'(' | b';' => return percent_or_code(l, start),
+        b'#' if gcode::is_gcode_setting(l, start) => return Ok(gcode::gcode(l)),
+        _ => {}
     }
+    let end = l.word_end(start);
+    let word = l.slice(start, end);
+    let separated = l.separated(end);
+    if word.len() == 2
+        && separated
+        && let Some(spec) = l.file.commands.find(word)
+        && !gcode::is_gcode_words(l, start, word)
+    {
+        l.at = end;
+        return commands::command(l, spec, start);
+    }
+    if let Some(failed) = wrong_separator(l, start, end) {
+        return Err(failed);
+    }
+    if let Some(keyword) = Keyword::find(word) {
+        l.at = end;
+        return behind_keyword(l, keyword, start, inner);
+    }
+    l.at = end;
+    if let Some(read) = fabmo::fabmo(l, word, start) {
+        return read;
+    }
+    l.at = start;
+    if let Some(custom) = custom(l, start, end)? {
+        return Ok(custom);
+    }
+    if gcode::is_gcode(l, start) {
+        return Ok(gcode::gcode(l));
+    }
+    Err(gcode::o_word(l, start).unwrap_or_else(|| unknown(l, start, end)))
+}
 
-    fn keyword(&mut self, keyword: Keyword, start: usize, inner: bool) -> Read<Statement> {
-        match keyword {
-            Keyword::If => self.if_then(start, inner),
-            Keyword::On => self.on_input(start, inner),
-            Keyword::Goto => Ok(Statement::Goto(self.target(start)?)),
-            Keyword::Gosub => Ok(Statement::Gosub(self.target(start)?)),
-            Keyword::Return => Ok(self.ended(Statement::Return)),
-            Keyword::End => self.end_statement(start),
-            Keyword::EndAll => Ok(self.ended(Statement::EndAll)),
-            Keyword::Exit => {
-                self.expect_word("SHOPBOT", start)?;
-                Ok(self.ended(Statement::ExitShopbot))
-            }
-            Keyword::Warning => {
-                self.expect_word("OFF", start)?;
-                Ok(self.ended(Statement::WarningOff))
-            }
-            Keyword::Pause => self.pause(start),
-            Keyword::Print => self.output(false),
-            Keyword::Write => self.output(true),
-            Keyword::Input => self.input(start),
-            Keyword::MsgBox => self.msgbox(start),
-            Keyword::Open => self.open(start),
-            Keyword::Close => self.close(),
-            Keyword::Play => self.play(start),
-            Keyword::Shell => self.shell(start),
-            registry => self.registry(registry, start),
+fn behind_keyword(
+    l: &mut Line<'_, '_>,
+    keyword: Keyword,
+    start: usize,
+    inner: bool,
+) -> Read<Statement> {
+    match keyword {
+        Keyword::If => flow::if_then(l, start, inner),
+        Keyword::On => flow::on_input(l, start, inner),
+        Keyword::Goto => Ok(Statement::Goto(flow::target(l, start)?)),
+        Keyword::Gosub => Ok(Statement::Gosub(flow::target(l, start)?)),
+        Keyword::Return => Ok(flow::ended(l, Statement::Return)),
+        Keyword::End => flow::end_statement(l, start),
+        Keyword::EndAll => Ok(flow::ended(l, Statement::EndAll)),
+        Keyword::Exit => {
+            expect_word(l, "SHOPBOT", start)?;
+            Ok(flow::ended(l, Statement::ExitShopbot))
         }
+        Keyword::Warning => {
+            expect_word(l, "OFF", start)?;
+            Ok(flow::ended(l, Statement::WarningOff))
+        }
+        Keyword::Pause => flow::pause(l, start),
+        Keyword::Print => output::output(l, false),
+        Keyword::Write => output::output(l, true),
+        Keyword::Input => dialog::input(l, start),
+        Keyword::MsgBox => dialog::msgbox(l, start),
+        Keyword::Open => files::open(l, start),
+        Keyword::Close => files::close(l),
+        Keyword::Play => dialog::play(l, start),
+        Keyword::Shell => dialog::shell(l, start),
+        registry => dialog::registry(l, registry, start),
     }
+}
 
-    fn expect_word(&mut self, word: &str, start: usize) -> Read<()> {
-        if self.take_word(word) {
-            return Ok(());
-        }
-        let first = self.slice(start, self.word_end(start)).to_uppercase();
-        let span = self.span_to_end();
-        let message = format!("{first} {word} expected");
-        Err(self.fault(Code::UnknownStatement, span, message, format!("write {first} {word}")))
+fn expect_word(l: &mut Line<'_, '_>, word: &str, start: usize) -> Read<()> {
+    if l.take_word(word) {
+        return Ok(());
     }
+    let first = l.slice(start, l.word_end(start)).to_uppercase();
+    let span = l.span_to_end();
+    let message = format!("{first} {word} expected");
+    Err(l.fault(Code::UnknownStatement, span, message, format!("write {first} {word}")))
+}
 
-    /// `%(1)=5`, or a line of G-code that begins with %, ( or ;.
-    fn percent_or_code(&mut self, start: usize) -> Read<Statement> {
-        if self.peek() == b'%' {
-            self.at = self.until(start, b')') + 1;
-            if self.take(b'=') {
-                let span = self.span_from(start);
-                let hint = "use VA for locations and VS for speeds";
-                let message = "system variables are read-only; use VA";
-                return Err(self.fault(Code::ReadOnlyVariable, span, message, hint));
-            }
-            self.at = start;
+/// `%(1)=5`, or a line of G-code that begins with %, ( or ;.
+fn percent_or_code(l: &mut Line<'_, '_>, start: usize) -> Read<Statement> {
+    if l.peek() == b'%' {
+        l.at = l.until(start, b')') + 1;
+        if l.take(b'=') {
+            let span = l.span_from(start);
+            let hint = "use VA for locations and VS for speeds";
+            let message = "system variables are read-only; use VA";
+            return Err(l.fault(Code::ReadOnlyVariable, span, message, hint));
         }
-        Ok(self.gcode())
+        l.at = start;
     }
+    Ok(gcode::gcode(l))
+}
 
-    /// A custom cut: `C#,n`, `CN,n` or `Cn`.
-    fn custom(&mut self, start: usize, end: usize) -> Read<Option<Statement>> {
-        let word = self.slice(start, end);
-        if !word.starts_with(['C', 'c']) {
-            return Ok(None);
-        }
-        let rest = &word[1..];
-        let listed = rest.eq_ignore_ascii_case("N") || (rest.is_empty() && self.byte(end) == b'#');
-        let plain = !rest.is_empty() && rest.len() <= 5 && rest.bytes().all(|b| b.is_ascii_digit());
-        let found = listed || (plain && self.separated(end));
-        if !found {
-            return Ok(None);
-        }
-        // `C1 X2` is G-code: an axis word and another one.
-        if plain && self.is_gcode(start) && self.gcode_words(start) > 1 {
-            return Ok(None);
-        }
-        self.at = if plain { start + 1 } else { end + usize::from(rest.is_empty()) };
-        let number = if plain {
-            self.single_value()?
-        } else {
-            self.take(b',');
-            self.expression()?
-        };
-        self.trailing_commas();
-        self.expect_end()?;
-        Ok(Some(Statement::Custom { number, span: self.span_from(start) }))
+/// A custom cut: `C#,n`, `CN,n` or `Cn`.
+fn custom(l: &mut Line<'_, '_>, start: usize, end: usize) -> Read<Option<Statement>> {
+    let word = l.slice(start, end);
+    if !word.starts_with(['C', 'c']) {
+        return Ok(None);
     }
+    let rest = &word[1..];
+    let listed = rest.eq_ignore_ascii_case("N") || (rest.is_empty() && l.byte(end) == b'#');
+    let plain = !rest.is_empty() && rest.len() <= 5 && rest.bytes().all(|b| b.is_ascii_digit());
+    let found = listed || (plain && l.separated(end));
+    if !found {
+        return Ok(None);
+    }
+    // `C1 X2` is G-code: an axis word and another one.
+    if plain && gcode::is_gcode(l, start) && gcode::gcode_words(l, start) > 1 {
+        return Ok(None);
+    }
+    l.at = if plain { start + 1 } else { end + usize::from(rest.is_empty()) };
+    let number = if plain {
+        output::single_value(l)?
+    } else {
+        l.take(b',');
+        expression::expression(l)?
+    };
+    ends::trailing_commas(l);
+    ends::expect_end(l)?;
+    Ok(Some(Statement::Custom { number, span: l.span_from(start) }))
+}
 
-    /// Skips empty fields at the end of the code.
-    pub(super) fn trailing_commas(&mut self) {
-        let start = self.at;
-        while self.take(b',') {}
-        self.skip_blanks();
-        if !self.at_end() {
-            self.at = start;
-        }
+fn unknown(l: &mut Line<'_, '_>, start: usize, end: usize) -> Failed {
+    let word = l.slice(start, end);
+    if let Some(label) = label_with_text(l, start) {
+        return label;
     }
+    if word.is_empty() {
+        return unknown_sign(l, start);
+    }
+    let name = word.to_uppercase();
+    let foreign = foreign_hint(&name);
+    if foreign.is_none()
+        && let Some(failed) = missing_separator(l, start, end)
+    {
+        return failed;
+    }
+    let span = Span { start: start as u32, end: end as u32 };
+    let hint = foreign.unwrap_or_else(|| nearest(&name));
+    let (code, kind) = if name.len() <= 2 || l.byte(end) == b',' {
+        (Code::UnknownCommand, "command")
+    } else {
+        (Code::UnknownStatement, "statement")
+    };
+    l.fault(code, span, format!("unknown {kind} {name}"), hint)
+}
 
-    /// Returns `true` if the words at the cursor begin a statement or a command.
-    pub(super) fn is_statement(&self) -> bool {
-        let word = self.slice(self.at, self.word_end(self.at));
-        Keyword::find(word).is_some() || self.file.commands.find(word).is_some()
-    }
+fn unknown_sign(l: &mut Line<'_, '_>, start: usize) -> Failed {
+    let found = l.slice(start, l.end).chars().next().unwrap_or(' ');
+    let span = Span { start: start as u32, end: start as u32 + found.len_utf8() as u32 };
+    let message = format!("a line cannot begin with {found}");
+    l.fault(Code::UnknownStatement, span, message, "a comment begins with an apostrophe")
+}
 
-    fn unknown(&mut self, start: usize, end: usize) -> Failed {
-        let word = self.slice(start, end);
-        if let Some(label) = self.label_with_text(start) {
-            return label;
-        }
-        if word.is_empty() {
-            return self.unknown_sign(start);
-        }
-        let name = word.to_uppercase();
-        let foreign = foreign_hint(&name);
-        if foreign.is_none()
-            && let Some(failed) = self.missing_separator(start, end)
-        {
-            return failed;
-        }
-        let span = Span { start: start as u32, end: end as u32 };
-        let hint = foreign.unwrap_or_else(|| nearest(&name));
-        let (code, kind) = if name.len() <= 2 || self.byte(end) == b',' {
-            (Code::UnknownCommand, "command")
-        } else {
-            (Code::UnknownStatement, "statement")
-        };
-        self.fault(code, span, format!("unknown {kind} {name}"), hint)
+/// `Start: MX,1`: a label does not share its line.
+fn label_with_text(l: &mut Line<'_, '_>, start: usize) -> Option<Failed> {
+    let colon = l.until(start, b':');
+    let written = l.slice(start, colon).trim_end_matches(blank);
+    if colon >= l.end || !is_label(written) || written.contains([' ', '\t']) {
+        return None;
     }
+    let span = Span { start: colon as u32 + 1, end: l.end as u32 };
+    let message = format!("the label {} shares its line", written.to_uppercase());
+    let hint = "a label stands alone; put the rest on the next line";
+    Some(l.fault(Code::OneCommandPerLine, span, message, hint))
+}
 
-    fn unknown_sign(&mut self, start: usize) -> Failed {
-        let found = self.slice(start, self.end).chars().next().unwrap_or(' ');
-        let span = Span { start: start as u32, end: start as u32 + found.len_utf8() as u32 };
-        let message = format!("a line cannot begin with {found}");
-        self.fault(Code::UnknownStatement, span, message, "a comment begins with an apostrophe")
+/// `M3;1,2` and `C9;`: a command with a wrong separator, which would be G-code with a comment otherwise. A
+/// parenthesis is a comment of G-code that follows a word without a blank.
+fn wrong_separator(l: &mut Line<'_, '_>, start: usize, end: usize) -> Option<Failed> {
+    if end != start + 2 || l.separated(end) || l.byte(end) == b'(' {
+        return None;
     }
+    let custom = matches!(l.slice(start, end).as_bytes(), [b'C' | b'c', b'0'..=b'9']);
+    if !custom || l.byte(end) != b';' {
+        return missing_separator(l, start, end);
+    }
+    let span = l.span_to_end();
+    let word = l.slice(start, end).to_uppercase();
+    let message = format!("{word} is followed by ; and not by a comma or a blank");
+    let hint = format!("write {word} for the custom cut, or G1 {word} for the axis C in G-code");
+    Some(l.fault(Code::UnknownCommand, span, message, hint))
+}
 
-    /// `Start: MX,1`: a label does not share its line.
-    fn label_with_text(&mut self, start: usize) -> Option<Failed> {
-        let colon = self.until(start, b':');
-        let written = self.slice(start, colon).trim_end_matches(blank);
-        if colon >= self.end || !is_label(written) || written.contains([' ', '\t']) {
-            return None;
-        }
-        let span = Span { start: colon as u32 + 1, end: self.end as u32 };
-        let message = format!("the label {} shares its line", written.to_uppercase());
-        let hint = "a label stands alone; put the rest on the next line";
-        Some(self.fault(Code::OneCommandPerLine, span, message, hint))
+/// `M23, 4.2` and `MX-5`: letters of a command with a value right behind.
+fn missing_separator(l: &mut Line<'_, '_>, start: usize, end: usize) -> Option<Failed> {
+    let letters = l.slice(start, (start + 2).min(end));
+    let spec = l.file.commands.find(letters)?;
+    let behind = l.byte(start + 2);
+    if is_name(behind) && !behind.is_ascii_digit() {
+        return None;
     }
-
-    /// `M3;1,2` and `C9;`: a command with a wrong separator, which would be G-code with a comment otherwise. A
-    /// parenthesis is a comment of G-code that follows a word without a blank.
-    fn wrong_separator(&mut self, start: usize, end: usize) -> Option<Failed> {
-        if end != start + 2 || self.separated(end) || self.byte(end) == b'(' {
-            return None;
-        }
-        let custom = matches!(self.slice(start, end).as_bytes(), [b'C' | b'c', b'0'..=b'9']);
-        if !custom || self.byte(end) != b';' {
-            return self.missing_separator(start, end);
-        }
-        let span = self.span_to_end();
-        let word = self.slice(start, end).to_uppercase();
-        let message = format!("{word} is followed by ; and not by a comma or a blank");
-        let hint =
-            format!("write {word} for the custom cut, or G1 {word} for the axis C in G-code");
-        Some(self.fault(Code::UnknownCommand, span, message, hint))
-    }
-
-    /// `M23, 4.2` and `MX-5`: letters of a command with a value right behind.
-    fn missing_separator(&mut self, start: usize, end: usize) -> Option<Failed> {
-        let letters = self.slice(start, (start + 2).min(end));
-        let spec = self.file.commands.find(letters)?;
-        let behind = self.byte(start + 2);
-        if is_name(behind) && !behind.is_ascii_digit() {
-            return None;
-        }
-        let value = self.slice(start + 2, self.field_end(start + 2));
-        let value = value.split([' ', '\t']).next().unwrap_or(value);
-        let stop = (start + 2 + value.len()) as u32;
-        let span = Span { start: start as u32, end: stop };
-        let word = self.slice(start, stop as usize).to_uppercase();
-        let message = format!("unknown command or missing separator: {word}");
-        let rest = self.slice(start + 2, self.end).trim_start_matches([';', ':', '.']).trim();
-        let rest = if rest.is_empty() { String::new() } else { format!(",{rest}") };
-        let hint = format!("write {}{rest}", spec.letters);
-        Some(self.fault(Code::UnknownCommand, span, message, hint))
-    }
+    let value = l.slice(start + 2, l.field_end(start + 2));
+    let value = value.split([' ', '\t']).next().unwrap_or(value);
+    let stop = (start + 2 + value.len()) as u32;
+    let span = Span { start: start as u32, end: stop };
+    let word = l.slice(start, stop as usize).to_uppercase();
+    let message = format!("unknown command or missing separator: {word}");
+    let rest = l.slice(start + 2, l.end).trim_start_matches([';', ':', '.']).trim();
+    let rest = if rest.is_empty() { String::new() } else { format!(",{rest}") };
+    let hint = format!("write {}{rest}", spec.letters);
+    Some(l.fault(Code::UnknownCommand, span, message, hint))
 }
 
 /// The hint for a word of another language or dialect.
 fn foreign_hint(name: &str) -> Option<String> {
     let find = |list: &[(&str, &'static str)]| list.iter().find(|(w, _)| *w == name).map(|f| f.1);
-    let fabmo = || find(FABMO).map(super::fabmo::or_else);
+    let fabmo = || find(FABMO).map(members::or_else);
     find(FOREIGN).map(str::to_owned).or_else(fabmo)
 }
 
@@ -334,7 +280,7 @@ fn nearest(name: &str) -> String {
         let swapped: String = name.chars().rev().collect();
         table::find(&swapped).map(|spec| format!("did you mean {}?", spec.letters))
     } else {
-        did_you_mean(name, statements)
+        kerf_diag::did_you_mean(name, statements)
     };
     near.unwrap_or_else(|| "a command has two letters and then a comma or a blank".into())
 }

@@ -13,6 +13,7 @@ mod recorder;
 mod setting;
 mod settings;
 mod settings_files;
+mod settings_lines;
 mod spec;
 pub(crate) mod tools;
 mod utilities;
@@ -21,8 +22,8 @@ mod zero;
 
 pub use act::Act;
 pub use setting::Setting;
+pub use settings_lines::settings_lines;
 pub use spec::{Bound, CommandSpec, Default, Group, Kind, ParamSpec, Stack, Unit};
-pub use utilities::settings_lines;
 pub(crate) use values::{is_turn, set_axis_unit};
 
 /// Every command, group by group.

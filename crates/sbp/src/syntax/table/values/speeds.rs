@@ -15,7 +15,7 @@ const A: Unit = Unit::AxisSpeed(Axis::A);
 const B: Unit = Unit::AxisSpeed(Axis::B);
 
 /// The move speeds, as MS lists them.
-pub(in crate::syntax::table) const MOVE: [ParamSpec; 4] = [
+pub(crate) const MOVE: [ParamSpec; 4] = [
     speed!("XY move speed", Unit::Speed, cut.xy).about("Of the tool's tip along its path."),
     speed!("Z move speed", Unit::Speed, cut.z),
     speed!("A move speed", A, cut.a),
@@ -23,7 +23,7 @@ pub(in crate::syntax::table) const MOVE: [ParamSpec; 4] = [
 ];
 
 /// The jog speeds, as JS lists them.
-pub(in crate::syntax::table) const JOG: [ParamSpec; 4] = [
+pub(crate) const JOG: [ParamSpec; 4] = [
     speed!("XY jog speed", Unit::Speed, jog.xy).about("Of the tool's tip along its path."),
     speed!("Z jog speed", Unit::Speed, jog.z),
     speed!("A jog speed", A, jog.a),
