@@ -34,6 +34,8 @@ pub(crate) struct FakeHost {
     pub(crate) machine: [f64; 6],
     /// Place to which hand controls or an axis moving by itself take the machine.
     pub(crate) strays_to: Option<[f64; 6]>,
+    /// Number of times that somebody waited for it to come to rest.
+    pub(crate) settles: u32,
     /// The machine is moving: `settle` is not ready.
     pub(crate) moving: bool,
     /// Everything that may wait waits once; `hesitated` says that it did.
@@ -73,6 +75,7 @@ fn key(name: &str) -> String {
 
 impl Host for FakeHost {
     fn settle(&mut self) -> Poll<()> {
+        self.settles += 1;
         if self.moving || self.hesitates() {
             return Poll::Pending;
         }

@@ -7,15 +7,18 @@
 //! - `=` and `:=` of an assignment, THEN and the statement behind it have one blank on each side.
 //! - Labels stand at column 1; other lines keep their indentation.
 //! - Names, labels, texts, expressions and numbers stay as written: `.5` stays `.5`.
-//! - A comment keeps its distance, at least one blank; blanks at line ends go.
+//! - Comments that stand one below the other keep one column; a comment alone keeps its distance, at least one blank.
+//! - Blanks at line ends go.
 //! - Line ends, blank lines, what stands behind Ctrl-Z, G-code and lines that cannot be read stay as they are.
 //!
 //! Formatting twice gives what formatting once gives, and the program means what it meant.
 
+mod comments;
 mod statement;
 #[cfg(test)]
 pub(crate) mod tests;
 
+use self::comments::Line;
 use crate::syntax::reader::{END_OF_FILE, blank, code_end};
 use crate::syntax::tree::{Node, Program};
 use crate::syntax::{Dialect, read_as};
@@ -47,12 +50,11 @@ fn format_code(text: &str, dialect: Dialect) -> String {
     if text.starts_with('\u{feff}') {
         out.push('\u{feff}');
     }
-    for (index, line) in program.lines.iter().enumerate() {
-        let written = program.line_text(index as u32 + 1);
-        push_line(&program, line.node, written, &mut out);
-        let end = line.start as usize + written.len();
-        let next = program.lines.get(index + 1).map_or(program.text.len(), |l| l.start as usize);
-        let line_end = program.text.get(end..next).unwrap_or("");
+    let numbered = (1..).zip(&program.lines);
+    let lines: Vec<Line<'_>> = numbered.map(|(n, line)| tidy(&program, line.node, n)).collect();
+    for (index, (line, column)) in lines.iter().zip(comments::columns(&lines)).enumerate() {
+        line.push(column, &mut out);
+        let line_end = line_end(&program, index);
         // An emptied line between CR and LF would make one line end of the two.
         if line_end.starts_with('\n') && out.ends_with('\r') {
             out.push(' ');
@@ -62,16 +64,27 @@ fn format_code(text: &str, dialect: Dialect) -> String {
     out
 }
 
-fn push_line(program: &Program, node: Node, written: &str, out: &mut String) {
+/// The characters that end a line, by its index.
+fn line_end(program: &Program, index: usize) -> &str {
+    let start = program.lines.get(index).map_or(0, |line| line.start as usize);
+    let end = start + program.line_text(index as u32 + 1).len();
+    let next = program.lines.get(index + 1).map_or(program.text.len(), |l| l.start as usize);
+    program.text.get(end..next).unwrap_or("")
+}
+
+/// A line with its code tidy, by its number from 1.
+fn tidy(program: &Program, node: Node, number: u32) -> Line<'_> {
+    let written = program.line_text(number);
     match node {
-        Node::Bad => return out.push_str(written),
-        Node::Blank => return,
-        Node::Comment => return out.push_str(trim_end(written)),
+        Node::Bad => return Line::plain(written),
+        Node::Blank => return Line::plain(""),
+        Node::Comment => return Line::plain(trim_end(written)),
         _ => {}
     }
     let end = code_end(written.as_bytes());
     let start = written.len() - written.trim_start_matches(blank).len();
     let code = written.get(start..end).unwrap_or("");
+    let mut out = String::with_capacity(written.len() + 8);
     match node {
         Node::Label(_) => {
             out.push_str(trim_end(code.trim_end_matches(':')));
@@ -79,26 +92,17 @@ fn push_line(program: &Program, node: Node, written: &str, out: &mut String) {
         }
         Node::Move { .. } => {
             out.push_str(&written[..start]);
-            push_move(code, out);
+            push_move(code, &mut out);
         }
         Node::Statement(at) => {
             out.push_str(&written[..start]);
             if let Some(statement) = program.statements.get(at as usize) {
-                statement::Code { program, line: written, start, end }.push(statement, out);
+                statement::Code { program, line: written, start, end }.push(statement, &mut out);
             }
         }
         Node::Blank | Node::Comment | Node::Bad => {}
     }
-    push_comment(&written[end..], out);
-}
-
-/// A comment with the blanks before it.
-fn push_comment(rest: &str, out: &mut String) {
-    let rest = trim_end(rest);
-    if rest.starts_with('\'') {
-        out.push(' ');
-    }
-    out.push_str(rest);
+    Line::new(out, written, end)
 }
 
 /// A plain move: letters and literal values.

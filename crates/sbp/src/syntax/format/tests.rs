@@ -94,8 +94,31 @@ fn layout() {
     check("mx\0", "mx\0");
 }
 
+#[test]
+fn comments_keep_their_column() {
+    // Code that grows or shrinks moves none of them.
+    check(
+        "ms, 1.5 , .5   'slow\n&a=-1          'deep",
+        "MS,1.5,.5      'slow\n&a = -1        'deep",
+    );
+    // Lines without a comment lie between; a block is over where the column is another.
+    check(
+        "mx,1   'a\n\nzx\n'text\nmx, 2  'b\nmx, 3 'c",
+        "MX,1   'a\n\nZX\n'text\nMX,2   'b\nMX,3 'c",
+    );
+    // The longest line leaves the first free column.
+    check("&a=1 'a\n&bb=1'b", "&a = 1  'a\n&bb = 1 'b");
+    check("&a=1  'a\n&bb=1 'b", "&a = 1  'a\n&bb = 1 'b");
+    check("mx,1'a\nmx,2'b", "MX,1 'a\nMX,2 'b");
+    // Labels and letters beyond ASCII count by characters.
+    check(" A :   'a\n&ä=\"é\" 'b", "A:       'a\n&ä = \"é\" 'b");
+    // A comment behind a tab stands in no column.
+    check("mx, 1\t'a\nmx, 2\t'b", "MX,1\t'a\nMX,2\t'b");
+    check("mx, 1  'a\nm2\t1,2'b\nmx, 2  'c", "MX,1  'a\nM2,1,2 'b\nMX,2  'c");
+}
+
 mod properties {
-    use super::keeps_meaning;
+    use super::{format, keeps_meaning};
     use crate::syntax::reader::properties::{config, lines, statements};
     use proptest::prelude::*;
 
@@ -109,6 +132,44 @@ mod properties {
             keeps_meaning(&text.join("\n"));
         }
     }
+
+    proptest! {
+        #![proptest_config(config(1000))]
+
+        /// Comments that stand in one column stand in one column afterwards, in that one where the code leaves it free.
+        #[test]
+        fn a_block_of_comments_keeps_one_column(
+            codes in prop::collection::vec(prop::sample::select(CODES), 2..6),
+            column in 1..30usize,
+        ) {
+            let column = codes.iter().map(|code| code.len()).fold(column, usize::max);
+            let lines: Vec<String> = codes.iter().map(|code| format!("{code:column$}'x")).collect();
+            let once = format(&lines.join("\n"));
+            let places: Vec<_> = once.lines().map(|line| line.find('\'')).collect();
+            prop_assert!(places.windows(2).all(|pair| pair[0] == pair[1]), "{once}");
+            let code_of = |line: &str| line.trim_end_matches("'x").trim_end().len();
+            let longest = once.lines().map(code_of).max().unwrap_or(0);
+            prop_assert_eq!(places[0], Some(column.max(longest + 1)), "{}", once);
+        }
+    }
+
+    /// Code that becomes longer, shorter, or stays.
+    const CODES: &[&str] = &[
+        "mx, 1",
+        "M3,1,2,3",
+        "&a=1",
+        "&Long_Name:=5*2",
+        "if &a=1 then m2  5 , 6 ,",
+        "zx,,",
+        "pause 2",
+        "print  \"a\"",
+        "fp, part.sbp , 1",
+        "GOTO A",
+        "  end",
+        "on inp( 1,1 )goto A",
+        "cn, 90",
+        "Start :",
+    ];
 
     /// Lines that can be read, in odd spellings.
     fn tidy() -> impl Strategy<Value = String> {
