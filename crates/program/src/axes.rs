@@ -108,7 +108,7 @@ impl AxisSet {
     pub const EMPTY: Self = Self(0);
 
     /// Adds an axis.
-    pub fn insert(&mut self, axis: Axis) {
+    pub const fn insert(&mut self, axis: Axis) {
         self.0 |= 1 << axis.index();
     }
 
@@ -119,7 +119,7 @@ impl AxisSet {
 
     /// The set with one more axis.
     #[must_use]
-    pub fn with(mut self, axis: Axis) -> Self {
+    pub const fn with(mut self, axis: Axis) -> Self {
         self.insert(axis);
         self
     }

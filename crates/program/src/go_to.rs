@@ -27,11 +27,31 @@ impl GoTo {
         };
         words.next().is_none().then_some(Self { line, settings })
     }
+
+    /// The index of the line that runs next, and the one before which lines are passed over but for what they set up.
+    ///
+    /// Settings on the way are those behind the line that would be next, or from the beginning when it lies further down.
+    pub fn way_from(self, next: u32) -> (u32, Option<u32>) {
+        let index = self.line.saturating_sub(1);
+        match self.settings {
+            false => (index, None),
+            true => (if index < next { 0 } else { next }, Some(index)),
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn settings_on_the_way_are_those_not_executed_yet() {
+        let way = |line, settings, next| GoTo { line, settings }.way_from(next);
+        assert_eq!(way(10, false, 4), (9, None));
+        assert_eq!(way(10, true, 4), (4, Some(9)));
+        assert_eq!(way(10, true, 9), (9, Some(9)));
+        assert_eq!(way(3, true, 4), (0, Some(2)));
+    }
 
     #[test]
     fn a_line_is_named_by_number_or_as_the_last() {

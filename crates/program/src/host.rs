@@ -4,6 +4,7 @@
 
 use crate::AXES;
 use crate::settings::LinearUnit;
+use kerf_diag::Code;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::task::Poll;
@@ -200,6 +201,19 @@ pub enum HostError {
     Disabled(String),
     /// The system or the machine refused; the text tells why.
     Refused(String),
+}
+
+impl HostError {
+    /// The code and the message that tell a person of it.
+    pub fn told(self) -> (Code, String) {
+        match self {
+            Self::NotFound(what) => (Code::FileNotFound, what),
+            Self::NotAllowed(what) => (Code::FileNotAllowed, what),
+            Self::EndOfFile => (Code::EndOfFile, "end of file".into()),
+            Self::Disabled(what) => (Code::ShellDisabled, what),
+            Self::Refused(what) => (Code::FileError, what),
+        }
+    }
 }
 
 /// Key under which [`Host::store`] keeps `1` while the spindle counts as active: then nobody is asked

@@ -12,6 +12,7 @@
 //! An interpreter is stepped and never blocks: what it wants to know it asks through [`Host`],
 //! whose answers are [`std::task::Poll`]; on `Pending` the step has no effect and is repeated later.
 
+mod asking;
 mod axes;
 mod beam;
 mod command;
@@ -28,6 +29,7 @@ mod shift;
 mod smoothing;
 mod tool_change;
 
+pub use asking::{Answers, StepChoice};
 pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
 pub use beam::{Beam, IntensityLaw, LEVELS};
 pub use command::{

@@ -4,7 +4,7 @@
 #[path = "../../../tests/corpus/find.rs"]
 pub(crate) mod find;
 
-use crate::format::tests::keeps_meaning;
+use crate::syntax::format::tests::keeps_meaning;
 use crate::{Dialect, check, read, read_as};
 use kerf_diag::{Code, Diagnostic, Severity};
 use kerf_program::settings::LinearUnit;
@@ -78,6 +78,25 @@ fn with_all<T>(of_real: &[T], look: impl FnOnce(BTreeMap<String, Vec<u8>>, &[T])
     let real = find::real("sbp");
     files.extend(real.iter().flat_map(|folder| texts(folder)));
     look(files, if real.is_some() { of_real } else { &[] });
+}
+
+/// Formatting changes none of the examples, as `kerf fmt --check` asks.
+#[test]
+fn examples_are_formatted() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let entries = |folder: &Path| {
+        let entries = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{folder:?}: {e}"));
+        entries.map(|entry| entry.expect("an entry").path()).collect::<Vec<_>>()
+    };
+    let folders = entries(&folder).into_iter().filter(|path| path.is_dir());
+    let files = folders.flat_map(|folder| entries(&folder));
+    let part_files: Vec<_> =
+        files.filter(|path| path.extension().is_some_and(|ending| ending == "sbp")).collect();
+    assert!(part_files.len() >= 9, "{part_files:?}");
+    for path in part_files {
+        let text = std::fs::read_to_string(&path).expect("text");
+        assert_eq!(crate::format(&text), text, "{path:?}: run kerf fmt");
+    }
 }
 
 #[test]

@@ -34,6 +34,8 @@ pub(crate) struct FakeHost {
     pub(crate) machine: [f64; 6],
     /// Place to which hand controls or an axis moving by itself take the machine.
     pub(crate) strays_to: Option<[f64; 6]>,
+    /// Number of times that somebody waited for it to come to rest.
+    pub(crate) settles: u32,
     /// The machine is moving: `settle` is not ready.
     pub(crate) moving: bool,
     /// Everything that may wait waits once; `hesitated` says that it did.
@@ -73,6 +75,7 @@ fn key(name: &str) -> String {
 
 impl Host for FakeHost {
     fn settle(&mut self) -> Poll<()> {
+        self.settles += 1;
         if self.moving || self.hesitates() {
             return Poll::Pending;
         }
@@ -203,6 +206,8 @@ pub(crate) struct Ran {
     pub(crate) error: Option<Box<Diagnostic>>,
     pub(crate) host: FakeHost,
     pub(crate) session: Session,
+    /// Lines executed, and motion commands given.
+    pub(crate) counts: (u64, u64),
 }
 
 /// Runs a program from the fresh state; `⏎` separates lines too.
@@ -216,22 +221,35 @@ pub(crate) fn run_with(text: &str, host: FakeHost, session: Session) -> Ran {
 }
 
 /// Runs a program with everything given.
-pub(crate) fn run_as(text: &str, mut host: FakeHost, session: Session, options: Options) -> Ran {
+pub(crate) fn run_as(text: &str, host: FakeHost, session: Session, options: Options) -> Ran {
+    drive(text, host, session, options, |interpreter, host, out| interpreter.step(host, out))
+}
+
+/// Runs a program with everything given; `advance` takes it further each time.
+pub(crate) fn drive(
+    text: &str,
+    mut host: FakeHost,
+    session: Session,
+    options: Options,
+    mut advance: impl FnMut(&mut Interpreter, &mut FakeHost, &mut Vec<Sourced>) -> Step,
+) -> Ran {
     let text: String = text.split('⏎').map(str::trim).collect::<Vec<_>>().join("\n");
     let program = read_as(Arc::from("test.sbp"), text.as_bytes(), options.dialect);
     let first_error = program.diagnostics.iter().find(|d| d.is_error()).cloned();
     let mut commands = Vec::new();
     if let Some(error) = first_error {
         let error = Some(Box::new(error));
-        return Ran { commands, status: Status::Failed, error, host, session };
+        return Ran { commands, status: Status::Failed, error, host, session, counts: (0, 0) };
     }
     let mut interpreter = Interpreter::new(program, session, options);
     loop {
         let given = commands.len();
-        let step = interpreter.step(&mut host, &mut commands);
+        let step = advance(&mut interpreter, &mut host, &mut commands);
         commands[given..].iter().for_each(|c: &Sourced| host.carry_out(&c.command));
         if let Step::Done(status, error) = step {
-            return Ran { commands, status, error, host, session: interpreter.into_session() };
+            let counts = (interpreter.lines(), interpreter.motions());
+            let session = interpreter.into_session();
+            return Ran { commands, status, error, host, session, counts };
         }
     }
 }

@@ -1,0 +1,96 @@
+//! The command line: what the operator types to be done at once.
+//!
+//! Commands and assignments can be typed. Statements (IF, GOTO, PRINT …) and labels make sense among
+//! other lines only, so a line alone may not have them. Several lines together are a program (SI).
+
+use crate::syntax::Program;
+use crate::syntax::tree::{Node, Span, Statement};
+use kerf_diag::{Code, Diagnostic};
+use std::sync::Arc;
+
+/// Reads what was typed.
+pub fn read_typed(name: Arc<str>, text: &str) -> Program {
+    let mut program = crate::syntax::read(name, text.as_bytes());
+    if text.trim_end().lines().count() > 1 {
+        return program;
+    }
+    let alone = program.lines.first().map(|line| line.node);
+    if alone.is_some_and(|node| belongs_into_files(&program, node)) {
+        let line = program.line_text(1);
+        let span = Span { start: 0, end: line.trim_end().len() as u32 };
+        let message = format!("'{}' can be used only in part files", line.trim());
+        let hint = "type a command, as MX,1, or &NAME=VALUE; statements need lines around them";
+        let diagnostic = Diagnostic::new(Code::OnlyInFiles, program.place(1, span), message);
+        program.diagnostics.push(diagnostic.hint(hint));
+    }
+    program
+}
+
+fn belongs_into_files(program: &Program, node: Node) -> bool {
+    match node {
+        Node::Label(_) => true,
+        Node::Statement(index) => {
+            let statement = program.statements.get(index as usize);
+            statement.is_some_and(|statement| {
+                !matches!(
+                    statement,
+                    Statement::Command { .. }
+                        | Statement::Assign { .. }
+                        | Statement::Custom { .. }
+                        | Statement::Gcode(_)
+                )
+            })
+        }
+        Node::Blank | Node::Comment | Node::Move { .. } | Node::Bad => false,
+    }
+}
+
+impl Program {
+    /// Returns `true` if a line of it changes what the machine is set to.
+    pub fn sets_machine(&self) -> bool {
+        self.statements.iter().any(sets_machine)
+    }
+}
+
+fn sets_machine(statement: &Statement) -> bool {
+    match statement {
+        Statement::Command { spec, .. } => spec.sets_machine(),
+        Statement::If { then, .. } => sets_machine(then),
+        Statement::OnInput { action: Some(action), .. } => sets_machine(action),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(typed: &str, refused: bool) {
+        let program = read_typed("typed".into(), typed);
+        let codes: Vec<_> = program.diagnostics.iter().map(|d| d.code).collect();
+        assert_eq!(codes.contains(&Code::OnlyInFiles), refused, "{typed}: {codes:?}");
+    }
+
+    #[test]
+    fn sbp_lang_statement_keyboard() {
+        for typed in ["MX,1", "&a=5", "C9", "VS,2", "VV", "'note", "", "SO,1,1\n"] {
+            check(typed, false);
+        }
+        for typed in ["GOTO A", "IF 1 THEN MX,1", "PRINT 1", "A:", "PAUSE 2", "END", "RETURN"] {
+            check(typed, true);
+        }
+        check("GOTO A\nMX,1\nA:\n", false);
+    }
+
+    #[test]
+    fn lines_that_set_the_machine_are_known() {
+        let sets = |typed: &str| read_typed("typed".into(), typed).sets_machine();
+        for typed in ["VC,.375", "vs,2", "MS,1", "SF,0", "UR,mine", "MX,1\nIF &a = 1 THEN VR,,5"] {
+            assert!(sets(typed), "{typed}");
+        }
+        for typed in ["MX,1", "VA,0", "&VC=1", "SR", "SO,1,1", "FP,a.sbp", "US,mine", "C9"] {
+            assert!(!sets(typed), "{typed}");
+        }
+    }
+}
