@@ -6,7 +6,7 @@ CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 PREFIX ?= $(HOME)/.local
-DIST = kerf-$$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)-$$(rustc -vV | sed -n 's/^host: //p')
+DIST = kerf-$(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)-$(shell rustc -vV | sed -n 's/^host: //p')
 
 .DEFAULT_GOAL := help
 .PHONY: help install dist console console-browser console-check console-test rust-test run bench bench-geometry test properties check soak traces mutants fuzz format conformance book figures prepare peers

@@ -95,6 +95,10 @@ fn places_that_are_no_files() {
         shop.kerf(line).exits(2).complains("cannot read none.");
     }
     shop.kerf("sb3 none.sbp,,4,,2").exits(2).complains("cannot read none.sbp");
+    // Messages about a machine that cannot be read name it without a file.
+    shop.write("data/machine.toml", b"axes = 9");
+    shop.kerf("machine check").exits(1).says("axes must be 3 to 6");
+    shop.write("data/machine.toml", b"");
     // The other files are checked all the same.
     let did = shop.kerf("check none.sbp a.nc folder");
     did.exits(2).says("F001").says("cannot read none.sbp").says("is a folder").says("2 errors");

@@ -60,8 +60,7 @@ enum Action {
     },
     /// Checks configuration files; prints every mistake
     Check {
-        /// The files
-        #[arg(required = true)]
+        /// The files [default: that of the machine]
         files: Vec<PathBuf>,
     },
     /// Lists the ready-made machines, or prints the file of one
@@ -120,6 +119,9 @@ enum Action {
 
 pub fn run(args: &MachineArgs) -> Result<Exit> {
     match &args.action {
+        Action::Check { files } if files.is_empty() => {
+            return check(&[args.which.file()?.name().into()]);
+        }
         Action::Check { files } => return check(files),
         Action::Profiles { name } => profiles(name.as_deref())?,
         Action::Show => out::print(&file::write(&args.which.machine()?)),

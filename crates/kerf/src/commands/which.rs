@@ -65,7 +65,7 @@ impl Which {
     }
 
     /// The configuration's file.
-    fn file(&self) -> Result<MachineFile> {
+    pub fn file(&self) -> Result<MachineFile> {
         machine_file::of(&self.machine, &self.folder())
     }
 }
