@@ -3,16 +3,15 @@
 
 use crate::Work;
 use crate::answers::Operator;
-use crate::event::Event;
 use crate::repetitions::Repetitions;
 use crate::session::{Company, LimitPolicy, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
-use crate::sink::Sink;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_part::Program;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{FileRequest, HostError, SourceFile};
 use kerf_sbp::{Language, NamedFile};
+use kerf_trace::{Event, Sink};
 use std::collections::VecDeque;
 use std::sync::Arc;
 

@@ -1,12 +1,13 @@
 //! Settings as a part file that sets them: the lines that UV shows, in the order in which they have
 //! to be carried out. The journal keeps settings so, and settings files (.sbd) are the same text.
 
+use crate::files::MemoryDisk;
 use crate::session::{Company, RunOptions, Session};
 use crate::shelf::Shelf;
-use crate::{Event, files::MemoryDisk};
 use kerf_diag::Diagnostic;
 use kerf_program::Settings;
 use kerf_sbp::Options;
+use kerf_trace::Event;
 use std::sync::Arc;
 
 /// The name of the text where a mistake in it is told.

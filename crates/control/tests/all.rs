@@ -17,3 +17,4 @@ mod standing;
 mod streaming;
 mod taken_up;
 mod taking_up;
+mod vcd;

@@ -4,12 +4,13 @@
 use kerf_control::answers::Operator;
 use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, OperatorRequest, Requests, RunOptions, Script, Session, Shelf, Summary,
+    Company, OperatorRequest, Requests, RunOptions, Script, Session, Shelf, Summary,
 };
 use kerf_machine::lines::Input;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Question, QuestionKind, Status};
 use kerf_sim::Change;
+use kerf_trace::Event;
 use std::collections::VecDeque;
 
 /// Says one thing after the other, whatever is asked.

@@ -2,10 +2,11 @@
 
 use kerf_control::files::{Folders, MACHINES, MemoryDisk};
 use kerf_control::stored::Stored;
-use kerf_control::{Company, Event, RunOptions, Session, Shelf, Summary};
+use kerf_control::{Company, RunOptions, Session, Shelf, Summary};
 use kerf_program::MoveKind;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Status;
+use kerf_trace::Event;
 use std::path::PathBuf;
 
 /// A machine with files in memory.

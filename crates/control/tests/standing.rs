@@ -2,8 +2,9 @@
 
 use kerf_control::answers::Answers;
 use kerf_control::files::MemoryDisk;
-use kerf_control::{Company, Event, RunOptions, Session, Shelf, Sink, Standing, StopAt};
+use kerf_control::{Company, RunOptions, Session, Shelf, StopAt};
 use kerf_program::Axis;
+use kerf_trace::{Event, Sink, Standing};
 
 /// Notes every place where a run stands.
 #[derive(Default)]

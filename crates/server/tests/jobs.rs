@@ -397,16 +397,16 @@ fn told(tenths: u8) -> Vec<([f64; 3], f64)> {
 
 /// Everything that a run tells.
 #[derive(Default)]
-struct Trace(Vec<kerf_control::Event>);
+struct Trace(Vec<kerf_trace::Event>);
 
-impl kerf_control::Sink for Trace {
-    fn event(&mut self, event: &kerf_control::Event) {
+impl kerf_trace::Sink for Trace {
+    fn event(&mut self, event: &kerf_trace::Event) {
         self.0.push(event.clone());
     }
 }
 
 /// The trace of the same job.
-fn trace(tenths: u8) -> Vec<kerf_control::Event> {
+fn trace(tenths: u8) -> Vec<kerf_trace::Event> {
     let mut machine = kerf_machine::profile::profile("sim").unwrap().configuration().unwrap();
     machine.misc.runtime_drawing = tenths;
     let (job, _) = kerf_toolpath::read(rsm("line 0,0 100,0; line 700,0 600,0").as_bytes());

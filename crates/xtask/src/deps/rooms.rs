@@ -61,7 +61,9 @@ pub const ROOMS: &[Room] = &[
     at(5.0, Half::Machine, "kerf-sim"),
     // Bytes in and out; it knows nothing of who speaks.
     at(6.0, Half::Edge, "kerf-serial"),
-    at(6.0, Half::Edge, "kerf-control"),
+    // What a run tells; it knows nothing of runs.
+    at(6.0, Half::Edge, "kerf-trace"),
+    at(6.5, Half::Edge, "kerf-control"),
     at(7.0, Half::Edge, "kerf-wire"),
     // Between `wire` and whoever serves editors.
     at(7.5, Half::Edge, "kerf-language"),
