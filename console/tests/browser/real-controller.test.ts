@@ -105,7 +105,6 @@ it("moves for as long as a key is held", async () => {
 });
 
 it("runs a file, faster and slower, holds it and goes on, to its end", async () => {
-  const [x = 0, y = 0] = await agree();
   await page.keyboard.press("Control+o");
   await page.getByRole("option", { name: "square.sbp" }).click();
   await page.keyboard.press("Enter");
@@ -129,7 +128,7 @@ it("runs a file, faster and slower, holds it and goes on, to its end", async () 
   await page.getByRole("button", { name: "100 %" }).click();
   await page.getByText("finished").waitFor();
   const [endX = 0, endY = 0] = await agree();
-  expect([endX, endY].map((mm) => mm.toFixed(2))).toEqual([x, y].map((mm) => mm.toFixed(2)));
+  expect([endX, endY]).toEqual([0, 0]);
   expect((await controller.look()).spindle).toBe(false);
 });
 

@@ -180,6 +180,9 @@ impl<I: Interpreter> Runner<'_, I> {
             }
         }
         self.stand();
+        if driven.is_some() {
+            self.learn_switched_off();
+        }
         driven.unwrap_or(Driven::There)
     }
 

@@ -215,6 +215,11 @@ impl<'a> Drive<'a> {
         self.machine.borrow().facts().overrides
     }
 
+    /// Returns `true` if a stop of the machine switches its outputs off.
+    pub fn stop_switches_off(&self) -> bool {
+        self.machine.borrow().facts().stop_switches_off
+    }
+
     /// Has such a machine make cuts at this share of their speed.
     pub fn feed(&mut self, share: f32) {
         self.machine.borrow_mut().feed(share);

@@ -125,12 +125,22 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             Some((stop, why, began)) => {
                 self.stand();
+                self.learn_switched_off();
                 self.world.shelf.tape.stood(stop.share);
                 // A stop behind the last move leaves nothing to make.
                 let motion = if stop.share < 1.0 { number } else { self.stack.next_number() };
                 let at = kerf_program::Halted { motion, began, stands: stop.position };
                 self.answer_halt(why, number, &at).and_then(|()| self.set_off_again()).err()
             }
+        }
+    }
+
+    /// What turned before a stop that switches outputs off turns no more. It comes on again, with the time to come to
+    /// speed, when the run goes on; a job says itself what comes on.
+    pub(crate) fn learn_switched_off(&mut self) {
+        if self.drive.stop_switches_off() && !self.interpreter.takes_stops() {
+            self.world.stop_turning();
+            self.world.tell_log();
         }
     }
 

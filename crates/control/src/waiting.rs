@@ -350,6 +350,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.heed_emergency()?;
         self.on(Stopped::Stop, settings, "");
         self.on(Stopped::Stands, settings, "");
+        self.keep_turning();
         self.stopped_meanwhile()?;
         let t = self.world.now();
         self.world.tell(&Event::Hold { t });

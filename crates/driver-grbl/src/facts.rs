@@ -231,6 +231,7 @@ impl Told {
             probe: (!self.lacks_probe).then_some(PROBE_INPUT),
             spindle_rpm: self.of(30).unwrap_or(1000.0),
             overrides: true,
+            stop_switches_off: true,
         }
     }
 }

@@ -171,6 +171,8 @@ pub struct Facts {
     pub spindle_rpm: f64,
     /// It changes the speed of moves that it has (feed override).
     pub overrides: bool,
+    /// Its stop switches every output off.
+    pub stop_switches_off: bool,
 }
 
 /// A setting of a controller that was changed to drive it, and is put back afterwards.
