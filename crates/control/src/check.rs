@@ -196,7 +196,7 @@ fn find(shelf: &mut Shelf, request: &FileRequest) -> Result<SourceFile, HostErro
 #[allow(non_snake_case)] // rows and their variants
 mod tests {
     use super::*;
-    use crate::files::MemoryDisk;
+    use kerf_files::MemoryDisk;
 
     fn check_text(files: &[(&str, &str)], expected: &[&str]) {
         let disk = MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes())));

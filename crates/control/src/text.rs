@@ -2,9 +2,9 @@
 
 use crate::StopAt;
 use crate::answers::Answers;
-use crate::files::MemoryDisk;
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
+use kerf_files::MemoryDisk;
 use kerf_program::Settings;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;

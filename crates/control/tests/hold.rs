@@ -1,11 +1,11 @@
 //! Runs that the operator stops in the middle: resumed, nudged, given up.
 
 use kerf_control::answers::Answers;
-use kerf_control::files::MemoryDisk;
 use kerf_control::{
     Company, OperatorRequest, Outcome, RunOptions, Script, Session, Shelf, Summary, TextOptions,
     run_text,
 };
+use kerf_files::MemoryDisk;
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_machine::settings::estop::EmergencyStop;

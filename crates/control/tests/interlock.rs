@@ -2,10 +2,10 @@
 //! released and somebody says so.
 
 use kerf_control::answers::Operator;
-use kerf_control::files::MemoryDisk;
 use kerf_control::{
     Company, OperatorRequest, Requests, RunOptions, Script, Session, Shelf, Summary,
 };
+use kerf_files::MemoryDisk;
 use kerf_machine::lines::Input;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Question, QuestionKind, Status};

@@ -200,8 +200,8 @@ pub fn write(scene: &Scene, format: Format, path: &Path) -> Result<()> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use kerf_control::files::MemoryDisk;
     use kerf_control::{Company, RunOptions, Shelf};
+    use kerf_files::MemoryDisk;
     use kerf_program::Axes;
 
     /// The scene of a program, lines separated by `⏎`, with the tool at (1, 1) in.

@@ -1,9 +1,9 @@
 //! Jobs on the machine SIM (readings, SIM), and what their traces tell.
 
 use kerf_control::answers::Answers;
-use kerf_control::files::MemoryDisk;
 use kerf_control::{Company, OperatorRequest, RunOptions, Script, Session, Shelf, Summary, Work};
 use kerf_drawing::{Editor, script};
+use kerf_files::MemoryDisk;
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::lines::Input;
 use kerf_machine::profile::profile;

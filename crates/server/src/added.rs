@@ -3,8 +3,8 @@
 
 use crate::app::{App, Open, problem};
 use crate::digested::{checked, with_digest};
-use kerf_control::files::{Disk, RealDisk};
 use kerf_control::job_file;
+use kerf_files::{Disk, RealDisk};
 use kerf_wire::{Problem, Tone, Why};
 use std::collections::BTreeMap;
 use std::fs;

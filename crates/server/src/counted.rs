@@ -13,7 +13,7 @@
 
 use crate::app::lock;
 use crate::digested::{checked, with_digest};
-use kerf_control::files::{Disk, RealDisk, replace_whole, write_private};
+use kerf_files::{Disk, RealDisk, replace_whole, write_private};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};

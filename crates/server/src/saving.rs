@@ -8,7 +8,7 @@
 use crate::app::{hash, lock, problem};
 use crate::files::{self, PartFolder};
 use crate::job::kind_of;
-use kerf_control::versions::Versions;
+use kerf_files::versions::Versions;
 use kerf_wire::{FileAbout, FileInfo, FileKind, FileVersion, Problem, Why};
 use std::collections::BTreeMap;
 use std::path::Path;

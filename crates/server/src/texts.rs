@@ -9,7 +9,7 @@
 use crate::app::{App, hash, lock, problem};
 use crate::digested::{checked, with_digest};
 use crate::files::{self, PartFolder};
-use kerf_control::files::{Disk, RealDisk};
+use kerf_files::{Disk, RealDisk};
 use kerf_wire::{Problem, TextDraft, Tone, Why};
 use std::fs;
 use std::io;

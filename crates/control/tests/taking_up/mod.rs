@@ -3,12 +3,12 @@
 #![allow(dead_code)]
 
 use kerf_control::answers::{Answers, Operator};
-use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{
     Company, OperatorRequest, Press, Requests, RunOptions, Session, Shelf, Started, Work,
 };
+use kerf_files::{Folders, MemoryDisk};
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::profile::profile;
 use kerf_machine::{Configuration, Driven};

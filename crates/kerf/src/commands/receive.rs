@@ -9,7 +9,7 @@ use crate::stop::Stop;
 use anyhow::{Result, bail};
 use clap::Args;
 use kerf_control::journal::Journal;
-use kerf_control::versions::Versions;
+use kerf_files::versions::Versions;
 use kerf_serial::Port;
 use kerf_server::Server;
 use kerf_trace::flag;

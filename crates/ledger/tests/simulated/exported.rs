@@ -3,8 +3,8 @@
 use crate::simulated::dice::Dice;
 use crate::simulated::jobs;
 use kerf_control::answers::Answers;
-use kerf_control::files::MemoryDisk;
 use kerf_control::{Company, RunOptions, Script, Session, Shelf, Summary};
+use kerf_files::MemoryDisk;
 use kerf_geom::Point2;
 use kerf_ledger::jobs::{JobRun, sim};
 use kerf_machine::Configuration;

@@ -7,7 +7,7 @@ use super::Tries;
 use crate::app::{hash, hex, lock};
 use crate::clock::Clock;
 use crate::counted::{Counted, Found};
-use kerf_control::files::{Disk, RealDisk};
+use kerf_files::{Disk, RealDisk};
 use kerf_wire::Role;
 use serde::{Deserialize, Serialize};
 use std::io;
