@@ -1,12 +1,11 @@
 //! Looks at a machine that stands, and changes to it, without a program.
 
-use crate::Press;
-use crate::journal::Journal;
-use crate::machine_file::MachineFileError;
-use crate::session::{Company, RunOptions, Session};
+use crate::session::{Company, Session};
 use crate::shelf::Shelf;
-use crate::switches::{self, SWITCHES};
 use crate::world::{World, actuator};
+use kerf_journal::machine_file::MachineFileError;
+use kerf_journal::switches::SWITCHES;
+use kerf_journal::{Journal, Press, RunOptions, switches};
 use kerf_machine::{Configuration, Driven, Setting};
 use kerf_part::Program;
 use kerf_program::OutputReason;

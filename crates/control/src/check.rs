@@ -1,17 +1,17 @@
 //! Checking a part file without a machine: everything that can be said about it and the files it
 //! names, and what a dry run finds.
 
-use crate::Work;
 use crate::answers::Operator;
 use crate::repetitions::Repetitions;
-use crate::session::{Company, LimitPolicy, RunOptions, Session, Summary};
+use crate::session::{Company, Session};
 use crate::shelf::Shelf;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_journal::{LimitPolicy, RunOptions, Work};
 use kerf_part::Program;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{FileRequest, HostError, SourceFile};
 use kerf_sbp::{Language, NamedFile};
-use kerf_trace::{Event, Sink};
+use kerf_trace::{Event, Sink, Summary};
 use std::collections::VecDeque;
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@
 //! One command of two letters with its parameters is carried out once, when no file runs, and the
 //! value is empty from then on. What was left there before the start is not carried out.
 
-use crate::journal::{Journal, JournalError};
+use kerf_journal::{Journal, JournalError};
 
 /// Key of the command.
 pub const COMMAND: &str = "uCommand";

@@ -1,14 +1,13 @@
 //! Moves by hand as runs, and the homing that comes before other runs.
 
-use crate::Work;
-use crate::before::Door;
 use crate::homing::Found;
 use crate::runner::{Over, Runner};
-use crate::session::{Company, RunOptions, Session, Summary, end_event, summary, unverified};
+use crate::session::{Company, Session, end_event, summary, unverified};
 use crate::shelf::Shelf;
 use crate::stopping::CONFIRM;
 use crate::world::World;
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_journal::{Door, RunOptions, Work};
 use kerf_machine::settings::homing::BeforeRuns;
 use kerf_machine::{Configuration, Errand, Hand};
 use kerf_program::{
@@ -16,7 +15,7 @@ use kerf_program::{
     Status,
 };
 use kerf_sbp::POSITION_LOST;
-use kerf_trace::{Event, Sink};
+use kerf_trace::{Event, Sink, Summary};
 use std::sync::Arc;
 
 impl Session {

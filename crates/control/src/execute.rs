@@ -1,10 +1,10 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
 use crate::OperatorRequest;
-use crate::journal::Kind;
 use crate::runner::{Over, Runner};
 use crate::stack::Running;
 use kerf_diag::Code;
+use kerf_journal::Kind;
 use kerf_machine::lines::Input;
 use kerf_machine::{Going, Watch};
 use kerf_motion::{Move, Path, Plan, Stop, planner};

@@ -1,8 +1,8 @@
 //! The heights in force, as they are told: ZSurface and ZTop go with Z while it follows the sheet
 //! (Profiler reference, "Automatic Height Control").
 
-use crate::RunOptions;
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_journal::RunOptions;
 use kerf_machine::lines::Input;
 use kerf_program::job::Heights;
 use kerf_program::{Gauge, HeightLaw};

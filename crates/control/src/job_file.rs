@@ -1,8 +1,8 @@
 //! Jobs in files (`.rsm`) as whoever runs them reads them: the command line and the server.
 
-use crate::Work;
 use kerf_formats::{Finding, Weight};
 use kerf_geom::Point2;
+use kerf_journal::Work;
 use kerf_machine::Configuration;
 use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::Printer;

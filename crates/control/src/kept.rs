@@ -1,19 +1,20 @@
 //! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
 
-use crate::Work;
 use crate::before::Whole;
 use crate::errands::unconfirmed;
-use crate::journal::{
-    CutShort, Journal, JournalError, KeptWork, KnownMachine, Owner, Placed, Remembered,
-    RunUnderWay, Tape, Whereabouts,
-};
-use crate::session::{Company, RunOptions, Session, Summary};
+use crate::session::{Company, Session, lines_at_once};
+use crate::settings_text;
 use crate::shelf::Shelf;
-use crate::switches::{self, SWITCHES};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_journal::switches::SWITCHES;
+use kerf_journal::{
+    CutShort, Journal, JournalError, KeptWork, KnownMachine, Live, Owner, Placed, Remembered,
+    RunOptions, RunUnderWay, Standing, Tape, Whereabouts, Work, switches,
+};
 use kerf_program::Settings;
 use kerf_sim::Machine;
-use kerf_trace::Event;
+use kerf_trace::{Event, Summary};
+use std::sync::Arc;
 
 impl Session {
     /// Recalls what a journal remembers of the machine, a new machine where it remembers nothing; tells whether
@@ -25,7 +26,7 @@ impl Session {
         journal: &Journal,
         shelf: &mut Shelf,
     ) -> Result<(Self, Whereabouts), JournalError> {
-        let Some(remembered) = journal.remembered()? else {
+        let Some(remembered) = journal.remembered(settings_text::read)? else {
             return Ok((Self::default(), Whereabouts::Known));
         };
         let whereabouts = remembered.whereabouts;
@@ -88,7 +89,7 @@ impl Session {
         if !journal.another_had_it()? {
             return Ok(false);
         }
-        let Some(remembered) = journal.remembered()? else { return Ok(false) };
+        let Some(remembered) = journal.remembered(settings_text::read)? else { return Ok(false) };
         shelf.stored.renew()?;
         self.stands_as(remembered, shelf);
         Ok(true)
@@ -112,9 +113,9 @@ impl Session {
             return Ok(self.run(work, options, shelf, company));
         };
         let owner = journal.own()?;
-        journal.move_settings()?;
+        journal.move_settings(settings_text::read)?;
         if settings.is_none() {
-            journal.refresh(self)?;
+            self.refresh(&journal)?;
         }
         if let Some(told) = self.meet_machine(shelf)? {
             let place = Place::line(journal.machine_file().name().into(), 1);
@@ -125,7 +126,7 @@ impl Session {
         if options.controller.is_none() {
             self.take_over(&journal, shelf)?;
         }
-        options.lines_at_once = options.lines_for(&*company.sink);
+        options.lines_at_once = lines_at_once(&options, &*company.sink);
         let Company { sink, operator, requests, machine } = company;
         let mut whole = Whole::new(sink);
         let company = Company { sink: &mut whole, operator, requests, machine };
@@ -157,10 +158,11 @@ impl Session {
             return Ok(summary);
         }
         let kept = KeptWork::of(&work)?;
-        let run = RunUnderWay::new(self, &kept, &options, settings, shelf);
+        let run =
+            RunUnderWay::new(&self.standing(), &kept, &options, settings, shelf.surroundings());
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
         shelf.keep_doubts();
-        shelf.tape = journal.begin(&run, self, &kept.bytes)?;
+        shelf.tape = journal.begin(&run, &self.standing(), &kept.bytes)?;
         in_time(&journal, &mut shelf.tape, &company)?;
         let summary = self.go(work, options, shelf, company, None);
         self.over(&run, summary, shelf, owner)
@@ -174,7 +176,7 @@ impl Session {
         let Some(journal) = shelf.journal().cloned() else { return Ok(()) };
         let _owner = journal.own()?;
         shelf.keep_doubts();
-        journal.end_by_hand(self)
+        journal.end_by_hand(&self.standing())
     }
 
     /// The operator says whether the location is right, where that is in doubt.
@@ -189,10 +191,10 @@ impl Session {
         if unconfirmed(shelf).is_empty() {
             return Ok(None);
         }
-        journal.begin_by_hand(self)?;
+        journal.begin_by_hand(&self.standing())?;
         let summary = self.confirm_location(work, options, shelf, company);
         shelf.keep_doubts();
-        journal.end_by_hand(self)?;
+        journal.end_by_hand(&self.standing())?;
         Ok(summary)
     }
 
@@ -208,7 +210,7 @@ impl Session {
     ) -> Result<Option<Summary>, JournalError> {
         let moves = matches!(work, Work::Hand(..)) || self.homes_before(work, options);
         if moves {
-            journal.begin_by_hand(self)?;
+            journal.begin_by_hand(&self.standing())?;
         }
         let summary = match work {
             Work::Hand(errand, machine) => {
@@ -220,9 +222,55 @@ impl Session {
         if moves {
             self.location_is_known(shelf);
             shelf.keep_doubts();
-            journal.end_by_hand(self)?;
+            journal.end_by_hand(&self.standing())?;
         }
         Ok(summary)
+    }
+
+    /// Returns work, options and session from which a run that was cut short was begun; the shelf is as it was.
+    ///
+    /// # Errors
+    /// As the file cannot be read, or its text was not kept.
+    pub fn begun(
+        journal: &Journal,
+        cut: &CutShort,
+        shelf: &mut Shelf,
+    ) -> Result<(Work, RunOptions, Self), JournalError> {
+        let (work, run) = (journal.work_of(cut)?, &cut.run);
+        shelf.as_it_was(&run.folders, run.shell);
+        shelf.stored.begin_from(run.values.clone());
+        Ok((work, run.options.clone(), Self::as_begun(cut)))
+    }
+
+    /// The session as it was when a run that was cut short began.
+    fn as_begun(cut: &CutShort) -> Self {
+        let kerf_part::Session { sbp, gcode } = cut.memory().clone();
+        let machine = Machine::default().with_switches(&cut.switches());
+        let machine_is = Arc::new(cut.machine());
+        Self { gcode, machine_is, machine: Some(machine), ..Self::new(sbp) }
+    }
+
+    /// The machine as it goes on record.
+    fn standing(&self) -> Standing<'_> {
+        Standing {
+            memory: &self.memory,
+            gcode: &self.gcode,
+            machine: &self.machine_is,
+            homed: self.homed,
+            truth: self.machine.as_ref().map(Machine::truth),
+        }
+    }
+
+    /// Takes over what somebody changed in the file of the machine since it was looked at last.
+    ///
+    /// # Errors
+    /// The mistakes of the file: with those nothing may move.
+    fn refresh(&mut self, journal: &Journal) -> Result<(), JournalError> {
+        if let Some(now) = journal.refreshed(self.configuration())? {
+            self.memory.settings = now.program.clone();
+            self.machine_is = Arc::new(now);
+        }
+        Ok(())
     }
 
     /// Takes up a run that was cut short, with a machine that is where this session says.
@@ -244,7 +292,7 @@ impl Session {
         let (work, tape) = journal.take_up(cut, stands, switches)?;
         let run = &cut.run;
         // Whoever homed the machine since knows its homes.
-        *self = Self { homed: self.homed, ..cut.session() };
+        *self = Self { homed: self.homed, ..Self::as_begun(cut) };
         shelf.as_it_was(&run.folders, run.shell);
         shelf.stored.begin_from(run.values.clone());
         shelf.tape = tape;
@@ -286,7 +334,7 @@ impl Session {
             return Err(JournalError::Unfit(why.to_owned()));
         }
         journal.each_commit_lasts(true)?;
-        journal.end(run, self, summary, &tape)?;
+        journal.end(run, &self.standing(), summary, &tape, &self.look(Live::at_rest))?;
         journal.back_up()
     }
 }
@@ -300,3 +348,6 @@ fn in_time(journal: &Journal, tape: &mut Tape, company: &Company<'_>) -> Result<
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

@@ -32,22 +32,18 @@ pub mod drawn;
 mod drive;
 mod errands;
 mod execute;
-pub mod facts;
 mod fonts;
 mod heights;
 mod hold;
 mod homing;
 mod host;
 pub mod job_file;
-pub mod journal;
 mod kept;
-pub mod machine_file;
 mod nudge;
 mod part_log;
 pub mod parts;
 pub mod password;
 mod pendant;
-mod press;
 mod preview_mode;
 mod reentry;
 mod repetitions;
@@ -63,7 +59,6 @@ mod stack;
 pub mod start_up;
 mod stopping;
 pub mod stored;
-mod switches;
 pub mod system_log;
 mod table_limits;
 mod text;
@@ -73,7 +68,6 @@ mod turning;
 mod virtual_tools;
 mod waiting;
 mod warning;
-mod work;
 mod world;
 mod world_clock;
 
@@ -81,24 +75,18 @@ use kerf_machine::Driven;
 use kerf_sim::Simulated;
 
 pub use away::LIFT;
-pub use before::Before;
 pub use begun::Begun;
 pub use by_hand::Jog;
 pub use check::{Checked, check};
 pub use desk::Desk;
 pub use errands::unconfirmed;
 pub use nudge::{Nudge, Outside};
-pub use part_log::Started;
 pub use parts::{Listing, PartFile};
-pub use press::Press;
 pub use repetitions::Repetitions;
 pub use requests::{OperatorRequest, Requests, Script, StopAt};
-pub use session::{
-    Company, DrivenBy, LimitPolicy, RunOptions, Session, Summary, dialect_word, unverified,
-};
-pub use shelf::{Firmware, MOST_BYTES, Shelf, Shell};
+pub use session::{Company, DrivenBy, Session, dialect_word, unverified};
+pub use shelf::{Firmware, MOST_BYTES, Shelf};
 pub use text::{Outcome, TextOptions, run_text};
-pub use work::Work;
 pub use world_clock::WorldClock;
 
 /// The simulated machine of a run that takes no time.

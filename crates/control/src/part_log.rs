@@ -9,19 +9,10 @@
 
 use crate::{Session, Shelf};
 use kerf_diag::Diagnostic;
+use kerf_journal::Started;
 use kerf_program::settings::Mode;
 use kerf_program::{FileCall, Status};
 use kerf_sbp::{Options, format_number};
-use serde::{Deserialize, Serialize};
-
-/// Time and date at which a run starts, as a person reads them: the clock belongs to the caller.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Started {
-    /// `14:03:05`
-    pub time: String,
-    /// `2026-11-21`
-    pub date: String,
-}
 
 /// Facts that are known of a run before it begins.
 #[derive(Clone, Debug)]

@@ -1,5 +1,5 @@
 //! Taking up a run that was cut short: up to where it was it runs in silence, the world's part
-//! played from the [tape](crate::journal); then the machine goes back to where the cut ended.
+//! played from the [tape](kerf_journal); then the machine goes back to where the cut ended.
 //!
 //! ```text
 //!           lift ┌─ ask ───── approach ──────┐
@@ -13,8 +13,8 @@
 
 use crate::OperatorRequest;
 use crate::execute::Halted;
-use crate::journal::Placed;
 use crate::runner::{Flow, Over, Runner};
+use kerf_journal::Placed;
 use kerf_machine::lines::Output;
 use kerf_motion::Move;
 use kerf_program::{

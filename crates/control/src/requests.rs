@@ -1,6 +1,6 @@
 //! Requests of the operator about a run, in the order in which they come.
 
-use crate::journal::Hurry;
+use kerf_journal::Hurry;
 use serde::{Deserialize, Serialize};
 
 /// Request of the operator about a machine that runs.

@@ -9,14 +9,13 @@
 use crate::bound::Bound;
 use crate::drive::Drive;
 use crate::execute::Halted;
-use crate::journal::Placed;
-use crate::session::LimitPolicy;
 use crate::stack::{READ_AHEAD, Stack};
 use crate::stopping::Kept;
 use crate::trail::Trail;
 use crate::world::World;
 use crate::{OperatorRequest, Requests};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_journal::{LimitPolicy, Placed};
 use kerf_machine::State;
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_motion::{Move, Mover};

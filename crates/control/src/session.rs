@@ -1,101 +1,34 @@
 //! The owner of one machine: what stays between runs, and how a run starts.
 
+use crate::Requests;
 use crate::answers::Operator;
-use crate::before::{Before, Door, Whole};
+use crate::before::Whole;
 use crate::bound::Bound;
 use crate::heights;
-use crate::journal::Placed;
 use crate::nudge::{Nudge, Outside};
-use crate::part_log::{PartLog, Started};
+use crate::part_log::PartLog;
 use crate::password;
 use crate::runner::{LINES, Runner};
 use crate::shelf::Shelf;
 use crate::trail::Trail;
 use crate::world::World;
-use crate::{Requests, Work};
-use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
+use kerf_journal::{Door, Placed, RunOptions, Work};
 use kerf_machine::homing::bounds_by_hand;
 use kerf_machine::{Configuration, Driven};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
-use kerf_program::settings::{LinearUnit, Mode};
+use kerf_program::settings::Mode;
 use kerf_program::{AXES, Axis, AxisSet, Frame, Interpreter as _, Settings};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
 use kerf_sequence::Sequence;
-use kerf_sim::{Change, Inputs, Machine, Push, Sheet, Touch};
+use kerf_sim::{Change, Inputs, Machine};
 use kerf_trace::{
-    Sink, Tally,
+    Sink, Summary,
     event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue},
 };
-use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-
-/// Options with which a program is run.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub struct RunOptions {
-    /// Options for reading the language.
-    pub program: kerf_sbp::Options,
-    /// Options for reading G-code, as far as `program` does not say.
-    pub gcode: kerf_gcode::Options,
-    /// Changes of the simulated machine's inputs.
-    pub inputs: Vec<Change>,
-    /// The sheet on the table of the simulated machine.
-    pub sheet: Option<Sheet>,
-    /// Switches of the simulated machine that feel where the tool is.
-    #[serde(default)]
-    pub touches: Vec<Touch>,
-    /// Pushes of the simulated machine by hand.
-    pub pushes: Vec<Push>,
-    /// Tell the user's variables at the end.
-    pub tell_variables: bool,
-    /// The controller that carries it out, as it was named; else it is the simulated machine.
-    #[serde(default)]
-    pub controller: Option<String>,
-    /// Start of the run, for the log of the part file; without it none is written.
-    pub started: Option<Started>,
-    /// Treatment of a move that would leave the table limits.
-    pub limits: LimitPolicy,
-    /// The password was given, where one protects the machine's settings: whoever runs it may change them.
-    #[serde(default)]
-    pub opened: bool,
-    /// Preparations of the run, which goes on from there.
-    #[serde(default)]
-    pub before: Before,
-    /// Carry out so many commands at the most, moves and all others; 0 for no bound. What only looks at a
-    /// program has one: a program may go round for ever on purpose.
-    #[serde(default)]
-    pub most_commands: u64,
-    /// Look at the commands of a run after so many lines; 0 for the usual. Results do not depend
-    /// on it.
-    pub lines_at_once: u64,
-    /// Save the state of the program at each look and go on from what was saved. Results do not
-    /// depend on it.
-    pub restore: bool,
-}
-
-impl RunOptions {
-    /// After how many lines commands are looked at; whoever looks where the run stands sees every
-    /// line.
-    pub(crate) fn lines_for(&self, sink: &dyn Sink) -> u64 {
-        match self.lines_at_once {
-            0 if sink.looks_at_standing() => 1,
-            0 => LINES,
-            lines => lines,
-        }
-    }
-}
-
-/// Treatment of a move that would leave the table limits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum LimitPolicy {
-    /// The operator is asked whether to go on; the default ends the run.
-    #[default]
-    Ask,
-    /// Each such move is told, and made.
-    List,
-}
 
 /// Participants of a run beside program and machine.
 pub struct Company<'a> {
@@ -122,25 +55,6 @@ impl Company<'_> {
     }
 }
 
-/// Result of a run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Summary {
-    /// Outcome of the run.
-    pub status: Status,
-    /// Machine time, seconds.
-    pub seconds: f64,
-    /// Lines executed.
-    pub lines: u64,
-    /// Lengths, bounds, times.
-    pub tally: Tally,
-    /// The unit the user reads at the end.
-    pub unit: LinearUnit,
-    /// The error that ended it.
-    pub error: Option<Box<Diagnostic>>,
-    /// The program asked that Kerf closes (EXIT SHOPBOT).
-    pub closes: bool,
-}
-
 /// A controller, as far as a session has to know it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DrivenBy {
@@ -150,11 +64,12 @@ pub struct DrivenBy {
     pub homes: AxisSet,
 }
 
-impl Summary {
-    /// The summary of a run that was not begun because of an error.
-    pub fn not_begun(unit: LinearUnit, error: Option<Box<Diagnostic>>) -> Self {
-        let (status, tally) = (Status::Failed, Tally::default());
-        Self { status, seconds: 0.0, lines: 0, tally, unit, error, closes: false }
+/// Returns after how many lines commands are looked at; whoever looks where the run stands sees every line.
+pub(crate) fn lines_at_once(options: &RunOptions, sink: &dyn Sink) -> u64 {
+    match options.lines_at_once {
+        0 if sink.looks_at_standing() => 1,
+        0 => LINES,
+        lines => lines,
     }
 }
 
@@ -197,7 +112,7 @@ impl Session {
         company: Company<'_>,
     ) -> Summary {
         let mut options = options;
-        options.lines_at_once = options.lines_for(&*company.sink);
+        options.lines_at_once = lines_at_once(&options, &*company.sink);
         let (work, Company { sink, operator, requests, machine }) = (work.into(), company);
         let mut whole = Whole::new(sink);
         let mut company = Company { sink: &mut whole, operator, requests, machine };

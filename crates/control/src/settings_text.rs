@@ -1,10 +1,11 @@
 //! Settings as a part file that sets them: the lines that UV shows, in the order in which they have
 //! to be carried out. The journal keeps settings so, and settings files (.sbd) are the same text.
 
-use crate::session::{Company, RunOptions, Session};
+use crate::session::{Company, Session};
 use crate::shelf::Shelf;
 use kerf_diag::Diagnostic;
 use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_program::Settings;
 use kerf_sbp::Options;
 use kerf_trace::Event;

@@ -2,17 +2,16 @@
 //! write, stored values, external programs.
 
 use crate::answers::Answers;
-use crate::journal::{Journal, Kind, Tape};
 use crate::stored::Stored;
 use crate::system_log::SystemLog;
 use crate::{conversion, part_log};
 use kerf_files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
+use kerf_journal::{Journal, Kind, Shell, Surroundings, Tape};
 use kerf_program::{
     ConversionRequest, FileConversion, FileMode, FileRequest, Folder, HostError, Settings,
     ShellCall, SourceFile,
 };
 use kerf_sbp::{PART_FILE, RECORDED, RECORDING};
-use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -58,18 +57,6 @@ pub struct Shelf {
 /// controller is after that.
 pub type Firmware =
     Box<dyn FnMut(&mut dyn FnMut(&str) -> Result<(), HostError>) -> Result<String, HostError>>;
-
-/// Effect of SHELL.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Shell {
-    /// It is refused.
-    #[default]
-    Refused,
-    /// It is allowed, but starts nothing: a preview.
-    Skipped,
-    /// It starts programs.
-    Started,
-}
 
 impl Shelf {
     /// Programs change these files.
@@ -160,14 +147,10 @@ impl Shelf {
         self.stored.journal()
     }
 
-    /// Returns the folders of its files.
-    pub(crate) const fn folders(&self) -> &Folders {
-        &self.folders
-    }
-
-    /// Returns the effect of SHELL.
-    pub(crate) const fn shell_allowed(&self) -> Shell {
-        self.shell
+    /// Returns everything that a run reaches, as it finds it.
+    pub(crate) fn surroundings(&self) -> Surroundings {
+        let values = self.stored.iter().map(|(key, value)| (key.to_owned(), value.to_owned()));
+        Surroundings { values: values.collect(), folders: self.folders.clone(), shell: self.shell }
     }
 
     /// Looks for files where a run did that was cut short.

@@ -5,11 +5,11 @@
 //! part file is stopped here. Whatever it is that runs, a cut power and a lost link end it here.
 
 use crate::OperatorRequest;
-use crate::facts::Fact;
 use crate::hold::Said;
 use crate::runner::{Over, Runner};
 use crate::turning::Turning;
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_journal::facts::Fact;
 use kerf_machine::Fault;
 use kerf_machine::lines::Input;
 use kerf_machine::state::{Effect, Event as Stopped, RELEASE_S, StopSettings};

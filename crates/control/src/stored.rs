@@ -1,10 +1,10 @@
 //! Values that survive the end of the program: what SetUsrVal, `$name` and the external control
 //! keep under a key; and, read in the same way, what the machine says of itself.
 
-use crate::facts::{Fact, is_fact};
-use crate::journal::{Journal, JournalError};
 use crate::part_log::LAST_SHAPE;
 use crate::preview_mode::PREVIEW;
+use kerf_journal::facts::{Fact, is_fact};
+use kerf_journal::{Journal, JournalError};
 use kerf_sbp::{EDITOR, LAST_ERROR, PART_FILE, RECORDED, RECORDING};
 use std::collections::BTreeMap;
 
@@ -17,26 +17,6 @@ const OWN: [&str; 9] = [
 /// of programs and names that other software made up are free.
 pub fn is_own(key: &str) -> bool {
     is_fact(key) || OWN.contains(&key)
-}
-
-/// Refuses a key or a value that other programs could not read: they see a line each, `key=value`; and keys of
-/// which the machine tells the value.
-///
-/// # Errors
-/// What is wrong, for the user.
-pub fn check_value(key: &str, value: Option<&str>) -> Result<(), String> {
-    let breaks = |text: &str| text.contains(char::is_control);
-    match value {
-        _ if key.trim().is_empty() => Err("a value has a key: its name is empty".into()),
-        _ if breaks(key) || key.contains('=') => {
-            Err(format!("{key:?} is no key: it takes no line break and no ="))
-        }
-        _ if is_fact(key) => Err(format!("the machine tells {key}, nobody sets it")),
-        Some(value) if breaks(value) => Err(format!(
-            "a value is one line, and that of {key} has a line break or another control character"
-        )),
-        _ => Ok(()),
-    }
 }
 
 /// Values by key, and the journal that keeps them. Other programs may set them meanwhile.

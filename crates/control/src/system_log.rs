@@ -14,9 +14,10 @@
 //! number of the line before it, so that a line that was changed is noticed.
 
 use crate::command_passing::COMMAND;
-use crate::part_log::{Started, clock};
+use crate::part_log::clock;
 use crate::session::Session;
 use crate::shelf::Shelf;
+use kerf_journal::Started;
 use kerf_program::{HostError, Settings};
 use std::time::Instant;
 

@@ -3,8 +3,8 @@
 
 use crate::execute::Halted;
 use crate::runner::{Over, Runner};
-use crate::session::LimitPolicy;
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_journal::LimitPolicy;
 use kerf_machine::lines::{Input, Output};
 use kerf_motion::{Move, Queue};
 use kerf_program::{At, Command, Independent, Interpreter, Status, StoppedBy, Turn};

@@ -2,14 +2,15 @@
 
 use crate::StopAt;
 use crate::answers::Answers;
-use crate::session::{Company, RunOptions, Session, Summary};
+use crate::session::{Company, Session};
 use crate::shelf::Shelf;
 use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_program::Settings;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
 use kerf_sim::Change;
-use kerf_trace::Event;
+use kerf_trace::{Event, Summary};
 
 /// Options of a run in memory.
 #[derive(Clone, Debug, Default)]

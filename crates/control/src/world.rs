@@ -3,15 +3,15 @@
 //! The world answers what the interpreter asks ([`Host`]) and carries out its commands, except
 //! motion, which the [`Runner`](crate::runner) plans first.
 
+use crate::OperatorRequest;
 use crate::answers::{self, Operator};
 use crate::drive::Drive;
 use crate::errands::{confirm, unconfirmed};
 use crate::heights::{self, Carried};
-use crate::journal::{Kind, Placed};
 use crate::shelf::Shelf;
 use crate::turning::Turning;
-use crate::{OperatorRequest, Press};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
+use kerf_journal::{Kind, Placed, Press};
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::laser::Laser;
 use kerf_machine::{Actuator, Configuration, Driven, Going};

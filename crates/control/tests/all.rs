@@ -9,6 +9,8 @@ mod driven;
 mod given_up;
 mod hold;
 mod interlock;
+mod journal;
+mod machine_file;
 mod no_switch;
 mod registry;
 mod runs;

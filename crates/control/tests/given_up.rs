@@ -6,8 +6,8 @@ use crate::taking_up::{
     uninterrupted,
 };
 use kerf_control::answers::{Answers, Operator};
-use kerf_control::journal::Journal;
 use kerf_control::{Company, OperatorRequest, Script, StopAt};
+use kerf_journal::Journal;
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_program::MoveKind;

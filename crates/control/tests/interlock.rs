@@ -2,15 +2,14 @@
 //! released and somebody says so.
 
 use kerf_control::answers::Operator;
-use kerf_control::{
-    Company, OperatorRequest, Requests, RunOptions, Script, Session, Shelf, Summary,
-};
+use kerf_control::{Company, OperatorRequest, Requests, Script, Session, Shelf};
 use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_machine::lines::Input;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Question, QuestionKind, Status};
 use kerf_sim::Change;
-use kerf_trace::Event;
+use kerf_trace::{Event, Summary};
 use std::collections::VecDeque;
 
 /// Says one thing after the other, whatever is asked.

@@ -1,9 +1,10 @@
 //! What a run does where machine, planner and program meet.
 
 use kerf_control::{
-    Company, OperatorRequest, Outcome, RunOptions, Script, Session, Shelf, TextOptions, run_text,
+    Company, OperatorRequest, Outcome, Script, Session, Shelf, TextOptions, run_text,
 };
 use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_program::Settings;
 use kerf_sbp::Status;
 use kerf_trace::Event;

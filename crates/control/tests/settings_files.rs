@@ -1,12 +1,13 @@
 //! Settings files: saved, loaded, those that come with Kerf; and the virtual tools, on a machine.
 
 use kerf_control::stored::Stored;
-use kerf_control::{Company, RunOptions, Session, Shelf, Summary};
+use kerf_control::{Company, Session, Shelf};
 use kerf_files::{Folders, MACHINES, MemoryDisk};
+use kerf_journal::RunOptions;
 use kerf_program::MoveKind;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Status;
-use kerf_trace::Event;
+use kerf_trace::{Event, Summary};
 use std::path::PathBuf;
 
 /// A machine with files in memory.
@@ -436,7 +437,7 @@ fn shop_on_disk(folder: &std::path::Path, ini: &str) -> Shop {
     let folders = Folders::new(parts, Vec::new(), Vec::new());
     let disk = Box::new(kerf_files::RealDisk);
     let shelf = Shelf::new(disk, folders, Stored::default(), data);
-    let shelf = shelf.with_shell(kerf_control::Shell::Started);
+    let shelf = shelf.with_shell(kerf_journal::Shell::Started);
     Shop { session: Session::default(), shelf }
 }
 

@@ -1,8 +1,9 @@
 //! Where a run stands, and nudging: what a console asks of a session.
 
 use kerf_control::answers::Answers;
-use kerf_control::{Company, RunOptions, Session, Shelf, StopAt};
+use kerf_control::{Company, Session, Shelf, StopAt};
 use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_program::Axis;
 use kerf_trace::{Event, Sink, Standing};
 

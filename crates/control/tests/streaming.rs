@@ -1,12 +1,11 @@
 //! Long stacks move while they are read; the operator holds, resumes and overrides.
 
 use kerf_control::answers::Answers;
-use kerf_control::{
-    Company, OperatorRequest, RunOptions, Script, Session, Shelf, Summary, TextOptions, run_text,
-};
+use kerf_control::{Company, OperatorRequest, Script, Session, Shelf, TextOptions, run_text};
 use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_program::Status;
-use kerf_trace::{Event, event::MoveEvent};
+use kerf_trace::{Event, Summary, event::MoveEvent};
 use std::fmt::Write;
 
 /// More moves than are read ahead.

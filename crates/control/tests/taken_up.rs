@@ -7,10 +7,8 @@ use crate::taking_up::{
     run_work, same_rest, shelf, stands, uninterrupted,
 };
 use kerf_control::answers::Answers;
-use kerf_control::journal::Journal;
-use kerf_control::{
-    Company, OperatorRequest, Press, Requests, RunOptions, Script, Session, Shelf, StopAt,
-};
+use kerf_control::{Company, OperatorRequest, Requests, Script, Session, Shelf, StopAt};
+use kerf_journal::{Journal, Press, RunOptions};
 use kerf_machine::lines::Input;
 use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
 use kerf_sbp::Status;

@@ -1,7 +1,8 @@
 //! Programs as traces of signals.
 
-use kerf_control::{Company, RunOptions, Session, Shelf};
+use kerf_control::{Company, Session, Shelf};
 use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
 use kerf_machine::settings::motors::FreeMotor;

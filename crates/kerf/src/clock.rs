@@ -1,7 +1,7 @@
 //! The clock on the wall, for logs.
 
 use jiff::Zoned;
-use kerf_control::Started;
+use kerf_journal::Started;
 use std::time::SystemTime;
 
 /// Now, where the machine stands.

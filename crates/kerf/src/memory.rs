@@ -5,8 +5,8 @@
 
 use crate::args::{PlaceArgs, Start};
 use anyhow::Result;
-use kerf_control::journal::{Journal, JournalError, Whereabouts};
 use kerf_control::{Session, Shelf, unconfirmed, unverified};
+use kerf_journal::{Journal, JournalError, Whereabouts};
 use std::path::Path;
 
 /// Returns `true` if a command goes on from the journal; one that only looks usually does not.

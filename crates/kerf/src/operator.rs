@@ -3,8 +3,8 @@
 use crate::stop::Stop;
 use anyhow::Result;
 use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
-use kerf_control::journal::Hurry;
 use kerf_control::{OperatorRequest, Requests, Script, WorldClock};
+use kerf_journal::Hurry;
 use kerf_machine::Driven;
 use kerf_program::{Question, QuestionKind};
 use kerf_sim::Simulated;

@@ -1,8 +1,8 @@
 //! Words and numbers for people, and standard output.
 
 use anyhow::{Context, Result};
-use kerf_control::Summary;
 use kerf_files::{Disk, RealDisk};
+use kerf_trace::Summary;
 use std::io::{self, Write};
 use std::path::Path;
 

@@ -4,8 +4,8 @@ use crate::exit::Exit;
 use crate::out;
 use crate::remote::Ended;
 use crate::report::Diagnostics;
-use kerf_control::Summary;
 use kerf_program::settings::LinearUnit;
+use kerf_trace::Summary;
 
 /// Prints the summary of a run.
 pub fn tell(summary: &Summary) {

@@ -3,9 +3,9 @@
 
 use crate::clock;
 use anyhow::Result;
-use kerf_control::journal::Live;
 use kerf_control::system_log::{Opening, SystemLog};
 use kerf_control::{Session, Shelf, command_passing};
+use kerf_journal::Live;
 
 /// A visit.
 #[derive(Clone, Debug)]

@@ -2,7 +2,8 @@
 
 use anyhow::{Context, Result};
 use clap::Args;
-use kerf_control::{Session, Work};
+use kerf_control::Session;
+use kerf_journal::Work;
 use kerf_machine::Configuration;
 use kerf_trace::{Event, Sink, vcd::VcdSink};
 use std::fs::File;

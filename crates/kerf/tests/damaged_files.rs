@@ -6,7 +6,7 @@
 
 use crate::shop::console::Console;
 use crate::shop::{Shop, until};
-use kerf_control::journal::Journal;
+use kerf_journal::Journal;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;

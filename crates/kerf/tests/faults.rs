@@ -4,7 +4,7 @@
 #![cfg(unix)]
 
 use crate::shop::{Did, Shop};
-use kerf_control::journal::Journal;
+use kerf_journal::Journal;
 use std::fs;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
 use std::os::unix::process::CommandExt;

@@ -2,8 +2,9 @@
 
 use crate::Run;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, RunOptions, Session, Shelf, StopAt};
+use kerf_control::{Company, Session, Shelf, StopAt};
 use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
 use kerf_machine::settings::estop::EmergencyStop;
 use kerf_program::settings::LinearUnit;

@@ -1,7 +1,8 @@
 //! Programs thrown together from plausible lines, run whole: they never panic, they end with a
 //! status, and the same program does the same again, also when it is saved and restored between.
 
-use kerf_control::{RunOptions, TextOptions, run_text};
+use kerf_control::{TextOptions, run_text};
+use kerf_journal::RunOptions;
 use kerf_sim::Change;
 use kerf_trace::{Event, json};
 use proptest::prelude::*;

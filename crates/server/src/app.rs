@@ -25,7 +25,7 @@ use crate::texts::Texts;
 use crate::turn::Turn;
 use kerf_control::Begun;
 use kerf_control::Shelf;
-use kerf_control::journal::Journal;
+use kerf_journal::Journal;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
 use kerf_wire::{

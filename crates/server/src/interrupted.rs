@@ -3,8 +3,8 @@
 use crate::app::{Open, hash};
 use crate::machine::Planned;
 use crate::preview;
-use kerf_control::Shelf;
-use kerf_control::journal::Journal;
+use kerf_control::{Session, Shelf};
+use kerf_journal::Journal;
 use kerf_wire::Interrupted;
 
 /// Returns the hash of the open file, where that is what was cut short: pages show it as that which runs.
@@ -17,6 +17,6 @@ pub fn hash_of_open(interrupted: &Interrupted, open: Open) -> Option<String> {
 /// the run says itself why it cannot be taken up.
 pub fn plan(journal: &Journal, shelf: &mut Shelf) -> Option<Planned> {
     let cut = journal.cut_short().ok()??;
-    let (work, options, session) = journal.begun(&cut, shelf).ok()?;
+    let (work, options, session) = Session::begun(journal, &cut, shelf).ok()?;
     Some(preview::plan(work, options, session, shelf))
 }

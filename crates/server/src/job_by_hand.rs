@@ -3,8 +3,8 @@
 use crate::app::{App, Open, lock, problem};
 use crate::handconsole::Happening;
 use crate::job::kind_of;
-use kerf_control::Work;
 use kerf_geom::Point2;
+use kerf_journal::Work;
 use kerf_machine::Configuration;
 use kerf_program::Axis;
 use kerf_program::job::{Job, JobShape};

@@ -2,7 +2,7 @@
 
 use crate::app::{App, lock};
 use crate::told;
-use kerf_control::Started;
+use kerf_journal::Started;
 use kerf_wire::{Change, Tone};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};

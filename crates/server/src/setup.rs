@@ -1,7 +1,8 @@
 //! Equipment of the server: the machine, its folders, how pages may reach it.
 
 use kerf_control::controller::{Controller, Told};
-use kerf_control::{Session, Shelf, Started};
+use kerf_control::{Session, Shelf};
+use kerf_journal::Started;
 use std::io;
 use std::net::SocketAddr;
 use std::path::PathBuf;

@@ -5,7 +5,7 @@ use crate::app::{App, hash, lock, problem};
 use crate::asker::Asker;
 use crate::gate::Way;
 use crate::machine::{Order, Planned};
-use kerf_control::Press;
+use kerf_journal::Press;
 use kerf_program::settings::LINES;
 use kerf_wire::{Act, FileParameters, Problem, Why};
 

@@ -1,16 +1,17 @@
 //! From the words inside to those of the messages.
 
 use crate::machine::ports;
-use kerf_control::journal::JournalError;
-use kerf_control::{Session, Summary};
+use kerf_control::Session;
 use kerf_diag::{Diagnostic, Severity};
 use kerf_digitize::{Digitizer, Dimension, Kind};
+use kerf_journal::JournalError;
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_program::settings::{AxisUnit, Distance, IoModes, LinearUnit, PerGroup};
 use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
 use kerf_sim::Machine;
+use kerf_trace::Summary;
 use kerf_wire::{
     AxisUnits, Digitized, DigitizedPoint, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Positions,
     RunSummary, Speeds, Tone, Units,

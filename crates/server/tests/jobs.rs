@@ -422,7 +422,7 @@ fn trace(tenths: u8) -> Vec<kerf_trace::Event> {
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    let options = kerf_control::RunOptions::default();
+    let options = kerf_journal::RunOptions::default();
     kerf_control::Session::default().run(work, options, &mut shelf, company);
     sink.0
 }

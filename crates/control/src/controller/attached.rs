@@ -2,10 +2,10 @@
 
 use super::{Connection, Lacks, Line};
 use crate::answers::Operator;
-use crate::facts::Fact;
 use crate::session::DrivenBy;
-use crate::{Company, Firmware, RunOptions, Session, Shelf, Work};
+use crate::{Company, Firmware, Session, Shelf};
 use kerf_diag::Diagnostic;
+use kerf_journal::{RunOptions, Work, facts::Fact};
 use kerf_machine::driver::{Changed, Wired};
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};

@@ -1,6 +1,6 @@
 //! Bytes as damage to the files of a journal. The test of this crate and the fuzz target share it.
 
-use kerf_control::journal::{BACKUP_FILE, JOURNAL_FILE, Journal, SEAL_FILE};
+use kerf_journal::{BACKUP_FILE, JOURNAL_FILE, Journal, SEAL_FILE};
 use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
@@ -78,7 +78,7 @@ fn opens(folder: &Path) -> Result<(), String> {
     let values = journal.values().map_err(|error| error.to_string())?;
     let kept = values.iter().filter(|(_, value)| value == "kept").count();
     assert!(kept == VALUES || !told.is_empty() || is_new, "lost without a word: {kept}");
-    journal.remembered().map_err(|error| error.to_string())?;
+    journal.remembered(kerf_control::settings_text::read).map_err(|error| error.to_string())?;
     journal.cut_short().map_err(|error| error.to_string())?;
     journal.history().map_err(|error| error.to_string())?;
     drop(journal.own().map_err(|error| error.to_string())?);

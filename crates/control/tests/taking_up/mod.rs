@@ -3,13 +3,11 @@
 #![allow(dead_code)]
 
 use kerf_control::answers::{Answers, Operator};
-use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
-use kerf_control::{
-    Company, OperatorRequest, Press, Requests, RunOptions, Session, Shelf, Started, Work,
-};
+use kerf_control::{Company, OperatorRequest, Requests, Session, Shelf};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_geom::{Point2, Polyarc};
+use kerf_journal::{Journal, Press, RunOptions, Started, Work};
 use kerf_machine::profile::profile;
 use kerf_machine::{Configuration, Driven};
 use kerf_part::Program;

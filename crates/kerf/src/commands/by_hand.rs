@@ -13,9 +13,8 @@ use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
-use kerf_control::{
-    Company, OperatorRequest, RunOptions, Script, Session, Shelf, Work, unverified,
-};
+use kerf_control::{Company, OperatorRequest, Script, Session, Shelf, unverified};
+use kerf_journal::{RunOptions, Work};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
 use kerf_program::{AXES, Axis, AxisSet, MoveKind, Status};

@@ -8,9 +8,9 @@ use crate::sources::FileLines;
 use crate::{given, out, setup};
 use anyhow::Result;
 use clap::Args;
-use kerf_control::{Checked, Summary};
+use kerf_control::Checked;
 use kerf_diag::{Code, Diagnostic, Place, Severity, render_text};
-use kerf_trace::{Event, json};
+use kerf_trace::{Event, Summary, json};
 use std::io;
 use std::path::{Path, PathBuf};
 

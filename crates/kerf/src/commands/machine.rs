@@ -9,7 +9,7 @@ use crate::machine_name::MachineName;
 use crate::{given, machine_file, out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
-use kerf_control::machine_file::{MachineFile, told};
+use kerf_journal::machine_file::{MachineFile, told};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
 use kerf_machine::table::{self, Setting};

@@ -6,7 +6,7 @@ use crate::machine_name::MachineChoice;
 use crate::{machine_file, setup};
 use anyhow::Result;
 use clap::Args;
-use kerf_control::machine_file::MachineFile;
+use kerf_journal::machine_file::MachineFile;
 use kerf_machine::Configuration;
 
 /// The machine whose configuration is meant.

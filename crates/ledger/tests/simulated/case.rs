@@ -3,7 +3,8 @@
 use crate::simulated::dice::Dice;
 use crate::simulated::watch::Allowed;
 use crate::simulated::{FIRST_WIDER, jobs, programs};
-use kerf_control::{OperatorRequest, RunOptions, Started, Work};
+use kerf_control::OperatorRequest;
+use kerf_journal::{RunOptions, Started, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_program::job::{Depth, Job, Plunge};

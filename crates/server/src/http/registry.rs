@@ -10,8 +10,7 @@ use crate::machine::Order;
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
 use kerf_control::command_passing;
-use kerf_control::journal::Live;
-use kerf_control::stored::check_value;
+use kerf_journal::{Live, check_value};
 use kerf_wire::{Act, NamedValue, Problem, Why};
 use std::sync::Arc;
 
@@ -106,7 +105,7 @@ fn unset(app: &App) -> [(String, String); 3] {
     told.map(|(key, value)| (key.to_owned(), value))
 }
 
-fn server(error: kerf_control::journal::JournalError) -> Problem {
+fn server(error: kerf_journal::JournalError) -> Problem {
     problem(Why::Server, error.to_string())
 }
 

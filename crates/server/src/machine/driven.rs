@@ -6,10 +6,11 @@ use crate::setup::Workshop;
 use crate::told;
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Controller, Told};
-use kerf_control::{RunOptions, Summary, Work};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_journal::{RunOptions, Work};
 use kerf_machine::{Driven, Errand};
 use kerf_program::{AXES, Axes, Axis};
+use kerf_trace::Summary;
 use kerf_wire::{Machine, State, Tone};
 use std::sync::Arc;
 

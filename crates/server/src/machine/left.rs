@@ -1,7 +1,7 @@
 //! State that the owner of the machine leaves for others to look at, whenever it is done with something.
 
 use kerf_control::Session;
-use kerf_control::journal::Journal;
+use kerf_journal::Journal;
 use std::path::PathBuf;
 
 /// The machine and its files as the last run left them.

@@ -2,11 +2,12 @@
 
 use super::{options, silently, unattended};
 use crate::told;
-use kerf_control::{RunOptions, Session, Shelf, Summary, Work};
+use kerf_control::{Session, Shelf};
+use kerf_journal::{RunOptions, Work};
 use kerf_preview::timing::{Course, Track};
 use kerf_sbp::{FileParameters, Status};
 use kerf_sim::Change;
-use kerf_trace::timing::Lines;
+use kerf_trace::{Summary, timing::Lines};
 use kerf_wire::preview::{TIMING_POINTS, Timing, TimingKind, TimingLine};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;

@@ -5,11 +5,11 @@
 pub mod hand;
 pub mod rough;
 
-use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{Session, Shelf};
 use kerf_drawing::{Editor, script};
 use kerf_files::{Folders, RealDisk};
+use kerf_journal::Journal;
 use kerf_program::AxisSet;
 use kerf_server::{Builders, Options, Server, Workshop};
 use serde_json::{Value, json};
@@ -188,7 +188,7 @@ pub fn kept(dir: TempDir) -> Shop {
         let stored = Stored::of(journal.clone()).unwrap();
         let mut shelf = Shelf::new(Box::new(RealDisk), folders, stored, kept.clone());
         let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
-        let shelf = shelf.with_shell(kerf_control::Shell::Started);
+        let shelf = shelf.with_shell(kerf_journal::Shell::Started);
         Ok(Workshop {
             session,
             shelf,

@@ -65,6 +65,8 @@ pub const ROOMS: &[Room] = &[
     at(6.0, Half::Edge, "kerf-files"),
     // What a run tells; it knows nothing of runs.
     at(6.0, Half::Edge, "kerf-trace"),
+    // What survives a run, and what a run is begun from.
+    at(6.2, Half::Edge, "kerf-journal"),
     at(6.5, Half::Edge, "kerf-control"),
     at(7.0, Half::Edge, "kerf-wire"),
     // Between `wire` and whoever serves editors.

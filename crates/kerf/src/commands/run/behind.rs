@@ -11,7 +11,8 @@ use crate::setup;
 use crate::stop::Stop;
 use crate::visit::Visit;
 use anyhow::Result;
-use kerf_control::{Session, Shelf, Work, command_passing};
+use kerf_control::{Session, Shelf, command_passing};
+use kerf_journal::Work;
 use kerf_sbp::FileParameters;
 
 /// Carries out what other software passed in while the file ran, and closes.

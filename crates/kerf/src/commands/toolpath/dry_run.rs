@@ -4,8 +4,9 @@ use super::ToolpathArgs;
 use crate::picture::Picture;
 use crate::setup;
 use anyhow::Result;
-use kerf_control::{Summary, Work};
+use kerf_journal::Work;
 use kerf_preview::Scene;
+use kerf_trace::Summary;
 use std::path::Path;
 
 /// Result of a dry run.

@@ -1,12 +1,12 @@
 //! Progress of a run, and the place where it was given up.
 
 use super::Tape;
-use crate::journal::progress::{Progress, Reached};
-use crate::journal::{Hurry, Placed};
+use crate::progress::{Progress, Reached};
+use crate::{Hurry, Placed};
 
 impl Tape {
     /// A move was made; the machine is there.
-    pub(crate) fn made(&mut self, file: &str, line: u32, place: Placed) {
+    pub fn made(&mut self, file: &str, line: u32, place: Placed) {
         if self.writing.is_none() {
             return;
         }
@@ -24,20 +24,20 @@ impl Tape {
     }
 
     /// So much of the move under way is made; the machine is there.
-    pub(crate) fn makes(&mut self, share: f64, place: Placed) {
+    pub fn makes(&mut self, share: f64, place: Placed) {
         (self.reached.within, self.reached.place) = (share, place);
         self.write();
     }
 
     /// The machine was stopped; of the move made last so much is made.
-    pub(crate) fn stood(&mut self, share: f64) {
+    pub fn stood(&mut self, share: f64) {
         let partly = share > 0.0 && share < 1.0;
         let made = self.reached.made;
         self.stood = Some(if partly { (made.saturating_sub(1), share) } else { (made, 0.0) });
     }
 
     /// The operator stopped the run and gives it up: it can be taken up as if he had not.
-    pub(crate) fn given_up(&mut self, place: Placed) {
+    pub fn given_up(&mut self, place: Placed) {
         let Some(progress) = &mut self.writing else { return };
         let (request, stood) = match self.back {
             Some((reentry, stood)) => (Some(reentry), Some(stood)),
@@ -57,24 +57,24 @@ impl Tape {
 
     /// The operator gives a job up that waits: it can be taken up as if he had not answered, which is the last
     /// that was told.
-    pub(crate) fn given_up_by_answer(&mut self, place: Placed) {
+    pub fn given_up_by_answer(&mut self, place: Placed) {
         self.request = self.writing.as_ref().and_then(Progress::last_step);
         (self.back, self.stood) = (None, Some((self.reached.made, 0.0)));
         self.given_up(place);
     }
 
     /// Returns `true` if a move was made.
-    pub(crate) const fn has_moved(&self) -> bool {
+    pub const fn has_moved(&self) -> bool {
         self.reached.made > 0
     }
 
     /// Returns the progress of a run that was given up.
-    pub(in crate::journal) fn left_at(&self) -> Option<&Reached> {
+    pub(crate) fn left_at(&self) -> Option<&Reached> {
         self.reached.stopped.then_some(&self.reached)
     }
 
     /// The machine sets off from a place, or stands there.
-    pub(crate) fn moves(&mut self, moving: bool, place: Placed) {
+    pub fn moves(&mut self, moving: bool, place: Placed) {
         (self.reached.moving, self.reached.place) = (moving, place);
         if self.silent {
             return;
@@ -87,31 +87,31 @@ impl Tape {
     }
 
     /// Sets the flags that tell where the run stands.
-    pub(crate) const fn stands(&mut self, status: u8) {
+    pub const fn stands(&mut self, status: u8) {
         self.reached.live.status = status;
     }
 
     /// Which inputs and outputs are on.
-    pub(crate) const fn switches(&mut self, inputs: u16, outputs: u16) {
+    pub const fn switches(&mut self, inputs: u16, outputs: u16) {
         (self.reached.live.inputs, self.reached.live.outputs) = (inputs, outputs);
     }
 
     /// From now on a thread writes: whoever moves the machine waits for no disk.
-    pub(crate) fn writes_behind(&mut self, hurry: Option<Hurry>) {
+    pub fn writes_behind(&mut self, hurry: Option<Hurry>) {
         if let Some(progress) = &mut self.writing {
             progress.writes_behind(hurry);
         }
     }
 
     /// Everything up to here is on record, where the disk keeps up; no longer than until the machine is to stop.
-    pub(crate) fn settle(&self) {
+    pub fn settle(&self) {
         if let Some(progress) = self.writing.as_ref().filter(|_| !self.silent) {
             progress.settle();
         }
     }
 
     /// Everything up to here has to be in the file, now or soon.
-    pub(crate) fn write(&mut self) {
+    pub fn write(&mut self) {
         if !self.silent
             && let Some(progress) = &mut self.writing
         {
@@ -120,7 +120,7 @@ impl Tape {
     }
 
     /// Returns why nothing can be written, when that was not told yet.
-    pub(crate) fn new_trouble(&mut self) -> Option<String> {
+    pub fn new_trouble(&mut self) -> Option<String> {
         self.writing.as_mut()?.new_trouble()
     }
 }

@@ -3,13 +3,13 @@
 
 use crate::Press;
 use crate::facts::Fact;
-use crate::journal::{Journal, JournalError};
+use crate::{Journal, JournalError};
 
 /// The value that holds them: `3:1 5:0`.
-pub(crate) const SWITCHES: &str = Fact::SimulatedSwitches.key();
+pub const SWITCHES: &str = Fact::SimulatedSwitches.key();
 
 /// Switches that somebody moved, and whether each was left closed.
-pub(crate) type Switches = Vec<(u8, bool)>;
+pub type Switches = Vec<(u8, bool)>;
 
 impl Journal {
     /// Switches of the simulated machine that somebody moved, and whether each was left closed.
@@ -34,7 +34,7 @@ impl Journal {
 }
 
 /// Reads them; what is no switch is left out.
-pub(crate) fn read(text: &str) -> Switches {
+pub fn read(text: &str) -> Switches {
     let one = |word: &str| {
         let (number, on) = word.split_once(':')?;
         Some((number.parse().ok()?, on == "1"))
@@ -43,7 +43,7 @@ pub(crate) fn read(text: &str) -> Switches {
 }
 
 /// As they are kept; nothing where nobody moved any.
-pub(crate) fn write(switches: &[(u8, bool)]) -> Option<String> {
+pub fn write(switches: &[(u8, bool)]) -> Option<String> {
     let words: Vec<String> =
         switches.iter().map(|(number, on)| format!("{number}:{}", u8::from(*on))).collect();
     (!words.is_empty()).then(|| words.join(" "))

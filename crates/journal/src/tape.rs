@@ -16,7 +16,7 @@
 mod reached;
 mod reentries;
 
-pub(crate) use reentries::Reentered;
+pub use reentries::Reentered;
 
 use super::progress::{Progress, Reached};
 use crate::switches::Switches;
@@ -27,7 +27,7 @@ use std::collections::{BTreeMap, VecDeque};
 /// Kind of a question to the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub(crate) enum Kind {
+pub enum Kind {
     /// The operator answers a question.
     Answer,
     /// The operator asks for something of a machine that runs.
@@ -62,7 +62,7 @@ pub(crate) enum Kind {
 
 /// One thing that the world told.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Step {
+pub struct Step {
     kind: Kind,
     /// Which question of its kind this answers, counted from 1.
     call: u64,
@@ -71,7 +71,7 @@ pub(crate) struct Step {
 }
 
 /// Source of the answer to a question.
-pub(crate) enum Turn<T> {
+pub enum Turn<T> {
     /// The world, and nobody writes it down.
     Live,
     /// The tape; mostly that there was nothing.
@@ -82,7 +82,7 @@ pub(crate) enum Turn<T> {
 
 /// Record of what the world tells one run.
 #[derive(Debug, Default)]
-pub(crate) struct Tape {
+pub struct Tape {
     played: BTreeMap<Kind, VecDeque<Step>>,
     calls: BTreeMap<Kind, u64>,
     /// Steps that were told, re-entries aside.
@@ -156,24 +156,24 @@ impl Tape {
     }
 
     /// The world is silent: what happens has happened before.
-    pub(crate) fn plays(&self) -> bool {
+    pub fn plays(&self) -> bool {
         let left = || self.played.values().any(|steps| !steps.is_empty());
         self.silent && (self.reached.made < self.made_before || left())
     }
 
     /// Everything has happened that happened before but a part of the next move.
-    pub(crate) fn is_within(&self) -> bool {
+    pub fn is_within(&self) -> bool {
         self.silent && self.within_before > 0.0
     }
 
     /// From here on the world is heard; the machine stands there.
-    pub(crate) fn wake(&mut self, place: super::Placed) {
+    pub fn wake(&mut self, place: super::Placed) {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
     }
 
     /// The run is over: nothing of it is written any more, and what was to be written is. Where something on the
     /// tape was never asked for it is not the tape of this run, and nothing of the run was made.
-    pub(crate) fn ends(&mut self) {
+    pub fn ends(&mut self) {
         self.writing = None;
         if self.plays() {
             self.unfit.get_or_insert_with(|| "more is on record than the run asks for".into());
@@ -181,12 +181,12 @@ impl Tape {
     }
 
     /// Tells why the tape does not fit the run.
-    pub(crate) fn unfit(&self) -> Option<&str> {
+    pub fn unfit(&self) -> Option<&str> {
         self.unfit.as_deref()
     }
 
     /// Asks the world, or the tape.
-    pub(crate) fn hear<T: Serialize + DeserializeOwned>(
+    pub fn hear<T: Serialize + DeserializeOwned>(
         &mut self,
         kind: Kind,
         world: impl FnOnce() -> T,
@@ -200,7 +200,7 @@ impl Tape {
     }
 
     /// The same of something that changes the world: the tape is in the file before and after.
-    pub(crate) fn change<T: Serialize + DeserializeOwned>(
+    pub fn change<T: Serialize + DeserializeOwned>(
         &mut self,
         kind: Kind,
         world: impl FnOnce() -> T,
@@ -214,17 +214,17 @@ impl Tape {
     }
 
     /// Gives a key a value, where a thread writes it and nobody waits for the disk; tells whether one does.
-    pub(crate) fn gives(&mut self, key: &str, value: Option<&str>) -> bool {
+    pub fn gives(&mut self, key: &str, value: Option<&str>) -> bool {
         self.writing.as_mut().is_some_and(|progress| progress.gives(key, value))
     }
 
     /// Tells whether the value of a key is not on record yet: nobody else can have changed it then.
-    pub(crate) fn owes(&self, key: &str) -> bool {
+    pub fn owes(&self, key: &str) -> bool {
         self.writing.as_ref().is_some_and(|progress| progress.owes(key))
     }
 
     /// Asks the world for something that it hardly ever has.
-    pub(crate) fn hear_rarely<T: Serialize + DeserializeOwned>(
+    pub fn hear_rarely<T: Serialize + DeserializeOwned>(
         &mut self,
         kind: Kind,
         world: impl FnOnce() -> Option<T>,
@@ -241,7 +241,7 @@ impl Tape {
     }
 
     /// Decides who answers a question that the world hardly ever has an answer to.
-    pub(crate) fn turn<T: DeserializeOwned>(&mut self, kind: Kind) -> Turn<T> {
+    pub fn turn<T: DeserializeOwned>(&mut self, kind: Kind) -> Turn<T> {
         if self.writing.is_none() {
             return Turn::Live;
         }
@@ -256,7 +256,7 @@ impl Tape {
     }
 
     /// Keeps what the world answered to such a question.
-    pub(crate) fn heard<T: Serialize>(&mut self, kind: Kind, call: u64, told: Option<&T>) {
+    pub fn heard<T: Serialize>(&mut self, kind: Kind, call: u64, told: Option<&T>) {
         if let Some(told) = told {
             self.add(kind, call, told);
             let last = self.writing.as_ref().and_then(Progress::last_step);
@@ -265,7 +265,7 @@ impl Tape {
     }
 
     /// Nothing comes of the request that was heard last: it is heard once more.
-    pub(crate) fn unhear_request(&mut self) {
+    pub fn unhear_request(&mut self) {
         let Some(progress) = self.writing.as_mut().filter(|_| !self.silent) else { return };
         let last = progress.last_step();
         if self.last_request.is_none() || self.last_request != last {
@@ -279,19 +279,19 @@ impl Tape {
 
     /// Counts a question less: the operator is asked for his request again at once, after one of which nothing came. That
     /// is one question, as it will be when the run is taken up.
-    pub(crate) fn asks_again(&mut self) {
+    pub fn asks_again(&mut self) {
         if self.writing.is_some() && !self.silent {
             self.calls.entry(Kind::Request).and_modify(|calls| *calls = calls.saturating_sub(1));
         }
     }
 
     /// Tells whether nothing came of what was told last: the power went.
-    pub(crate) fn is_last_told(&self) -> bool {
+    pub fn is_last_told(&self) -> bool {
         self.silent && !self.plays() && !self.is_within()
     }
 
     /// Nothing came of the last answer, which is the last that was told: he is asked again.
-    pub(crate) fn take_back_answer(&mut self) {
+    pub fn take_back_answer(&mut self) {
         let Some(progress) = &mut self.writing else { return };
         progress.take_back();
         self.told -= 1;
@@ -299,19 +299,19 @@ impl Tape {
     }
 
     /// The step that was added last stops the run.
-    pub(crate) fn stops(&mut self) {
+    pub fn stops(&mut self) {
         let last = self.writing.as_ref().and_then(Progress::last_step);
         self.request = self.request.or(last);
     }
 
     /// The step that was added last moves the switch of an input.
-    pub(crate) fn presses(&mut self, input: u8) {
+    pub fn presses(&mut self, input: u8) {
         let last = self.writing.as_ref().and_then(Progress::last_step);
         self.pressed.extend(last.map(|last| (input, last)));
     }
 
     /// An input stops the run; where its switch was moved for that, with the step in which it was moved last.
-    pub(crate) fn stops_at_input(&mut self, input: u8) {
+    pub fn stops_at_input(&mut self, input: u8) {
         let last = self.writing.as_ref().and_then(Progress::last_step);
         let Some(last) = last.filter(|_| !self.silent) else { return };
         let pressed = self.pressed.iter().rfind(|(number, _)| *number == input);
@@ -320,26 +320,26 @@ impl Tape {
     }
 
     /// The run goes on after a stop.
-    pub(crate) fn goes_on(&mut self) {
+    pub fn goes_on(&mut self) {
         (self.request, self.stood) = (None, None);
         self.pressed.clear();
     }
 
     /// All is ready: the run that is taken up goes on.
-    pub(crate) fn goes_back(&mut self) {
+    pub fn goes_back(&mut self) {
         self.back = None;
         self.goes_on();
     }
 
     /// Tells whether the power went before the request that was told last was done, when this was gone through before.
-    pub(crate) fn was_overtaken(&mut self) -> bool {
+    pub fn was_overtaken(&mut self) -> bool {
         let call = self.last_call(Kind::Request);
         let next = self.played.get(&Kind::Overtaken).and_then(VecDeque::front);
         next.is_some_and(|step| step.call == call) && self.pop::<()>(Kind::Overtaken).is_some()
     }
 
     /// The power went before the request that was told last was done.
-    pub(crate) fn overtakes(&mut self) {
+    pub fn overtakes(&mut self) {
         self.add(Kind::Overtaken, self.last_call(Kind::Request), &());
     }
 
@@ -349,7 +349,7 @@ impl Tape {
     }
 
     /// A file: its name and its bytes, which are kept once however often it is read.
-    pub(crate) fn hear_file<E: Serialize + DeserializeOwned>(
+    pub fn hear_file<E: Serialize + DeserializeOwned>(
         &mut self,
         kind: Kind,
         world: impl FnOnce() -> Result<(String, Vec<u8>), E>,
@@ -420,7 +420,7 @@ impl Tape {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::journal::{Hurry, Journal, Placed};
+    use crate::{Hurry, Journal, Placed};
     use std::sync::atomic::{AtomicBool, Ordering};
     use std::time::Duration;
 

@@ -9,10 +9,11 @@ use super::tape::{Step, Tape};
 use super::{Journal, JournalError, Live, Placed, json, mirror};
 use crate::machine_file::MACHINE_FILE;
 use crate::switches::{self, SWITCHES, Switches};
-use crate::{RunOptions, Session, Shelf, Shell, Summary, Work};
+use crate::{RunOptions, Shell, Standing, Surroundings, Work};
 use kerf_files::Folders;
+use kerf_machine::Configuration;
 use kerf_program::{Settings, Status};
-use kerf_sim::Machine;
+use kerf_trace::Summary;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -35,15 +36,15 @@ pub struct RunUnderWay {
     pub(super) kind: WorkKind,
     session: kerf_part::Session,
     /// Values that programs had kept.
-    pub(crate) values: BTreeMap<String, String>,
+    pub values: BTreeMap<String, String>,
     /// Options with which it is run.
-    pub(crate) options: RunOptions,
+    pub options: RunOptions,
     /// The settings that stay, where options replace them for this run.
-    pub(crate) settings: Option<Settings>,
+    pub settings: Option<Settings>,
     /// Folders of its files.
-    pub(crate) folders: Folders,
+    pub folders: Folders,
     /// Effect of SHELL.
-    pub(crate) shell: Shell,
+    pub shell: Shell,
     /// Configuration of the machine beside the session's settings, as its file tells it.
     #[serde(default)]
     machine: String,
@@ -111,63 +112,65 @@ impl CutShort {
         format!("the {what} {run} was {how} {place}{on}")
     }
 
-    /// The session as it was when the run began.
-    pub(crate) fn session(&self) -> Session {
-        let mut session = Session::new(self.run.session.sbp.clone());
-        session.gcode = self.run.session.gcode.clone();
-        let machine = kerf_machine::file::read(&Arc::from(MACHINE_FILE), &self.run.machine);
-        session.machine_is = Arc::new(machine.unwrap_or_default());
-        session.machine = Some(Machine::default().with_switches(&self.switches()));
-        session
+    /// Memory of the machine as it was when the run began.
+    pub const fn memory(&self) -> &kerf_part::Session {
+        &self.run.session
+    }
+
+    /// Configuration of the machine beside the settings of its memory, as it was when the run began.
+    pub fn machine(&self) -> Configuration {
+        let name = Arc::from(MACHINE_FILE);
+        kerf_machine::file::read(&name, &self.run.machine).unwrap_or_default()
     }
 
     /// Switches of the simulated machine as they were left when the run began.
-    fn switches(&self) -> Switches {
+    pub fn switches(&self) -> Switches {
         self.run.values.get(SWITCHES).map(|text| switches::read(text)).unwrap_or_default()
     }
 }
 
 impl RunUnderWay {
     /// A run that is about to begin.
-    pub(crate) fn new(
-        session: &Session,
+    pub fn new(
+        standing: &Standing<'_>,
         work: &KeptWork<'_>,
         options: &RunOptions,
         settings: Option<Settings>,
-        shelf: &Shelf,
+        surroundings: Surroundings,
     ) -> Self {
+        let Surroundings { values, folders, shell } = surroundings;
         Self {
             version: env!("CARGO_PKG_VERSION").into(),
             file: work.name.clone(),
             hash: work.hash(),
             kind: work.kind,
             session: kerf_part::Session {
-                sbp: session.memory.clone(),
-                gcode: session.gcode.clone(),
+                sbp: standing.memory.clone(),
+                gcode: standing.gcode.clone(),
             },
-            values: shelf.stored.iter().map(|(k, v)| (k.to_owned(), v.to_owned())).collect(),
+            values,
             options: options.clone(),
             settings,
-            folders: shelf.folders().rooted(),
-            shell: shelf.shell_allowed(),
-            machine: kerf_machine::file::write(&session.machine_is),
+            folders: folders.rooted(),
+            shell,
+            machine: kerf_machine::file::write(standing.machine),
         }
     }
 }
 
 impl Journal {
     /// A run begins. It is on record before anything moves; typed lines cannot be taken up again.
-    pub(crate) fn begin(
+    pub fn begin(
         &self,
         run: &RunUnderWay,
-        session: &Session,
+        standing: &Standing<'_>,
         bytes: &[u8],
     ) -> Result<Tape, JournalError> {
         let (earlier, takes_up) = (self.cut_short()?, !run.options.program.typed);
         self.write(|rows| {
-            remember(rows, &session.memory, &session.gcode)?;
+            remember(rows, standing.memory, standing.gcode)?;
             // After a run that was killed in motion nobody knows homes any more.
-            remember_homed(rows, session)?;
+            remember_homed(rows, standing)?;
             if takes_up {
                 forget(rows, earlier.as_ref())?;
                 rows.keep_content(run.hash(), bytes)?;
@@ -177,27 +180,26 @@ impl Journal {
             }
             rows.set(Table::Fact, PROGRESS, None)
         })?;
-        let kerf_sbp::Session { position, frame, .. } = session.memory;
-        let place = Placed { position, frame };
-        Ok(Tape::recording(place, Progress::new(self.clone(), takes_up.then_some(1))))
+        Ok(Tape::recording(standing.place(), Progress::new(self.clone(), takes_up.then_some(1))))
     }
 
     /// A run is over: what it left is kept. One that was given up can still be taken up.
-    pub(crate) fn end(
+    pub fn end(
         &self,
         run: &RunUnderWay,
-        session: &Session,
+        standing: &Standing<'_>,
         summary: &Summary,
         tape: &Tape,
+        live: &Live,
     ) -> Result<(), JournalError> {
         // What options say holds for this run; what the run itself changed stays.
         let kept = match run.settings {
             Some(_) => Ok(()),
-            None => self.keep_settings(Some(&run.session.sbp.settings), &session.memory.settings),
+            None => self.keep_settings(Some(&run.session.sbp.settings), &standing.memory.settings),
         };
         self.write(|rows| {
-            remember(rows, &session.memory, &session.gcode)?;
-            remember_homed(rows, session)?;
+            remember(rows, standing.memory, standing.gcode)?;
+            remember_homed(rows, standing)?;
             if !run.options.program.typed {
                 history::add(rows, &run.past(status_word(summary.status), summary.seconds))?;
                 if let Some(reached) = tape.left_at() {
@@ -207,7 +209,7 @@ impl Journal {
             }
             rows.set(Table::Fact, PROGRESS, None)
         })?;
-        mirror::publish(self, &session.look(Live::at_rest))?;
+        mirror::publish(self, live)?;
         kept
     }
 
@@ -225,25 +227,17 @@ impl Journal {
         Ok(Some(CutShort { run, reached }))
     }
 
-    /// Returns work, options and session from which a run that was cut short was begun; the shelf is as it was.
+    /// The work of a run that was cut short.
     ///
     /// # Errors
     /// As the file cannot be read, or its text was not kept.
-    pub fn begun(
-        &self,
-        cut: &CutShort,
-        shelf: &mut Shelf,
-    ) -> Result<(Work, RunOptions, Session), JournalError> {
-        let work = cut.work(&self.read(|rows| rows.contents())?)?;
-        let run = &cut.run;
-        shelf.as_it_was(&run.folders, run.shell);
-        shelf.stored.begin_from(run.values.clone());
-        Ok((work, run.options.clone(), cut.session()))
+    pub fn work_of(&self, cut: &CutShort) -> Result<Work, JournalError> {
+        cut.work(&self.read(|rows| rows.contents())?)
     }
 
     /// Returns the work of a run that was cut short, and the tape of what the world told it. The machine is at
     /// this place now, its switches are so; how far the run is, is told by its own progress again.
-    pub(crate) fn take_up(
+    pub fn take_up(
         &self,
         cut: &CutShort,
         place: Placed,

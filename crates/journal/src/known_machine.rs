@@ -17,11 +17,11 @@ const KNOWN: &str = "machine";
 const NAMED: usize = 4;
 
 /// The machine that a journal knows.
-pub(crate) struct KnownMachine<'a>(pub &'a Journal);
+pub struct KnownMachine<'a>(pub &'a Journal);
 
 impl KnownMachine<'_> {
     /// The file is about to be written. Gives whether it is known as it is; else the next look at it tells.
-    pub(crate) fn expects(&self, before: Option<&str>, text: &str) -> Result<bool, JournalError> {
+    pub fn expects(&self, before: Option<&str>, text: &str) -> Result<bool, JournalError> {
         let known = self.texts()?;
         let before = before.map(str::to_owned);
         if !known.is_empty() && !known.contains(&before) {
@@ -32,12 +32,12 @@ impl KnownMachine<'_> {
     }
 
     /// The file says this from now on.
-    pub(crate) fn is(&self, text: Option<&str>) -> Result<(), JournalError> {
+    pub fn is(&self, text: Option<&str>) -> Result<(), JournalError> {
         self.keep(&[text.map(str::to_owned)])
     }
 
     /// Looks at the file. Where it describes another machine than Kerf left, that is told, once.
-    pub(crate) fn meet(&self) -> Result<Option<String>, JournalError> {
+    pub fn meet(&self) -> Result<Option<String>, JournalError> {
         let file = self.0.machine_file();
         // Another file is its owner's: Kerf is told of it at every start.
         if !file.is_of(self.0.folder()) {

@@ -21,16 +21,21 @@
 //! - Order is the order of writing; no decision depends on a clock.
 //! - Settings are none of its business: they are in `machine.toml` beside it ([`settings`]).
 
+mod before;
 mod contents;
 mod copy;
 mod database;
 mod error;
+pub mod facts;
 mod history;
 mod kept_work;
 mod known_machine;
 mod live;
+pub mod machine_file;
 mod mirror;
+mod options;
 mod place;
+mod press;
 mod progress;
 mod remembered;
 mod rescue;
@@ -38,25 +43,39 @@ mod rows;
 mod scribe;
 mod seal;
 mod settings;
+mod standing;
+mod started;
 mod stated;
+mod surroundings;
+pub mod switches;
 mod tape;
 mod under_way;
+mod value;
+mod work;
 
+pub use before::{Before, Door};
 pub use error::JournalError;
 pub use history::Past;
-pub(crate) use kept_work::KeptWork;
-pub(crate) use known_machine::KnownMachine;
+pub use kept_work::KeptWork;
+pub use known_machine::KnownMachine;
 pub use live::Live;
 pub use mirror::{INCOMING_FILE, MIRROR_FILE};
+pub use options::{LimitPolicy, RunOptions};
 pub use place::Placed;
-use remembered::Standing;
-pub use remembered::{Remembered, Whereabouts};
+pub use press::Press;
+pub use remembered::{ReadSettings, Remembered, Whereabouts};
 pub use scribe::Hurry;
 pub use seal::SEAL_FILE;
-pub(crate) use tape::{Kind, Tape, Turn};
+pub use standing::Standing;
+pub use started::Started;
+pub use surroundings::{Shell, Surroundings};
+pub use tape::{Kind, Tape, Turn};
 pub use under_way::{CutShort, RunUnderWay};
+pub use value::check_value;
+pub use work::Work;
 
 use database::Access;
+use remembered::OnRecord;
 use rows::{Rows, Table, json};
 use rusqlite::Connection;
 use seal::{Mark, Seal, Verdict};
@@ -84,7 +103,7 @@ pub struct Journal {
     /// State of `machine.toml` when it was looked at last.
     known: Arc<Mutex<settings::Known>>,
     /// Record of where the machine stands, as it was read last or left by this process.
-    seen: Arc<Mutex<Option<Standing>>>,
+    seen: Arc<Mutex<Option<OnRecord>>>,
     /// Words about all that was found wrong since it was opened.
     told: Arc<Mutex<Vec<String>>>,
 }
@@ -221,7 +240,8 @@ impl Journal {
         self.told.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    pub(crate) fn tell(&self, line: &str) {
+    /// Keeps a line for whoever asks what was found wrong since it was opened.
+    pub fn tell(&self, line: &str) {
         self.told.lock().unwrap_or_else(PoisonError::into_inner).push(line.to_owned());
     }
 
@@ -234,7 +254,7 @@ impl Journal {
     }
 
     /// The value of a key, as the file has it while a thread may be writing into it: nobody waits for the disk.
-    pub(crate) fn look_up(&self, key: &str) -> Result<Option<String>, JournalError> {
+    pub fn look_up(&self, key: &str) -> Result<Option<String>, JournalError> {
         let mut reader = self.reader.lock().unwrap_or_else(PoisonError::into_inner);
         let look_up = |reader: &mut Option<Connection>| {
             let connection = match reader.take() {
@@ -263,7 +283,7 @@ impl Journal {
     }
 
     /// Sets whether a commit has to survive a power cut at once, or the death of the process only.
-    pub(crate) fn each_commit_lasts(&self, lasts: bool) -> Result<(), JournalError> {
+    pub fn each_commit_lasts(&self, lasts: bool) -> Result<(), JournalError> {
         let mut opened = self.opened();
         opened.lasts = lasts;
         database::synchronous(&opened.connection, lasts).map_err(|error| self.located(error))

@@ -5,7 +5,8 @@ use super::progress::{PROGRESS, Reached};
 use super::rows::{Rows, Table};
 use super::under_way::keep_reached;
 use super::{Journal, JournalError, Placed, json, rows};
-use crate::{Session, settings_text};
+use crate::Standing;
+use kerf_diag::Diagnostic;
 use kerf_machine::Configuration;
 use kerf_program::{Axis, AxisSet, Settings};
 use std::sync::{Arc, MutexGuard, PoisonError};
@@ -18,7 +19,10 @@ const HOMED: &str = "homed";
 const TRUTH: &str = "truth";
 
 /// The texts of what is on record of where the machine stands: place, G-code, progress, homed axes, truth.
-pub(super) type Standing = [Option<String>; 5];
+pub(super) type OnRecord = [Option<String>; 5];
+
+/// Function that reads settings from the text that sets them, as journals of before kept it.
+pub type ReadSettings = fn(&str) -> Result<Settings, Box<Diagnostic>>;
 
 /// Memory of the machine.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,12 +55,15 @@ impl Journal {
     ///
     /// # Errors
     /// As the file cannot be read, or a setting in it is no longer allowed.
-    pub fn remembered(&self) -> Result<Option<Remembered>, JournalError> {
+    pub fn remembered(
+        &self,
+        read_settings: ReadSettings,
+    ) -> Result<Option<Remembered>, JournalError> {
         let standing = self.standing()?;
         let [place, gcode, reached, homed, truth] = standing.clone();
         *self.seen() = Some(standing);
         let (machine, told) = self.machine()?;
-        let old = if told { None } else { self.old_settings()? };
+        let old = if told { None } else { self.old_settings(read_settings)? };
         if place.is_none() && old.is_none() && !told {
             return Ok(None);
         }
@@ -78,7 +85,7 @@ impl Journal {
     }
 
     /// Reads the record of where the machine stands.
-    fn standing(&self) -> Result<Standing, JournalError> {
+    fn standing(&self) -> Result<OnRecord, JournalError> {
         self.read(|rows| {
             let fact = |key| rows.text(Table::Fact, key);
             Ok([fact(PLACE)?, fact(GCODE)?, fact(PROGRESS)?, fact(HOMED)?, fact(TRUTH)?])
@@ -86,7 +93,7 @@ impl Journal {
     }
 
     /// Tells whether another process has had the machine since this one knew where it stands.
-    pub(crate) fn another_had_it(&self) -> Result<bool, JournalError> {
+    pub fn another_had_it(&self) -> Result<bool, JournalError> {
         let standing = self.standing()?;
         Ok(self.seen().as_ref().is_some_and(|seen| *seen != standing))
     }
@@ -98,7 +105,7 @@ impl Journal {
         }
     }
 
-    fn seen(&self) -> MutexGuard<'_, Option<Standing>> {
+    fn seen(&self) -> MutexGuard<'_, Option<OnRecord>> {
         self.seen.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -117,10 +124,9 @@ impl Journal {
 
     /// The machine is about to be moved by hand. Until that is over it is near where it stands now; a run
     /// that was cut short can still be taken up afterwards.
-    pub(crate) fn begin_by_hand(&self, session: &Session) -> Result<(), JournalError> {
+    pub fn begin_by_hand(&self, standing: &Standing<'_>) -> Result<(), JournalError> {
         let earlier = self.cut_short()?;
-        let kerf_sbp::Session { position, frame, .. } = session.memory;
-        let place = Placed { position, frame };
+        let place = standing.place();
         let reached = Reached { moving: true, place, ..Reached::default() };
         self.write(|rows| {
             keep_reached(rows, earlier.as_ref())?;
@@ -130,28 +136,28 @@ impl Journal {
 
     /// It was moved by hand: where it is, and all that belongs to it. What a run that was cut short knew
     /// of that holds no longer.
-    pub(crate) fn end_by_hand(&self, session: &Session) -> Result<(), JournalError> {
+    pub fn end_by_hand(&self, standing: &Standing<'_>) -> Result<(), JournalError> {
         let earlier = self.cut_short()?;
         self.write(|rows| {
             keep_reached(rows, earlier.as_ref())?;
-            remember(rows, &session.memory, &session.gcode)?;
-            remember_homed(rows, session)?;
+            remember(rows, standing.memory, standing.gcode)?;
+            remember_homed(rows, standing)?;
             rows.set(Table::Fact, PROGRESS, None)
         })
     }
 
     /// A journal of before has settings in it: they move into their own file.
-    pub(crate) fn move_settings(&self) -> Result<(), JournalError> {
-        let Some(old) = self.old_settings()? else { return Ok(()) };
+    pub fn move_settings(&self, read_settings: ReadSettings) -> Result<(), JournalError> {
+        let Some(old) = self.old_settings(read_settings)? else { return Ok(()) };
         if !self.machine()?.1 {
             self.keep_settings(None, &old)?;
         }
         self.write(|rows| rows.set(Table::Fact, SETTINGS, None))
     }
 
-    fn old_settings(&self) -> Result<Option<Settings>, JournalError> {
+    fn old_settings(&self, read_settings: ReadSettings) -> Result<Option<Settings>, JournalError> {
         let text = self.read(|rows| rows.text(Table::Fact, SETTINGS))?;
-        let read = text.map(|text| settings_text::read(&text)).transpose();
+        let read = text.map(|text| read_settings(&text)).transpose();
         read.map_err(|error| JournalError::Settings(error.message.clone()))
     }
 
@@ -167,11 +173,11 @@ impl Journal {
 }
 
 /// Which axes are homed, and what only the simulated machine knows.
-pub(super) fn remember_homed(rows: &Rows<'_>, session: &Session) -> rows::Result<()> {
-    let homed: String = session.homed.iter().map(Axis::letter).collect();
+pub(super) fn remember_homed(rows: &Rows<'_>, standing: &Standing<'_>) -> rows::Result<()> {
+    let homed: String = standing.homed.iter().map(Axis::letter).collect();
     rows.put(Table::Fact, HOMED, homed.as_bytes())?;
-    match &session.machine {
-        Some(machine) => rows.put(Table::Fact, TRUTH, &json(&machine.truth())?),
+    match &standing.truth {
+        Some(truth) => rows.put(Table::Fact, TRUTH, &json(truth)?),
         None => Ok(()),
     }
 }

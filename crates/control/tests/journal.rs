@@ -1,15 +1,11 @@
-#![allow(clippy::unwrap_used)]
+//! The journal of a machine, beside runs that are kept in it.
 
-use super::*;
-use crate::facts::Fact;
-use crate::settings_text;
-use crate::stored::Stored;
-use crate::text::{TextOptions, run_text};
-use crate::{Company, RunOptions, Session, Shelf, Started};
+use kerf_control::stored::Stored;
+use kerf_control::{Company, Session, Shelf, TextOptions, run_text, settings_text};
 use kerf_files::{Folders, MemoryDisk};
+use kerf_journal::facts::Fact;
+use kerf_journal::*;
 use std::fs;
-use std::sync::mpsc::channel;
-use std::time::Duration;
 use tempfile::{TempDir, tempdir};
 
 fn opened(folder: &TempDir) -> (Journal, Vec<String>) {
@@ -40,7 +36,7 @@ fn run(folder: &TempDir, program: &str, date: &str) -> Session {
         sink: &mut (),
         operator: &mut (),
         requests: &mut (),
-        machine: crate::simulated(),
+        machine: kerf_control::simulated(),
     };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());
     session.run_on_record(program, options, None, &mut shelf, company).unwrap();
@@ -52,9 +48,9 @@ fn sbp_val_va_store() {
     let folder = tempdir().unwrap();
     let session = after("M3,4,5,6\nZT\nM3,8,10,12\nVA,1,2,3\nVC,.375\nSR\n");
     let (journal, _) = opened(&folder);
-    assert_eq!(journal.remembered().unwrap(), None);
+    assert_eq!(journal.remembered(settings_text::read).unwrap(), None);
     journal.remember(&session.memory, &session.gcode).unwrap();
-    let back = opened(&folder).0.remembered().unwrap().unwrap();
+    let back = opened(&folder).0.remembered(settings_text::read).unwrap().unwrap();
     assert_eq!(back.whereabouts, Whereabouts::Known);
     assert_eq!(
         (back.memory.position, back.memory.frame),
@@ -73,7 +69,7 @@ fn what_g_code_remembers_comes_back() {
     let folder = tempdir().unwrap();
     let (journal, _) = opened(&folder);
     journal.remember(&session.memory, &session.gcode).unwrap();
-    assert_eq!(journal.remembered().unwrap().unwrap().gcode, session.gcode);
+    assert_eq!(journal.remembered(settings_text::read).unwrap().unwrap().gcode, session.gcode);
 }
 
 #[test]
@@ -83,7 +79,7 @@ fn of_a_preview_the_place_before_it_is_kept_and_what_was_set() {
     let kept = |program: &str| {
         let session = after(program);
         journal.remember(&session.memory, &session.gcode).unwrap();
-        journal.remembered().unwrap().unwrap().memory
+        journal.remembered(settings_text::read).unwrap().unwrap().memory
     };
     assert_eq!(kept("MX,1\nSP\nMX,5\nZX\nVC,2"), kept("MX,1\nVC,2"));
 }
@@ -126,29 +122,6 @@ fn what_the_machine_says_of_itself_is_no_value_that_others_write() {
 }
 
 #[test]
-fn a_journal_of_the_first_version_keeps_what_the_machine_said() {
-    let folder = tempdir().unwrap();
-    let (journal, _) = opened(&folder);
-    journal.set_value("uValue", Some("hello")).unwrap();
-    let first = |rows: &Rows<'_>| {
-        rows.set(Table::Value, "PositionLost", Some("Z"))?;
-        Ok(rows.0.execute_batch("PRAGMA user_version = 1")?)
-    };
-    journal.write(first).unwrap();
-    journal.rest().unwrap();
-    drop(journal);
-    let kept = [("PositionLost".to_owned(), "Z".to_owned()), ("uValue".into(), "hello".into())];
-    let looked = Journal::look(folder.path()).unwrap().unwrap();
-    assert_eq!(looked.values().unwrap(), kept);
-    let (journal, told) = opened(&folder);
-    assert_eq!((journal.values().unwrap(), told), (kept.to_vec(), Vec::new()));
-    journal.set_value("PositionLost", None).unwrap();
-    assert_eq!(journal.value("PositionLost").unwrap().as_deref(), Some("Z"));
-    drop(journal);
-    assert_eq!(opened(&folder).0.values().unwrap(), kept);
-}
-
-#[test]
 fn one_process_owns_the_machine() {
     let folder = tempdir().unwrap();
     let (mine, theirs) = (opened(&folder).0, opened(&folder).0);
@@ -180,14 +153,10 @@ fn a_clock_that_jumps_changes_nothing() {
     let dates: Vec<_> =
         journal.history().unwrap().into_iter().map(|p| p.started.unwrap().date).collect();
     assert_eq!(dates, ["2026-11-21", "1970-01-01", "2038-01-19"], "in the order of the runs");
-    assert_eq!(journal.remembered().unwrap().unwrap().memory.position.0[0], 3.0 * 25.4);
-}
-
-#[test]
-fn a_later_version_is_left_alone() {
-    let folder = tempdir().unwrap();
-    opened(&folder).0.opened().connection.execute_batch("PRAGMA user_version = 99").unwrap();
-    assert!(matches!(Journal::open(folder.path()), Err(JournalError::Newer { .. })));
+    assert_eq!(
+        journal.remembered(settings_text::read).unwrap().unwrap().memory.position.0[0],
+        3.0 * 25.4
+    );
 }
 
 /// Runs that leave a location, a value and a copy; then something happens to the file.
@@ -231,7 +200,7 @@ fn a_damaged_journal_is_rescued() {
             told[0].starts_with("the journal was damaged") && told.len() > 2,
             "{what}: {told:?}"
         );
-        let memory = journal.remembered().unwrap().unwrap().memory;
+        let memory = journal.remembered(settings_text::read).unwrap().unwrap().memory;
         assert_eq!(memory.position.0[0], 50.8, "{what}");
         assert!((memory.settings.cutter.diameter_mm - 9.525).abs() < 1e-9, "{what}");
         assert_eq!(journal.value("uValue").unwrap().as_deref(), Some("hello"), "{what}");
@@ -290,7 +259,8 @@ fn opened_after(
     let folder = folder_of(&files);
     let (journal, told) = opened(&folder);
     let values = journal.values().unwrap().into_iter().filter(|(_, value)| value == "kept").count();
-    let position = journal.remembered().unwrap().map(|it| it.memory.position.0[0]);
+    let position =
+        journal.remembered(settings_text::read).unwrap().map(|it| it.memory.position.0[0]);
     let verified = journal.value(kerf_sbp::POSITION_LOST).unwrap().is_none();
     drop(journal);
     assert_eq!(opened(&folder).1, [""; 0], "{name}: whole again");
@@ -392,38 +362,4 @@ fn nobody_else_reads_the_journal() {
         let mode = fs::metadata(folder.path().join(name)).unwrap().permissions().mode();
         assert_eq!(mode & 0o077, 0, "{name}: {mode:o}");
     }
-}
-
-/// While a thread has the disk and gets no answer, a program gives a value and reads it, and another that somebody else
-/// gave.
-#[test]
-fn a_value_of_a_program_does_not_wait_for_the_disk() {
-    let folder = tempdir().unwrap();
-    let (_, mut shelf) = recalled(&folder, "");
-    let journal = shelf.journal().unwrap().clone();
-    journal.set_value("theirs", Some("1")).unwrap();
-    let mut progress = progress::Progress::new(journal.clone(), Some(1));
-    progress.writes_behind(None);
-    shelf.tape = Tape::recording(Placed::default(), progress);
-    let ((holds, held), (done, is_done)) = (channel(), channel());
-    std::thread::scope(|scope| {
-        let journal = &journal;
-        let holder = scope.spawn(move || {
-            let _disk = journal.opened();
-            holds.send(()).unwrap();
-            is_done.recv_timeout(Duration::from_secs(5))
-        });
-        held.recv().unwrap();
-        for number in ["2", "3"] {
-            shelf.set_value("ours", Some(number));
-            assert_eq!(shelf.value("ours").as_deref(), Some(number));
-        }
-        assert_eq!(shelf.value("theirs").as_deref(), Some("1"));
-        done.send(()).unwrap();
-        assert_eq!(holder.join().unwrap(), Ok(()), "it waited for the disk");
-    });
-    shelf.tape.ends();
-    assert_eq!(opened(&folder).0.value("ours").unwrap().as_deref(), Some("3"));
-    journal.set_value("ours", Some("4")).unwrap();
-    assert_eq!(shelf.value("ours").as_deref(), Some("4"));
 }

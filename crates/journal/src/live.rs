@@ -38,7 +38,7 @@ impl Live {
     }
 
     /// Tells whether the machine gives a key its value, so that nobody sets it.
-    pub(crate) fn tells(key: &str) -> bool {
+    pub fn tells(key: &str) -> bool {
         Self::default().values().iter().any(|(name, _)| *name == key)
     }
 

@@ -1,6 +1,6 @@
 //! Reasons for which the journal cannot be used, in words that say what to do.
 
-use crate::Summary;
+use kerf_trace::Summary;
 use std::io;
 use std::path::{Path, PathBuf};
 

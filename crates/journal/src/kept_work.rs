@@ -16,7 +16,7 @@ use std::sync::Arc;
 /// Format in which bytes are read back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub(crate) enum WorkKind {
+pub enum WorkKind {
     /// A part file.
     Part(Dialect),
     /// A job.
@@ -25,7 +25,7 @@ pub(crate) enum WorkKind {
 
 /// Something to run and everything that decides it, as bytes.
 #[derive(Debug)]
-pub(crate) struct KeptWork<'a> {
+pub struct KeptWork<'a> {
     /// Name shown to people.
     pub name: String,
     /// Format of the bytes.
@@ -49,7 +49,7 @@ impl<'a> KeptWork<'a> {
     ///
     /// # Errors
     /// A job holds what cannot be written.
-    pub(crate) fn of(work: &'a Work) -> Result<Self, JournalError> {
+    pub fn of(work: &'a Work) -> Result<Self, JournalError> {
         let (kind, bytes) = match work {
             Work::Part(program) => {
                 let part = &program.sbp;
@@ -109,9 +109,11 @@ impl Journal {
     /// # Errors
     /// As the file cannot be read.
     pub fn machine_of(&self, cut: &CutShort) -> Result<Configuration, JournalError> {
-        match cut.work(&self.read(|rows| rows.contents())?)? {
+        match self.work_of(cut)? {
             Work::Job(_, machine) => Ok((*machine).clone()),
-            Work::Part(_) | Work::Hand(..) => Ok(cut.session().configuration()),
+            Work::Part(_) | Work::Hand(..) => {
+                Ok(Configuration { program: cut.memory().sbp.settings.clone(), ..cut.machine() })
+            }
         }
     }
 }

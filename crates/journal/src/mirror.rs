@@ -6,7 +6,7 @@
 
 use super::live::Live;
 use super::{Journal, JournalError};
-use crate::stored::check_value;
+use crate::check_value;
 use kerf_files::replace_whole;
 use std::fs;
 use std::io;

@@ -196,7 +196,7 @@ fn lock(slate: &Mutex<Slate>) -> MutexGuard<'_, Slate> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::journal::progress::Reached;
+    use crate::progress::Reached;
     use std::sync::atomic::{AtomicBool, Ordering};
 
     fn step(number: i64, text: &str) -> (i64, Vec<u8>) {

@@ -1,7 +1,7 @@
 //! Facts of safety: what the machine says of itself, beside the values that programs and other software keep. They read
 //! as values of the registry do; they are kept apart from those, and the machine alone writes them.
 
-use crate::journal::Live;
+use crate::Live;
 use kerf_sbp::{POSITION_LOST, SPINDLE_STATUS};
 
 /// Fact that the machine tells of itself.

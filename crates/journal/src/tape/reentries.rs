@@ -1,14 +1,14 @@
 //! Points at which a run was taken up, and at which it was left while it was stopped.
 
 use super::{Kind, Tape};
-use crate::journal::{Placed, progress::Progress};
 use crate::switches::Switches;
+use crate::{Placed, progress::Progress};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
 /// Point at which a run was taken up.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Reentered {
+pub struct Reentered {
     /// Place where the machine stood.
     pub place: Placed,
     /// Share of the move at hand that had been made.
@@ -26,14 +26,14 @@ pub(crate) struct Reentered {
 
 impl Tape {
     /// Tells whether the run was taken up here before, and cut short again.
-    pub(crate) fn is_reentered(&self) -> bool {
+    pub fn is_reentered(&self) -> bool {
         let told = |kind: &Kind| !matches!(kind, Kind::Reentry | Kind::Left);
         let others = || self.played.iter().any(|(kind, steps)| told(kind) && !steps.is_empty());
         self.next_reentry().is_some_and(|reentry| reentry.told <= self.told || !others())
     }
 
     /// Tells whether the run is taken up in the middle of the next move: where it was before, or now.
-    pub(crate) fn reenters_within(&self) -> bool {
+    pub fn reenters_within(&self) -> bool {
         let told = self.next_reentry().filter(|_| self.is_reentered());
         told.map_or(self.is_within(), |told| told.within > 0.0)
     }
@@ -46,7 +46,7 @@ impl Tape {
     }
 
     /// Returns the point at which the run was taken up when it had come so far, if it was.
-    pub(crate) fn reentered(&mut self) -> Option<Reentered> {
+    pub fn reentered(&mut self) -> Option<Reentered> {
         if !self.is_reentered() {
             return None;
         }
@@ -58,7 +58,7 @@ impl Tape {
 
     /// Tells whether the power went here, then or now. What is between here and the next move is left to whoever takes
     /// the run up.
-    pub(crate) fn is_open(&mut self) -> bool {
+    pub fn is_open(&mut self) -> bool {
         if self.open || !self.silent {
             return self.open;
         }
@@ -79,7 +79,7 @@ impl Tape {
     }
 
     /// The run is taken up, by a machine that stands at a place. Gives how much of the next move is made.
-    pub(crate) fn reenter(&mut self, place: Placed) -> Reentered {
+    pub fn reenter(&mut self, place: Placed) -> Reentered {
         let within = self.within_before;
         let [left, before] = std::mem::take(&mut self.switches);
         let moved = left.iter().filter(|switch| !before.contains(switch)).copied().collect();

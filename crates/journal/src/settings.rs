@@ -7,7 +7,6 @@
 //! ```
 
 use super::{Journal, JournalError};
-use crate::Session;
 use crate::machine_file::{MachineFile, MachineFileError};
 use kerf_machine::{Configuration, table};
 use kerf_program::Settings;
@@ -47,24 +46,25 @@ impl Journal {
         Ok((known.machine.clone(), there))
     }
 
-    /// Brings a session up to date with what somebody changed in the file since it was looked at last.
+    /// Brings a configuration up to date with what somebody changed in the file since it was looked at last; nothing
+    /// where nobody changed anything.
     ///
     /// # Errors
     /// The mistakes of the file: with those nothing may move.
-    pub(crate) fn refresh(&self, session: &mut Session) -> Result<(), JournalError> {
+    pub fn refreshed(
+        &self,
+        mut mine: Configuration,
+    ) -> Result<Option<Configuration>, JournalError> {
         let before = self.known().machine.clone();
         let (now, _) = self.machine()?;
         if Arc::ptr_eq(&before, &now) {
-            return Ok(());
+            return Ok(None);
         }
-        let mut mine = session.configuration();
         for setting in table::changed(&before, &now) {
             // What the file has was checked when it was read.
             drop(setting.set(&mut mine, &setting.get(&now)));
         }
-        session.memory.settings = mine.program.clone();
-        session.machine_is = Arc::new(mine);
-        Ok(())
+        Ok(Some(mine))
     }
 
     /// Writes back what was changed of the settings that a run began with; without those, of what the
