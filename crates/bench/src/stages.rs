@@ -5,12 +5,13 @@ use crate::inputs::Input;
 use crate::still::Still;
 use anyhow::Result;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Session, Shelf};
+use kerf_control::{Company, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_motion::{Move, Mover, plan_stack};
 use kerf_program::{Axes, Command, Settings};
 use kerf_sbp::{Interpreter, Options, Program, Step};
+use kerf_workspace::Workspace;
 
 /// Lines that a real file may execute here: some wait for ever for what is not there.
 const MOST_LINES: u64 = 100_000;
@@ -142,12 +143,12 @@ fn previewed(name: &str, bytes: Vec<u8>) -> u64 {
     let max_lines = 2 * MOST_LINES.max(program.lines.len() as u64);
     let program_options = Options { max_lines, preview: true, ..Options::default() };
     let options = RunOptions { program: program_options, ..RunOptions::default() };
-    let mut shelf = Shelf::in_memory(MemoryDisk::new([]));
+    let mut workspace = Workspace::in_memory(MemoryDisk::new([]));
     let company = Company {
         sink: &mut (),
         operator: &mut Answers::default(),
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    Session::default().run(program, options, &mut shelf, company).lines
+    Session::default().run(program, options, &mut workspace, company).lines
 }

@@ -1,17 +1,17 @@
 //! Looks at a machine that stands, and changes to it, without a program.
 
 use crate::session::{Company, Session};
-use crate::shelf::Shelf;
 use crate::world::{World, actuator};
-use kerf_journal::machine_file::MachineFileError;
-use kerf_journal::switches::SWITCHES;
-use kerf_journal::{Journal, Press, RunOptions, switches};
+use kerf_journal::{
+    Journal, Press, RunOptions, machine_file::MachineFileError, switches, switches::SWITCHES,
+};
 use kerf_machine::{Configuration, Driven, Setting};
 use kerf_part::Program;
 use kerf_program::OutputReason;
 use kerf_sbp::{SPINDLE_STATUS, SystemVariable, Value};
 use kerf_sim::{Change, Machine, contact};
 use kerf_trace::Event;
+use kerf_workspace::Workspace;
 use std::sync::Arc;
 
 impl Session {
@@ -22,12 +22,12 @@ impl Session {
 
     /// Moves the switch of an input of the simulated machine, which stands; the switch stays there, also
     /// when Kerf is started anew.
-    pub fn press(&mut self, press: Press, shelf: &mut Shelf) {
+    pub fn press(&mut self, press: Press, workspace: &mut Workspace) {
         let mut machine = self.machine(Vec::new());
         machine.press(Change { input: press.number, on: press.on, at_s: 0.0 });
         machine.log().take().for_each(drop);
         self.machine = Some(machine);
-        self.keep_switches(shelf);
+        self.keep_switches(workspace);
     }
 
     /// Switches an output of the machine, which stands, by the number of its line.
@@ -40,7 +40,7 @@ impl Session {
 
     /// Somebody stops the machine, which stands: what a stop switches off goes off, unless the machine is set to
     /// leave it on. Whether anything did.
-    pub fn stop_at_rest(&mut self, shelf: &mut Shelf, driven: &Driven) -> bool {
+    pub fn stop_at_rest(&mut self, workspace: &mut Workspace, driven: &Driven) -> bool {
         let is_on = |machine: &Machine| machine.turns() || machine.outputs().is_any_on();
         if self.machine_is.misc.outputs_stay_on || !self.machine.as_ref().is_some_and(is_on) {
             return false;
@@ -52,7 +52,7 @@ impl Session {
         self.memory.independent = machine.spinning();
         self.machine = Some(machine);
         if switched {
-            shelf.set_value(SPINDLE_STATUS, Some("0"));
+            workspace.set_value(SPINDLE_STATUS, Some("0"));
         }
         switched
     }
@@ -67,17 +67,17 @@ impl Session {
     }
 
     /// Puts on record where somebody left the switches of the simulated machine.
-    pub(crate) fn keep_switches(&self, shelf: &mut Shelf) {
+    pub(crate) fn keep_switches(&self, workspace: &mut Workspace) {
         let moved = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
         let kept = switches::write(&moved);
-        if shelf.stored.get(SWITCHES) != kept.as_deref() {
-            shelf.stored.set(SWITCHES, kept.as_deref());
-            shelf.stored.keep(SWITCHES);
+        if workspace.stored.get(SWITCHES) != kept.as_deref() {
+            workspace.stored.set(SWITCHES, kept.as_deref());
+            workspace.stored.keep(SWITCHES);
         }
     }
 
     /// Lists labels and values that help to find a fault (UD), and leaves nothing behind.
-    pub fn diagnostics(&self, shelf: &mut Shelf) -> Vec<(String, String)> {
+    pub fn diagnostics(&self, workspace: &mut Workspace) -> Vec<(String, String)> {
         let program = kerf_sbp::read_typed("UD".into(), "UD\n");
         let mut options = RunOptions::default();
         options.program.typed = true;
@@ -88,7 +88,7 @@ impl Session {
             requests: &mut (),
             machine: crate::simulated(),
         };
-        self.clone().run(Program::from(program), options, shelf, company);
+        self.clone().run(Program::from(program), options, workspace, company);
         let told = events.iter().find_map(|event| match event {
             Event::Message { text, .. } => Some(text.clone()),
             _ => None,
@@ -105,10 +105,10 @@ impl Session {
         &mut self,
         setting: &'static Setting,
         wanted: Configuration,
-        shelf: &Shelf,
+        workspace: &Workspace,
     ) -> Result<(), MachineFileError> {
         let kept = |journal: &Journal| journal.machine_file().keep_one(setting, &wanted);
-        let told = shelf.journal().map_or(Ok(()), kept);
+        let told = workspace.journal().map_or(Ok(()), kept);
         self.hold(wanted);
         told
     }
@@ -123,17 +123,17 @@ impl Session {
     ///
     /// # Errors
     /// As it cannot be kept.
-    pub fn keep_configuration(&self, shelf: &Shelf) -> Result<usize, MachineFileError> {
+    pub fn keep_configuration(&self, workspace: &Workspace) -> Result<usize, MachineFileError> {
         let kept = |journal: &Journal| journal.machine_file().keep_all(&self.configuration());
-        shelf.journal().map_or(Ok(0), kept)
+        workspace.journal().map_or(Ok(0), kept)
     }
 
     /// Reads every system variable as it is now, in order of numbers.
-    pub fn system_variables(&self, shelf: &mut Shelf) -> Vec<(SystemVariable, Value)> {
+    pub fn system_variables(&self, workspace: &mut Workspace) -> Vec<(SystemVariable, Value)> {
         let (mut sink, mut operator) = ((), ());
         let mut world = World::new(
             self.machine(Vec::new()),
-            shelf,
+            workspace,
             &mut sink,
             &mut operator,
             crate::simulated(),

@@ -57,7 +57,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn on_the_way(&mut self, driven: Driven) -> Result<After, Over> {
         let runs = self.state == State::Running;
         if runs {
-            self.world.shelf.tape.stood(1.0);
+            self.world.workspace.tape.stood(1.0);
         }
         let (by, n) = match driven {
             Driven::There | Driven::Edge(_) => return Ok(After::Ended),
@@ -126,7 +126,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 continue;
             }
             self.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
-            self.world.shelf.tape.stood(1.0);
+            self.world.workspace.tape.stood(1.0);
             match (request, halt) {
                 (Some((_, request)), _) => self.stands(request)?,
                 (None, Some(halt)) => {

@@ -142,7 +142,7 @@ impl<I: Interpreter> Runner<'_, I> {
         settings: &Settings,
         switches: &[Watched],
     ) -> Driven {
-        self.world.shelf.tape.moves(true, self.world.placed());
+        self.world.workspace.tape.moves(true, self.world.placed());
         let watched = self.watched_by_hand(switches);
         if let Some(driven) = self.warn_by_hand(&watched) {
             self.stand();

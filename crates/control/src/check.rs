@@ -4,7 +4,6 @@
 use crate::answers::Operator;
 use crate::repetitions::Repetitions;
 use crate::session::{Company, Session};
-use crate::shelf::Shelf;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::{LimitPolicy, RunOptions, Work};
 use kerf_part::Program;
@@ -12,19 +11,20 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{FileRequest, HostError, SourceFile};
 use kerf_sbp::{Language, NamedFile};
 use kerf_trace::{Event, Sink, Summary};
+use kerf_workspace::Workspace;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// Checks a program.
 ///
 /// The program and every file it names is read once, also where a run would not come. A program
-/// without errors is then run as a preview; `shelf` has to be one for previews. Branches that are not
+/// without errors is then run as a preview; `workspace` has to be one for previews. Branches that are not
 /// taken are not explored.
 pub fn check(
     session: &Session,
     work: impl Into<Work>,
     options: RunOptions,
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
     operator: &mut dyn Operator,
 ) -> Checked {
     let mut findings = Findings::default();
@@ -37,12 +37,12 @@ pub fn check(
                 requests: &mut (),
                 machine: crate::simulated(),
             };
-            let summary = session.clone().run(job, options, shelf, company);
+            let summary = session.clone().run(job, options, workspace, company);
             return findings.checked(Some(summary));
         }
     };
     let good = !program.has_errors();
-    findings.follow(&program, session.memory.settings.linear_unit, shelf);
+    findings.follow(&program, session.memory.settings.linear_unit, workspace);
     let gcode = program.language() == Language::Gcode;
     let summary = (good || gcode).then(|| {
         let mut session = session.clone();
@@ -58,7 +58,7 @@ pub fn check(
         // tried all the same.
         options.gcode.keep_going = true;
         options.program.allow_errors |= gcode;
-        session.run(program, options, shelf, company)
+        session.run(program, options, workspace, company)
     });
     findings.checked(summary)
 }
@@ -94,13 +94,13 @@ impl Findings {
     }
 
     /// Reads a program, started on a machine in a unit, and everything it names.
-    fn follow(&mut self, program: &Program, unit: LinearUnit, shelf: &mut Shelf) {
-        let mut waiting: VecDeque<NamedFile> = self.read(program, Some(unit), shelf).into();
+    fn follow(&mut self, program: &Program, unit: LinearUnit, workspace: &mut Workspace) {
+        let mut waiting: VecDeque<NamedFile> = self.read(program, Some(unit), workspace).into();
         while let Some(named) = waiting.pop_front() {
-            let Ok(source) = find(shelf, &named.request) else { continue };
+            let Ok(source) = find(workspace, &named.request) else { continue };
             if !self.files.contains(&source.name) {
                 let program = kerf_part::read_as(source.name, &*source.bytes, program.sbp.dialect);
-                waiting.extend(self.read(&program, None, shelf));
+                waiting.extend(self.read(&program, None, workspace));
             }
         }
     }
@@ -110,7 +110,7 @@ impl Findings {
         &mut self,
         program: &Program,
         alone: Option<LinearUnit>,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
     ) -> Vec<NamedFile> {
         self.files.push(program.name().clone());
         program.diagnostics.iter().for_each(|d| self.add(d));
@@ -118,7 +118,7 @@ impl Findings {
         let named = program.sbp.named_files();
         if !program.sbp.changes_folder() {
             for file in &named {
-                if let Err(HostError::NotFound(message)) = find(shelf, &file.request) {
+                if let Err(HostError::NotFound(message)) = find(workspace, &file.request) {
                     self.missing(program, file.line, message);
                 }
             }
@@ -185,10 +185,10 @@ impl Sink for Findings {
 }
 
 /// The file itself, or the one with `.sbp` added, as FP looks for it.
-fn find(shelf: &mut Shelf, request: &FileRequest) -> Result<SourceFile, HostError> {
-    shelf.source(request).or_else(|error| {
+fn find(workspace: &mut Workspace, request: &FileRequest) -> Result<SourceFile, HostError> {
+    workspace.source(request).or_else(|error| {
         let name = format!("{}.sbp", request.name);
-        shelf.source(&FileRequest { name, ..request.clone() }).map_err(|_| error)
+        workspace.source(&FileRequest { name, ..request.clone() }).map_err(|_| error)
     })
 }
 
@@ -202,8 +202,9 @@ mod tests {
         let disk = MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes())));
         let (name, text) = files[0];
         let program = kerf_part::read(name.into(), text.as_bytes());
-        let mut shelf = Shelf::in_memory(disk);
-        let found = check(&Session::default(), program, RunOptions::default(), &mut shelf, &mut ());
+        let mut workspace = Workspace::in_memory(disk);
+        let found =
+            check(&Session::default(), program, RunOptions::default(), &mut workspace, &mut ());
         let found: Vec<String> = found
             .diagnostics
             .iter()
@@ -260,13 +261,14 @@ mod tests {
     #[test]
     fn sbp_file_check__answers_beside_the_file() {
         let files: [(&str, &[u8]); 2] = [("a.sbp", b""), ("a.sbp.answers", b"# depth\n.5\n")];
-        let shelf = Shelf::in_memory(MemoryDisk::new(files));
-        let mut answers = shelf.answers_beside("a.sbp");
+        let workspace = Workspace::in_memory(MemoryDisk::new(files));
+        let mut answers =
+            crate::answers::Answers::read(&workspace.answers_beside("a.sbp").unwrap_or_default());
         let text = b"INPUT \"How deep?\" &d\nMZ,-&d\n";
         let program = kerf_part::read("a.sbp".into(), text);
-        let mut shelf = Shelf::in_memory(MemoryDisk::new(files));
+        let mut workspace = Workspace::in_memory(MemoryDisk::new(files));
         let options = RunOptions::default();
-        let found = check(&Session::default(), program, options, &mut shelf, &mut answers);
+        let found = check(&Session::default(), program, options, &mut workspace, &mut answers);
         assert!(found.diagnostics.is_empty(), "{:?}", found.diagnostics);
         assert_eq!(found.summary.map(|s| s.tally.cut_mm.round()), Some(13.0));
     }

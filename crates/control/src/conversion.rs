@@ -2,27 +2,43 @@
 
 use crate::desk::Desk;
 use crate::drawn::{self, Drawn};
-use crate::shelf::Shelf;
 use kerf_convert::{Conversion, Language, Source};
 use kerf_gcode::Dialect;
+use kerf_journal::Kind;
 use kerf_program::{
     ConversionRequest, CutChoice, FileConversion, FileRequest, Folder, HostError, Printer, Settings,
 };
 use kerf_sbp::{Printing, SbpPrinter};
+use kerf_workspace::Workspace;
 use std::path::Path;
+
+/// Converts a file of the part folder to a part file beside it (FC). What it reads and writes is one step of the tape.
+///
+/// # Errors
+/// As [`converted`].
+pub fn convert(
+    workspace: &mut Workspace,
+    settings: &Settings,
+    request: &ConversionRequest,
+) -> Result<FileConversion, HostError> {
+    let mut tape = std::mem::take(&mut workspace.tape);
+    let told = tape.change(Kind::Convert, || converted(workspace, settings, request));
+    workspace.tape = tape;
+    told
+}
 
 /// Converts a file for a machine with these settings, or tells what has to be asked first.
 ///
 /// # Errors
 /// There is no such file, it is of a kind that is not converted yet, it does not run, or the part file
 /// cannot be written.
-pub fn convert(
-    shelf: &mut Shelf,
+fn converted(
+    workspace: &mut Workspace,
     settings: &Settings,
     request: &ConversionRequest,
 ) -> Result<FileConversion, HostError> {
     let (name, mut settings) = (&request.name, settings.clone());
-    let file = shelf.source(&FileRequest { folder: Folder::Parts, name: name.clone() })?;
+    let file = workspace.source(&FileRequest { folder: Folder::Parts, name: name.clone() })?;
     let kind = request.kind.as_deref().map_or_else(|| extension(name), extension_of_answer);
     let language = Language::of_file(&format!("x.{kind}"), Dialect::Generic);
     let is_drawn = drawn::KINDS.contains(&kind.as_str());
@@ -30,7 +46,7 @@ pub fn convert(
         return Ok(FileConversion::Unknown);
     }
     let target = Path::new(name).with_extension("sbp").display().to_string();
-    if shelf.has(&target) && !request.overwrite {
+    if workspace.has(&target) && !request.overwrite {
         return Ok(FileConversion::Exists(target));
     }
     match request.unit {
@@ -43,14 +59,14 @@ pub fn convert(
     let text = match (language, request.cut) {
         (Some(from), _) if !is_drawn => {
             let source = Source { name: file.name.clone(), bytes: &file.bytes, language: from };
-            part_file(shelf, &settings, name, &source)?
+            part_file(workspace, &settings, name, &source)?
         }
         (_, Some(cut)) => drawn_part_file(&settings, name, &file.bytes, &kind, cut)?,
         _ => {
             return Ok(FileConversion::Cut(drawn::usual_choice(&kind, settings.linear_unit)));
         }
     };
-    let written = shelf.put(&target, text.as_bytes());
+    let written = workspace.put(&target, text.as_bytes());
     written.map_err(|e| HostError::Refused(format!("cannot write {target}: {e}")))?;
     Ok(FileConversion::Made(target))
 }
@@ -95,7 +111,7 @@ fn extension(name: &str) -> String {
 
 /// The text of the part file.
 fn part_file(
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
     settings: &Settings,
     name: &str,
     source: &Source<'_>,
@@ -111,9 +127,9 @@ fn part_file(
         coolant_outputs: [0, 0],
         title: format!("Converted from {name}\nSettings: machine in {units}"),
     };
-    // G-code reads files and writes none, so the shelf stays as it is.
+    // G-code reads files and writes none, so the workspace stays as it is.
     let converted = kerf_convert::convert(source, &conversion, &mut |follow| {
-        follow(&mut Desk::new(shelf, &mut ()))
+        follow(&mut Desk::new(workspace, &mut ()))
     });
     converted.text.ok_or_else(|| {
         let found = converted.diagnostics.iter().find(|d| d.is_error());

@@ -4,20 +4,20 @@
 //! counts as done, inputs are off. Files and questions are as in a run.
 
 use crate::answers::{self, Operator};
-use crate::shelf::Shelf;
 use kerf_program::{AXES, Answer, Host, Question};
+use kerf_workspace::Workspace;
 use std::task::Poll;
 
 /// Files and answers.
 pub struct Desk<'a> {
-    shelf: &'a mut Shelf,
+    workspace: &'a mut Workspace,
     operator: &'a mut dyn Operator,
 }
 
 impl<'a> Desk<'a> {
-    /// A desk with these; the shelf has to be one for previews.
-    pub fn new(shelf: &'a mut Shelf, operator: &'a mut dyn Operator) -> Self {
-        Self { shelf, operator }
+    /// A desk with these; the workspace has to be one for previews.
+    pub fn new(workspace: &'a mut Workspace, operator: &'a mut dyn Operator) -> Self {
+        Self { workspace, operator }
     }
 }
 
@@ -41,7 +41,7 @@ impl Host for Desk<'_> {
         Poll::Ready(meant.unwrap_or_else(|| answers::default_answer(question)))
     }
 
-    crate::shelf_host::answered_by_the_shelf!();
+    crate::workspace_host::answered_by_the_workspace!();
 
     fn machine_position(&mut self) -> [f64; AXES] {
         [0.0; AXES]

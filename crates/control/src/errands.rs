@@ -2,20 +2,18 @@
 
 use crate::homing::Found;
 use crate::runner::{Over, Runner};
-use crate::session::{Company, Session, end_event, summary, unverified};
-use crate::shelf::Shelf;
-use crate::stopping::CONFIRM;
 use crate::world::World;
+use crate::{session::Company, session::Session, session::end_event, session::summary};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{Door, RunOptions, Work};
 use kerf_machine::settings::homing::BeforeRuns;
 use kerf_machine::{Configuration, Errand, Hand};
 use kerf_program::{
-    AXES, Answer, At, Axis, AxisSet, Button, Command, Interpreter as _, Question, QuestionKind,
-    Status,
+    AXES, Answer, At, AxisSet, Button, Command, Interpreter as _, Question, QuestionKind, Status,
 };
 use kerf_sbp::POSITION_LOST;
 use kerf_trace::{Event, Sink, Summary};
+use kerf_workspace::{Workspace, confirm, unconfirmed, unverified};
 use std::sync::Arc;
 
 impl Session {
@@ -26,7 +24,7 @@ impl Session {
         machine: &Arc<Configuration>,
         options: RunOptions,
         asks: Option<Question>,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
     ) -> Summary {
         let Company { sink, operator, requests, machine: driven } = company;
@@ -41,9 +39,9 @@ impl Session {
         let settings = std::mem::replace(&mut self.memory.settings, (**hand.settings()).clone());
         let simulated = self.machine_like(machine, options.inputs, AxisSet::first(AXES));
         let simulated = simulated.begun_at(before.ends_s).pushed(options.pushes);
-        let simulated = simulated.doubting(unverified(shelf));
+        let simulated = simulated.doubting(unverified(workspace));
         self.memory.settings = settings;
-        let mut world = World::new(simulated, shelf, sink, operator, driven);
+        let mut world = World::new(simulated, workspace, sink, operator, driven);
         (world.previews, world.machine_is) = (options.program.preview, machine.clone());
         (world.homed, world.homes) = (self.homed, self.homes(machine));
         world.tally = before.tally();
@@ -81,7 +79,7 @@ impl Session {
         &mut self,
         work: &Work,
         options: &mut RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         mut company: Company<'_>,
     ) -> Option<Summary> {
         let machine = self.machine_that_cuts(work, options)?;
@@ -103,11 +101,11 @@ impl Session {
         if axes.is_empty() {
             return None;
         }
-        if let Some(open) = self.wait_for_door(work, options, shelf, company.again()) {
+        if let Some(open) = self.wait_for_door(work, options, workspace, company.again()) {
             return Some(open);
         }
-        let homed = self.home_before(work, axes, asks, options, shelf, company);
-        self.location_is_known(shelf);
+        let homed = self.home_before(work, axes, asks, options, workspace, company);
+        self.location_is_known(workspace);
         // Whoever says No goes on without.
         let goes_on = matches!(homed.status, Status::Ok | Status::Ended);
         (!goes_on).then_some(homed)
@@ -120,7 +118,7 @@ impl Session {
         axes: AxisSet,
         asks: Option<Question>,
         options: &mut RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
     ) -> Summary {
         company.sink.event(&self.begins(work, options));
@@ -131,7 +129,7 @@ impl Session {
             Work::Part(_) => Arc::new(self.configuration()),
         };
         let part = RunOptions { inputs: options.inputs.clone(), before, ..RunOptions::default() };
-        let homed = self.run_hand(Errand::FindHome(axes), &machine, part, asks, shelf, company);
+        let homed = self.run_hand(Errand::FindHome(axes), &machine, part, asks, workspace, company);
         options.before.went_on(&homed);
         homed
     }
@@ -141,7 +139,7 @@ impl Session {
         &mut self,
         work: &Work,
         options: &mut RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
     ) -> Option<Summary> {
         let Work::Job(job, machine) = work else { return None };
@@ -150,7 +148,7 @@ impl Session {
         }
         let before = options.before.clone().seeing_to(Door::Only);
         let part = RunOptions { inputs: options.inputs.clone(), before, ..RunOptions::default() };
-        let waited = self.run_job(job.clone(), machine, part, shelf, company, None);
+        let waited = self.run_job(job.clone(), machine, part, workspace, company, None);
         options.before.went_on(&waited);
         options.before.door = Door::Shut;
         (waited.status != Status::Ok).then_some(waited)
@@ -175,29 +173,29 @@ impl Session {
         &mut self,
         work: &Work,
         options: &mut RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         mut company: Company<'_>,
     ) -> Option<Summary> {
         let machine = self.machine_that_cuts(work, options)?;
         loop {
-            let doubted = unconfirmed(shelf);
+            let doubted = unconfirmed(workspace);
             if doubted.is_empty() {
                 return None;
             }
             let homes = self.fitted(&machine, doubted);
             let asks = Some(location_question(&names(&machine, doubted), !homes.is_empty()));
-            if let Some(open) = self.wait_for_door(work, options, shelf, company.again()) {
+            if let Some(open) = self.wait_for_door(work, options, workspace, company.again()) {
                 return Some(open);
             }
-            let done = self.home_before(work, homes, asks, options, shelf, company.again());
+            let done = self.home_before(work, homes, asks, options, workspace, company.again());
             match done.status {
                 Status::Ok => {
-                    self.location_is_known(shelf);
-                    confirm(shelf, homes);
+                    self.location_is_known(workspace);
+                    confirm(workspace, homes);
                 }
                 Status::Ended => {
-                    shelf.stored.set(POSITION_LOST, None);
-                    confirm(shelf, doubted);
+                    workspace.stored.set(POSITION_LOST, None);
+                    confirm(workspace, doubted);
                     self.machine = self.machine.take().map(|machine| machine.trusting(doubted));
                 }
                 _ => return Some(done),
@@ -240,8 +238,8 @@ impl Session {
     }
 
     /// Takes homed axes out of doubt.
-    pub(crate) fn location_is_known(&self, shelf: &mut Shelf) {
-        shelf.trusts_location(self.homed);
+    pub(crate) fn location_is_known(&self, workspace: &mut Workspace) {
+        workspace.trusts_location(self.homed);
     }
 
     /// Tells which axes are not homed, where the machine has switches for them.
@@ -316,54 +314,6 @@ impl Runner<'_, Hand> {
 fn names(machine: &Configuration, axes: AxisSet) -> String {
     let names: Vec<_> = axes.iter().map(|axis| machine.motors.axis_name(axis)).collect();
     names.join(", ")
-}
-
-/// Axes whose location is to be confirmed before anything is cut.
-pub fn unconfirmed(shelf: &Shelf) -> AxisSet {
-    let letters = shelf.stored.get(CONFIRM).unwrap_or_default();
-    letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
-}
-
-impl Shelf {
-    /// The machine is a fresh simulated one, not that of the data folder: what is in doubt of either does not
-    /// concern the other.
-    pub fn has_fresh_machine(&mut self) {
-        self.stored.keep_apart(&[POSITION_LOST, CONFIRM]);
-    }
-
-    /// Puts the location of these axes in doubt: whoever cuts next is asked to confirm it.
-    pub fn doubts_location(&mut self, axes: AxisSet) {
-        let letters: String = axes.iter().map(Axis::letter).collect();
-        self.set_value(POSITION_LOST, Some(&letters));
-        self.set_value(CONFIRM, Some(&letters));
-    }
-
-    /// These axes are where they are believed to be: they were homed.
-    pub fn trusts_location(&mut self, axes: AxisSet) {
-        let doubted = unverified(self).without(axes);
-        let letters: String = doubted.iter().map(Axis::letter).collect();
-        self.set_value(POSITION_LOST, Some(&*letters).filter(|it| !it.is_empty()));
-        confirm(self, axes);
-    }
-
-    /// The same known here, and not yet on record: whoever only looks keeps nothing.
-    pub(crate) fn learns_doubt(&mut self, axes: AxisSet) {
-        let letters: String = axes.iter().map(Axis::letter).collect();
-        self.stored.learn(POSITION_LOST, Some(&letters));
-        self.stored.learn(CONFIRM, Some(&letters));
-    }
-
-    /// Which locations are in doubt is on record.
-    pub(crate) fn keep_doubts(&mut self) {
-        self.stored.keep(POSITION_LOST);
-        self.stored.keep(CONFIRM);
-    }
-}
-
-/// The location of these axes is right, or was set.
-pub(crate) fn confirm(shelf: &mut Shelf, axes: AxisSet) {
-    let left: String = unconfirmed(shelf).without(axes).iter().map(Axis::letter).collect();
-    shelf.set_value(CONFIRM, Some(&*left).filter(|left| !left.is_empty()));
 }
 
 fn location_question(axes: &str, homes: bool) -> Question {

@@ -101,7 +101,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.drive.stands();
         self.world.machine.rest();
         self.world.tell_log();
-        self.world.shelf.tape.moves(false, self.world.placed());
+        self.world.workspace.tape.moves(false, self.world.placed());
     }
 
     /// Makes a piece of plan; what is left of the stack goes on after it, unless something halts it.
@@ -126,7 +126,7 @@ impl<I: Interpreter> Runner<'_, I> {
             Some((stop, why, began)) => {
                 self.stand();
                 self.learn_switched_off();
-                self.world.shelf.tape.stood(stop.share);
+                self.world.workspace.tape.stood(stop.share);
                 // A stop behind the last move leaves nothing to make.
                 let motion = if stop.share < 1.0 { number } else { self.stack.next_number() };
                 let at = kerf_program::Halted { motion, began, stands: stop.position };
@@ -259,7 +259,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Has a machine that slows down by itself do so; tells the moment of the plan at which it stands.
     pub(crate) fn brake(&mut self, going: &Going<'_>) -> Option<f64> {
         let drive = &mut self.drive;
-        self.world.shelf.tape.hear_rarely(Kind::Stood, || drive.brake(going))
+        self.world.workspace.tape.hear_rarely(Kind::Stood, || drive.brake(going))
     }
 
     /// The piece as it is made when it is left, and where that is; with a ramp, unless the machine has
@@ -293,14 +293,14 @@ impl<I: Interpreter> Runner<'_, I> {
             match request {
                 OperatorRequest::End => {}
                 OperatorRequest::Stop if slows.by_stop => {}
-                _ if repeats => self.world.shelf.tape.unhear_request(),
+                _ if repeats => self.world.workspace.tape.unhear_request(),
                 OperatorRequest::Stop | OperatorRequest::Hold if slows.asks => {
                     self.forgo();
-                    self.world.shelf.tape.asks_again();
+                    self.world.workspace.tape.asks_again();
                 }
                 _ => {
                     self.put_off(told);
-                    self.world.shelf.tape.asks_again();
+                    self.world.workspace.tape.asks_again();
                 }
             }
             if repeats {
@@ -333,7 +333,7 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tally.carried(&made, &lift, &frame);
         self.world.tell_log();
         let (file, place) = (self.world.file(span.made.at), self.world.placed());
-        self.world.shelf.tape.made(&file, span.made.at.line, place);
+        self.world.workspace.tape.made(&file, span.made.at.line, place);
     }
 
     fn move_event(&self, made: &Move, t0: f64, t1: f64) -> Event {

@@ -48,10 +48,10 @@ impl<I: Interpreter> Runner<'_, I> {
             self.on(Stopped::Abort, settings, "");
             // Whatever is run next is cut where the workpiece is now.
             self.shift(nudged);
-            self.world.shelf.tape.given_up(self.world.placed());
+            self.world.workspace.tape.given_up(self.world.placed());
         }
         resumed?;
-        self.world.shelf.tape.goes_on();
+        self.world.workspace.tape.goes_on();
         self.on(Stopped::Continue, settings, "");
         self.heeded()
     }

@@ -46,7 +46,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn home_by_itself(&mut self) -> Found {
         let axes = self.world.homes;
         let mut found = Found { lost: axes, ..Found::default() };
-        self.world.shelf.tape.moves(true, self.world.placed());
+        self.world.workspace.tape.moves(true, self.world.placed());
         let forbidden = self.forbidden();
         let home = if forbidden.is_none() { self.drive.home() } else { None };
         match (forbidden, home) {

@@ -34,15 +34,15 @@ impl Host for World<'_> {
         Poll::Pending
     }
 
-    crate::shelf_host::answered_by_the_shelf!();
+    crate::workspace_host::answered_by_the_workspace!();
 
     fn last_line(&mut self, file: &str) -> Option<u32> {
-        self.shelf.last_line(file)
+        self.workspace.last_line(file)
     }
 
     fn convert(&mut self, request: &ConversionRequest) -> Result<FileConversion, HostError> {
         let settings = self.machine.settings().clone();
-        self.shelf.convert(&settings, request)
+        crate::conversion::convert(self.workspace, &settings, request)
     }
 
     fn machine_position(&mut self) -> [f64; AXES] {
@@ -53,7 +53,7 @@ impl Host for World<'_> {
         if self.previews {
             return Ok(());
         }
-        self.shelf.add_to_data(PROBLEM_LOG, text).map_err(HostError::Refused)
+        self.workspace.add_to_data(PROBLEM_LOG, text).map_err(HostError::Refused)
     }
 
     fn forget_system_log(&mut self) -> Result<(), HostError> {
@@ -61,12 +61,12 @@ impl Host for World<'_> {
             return Ok(());
         }
         let settings = self.machine.settings().clone();
-        self.shelf.begin_system_log_anew(&settings, self.machine.draws())
+        self.workspace.begin_system_log_anew(&settings, self.machine.draws())
     }
 
     fn tool(&mut self, call: &ToolCall) -> Result<Vec<String>, HostError> {
         let metric = self.machine.settings().linear_unit == LinearUnit::Mm;
-        self.shelf.tool(call, metric)
+        kerf_workspace::virtual_tools::start(self.workspace, call, metric)
     }
 
     fn is_connected(&mut self) -> bool {
@@ -74,7 +74,7 @@ impl Host for World<'_> {
     }
 
     fn install_firmware(&mut self) -> Result<String, HostError> {
-        self.shelf.install_firmware()
+        self.workspace.install_firmware()
     }
 
     fn firmware(&mut self) -> i32 {

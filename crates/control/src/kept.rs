@@ -1,30 +1,28 @@
 //! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
 
 use crate::before::Whole;
-use crate::errands::unconfirmed;
 use crate::session::{Company, Session, lines_at_once};
 use crate::settings_text;
-use crate::shelf::Shelf;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
-use kerf_journal::switches::SWITCHES;
 use kerf_journal::{
     CutShort, Journal, JournalError, KeptWork, KnownMachine, Live, Owner, Placed, Remembered,
-    RunOptions, RunUnderWay, Standing, Tape, Whereabouts, Work, switches,
+    RunOptions, RunUnderWay, Standing, Tape, Whereabouts, Work, switches, switches::SWITCHES,
 };
 use kerf_program::Settings;
 use kerf_sim::Machine;
 use kerf_trace::{Event, Summary};
+use kerf_workspace::{Workspace, unconfirmed};
 use std::sync::Arc;
 
 impl Session {
     /// Recalls what a journal remembers of the machine, a new machine where it remembers nothing; tells whether
-    /// the machine is where that says. If not, the values of the shelf tell programs so.
+    /// the machine is where that says. If not, the values of the workspace tell programs so.
     ///
     /// # Errors
     /// As the journal cannot be read.
     pub fn recall(
         journal: &Journal,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
     ) -> Result<(Self, Whereabouts), JournalError> {
         let Some(remembered) = journal.remembered(settings_text::read)? else {
             return Ok((Self::default(), Whereabouts::Known));
@@ -32,7 +30,7 @@ impl Session {
         let whereabouts = remembered.whereabouts;
         let mut session = Self::new(remembered.memory.clone());
         session.machine_is = remembered.machine.clone();
-        session.stands_as(remembered, shelf);
+        session.stands_as(remembered, workspace);
         Ok((session, whereabouts))
     }
 
@@ -41,20 +39,20 @@ impl Session {
     ///
     /// # Errors
     /// As the journal or the file cannot be read or written.
-    pub fn meet_machine(&self, shelf: &mut Shelf) -> Result<Option<String>, JournalError> {
-        let Some(journal) = shelf.journal().cloned() else { return Ok(None) };
+    pub fn meet_machine(&self, workspace: &mut Workspace) -> Result<Option<String>, JournalError> {
+        let Some(journal) = workspace.journal().cloned() else { return Ok(None) };
         let told = KnownMachine(&journal).meet()?;
         if let Some(told) = &told {
             journal.tell(told);
-            shelf.doubts_location(self.machine_is.motors.axes());
+            workspace.doubts_location(self.machine_is.motors.axes());
         }
         Ok(told)
     }
 
     /// The machine stands as it is on record.
-    fn stands_as(&mut self, remembered: Remembered, shelf: &mut Shelf) {
+    fn stands_as(&mut self, remembered: Remembered, workspace: &mut Workspace) {
         if remembered.whereabouts == Whereabouts::Moving {
-            shelf.learns_doubt(remembered.machine.motors.axes());
+            workspace.learns_doubt(remembered.machine.motors.axes());
         }
         let (position, frame) = (remembered.memory.position, remembered.memory.frame);
         match &mut self.memory.before_preview {
@@ -63,7 +61,7 @@ impl Session {
         }
         (self.gcode, self.homed) = (remembered.gcode, remembered.homed);
         let machine = Machine::default().equipped(&self.machine_is, self.homed);
-        let switches = switches::read(shelf.stored.get(SWITCHES).unwrap_or_default());
+        let switches = switches::read(workspace.stored.get(SWITCHES).unwrap_or_default());
         self.machine = Some(machine.with_truth(&remembered.truth).with_switches(&switches));
     }
 
@@ -72,26 +70,30 @@ impl Session {
     ///
     /// # Errors
     /// As the journal cannot be read.
-    pub fn catch_up(&mut self, shelf: &mut Shelf) -> Result<bool, JournalError> {
-        let Some(journal) = shelf.journal().cloned() else { return Ok(false) };
+    pub fn catch_up(&mut self, workspace: &mut Workspace) -> Result<bool, JournalError> {
+        let Some(journal) = workspace.journal().cloned() else { return Ok(false) };
         if !journal.another_had_it()? {
             return Ok(false);
         }
         match journal.own() {
-            Ok(_owner) => self.take_over(&journal, shelf),
+            Ok(_owner) => self.take_over(&journal, workspace),
             Err(JournalError::Owned { .. }) => Ok(false),
             Err(error) => Err(error),
         }
     }
 
     /// The same for the one who has the machine.
-    fn take_over(&mut self, journal: &Journal, shelf: &mut Shelf) -> Result<bool, JournalError> {
+    fn take_over(
+        &mut self,
+        journal: &Journal,
+        workspace: &mut Workspace,
+    ) -> Result<bool, JournalError> {
         if !journal.another_had_it()? {
             return Ok(false);
         }
         let Some(remembered) = journal.remembered(settings_text::read)? else { return Ok(false) };
-        shelf.stored.renew()?;
-        self.stands_as(remembered, shelf);
+        workspace.stored.renew()?;
+        self.stands_as(remembered, workspace);
         Ok(true)
     }
 
@@ -105,32 +107,32 @@ impl Session {
         work: impl Into<Work>,
         mut options: RunOptions,
         settings: Option<Settings>,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
     ) -> Result<Summary, JournalError> {
         let work = work.into();
-        let Some(journal) = shelf.journal().cloned() else {
-            return Ok(self.run(work, options, shelf, company));
+        let Some(journal) = workspace.journal().cloned() else {
+            return Ok(self.run(work, options, workspace, company));
         };
         let owner = journal.own()?;
         journal.move_settings(settings_text::read)?;
         if settings.is_none() {
             self.refresh(&journal)?;
         }
-        if let Some(told) = self.meet_machine(shelf)? {
+        if let Some(told) = self.meet_machine(workspace)? {
             let place = Place::line(journal.machine_file().name().into(), 1);
             let told = Diagnostic::new(Code::AnotherMachine, place, told);
             company.sink.event(&Event::Diag(Box::new(told.severity(Severity::Warning))));
         }
         // A controller says itself where it stands.
         if options.controller.is_none() {
-            self.take_over(&journal, shelf)?;
+            self.take_over(&journal, workspace)?;
         }
         options.lines_at_once = lines_at_once(&options, &*company.sink);
         let Company { sink, operator, requests, machine } = company;
         let mut whole = Whole::new(sink);
         let company = Company { sink: &mut whole, operator, requests, machine };
-        let summary = self.begin_on_record(work, options, settings, shelf, company, &owner);
+        let summary = self.begin_on_record(work, options, settings, workspace, company, &owner);
         whole.ends();
         summary
     }
@@ -141,41 +143,41 @@ impl Session {
         work: Work,
         mut options: RunOptions,
         settings: Option<Settings>,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         mut company: Company<'_>,
         owner: &Owner,
     ) -> Result<Summary, JournalError> {
         let nothing = || JournalError::Unfit("nothing is kept".into());
-        let journal = shelf.journal().cloned().ok_or_else(nothing)?;
+        let journal = workspace.journal().cloned().ok_or_else(nothing)?;
         if let Some(summary) =
-            self.confirm_on_record(&work, &mut options, shelf, company.again(), &journal)?
+            self.confirm_on_record(&work, &mut options, workspace, company.again(), &journal)?
         {
             return Ok(summary);
         }
         if let Some(summary) =
-            self.before_run_on_record(&work, &mut options, shelf, company.again(), &journal)?
+            self.before_run_on_record(&work, &mut options, workspace, company.again(), &journal)?
         {
             return Ok(summary);
         }
         let kept = KeptWork::of(&work)?;
         let run =
-            RunUnderWay::new(&self.standing(), &kept, &options, settings, shelf.surroundings());
+            RunUnderWay::new(&self.standing(), &kept, &options, settings, workspace.surroundings());
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
-        shelf.keep_doubts();
-        shelf.tape = journal.begin(&run, &self.standing(), &kept.bytes)?;
-        in_time(&journal, &mut shelf.tape, &company)?;
-        let summary = self.go(work, options, shelf, company, None);
-        self.over(&run, summary, shelf, owner)
+        workspace.keep_doubts();
+        workspace.tape = journal.begin(&run, &self.standing(), &kept.bytes)?;
+        in_time(&journal, &mut workspace.tape, &company)?;
+        let summary = self.go(work, options, workspace, company, None);
+        self.over(&run, summary, workspace, owner)
     }
 
     /// Keeps where the machine is, after its locations were shifted.
     ///
     /// # Errors
     /// As the journal cannot be written, or another process has the machine.
-    pub fn keep_place(&self, shelf: &mut Shelf) -> Result<(), JournalError> {
-        let Some(journal) = shelf.journal().cloned() else { return Ok(()) };
+    pub fn keep_place(&self, workspace: &mut Workspace) -> Result<(), JournalError> {
+        let Some(journal) = workspace.journal().cloned() else { return Ok(()) };
         let _owner = journal.own()?;
-        shelf.keep_doubts();
+        workspace.keep_doubts();
         journal.end_by_hand(&self.standing())
     }
 
@@ -184,16 +186,16 @@ impl Session {
         &mut self,
         work: &Work,
         options: &mut RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
         journal: &Journal,
     ) -> Result<Option<Summary>, JournalError> {
-        if unconfirmed(shelf).is_empty() {
+        if unconfirmed(workspace).is_empty() {
             return Ok(None);
         }
         journal.begin_by_hand(&self.standing())?;
-        let summary = self.confirm_location(work, options, shelf, company);
-        shelf.keep_doubts();
+        let summary = self.confirm_location(work, options, workspace, company);
+        workspace.keep_doubts();
         journal.end_by_hand(&self.standing())?;
         Ok(summary)
     }
@@ -204,7 +206,7 @@ impl Session {
         &mut self,
         work: &Work,
         options: &mut RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
         journal: &Journal,
     ) -> Result<Option<Summary>, JournalError> {
@@ -215,30 +217,30 @@ impl Session {
         let summary = match work {
             Work::Hand(errand, machine) => {
                 let options = options.clone();
-                Some(self.run_hand(errand.clone(), machine, options, None, shelf, company))
+                Some(self.run_hand(errand.clone(), machine, options, None, workspace, company))
             }
-            _ => self.before_run(work, options, shelf, company),
+            _ => self.before_run(work, options, workspace, company),
         };
         if moves {
-            self.location_is_known(shelf);
-            shelf.keep_doubts();
+            self.location_is_known(workspace);
+            workspace.keep_doubts();
             journal.end_by_hand(&self.standing())?;
         }
         Ok(summary)
     }
 
-    /// Returns work, options and session from which a run that was cut short was begun; the shelf is as it was.
+    /// Returns work, options and session from which a run that was cut short was begun; the workspace is as it was.
     ///
     /// # Errors
     /// As the file cannot be read, or its text was not kept.
     pub fn begun(
         journal: &Journal,
         cut: &CutShort,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
     ) -> Result<(Work, RunOptions, Self), JournalError> {
         let (work, run) = (journal.work_of(cut)?, &cut.run);
-        shelf.as_it_was(&run.folders, run.shell);
-        shelf.stored.begin_from(run.values.clone());
+        workspace.as_it_was(&run.folders, run.shell);
+        workspace.stored.begin_from(run.values.clone());
         Ok((work, run.options.clone(), Self::as_begun(cut)))
     }
 
@@ -280,25 +282,25 @@ impl Session {
     pub fn resume(
         &mut self,
         cut: &CutShort,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
     ) -> Result<Summary, JournalError> {
         let nothing = || JournalError::Unfit("nothing is kept".into());
-        let journal = shelf.journal().cloned().ok_or_else(nothing)?;
+        let journal = workspace.journal().cloned().ok_or_else(nothing)?;
         let owner = journal.own()?;
-        self.take_over(&journal, shelf)?;
+        self.take_over(&journal, workspace)?;
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
         let switches = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
         let (work, tape) = journal.take_up(cut, stands, switches)?;
         let run = &cut.run;
         // Whoever homed the machine since knows its homes.
         *self = Self { homed: self.homed, ..Self::as_begun(cut) };
-        shelf.as_it_was(&run.folders, run.shell);
-        shelf.stored.begin_from(run.values.clone());
-        shelf.tape = tape;
-        in_time(&journal, &mut shelf.tape, &company)?;
-        let summary = self.go(work, run.options.clone(), shelf, company, Some(stands));
-        self.over(run, summary, shelf, &owner)
+        workspace.as_it_was(&run.folders, run.shell);
+        workspace.stored.begin_from(run.values.clone());
+        workspace.tape = tape;
+        in_time(&journal, &mut workspace.tape, &company)?;
+        let summary = self.go(work, run.options.clone(), workspace, company, Some(stands));
+        self.over(run, summary, workspace, &owner)
     }
 
     /// A run is over: what it left is kept.
@@ -306,10 +308,10 @@ impl Session {
         &self,
         run: &RunUnderWay,
         summary: Summary,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         owner: &Owner,
     ) -> Result<Summary, JournalError> {
-        match self.keep_ended(run, &summary, shelf, owner) {
+        match self.keep_ended(run, &summary, workspace, owner) {
             Ok(()) => Ok(summary),
             // It has not come where it was.
             Err(why @ JournalError::Unfit(_)) => Err(why),
@@ -323,13 +325,13 @@ impl Session {
         &self,
         run: &RunUnderWay,
         summary: &Summary,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         _: &Owner,
     ) -> Result<(), JournalError> {
-        let mut tape: Tape = std::mem::take(&mut shelf.tape);
+        let mut tape: Tape = std::mem::take(&mut workspace.tape);
         tape.ends();
-        self.keep_switches(shelf);
-        let Some(journal) = shelf.journal() else { return Ok(()) };
+        self.keep_switches(workspace);
+        let Some(journal) = workspace.journal() else { return Ok(()) };
         if let Some(why) = tape.unfit() {
             return Err(JournalError::Unfit(why.to_owned()));
         }

@@ -9,7 +9,7 @@
 //! - [`Session`] is what stays between runs; [`Session::run`] is one run.
 //! - [`Event`](kerf_trace::Event) is one thing that a run tells; a [`Sink`](kerf_trace::Sink) takes events.
 //! - [`controller`] runs the same on a real machine: the plan is the same, who makes it is not.
-//! - [`Shelf`] is everything on disk that a program may reach. A preview gets a copy that keeps its
+//! - [`Workspace`](kerf_workspace::Workspace) is everything on disk that a program may reach. A preview gets a copy that keeps its
 //!   writes to itself.
 //! - [`run_text`] does it all in memory: for tests, editors, whoever has no disk.
 //!
@@ -32,7 +32,6 @@ pub mod drawn;
 mod drive;
 mod errands;
 mod execute;
-mod fonts;
 mod heights;
 mod hold;
 mod homing;
@@ -41,7 +40,6 @@ pub mod job_file;
 mod kept;
 mod nudge;
 mod part_log;
-pub mod parts;
 pub mod password;
 mod pendant;
 mod preview_mode;
@@ -50,24 +48,18 @@ mod repetitions;
 mod requests;
 mod runner;
 mod session;
-mod settings_files;
 pub mod settings_text;
-mod shelf;
-mod shelf_host;
-pub mod sounds;
 mod stack;
 pub mod start_up;
 mod stopping;
-pub mod stored;
-pub mod system_log;
 mod table_limits;
 mod text;
 mod trail;
 pub mod transfer;
 mod turning;
-mod virtual_tools;
 mod waiting;
 mod warning;
+mod workspace_host;
 mod world;
 mod world_clock;
 
@@ -79,13 +71,10 @@ pub use begun::Begun;
 pub use by_hand::Jog;
 pub use check::{Checked, check};
 pub use desk::Desk;
-pub use errands::unconfirmed;
 pub use nudge::{Nudge, Outside};
-pub use parts::{Listing, PartFile};
 pub use repetitions::Repetitions;
 pub use requests::{OperatorRequest, Requests, Script, StopAt};
-pub use session::{Company, DrivenBy, Session, dialect_word, unverified};
-pub use shelf::{Firmware, MOST_BYTES, Shelf};
+pub use session::{Company, DrivenBy, Session, dialect_word};
 pub use text::{Outcome, TextOptions, run_text};
 pub use world_clock::WorldClock;
 

@@ -7,12 +7,13 @@
 //!
 //! The line at which a run ended is where FG can take it up again.
 
-use crate::{Session, Shelf};
+use crate::Session;
 use kerf_diag::Diagnostic;
 use kerf_journal::Started;
 use kerf_program::settings::Mode;
 use kerf_program::{FileCall, Status};
 use kerf_sbp::{Options, format_number};
+use kerf_workspace::system_log::clock;
 
 /// Facts that are known of a run before it begins.
 #[derive(Clone, Debug)]
@@ -68,53 +69,5 @@ pub(crate) fn why(status: Status, error: Option<&Diagnostic>) -> Option<&'static
         Status::Stopped if error.is_some() => Some("input"),
         Status::Stopped => Some("user"),
         Status::Limit => Some("limit"),
-    }
-}
-
-/// The line at which the last run in a log ended early.
-pub(crate) fn last_line(log: &str) -> Option<u32> {
-    let mut fields = log.lines().next_back()?.split(',');
-    (fields.next() == Some("TERMINATED")).then(|| fields.next()?.parse().ok()).flatten()
-}
-
-/// The value that says which job ended early last, and at which of its shapes.
-pub(crate) const LAST_SHAPE: &str = "LastShape";
-
-impl Shelf {
-    /// The shape of a job at which its last run ended early; 0 before the first.
-    pub fn last_shape(&self, job: &str) -> Option<u32> {
-        let (shape, name) = self.stored.get(LAST_SHAPE)?.split_once(' ')?;
-        shape.parse().ok().filter(|_| name == job)
-    }
-
-    /// Keeps at which shape a job ended early; nothing for one that came to its end.
-    pub(crate) fn keep_last_shape(&mut self, ended: Option<(&str, u32)>) {
-        let kept = ended.map(|(job, shape)| format!("{shape} {job}"));
-        self.stored.set(LAST_SHAPE, kept.as_deref());
-    }
-}
-
-/// Hours, minutes and seconds.
-pub(crate) fn clock(seconds: f64) -> String {
-    let whole = seconds.max(0.0).round() as u64;
-    format!("{:02}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_last_line_of_a_log() {
-        assert_eq!(last_line("a.sbp,MOVE\nTERMINATED,57,user\n"), Some(57));
-        assert_eq!(last_line("TERMINATED,57,user\na.sbp,MOVE\nCOMPLETED\n"), None);
-        for text in ["", "TERMINATED", "TERMINATED,x,user", "57"] {
-            assert_eq!(last_line(text), None, "{text}");
-        }
-    }
-
-    #[test]
-    fn times_have_hours() {
-        assert_eq!((clock(5.2), clock(3725.0)), ("00:00:05".into(), "01:02:05".into()));
     }
 }

@@ -4,14 +4,12 @@
 //! move.
 
 use crate::session::Session;
-use crate::shelf::Shelf;
 use kerf_program::settings::Mode;
 use kerf_program::{Axes, Frame};
 use kerf_sbp::BeforePreview;
+use kerf_workspace::Workspace;
+use kerf_workspace::stored::PREVIEW;
 use serde::{Deserialize, Serialize};
-
-/// The value that holds where a preview has come to.
-pub(crate) const PREVIEW: &str = "PreviewPlace";
 
 /// Place that a preview has come to.
 #[derive(Serialize, Deserialize)]
@@ -28,8 +26,8 @@ impl Session {
     }
 
     /// Goes on in preview where the command before has left it so.
-    pub fn go_on_in_preview(&mut self, shelf: &Shelf) {
-        let kept = shelf.stored.get(PREVIEW).and_then(|text| serde_json::from_str(text).ok());
+    pub fn go_on_in_preview(&mut self, workspace: &Workspace) {
+        let kept = workspace.stored.get(PREVIEW).and_then(|text| serde_json::from_str(text).ok());
         let Some(Previewed { frame, position, offset_applied }) = kept else { return };
         let memory = &mut self.memory;
         memory.before_preview = Some(Box::new(BeforePreview {
@@ -41,13 +39,13 @@ impl Session {
     }
 
     /// Keeps for the next command that the machine is in preview, or that it is not any more.
-    pub fn keep_preview(&self, shelf: &mut Shelf) {
+    pub fn keep_preview(&self, workspace: &mut Workspace) {
         let kerf_sbp::Session { frame, position, offset_applied, .. } = self.memory;
         let place = Previewed { frame, position, offset_applied };
         let kept = self.is_in_preview().then(|| serde_json::to_string(&place).ok()).flatten();
-        if shelf.stored.get(PREVIEW) != kept.as_deref() {
-            shelf.stored.set(PREVIEW, kept.as_deref());
-            shelf.stored.keep(PREVIEW);
+        if workspace.stored.get(PREVIEW) != kept.as_deref() {
+            workspace.stored.set(PREVIEW, kept.as_deref());
+            workspace.stored.keep(PREVIEW);
         }
     }
 }

@@ -31,34 +31,34 @@ impl<I: Interpreter> Runner<'_, I> {
     /// The world is heard again when all has happened that happened before.
     pub(crate) fn wake(&mut self) {
         // What was made of a move is left out of it when it is read: until then nothing is new.
-        if !self.world.shelf.tape.is_within() {
+        if !self.world.workspace.tape.is_within() {
             self.hear_world();
         }
     }
 
     pub(crate) fn hear_world(&mut self) {
-        if self.world.silent && !self.world.shelf.tape.plays() {
+        if self.world.silent && !self.world.workspace.tape.plays() {
             self.world.silent = false;
-            self.world.shelf.goes_live();
+            self.world.workspace.goes_live();
             let stands = self.stands_at();
-            self.world.shelf.tape.wake(stands);
+            self.world.workspace.tape.wake(stands);
         }
     }
 
     /// Returns `true` if the next move is the first one that was not made before.
     pub(crate) fn is_taken_up(&mut self) -> bool {
         self.hear_world();
-        self.reentry.is_some() && (!self.world.silent || self.world.shelf.tape.is_reentered())
+        self.reentry.is_some() && (!self.world.silent || self.world.workspace.tape.is_reentered())
     }
 
     /// Tells whether the power went when the machine was about to do what the operator wants: then or now.
     pub(crate) fn is_overtaken(&mut self) -> bool {
-        if self.world.shelf.tape.was_overtaken() {
+        if self.world.workspace.tape.was_overtaken() {
             return true;
         }
         let overtaken = self.is_taken_up();
         if overtaken && !self.world.silent {
-            self.world.shelf.tape.overtakes();
+            self.world.workspace.tape.overtakes();
         }
         overtaken
     }
@@ -94,10 +94,10 @@ impl<I: Interpreter> Runner<'_, I> {
             return Ok(());
         }
         // It may have been taken up here before, and cut short again.
-        let told = self.world.shelf.tape.reentered().unwrap_or_else(|| {
+        let told = self.world.workspace.tape.reentered().unwrap_or_else(|| {
             let stands = self.stands_at();
             self.reentry = None;
-            self.world.shelf.tape.reenter(stands)
+            self.world.workspace.tape.reenter(stands)
         });
         self.skip(told.within);
         let at_s = self.world.now();
@@ -113,7 +113,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// A program that finds its own way back does so at once: nothing goes on before the tool is clear.
     pub(crate) fn take_up_at_rest(&mut self) -> Option<Over> {
-        let rests = self.stack.is_empty() && !self.world.shelf.tape.reenters_within();
+        let rests = self.stack.is_empty() && !self.world.workspace.tape.reenters_within();
         if !(self.interpreter.takes_stops() && rests) {
             return None;
         }
@@ -145,10 +145,10 @@ impl<I: Interpreter> Runner<'_, I> {
     fn whether_ready(&mut self, was_on: &WasOn) -> (Result<(), Over>, Axes) {
         let (ready, nudged) = self.until_resumed(&ready_question(was_on));
         match ready {
-            Ok(()) => self.world.shelf.tape.goes_back(),
+            Ok(()) => self.world.workspace.tape.goes_back(),
             Err(_) => {
                 self.shift(nudged);
-                self.world.shelf.tape.given_up(self.world.placed());
+                self.world.workspace.tape.given_up(self.world.placed());
             }
         }
         (ready, nudged)
@@ -157,7 +157,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Tells whether the power went here, where the machine was stopped, or goes back after a stop: the rest of that
     /// is settled by the question whether all is ready, when the next move is about to be made.
     pub(crate) fn is_open_for_take_up(&mut self) -> bool {
-        self.reentry.is_some() && self.world.shelf.tape.is_open()
+        self.reentry.is_some() && self.world.workspace.tape.is_open()
     }
 
     /// Leaves out what was made of the first move that waits.
@@ -219,7 +219,7 @@ impl<I: Interpreter> Runner<'_, I> {
             None => Ok(()),
         };
         if released.is_err() {
-            self.world.shelf.tape.given_up(self.world.placed());
+            self.world.workspace.tape.given_up(self.world.placed());
         }
         released
     }

@@ -213,13 +213,13 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// Tells when the journal cannot be written; ends a run that is not the one on the tape.
     fn keeps_record(&mut self) -> Option<Over> {
-        if let Some(trouble) = self.world.shelf.new_trouble() {
+        if let Some(trouble) = self.world.workspace.new_trouble() {
             let place = Place::line(self.world.file(self.last_move), self.last_move.line);
             let message = format!("the run goes on, but is not on record: {trouble}");
             let diagnostic = Diagnostic::new(Code::Journal, place, message);
             self.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
         }
-        let unfit = self.world.shelf.tape.unfit()?.to_owned();
+        let unfit = self.world.workspace.tape.unfit()?.to_owned();
         Some(self.lost(&unfit))
     }
 
@@ -279,7 +279,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             if !self.world.previews {
                 let Place { file, line, .. } = &diagnostic.place;
                 let told = format!("{file}:{line}: {}", diagnostic.message);
-                self.world.shelf.set_value(LAST_ERROR, Some(&told));
+                self.world.workspace.set_value(LAST_ERROR, Some(&told));
             }
         }
         self.drop_motion(over.status);
@@ -587,7 +587,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             _ => None,
         };
         self.interpreter.stopped(by, &kerf_program::Halted { stands, ..*at });
-        self.world.shelf.tape.goes_on();
+        self.world.workspace.tape.goes_on();
         self.begin_anew(stands);
         Flow::Interrupted
     }

@@ -9,7 +9,6 @@ use crate::nudge::{Nudge, Outside};
 use crate::part_log::PartLog;
 use crate::password;
 use crate::runner::{LINES, Runner};
-use crate::shelf::Shelf;
 use crate::trail::Trail;
 use crate::world::World;
 use kerf_geom::Bounds3;
@@ -20,13 +19,14 @@ use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::Mode;
 use kerf_program::{AXES, Axis, AxisSet, Frame, Interpreter as _, Settings};
-use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
+use kerf_sbp::{Dialect, Language, Status, Value};
 use kerf_sequence::Sequence;
 use kerf_sim::{Change, Inputs, Machine};
 use kerf_trace::{
     Sink, Summary,
     event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue},
 };
+use kerf_workspace::{Workspace, unverified};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -108,7 +108,7 @@ impl Session {
         &mut self,
         work: impl Into<Work>,
         options: RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
     ) -> Summary {
         let mut options = options;
@@ -116,9 +116,9 @@ impl Session {
         let (work, Company { sink, operator, requests, machine }) = (work.into(), company);
         let mut whole = Whole::new(sink);
         let mut company = Company { sink: &mut whole, operator, requests, machine };
-        let summary = match self.before(&work, &mut options, shelf, company.again()) {
+        let summary = match self.before(&work, &mut options, workspace, company.again()) {
             Some(summary) => summary,
-            None => self.go(work, options, shelf, company, None),
+            None => self.go(work, options, workspace, company, None),
         };
         whole.ends();
         summary
@@ -129,11 +129,11 @@ impl Session {
         &mut self,
         work: &Work,
         options: &mut RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         mut company: Company<'_>,
     ) -> Option<Summary> {
-        self.confirm_location(work, options, shelf, company.again())
-            .or_else(|| self.before_run(work, options, shelf, company))
+        self.confirm_location(work, options, workspace, company.again())
+            .or_else(|| self.before_run(work, options, workspace, company))
     }
 
     /// Runs a program or a job; one that is taken up by a machine that stands at a place.
@@ -141,15 +141,17 @@ impl Session {
         &mut self,
         work: Work,
         options: RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
         stands: Option<Placed>,
     ) -> Summary {
         match work {
-            Work::Part(program) => self.run_part(*program, options, shelf, company, stands),
-            Work::Job(job, machine) => self.run_job(job, &machine, options, shelf, company, stands),
+            Work::Part(program) => self.run_part(*program, options, workspace, company, stands),
+            Work::Job(job, machine) => {
+                self.run_job(job, &machine, options, workspace, company, stands)
+            }
             Work::Hand(errand, machine) => {
-                self.run_hand(errand, &machine, options, None, shelf, company)
+                self.run_hand(errand, &machine, options, None, workspace, company)
             }
         }
     }
@@ -159,7 +161,7 @@ impl Session {
         &mut self,
         program: Program,
         options: RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
         stands: Option<Placed>,
     ) -> Summary {
@@ -173,7 +175,7 @@ impl Session {
             sink.event(&Event::Diag(Box::new(diagnostic.clone())));
         }
         if program.has_errors() && !options.program.allow_errors {
-            self.log_refused(&program, &options, shelf);
+            self.log_refused(&program, &options, workspace);
             return self.refused(&program, sink);
         }
         if options.program.preview && !self.memory.settings.view.start_actual {
@@ -188,12 +190,12 @@ impl Session {
             .begun_at(options.before.ends_s)
             .with_touches(&options.touches)
             .pushed(options.pushes)
-            .doubting(unverified(shelf));
+            .doubting(unverified(workspace));
         let memory = kerf_part::Session {
             sbp: std::mem::take(&mut self.memory),
             gcode: std::mem::take(&mut self.gcode),
         };
-        let mut world = World::new(machine, shelf, sink, operator, driven);
+        let mut world = World::new(machine, workspace, sink, operator, driven);
         (world.previews, world.tally) = (options.program.preview, tally);
         world.silent = stands.is_some();
         (world.machine_is, world.homed) = (self.machine_is.clone(), self.homed);
@@ -226,11 +228,11 @@ impl Session {
     }
 
     /// The system log tells of a file that was not even begun.
-    fn log_refused(&self, program: &Program, options: &RunOptions, shelf: &mut Shelf) {
+    fn log_refused(&self, program: &Program, options: &RunOptions, workspace: &mut Workspace) {
         let settings = &self.memory.settings;
         let draws = options.program.preview || settings.mode == Mode::Preview;
         let error = program.diagnostics.iter().find(|d| d.is_error()).map(|d| d.place.line);
-        shelf.log_file(settings, program.name(), draws, 0.0, error);
+        workspace.log_file(settings, program.name(), draws, 0.0, error);
     }
 
     /// Runs a job to its end. Settings and frames of part files stay what they were; the machine is
@@ -240,7 +242,7 @@ impl Session {
         job: Arc<Job>,
         machine: &Arc<Configuration>,
         options: RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         company: Company<'_>,
         stands: Option<Placed>,
     ) -> Summary {
@@ -268,9 +270,9 @@ impl Session {
             .with_sheet(sheet)
             .with_touches(&options.touches)
             .pushed(options.pushes)
-            .doubting(unverified(shelf));
+            .doubting(unverified(workspace));
         (self.memory.settings, self.memory.frame) = (settings, frame);
-        let mut world = World::new(simulated, shelf, sink, operator, driven);
+        let mut world = World::new(simulated, workspace, sink, operator, driven);
         (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
         (world.machine_is, world.homed, world.tally) =
             (machine.clone(), self.homed, before.tally());
@@ -285,7 +287,7 @@ impl Session {
         self.machine = Some(world.machine);
         if on_record {
             let well = matches!(summary.status, Status::Ok | Status::Ended);
-            shelf.keep_last_shape((!well).then_some((&*name, last_move.line)));
+            workspace.keep_last_shape((!well).then_some((&*name, last_move.line)));
         }
         summary
     }
@@ -390,12 +392,6 @@ impl Session {
 fn job_starts(job: &Job, preview: bool) -> Event {
     let mode = if preview { "preview" } else { "move" };
     Event::Start { file: job.name.clone(), units: "mm", mode, dialect: "job" }
-}
-
-/// The axes whose locations are not verified.
-pub fn unverified(shelf: &Shelf) -> AxisSet {
-    let letters = shelf.stored.get(POSITION_LOST).unwrap_or_default();
-    letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
 }
 
 fn saved_and_restored(interpreter: &Interpreter) -> Result<Interpreter, String> {

@@ -2,13 +2,13 @@
 //! to be carried out. The journal keeps settings so, and settings files (.sbd) are the same text.
 
 use crate::session::{Company, Session};
-use crate::shelf::Shelf;
 use kerf_diag::Diagnostic;
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Settings;
 use kerf_sbp::Options;
 use kerf_trace::Event;
+use kerf_workspace::Workspace;
 use std::sync::Arc;
 
 /// The name of the text where a mistake in it is told.
@@ -34,7 +34,7 @@ pub fn read(text: &str) -> Result<Settings, Box<Diagnostic>> {
         Options { typed: true, base_locations: true, max_lines: MOST_LINES, ..Options::default() };
     let options = RunOptions { program: program_options, ..RunOptions::default() };
     let mut session = Session::default();
-    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    let mut workspace = Workspace::in_memory(MemoryDisk::default());
     let mut events: Vec<Event> = Vec::new();
     let company = Company {
         sink: &mut events,
@@ -42,7 +42,7 @@ pub fn read(text: &str) -> Result<Settings, Box<Diagnostic>> {
         requests: &mut (),
         machine: crate::simulated(),
     };
-    let summary = session.run(program, options, &mut shelf, company);
+    let summary = session.run(program, options, &mut workspace, company);
     match summary.error {
         Some(error) => Err(error),
         None => Ok(session.memory.settings),

@@ -1,7 +1,7 @@
 //! The start-up line: `file, port, open, timing, close, display, offset` (programming handbook,
 //! Command Line Options; readings, A-119, A-120).
 
-use crate::system_log::Opening;
+use kerf_workspace::system_log::Opening;
 
 /// Items of a start-up line. Blank ones have their usual values.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -9,7 +9,6 @@ use crate::hold::Said;
 use crate::runner::{Over, Runner};
 use crate::turning::Turning;
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_journal::facts::Fact;
 use kerf_machine::Fault;
 use kerf_machine::lines::Input;
 use kerf_machine::state::{Effect, Event as Stopped, RELEASE_S, StopSettings};
@@ -18,9 +17,6 @@ use kerf_program::{
 };
 use kerf_sbp::SPINDLE_STATUS;
 use kerf_trace::{Event, flag};
-
-/// The value that says of which axes the location is to be confirmed before anything is cut: letters.
-pub(crate) const CONFIRM: &str = Fact::ConfirmLocation.key();
 
 /// A machine that cuts the power of its motors does it so long after the emergency stop, seconds
 /// (command reference, alpha tools).
@@ -122,7 +118,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Puts the machine in doubt: whoever cuts next is asked whether it is where it is believed to be.
     fn doubt(&mut self) {
         let doubted = self.world.machine.doubt();
-        self.world.shelf.doubts_location(doubted);
+        self.world.workspace.doubts_location(doubted);
     }
 
     /// Goes on where the machine stood, from wherever the operator moved it: what a stop switched off
@@ -163,7 +159,7 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.machine.output(*number, true, OutputReason::Mode);
         }
         if !spindles.is_empty() {
-            self.world.shelf.set_value(SPINDLE_STATUS, Some("1"));
+            self.world.workspace.set_value(SPINDLE_STATUS, Some("1"));
             self.come_to_speed();
         }
     }
@@ -194,13 +190,13 @@ impl<I: Interpreter> Runner<'_, I> {
             return Err(self.power_is_cut());
         }
         let message = self.stop_input_message(format!("stopped by stop input {n}"));
-        self.world.shelf.tape.stood(1.0);
-        self.world.shelf.tape.stops_at_input(n);
+        self.world.workspace.tape.stood(1.0);
+        self.world.workspace.tape.stops_at_input(n);
         if let Err(over) = self.until_released(&message, false) {
-            self.world.shelf.tape.given_up(self.world.placed());
+            self.world.workspace.tape.given_up(self.world.placed());
             return Err(over);
         }
-        self.world.shelf.tape.goes_on();
+        self.world.workspace.tape.goes_on();
         Ok(())
     }
 
@@ -220,14 +216,14 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn blocked(&mut self, n: u8) -> Result<(), Over> {
         let settings = StopSettings::OPENSBP;
         let message = self.stop_input_message(format!("stopped by stop input {n}"));
-        self.world.shelf.tape.stops_at_input(n);
+        self.world.workspace.tape.stops_at_input(n);
         self.on(Stopped::StopInput, settings, &message);
         if let Err(over) = self.until_released(&message, true) {
             self.on(Stopped::Abort, settings, "");
-            self.world.shelf.tape.given_up(self.world.placed());
+            self.world.workspace.tape.given_up(self.world.placed());
             return Err(over);
         }
-        self.world.shelf.tape.goes_on();
+        self.world.workspace.tape.goes_on();
         self.on(Stopped::Released, settings, "");
         self.heeded()?;
         self.on(Stopped::Continue, settings, "");
@@ -284,7 +280,7 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn power_is_cut(&mut self) -> Over {
         let message = "emergency stop";
         self.on(Stopped::PowerCut, StopSettings::OPENSBP, message);
-        self.world.shelf.set_value(SPINDLE_STATUS, Some("0"));
+        self.world.workspace.set_value(SPINDLE_STATUS, Some("0"));
         let mut over =
             self.over(Status::Stopped, Code::InputStop, self.last_move, message.to_owned());
         let hint = "home the machine, or set its locations, before anything is cut";
@@ -314,12 +310,12 @@ impl<I: Interpreter> Runner<'_, I> {
         // Whoever pressed it wants nothing to move.
         let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
         let why = "emergency stop";
-        self.world.shelf.tape.stops_at_input(Input::EmergencyStop.number());
+        self.world.workspace.tape.stops_at_input(Input::EmergencyStop.number());
         self.on(Stopped::EmergencyStop, settings, why);
         self.stop_spindles();
         self.on(Stopped::Stands, settings, why);
         self.on(Stopped::Abort, settings, why);
-        self.world.shelf.tape.given_up(self.world.placed());
+        self.world.workspace.tape.given_up(self.world.placed());
         let mut over = self.over(Status::Stopped, Code::InputStop, self.last_move, why.to_owned());
         let hint = "release it; the location is known, and the run can be taken up";
         over.diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));

@@ -66,7 +66,7 @@ impl<I: Interpreter> Runner<'_, I> {
             return Err(self.power_is_cut());
         }
         if self.world.tally.moves > 0 && !self.interpreter.takes_stops() {
-            self.world.shelf.tape.stood(1.0);
+            self.world.workspace.tape.stood(1.0);
             return self.blocked(input);
         }
         Err(self.forbids(input, at))
@@ -76,7 +76,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// does not begin.
     fn ended_by_press(&mut self, at: At) -> Over {
         if self.world.tally.moves > 0 {
-            self.world.shelf.tape.stood(1.0);
+            self.world.workspace.tape.stood(1.0);
             return self.emergency();
         }
         let message = "emergency stop".to_owned();

@@ -3,7 +3,6 @@
 use crate::StopAt;
 use crate::answers::Answers;
 use crate::session::{Company, Session};
-use crate::shelf::Shelf;
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Settings;
@@ -11,6 +10,7 @@ use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
 use kerf_sim::Change;
 use kerf_trace::{Event, Summary};
+use kerf_workspace::Workspace;
 
 /// Options of a run in memory.
 #[derive(Clone, Debug, Default)]
@@ -74,7 +74,7 @@ pub struct Outcome {
     /// Session that stays: settings, frames, position, variables.
     pub session: Session,
     /// Stored values and files, as the run left them.
-    pub shelf: Shelf,
+    pub workspace: Workspace,
 }
 
 /// Runs the file `main` of `files`, which the program sees as its part folder. A missing `main` is
@@ -88,7 +88,7 @@ pub fn run_text(files: &[(&str, &str)], main: &str, options: TextOptions) -> Out
     for (name, value) in options.variables {
         session.memory.variables.set(&name, value);
     }
-    let mut shelf = Shelf::in_memory(disk);
+    let mut workspace = Workspace::in_memory(disk);
     let mut events = Vec::new();
     let mut operator = Answers::read(&options.answers);
     let mut stop = StopAt(options.stop_at_s.unwrap_or(f64::INFINITY));
@@ -98,6 +98,6 @@ pub fn run_text(files: &[(&str, &str)], main: &str, options: TextOptions) -> Out
         requests: &mut stop,
         machine: crate::simulated(),
     };
-    let summary = session.run(program, options.run, &mut shelf, company);
-    Outcome { events, summary, session, shelf }
+    let summary = session.run(program, options.run, &mut workspace, company);
+    Outcome { events, summary, session, workspace }
 }

@@ -68,7 +68,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let (draws, settings) =
             (machine.draws() || self.world.previews, machine.settings().clone());
         let seconds = self.world.now();
-        self.world.shelf.log_file(&settings, &file, draws, seconds, line);
+        self.world.workspace.log_file(&settings, &file, draws, seconds, line);
     }
 
     /// Writes the log of the part file, if there is one.
@@ -79,7 +79,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let ended = part_log::why(over.status, error).map(|why| (self.ended_at(&file, error), why));
         let (draws, seconds) = (self.world.machine.draws(), self.world.now());
         let entry = log.entry(&file, draws, seconds, call, ended);
-        if let Err(error) = self.world.shelf.add_to_log(&file, &entry) {
+        if let Err(error) = self.world.workspace.add_to_log(&file, &entry) {
             let message = format!("the log of {file} cannot be written: {error}");
             let diagnostic = Diagnostic::new(Code::FileError, Place::line(file, 1), message);
             self.world.tell_diagnostic(diagnostic.severity(Severity::Warning));

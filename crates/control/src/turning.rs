@@ -1,6 +1,5 @@
 //! Spindles and axes that turn or move by themselves, and stop with a stop input.
 
-use crate::shelf::Shelf;
 use crate::world::World;
 use kerf_machine::lines::Input;
 use kerf_program::{Axis, Independent};
@@ -36,22 +35,13 @@ impl Turning {
     }
 }
 
-impl Shelf {
-    /// Kerf starts: whoever starts the spindle next is asked again, whatever was answered before.
-    pub fn asks_for_spindle_anew(&mut self) {
-        if self.stored.get(SPINDLE_STATUS).is_some_and(|status| status != "0") {
-            self.set_value(SPINDLE_STATUS, Some("0"));
-        }
-    }
-}
-
 impl World<'_> {
     /// Stops what turns and moves by itself, and keeps it.
     pub fn stop_turning(&mut self) {
         let alone = self.machine.moving_alone();
         let spindles = self.machine.stop_spindles();
         self.stopped.add(spindles, alone);
-        self.shelf.set_value(SPINDLE_STATUS, Some("0"));
+        self.workspace.set_value(SPINDLE_STATUS, Some("0"));
     }
 
     /// Returns `true` if the emergency stop of jobs is pressed.

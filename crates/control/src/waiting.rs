@@ -71,7 +71,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         self.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
-        self.world.shelf.tape.stood(1.0);
+        self.world.workspace.tape.stood(1.0);
         let flow = match (request, halt) {
             (Some((_, request)), _) if self.is_taken(request) => {
                 self.taken(StoppedBy::Operator, &self.stood())
@@ -166,10 +166,10 @@ impl<I: Interpreter> Runner<'_, I> {
         going: Option<Going<'_>>,
     ) -> Option<(f64, OperatorRequest)> {
         if to_s > from_s && self.drive.is_real() {
-            self.world.shelf.tape.write();
+            self.world.workspace.tape.write();
             // What moves waits for no disk.
             if going.is_none() {
-                self.world.shelf.tape.settle();
+                self.world.workspace.tape.settle();
             }
         }
         self.hear_request(|run, is_kept| {
@@ -186,18 +186,18 @@ impl<I: Interpreter> Runner<'_, I> {
         &mut self,
         world: impl FnOnce(&mut Self, bool) -> Option<(f64, OperatorRequest)>,
     ) -> Option<(f64, OperatorRequest)> {
-        let request = match self.world.shelf.tape.turn(Kind::Request) {
+        let request = match self.world.workspace.tape.turn(Kind::Request) {
             Turn::Told(told) => told,
             Turn::Live => world(self, false),
             Turn::Open(call) => {
                 let request = world(self, true);
-                self.world.shelf.tape.heard(Kind::Request, call, request.as_ref());
+                self.world.workspace.tape.heard(Kind::Request, call, request.as_ref());
                 match request {
                     Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => {
-                        self.world.shelf.tape.stops()
+                        self.world.workspace.tape.stops()
                     }
                     Some((_, OperatorRequest::Input { number, .. })) => {
-                        self.world.shelf.tape.presses(number);
+                        self.world.workspace.tape.presses(number);
                     }
                     _ => {}
                 }
@@ -205,7 +205,7 @@ impl<I: Interpreter> Runner<'_, I> {
             }
         };
         if request.is_some() {
-            self.world.shelf.tape.write();
+            self.world.workspace.tape.write();
         }
         request
     }
@@ -246,7 +246,7 @@ impl<I: Interpreter> Runner<'_, I> {
             let state = under_way.at(end_s);
             if state.move_index == under_way.index {
                 let place = Placed { position: state.position, ..self.world.placed() };
-                self.world.shelf.tape.makes(state.share * under_way.part, place);
+                self.world.workspace.tape.makes(state.share * under_way.part, place);
             }
         }
         None
@@ -255,14 +255,14 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Keeps a request of which nothing comes now, as if it had not been told: it is when it is fulfilled. Whoever asks
     /// once more because of it postpones it instead.
     pub(crate) fn put_off(&mut self, request: (f64, OperatorRequest)) {
-        self.world.shelf.tape.unhear_request();
+        self.world.workspace.tape.unhear_request();
         self.postpone(request);
     }
 
     /// Nothing comes of a stop that was told just now: an input has stopped the machine already, or it slows down for one,
     /// and asks when it stands.
     pub(crate) fn forgo(&mut self) {
-        self.world.shelf.tape.unhear_request();
+        self.world.workspace.tape.unhear_request();
         self.drive.heard();
     }
 
@@ -283,7 +283,7 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.is_taken(request) {
             return self.taken(StoppedBy::Operator, &self.stood());
         }
-        self.world.shelf.tape.stood(1.0);
+        self.world.workspace.tape.stood(1.0);
         if self.is_passed_over(request) {
             return Flow::On;
         }
@@ -359,21 +359,21 @@ impl<I: Interpreter> Runner<'_, I> {
             Some(t)
         } else {
             let drive = &mut self.drive;
-            self.world.shelf.tape.change(Kind::Resume, || drive.resumes(t))
+            self.world.workspace.tape.change(Kind::Resume, || drive.resumes(t))
         };
         // The power went before the run was given up.
         let resumed = resumed.or_else(|| self.is_open_for_take_up().then_some(t));
         let Some(resumed_s) = resumed else {
             self.on(Stopped::Abort, settings, "");
-            self.world.shelf.tape.given_up(self.world.placed());
+            self.world.workspace.tape.given_up(self.world.placed());
             return Err(Over { status: Status::Stopped, diagnostic: None });
         };
         if let Err(over) = self.stand_held(resumed_s) {
             self.on(Stopped::Abort, settings, "");
-            self.world.shelf.tape.given_up(self.world.placed());
+            self.world.workspace.tape.given_up(self.world.placed());
             return Err(over);
         }
-        self.world.shelf.tape.goes_on();
+        self.world.workspace.tape.goes_on();
         self.on(Stopped::Continue, settings, "");
         self.heeded()
     }
@@ -461,18 +461,18 @@ impl<I: Interpreter> Runner<'_, I> {
             if !gives_up(&answer, pauses) {
                 return answer;
             }
-            if self.world.shelf.tape.is_last_told() {
+            if self.world.workspace.tape.is_last_told() {
                 // The power went before the run was given up.
-                self.world.shelf.tape.take_back_answer();
+                self.world.workspace.tape.take_back_answer();
                 self.world.question = question;
                 self.wake();
                 continue;
             }
-            if self.world.silent || !self.world.shelf.tape.has_moved() {
+            if self.world.silent || !self.world.workspace.tape.has_moved() {
                 return answer;
             }
             let stands = self.stands_at();
-            self.world.shelf.tape.given_up_by_answer(stands);
+            self.world.workspace.tape.given_up_by_answer(stands);
             // Nothing is brought back only to be given up.
             let is_back = self.reentry.is_none();
             return if is_back { answer } else { Err(Unanswered::Stopped) };

@@ -12,7 +12,7 @@ impl<I: Interpreter> Runner<'_, I> {
     /// starts.
     pub(crate) fn set_off(&mut self) -> Result<f64, Halted> {
         loop {
-            self.world.shelf.tape.moves(true, self.world.placed());
+            self.world.workspace.tape.moves(true, self.world.placed());
             if self.is_open_for_take_up() {
                 return Ok(self.world.now());
             }
@@ -23,7 +23,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 return Ok(self.world.now());
             }
             self.stand();
-            self.world.shelf.tape.stood(1.0);
+            self.world.workspace.tape.stood(1.0);
             if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
                 self.drop_outputs(self.world.now(), index);
             }

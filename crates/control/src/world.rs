@@ -6,9 +6,7 @@
 use crate::OperatorRequest;
 use crate::answers::{self, Operator};
 use crate::drive::Drive;
-use crate::errands::{confirm, unconfirmed};
 use crate::heights::{self, Carried};
-use crate::shelf::Shelf;
 use crate::turning::Turning;
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_journal::{Kind, Placed, Press};
@@ -27,6 +25,7 @@ use kerf_trace::{
     event::{AskEvent, Event, Partial, Place},
     flag,
 };
+use kerf_workspace::{Workspace, confirm, unconfirmed};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -52,7 +51,7 @@ pub(crate) struct World<'a> {
     /// The machine that makes what is planned.
     pub driven: Driven,
     pub tally: Tally,
-    pub shelf: &'a mut Shelf,
+    pub workspace: &'a mut Workspace,
     sink: &'a mut dyn Sink,
     operator: &'a mut dyn Operator,
     /// The settings whose units events are told in.
@@ -100,7 +99,7 @@ pub(crate) struct World<'a> {
 impl<'a> World<'a> {
     pub fn new(
         machine: Machine,
-        shelf: &'a mut Shelf,
+        workspace: &'a mut Workspace,
         sink: &'a mut dyn Sink,
         operator: &'a mut dyn Operator,
         driven: Driven,
@@ -110,7 +109,7 @@ impl<'a> World<'a> {
             machine,
             driven,
             tally: Tally::default(),
-            shelf,
+            workspace,
             sink,
             operator,
             settings,
@@ -189,7 +188,7 @@ impl<'a> World<'a> {
             self.file_runs = self.file_moves || files.len() > self.typed_files;
         }
         let file = if self.file_runs { flag::FILE_RUNNING } else { 0 };
-        self.shelf.tape.stands(flags | preview | file);
+        self.workspace.tape.stands(flags | preview | file);
         if self.silent || !self.sink.looks_at_standing() {
             return;
         }
@@ -211,7 +210,7 @@ impl<'a> World<'a> {
         let value = |name: &str| {
             let bare = name.trim_start_matches('&');
             let same = |(known, _): &&(String, String)| known.eq_ignore_ascii_case(bare);
-            let kept = || self.shelf.stored.get(name).map(str::to_owned);
+            let kept = || self.workspace.stored.get(name).map(str::to_owned);
             all.iter().find(same).map(|(_, value)| value.clone()).or_else(kept)
         };
         names.into_iter().filter_map(|name| Some((name.clone(), value(&name)?))).collect()
@@ -281,7 +280,7 @@ impl<'a> World<'a> {
         };
         let inputs = bits(&|n| self.machine.input(n));
         let outputs = bits(&|n| self.machine.outputs().is_on(n));
-        self.shelf.tape.switches(inputs, outputs);
+        self.workspace.tape.switches(inputs, outputs);
         let happenings: Vec<Happening> = self.machine.log().take().collect();
         for happening in happenings {
             match happening.what {
@@ -302,7 +301,7 @@ impl<'a> World<'a> {
     pub fn spindle_rests(&mut self) {
         if self.spindle_switched && !self.previews && !self.machine.outputs().is_on(SPINDLE_OUTPUT)
         {
-            self.shelf.set_value(SPINDLE_STATUS, Some("0"));
+            self.workspace.set_value(SPINDLE_STATUS, Some("0"));
         }
     }
 
@@ -442,7 +441,7 @@ impl<'a> World<'a> {
         }
         if self.machine.draws() != drew {
             let (settings, draws) = (self.settings.clone(), self.machine.draws());
-            self.shelf.log_mode(&settings, draws);
+            self.workspace.log_mode(&settings, draws);
             let mode = if drew { "move" } else { "preview" };
             self.tell(&Event::Mode { mode, t });
         }
@@ -452,8 +451,8 @@ impl<'a> World<'a> {
         let mut set = working;
         base.iter().for_each(|axis| set.insert(axis));
         self.machine.use_frame(frame, set);
-        if !self.machine.draws() && !unconfirmed(self.shelf).is_empty() {
-            confirm(self.shelf, set);
+        if !self.machine.draws() && !unconfirmed(self.workspace).is_empty() {
+            confirm(self.workspace, set);
         }
         let place = self.machine.position();
         let set = self.partial(frame.working(place), working);
@@ -551,7 +550,7 @@ impl<'a> World<'a> {
         let file = self.file(at);
         loop {
             let operator = &mut self.operator;
-            let (given, gives_up) = self.shelf.tape.change(Kind::Answer, || {
+            let (given, gives_up) = self.workspace.tape.change(Kind::Answer, || {
                 let given = operator.answer_in(question, &file, at.line);
                 let gives_up = given.is_none() && operator.gives_up();
                 (given, gives_up)

@@ -1,13 +1,14 @@
 //! A run that somebody watches and drives from outside while it goes on.
 
 use kerf_control::answers::Operator;
-use kerf_control::{Company, OperatorRequest, Requests, Session, Shelf};
+use kerf_control::{Company, OperatorRequest, Requests, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
 use kerf_program::{Axis, Question};
 use kerf_sbp::Status;
 use kerf_trace::{Doing, Event, Sink, Summary};
+use kerf_workspace::Workspace;
 
 /// Asks for something at a moment of machine time.
 #[derive(Default)]
@@ -67,10 +68,10 @@ fn run_seen(
 ) -> (Summary, Session) {
     let mut session = Session::default();
     session.memory.settings.use_linear_unit(LinearUnit::Inch);
-    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    let mut workspace = Workspace::in_memory(MemoryDisk::default());
     let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
     let company = Company { sink, operator, requests, machine: kerf_control::simulated() };
-    let summary = session.run(program, RunOptions::default(), &mut shelf, company);
+    let summary = session.run(program, RunOptions::default(), &mut workspace, company);
     (summary, session)
 }
 

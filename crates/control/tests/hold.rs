@@ -1,9 +1,7 @@
 //! Runs that the operator stops in the middle: resumed, nudged, given up.
 
 use kerf_control::answers::Answers;
-use kerf_control::{
-    Company, OperatorRequest, Outcome, Script, Session, Shelf, TextOptions, run_text,
-};
+use kerf_control::{Company, OperatorRequest, Outcome, Script, Session, TextOptions, run_text};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
@@ -13,6 +11,7 @@ use kerf_program::{Axis, AxisSet};
 use kerf_sbp::{POSITION_LOST, Status};
 use kerf_sim::{CABLE, Change};
 use kerf_trace::{Event, Summary, event::Place};
+use kerf_workspace::Workspace;
 
 /// Runs a program in inches that is stopped at a time, with answers.
 fn held(program: &str, stop_at_s: f64, answers: &str) -> Outcome {
@@ -78,7 +77,7 @@ fn stopped_again(
     let mut events = Vec::new();
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
-    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    let mut workspace = Workspace::in_memory(MemoryDisk::default());
     let mut operator = Answers::read(answers);
     let requests = [&[(2.0, OperatorRequest::Stop)], requests].concat();
     let mut pace = Script::new(requests, Vec::new());
@@ -90,7 +89,7 @@ fn stopped_again(
     };
     let options = RunOptions { inputs: inputs.to_vec(), ..RunOptions::default() };
     let program = kerf_sbp::read("a.sbp".into(), format!("SO,1,1\n{SQUARE}").as_bytes());
-    let summary = session.run(program, options, &mut shelf, company);
+    let summary = session.run(program, options, &mut workspace, company);
     (summary, events)
 }
 
@@ -174,7 +173,7 @@ fn stopped_by_both(input: u8, by_hand: OperatorRequest, answers: &str) -> (Summa
     session.memory.settings.warning_s = 0.0;
     // Input 7 stops too, with a ramp; input 4 stops at once, and is closed until then.
     session.memory.settings.io.inputs[6] = 3;
-    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    let mut workspace = Workspace::in_memory(MemoryDisk::default());
     let mut operator = Answers::read(answers);
     let mut pace = Script::new(vec![(2.01, by_hand)], Vec::new());
     let company = Company {
@@ -187,7 +186,7 @@ fn stopped_by_both(input: u8, by_hand: OperatorRequest, answers: &str) -> (Summa
     let inputs = vec![pressed(2.0, true), pressed(9.0, false)];
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_sbp::read("a.sbp".into(), b"MS,4,4\nMX,20\n");
-    let summary = session.run(program, options, &mut shelf, company);
+    let summary = session.run(program, options, &mut workspace, company);
     (summary, events)
 }
 
@@ -309,14 +308,14 @@ fn a_nudge_stays_when_the_run_is_given_up() {
 /// A workshop in which one run comes after another.
 struct Shop {
     session: Session,
-    shelf: Shelf,
+    workspace: Workspace,
 }
 
 impl Shop {
     fn new(machine: Configuration) -> Self {
         let mut session = Session::default();
         session.machine_is = machine.into();
-        Self { session, shelf: Shelf::in_memory(MemoryDisk::default()) }
+        Self { session, workspace: Workspace::in_memory(MemoryDisk::default()) }
     }
 
     /// A machine that cuts its power with the emergency stop, whose X and Y have home switches.
@@ -345,7 +344,7 @@ impl Shop {
         };
         let options = RunOptions { inputs: input.into_iter().collect(), ..RunOptions::default() };
         let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
-        let summary = self.session.run(program, options, &mut self.shelf, company);
+        let summary = self.session.run(program, options, &mut self.workspace, company);
         (summary, events)
     }
 
@@ -361,7 +360,7 @@ impl Shop {
             machine: kerf_control::simulated(),
         };
         let typed = kerf_sbp::read_typed("command".into(), lines);
-        self.session.run(typed, options, &mut self.shelf, company);
+        self.session.run(typed, options, &mut self.workspace, company);
         let told = events.iter().filter_map(|event| match event {
             Event::Message { text, .. } => Some(&**text),
             _ => None,
@@ -370,7 +369,7 @@ impl Shop {
     }
 
     fn lost(&self) -> &str {
-        self.shelf.stored.get(POSITION_LOST).unwrap_or_default()
+        self.workspace.stored.get(POSITION_LOST).unwrap_or_default()
     }
 }
 

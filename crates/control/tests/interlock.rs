@@ -2,7 +2,7 @@
 //! released and somebody says so.
 
 use kerf_control::answers::Operator;
-use kerf_control::{Company, OperatorRequest, Requests, Script, Session, Shelf};
+use kerf_control::{Company, OperatorRequest, Requests, Script, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::lines::Input;
@@ -10,6 +10,7 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Question, QuestionKind, Status};
 use kerf_sim::Change;
 use kerf_trace::{Event, Summary};
+use kerf_workspace::Workspace;
 use std::collections::VecDeque;
 
 /// Says one thing after the other, whatever is asked.
@@ -73,7 +74,7 @@ impl Run {
         machine.delays.router_start_s = self.spin_up_s;
         machine.estop.cuts_power = self.cuts_power;
         session.machine_is = machine.into();
-        let mut shelf = Shelf::in_memory(MemoryDisk::default());
+        let mut workspace = Workspace::in_memory(MemoryDisk::default());
         let mut events = Vec::new();
         let mut operator = Says(self.says.into());
         let mut pace = Script::new(self.requests, self.resumes);
@@ -85,7 +86,7 @@ impl Run {
         };
         let options = RunOptions { inputs: self.inputs, ..RunOptions::default() };
         let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
-        let summary = session.run(program, options, &mut shelf, company);
+        let summary = session.run(program, options, &mut workspace, company);
         Ran { summary, events, session }
     }
 }
@@ -515,13 +516,13 @@ fn a_feed_does_not_keep_a_stop_from_a_program_that_only_computes() {
     let moves = (0..17_000).map(|n| format!("M2,{},{}\n", n % 7, n % 5));
     let program = moves.chain(["&n=0\nA:\n&n=&n+1\nGOTO A\n".to_owned()]).collect::<String>();
     let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
-    let mut shelf = Shelf::in_memory(MemoryDisk::default());
+    let mut workspace = Workspace::in_memory(MemoryDisk::default());
     let company = Company {
         sink: &mut (),
         operator: &mut (),
         requests: &mut Busy(0),
         machine: kerf_control::simulated(),
     };
-    let ran = Session::default().run(program, RunOptions::default(), &mut shelf, company);
+    let ran = Session::default().run(program, RunOptions::default(), &mut workspace, company);
     assert_eq!(ran.status, Status::Stopped);
 }

@@ -1,10 +1,9 @@
 //! The journal of a machine, beside runs that are kept in it.
 
-use kerf_control::stored::Stored;
-use kerf_control::{Company, Session, Shelf, TextOptions, run_text, settings_text};
+use kerf_control::{Company, Session, TextOptions, run_text, settings_text};
 use kerf_files::{Folders, MemoryDisk};
-use kerf_journal::facts::Fact;
-use kerf_journal::*;
+use kerf_journal::{facts::Fact, *};
+use kerf_workspace::{Workspace, stored::Stored};
 use std::fs;
 use tempfile::{TempDir, tempdir};
 
@@ -17,19 +16,19 @@ fn after(program: &str) -> Session {
 }
 
 /// The machine as its journal remembers it, with a program in its part folder.
-fn recalled(folder: &TempDir, program: &str) -> (Session, Shelf) {
+fn recalled(folder: &TempDir, program: &str) -> (Session, Workspace) {
     let (journal, _) = opened(folder);
     let disk = MemoryDisk::new([("a.sbp", program.as_bytes())]);
     let folders = Folders::new("".into(), Vec::new(), Vec::new());
     let stored = Stored::of(journal.clone()).unwrap();
-    let mut shelf = Shelf::new(Box::new(disk), folders, stored, folder.path().into());
-    let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
-    (session, shelf)
+    let mut workspace = Workspace::new(Box::new(disk), folders, stored, folder.path().into());
+    let (session, _) = Session::recall(&journal, &mut workspace).unwrap();
+    (session, workspace)
 }
 
 /// Runs a program on record, begun at a moment as a person reads it.
 fn run(folder: &TempDir, program: &str, date: &str) -> Session {
-    let (mut session, mut shelf) = recalled(folder, program);
+    let (mut session, mut workspace) = recalled(folder, program);
     let started = Some(Started { time: "12:00:00".into(), date: date.into() });
     let options = RunOptions { started, ..RunOptions::default() };
     let company = Company {
@@ -39,7 +38,7 @@ fn run(folder: &TempDir, program: &str, date: &str) -> Session {
         machine: kerf_control::simulated(),
     };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());
-    session.run_on_record(program, options, None, &mut shelf, company).unwrap();
+    session.run_on_record(program, options, None, &mut workspace, company).unwrap();
     session
 }
 
@@ -88,9 +87,9 @@ fn of_a_preview_the_place_before_it_is_kept_and_what_was_set() {
 fn a_nudge_is_kept() {
     let folder = tempdir().unwrap();
     run(&folder, "MX,4\nZX\nMX,1\n", "2026-11-20");
-    let (mut session, mut shelf) = recalled(&folder, "");
+    let (mut session, mut workspace) = recalled(&folder, "");
     session.nudge(kerf_program::Axis::X, 2.5).unwrap();
-    session.keep_place(&mut shelf).unwrap();
+    session.keep_place(&mut workspace).unwrap();
     let (back, _) = recalled(&folder, "");
     assert_eq!(back.memory.position[kerf_program::Axis::X], 5.0 * 25.4 + 2.5);
     assert_eq!(back.memory.frame, session.memory.frame);

@@ -3,12 +3,12 @@
 
 use crate::taking_up::on_record;
 use kerf_control::answers::Operator;
-use kerf_control::stored::Stored;
-use kerf_control::{Company, OperatorRequest, Requests, Session, Shelf};
+use kerf_control::{Company, OperatorRequest, Requests, Session};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_journal::{INCOMING_FILE, Journal, Live, MIRROR_FILE, RunOptions};
 use kerf_program::Question;
 use kerf_sim::Change;
+use kerf_workspace::{Workspace, stored::Stored};
 use std::cell::RefCell;
 use std::fs;
 use std::rc::Rc;
@@ -76,7 +76,7 @@ fn seen_of(
     let disk = MemoryDisk::new([("a.sbp", program.as_bytes())]);
     let folders = Folders::new("".into(), Vec::new(), Vec::new());
     let stored = Stored::of(journal.clone()).unwrap();
-    let mut shelf = Shelf::new(Box::new(disk), folders, stored, folder.path().into());
+    let mut workspace = Workspace::new(Box::new(disk), folders, stored, folder.path().into());
     let looks = || Journal::open(folder.path()).unwrap().0;
     let all = Seen::default();
     let mut operator = Onlooker { journal: looks(), seen: all.clone(), stop_s: f64::INFINITY };
@@ -100,7 +100,7 @@ fn seen_of(
     };
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
-    session.run_on_record(read, options, None, &mut shelf, company).unwrap();
+    session.run_on_record(read, options, None, &mut workspace, company).unwrap();
     assert_eq!(looks().live().unwrap(), Live::default(), "nothing runs any more");
     all.take()
 }
@@ -161,10 +161,15 @@ fn sbp_ctl_reg_bit2__at_rest() {
     let mut type_line = |line: &str| {
         let mut options = RunOptions::default();
         options.program.typed = true;
-        let mut shelf = Shelf::in_memory(MemoryDisk::default());
+        let mut workspace = Workspace::in_memory(MemoryDisk::default());
         let company =
             Company { sink: &mut (), operator: &mut (), requests: &mut (), machine: on_record() };
-        session.run(kerf_part::read("typed".into(), line.as_bytes()), options, &mut shelf, company);
+        session.run(
+            kerf_part::read("typed".into(), line.as_bytes()),
+            options,
+            &mut workspace,
+            company,
+        );
         session.look(Live::at_rest).status
     };
     assert_eq!(["SP\n", "MX,3\n", "SM\n", "MX,1\n"].map(&mut type_line), [2, 2, 0, 0]);

@@ -1,13 +1,12 @@
 //! What a run does where machine, planner and program meet.
 
-use kerf_control::{
-    Company, OperatorRequest, Outcome, Script, Session, Shelf, TextOptions, run_text,
-};
+use kerf_control::{Company, OperatorRequest, Outcome, Script, Session, TextOptions, run_text};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Settings;
 use kerf_sbp::Status;
 use kerf_trace::Event;
+use kerf_workspace::Workspace;
 
 fn run(program: &str, options: TextOptions) -> Outcome {
     run_text(&[("a.sbp", program)], "a.sbp", options)
@@ -167,8 +166,9 @@ fn an_output_that_follows_motion_comes_back_after_a_hold() {
         };
         let text = format!("SO,4,{mode}\nMX,10\n");
         let program = kerf_sbp::read("a.sbp".into(), text.as_bytes());
-        let mut shelf = Shelf::in_memory(MemoryDisk::default());
-        let summary = Session::default().run(program, RunOptions::default(), &mut shelf, company);
+        let mut workspace = Workspace::in_memory(MemoryDisk::default());
+        let summary =
+            Session::default().run(program, RunOptions::default(), &mut workspace, company);
         assert_eq!(summary.status, Status::Ok);
         let switched = events.iter().filter_map(|event| match event {
             Event::Output { n: 4, on, .. } => Some(*on),

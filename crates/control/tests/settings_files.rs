@@ -1,19 +1,19 @@
 //! Settings files: saved, loaded, those that come with Kerf; and the virtual tools, on a machine.
 
-use kerf_control::stored::Stored;
-use kerf_control::{Company, Session, Shelf};
+use kerf_control::{Company, Session};
 use kerf_files::{Folders, MACHINES, MemoryDisk};
 use kerf_journal::RunOptions;
 use kerf_program::MoveKind;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Status;
 use kerf_trace::{Event, Summary};
+use kerf_workspace::{Workspace, stored::Stored};
 use std::path::PathBuf;
 
 /// A machine with files in memory.
 struct Shop {
     session: Session,
-    shelf: Shelf,
+    workspace: Workspace,
 }
 
 impl Shop {
@@ -21,8 +21,9 @@ impl Shop {
         let files = [&[("parts/here.txt", "")], files].concat();
         let disk = MemoryDisk::new(files.iter().map(|(name, text)| (*name, text.as_bytes())));
         let folders = Folders::new("parts".into(), vec!["custom".into()], Vec::new());
-        let shelf = Shelf::new(Box::new(disk), folders, Stored::default(), PathBuf::from("data"));
-        Self { session: Session::default(), shelf }
+        let workspace =
+            Workspace::new(Box::new(disk), folders, Stored::default(), PathBuf::from("data"));
+        Self { session: Session::default(), workspace }
     }
 
     fn types(&mut self, line: &str) -> (Summary, Vec<Event>) {
@@ -36,7 +37,7 @@ impl Shop {
             requests: &mut (),
             machine: kerf_control::simulated(),
         };
-        let summary = self.session.run(program, options, &mut self.shelf, company);
+        let summary = self.session.run(program, options, &mut self.workspace, company);
         (summary, events)
     }
 
@@ -60,7 +61,7 @@ fn sbp_cmd_us() {
     shop.does("UR,mine,0");
     assert_eq!(shop.session.memory.settings, saved, "exactly");
     // The file runs as a part file, too.
-    let source = shop.shelf.settings_files();
+    let source = kerf_workspace::settings_files::names(&shop.workspace);
     assert!(source.contains(&"mine.sbd".to_owned()), "{source:?}");
 }
 
@@ -90,7 +91,7 @@ fn sbp_cmd_ur_machines() {
 #[test]
 fn sbp_cmd_ur() {
     let mut shop = Shop::new(&[("data/settings/own.sbd", "VC,.75\n")]);
-    assert!(shop.shelf.settings_files().len() > 4);
+    assert!(kerf_workspace::settings_files::names(&shop.workspace).len() > 4);
     shop.does("UR,own,0");
     assert!((shop.session.memory.settings.cutter.diameter_mm - 19.05).abs() < 1e-9);
     let (summary, _) = shop.types("UR,none of these,0");
@@ -103,16 +104,16 @@ fn sbp_cmd_ur_clearlog() {
     let log = "data/SbSys.log";
     let mut shop = Shop::new(&[(log, "old line\n")]);
     shop.does("UR,simulated-96x48,0");
-    assert_eq!(shop.shelf.data_file("SbSys.log").as_deref(), Some("old line\n"), "no: kept");
+    assert_eq!(shop.workspace.data_file("SbSys.log").as_deref(), Some("old line\n"), "no: kept");
     shop.does("UR,simulated-96x48,1");
-    assert_eq!(shop.shelf.data_file("SbSys.log").as_deref(), Some(""), "yes: begun anew");
+    assert_eq!(shop.workspace.data_file("SbSys.log").as_deref(), Some(""), "yes: begun anew");
 }
 
 /// Runs the Copy Machine on an object; what it wrote.
 fn copied(entered: &str, body: kerf_sim::Body, closed: bool, output: &str) -> (Shop, String) {
     let mut shop = Shop::new(&[]);
     shop.does(&format!("TC, {entered}"));
-    let text = shop.shelf.text("copy_machine.sbp").unwrap();
+    let text = shop.workspace.text("copy_machine.sbp").unwrap();
     let touch = kerf_sim::Touch { input: 1, on: !closed, body };
     let options = RunOptions { touches: vec![touch], ..RunOptions::default() };
     let program = kerf_sbp::read("copy_machine.sbp".into(), text.as_bytes());
@@ -123,9 +124,9 @@ fn copied(entered: &str, body: kerf_sim::Body, closed: bool, output: &str) -> (S
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    let summary = shop.session.run(program, options, &mut shop.shelf, company);
+    let summary = shop.session.run(program, options, &mut shop.workspace, company);
     assert!(summary.error.is_none(), "{:?}\n{text}", summary.error);
-    let written = shop.shelf.text(output).unwrap();
+    let written = shop.workspace.text(output).unwrap();
     (shop, written)
 }
 
@@ -271,7 +272,7 @@ fn sbp_tool_td() {
     // The cutter goes round on .375 about 2,3 for a hole of 1, and to the bottom in two passes; a
     // hole of the bit's own diameter is drilled, as deep as is said and in two passes as well.
     let events = made(&mut shop, "holes=2 3 1; 6 3 .25 .3, safe_z=.4");
-    assert!(shop.shelf.text("drilled.sbp").unwrap().contains("CP,1,2,3,I"));
+    assert!(shop.workspace.text("drilled.sbp").unwrap().contains("CP,1,2,3,I"));
     assert_eq!(circles(&events), [[2.0, 3.0, 0.375, -0.25], [2.0, 3.0, 0.375, -0.5]]);
     let cuts = straight(&events, MoveKind::Cut);
     let drilled: Vec<_> = cuts.iter().filter(|at| at[0] == 6.0 && at[2] < 0.0).collect();
@@ -339,7 +340,7 @@ fn sbp_tool_tf() {
 fn sbp_tool_ti() {
     let mut shop = Shop::new(&[]);
     shop.does("TI, how=turn by, angle=45");
-    assert!(shop.shelf.text("indexer.sbp").unwrap().contains("MB,45"));
+    assert!(shop.workspace.text("indexer.sbp").unwrap().contains("MB,45"));
     shop.does("VD,,5");
     shop.does("FP,indexer.sbp");
     assert!((shop.session.memory.position.0[4] - 45.0).abs() < 1e-6);
@@ -387,9 +388,9 @@ fn sbp_tool_tu() {
 fn sbp_tool_th() {
     let mut shop = Shop::new(&[("parts/door.sbp", "MX,1\nEND\n"), ("parts/warm.sbp", "MY,2\n")]);
     shop.does("TH, file=door, contact=Ann, material=birch, before=warm.sbp");
-    let text = shop.shelf.text("door.sbp").unwrap();
+    let text = shop.workspace.text("door.sbp").unwrap();
     assert!(text.starts_with("'Contact: Ann\n'Material: birch\nFP,warm.sbp\n"), "{text}");
-    assert_eq!(shop.shelf.text("door.bak").as_deref(), Some("MX,1\nEND\n"));
+    assert_eq!(shop.workspace.text("door.bak").as_deref(), Some("MX,1\nEND\n"));
     assert!(kerf_sbp::Header::read(&text).unwrap().text.contains("Ann"));
     shop.does("FP,door.sbp");
     let at = shop.session.memory.position.first3();
@@ -413,7 +414,7 @@ fn sbp_tool_ts() {
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    let summary = shop.session.run(program, options, &mut shop.shelf, company);
+    let summary = shop.session.run(program, options, &mut shop.workspace, company);
     assert!(summary.error.is_none(), "{:?}", summary.error);
     let set: Vec<_> = events
         .iter()
@@ -436,9 +437,9 @@ fn shop_on_disk(folder: &std::path::Path, ini: &str) -> Shop {
     std::fs::write(data.join("virtualtools.ini"), ini).unwrap();
     let folders = Folders::new(parts, Vec::new(), Vec::new());
     let disk = Box::new(kerf_files::RealDisk);
-    let shelf = Shelf::new(disk, folders, Stored::default(), data);
-    let shelf = shelf.with_shell(kerf_journal::Shell::Started);
-    Shop { session: Session::default(), shelf }
+    let workspace = Workspace::new(disk, folders, Stored::default(), data);
+    let workspace = workspace.with_shell(kerf_journal::Shell::Started);
+    Shop { session: Session::default(), workspace }
 }
 
 #[cfg(unix)]
@@ -462,7 +463,7 @@ fn sbp_tool_call_params() {
 fn sbp_tool_system__built_in_and_added() {
     let ini = "[Q]\nName = Nesting\nCommand = nest\n[D]\nCommand = other\n";
     let mut shop = Shop::new(&[("data/virtualtools.ini", ini)]);
-    let (added, mistakes) = shop.shelf.add_ins();
+    let (added, mistakes) = kerf_workspace::virtual_tools::add_ins(&shop.workspace);
     assert_eq!((added.len(), &*added[0].name), (1, "Nesting"));
     assert_eq!(mistakes, [(4, "TD is taken".to_owned())]);
     let (summary, _) = shop.types("TQ, 1500, small, 2");

@@ -1,11 +1,12 @@
 //! Where a run stands, and nudging: what a console asks of a session.
 
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Session, Shelf, StopAt};
+use kerf_control::{Company, Session, StopAt};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Axis;
 use kerf_trace::{Event, Sink, Standing};
+use kerf_workspace::Workspace;
 
 /// Notes every place where a run stands.
 #[derive(Default)]
@@ -25,8 +26,8 @@ impl Sink for Watcher {
 
 /// Runs `a.sbp`; `status:file line,file line` whenever that changes.
 fn watch(files: &[(&str, &str)], options: RunOptions, stop_at_s: f64) -> Vec<String> {
-    let mut shelf =
-        Shelf::in_memory(MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes()))));
+    let mut workspace =
+        Workspace::in_memory(MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes()))));
     let mut watcher = Watcher::default();
     let company = Company {
         sink: &mut watcher,
@@ -35,7 +36,7 @@ fn watch(files: &[(&str, &str)], options: RunOptions, stop_at_s: f64) -> Vec<Str
         machine: kerf_control::simulated(),
     };
     let program = kerf_sbp::read(files[0].0.into(), files[0].1.as_bytes());
-    Session::default().run(program, options, &mut shelf, company);
+    Session::default().run(program, options, &mut workspace, company);
     let told = watcher.0.iter().map(|standing| {
         let files: Vec<String> =
             standing.files.iter().map(|f| format!("{} {}", f.file, f.line)).collect();
@@ -105,8 +106,8 @@ fn after(session: &mut Session, program: &str) -> Vec<Event> {
         machine: kerf_control::simulated(),
     };
     let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
-    let mut shelf = Shelf::in_memory(MemoryDisk::default());
-    session.run(program, RunOptions::default(), &mut shelf, company);
+    let mut workspace = Workspace::in_memory(MemoryDisk::default());
+    session.run(program, RunOptions::default(), &mut workspace, company);
     events
 }
 
@@ -146,10 +147,10 @@ fn a_nudge_stays_on_the_table() {
 fn sbp_file_fs_dialog() {
     let files = [("x/part.sbp", "MX,1"), ("main.sbp", "FP,part.sbp\nUV\n")];
     let disk = MemoryDisk::new(files.iter().map(|(name, text)| (*name, text.as_bytes())));
-    let mut shelf = Shelf::in_memory(disk);
-    shelf.browse(Some("nowhere")).unwrap_err();
-    shelf.browse(Some("x")).unwrap();
-    assert_eq!(shelf.listing().unwrap().files[0].name, "part.sbp");
+    let mut workspace = Workspace::in_memory(disk);
+    workspace.enter(Some("nowhere")).unwrap_err();
+    workspace.enter(Some("x")).unwrap();
+    assert_eq!(kerf_workspace::parts::listing(&workspace).unwrap().files[0].name, "part.sbp");
     let mut events = Vec::new();
     let company = Company {
         sink: &mut events,
@@ -158,7 +159,7 @@ fn sbp_file_fs_dialog() {
         machine: kerf_control::simulated(),
     };
     let program = kerf_sbp::read("main.sbp".into(), files[1].1.as_bytes());
-    Session::default().run(program, RunOptions::default(), &mut shelf, company);
+    Session::default().run(program, RunOptions::default(), &mut workspace, company);
     let shown =
         events.iter().any(|e| matches!(e, Event::Message { text, .. } if text.contains("FS,x,")));
     assert!(shown, "{events:?}");
@@ -168,13 +169,14 @@ fn sbp_file_fs_dialog() {
 fn sbp_file_fs_mask() {
     let names = ["proj1.sbp", "proj12.sbp", "project.sbp", "readme.txt"];
     let listed = |program: &str| {
-        let mut shelf = Shelf::in_memory(MemoryDisk::new(names.map(|name| (name, &b""[..]))));
+        let mut workspace =
+            Workspace::in_memory(MemoryDisk::new(names.map(|name| (name, &b""[..]))));
         let (sink, operator) = (&mut Vec::<Event>::new(), &mut Answers::default());
         let company =
             Company { sink, operator, requests: &mut (), machine: kerf_control::simulated() };
         let program = kerf_sbp::read("main.sbp".into(), program.as_bytes());
-        Session::default().run(program, RunOptions::default(), &mut shelf, company);
-        let files = shelf.listing().unwrap().files;
+        Session::default().run(program, RunOptions::default(), &mut workspace, company);
+        let files = kerf_workspace::parts::listing(&workspace).unwrap().files;
         files.into_iter().map(|file| file.name).collect::<Vec<_>>()
     };
     assert_eq!(listed(""), names[..3]);

@@ -1,11 +1,12 @@
 //! Long stacks move while they are read; the operator holds, resumes and overrides.
 
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Script, Session, Shelf, TextOptions, run_text};
+use kerf_control::{Company, OperatorRequest, Script, Session, TextOptions, run_text};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Status;
 use kerf_trace::{Event, Summary, event::MoveEvent};
+use kerf_workspace::Workspace;
 use std::fmt::Write;
 
 /// More moves than are read ahead.
@@ -43,8 +44,8 @@ fn scripted(
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let mut shelf = Shelf::in_memory(MemoryDisk::new([]));
-    let summary = Session::default().run(program, RunOptions::default(), &mut shelf, company);
+    let mut workspace = Workspace::in_memory(MemoryDisk::new([]));
+    let summary = Session::default().run(program, RunOptions::default(), &mut workspace, company);
     (events, summary)
 }
 

@@ -4,15 +4,16 @@
 use crate::taking_up::{
     PowerCut, PowerCutBehind, PowerCutHeld, PowerCutSaid, READY, RELEASE, asked,
     asked_and_switched, behind, middle, motion, near, part, press, resume, resume_with, run,
-    run_work, same_rest, shelf, stands, uninterrupted,
+    run_work, same_rest, stands, uninterrupted, workspace,
 };
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Requests, Script, Session, Shelf, StopAt};
+use kerf_control::{Company, OperatorRequest, Requests, Script, Session, StopAt};
 use kerf_journal::{Journal, Press, RunOptions};
 use kerf_machine::lines::Input;
 use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
 use kerf_sbp::Status;
 use kerf_trace::{Event, event::Place};
+use kerf_workspace::Workspace;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use tempfile::{TempDir, tempdir};
 
@@ -74,12 +75,12 @@ fn a_switch_that_was_moved_at_rest_is_on_record() {
     let folder = tempdir().unwrap();
     let open = |folder: &TempDir| {
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        let mut shelf = shelf(&journal, folder);
-        let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
-        (session, shelf)
+        let mut workspace = workspace(&journal, folder);
+        let (session, _) = Session::recall(&journal, &mut workspace).unwrap();
+        (session, workspace)
     };
     let part = b"IF %(53)=0 THEN GOTO OFF\nMX,1\nMX,5\nMX,9\nEND\nOFF:\nMX,-5\n";
-    let start = |session: &mut Session, shelf: &mut Shelf, pace: &mut dyn Requests| {
+    let start = |session: &mut Session, workspace: &mut Workspace, pace: &mut dyn Requests| {
         let company = Company {
             sink: &mut (),
             operator: &mut (),
@@ -87,20 +88,20 @@ fn a_switch_that_was_moved_at_rest_is_on_record() {
             machine: kerf_control::simulated(),
         };
         let program = kerf_part::read("a.sbp".into(), part);
-        session.run_on_record(program, RunOptions::default(), None, shelf, company).map(drop)
+        session.run_on_record(program, RunOptions::default(), None, workspace, company).map(drop)
     };
-    let (mut session, mut shelf) = open(&folder);
-    start(&mut session, &mut shelf, &mut ()).unwrap();
+    let (mut session, mut workspace) = open(&folder);
+    start(&mut session, &mut workspace, &mut ()).unwrap();
     assert!(session.memory.position[Axis::X] < 0.0, "the switch is open");
-    session.press(Press { number: 3, on: true }, &mut shelf);
-    drop((session, shelf));
+    session.press(Press { number: 3, on: true }, &mut workspace);
+    drop((session, workspace));
     // Kerf is started anew.
-    let (mut session, mut shelf) = open(&folder);
+    let (mut session, mut workspace) = open(&folder);
     assert!(session.look(|machine| machine.input(3)), "it stays as it was put");
     let cut =
-        catch_unwind(AssertUnwindSafe(|| start(&mut session, &mut shelf, &mut PowerCut(6.0))));
+        catch_unwind(AssertUnwindSafe(|| start(&mut session, &mut workspace, &mut PowerCut(6.0))));
     assert!(cut.is_err(), "the power failed");
-    drop((session, shelf));
+    drop((session, workspace));
     let (events, status) = resume(&folder, "hold=Resume");
     let last = events.iter().rev().find_map(|event| match event {
         Event::Move(made) => Some(made.to.x),

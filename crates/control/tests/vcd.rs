@@ -1,6 +1,6 @@
 //! Programs as traces of signals.
 
-use kerf_control::{Company, Session, Shelf};
+use kerf_control::{Company, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
@@ -8,6 +8,7 @@ use kerf_machine::profile::profile;
 use kerf_machine::settings::motors::FreeMotor;
 use kerf_sim::Change;
 use kerf_trace::vcd::VcdSink;
+use kerf_workspace::Workspace;
 
 fn sim(edit: impl FnOnce(&mut Configuration)) -> Configuration {
     let mut machine = profile("sim").unwrap().configuration().unwrap();
@@ -29,7 +30,7 @@ fn traced(machine: Configuration, program: &str, inputs: Vec<Change>) -> String 
     };
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());
-    session.run(program, options, &mut Shelf::in_memory(MemoryDisk::default()), company);
+    session.run(program, options, &mut Workspace::in_memory(MemoryDisk::default()), company);
     sink.finish().unwrap();
     String::from_utf8(out).unwrap()
 }

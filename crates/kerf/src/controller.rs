@@ -7,13 +7,14 @@ use crate::report::Diagnostics;
 use crate::setup;
 use crate::stop::Stop;
 use anyhow::{Result, anyhow};
+use kerf_control::Session;
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Controller, Line, Socket};
-use kerf_control::{Session, Shelf};
 use kerf_driver_grbl::Grbl;
 use kerf_journal::{RunOptions, Work};
 use kerf_serial::Port;
 use kerf_trace::Sink;
+use kerf_workspace::Workspace;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -81,11 +82,11 @@ pub fn ready(
     first: First,
     quiet: bool,
     session: &mut Session,
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
 ) -> Result<Controller> {
     let stop = Stop::listen()?;
     let steps = first.steps();
-    let attached = Controller::attach(socket(name), steps, session, shelf, || stop.is_wanted());
+    let attached = Controller::attach(socket(name), steps, session, workspace, || stop.is_wanted());
     let (controller, told) = attached.map_err(|why| anyhow!(why))?;
     let notes = told.notes.iter().filter(|_| !quiet);
     notes.chain(&told.warnings).for_each(|line| eprintln!("kerf: {line}"));
@@ -98,12 +99,12 @@ pub fn look_through(
     work: &Work,
     session: &Session,
     options: &RunOptions,
-    shelf: &Shelf,
+    workspace: &Workspace,
     run: &RunArgs,
 ) -> Result<Option<Exit>> {
-    let mut shelf = setup::shelf(shelf.part_folder(), &run.place, true)?;
+    let mut workspace = setup::workspace(workspace.part_folder(), &run.place, true)?;
     let mut answers: Answers = setup::answers(run)?;
-    let found = controller.lacks(work, session, options, &mut shelf, &mut answers);
+    let found = controller.lacks(work, session, options, &mut workspace, &mut answers);
     let mut told = Diagnostics::default();
     for diagnostic in &found {
         told.event(&kerf_trace::Event::Diag(Box::new(diagnostic.clone())));

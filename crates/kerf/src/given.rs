@@ -2,7 +2,7 @@
 
 use crate::exit::Usage;
 use anyhow::{Result, bail};
-use kerf_control::MOST_BYTES;
+use kerf_workspace::MOST_BYTES;
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;

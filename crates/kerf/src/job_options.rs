@@ -3,8 +3,8 @@
 use crate::args::{FileArgs, RunArgs};
 use crate::exit::Usage;
 use anyhow::{Result, bail};
-use kerf_control::Shelf;
 use kerf_program::job::Job;
+use kerf_workspace::Workspace;
 
 /// Options that say nothing of a job: the name, whether it was given, and what does what is meant.
 fn foreign(args: &RunArgs) -> [(&'static str, bool, &'static str); 7] {
@@ -106,20 +106,20 @@ pub struct Choice {
 }
 
 /// A job as options have it run: `--repeat` is how often it is cut, `--from-line` the shape with which it begins.
-pub fn of(args: &RunArgs, job: &mut Job, shelf: &Shelf) -> Result<()> {
+pub fn of(args: &RunArgs, job: &mut Job, workspace: &Workspace) -> Result<()> {
     refuse_foreign(args)?;
     job.repeats = job.repeats.max(args.file.repeat);
     if let Some(words) = &args.file.from_line {
-        job.start = first_shape(words, job, shelf)?;
+        job.start = first_shape(words, job, workspace)?;
     }
     Ok(())
 }
 
 /// The shape with which a job begins, from 1.
-fn first_shape(words: &str, job: &Job, shelf: &Shelf) -> Result<usize> {
+fn first_shape(words: &str, job: &Job, workspace: &Workspace) -> Result<usize> {
     let count = job.shapes.len();
     let number = match words.trim() {
-        "last" => stopped_at(job, shelf)?,
+        "last" => stopped_at(job, workspace)?,
         number => number.parse().ok(),
     };
     match number {
@@ -134,10 +134,10 @@ fn first_shape(words: &str, job: &Job, shelf: &Shelf) -> Result<usize> {
 }
 
 /// The shape at which the last run of a job ended early: it was cut short, or stopped.
-fn stopped_at(job: &Job, shelf: &Shelf) -> Result<Option<usize>> {
-    let cut = shelf.journal().map(|journal| journal.cut_short()).transpose()?.flatten();
+fn stopped_at(job: &Job, workspace: &Workspace) -> Result<Option<usize>> {
+    let cut = workspace.journal().map(|journal| journal.cut_short()).transpose()?.flatten();
     let cut = cut.filter(|cut| cut.is_job() && cut.file() == &*job.name);
-    match cut.map(|cut| cut.last_move().1).or_else(|| shelf.last_shape(&job.name)) {
+    match cut.map(|cut| cut.last_move().1).or_else(|| workspace.last_shape(&job.name)) {
         Some(shape) => Ok(Some((shape as usize).max(1))),
         None => bail!(Usage(format!("no run of {} that ended early is on record", job.name))),
     }

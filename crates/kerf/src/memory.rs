@@ -5,8 +5,9 @@
 
 use crate::args::{PlaceArgs, Start};
 use anyhow::Result;
-use kerf_control::{Session, Shelf, unconfirmed, unverified};
+use kerf_control::Session;
 use kerf_journal::{Journal, JournalError, Whereabouts};
+use kerf_workspace::{Workspace, unconfirmed, unverified};
 use std::path::Path;
 
 /// Returns `true` if a command goes on from the journal; one that only looks usually does not.
@@ -44,31 +45,31 @@ pub fn sweep(folder: &Path) {
 }
 
 /// The machine as its journal remembers it.
-pub fn recall(journal: &Journal, shelf: &mut Shelf, looks: bool) -> Result<Session> {
-    let (session, whereabouts) = Session::recall(journal, shelf)?;
+pub fn recall(journal: &Journal, workspace: &mut Workspace, looks: bool) -> Result<Session> {
+    let (session, whereabouts) = Session::recall(journal, workspace)?;
     if !looks {
-        session.meet_machine(shelf)?.iter().for_each(|told| eprintln!("kerf: {told}"));
-        tell(journal, shelf, whereabouts)?;
+        session.meet_machine(workspace)?.iter().for_each(|told| eprintln!("kerf: {told}"));
+        tell(journal, workspace, whereabouts)?;
     }
     Ok(session)
 }
 
 /// Tells what is in doubt since the process before, and what it did not finish; or that it still runs.
-fn tell(journal: &Journal, shelf: &Shelf, whereabouts: Whereabouts) -> Result<()> {
+fn tell(journal: &Journal, workspace: &Workspace, whereabouts: Whereabouts) -> Result<()> {
     let cut = journal.cut_short()?;
     let moving = whereabouts == Whereabouts::Moving;
     if (moving || cut.is_some()) && matches!(journal.own(), Err(JournalError::Owned { .. })) {
         eprintln!("kerf: another Kerf runs the machine now");
         return Ok(());
     }
-    let doubted = unverified(shelf);
+    let doubted = unverified(workspace);
     if moving {
         eprintln!("kerf: the machine was moving when Kerf ended; its locations are not verified");
     } else if !doubted.is_empty() {
         let letters: Vec<String> = doubted.iter().map(|axis| axis.letter().to_string()).collect();
         eprintln!("kerf: locations that are not verified: {}", letters.join(" "));
     }
-    if !unconfirmed(shelf).is_empty() {
+    if !unconfirmed(workspace).is_empty() {
         eprintln!(
             "kerf: a new run asks first whether they are right; home the machine or zero it; a script answers \
              with --answers FILE, where FILE has the line location=Continue"

@@ -80,7 +80,7 @@ impl Picture {
             requests: &mut pace,
             machine: kerf_control::simulated(),
         };
-        let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
+        let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
         let mut scene = sink.1.finish(&summary, &job.session);
         if let Some(surface_mm) = surface_mm {
             let frame = &job.session.memory.frame;
@@ -201,16 +201,17 @@ pub fn write(scene: &Scene, format: Format, path: &Path) -> Result<()> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use kerf_control::{Company, Shelf};
+    use kerf_control::Company;
     use kerf_files::MemoryDisk;
     use kerf_journal::RunOptions;
     use kerf_program::Axes;
+    use kerf_workspace::Workspace;
 
     /// The scene of a program, lines separated by `⏎`, with the tool at (1, 1) in.
     fn scene_as(before: &str, program: &str, preview: bool) -> Scene {
         let mut session = Session::default();
         session.memory.position = Axes::xyz(MM_PER_INCH, MM_PER_INCH, 0.0);
-        let mut shelf = Shelf::in_memory(MemoryDisk::default());
+        let mut workspace = Workspace::in_memory(MemoryDisk::default());
         let mut one = |text: &str, options: RunOptions| {
             let program = kerf_sbp::read("part.sbp".into(), text.replace('⏎', "\n").as_bytes());
             let mut sink = Picture::new(Path::new("part.sbp"));
@@ -220,7 +221,7 @@ mod tests {
                 requests: &mut (),
                 machine: kerf_control::simulated(),
             };
-            let summary = session.run(program, options, &mut shelf, company);
+            let summary = session.run(program, options, &mut workspace, company);
             sink.finish(&summary, &session)
         };
         one(before, RunOptions::default());

@@ -12,10 +12,9 @@ use crate::memory;
 use crate::script::Script;
 use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
+use kerf_control::Session;
 use kerf_control::answers::Answers;
 use kerf_control::job_file;
-use kerf_control::stored::Stored;
-use kerf_control::{Session, Shelf};
 use kerf_drawing::Drawing;
 use kerf_files::{Folders, RealDisk};
 use kerf_journal::{RunOptions, Shell, Work, machine_file::told};
@@ -25,6 +24,7 @@ use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
 use kerf_sbp::{Dialect, FileParameters};
 use kerf_sim::Push;
 use kerf_toolpath::Shaping;
+use kerf_workspace::{Workspace, stored::Stored};
 use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -34,7 +34,7 @@ pub struct Job {
     pub work: Work,
     pub session: Session,
     pub options: RunOptions,
-    pub shelf: Shelf,
+    pub workspace: Workspace,
     pub answers: Answers,
     /// The state that the run leaves is kept.
     pub kept: bool,
@@ -61,9 +61,10 @@ pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
     } else {
         read_program(file, args.dialect.sbp)?.into()
     };
-    let mut job = job_of(work, shelf(parts, &args.place, preview)?, args, preview)?;
+    let mut job = job_of(work, workspace(parts, &args.place, preview)?, args, preview)?;
     if preview && args.answers.is_none() {
-        job.answers = job.shelf.answers_beside(&job.work.name());
+        let beside = job.workspace.answers_beside(&job.work.name());
+        job.answers = Answers::read(&beside.unwrap_or_default());
     }
     job.visit.opening.file = true;
     job.drawing = drawing;
@@ -80,12 +81,12 @@ pub fn shaping(machine: &Configuration, args: &RunArgs) -> Shaping {
 /// Prepares the run of a program or a job.
 pub fn job_of(
     work: impl Into<Work>,
-    mut shelf: Shelf,
+    mut workspace: Workspace,
     args: &RunArgs,
     preview: bool,
 ) -> Result<Job> {
     let mut work = work.into();
-    let (mut session, kept) = session(&args.place, preview, &mut shelf)?;
+    let (mut session, kept) = session(&args.place, preview, &mut workspace)?;
     let replaced = args.place.machine.configuration().map(|_| session.memory.settings.clone());
     if replaced.is_some() {
         session.machine_is = machine(&args.place.machine, &args.place.data)?.into();
@@ -110,12 +111,12 @@ pub fn job_of(
             if preview {
                 options.most_commands = most_commands(args, program.line_count());
             }
-            options.program.file.from = from_line(&args.file, program, &shelf)?;
+            options.program.file.from = from_line(&args.file, program, &workspace)?;
         }
         // A job takes what the options say of motion from the settings, the rest from the machine.
         Work::Job(job, machine) => {
             Arc::make_mut(machine).program = settings.clone();
-            job_options::of(args, Arc::make_mut(job), &shelf)?;
+            job_options::of(args, Arc::make_mut(job), &workspace)?;
         }
         Work::Hand(..) => {}
     }
@@ -125,7 +126,7 @@ pub fn job_of(
     options.started = kept.then(clock::started);
     session.memory.settings = settings;
     let visit = Visit::default();
-    Ok(Job { work, session, options, shelf, answers, kept, replaced, visit, drawing: None })
+    Ok(Job { work, session, options, workspace, answers, kept, replaced, visit, drawing: None })
 }
 
 /// A job whose paths are all cut beside themselves, right of travel.
@@ -155,15 +156,19 @@ pub fn answers(args: &RunArgs) -> Result<Answers> {
 }
 
 /// The machine as it was left, or a new one; whether what a run leaves is kept.
-pub fn session(place: &PlaceArgs, looks: bool, shelf: &mut Shelf) -> Result<(Session, bool)> {
+pub fn session(
+    place: &PlaceArgs,
+    looks: bool,
+    workspace: &mut Workspace,
+) -> Result<(Session, bool)> {
     if !memory::is_kept(place, looks) {
         return Ok((Session::default(), false));
     }
-    let journal = match shelf.journal() {
+    let journal = match workspace.journal() {
         Some(journal) => Some(journal.clone()),
         None => memory::journal(&data_folder(&place.data)?, true)?,
     };
-    let session = journal.map(|journal| memory::recall(&journal, shelf, looks)).transpose()?;
+    let session = journal.map(|journal| memory::recall(&journal, workspace, looks)).transpose()?;
     Ok((session.unwrap_or_default(), true))
 }
 
@@ -309,10 +314,10 @@ pub fn run_options(args: &RunArgs, settings: &Settings, preview: bool) -> RunOpt
 }
 
 /// The line at which the file begins.
-fn from_line(args: &FileArgs, program: &Program, shelf: &Shelf) -> Result<Option<GoTo>> {
+fn from_line(args: &FileArgs, program: &Program, workspace: &Workspace) -> Result<Option<GoTo>> {
     let Some(words) = &args.from_line else { return Ok(None) };
     let name = program.name();
-    let (last, lines) = (shelf.last_line(name), program.line_count());
+    let (last, lines) = (workspace.last_line(name), program.line_count());
     match GoTo::read(words, last) {
         None => bail!(Usage(format!("no run of {name} that ended early is in its log"))),
         Some(to) if to.line as usize > lines => {
@@ -323,20 +328,20 @@ fn from_line(args: &FileArgs, program: &Program, shelf: &Shelf) -> Result<Option
 }
 
 /// The folders and values that a program reaches; its part folder unless an option names another.
-pub fn shelf(parts: &Path, place: &PlaceArgs, preview: bool) -> Result<Shelf> {
+pub fn workspace(parts: &Path, place: &PlaceArgs, preview: bool) -> Result<Workspace> {
     let data = data_folder(&place.data)?;
     let parts = place.parts.clone().unwrap_or_else(|| parts.into());
     let custom = place.custom.clone().unwrap_or_else(|| data.join("custom"));
     let folders = Folders::new(parts, vec![custom], place.allow_path.clone());
     let stored = stored(&data, place, preview)?;
-    let shelf = if preview {
+    let workspace = if preview {
         let shell = if place.allow_shell { Shell::Skipped } else { Shell::Refused };
-        Shelf::preview(RealDisk, folders, &stored, data).with_shell(shell)
+        Workspace::preview(RealDisk, folders, &stored, data).with_shell(shell)
     } else {
         let shell = if place.allow_shell { Shell::Started } else { Shell::Refused };
-        Shelf::new(Box::new(RealDisk), folders, stored, data).with_shell(shell)
+        Workspace::new(Box::new(RealDisk), folders, stored, data).with_shell(shell)
     };
-    Ok(shelf)
+    Ok(workspace)
 }
 
 /// The values that survive. A run that leaves nothing else goes on where they cannot be kept.

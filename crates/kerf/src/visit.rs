@@ -3,9 +3,9 @@
 
 use crate::clock;
 use anyhow::Result;
-use kerf_control::system_log::{Opening, SystemLog};
-use kerf_control::{Session, Shelf, command_passing};
+use kerf_control::{Session, command_passing};
 use kerf_journal::Live;
+use kerf_workspace::{Workspace, system_log::Opening, system_log::SystemLog};
 
 /// A visit.
 #[derive(Clone, Debug)]
@@ -24,16 +24,21 @@ impl Default for Visit {
 
 impl Visit {
     /// Kerf starts. A command that was passed in before is forgotten, and so is the answer to the spindle's question.
-    pub fn begins(&self, session: &Session, shelf: &mut Shelf) -> Result<()> {
-        self.begins_drawing(session, shelf, session.memory.before_preview.is_some())
+    pub fn begins(&self, session: &Session, workspace: &mut Workspace) -> Result<()> {
+        self.begins_drawing(session, workspace, session.memory.before_preview.is_some())
     }
 
     /// The same, to draw only, or to move.
-    pub fn begins_drawing(&self, session: &Session, shelf: &mut Shelf, draws: bool) -> Result<()> {
+    pub fn begins_drawing(
+        &self,
+        session: &Session,
+        workspace: &mut Workspace,
+        draws: bool,
+    ) -> Result<()> {
         let log = SystemLog::new(self.opening.clone(), clock::started);
-        shelf.open_system_log(log, &session.memory.settings, draws);
-        shelf.asks_for_spindle_anew();
-        if let Some(journal) = shelf.journal() {
+        workspace.open_system_log(log, &session.memory.settings, draws);
+        workspace.asks_for_spindle_anew();
+        if let Some(journal) = workspace.journal() {
             journal.take_in()?;
             command_passing::forget(journal)?;
             journal.tell_rest(&session.look(Live::at_rest))?;
@@ -42,12 +47,12 @@ impl Visit {
     }
 
     /// A command that was passed in since; one that cannot be used is told, logged and left.
-    pub fn command(&self, session: &Session, shelf: &mut Shelf) -> Result<Option<String>> {
-        let Some(journal) = shelf.journal() else { return Ok(None) };
+    pub fn command(&self, session: &Session, workspace: &mut Workspace) -> Result<Option<String>> {
+        let Some(journal) = workspace.journal() else { return Ok(None) };
         journal.take_in()?;
         match command_passing::take(journal)? {
             Some(Err(why)) => {
-                tell_refused(&why, session, shelf);
+                tell_refused(&why, session, workspace);
                 Ok(None)
             }
             command => Ok(command.and_then(Result::ok)),
@@ -55,19 +60,19 @@ impl Visit {
     }
 
     /// A command that was passed in is not carried out.
-    pub fn refuses(command: &str, why: &str, session: &Session, shelf: &mut Shelf) {
-        tell_refused(&format!("{command} was not carried out: {why}"), session, shelf);
+    pub fn refuses(command: &str, why: &str, session: &Session, workspace: &mut Workspace) {
+        tell_refused(&format!("{command} was not carried out: {why}"), session, workspace);
     }
 
     /// Kerf closes, and leaves nothing on.
-    pub fn ends(&self, session: &Session, shelf: &mut Shelf) {
+    pub fn ends(&self, session: &Session, workspace: &mut Workspace) {
         // Where the disk refuses, that was told when the run ended.
-        drop(shelf.journal().map(|journal| journal.tell_rest(&Live::default())));
-        shelf.close_system_log(&session.memory.settings, self.closing);
+        drop(workspace.journal().map(|journal| journal.tell_rest(&Live::default())));
+        workspace.close_system_log(&session.memory.settings, self.closing);
     }
 }
 
-fn tell_refused(why: &str, session: &Session, shelf: &mut Shelf) {
+fn tell_refused(why: &str, session: &Session, workspace: &mut Workspace) {
     eprintln!("kerf: {}: {why}", command_passing::COMMAND);
-    session.log_refused_command(shelf, why);
+    session.log_refused_command(workspace, why);
 }

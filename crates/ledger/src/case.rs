@@ -2,7 +2,7 @@
 
 use crate::Run;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Session, Shelf, StopAt};
+use kerf_control::{Company, Session, StopAt};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
@@ -11,6 +11,7 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Settings};
 use kerf_sim::{Change, Push};
 use kerf_trace::{Event, json};
+use kerf_workspace::Workspace;
 use std::sync::Arc;
 
 /// Names of the program that a case runs.
@@ -175,16 +176,16 @@ impl Case {
         let mut files = self.files.clone();
         files.push((self.name.to_owned(), self.program.clone()));
         let files = files.iter().map(|(name, text)| (name.as_str(), text.as_bytes()));
-        let mut shelf = Shelf::in_memory(MemoryDisk::new(files));
+        let mut workspace = Workspace::in_memory(MemoryDisk::new(files));
         for (program, stop_at_s) in std::mem::take(&mut self.before) {
-            self.one(&program, RunOptions::default(), &mut shelf, stop_at_s);
+            self.one(&program, RunOptions::default(), &mut workspace, stop_at_s);
         }
         let memory = &self.session.memory;
         let start = memory.settings.to_user(memory.frame.working(memory.position)).0;
         let (program, options) = (self.program.clone(), self.options.clone());
-        let events = self.one(&program, options, &mut shelf, self.stop_at_s);
+        let events = self.one(&program, options, &mut workspace, self.stop_at_s);
         let trace: Vec<String> = events.iter().map(json::to_string).collect();
-        Run::new(&trace.join("\n"), start, shelf)
+        Run::new(&trace.join("\n"), start, workspace)
     }
 
     /// Runs it as a preview.
@@ -197,7 +198,7 @@ impl Case {
         &mut self,
         program: &str,
         options: RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         stop_at_s: f64,
     ) -> Vec<Event> {
         let mut events = Vec::new();
@@ -210,7 +211,7 @@ impl Case {
             machine: kerf_control::simulated(),
         };
         let program = kerf_part::read(self.name.into(), program.as_bytes());
-        self.session.run(program, options, shelf, company);
+        self.session.run(program, options, workspace, company);
         events
     }
 }

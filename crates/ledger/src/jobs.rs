@@ -1,7 +1,7 @@
 //! Jobs on the machine SIM (readings, SIM), and what their traces tell.
 
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Script, Session, Shelf};
+use kerf_control::{Company, OperatorRequest, Script, Session};
 use kerf_drawing::{Editor, script};
 use kerf_files::MemoryDisk;
 use kerf_geom::{Point2, Polyarc};
@@ -13,6 +13,7 @@ use kerf_program::job::{Job, JobShape};
 use kerf_program::{Axes, AxisSet, MoveKind};
 use kerf_sim::{Change, Sheet};
 use kerf_trace::{Event, Sink, Summary, event::MoveEvent, vcd::VcdSink};
+use kerf_workspace::Workspace;
 use std::sync::Arc;
 
 /// The standard simulated machine (readings, SIM): the profile `sim`.
@@ -219,7 +220,7 @@ impl JobRun {
             session.memory.position = self.at;
             session
         });
-        let mut shelf = Shelf::in_memory(MemoryDisk::new(std::iter::empty()));
+        let mut workspace = Workspace::in_memory(MemoryDisk::new(std::iter::empty()));
         let mut operator = Answers::read(&self.answers);
         let mut pace = Script::new(self.requests, Vec::new());
         let company = Company {
@@ -236,7 +237,7 @@ impl JobRun {
             Some(errand) => Work::Hand(errand, machine),
             None => Work::Job(Arc::new(self.job), machine),
         };
-        let summary = session.run(work, options, &mut shelf, company);
+        let summary = session.run(work, options, &mut workspace, company);
         (summary, session)
     }
 }

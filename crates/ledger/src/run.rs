@@ -4,7 +4,7 @@
 //! can follow each other.
 
 use crate::read::{events, line_of, location, number, text};
-use kerf_control::Shelf;
+use kerf_workspace::Workspace;
 use serde_json::Value;
 
 /// Locations in inches or millimetres agree within this (ledger convention: 0.0005 in).
@@ -18,19 +18,19 @@ const AXES: [&str; 6] = ["x", "y", "z", "a", "b", "c"];
 pub struct Run {
     events: Vec<Value>,
     start: [f64; 6],
-    shelf: Shelf,
+    workspace: Workspace,
 }
 
 impl Run {
-    /// Reads a trace that began at a working location; the shelf holds what the run left.
-    pub fn new(trace: &str, start: [f64; 6], shelf: Shelf) -> Self {
-        Self { events: events(trace), start, shelf }
+    /// Reads a trace that began at a working location; the workspace holds what the run left.
+    pub fn new(trace: &str, start: [f64; 6], workspace: Workspace) -> Self {
+        Self { events: events(trace), start, workspace }
     }
 
     /// Returns the text that a file in the part folder holds now.
     #[track_caller]
     pub fn file(&self, name: &str) -> String {
-        self.shelf.text(name).unwrap_or_else(|| panic!("there is no file {name}\n{self}"))
+        self.workspace.text(name).unwrap_or_else(|| panic!("there is no file {name}\n{self}"))
     }
 
     /// The events of one kind, in order.
@@ -189,7 +189,7 @@ impl Run {
 
     /// A value that the run keeps under a key.
     pub fn stored(&self, key: &str) -> Option<String> {
-        self.shelf.stored.get(key).map(str::to_owned)
+        self.workspace.stored.get(key).map(str::to_owned)
     }
 
     /// Returns the time that the run takes in machine time, seconds.

@@ -303,10 +303,11 @@ impl App {
             return Err(problem(Why::State, "no run was cut short"));
         };
         let hash = interrupted::hash_of_open(&interrupted, lock(&self.open).clone());
-        let shelf = self.preview_shelf().ok();
-        let plan = self.journal().zip(shelf);
+        let workspace = self.preview_workspace().ok();
+        let plan = self.journal().zip(workspace);
         // Without a plan it runs as well; how far it is is not known then.
-        let planned = plan.and_then(|(journal, mut shelf)| interrupted::plan(&journal, &mut shelf));
+        let planned =
+            plan.and_then(|(journal, mut workspace)| interrupted::plan(&journal, &mut workspace));
         self.order_of(asker, Order::TakeUp { hash, planned: planned.unwrap_or_default() })
     }
 

@@ -24,13 +24,13 @@ use crate::shop;
 use crate::texts::Texts;
 use crate::turn::Turn;
 use kerf_control::Begun;
-use kerf_control::Shelf;
 use kerf_journal::Journal;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
 use kerf_wire::{
     Change, FileKind, FileParameters, Finding, JobChoice, Opened, PreviewState, Problem, Tone, Why,
 };
+use kerf_workspace::Workspace;
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -61,7 +61,7 @@ pub struct App {
     pub left: Arc<Mutex<Left>>,
     /// Key of the preview of the job that runs, and the origin that it took, X and Y from home, mm.
     pub taken: Mutex<Option<(String, [f64; 2])>>,
-    /// Builds the shelf of previews.
+    /// Builds the workspace of previews.
     pub builders: Builders,
     /// Pages and scripts that gave the password of the settings.
     pub unlocked: Unlocked,
@@ -412,11 +412,11 @@ impl App {
 
     fn preview(&self, open: Open) {
         let session = lock(&self.left).session.clone();
-        let made = match self.preview_shelf() {
+        let made = match self.preview_workspace() {
             Err(error) => Err(error.to_string()),
-            Ok(mut shelf) => self.work(&open).map_err(|problem| problem.text).map(|work| {
+            Ok(mut workspace) => self.work(&open).map_err(|problem| problem.text).map(|work| {
                 let parameters = shop::parameters(&open.parameters);
-                preview::make(work, parameters, session, &mut shelf, &open.given_up)
+                preview::make(work, parameters, session, &mut workspace, &open.given_up)
             }),
         };
         let state = match made {
@@ -441,10 +441,10 @@ impl App {
             Some(lock(&self.open).clone()).filter(|open| open.key == key).ok_or_else(other)?;
         let session = lock(&self.left).session.clone();
         let begun = inputs.is_empty().then(|| Begun::of(&session));
-        let shelf = self.preview_shelf();
-        let mut shelf = shelf.map_err(|error| problem(Why::File, error.to_string()))?;
+        let workspace = self.preview_workspace();
+        let mut workspace = workspace.map_err(|error| problem(Why::File, error.to_string()))?;
         let (work, parameters) = (self.work(&open)?, shop::parameters(&open.parameters));
-        let made = preview::timing(work, parameters, inputs, session, &mut shelf, given_up);
+        let made = preview::timing(work, parameters, inputs, session, &mut workspace, given_up);
         let made = Arc::new(made.ok_or_else(other)?);
         if let Some(begun) = begun {
             preview.keep_timing(begun, made.clone());
@@ -463,16 +463,16 @@ impl App {
     }
 
     /// Files as the machine sees them, which nothing changes.
-    pub fn preview_shelf(&self) -> std::io::Result<Shelf> {
-        let mut shelf = (self.builders.preview)()?;
+    pub fn preview_workspace(&self) -> std::io::Result<Workspace> {
+        let mut workspace = (self.builders.preview)()?;
         let (folder, mask) = {
             let left = lock(&self.left);
             (left.folder.display().to_string(), left.mask.clone())
         };
-        if shelf.enter(Some(&folder).filter(|f| !f.is_empty()).map(String::as_str)).is_ok() {
-            shelf.set_mask(Some(&mask));
+        if workspace.enter(Some(&folder).filter(|f| !f.is_empty()).map(String::as_str)).is_ok() {
+            workspace.set_mask(Some(&mask));
         }
-        Ok(shelf)
+        Ok(workspace)
     }
 
     /// The preview is there, unless another file was opened meanwhile.

@@ -7,10 +7,10 @@ use crate::hub::Hub;
 use crate::machine::{Link, Order};
 use crate::machine_and_app;
 use crate::setup::{Builders, Options, Workshop};
-use kerf_control::stored::Stored;
-use kerf_control::{Session, Shelf};
+use kerf_control::Session;
 use kerf_files::{Folders, RealDisk};
 use kerf_wire::{Act, Change, Machine, Role, Snapshot, State, Who};
+use kerf_workspace::{Workspace, stored::Stored};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread::JoinHandle;
@@ -33,10 +33,10 @@ pub fn moving() -> (Bench, JoinHandle<()>) {
     let workshop = move || {
         let folders = Folders::new(parts.clone(), Vec::new(), Vec::new());
         let stored = Stored::in_memory(Default::default());
-        let shelf = Shelf::new(Box::new(RealDisk), folders, stored, data.clone());
+        let workspace = Workspace::new(Box::new(RealDisk), folders, stored, data.clone());
         Ok(Workshop {
             session: Session::default(),
-            shelf,
+            workspace,
             controller: None,
             told: Default::default(),
             kept: false,

@@ -1,9 +1,9 @@
 //! The part folder, and nothing outside it.
 
 use crate::names;
-use kerf_control::MOST_BYTES;
 use kerf_files::{Disk, RealDisk};
 use kerf_wire::{FileInfo, Problem, Why};
+use kerf_workspace::MOST_BYTES;
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};

@@ -16,9 +16,9 @@ use crate::app::{App, problem};
 use crate::machine::Order;
 use crate::setup::Options;
 use kerf_control::answers::{self, Effect};
-use kerf_control::stored;
 use kerf_handconsole::{Key, Wish};
 use kerf_wire::{Act, Asked, Lease, Problem, Role, Snapshot, State, Who, Why};
+use kerf_workspace::stored;
 
 /// Something that somebody asks for, by the way on which it came.
 #[derive(Clone, Copy, Debug)]

@@ -3,9 +3,10 @@
 use crate::app::{Open, hash};
 use crate::machine::Planned;
 use crate::preview;
-use kerf_control::{Session, Shelf};
+use kerf_control::Session;
 use kerf_journal::Journal;
 use kerf_wire::Interrupted;
+use kerf_workspace::Workspace;
 
 /// Returns the hash of the open file, where that is what was cut short: pages show it as that which runs.
 pub fn hash_of_open(interrupted: &Interrupted, open: Open) -> Option<String> {
@@ -15,8 +16,8 @@ pub fn hash_of_open(interrupted: &Interrupted, open: Open) -> Option<String> {
 
 /// The plan of the run that was cut short, from its beginning. Where it is not known what that was, there is none:
 /// the run says itself why it cannot be taken up.
-pub fn plan(journal: &Journal, shelf: &mut Shelf) -> Option<Planned> {
+pub fn plan(journal: &Journal, workspace: &mut Workspace) -> Option<Planned> {
     let cut = journal.cut_short().ok()??;
-    let (work, options, session) = Session::begun(journal, &cut, shelf).ok()?;
-    Some(preview::plan(work, options, session, shelf))
+    let (work, options, session) = Session::begun(journal, &cut, workspace).ok()?;
+    Some(preview::plan(work, options, session, workspace))
 }

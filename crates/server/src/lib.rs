@@ -267,8 +267,8 @@ fn machine_and_app(
     let run = move |waiting: Receiver<Order>| {
         let workshop = match build() {
             Ok(mut workshop) => {
-                workshop.shelf.reached_at(&url);
-                workshop.shelf.asks_for_spindle_anew();
+                workshop.workspace.reached_at(&url);
+                workshop.workspace.asks_for_spindle_anew();
                 owned.0.keep(ProblemLog::begin(&data, workshop.started));
                 workshop
             }

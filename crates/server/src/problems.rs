@@ -70,8 +70,8 @@ impl App {
     /// The files of the machine cannot be looked at.
     pub fn problems(&self) -> io::Result<String> {
         let session = lock(&self.left).session.clone();
-        let mut shelf = self.preview_shelf()?;
-        let facts = told::named(session.diagnostics(&mut shelf));
+        let mut workspace = self.preview_workspace()?;
+        let facts = told::named(session.diagnostics(&mut workspace));
         let mut text = self.hub.read(|now| {
             let file = now.opened.as_ref().map_or("none", |opened| &opened.name);
             let job = now.job.as_ref().and_then(|job| job.ended.as_deref()).unwrap_or("none");

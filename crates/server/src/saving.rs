@@ -226,7 +226,7 @@ fn what(name: &str, bytes: &[u8]) -> String {
         1 => "1 line".to_owned(),
         lines => format!("{lines} lines"),
     };
-    let is_part = kerf_sbp::is_gcode_name(name) || kerf_control::parts::fits("*.sb?", name);
+    let is_part = kerf_sbp::is_gcode_name(name) || kerf_workspace::parts::fits("*.sb?", name);
     match kind_of(name) {
         FileKind::Job => "a job: the tool paths of a drawing".into(),
         FileKind::Drawing => "a drawing".into(),

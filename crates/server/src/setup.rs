@@ -1,8 +1,9 @@
 //! Equipment of the server: the machine, its folders, how pages may reach it.
 
+use kerf_control::Session;
 use kerf_control::controller::{Controller, Told};
-use kerf_control::{Session, Shelf};
 use kerf_journal::Started;
+use kerf_workspace::Workspace;
 use std::io;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -40,7 +41,7 @@ pub struct Workshop {
     /// The machine.
     pub session: Session,
     /// Its files.
-    pub shelf: Shelf,
+    pub workspace: Workspace,
     /// The controller that makes what is planned; without one the machine is simulated.
     pub controller: Option<Controller>,
     /// Sentences about it.
@@ -57,5 +58,5 @@ pub struct Builders {
     /// The machine, built once on its own thread.
     pub workshop: Arc<dyn Fn() -> io::Result<Workshop> + Send + Sync>,
     /// Files of a preview, which changes none.
-    pub preview: Arc<dyn Fn() -> io::Result<Shelf> + Send + Sync>,
+    pub preview: Arc<dyn Fn() -> io::Result<Workspace> + Send + Sync>,
 }

@@ -412,9 +412,9 @@ fn trace(tenths: u8) -> Vec<kerf_trace::Event> {
     let (job, _) = kerf_toolpath::read(rsm("line 0,0 100,0; line 700,0 600,0").as_bytes());
     let work = kerf_control::job_file::work(&job, "job.rsm".into(), machine);
     let folders = kerf_files::Folders::new(".".into(), Vec::new(), Vec::new());
-    let stored = kerf_control::stored::Stored::in_memory(Default::default());
+    let stored = kerf_workspace::stored::Stored::in_memory(Default::default());
     let disk = kerf_files::RealDisk;
-    let mut shelf = kerf_control::Shelf::preview(disk, folders, &stored, ".".into());
+    let mut workspace = kerf_workspace::Workspace::preview(disk, folders, &stored, ".".into());
     let mut sink = Trace::default();
     let company = kerf_control::Company {
         sink: &mut sink,
@@ -423,7 +423,7 @@ fn trace(tenths: u8) -> Vec<kerf_trace::Event> {
         machine: kerf_control::simulated(),
     };
     let options = kerf_journal::RunOptions::default();
-    kerf_control::Session::default().run(work, options, &mut shelf, company);
+    kerf_control::Session::default().run(work, options, &mut workspace, company);
     sink.0
 }
 

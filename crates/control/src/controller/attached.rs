@@ -3,12 +3,13 @@
 use super::{Connection, Lacks, Line};
 use crate::answers::Operator;
 use crate::session::DrivenBy;
-use crate::{Company, Firmware, Session, Shelf};
+use crate::{Company, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work, facts::Fact};
 use kerf_machine::driver::{Changed, Wired};
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
+use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
@@ -85,17 +86,17 @@ impl Controller {
         socket: Socket,
         first: First,
         session: &mut Session,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         is_stopped: impl Fn() -> bool,
     ) -> Result<(Self, Told), String> {
-        let abandoned = shelf.stored.get(DRIVEN) == Some(&*socket.port);
+        let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
         let (driver, line) = (socket.opens)()?;
         let open = if abandoned { Connection::open_stopped } else { Connection::open };
         let mut connection = open(&socket.name, driver, line)?;
         let mut told = Told::default();
         let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
         told.notes.push(format!("{}: {}, axes {axes}", socket.name, connection.facts().name));
-        told.notes.extend(keeps_changed(&socket, &mut connection, shelf));
+        told.notes.extend(keeps_changed(&socket, &mut connection, workspace));
         if first.unlock {
             connection.unlock()?;
         }
@@ -114,7 +115,7 @@ impl Controller {
         session.machine = None;
         session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes });
         let controller = Self { socket, connection: Rc::new(RefCell::new(connection)) };
-        controller.finds_place(first, abandoned, session, shelf, &mut told);
+        controller.finds_place(first, abandoned, session, workspace, &mut told);
         Ok((controller, told))
     }
 
@@ -124,7 +125,7 @@ impl Controller {
         first: First,
         abandoned: bool,
         session: &mut Session,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         told: &mut Told,
     ) {
         let mut connection = self.connection.borrow_mut();
@@ -133,18 +134,18 @@ impl Controller {
             told.notes.extend(takes_place(&connection, session, stands));
             axes.iter().for_each(|axis| session.homed.insert(axis));
             if first.home {
-                shelf.trusts_location(axes);
+                workspace.trusts_location(axes);
             }
             return;
         }
-        match (self.left_at(stands, shelf), abandoned) {
+        match (self.left_at(stands, workspace), abandoned) {
             (Some(place), false) => told.notes.extend(takes_place(&connection, session, place)),
             (None, false) => told.notes.push(self.believed(session.memory.position)),
             (_, true) => {
-                let counted = self.counted_on(stands, shelf);
+                let counted = self.counted_on(stands, workspace);
                 session.memory.position = counted.unwrap_or(session.memory.position);
                 told.warnings.push(self.abandoned(session.memory.position));
-                shelf.doubts_location(axes);
+                workspace.doubts_location(axes);
             }
         }
         connection.is_at(session.memory.position);
@@ -157,14 +158,14 @@ impl Controller {
     pub fn attach_again(
         &mut self,
         session: &mut Session,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
     ) -> Result<Told, String> {
         self.connection.borrow_mut().let_go();
         let attached = Self::attach(
             self.socket.clone(),
             First { may_be_locked: true, ..First::default() },
             session,
-            shelf,
+            workspace,
             || false,
         )?;
         let (again, told) = attached;
@@ -206,53 +207,53 @@ impl Controller {
     }
 
     /// It is driven from now on. That is on record until it is left.
-    pub fn begins(&self, shelf: &mut Shelf) {
-        self.keeps_place(shelf);
-        shelf.stored.set(DRIVEN, Some(&self.socket.port));
+    pub fn begins(&self, workspace: &mut Workspace) {
+        self.keeps_place(workspace);
+        workspace.stored.set(DRIVEN, Some(&self.socket.port));
     }
 
     /// The run is over; when it did not end well, everything is stopped and switched off. Keeps where it was left.
-    pub fn ends(&self, well: bool, shelf: &mut Shelf, is_stopped: impl FnMut() -> bool) {
+    pub fn ends(&self, well: bool, workspace: &mut Workspace, is_stopped: impl FnMut() -> bool) {
         self.connection.borrow_mut().close(well, is_stopped);
-        self.keeps_place(shelf);
-        shelf.stored.set(DRIVEN, None);
+        self.keeps_place(workspace);
+        workspace.stored.set(DRIVEN, None);
     }
 
     /// It is driven no more: what was changed in it is put back.
-    pub fn detach(&self, shelf: &mut Shelf) {
+    pub fn detach(&self, workspace: &mut Workspace) {
         let mut connection = self.connection.borrow_mut();
         connection.put_back();
         if connection.changed().is_none() {
-            shelf.stored.set(CHANGED, None);
+            workspace.stored.set(CHANGED, None);
         }
     }
 
     /// Keeps where it stands, as it counts and as the machine does.
-    fn keeps_place(&self, shelf: &mut Shelf) {
+    fn keeps_place(&self, workspace: &mut Workspace) {
         let mut connection = self.connection.borrow_mut();
         let own = connection.stands();
         let left = (&self.socket.port, own, own.plus(connection.offset()));
-        shelf.stored.set(LEFT, serde_json::to_string(&left).ok().as_deref());
+        workspace.stored.set(LEFT, serde_json::to_string(&left).ok().as_deref());
     }
 
     /// Returns the kept place, as the controller counts and as the machine does.
-    fn kept_at(&self, shelf: &Shelf) -> Option<(Axes, Axes)> {
+    fn kept_at(&self, workspace: &Workspace) -> Option<(Axes, Axes)> {
         let (port, own, place): (String, Axes, Axes) =
-            serde_json::from_str(shelf.stored.get(LEFT)?).ok()?;
+            serde_json::from_str(workspace.stored.get(LEFT)?).ok()?;
         (port == self.socket.port).then_some((own, place))
     }
 
     /// Returns the place of the machine, when its controller was neither moved nor switched off since it was driven
     /// last.
-    fn left_at(&self, stands: Axes, shelf: &Shelf) -> Option<Axes> {
-        let (own, place) = self.kept_at(shelf)?;
+    fn left_at(&self, stands: Axes, workspace: &Workspace) -> Option<Axes> {
+        let (own, place) = self.kept_at(workspace)?;
         same(own, stands).then_some(place)
     }
 
     /// Returns the place of the machine, when its controller has gone on counting since its run began. One that was
     /// switched off, or reset when its port was opened, counts from zero.
-    fn counted_on(&self, stands: Axes, shelf: &Shelf) -> Option<Axes> {
-        let (own, place) = self.kept_at(shelf)?;
+    fn counted_on(&self, stands: Axes, workspace: &Workspace) -> Option<Axes> {
+        let (own, place) = self.kept_at(workspace)?;
         (!same(stands, Axes::default())).then(|| place.plus(stands.minus(own)))
     }
 
@@ -282,7 +283,7 @@ impl Controller {
         work: &Work,
         session: &Session,
         options: &RunOptions,
-        shelf: &mut Shelf,
+        workspace: &mut Workspace,
         operator: &mut dyn Operator,
     ) -> Vec<Diagnostic> {
         let again = match work {
@@ -301,7 +302,7 @@ impl Controller {
         options.program.preview = true;
         let company =
             Company { sink: &mut lacks, operator, requests: &mut (), machine: crate::simulated() };
-        drop(session.clone().run(again, options, shelf, company));
+        drop(session.clone().run(again, options, workspace, company));
         lacks.found()
     }
 
@@ -328,16 +329,16 @@ impl Controller {
 fn keeps_changed(
     socket: &Socket,
     connection: &mut Connection,
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
 ) -> Option<String> {
     let kept: Option<(String, u16, u32, u32)> =
-        shelf.stored.get(CHANGED).and_then(|kept| serde_json::from_str(kept).ok());
+        workspace.stored.get(CHANGED).and_then(|kept| serde_json::from_str(kept).ok());
     if let Some((_, number, was, is)) = kept.filter(|(port, ..)| *port == socket.port) {
         connection.owes(Changed { number, was, is });
     }
     let Changed { number, was, is } = connection.changed()?;
     let kept = serde_json::to_string(&(&socket.port, number, was, is)).ok();
-    shelf.stored.set(CHANGED, kept.as_deref());
+    workspace.stored.set(CHANGED, kept.as_deref());
     let name = &socket.name;
     Some(format!("{name}: ${number} is {is} while Kerf drives it, {was} again afterwards"))
 }

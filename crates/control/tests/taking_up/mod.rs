@@ -3,8 +3,7 @@
 #![allow(dead_code)]
 
 use kerf_control::answers::{Answers, Operator};
-use kerf_control::stored::Stored;
-use kerf_control::{Company, OperatorRequest, Requests, Session, Shelf};
+use kerf_control::{Company, OperatorRequest, Requests, Session};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_geom::{Point2, Polyarc};
 use kerf_journal::{Journal, Press, RunOptions, Started, Work};
@@ -19,6 +18,7 @@ use kerf_trace::{
     Event, Sink,
     event::{MoveEvent, Place},
 };
+use kerf_workspace::{Workspace, stored::Stored};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use tempfile::{TempDir, tempdir};
@@ -138,11 +138,11 @@ impl Operator for GivesUp {
     }
 }
 
-pub fn shelf(journal: &Journal, folder: &TempDir) -> Shelf {
+pub fn workspace(journal: &Journal, folder: &TempDir) -> Workspace {
     let disk = MemoryDisk::new([("a.sbp", PART.as_bytes())]);
     let folders = Folders::new("".into(), Vec::new(), Vec::new());
     let stored = Stored::of(journal.clone()).unwrap();
-    Shelf::new(Box::new(disk), folders, stored, folder.path().into())
+    Workspace::new(Box::new(disk), folders, stored, folder.path().into())
 }
 
 /// Runs the part file on record; nothing when the power fails.
@@ -175,13 +175,13 @@ pub fn run_work(
 
 pub fn run_in(folder: &TempDir, work: impl Into<Work>, company: Company<'_>) -> Option<Status> {
     let (journal, _) = Journal::open(folder.path()).unwrap();
-    let mut shelf = shelf(&journal, folder);
-    let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
+    let mut workspace = workspace(&journal, folder);
+    let (mut session, _) = Session::recall(&journal, &mut workspace).unwrap();
     // Logs are written at its end, also when it was given up.
     let started = Started { time: "14:03:05".into(), date: "2026-11-21".into() };
     let options = RunOptions { started: Some(started), ..RunOptions::default() };
     let went = catch_unwind(AssertUnwindSafe(|| {
-        session.run_on_record(work, options, None, &mut shelf, company).unwrap()
+        session.run_on_record(work, options, None, &mut workspace, company).unwrap()
     }));
     went.ok().map(|summary| summary.status)
 }
@@ -198,12 +198,12 @@ pub fn resume_with(
 ) -> (Vec<Event>, Option<Status>) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let cut = journal.cut_short().unwrap().expect("a run to take up");
-    let mut shelf = shelf(&journal, folder);
-    let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
+    let mut workspace = workspace(&journal, folder);
+    let (mut session, _) = Session::recall(&journal, &mut workspace).unwrap();
     let mut events = Vec::new();
     let company = Company { sink: &mut events, operator, requests: pace, machine: on_record() };
     let went =
-        catch_unwind(AssertUnwindSafe(|| session.resume(&cut, &mut shelf, company).unwrap()));
+        catch_unwind(AssertUnwindSafe(|| session.resume(&cut, &mut workspace, company).unwrap()));
     (events, went.ok().map(|summary| summary.status))
 }
 
@@ -298,15 +298,15 @@ pub fn asked(events: &[Event]) -> Vec<&str> {
 /// Somebody moves a switch while nothing runs.
 pub fn press(folder: &TempDir, number: u8, on: bool) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
-    let mut shelf = shelf(&journal, folder);
-    let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
-    session.press(Press { number, on }, &mut shelf);
+    let mut workspace = workspace(&journal, folder);
+    let (mut session, _) = Session::recall(&journal, &mut workspace).unwrap();
+    session.press(Press { number, on }, &mut workspace);
 }
 
 /// Where the machine stands.
 pub fn stands(folder: &TempDir) -> Axes {
     let (journal, _) = Journal::open(folder.path()).unwrap();
-    let (session, _) = Session::recall(&journal, &mut shelf(&journal, folder)).unwrap();
+    let (session, _) = Session::recall(&journal, &mut workspace(&journal, folder)).unwrap();
     session.memory.position
 }
 

@@ -13,13 +13,14 @@ use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
-use kerf_control::{Company, OperatorRequest, Script, Session, Shelf, unverified};
+use kerf_control::{Company, OperatorRequest, Script, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
 use kerf_program::{AXES, Axis, AxisSet, MoveKind, Status};
 use kerf_trace::{Event, Sink};
 use kerf_wire::ByHand;
+use kerf_workspace::{Workspace, unverified};
 use std::io::{self, IsTerminal};
 use std::path::Path;
 use std::sync::Arc;
@@ -132,7 +133,7 @@ impl Height {
 /// The machine, while it is moved by hand.
 struct Shop {
     session: Session,
-    shelf: Shelf,
+    workspace: Workspace,
     machine: Arc<Configuration>,
     controller: Option<Controller>,
     real: bool,
@@ -146,8 +147,8 @@ impl Shop {
     /// The machine after steps of its controller.
     fn open_after(which: &Which, first: First, real: bool) -> Result<Self> {
         let place = which.place();
-        let mut shelf = setup::shelf(Path::new(""), &place, false)?;
-        let (mut session, _) = setup::session(&place, false, &mut shelf)?;
+        let mut workspace = setup::workspace(Path::new(""), &place, false)?;
+        let (mut session, _) = setup::session(&place, false, &mut workspace)?;
         let machine = match which.machine.configuration() {
             Some(_) => which.machine()?,
             None => session.configuration(),
@@ -155,17 +156,17 @@ impl Shop {
         let machine = Arc::new(machine);
         session.machine_is = machine.clone();
         let name = which.machine.controller();
-        let ready = |name| controller::ready(name, first, false, &mut session, &mut shelf);
+        let ready = |name| controller::ready(name, first, false, &mut session, &mut workspace);
         let controller = name.map(ready).transpose()?;
-        Ok(Self { session, shelf, machine, controller, real })
+        Ok(Self { session, workspace, machine, controller, real })
     }
 
     /// Fails unless the machine stands, and its place in X and Y is known.
     fn stands_for_sure(&self) -> Result<()> {
-        if let Some(journal) = self.shelf.journal() {
+        if let Some(journal) = self.workspace.journal() {
             drop(journal.own()?);
         }
-        let doubted = unverified(&self.shelf);
+        let doubted = unverified(&self.workspace);
         if doubted.contains(Axis::X) || doubted.contains(Axis::Y) {
             bail!(
                 "where the machine is is not known for sure: home it first (kerf machine home), or give \
@@ -186,14 +187,15 @@ impl Shop {
         let mut steps = Steps { machine: self.machine.clone(), edge: None };
         let company =
             Company { sink: &mut steps, operator: &mut operator, requests: &mut terminal, machine };
-        let (settings, shelf) = (Some(self.session.memory.settings.clone()), &mut self.shelf);
+        let (settings, workspace) =
+            (Some(self.session.memory.settings.clone()), &mut self.workspace);
         let name = controller.as_ref().map(|it| it.name().to_owned());
         let options = RunOptions { controller: name, ..RunOptions::default() };
-        controller.iter().for_each(|controller| controller.begins(shelf));
-        let summary = self.session.run_on_record(work, options, settings, shelf, company)?;
+        controller.iter().for_each(|controller| controller.begins(workspace));
+        let summary = self.session.run_on_record(work, options, settings, workspace, company)?;
         if let Some(controller) = &controller {
-            controller.ends(summary.status == Status::Ok, shelf, || stop.is_wanted());
-            controller.detach(shelf);
+            controller.ends(summary.status == Status::Ok, workspace, || stop.is_wanted());
+            controller.detach(workspace);
         }
         if let Some(error) = summary.error {
             let mend = if error.hint.is_empty() { "" } else { "; " };
@@ -245,10 +247,10 @@ pub fn home(which: &Which, letters: Option<&str>, beside: Beside) -> Result<Exit
 /// Has a controller go home with all axes that it homes, and tells where they stand.
 fn home_controller(which: &Which) -> Result<Exit> {
     let mut shop = Shop::open_after(which, First::HOME, false)?;
-    shop.session.keep_place(&mut shop.shelf)?;
+    shop.session.keep_place(&mut shop.workspace)?;
     if let Some(controller) = &shop.controller {
-        controller.ends(true, &mut shop.shelf, || false);
-        controller.detach(&mut shop.shelf);
+        controller.ends(true, &mut shop.workspace, || false);
+        controller.detach(&mut shop.workspace);
     }
     tell_places(&shop);
     Ok(Exit::Good)

@@ -76,7 +76,8 @@ fn check(file: &Path, args: &RunArgs) -> Result<Option<Checked>> {
         }
     };
     let (work, options) = (job.work, job.options);
-    let found = kerf_control::check(&job.session, work, options, &mut job.shelf, &mut job.answers);
+    let found =
+        kerf_control::check(&job.session, work, options, &mut job.workspace, &mut job.answers);
     Ok(Some(found))
 }
 

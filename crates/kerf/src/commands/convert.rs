@@ -168,12 +168,12 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
         };
         let parts = args.source.parent().unwrap_or(Path::new(""));
         // That it can be made is known from here on.
-        setup::shelf(parts, &args.run.place, true)?;
+        setup::workspace(parts, &args.run.place, true)?;
         let conversion = conversion(args, from, to)?;
         kerf_convert::convert(&source, &conversion, &mut |follow| {
             let mut answers = answers.clone();
-            match setup::shelf(parts, &args.run.place, true) {
-                Ok(mut shelf) => follow(&mut Desk::new(&mut shelf, &mut answers)),
+            match setup::workspace(parts, &args.run.place, true) {
+                Ok(mut workspace) => follow(&mut Desk::new(&mut workspace, &mut answers)),
                 Err(_) => Passage::default(),
             }
         })

@@ -180,7 +180,7 @@ pub fn run(args: &HeightsArgs) -> Result<Exit> {
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
     let readings = sink.1;
     if readings.readings.is_empty() {
         bail!(

@@ -5,7 +5,7 @@ use crate::exit::Exit;
 use crate::{given, out, setup};
 use anyhow::Result;
 use clap::{Args, Subcommand};
-use kerf_control::system_log::{SYSTEM_LOG, changed_lines};
+use kerf_workspace::{system_log::SYSTEM_LOG, system_log::changed_lines};
 use std::path::PathBuf;
 
 /// Shows the system log, or looks whether a line of it was changed

@@ -5,8 +5,8 @@ use crate::exit::{Exit, Usage};
 use crate::{clock, out, setup};
 use anyhow::{Context, Result};
 use clap::Args;
-use kerf_control::{Listing, PartFile};
 use kerf_files::versions::{Version, Versions};
+use kerf_workspace::{parts::Listing, parts::PartFile};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, UNIX_EPOCH};
@@ -50,10 +50,10 @@ pub fn run(args: &PartsArgs) -> Result<Exit> {
         };
     }
     let place = PlaceArgs { parts: None, ..args.place.clone() };
-    let mut shelf = setup::shelf(folder, &place, true)?;
-    shelf.set_mask(Some(&args.mask));
+    let mut workspace = setup::workspace(folder, &place, true)?;
+    workspace.set_mask(Some(&args.mask));
     let cannot = || Usage(format!("cannot list {}", folder.display()));
-    let listing = shelf.listing().with_context(cannot)?;
+    let listing = kerf_workspace::parts::listing(&workspace).with_context(cannot)?;
     out::print(&match args.format {
         Format::Text => as_text(&listing, args.headers),
         Format::Json => as_json(&listing),

@@ -99,7 +99,7 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
     write(&sink.1.plot, format, args)?;
     Ok(summary.status.into())
 }

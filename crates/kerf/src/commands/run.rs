@@ -32,11 +32,12 @@ use behind::closes;
 use clap::Args;
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
-use kerf_control::{Company, Session, Shelf};
+use kerf_control::{Company, Session};
 use kerf_journal::{JournalError, Whereabouts, Work};
 use kerf_machine::{Configuration, table};
 use kerf_program::job::Job;
 use kerf_trace::{Summary, json::JsonLines};
+use kerf_workspace::Workspace;
 use on_server::{REACHES_SERVERS, remotely};
 use options::{PaceName, STANDARD_OUTPUT};
 use std::fs::File;
@@ -186,11 +187,11 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
             name.display()
         )));
     }
-    let mut shelf = setup::shelf(Path::new(""), &run.place, false)?;
-    let nothing = || JournalError::NothingToResume { folder: shelf.app_path().into() };
-    let journal = shelf.journal().cloned().ok_or_else(nothing)?;
+    let mut workspace = setup::workspace(Path::new(""), &run.place, false)?;
+    let nothing = || JournalError::NothingToResume { folder: workspace.app_path().into() };
+    let journal = workspace.journal().cloned().ok_or_else(nothing)?;
     let cut = journal.cut_short()?.ok_or_else(nothing)?;
-    let (mut session, whereabouts) = Session::recall(&journal, &mut shelf)?;
+    let (mut session, whereabouts) = Session::recall(&journal, &mut workspace)?;
     if !args.quiet {
         eprintln!("kerf: {}", cut.told());
     }
@@ -208,40 +209,49 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         talk: Talk::of(drawings::is_drawing(Path::new(cut.file()))),
         source: FileLines::default(),
         machine,
-        editor: editor(&shelf),
+        editor: editor(&workspace),
     };
     let visit = Visit::default();
-    visit.begins(&session, &mut shelf)?;
+    visit.begins(&session, &mut workspace)?;
     let exit = attended(args, run, show, answers, None, |company| {
-        let (summary, unkept) = over(session.resume(&cut, &mut shelf, company))?;
+        let (summary, unkept) = over(session.resume(&cut, &mut workspace, company))?;
         Ok((summary, &session, unkept))
     })?;
-    closes(exit, &visit, (&mut session, &mut shelf), args, run)
+    closes(exit, &visit, (&mut session, &mut workspace), args, run)
 }
 
 /// Runs a job on the machine and keeps what stays.
 pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
     args.spare(Path::new(&*job.work.name()), run)?;
     let Prepared {
-        work, mut session, mut options, mut shelf, answers, kept, replaced, visit, ..
+        work,
+        mut session,
+        mut options,
+        mut workspace,
+        answers,
+        kept,
+        replaced,
+        visit,
+        ..
     } = job;
     options.opened |= protect::given(&session.machine_is, args.password.as_deref())?;
     let (mut controller, name) = (None, run.place.machine.controller());
     if let Some(name) = name {
-        let ready = controller::ready(name, args.first, args.quiet(), &mut session, &mut shelf)?;
+        let ready =
+            controller::ready(name, args.first, args.quiet(), &mut session, &mut workspace)?;
         if let Some(exit) =
-            controller::look_through(&ready, &work, &session, &options, &shelf, run)?
+            controller::look_through(&ready, &work, &session, &options, &workspace, run)?
         {
-            ready.detach(&mut shelf);
+            ready.detach(&mut workspace);
             return Ok(exit);
         }
-        shelf = shelf.with_firmware(ready.firmware(&session.machine_is.options.firmware));
+        workspace = workspace.with_firmware(ready.firmware(&session.machine_is.options.firmware));
         options.controller = Some(name.to_string());
-        ready.begins(&mut shelf);
+        ready.begins(&mut workspace);
         controller = Some(ready);
     }
     if !kept && name.is_none() {
-        shelf.has_fresh_machine();
+        workspace.has_fresh_machine();
     }
     let machine = VcdArgs::machine(&work, &session);
     let show = Show {
@@ -250,10 +260,10 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         talk,
         source: FileLines::of(&work),
         machine,
-        editor: editor(&shelf),
+        editor: editor(&workspace),
     };
     if kept {
-        visit.begins(&session, &mut shelf)?;
+        visit.begins(&session, &mut workspace)?;
     }
     let takes = work.takes_origin(session.memory.position);
     let own = name.is_none() && run.place.machine.configuration().is_none();
@@ -261,15 +271,15 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     let (mut moved, typed) = (false, options.program.typed);
     let stop = Stop::listen()?;
     let exit = attended(args, run, show, answers, controller.as_ref(), |company| {
-        let shelf = &mut shelf;
+        let workspace = &mut workspace;
         let (summary, unkept) = over(match kept {
-            true => session.run_on_record(work, options, replaced, shelf, company),
-            false => Ok(session.run(work, options, shelf, company)),
+            true => session.run_on_record(work, options, replaced, workspace, company),
+            false => Ok(session.run(work, options, workspace, company)),
         })?;
         moved = summary.tally.moves > 0;
         if let Some(controller) = &controller {
-            controller.ends(summary.status == kerf_sbp::Status::Ok, shelf, || stop.is_wanted());
-            controller.detach(shelf);
+            controller.ends(summary.status == kerf_sbp::Status::Ok, workspace, || stop.is_wanted());
+            controller.detach(workspace);
         }
         Ok((summary, &session, unkept))
     })?;
@@ -277,17 +287,17 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         keep_origin(at, &session, &run.place)?;
     }
     if kept && typed {
-        tell_preview(&session, &mut shelf, args.quiet());
+        tell_preview(&session, &mut workspace, args.quiet());
     }
     match kept {
-        true => closes(exit, &visit, (&mut session, &mut shelf), args, run),
+        true => closes(exit, &visit, (&mut session, &mut workspace), args, run),
         false => Ok(exit),
     }
 }
 
 /// Preview mode holds for what is typed next, and whoever types knows.
-fn tell_preview(session: &Session, shelf: &mut Shelf, quiet: bool) {
-    session.keep_preview(shelf);
+fn tell_preview(session: &Session, workspace: &mut Workspace, quiet: bool) {
+    session.keep_preview(workspace);
     if session.is_in_preview() && !quiet {
         eprintln!("kerf: in preview: what is sent is only drawn, until `kerf send SM`");
     }
@@ -316,9 +326,9 @@ struct Show {
 }
 
 /// The program that UN named.
-fn editor(shelf: &Shelf) -> Option<(String, PathBuf)> {
-    let program = shelf.stored.get(kerf_sbp::EDITOR)?;
-    Some((program.to_owned(), shelf.part_folder().to_owned()))
+fn editor(workspace: &Workspace) -> Option<(String, PathBuf)> {
+    let program = workspace.stored.get(kerf_sbp::EDITOR)?;
+    Some((program.to_owned(), workspace.part_folder().to_owned()))
 }
 
 /// Something runs, with whoever sits at the terminal.

@@ -118,7 +118,7 @@ fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
     if !args.machine.quiet() {
         summary::tell(&summary);
     }
@@ -134,8 +134,8 @@ fn becomes_current(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
 }
 
 fn make_current(args: &Sb3Args, path: &Path) -> Result<()> {
-    let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;
-    shelf.make_current(path);
+    let mut workspace = setup::workspace(Path::new(""), &args.run.place, false)?;
+    workspace.make_current(path);
     Ok(())
 }
 
@@ -153,12 +153,12 @@ fn found(line: &StartUp, place: &PlaceArgs) -> Result<PathBuf> {
 fn logged(args: &Sb3Args, line: &StartUp, draws: bool) -> Result<impl FnOnce() -> Result<()>> {
     let mut place = args.run.place.clone();
     place.start = place.start.or(Some(Start::Kept));
-    let mut shelf = setup::shelf(Path::new(""), &place, false)?;
-    let (session, _) = setup::session(&place, false, &mut shelf)?;
+    let mut workspace = setup::workspace(Path::new(""), &place, false)?;
+    let (session, _) = setup::session(&place, false, &mut workspace)?;
     let visit = visit(line);
-    visit.begins_drawing(&session, &mut shelf, draws)?;
+    visit.begins_drawing(&session, &mut workspace, draws)?;
     Ok(move || {
-        visit.ends(&session, &mut shelf);
+        visit.ends(&session, &mut workspace);
         Ok(())
     })
 }

@@ -15,9 +15,9 @@ use crate::stop::Stop;
 use crate::summary::told_by_server;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
-use kerf_control::Shelf;
 use kerf_control::transfer::Sender;
 use kerf_serial::Port;
+use kerf_workspace::Workspace;
 use std::path::Path;
 
 /// Name under which the lines are kept in the part folder, as SI does.
@@ -117,26 +117,26 @@ fn send_file(file: &Path, to: &To, args: &SendArgs) -> Result<Exit> {
 /// Carries out lines that another command stands for.
 pub fn carry_out(text: &str, machine: MachineArgs, run: RunArgs) -> Result<Exit> {
     machine.check(&run)?;
-    let shelf = setup::shelf(Path::new(""), &run.place, false)?;
-    typed(kerf_sbp::read_typed("typed".into(), text), shelf, &machine, &run)
+    let workspace = setup::workspace(Path::new(""), &run.place, false)?;
+    typed(kerf_sbp::read_typed("typed".into(), text), workspace, &machine, &run)
 }
 
 /// Carries out what was typed. What changes settings needs the password, where there is one.
 fn typed(
     program: kerf_sbp::Program,
-    shelf: Shelf,
+    workspace: Workspace,
     machine: &MachineArgs,
     run: &RunArgs,
 ) -> Result<Exit> {
     let sets = program.sets_machine();
-    let mut job = setup::job_of(program, shelf, run, false)?;
+    let mut job = setup::job_of(program, workspace, run, false)?;
     if sets {
         protect::open(&job.session.machine_is, machine.password.as_deref())?;
         job.options.opened = true;
     }
     job.options.program.typed = true;
     if job.kept {
-        job.session.go_on_in_preview(&job.shelf);
+        job.session.go_on_in_preview(&job.workspace);
     }
     on_machine(job, machine, run, Talk::all())
 }
@@ -170,15 +170,17 @@ pub fn run(args: &SendArgs) -> Result<Exit> {
     if let Some(url) = args.server() {
         return remotely(&url, &args.lines.join("\n"), args);
     }
-    let mut shelf = setup::shelf(Path::new(""), &args.run.place, false)?;
+    let mut workspace = setup::workspace(Path::new(""), &args.run.place, false)?;
     let text = if args.again {
-        shelf.text(FILE).with_context(|| format!("nothing was sent before: there is no {FILE}"))?
+        workspace
+            .text(FILE)
+            .with_context(|| format!("nothing was sent before: there is no {FILE}"))?
     } else {
         args.lines.join("\n") + "\n"
     };
     let program = kerf_sbp::read_typed(FILE.into(), &text);
     if !program.has_errors() {
-        shelf.put(FILE, text.as_bytes()).with_context(|| format!("cannot write {FILE}"))?;
+        workspace.put(FILE, text.as_bytes()).with_context(|| format!("cannot write {FILE}"))?;
     }
-    typed(program, shelf, &args.machine, &args.run)
+    typed(program, workspace, &args.machine, &args.run)
 }

@@ -13,12 +13,12 @@ use crate::visit::Visit;
 use crate::{given, out, setup};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use clap::Args;
-use kerf_control::Shelf;
 use kerf_control::controller::{Controller, First};
 use kerf_control::start_up::{OpenMethod, StartUp};
 use kerf_files::versions::Versions;
 use kerf_journal::machine_file::MachineFile;
 use kerf_server::{Builders, Options, Server, Workshop};
+use kerf_workspace::Workspace;
 use std::io::{self, ErrorKind};
 use std::net::{SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
@@ -259,45 +259,46 @@ fn builders(args: &ServeArgs) -> Builders {
     let told = |error: anyhow::Error| io::Error::other(format!("{error:#}"));
     Builders {
         workshop: Arc::new(move || workshop(&machine).map_err(told)),
-        preview: Arc::new(move || shelf(&previews, true).map_err(told)),
+        preview: Arc::new(move || workspace(&previews, true).map_err(told)),
     }
 }
 
 /// Files below the part folder, named in full: that is how they are told apart in logs and messages.
-fn shelf(args: &ServeArgs, preview: bool) -> Result<Shelf> {
+fn workspace(args: &ServeArgs, preview: bool) -> Result<Workspace> {
     let parts = parts(args);
     let folder = parts.canonicalize().with_context(|| parts.display().to_string())?;
     let place = PlaceArgs { parts: Some(folder), ..args.place.clone() };
-    setup::shelf(Path::new(""), &place, preview)
+    setup::workspace(Path::new(""), &place, preview)
 }
 
 /// The machine as it was left, and its files.
 fn workshop(args: &ServeArgs) -> Result<Workshop> {
     memory::sweep(&parts(args));
-    let mut shelf = shelf(args, false)?;
+    let mut workspace = workspace(args, false)?;
     let name = args.place.machine.configuration();
     let named = name.map(|name| machine_file::named(name, &args.place.data)).transpose()?;
     // A file that is named leads, and takes what is changed here.
-    if let (Some(journal), Some(Named::File(file))) = (shelf.journal(), &named) {
+    if let (Some(journal), Some(Named::File(file))) = (workspace.journal(), &named) {
         journal.use_machine_file(MachineFile::at(file));
     }
-    let (mut session, kept) = setup::session(&args.place, false, &mut shelf)?;
+    let (mut session, kept) = setup::session(&args.place, false, &mut workspace)?;
     if named.is_some() {
         session.machine_is = setup::machine(&args.place.machine, &args.place.data)?.into();
         session.memory.settings = session.machine_is.program.clone();
     }
     if kept {
         // The log begins, and a command that was passed in before is forgotten.
-        args.visit().begins_drawing(&session, &mut shelf, args.draws())?;
+        args.visit().begins_drawing(&session, &mut workspace, args.draws())?;
     }
     let attached = args.place.machine.controller().map(|name| {
         let first = First { may_be_locked: true, ..args.first.steps() };
-        Controller::attach(controller::socket(name), first, &mut session, &mut shelf, || false)
+        Controller::attach(controller::socket(name), first, &mut session, &mut workspace, || false)
     });
     let (controller, told) = attached.transpose().map_err(|why| anyhow!(why))?.unzip();
     if let Some(controller) = &controller {
-        shelf = shelf.with_firmware(controller.firmware(&session.machine_is.options.firmware));
+        workspace =
+            workspace.with_firmware(controller.firmware(&session.machine_is.options.firmware));
     }
     let (told, started) = (told.unwrap_or_default(), || Some(clock::started()));
-    Ok(Workshop { session, shelf, controller, told, kept, started })
+    Ok(Workshop { session, workspace, controller, told, kept, started })
 }

@@ -58,8 +58,8 @@ pub fn run(args: SettingsArgs) -> Result<Exit> {
     match args.action {
         Action::Show(Lined { place }) => show(&place),
         Action::List(Lined { place }) => {
-            let shelf = setup::shelf(Path::new(""), &place, true)?;
-            out::print(&(shelf.settings_files().join("\n") + "\n"));
+            let workspace = setup::workspace(Path::new(""), &place, true)?;
+            out::print(&(kerf_workspace::settings_files::names(&workspace).join("\n") + "\n"));
             Ok(Exit::Good)
         }
         Action::Save(named) => typed(|name| format!("US,{name}"), named),
@@ -79,11 +79,11 @@ fn show(place: &PlaceArgs) -> Result<Exit> {
 
 /// The lines of UV: what sets what is set now, and the part folder.
 pub fn lines(place: &PlaceArgs) -> Result<Vec<String>> {
-    let mut shelf = setup::shelf(Path::new(""), place, true)?;
-    let (session, _) = setup::session(place, true, &mut shelf)?;
+    let mut workspace = setup::workspace(Path::new(""), place, true)?;
+    let (session, _) = setup::session(place, true, &mut workspace)?;
     let settings = setup::settings(place, session.memory.settings)?;
     let mut lines = kerf_sbp::table::settings_lines(&settings);
-    lines.push(format!("FS,{},{}", shelf.user_path(), shelf.mask()));
+    lines.push(format!("FS,{},{}", workspace.user_path(), workspace.mask()));
     Ok(lines)
 }
 

@@ -32,14 +32,14 @@ pub fn run(args: &SysvarsArgs) -> Result<Exit> {
 
 /// Every system variable with what it reads.
 pub fn all(place: &PlaceArgs, units: Option<LinearUnit>) -> Result<Vec<(SystemVariable, Value)>> {
-    let mut shelf = setup::shelf(Path::new(""), place, true)?;
-    let (mut session, _) = setup::session(place, true, &mut shelf)?;
+    let mut workspace = setup::workspace(Path::new(""), place, true)?;
+    let (mut session, _) = setup::session(place, true, &mut workspace)?;
     let mut settings = setup::settings(place, session.memory.settings)?;
     if let Some(unit) = units {
         settings.use_linear_unit(unit);
     }
     session.memory.settings = settings;
-    Ok(session.system_variables(&mut shelf))
+    Ok(session.system_variables(&mut workspace))
 }
 
 /// A line of the list.

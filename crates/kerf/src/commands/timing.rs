@@ -80,7 +80,7 @@ pub fn run(args: &TimingArgs) -> Result<Exit> {
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
     let name = || args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let title = args.title.clone().unwrap_or_else(name);
     let timing = sink.1.timing(title);

@@ -42,7 +42,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit> {
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.shelf, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
     let (lines, signals) = sink;
     args.vcd.finish(signals)?;
     out::unless_gone(lines.finish()).context("cannot write the trace")?;

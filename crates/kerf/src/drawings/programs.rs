@@ -2,14 +2,14 @@
 
 use crate::report::Diagnostics;
 use anyhow::{Result, bail};
-use kerf_control::stored::Stored;
-use kerf_control::{Desk, Shelf};
+use kerf_control::Desk;
 use kerf_convert::{Conversion, Language, Passage, Source};
 use kerf_files::{Folders, RealDisk};
 use kerf_formats::{Finding, Imported, Weight, motion};
 use kerf_gcode::Dialect;
 use kerf_program::Axes;
 use kerf_program::settings::{LinearUnit, Settings};
+use kerf_workspace::{Workspace, stored::Stored};
 use std::path::{Path, PathBuf};
 
 /// Returns `true` if a file is a program that can be drawn.
@@ -82,8 +82,9 @@ fn follow(file: &Path, bytes: &[u8], from: Language, unit: LinearUnit) -> Passag
     let parts = file.parent().unwrap_or(Path::new(""));
     let mut desk = |follow: &mut dyn FnMut(&mut dyn kerf_program::Host) -> Passage| {
         let folders = Folders::new(parts.into(), Vec::new(), Vec::new());
-        let mut shelf = Shelf::preview(RealDisk, folders, &Stored::default(), PathBuf::new());
-        follow(&mut Desk::new(&mut shelf, &mut ()))
+        let mut workspace =
+            Workspace::preview(RealDisk, folders, &Stored::default(), PathBuf::new());
+        follow(&mut Desk::new(&mut workspace, &mut ()))
     };
     kerf_convert::path(&source, &how, &mut desk, Axes::default())
 }

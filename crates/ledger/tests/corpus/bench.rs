@@ -3,12 +3,12 @@
 use crate::corpus::row::Row;
 use crate::corpus::tree::Tree;
 use kerf_control::answers::Answers;
-use kerf_control::stored::Stored;
-use kerf_control::{Company, Session, Shelf};
+use kerf_control::{Company, Session};
 use kerf_files::RealDisk;
 use kerf_journal::{RunOptions, Shell};
 use kerf_sbp::Status;
 use kerf_trace::{Event, json};
+use kerf_workspace::{Workspace, stored::Stored};
 use std::path::PathBuf;
 
 /// What came of a run.
@@ -52,17 +52,25 @@ fn run_with(tree: &Tree, row: &Row, options: RunOptions) -> Ended {
         session.memory.variables.set(name, value.clone());
     }
     let stored = Stored::in_memory(std::iter::empty().collect());
-    let mut shelf = Shelf::preview(RealDisk, tree.folders(row.file), &stored, PathBuf::new())
-        .with_shell(Shell::Skipped);
+    let mut workspace =
+        Workspace::preview(RealDisk, tree.folders(row.file), &stored, PathBuf::new())
+            .with_shell(Shell::Skipped);
     for line in &row.before {
-        one(&mut session, "before", line.as_bytes(), RunOptions::default(), row, &mut shelf);
+        one(&mut session, "before", line.as_bytes(), RunOptions::default(), row, &mut workspace);
     }
     let path = tree.path(row.file);
     let mut options = RunOptions { inputs: row.inputs.clone(), ..options };
     options.program.preview = !row.moves;
     options.program.max_lines = row.max_lines;
     options.program.dialect = row.dialect;
-    one(&mut session, &path.display().to_string(), tree.bytes(row.file), options, row, &mut shelf)
+    one(
+        &mut session,
+        &path.display().to_string(),
+        tree.bytes(row.file),
+        options,
+        row,
+        &mut workspace,
+    )
 }
 
 fn one(
@@ -71,7 +79,7 @@ fn one(
     bytes: &[u8],
     options: RunOptions,
     row: &Row,
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
 ) -> Ended {
     let mut events: Vec<Event> = Vec::new();
     let mut operator = Answers::read(&row.answers);
@@ -82,7 +90,7 @@ fn one(
         machine: kerf_control::simulated(),
     };
     let program = kerf_part::read_as(name.into(), bytes, row.dialect);
-    let summary = session.run(program, options, shelf, company);
+    let summary = session.run(program, options, workspace, company);
     let (code, line, message) = summary
         .error
         .map(|e| (e.code.to_string(), e.place.line, e.message.clone()))

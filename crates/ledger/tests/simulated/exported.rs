@@ -3,7 +3,7 @@
 use crate::simulated::dice::Dice;
 use crate::simulated::jobs;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Script, Session, Shelf};
+use kerf_control::{Company, Script, Session};
 use kerf_files::MemoryDisk;
 use kerf_geom::Point2;
 use kerf_journal::RunOptions;
@@ -16,6 +16,7 @@ use kerf_program::{MoveKind, RampModel, Status};
 use kerf_sbp::{Printing, SbpPrinter};
 use kerf_sequence::Speeds;
 use kerf_trace::{Event, Summary};
+use kerf_workspace::Workspace;
 use std::sync::Arc;
 
 /// Times of a job and its part program that differ by less are equal: the printer's own tolerance of speeds.
@@ -40,7 +41,7 @@ fn run(text: String, machine: &Configuration) -> (Vec<Event>, Summary) {
     session.memory.settings.use_linear_unit(LinearUnit::Mm);
     session.memory.settings.limits.check = false;
     session.machine_is = Arc::new(machine.clone());
-    let mut shelf = Shelf::in_memory(MemoryDisk::new(std::iter::empty()));
+    let mut workspace = Workspace::in_memory(MemoryDisk::new(std::iter::empty()));
     let (mut operator, mut requests) = (Answers::default(), Script::new(Vec::new(), Vec::new()));
     let company = Company {
         sink: &mut events,
@@ -49,7 +50,7 @@ fn run(text: String, machine: &Configuration) -> (Vec<Event>, Summary) {
         machine: kerf_control::simulated(),
     };
     let program = kerf_part::read("job.sbp".into(), text.into_bytes());
-    let summary = session.run(program, RunOptions::default(), &mut shelf, company);
+    let summary = session.run(program, RunOptions::default(), &mut workspace, company);
     (events, summary)
 }
 

@@ -6,8 +6,7 @@ use crate::simulated::path::{Done, is_flat, laid};
 use crate::simulated::programs::SUB;
 use crate::simulated::watch::{Doom, Killed, Seen, Watch};
 use kerf_control::answers::Operator;
-use kerf_control::stored::Stored;
-use kerf_control::{Company, OperatorRequest, Requests, Session, Shelf};
+use kerf_control::{Company, OperatorRequest, Requests, Session};
 use kerf_files::{Folders, RealDisk};
 use kerf_journal::{Journal, RunOptions, Whereabouts, Work};
 use kerf_machine::{Driven, Errand, Going};
@@ -15,6 +14,7 @@ use kerf_program::settings::Resolution;
 use kerf_program::{Axes, Axis, MoveKind, Question, QuestionKind, Status};
 use kerf_sim::{Clock, Simulated};
 use kerf_trace::{Doing, Event, Sink, Summary, json};
+use kerf_workspace::{Workspace, stored::Stored};
 use std::cell::RefCell;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -223,19 +223,19 @@ impl<'a> Life<'a> {
         }
         let folders = Folders::new(self.folder.path().into(), Vec::new(), Vec::new());
         let stored = Stored::of(journal.clone()).unwrap();
-        let mut shelf = Shelf::new(Box::new(RealDisk), folders, stored, data);
-        let (mut session, _) = Session::recall(&journal, &mut shelf).unwrap();
+        let mut workspace = Workspace::new(Box::new(RealDisk), folders, stored, data);
+        let (mut session, _) = Session::recall(&journal, &mut workspace).unwrap();
         let kept = session.memory.settings.clone();
         if cut.is_some() {
-            self.type_lines(&mut session, &mut shelf, pushed);
-            self.die_by_hand(&mut session, &mut shelf, &journal, pushed);
+            self.type_lines(&mut session, &mut workspace, pushed);
+            self.die_by_hand(&mut session, &mut workspace, &journal, pushed);
             self.move_by_hand(
-                (&mut session, &mut shelf),
+                (&mut session, &mut workspace),
                 pushed,
                 &mut (),
                 kerf_control::simulated(),
             );
-            let (again, whereabouts) = Session::recall(&journal, &mut shelf).unwrap();
+            let (again, whereabouts) = Session::recall(&journal, &mut workspace).unwrap();
             assert_eq!(again.memory.position, session.memory.position, "it was moved by hand");
             assert!(whereabouts == Whereabouts::Known || pushed == Axes::default());
             session = again;
@@ -257,11 +257,11 @@ impl<'a> Life<'a> {
                 machine: on_record(),
             };
             match &cut {
-                Some(cut) => session.resume(cut, &mut shelf, company).unwrap(),
+                Some(cut) => session.resume(cut, &mut workspace, company).unwrap(),
                 None => {
                     let (work, options) = (self.case.work(), self.case.options(self.takes_s));
                     let kept = Some(kept);
-                    session.run_on_record(work, options, kept, &mut shelf, company).unwrap()
+                    session.run_on_record(work, options, kept, &mut workspace, company).unwrap()
                 }
             }
         }));
@@ -307,7 +307,13 @@ impl<'a> Life<'a> {
     }
 
     /// Now and then the process dies while somebody moves the tool: it is near where it stood, and not homed.
-    fn die_by_hand(&self, session: &mut Session, shelf: &mut Shelf, journal: &Journal, by: Axes) {
+    fn die_by_hand(
+        &self,
+        session: &mut Session,
+        workspace: &mut Workspace,
+        journal: &Journal,
+        by: Axes,
+    ) {
         if by[Axis::X] >= 0.0 {
             return;
         }
@@ -315,9 +321,9 @@ impl<'a> Life<'a> {
         doom.after(LIFE_BY_HAND);
         let mut person = Person { doom: &doom, requests: &nothing };
         let stands = session.memory.position;
-        let moves = || self.move_by_hand((session, shelf), by, &mut person, on_record());
+        let moves = || self.move_by_hand((session, workspace), by, &mut person, on_record());
         let died = catch_unwind(AssertUnwindSafe(moves)).is_err();
-        let (again, whereabouts) = Session::recall(journal, shelf).unwrap();
+        let (again, whereabouts) = Session::recall(journal, workspace).unwrap();
         if died {
             assert_eq!((again.memory.position, whereabouts), (stands, Whereabouts::Moving));
             assert!(again.homed.is_empty());
@@ -326,7 +332,7 @@ impl<'a> Life<'a> {
     }
 
     /// Now and then somebody types lines before, which ask the world and write to it.
-    fn type_lines(&self, session: &mut Session, shelf: &mut Shelf, by: Axes) {
+    fn type_lines(&self, session: &mut Session, workspace: &mut Workspace, by: Axes) {
         if by[Axis::Y] >= 0.0 {
             return;
         }
@@ -339,13 +345,13 @@ impl<'a> Life<'a> {
             requests: &mut (),
             machine: kerf_control::simulated(),
         };
-        session.run_on_record(lines, options, None, shelf, company).unwrap();
+        session.run_on_record(lines, options, None, workspace, company).unwrap();
     }
 
     /// Somebody moves the tool before the run is taken up.
     fn move_by_hand(
         &self,
-        (session, shelf): (&mut Session, &mut Shelf),
+        (session, workspace): (&mut Session, &mut Workspace),
         by: Axes,
         requests: &mut dyn Requests,
         machine: Driven,
@@ -362,7 +368,7 @@ impl<'a> Life<'a> {
         let errand = Errand::To { place: way.0.map(Some), relative: true, flat: true };
         let company = Company { sink: &mut (), operator: &mut (), requests, machine };
         let work = Work::Hand(errand, machine_is);
-        session.run_on_record(work, RunOptions::default(), None, shelf, company).unwrap();
+        session.run_on_record(work, RunOptions::default(), None, workspace, company).unwrap();
     }
 
     /// A place on the table near one.

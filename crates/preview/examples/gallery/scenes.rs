@@ -248,7 +248,7 @@ fn tall() -> Scene {
 
 fn wide() -> Scene {
     let mut t = Tool::new(
-        "Shelf edge with a name that is far too long for one line of a heading on this sheet of paper, whatever its size",
+        "Workspace edge with a name that is far too long for one line of a heading on this sheet of paper, whatever its size",
         Unit::MM,
     );
     t.scene.table = table(0.0, 0.0, 2440.0, 400.0, 100.0);

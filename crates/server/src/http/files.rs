@@ -11,8 +11,8 @@ use axum::extract::{Path, Query, State};
 use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
-use kerf_control::parts;
 use kerf_wire::{self as wire, FileInfo, Problem, Role, Why};
+use kerf_workspace::parts;
 use serde::Deserialize;
 use std::sync::Arc;
 

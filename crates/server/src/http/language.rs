@@ -44,7 +44,10 @@ pub struct Formatted {
 pub async fn commands(State(app): State<Arc<App>>) -> Json<Vec<CommandEntry>> {
     let settings = lock(&app.left).session.memory.settings.clone();
     let mut all = kerf_language::commands(&settings);
-    let added = app.preview_shelf().map(|shelf| shelf.add_ins().0).unwrap_or_default();
+    let added = app
+        .preview_workspace()
+        .map(|workspace| kerf_workspace::virtual_tools::add_ins(&workspace).0)
+        .unwrap_or_default();
     all.extend(added.iter().map(kerf_language::added));
     Json(all)
 }
@@ -94,9 +97,9 @@ pub async fn values(State(app): State<Arc<App>>) -> Result<Json<Values>, Refused
 
 fn read_values(app: &App) -> Result<Values, Problem> {
     let session = lock(&app.left).session.clone();
-    let shelf = app.preview_shelf();
-    let mut shelf = shelf.map_err(|error| problem(Why::Server, error.to_string()))?;
-    let system = session.system_variables(&mut shelf).into_iter().map(|(variable, value)| {
+    let workspace = app.preview_workspace();
+    let mut workspace = workspace.map_err(|error| problem(Why::Server, error.to_string()))?;
+    let system = session.system_variables(&mut workspace).into_iter().map(|(variable, value)| {
         let (name, unit) = (variable.name.into(), variable.unit.into());
         SystemValue { number: variable.number, name, unit, value: value.display() }
     });
@@ -108,11 +111,11 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         system: system.collect(),
         variables: variables.collect(),
         settings: kerf_sbp::table::settings_lines(&memory.settings),
-        diagnostics: told::named(session.diagnostics(&mut shelf)),
+        diagnostics: told::named(session.diagnostics(&mut workspace)),
         folder: app.hub.read(|now| now.folder.clone()),
-        part_file: app.parts.name_of(shelf.stored.get(kerf_sbp::PART_FILE).unwrap_or_default()),
-        parts: shelf.user_path(),
-        data: shelf.app_path(),
+        part_file: app.parts.name_of(workspace.stored.get(kerf_sbp::PART_FILE).unwrap_or_default()),
+        parts: workspace.user_path(),
+        data: workspace.app_path(),
     })
 }
 

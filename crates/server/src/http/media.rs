@@ -6,8 +6,8 @@ use crate::files::PartFolder;
 use axum::extract::{Path, State};
 use axum::http::header;
 use axum::response::IntoResponse;
-use kerf_control::sounds::{MEDIA, last_part};
 use kerf_wire::{Problem, Why};
+use kerf_workspace::{sounds::MEDIA, sounds::last_part};
 use std::sync::Arc;
 
 /// A sound of the part folder or, by the last part of its name, of the folder of sounds. No other file

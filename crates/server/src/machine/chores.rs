@@ -24,7 +24,7 @@ impl Owner {
         // It came since it was not there: a stop since then came behind it, for all anybody knows.
         let stops = self.link.stops();
         let arrived = self.looked.replace(stops).unwrap_or(stops);
-        let journal = self.workshop.shelf.journal()?;
+        let journal = self.workshop.workspace.journal()?;
         let taken = journal.take_in().and_then(|()| command_passing::take(journal));
         let told = match taken {
             Ok(None) => return None,
@@ -47,7 +47,7 @@ impl Owner {
     /// Notes that a command passed in from now on, if found when something else is over, came behind every stop so far.
     pub(super) fn look_for_passed_in(&mut self) {
         let stops = self.link.stops();
-        let journal = self.workshop.shelf.journal();
+        let journal = self.workshop.workspace.journal();
         let nothing = |journal: &Journal| {
             journal
                 .take_in()
@@ -61,14 +61,14 @@ impl Owner {
 
     /// Enters in the system log that a command was refused.
     pub(super) fn log_refused(&mut self, told: &str) {
-        let Workshop { session, shelf, .. } = &mut self.workshop;
-        session.log_refused_command(shelf, told);
+        let Workshop { session, workspace, .. } = &mut self.workshop;
+        session.log_refused_command(workspace, told);
     }
 
     /// Another Kerf may have had the machine: it stands elsewhere, and whoever armed it here looks first.
     pub(super) fn catch_up(&mut self) {
-        let Workshop { session, shelf, kept, .. } = &mut self.workshop;
-        let caught = if *kept { session.catch_up(shelf) } else { Ok(false) };
+        let Workshop { session, workspace, kept, .. } = &mut self.workshop;
+        let caught = if *kept { session.catch_up(workspace) } else { Ok(false) };
         match caught {
             Ok(false) => {}
             Ok(true) => {
@@ -119,7 +119,7 @@ impl Owner {
     pub(super) fn move_switches(&mut self) -> bool {
         let presses = std::mem::take(&mut self.link.lock().presses);
         for press in &presses {
-            self.workshop.session.press(*press, &mut self.workshop.shelf);
+            self.workshop.session.press(*press, &mut self.workshop.workspace);
         }
         if !presses.is_empty() {
             self.settle(Machine::clone);
@@ -135,8 +135,8 @@ impl Owner {
             stopped || stands && !now.machine.armed
         });
         let driven = self.driven();
-        let Workshop { session, shelf, .. } = &mut self.workshop;
-        if stopped && session.stop_at_rest(shelf, &driven) {
+        let Workshop { session, workspace, .. } = &mut self.workshop;
+        if stopped && session.stop_at_rest(workspace, &driven) {
             self.settle(Machine::clone);
             self.hub.say(Tone::Note, "outputs are off: the machine was stopped or disarmed");
         }
@@ -144,18 +144,18 @@ impl Owner {
 
     /// Chooses the part folder.
     pub(super) fn enter(&mut self, path: &Path, mask: Option<&str>) {
-        let shelf = &mut self.workshop.shelf;
-        if let Err(error) = shelf.enter(Some(&path.display().to_string())) {
+        let workspace = &mut self.workshop.workspace;
+        if let Err(error) = workspace.enter(Some(&path.display().to_string())) {
             self.hub.say(Tone::Error, format!("{} cannot be used: {error:?}", path.display()));
         } else if mask.is_some() {
-            shelf.set_mask(mask);
+            workspace.set_mask(mask);
         }
         self.rest(State::Idle, None);
     }
 
     /// Puts a line at the end of the recorder's list.
     pub(super) fn record(&mut self, line: &str) {
-        self.workshop.shelf.record(line);
+        self.workshop.workspace.record(line);
     }
 
     /// Has another configuration from now on, keeps what is new of it, and tells whether that is on the disk.
@@ -165,8 +165,8 @@ impl Owner {
         wanted: Configuration,
         tells: &Sender<Result<(), String>>,
     ) {
-        let Workshop { session, shelf, .. } = &mut self.workshop;
-        let kept = session.configure(setting, wanted, shelf).map_err(|why| {
+        let Workshop { session, workspace, .. } = &mut self.workshop;
+        let kept = session.configure(setting, wanted, workspace).map_err(|why| {
             format!("{} holds until Kerf ends, it cannot be kept: {why}", setting.key)
         });
         if let Err(why) = &kept {
@@ -187,8 +187,8 @@ impl Owner {
     /// Keeps the configuration that holds, and tells how many settings were not kept yet. Keys wait for that: when it
     /// is told the machine has to stand.
     pub(super) fn keep(&mut self, tells: &Sender<Happening>) {
-        let Workshop { session, shelf, .. } = &self.workshop;
-        let kept = session.keep_configuration(shelf);
+        let Workshop { session, workspace, .. } = &self.workshop;
+        let kept = session.keep_configuration(workspace);
         self.rest(State::Idle, None);
         let outcome = kept.map(|count| match count {
             1 => "1 setting saved".into(),
@@ -200,7 +200,7 @@ impl Owner {
 
     /// The run that can be taken up, where runs are on record.
     pub(super) fn cut_short(&self) -> Result<Option<CutShort>, JournalError> {
-        let journal = self.workshop.shelf.journal().filter(|_| self.workshop.kept);
+        let journal = self.workshop.workspace.journal().filter(|_| self.workshop.kept);
         journal.map_or(Ok(None), Journal::cut_short)
     }
 
@@ -219,13 +219,13 @@ impl Owner {
         })
     }
 
-    /// Tells what the shelf holds: recorder, folder, watched variables; and that settings are others.
-    pub(super) fn tell_shelf(&mut self) {
-        let shelf = &mut self.workshop.shelf;
-        let (on, lines) = shelf.recorder();
+    /// Tells what the workspace holds: recorder, folder, watched variables; and that settings are others.
+    pub(super) fn tell_workspace(&mut self) {
+        let workspace = &mut self.workshop.workspace;
+        let (on, lines) = workspace.recorder();
         let recorder = Recorder { on, lines };
-        let name = self.parts.name_of(&shelf.part_folder().display().to_string());
-        let folder = Folder { name, mask: shelf.mask().to_owned() };
+        let name = self.parts.name_of(&workspace.part_folder().display().to_string());
+        let folder = Folder { name, mask: workspace.mask().to_owned() };
         let watched = self.watched();
         let setup = crate::configure::setup(&self.workshop.session);
         let interrupted = self.interrupted();
@@ -248,10 +248,10 @@ impl Owner {
 
     /// The watched variables as the last run left them.
     fn watched(&self) -> Vec<NamedValue> {
-        let Workshop { session, shelf, .. } = &self.workshop;
+        let Workshop { session, workspace, .. } = &self.workshop;
         let value = |name: &String| {
             let variable = session.memory.variables.get(name.trim_start_matches('&'));
-            let kept = || shelf.stored.get(name).map(str::to_owned);
+            let kept = || workspace.stored.get(name).map(str::to_owned);
             let value = variable.map(kerf_sbp::Value::display).or_else(kept)?;
             Some((name.clone(), value))
         };
@@ -266,11 +266,11 @@ mod tests {
     use crate::files::PartFolder;
     use crate::hub::Hub;
     use crate::machine::{Link, Order, Screen};
-    use kerf_control::stored::Stored;
-    use kerf_control::{Company, Session, Shelf};
+    use kerf_control::{Company, Session};
     use kerf_files::{Folders, RealDisk};
     use kerf_journal::{Press, RunOptions};
     use kerf_wire::Snapshot;
+    use kerf_workspace::{Workspace, stored::Stored};
     use std::sync::Arc;
     use std::sync::mpsc::{TryRecvError, channel};
     use std::time::{Duration, Instant};
@@ -278,13 +278,13 @@ mod tests {
     fn owner(folder: &Path, link: &Arc<Link>) -> Owner {
         let stored = Stored::in_memory(Default::default());
         let folders = Folders::new(folder.to_owned(), Vec::new(), Vec::new());
-        let shelf = Shelf::new(Box::new(RealDisk), folders, stored, folder.join("data"));
+        let workspace = Workspace::new(Box::new(RealDisk), folders, stored, folder.join("data"));
         Owner {
             hub: Arc::new(Hub::new(Snapshot::default())),
             link: link.clone(),
             workshop: Workshop {
                 session: Session::default(),
-                shelf,
+                workspace,
                 controller: None,
                 told: Default::default(),
                 kept: false,
@@ -330,7 +330,7 @@ mod tests {
         let hub = owner.hub.clone();
         let armed = |armed| Change::Machine { machine: Machine { armed, ..Machine::default() } };
         hub.change(vec![armed(true)]);
-        let Workshop { session, shelf, .. } = &mut owner.workshop;
+        let Workshop { session, workspace, .. } = &mut owner.workshop;
         let company = Company {
             sink: &mut (),
             operator: &mut (),
@@ -340,7 +340,7 @@ mod tests {
         let program = kerf_sbp::read_typed("on".into(), "SO,7,1\n");
         let mut options = RunOptions::default();
         options.program.typed = true;
-        session.run(program, options, shelf, company);
+        session.run(program, options, workspace, company);
         owner.settle(Machine::clone);
         let is_on = || hub.read(|now| now.io.outputs[6].on);
         assert!(is_on());

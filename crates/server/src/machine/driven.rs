@@ -32,9 +32,9 @@ impl Owner {
 
     /// Kerf ends: what was changed in the controller is put back.
     pub(super) fn detach(&mut self) {
-        let Workshop { controller, shelf, .. } = &mut self.workshop;
+        let Workshop { controller, workspace, .. } = &mut self.workshop;
         if let Some(controller) = controller {
-            controller.detach(shelf);
+            controller.detach(workspace);
         }
     }
 
@@ -63,11 +63,11 @@ impl Owner {
 
     /// Returns the summary of a run that is not begun: the controller is gone, or lacks what the run needs.
     pub(super) fn refuses(&mut self, work: &Work, options: &RunOptions) -> Option<Summary> {
-        let Workshop { controller, session, shelf, .. } = &mut self.workshop;
+        let Workshop { controller, session, workspace, .. } = &mut self.workshop;
         let controller = controller.as_mut()?;
         let unit = session.memory.settings.linear_unit;
         if controller.fault().is_some() {
-            match controller.attach_again(session, shelf) {
+            match controller.attach_again(session, workspace) {
                 Ok(told) => self.tell_attached(&told),
                 Err(why) => {
                     let place = Place::line(work.name(), 0);
@@ -83,9 +83,10 @@ impl Owner {
             let error = Diagnostic::new(Code::Controller, Place::line(work.name(), 0), locked);
             return Some(Summary::not_begun(unit, Some(Box::new(error))));
         }
-        let mut shelf = (self.previews)().ok()?;
+        let mut workspace = (self.previews)().ok()?;
         let mut answers = Answers::default();
-        let found = controller.as_ref()?.lacks(work, session, options, &mut shelf, &mut answers);
+        let found =
+            controller.as_ref()?.lacks(work, session, options, &mut workspace, &mut answers);
         found.iter().for_each(|it| self.hub.say(told::tone(it), told::sentence(it)));
         let error = found.into_iter().find(Diagnostic::is_error)?;
         Some(Summary::not_begun(unit, Some(Box::new(error))))

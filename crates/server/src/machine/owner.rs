@@ -12,8 +12,8 @@ use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
+use kerf_control::Company;
 use kerf_control::controller::Controller;
-use kerf_control::{Company, Shelf, unverified};
 use kerf_journal::{Journal, JournalError, Live, RunOptions, Work};
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad, hand};
@@ -22,6 +22,7 @@ use kerf_sbp::{FileParameters, Status};
 use kerf_sim::Simulated;
 use kerf_trace::Summary;
 use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
+use kerf_workspace::{Workspace, unverified};
 use std::cell::RefCell;
 use std::io;
 use std::path::PathBuf;
@@ -165,7 +166,7 @@ impl Order {
 const LOOK: Duration = Duration::from_millis(100);
 
 /// Function that builds the files of a run which changes none.
-pub type PreviewFiles = Arc<dyn Fn() -> io::Result<Shelf> + Send + Sync>;
+pub type PreviewFiles = Arc<dyn Fn() -> io::Result<Workspace> + Send + Sync>;
 
 /// The owner.
 pub struct Owner {
@@ -200,14 +201,14 @@ pub struct Owner {
 impl Owner {
     /// Tells what was found wrong with the files of the data folder.
     pub fn tell_found(&self) {
-        let told = self.workshop.shelf.journal().map(Journal::told).unwrap_or_default();
+        let told = self.workshop.workspace.journal().map(Journal::told).unwrap_or_default();
         told.into_iter().for_each(|line| self.hub.say(Tone::Warning, line));
         self.tell_attached(&self.workshop.told);
     }
 
     /// Shows where the machine stands, and whether that is sure.
     pub fn begin(&mut self) {
-        let doubted = unverified(&self.workshop.shelf);
+        let doubted = unverified(&self.workshop.workspace);
         let letters: Vec<String> = doubted.iter().map(|axis| axis.letter().to_string()).collect();
         let why = (!letters.is_empty()).then(|| {
             let axes = letters.join(" ");
@@ -231,8 +232,8 @@ impl Owner {
                 self.tell_others(&Live::default());
                 self.rest_journal();
                 self.detach();
-                let Workshop { session, shelf, .. } = &mut self.workshop;
-                return shelf.close_system_log(&session.memory.settings, "NORMAL");
+                let Workshop { session, workspace, .. } = &mut self.workshop;
+                return workspace.close_system_log(&session.memory.settings, "NORMAL");
             }
             let order = match self.next(orders, LOOK) {
                 Ok(order) => {
@@ -277,8 +278,8 @@ impl Owner {
                 Order::Keep(tells) => self.keep(&tells),
                 Order::Refused(told) => self.log_refused(&told),
             }
-            self.tell_shelf();
-            let made = self.workshop.shelf.take_made();
+            self.tell_workspace();
+            let made = self.workshop.workspace.take_made();
             (self.done)(made.map(|path| self.parts.name_of(&path)));
         }
     }
@@ -331,7 +332,7 @@ impl Owner {
         let file = self.parts.name_of(cut.file());
         let job = self.tell_begun(Job { file, hash, ..Job::default() }, &planned);
         let driven = self.accompanied(planned, None, |workshop, company| {
-            workshop.session.resume(&cut, &mut workshop.shelf, company)
+            workshop.session.resume(&cut, &mut workshop.workspace, company)
         });
         self.tell_ended(job, driven);
     }
@@ -374,10 +375,10 @@ impl Owner {
             return Ok(refused);
         }
         self.accompanied(planned, typing, |workshop, company| {
-            let Workshop { session, shelf, kept, .. } = workshop;
+            let Workshop { session, workspace, kept, .. } = workshop;
             match kept {
-                true => session.run_on_record(work, options, None, shelf, company),
-                false => Ok(session.run(work, options, shelf, company)),
+                true => session.run_on_record(work, options, None, workspace, company),
+                false => Ok(session.run(work, options, workspace, company)),
             }
         })
     }
@@ -410,13 +411,13 @@ impl Owner {
             Company { sink: &mut teller, operator: &mut pages, requests: &mut requests, machine };
         self.link.arrived().runs(true);
         if let Some(controller) = &controller {
-            controller.begins(&mut self.workshop.shelf);
+            controller.begins(&mut self.workshop.workspace);
         }
         let summary = runs(&mut self.workshop, company);
         if let Some(controller) = &controller {
             let well = summary.as_ref().is_ok_and(|summary| summary.status == Status::Ok);
             let link = self.link.clone();
-            controller.ends(well, &mut self.workshop.shelf, || link.lock().is_to_stop());
+            controller.ends(well, &mut self.workshop.workspace, || link.lock().is_to_stop());
         }
         self.link.arrived().runs(false);
         self.asked = pages.asked();
@@ -452,8 +453,8 @@ impl Owner {
     /// A part file closes Kerf; without leave only its run has ended.
     fn close(&mut self) {
         let Some(closing) = &self.closing else { return };
-        let Workshop { session, shelf, .. } = &mut self.workshop;
-        shelf.close_system_log(&session.memory.settings, "NORMAL");
+        let Workshop { session, workspace, .. } = &mut self.workshop;
+        workspace.close_system_log(&session.memory.settings, "NORMAL");
         // Nobody waits where the server is part of another program.
         _ = closing.send(());
     }
@@ -472,7 +473,7 @@ impl Owner {
 
     /// Tells how the machine stands, and what it is from now on.
     pub(super) fn settle(&mut self, becomes: impl FnOnce(&Machine) -> Machine) {
-        self.tell_shelf();
+        self.tell_workspace();
         self.leave();
         self.tell_others(&self.workshop.session.look(Live::at_rest));
         let (settings, frame, position) = {
@@ -563,10 +564,10 @@ impl Owner {
         if self.workshop.controller.is_some() {
             return self.nudge_driven(axis, distance);
         }
-        let Workshop { session, shelf, kept, .. } = &mut self.workshop;
+        let Workshop { session, workspace, kept, .. } = &mut self.workshop;
         let why = match session.nudge(axis, distance) {
             Err(outside) => Some(outside.to_string()),
-            Ok(()) if *kept => session.keep_place(shelf).err().map(|error| {
+            Ok(()) if *kept => session.keep_place(workspace).err().map(|error| {
                 format!("the nudge holds until Kerf ends, it cannot be kept: {error}")
             }),
             Ok(()) => None,
@@ -579,25 +580,25 @@ impl Owner {
 
     /// Tells other programs how the machine stands.
     fn tell_others(&self, rest: &Live) {
-        let Workshop { shelf, kept, .. } = &self.workshop;
+        let Workshop { workspace, kept, .. } = &self.workshop;
         // Where the disk refuses, that was told when the run ended; pages know better all the same.
-        drop(shelf.journal().filter(|_| *kept).map(|journal| journal.tell_rest(rest)));
+        drop(workspace.journal().filter(|_| *kept).map(|journal| journal.tell_rest(rest)));
     }
 
     /// Nothing happens: what other threads and programs have changed is put into the one file.
     fn rest_journal(&self) {
         // Where the disk refuses, whoever changed something was told; it is in the write-ahead file.
-        drop(self.workshop.shelf.journal().map(Journal::rest));
+        drop(self.workshop.workspace.journal().map(Journal::rest));
     }
 
     /// Leaves a copy of the session for previews.
     fn leave(&self) {
-        let Workshop { session, shelf, .. } = &self.workshop;
+        let Workshop { session, workspace, .. } = &self.workshop;
         let left = Left {
             session: session.clone(),
-            folder: shelf.part_folder().to_owned(),
-            mask: shelf.mask().to_owned(),
-            journal: shelf.journal().cloned(),
+            folder: workspace.part_folder().to_owned(),
+            mask: workspace.mask().to_owned(),
+            journal: workspace.journal().cloned(),
         };
         *self.left.lock().unwrap_or_else(PoisonError::into_inner) = left;
     }

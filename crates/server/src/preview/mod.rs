@@ -25,7 +25,8 @@ use crate::job_told;
 use crate::machine::Planned;
 use collect::Collector;
 use kerf_control::Begun;
-use kerf_control::{Company, OperatorRequest, Requests, Session, Shelf};
+use kerf_control::answers::Answers;
+use kerf_control::{Company, OperatorRequest, Requests, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::Configuration;
 use kerf_program::settings::Mode;
@@ -35,6 +36,7 @@ use kerf_sequence::straddling;
 use kerf_trace::{Sink, Summary};
 use kerf_wire::Finding;
 use kerf_wire::preview::{Detail, PreviewInfo, Timing, ToolPathInfo};
+use kerf_workspace::Workspace;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -120,7 +122,7 @@ pub fn make(
     work: Work,
     parameters: FileParameters,
     session: Session,
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
     given_up: &AtomicBool,
 ) -> Option<Preview> {
     let failed = matches!(&work, Work::Part(program) if program.has_errors());
@@ -130,9 +132,9 @@ pub fn make(
     let start = (session.memory.settings.clone(), session.memory.frame);
     let mut sink = Collector::of(&session);
     let (summary, cutter_mm) =
-        silently(work, options(parameters), session, shelf, given_up, &mut sink)?;
+        silently(work, options(parameters), session, workspace, given_up, &mut sink)?;
     let failed = failed || is_job && summary.status == Status::Failed;
-    let called = shelf.take_called();
+    let called = workspace.take_called();
     let mut made = finish(sink, &summary, start, cutter_mm, is_job);
     made.findings.extend(not_cut);
     Some(Preview { failed, machine, called, ..made })
@@ -145,13 +147,18 @@ fn not_cut(work: &Work) -> Vec<Finding> {
 }
 
 /// The plan of a run from its beginning, for whoever goes on with it; answers are as they are by default.
-pub fn plan(work: Work, options: RunOptions, session: Session, shelf: &mut Shelf) -> Planned {
+pub fn plan(
+    work: Work,
+    options: RunOptions,
+    session: Session,
+    workspace: &mut Workspace,
+) -> Planned {
     let (work, machine) = unattended(work);
     let mut options = RunOptions { controller: None, ..options };
     (options.program.preview, options.program.max_lines) = (true, MOST_LINES);
     options.program.file.stepped = false;
     let mut sink = Collector::of(&session);
-    silently(work, options, session, shelf, &AtomicBool::new(false), &mut sink);
+    silently(work, options, session, workspace, &AtomicBool::new(false), &mut sink);
     sink.plan.finish(machine.is_some())
 }
 
@@ -171,20 +178,21 @@ fn silently(
     work: Work,
     options: RunOptions,
     mut session: Session,
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
     given_up: &AtomicBool,
     sink: &mut dyn Sink,
 ) -> Option<(Summary, f64)> {
     // In preview mode moves take no time: the picture tells how long they take when they are cut.
     session.memory.settings.mode = Mode::Move;
-    let mut answers = shelf.answers_beside(&work.name());
+    let beside = workspace.answers_beside(&work.name());
+    let mut answers = Answers::read(&beside.unwrap_or_default());
     let company = Company {
         sink,
         operator: &mut answers,
         requests: &mut Until(given_up),
         machine: kerf_control::simulated(),
     };
-    let summary = session.run(work, options, shelf, company);
+    let summary = session.run(work, options, workspace, company);
     (!given_up.load(Ordering::Relaxed))
         .then_some((summary, session.memory.settings.cutter.diameter_mm))
 }

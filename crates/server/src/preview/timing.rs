@@ -2,13 +2,14 @@
 
 use super::{options, silently, unattended};
 use crate::told;
-use kerf_control::{Session, Shelf};
+use kerf_control::Session;
 use kerf_journal::{RunOptions, Work};
 use kerf_preview::timing::{Course, Track};
 use kerf_sbp::{FileParameters, Status};
 use kerf_sim::Change;
 use kerf_trace::{Summary, timing::Lines};
 use kerf_wire::preview::{TIMING_POINTS, Timing, TimingKind, TimingLine};
+use kerf_workspace::Workspace;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -21,14 +22,14 @@ pub fn timing(
     parameters: FileParameters,
     inputs: Vec<Change>,
     session: Session,
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
     given_up: &Arc<AtomicBool>,
 ) -> Option<Timing> {
     let (work, _) = unattended(work);
     let options = RunOptions { inputs, ..options(parameters) };
     let lines = Lines::bounded(TIMING_POINTS).until(given_up.clone());
     let mut lines = lines.beginning(&session.found_by(&work, &options));
-    let (summary, _) = silently(work, options, session, shelf, given_up, &mut lines)?;
+    let (summary, _) = silently(work, options, session, workspace, given_up, &mut lines)?;
     Some(charted(lines, &summary))
 }
 

@@ -1,9 +1,9 @@
 //! Bytes as requests to a server whose machine is simulated. The test of this crate and the fuzz target share it.
 
-use kerf_control::stored::Stored;
-use kerf_control::{Session, Shelf};
+use kerf_control::Session;
 use kerf_files::{Folders, RealDisk};
 use kerf_server::{Builders, Options, Role, Server, Workshop};
+use kerf_workspace::{Workspace, stored::Stored};
 use std::cell::RefCell;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -56,10 +56,11 @@ fn builders(parts: PathBuf) -> Builders {
     let own = parts.clone();
     let workshop = move || {
         let stored = Stored::in_memory(Default::default());
-        let shelf = Shelf::new(Box::new(RealDisk), folders(&own), stored, own.join("../data"));
+        let workspace =
+            Workspace::new(Box::new(RealDisk), folders(&own), stored, own.join("../data"));
         Ok(Workshop {
             session: Session::default(),
-            shelf,
+            workspace,
             controller: None,
             told: Default::default(),
             kept: false,
@@ -68,7 +69,7 @@ fn builders(parts: PathBuf) -> Builders {
     };
     let preview = move || {
         let stored = Stored::in_memory(Default::default());
-        Ok(Shelf::preview(RealDisk, folders(&parts), &stored, parts.join("../data")))
+        Ok(Workspace::preview(RealDisk, folders(&parts), &stored, parts.join("../data")))
     };
     Builders { workshop: Arc::new(workshop), preview: Arc::new(preview) }
 }

@@ -5,13 +5,13 @@
 pub mod hand;
 pub mod rough;
 
-use kerf_control::stored::Stored;
-use kerf_control::{Session, Shelf};
+use kerf_control::Session;
 use kerf_drawing::{Editor, script};
 use kerf_files::{Folders, RealDisk};
 use kerf_journal::Journal;
 use kerf_program::AxisSet;
 use kerf_server::{Builders, Options, Server, Workshop};
+use kerf_workspace::{Workspace, stored::Stored};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
@@ -158,12 +158,12 @@ pub fn builders(parts: &Path, settings: fn(&mut kerf_program::Settings)) -> Buil
     let folders = |parts: &PathBuf| Folders::new(parts.clone(), Vec::new(), Vec::new());
     let workshop = move || {
         let stored = Stored::in_memory(Default::default());
-        let shelf = Shelf::new(Box::new(RealDisk), folders(&own), stored, own.join("data"));
+        let workspace = Workspace::new(Box::new(RealDisk), folders(&own), stored, own.join("data"));
         let mut session = Session::default();
         settings(&mut session.memory.settings);
         Ok(Workshop {
             session,
-            shelf,
+            workspace,
             controller: None,
             told: Default::default(),
             kept: false,
@@ -172,7 +172,7 @@ pub fn builders(parts: &Path, settings: fn(&mut kerf_program::Settings)) -> Buil
     };
     let preview = move || {
         let stored = Stored::in_memory(Default::default());
-        Ok(Shelf::preview(RealDisk, folders(&previews), &stored, previews.join("data")))
+        Ok(Workspace::preview(RealDisk, folders(&previews), &stored, previews.join("data")))
     };
     Builders { workshop: Arc::new(workshop), preview: Arc::new(preview) }
 }
@@ -186,12 +186,12 @@ pub fn kept(dir: TempDir) -> Shop {
         let journal = Journal::open(&kept).unwrap().0;
         let folders = Folders::new(own.clone(), Vec::new(), Vec::new());
         let stored = Stored::of(journal.clone()).unwrap();
-        let mut shelf = Shelf::new(Box::new(RealDisk), folders, stored, kept.clone());
-        let (session, _) = Session::recall(&journal, &mut shelf).unwrap();
-        let shelf = shelf.with_shell(kerf_journal::Shell::Started);
+        let mut workspace = Workspace::new(Box::new(RealDisk), folders, stored, kept.clone());
+        let (session, _) = Session::recall(&journal, &mut workspace).unwrap();
+        let workspace = workspace.with_shell(kerf_journal::Shell::Started);
         Ok(Workshop {
             session,
-            shelf,
+            workspace,
             controller: None,
             told: Default::default(),
             kept: true,

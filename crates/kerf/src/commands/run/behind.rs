@@ -11,20 +11,21 @@ use crate::setup;
 use crate::stop::Stop;
 use crate::visit::Visit;
 use anyhow::Result;
-use kerf_control::{Session, Shelf, command_passing};
+use kerf_control::{Session, command_passing};
 use kerf_journal::Work;
 use kerf_sbp::FileParameters;
+use kerf_workspace::Workspace;
 
 /// Carries out what other software passed in while the file ran, and closes.
 pub fn closes(
     mut exit: Exit,
     visit: &Visit,
-    (session, shelf): (&mut Session, &mut Shelf),
+    (session, workspace): (&mut Session, &mut Workspace),
     args: &MachineArgs,
     run: &RunArgs,
 ) -> Result<Exit> {
     let stop = Stop::listen()?;
-    while let Some(command) = visit.command(session, shelf)? {
+    while let Some(command) = visit.command(session, workspace)? {
         let why_not = match run.place.machine.controller() {
             _ if stop.leaves() => Some("Kerf ends"),
             _ if exit != Exit::Good => Some("what ran before did not come to its end"),
@@ -32,11 +33,11 @@ pub fn closes(
             None => None,
         };
         match why_not {
-            Some(why) => Visit::refuses(&command, why, session, shelf),
-            None => exit = passed_in(command, session, shelf, args, run)?,
+            Some(why) => Visit::refuses(&command, why, session, workspace),
+            None => exit = passed_in(command, session, workspace, args, run)?,
         }
     }
-    visit.ends(session, shelf);
+    visit.ends(session, workspace);
     Ok(exit)
 }
 
@@ -44,7 +45,7 @@ pub fn closes(
 fn passed_in(
     command: String,
     session: &mut Session,
-    shelf: &mut Shelf,
+    workspace: &mut Workspace,
     args: &MachineArgs,
     run: &RunArgs,
 ) -> Result<Exit> {
@@ -60,12 +61,13 @@ fn passed_in(
         talk: Talk::all(),
         source: FileLines::of(&work),
         machine,
-        editor: editor(shelf),
+        editor: editor(workspace),
     };
     let vcd = VcdArgs::default();
     let again = MachineArgs { trace: None, picture: None, readings: None, vcd, ..args.clone() };
     attended(&again, run, show, setup::answers(run)?, None, |company| {
-        let (summary, unkept) = over(session.run_on_record(work, options, None, shelf, company))?;
+        let (summary, unkept) =
+            over(session.run_on_record(work, options, None, workspace, company))?;
         Ok((summary, session, unkept))
     })
 }

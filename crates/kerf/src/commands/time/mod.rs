@@ -107,7 +107,7 @@ fn follow(job: &mut Job, sink: &mut dyn Sink, args: &TimeArgs) -> Summary {
         machine: kerf_control::simulated(),
     };
     let (work, options) = (std::mem::take(&mut job.work), job.options.clone());
-    job.session.run(work, options, &mut job.shelf, company)
+    job.session.run(work, options, &mut job.workspace, company)
 }
 
 fn tell(times: &Times<'_>, args: &TimeArgs) {

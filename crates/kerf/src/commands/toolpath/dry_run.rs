@@ -19,7 +19,7 @@ pub struct DryRun {
 /// program made of it.
 pub fn follow(args: &ToolpathArgs, work: Work) -> Result<DryRun> {
     let parts = args.drawing.parent().unwrap_or(Path::new(""));
-    let shelf = setup::shelf(parts, &args.run.place, true)?;
+    let workspace = setup::workspace(parts, &args.run.place, true)?;
     let mut run = args.run.clone();
     // The program of a job is written in millimetres, whatever the one was that it was made of.
     run.units = Some(kerf_program::settings::LinearUnit::Mm);
@@ -27,7 +27,7 @@ pub fn follow(args: &ToolpathArgs, work: Work) -> Result<DryRun> {
         // Its paths are smooth already.
         run.motion.smoothing = None;
     }
-    let prepared = setup::job_of(work, shelf, &run, true)?;
+    let prepared = setup::job_of(work, workspace, &run, true)?;
     let (scene, summary) = Picture::follow(prepared, &args.drawing, &run.operator);
     Ok(DryRun { scene, summary })
 }

@@ -1,7 +1,6 @@
 //! The part files of a folder, as the dialogs of FP, FG and FS show them.
 
-use crate::Shelf;
-use kerf_program::HostError;
+use crate::Workspace;
 use kerf_sbp::Header;
 use std::io;
 
@@ -23,31 +22,21 @@ pub struct PartFile {
     pub header: Option<Header>,
 }
 
-impl Shelf {
-    /// Lists the part folder.
-    ///
-    /// # Errors
-    /// Whatever the disk says.
-    pub fn listing(&self) -> io::Result<Listing> {
-        let mut listing = Listing::default();
-        for name in self.names()?.into_iter().filter(|name| !name.starts_with('.')) {
-            if self.is_folder(&name) {
-                listing.folders.push(name);
-            } else if fits(self.mask(), &name) {
-                let header = self.text(&name).and_then(|text| Header::read(&text));
-                listing.files.push(PartFile { name, header });
-            }
+/// Lists the part folder.
+///
+/// # Errors
+/// Whatever the disk says.
+pub fn listing(workspace: &Workspace) -> io::Result<Listing> {
+    let mut listing = Listing::default();
+    for name in workspace.names()?.into_iter().filter(|name| !name.starts_with('.')) {
+        if workspace.is_folder(&name) {
+            listing.folders.push(name);
+        } else if fits(workspace.mask(), &name) {
+            let header = workspace.text(&name).and_then(|text| Header::read(&text));
+            listing.files.push(PartFile { name, header });
         }
-        Ok(listing)
     }
-
-    /// Somebody chose a part folder in a dialog: it stays the part folder (FS). Tells which it is.
-    ///
-    /// # Errors
-    /// There is no such folder, or it may not be used.
-    pub fn browse(&mut self, folder: Option<&str>) -> Result<String, HostError> {
-        self.enter(folder)
-    }
+    Ok(listing)
 }
 
 /// Tells whether a search mask lets a name through, in any case: `*` stands for any characters, `?` for one.

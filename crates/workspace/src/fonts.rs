@@ -1,6 +1,6 @@
 //! The fonts of this computer, by name: what the Typesetter carves.
 
-use crate::shelf::Shelf;
+use crate::Workspace;
 use std::path::{Path, PathBuf};
 
 /// The folder of fonts in the data folder.
@@ -36,66 +36,61 @@ fn system_folders() -> Vec<PathBuf> {
     own.chain(windows).chain(shared.map(PathBuf::from)).collect()
 }
 
-impl Shelf {
-    /// The file of a font: of the data folder, of this computer, or the one that comes with Kerf.
-    ///
-    /// # Errors
-    /// There is none of that name; some that there are.
-    pub(crate) fn font(&self, name: &str) -> Result<Vec<u8>, String> {
-        let wanted = plain(name);
-        let mut known = Vec::new();
-        let own = self.data_folder(FOLDER);
-        for folder in std::iter::once(own).chain(system_folders()) {
-            if let Some(bytes) = self.font_below(&folder, &wanted, DEEPEST, &mut known) {
-                return Ok(bytes);
-            }
+/// The file of a font: of the data folder, of this computer, or the one that comes with Kerf.
+///
+/// # Errors
+/// There is none of that name; some that there are.
+pub fn font(workspace: &Workspace, name: &str) -> Result<Vec<u8>, String> {
+    let wanted = plain(name);
+    let mut known = Vec::new();
+    let own = workspace.data_folder(FOLDER);
+    for folder in std::iter::once(own).chain(system_folders()) {
+        if let Some(bytes) = font_below(workspace, &folder, &wanted, DEEPEST, &mut known) {
+            return Ok(bytes);
         }
-        for (stem, bold) in [("Roboto", false), ("Roboto Bold", true)] {
-            if plain(stem) == wanted {
-                return Ok(kerf_preview::font_file(bold).to_vec());
-            }
-            known.push(stem.to_owned());
-        }
-        known.sort();
-        known.dedup();
-        let more = known.len().saturating_sub(NAMED);
-        known.truncate(NAMED);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        Err(format!(
-            "there is no font {name} on this computer; there are {}{more}",
-            known.join(", ")
-        ))
     }
+    for (stem, bold) in [("Roboto", false), ("Roboto Bold", true)] {
+        if plain(stem) == wanted {
+            return Ok(kerf_preview::font_file(bold).to_vec());
+        }
+        known.push(stem.to_owned());
+    }
+    known.sort();
+    known.dedup();
+    let more = known.len().saturating_sub(NAMED);
+    known.truncate(NAMED);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    Err(format!("there is no font {name} on this computer; there are {}{more}", known.join(", ")))
+}
 
-    fn font_below(
-        &self,
-        folder: &Path,
-        wanted: &str,
-        depth: u32,
-        known: &mut Vec<String>,
-    ) -> Option<Vec<u8>> {
-        if depth == 0 {
-            return None;
-        }
-        for name in self.names_in(folder) {
-            let path = folder.join(&name);
-            match font_name(&name) {
-                Some(stem) if plain(stem) == wanted => {
-                    if let Some(bytes) = self.bytes_of(&path) {
-                        return Some(bytes);
-                    }
+fn font_below(
+    workspace: &Workspace,
+    folder: &Path,
+    wanted: &str,
+    depth: u32,
+    known: &mut Vec<String>,
+) -> Option<Vec<u8>> {
+    if depth == 0 {
+        return None;
+    }
+    for name in workspace.names_in(folder) {
+        let path = folder.join(&name);
+        match font_name(&name) {
+            Some(stem) if plain(stem) == wanted => {
+                if let Some(bytes) = workspace.bytes_of(&path) {
+                    return Some(bytes);
                 }
-                Some(stem) => known.push(stem.to_owned()),
-                None => {
-                    let found = self.font_below(&path, wanted, depth - 1, known);
-                    if found.is_some() {
-                        return found;
-                    }
+            }
+            Some(stem) => known.push(stem.to_owned()),
+            None => {
+                let found = font_below(workspace, &path, wanted, depth - 1, known);
+                if found.is_some() {
+                    return found;
                 }
             }
         }
-        None
     }
+    None
 }
 
 #[cfg(test)]

@@ -1,16 +1,12 @@
 //! Everything of a run that lies on a disk: part files, custom cuts, files that programs read and
 //! write, stored values, external programs.
 
-use crate::answers::Answers;
 use crate::stored::Stored;
 use crate::system_log::SystemLog;
-use crate::{conversion, part_log};
+use crate::{settings_files, sounds};
 use kerf_files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
 use kerf_journal::{Journal, Kind, Shell, Surroundings, Tape};
-use kerf_program::{
-    ConversionRequest, FileConversion, FileMode, FileRequest, Folder, HostError, Settings,
-    ShellCall, SourceFile,
-};
+use kerf_program::{FileMode, FileRequest, Folder, HostError, ShellCall, SourceFile};
 use kerf_sbp::{PART_FILE, RECORDED, RECORDING};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -27,7 +23,7 @@ const MASK: &str = "*.sb?";
 const LOG: &str = "log";
 
 /// Files and values that programs reach.
-pub struct Shelf {
+pub struct Workspace {
     disk: Box<dyn Disk>,
     folders: Folders,
     open: OpenFiles,
@@ -39,12 +35,13 @@ pub struct Shelf {
     /// Which files lists show, when somebody chose.
     mask: Option<String>,
     /// Tape of what the world tells the run under way.
-    pub(crate) tape: Tape,
+    pub tape: Tape,
     /// The log of the session, where one is wanted.
-    pub(crate) system_log: Option<SystemLog>,
-    /// Address of the server of this machine, and the part file that a tool made last.
+    pub system_log: Option<SystemLog>,
+    /// Address of the server of this machine.
     url: Option<String>,
-    pub(crate) made: Option<String>,
+    /// The part file that a tool made last.
+    pub made: Option<String>,
     /// Keys that were set while the tape played: they may not be in the journal yet.
     replayed: BTreeSet<String>,
     /// Loads the firmware of a real controller, from a command.
@@ -58,7 +55,7 @@ pub struct Shelf {
 pub type Firmware =
     Box<dyn FnMut(&mut dyn FnMut(&str) -> Result<(), HostError>) -> Result<String, HostError>>;
 
-impl Shelf {
+impl Workspace {
     /// Programs change these files.
     pub fn new(disk: Box<dyn Disk>, folders: Folders, stored: Stored, data: PathBuf) -> Self {
         let (open, shell) = (OpenFiles::default(), Shell::Refused);
@@ -88,8 +85,8 @@ impl Shelf {
         stored: &Stored,
         data: PathBuf,
     ) -> Self {
-        let shelf = Self::new(Box::new(Scratch::over(disk)), folders, stored.copy(), data);
-        Self { called: Some(BTreeMap::new()), ..shelf }
+        let workspace = Self::new(Box::new(Scratch::over(disk)), folders, stored.copy(), data);
+        Self { called: Some(BTreeMap::new()), ..workspace }
     }
 
     /// The program files that a preview called, as it read them: those that FP and the custom commands
@@ -99,10 +96,10 @@ impl Shelf {
     }
 
     /// The answers that stand beside a part file for whoever only looks at it; none where there is no such file.
-    pub fn answers_beside(&self, file: &str) -> Answers {
+    pub fn answers_beside(&self, file: &str) -> Option<String> {
         let beside = PathBuf::from(format!("{file}.answers"));
         let bytes = if self.disk.is_file(&beside) { self.disk.read(&beside).ok() } else { None };
-        bytes.map_or_else(Answers::default, |bytes| Answers::read(&String::from_utf8_lossy(&bytes)))
+        bytes.map(|bytes| String::from_utf8_lossy(&bytes).into_owned())
     }
 
     /// The same, for a machine whose controller has firmware that can be loaded.
@@ -112,7 +109,7 @@ impl Shelf {
     }
 
     /// Loads the firmware of the controller (UI).
-    pub(crate) fn install_firmware(&mut self) -> Result<String, HostError> {
+    pub fn install_firmware(&mut self) -> Result<String, HostError> {
         let none = "no firmware on the simulated machine";
         let Some(load) = &mut self.firmware else { return Err(HostError::Refused(none.into())) };
         let (shell, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
@@ -148,18 +145,18 @@ impl Shelf {
     }
 
     /// Returns everything that a run reaches, as it finds it.
-    pub(crate) fn surroundings(&self) -> Surroundings {
+    pub fn surroundings(&self) -> Surroundings {
         let values = self.stored.iter().map(|(key, value)| (key.to_owned(), value.to_owned()));
         Surroundings { values: values.collect(), folders: self.folders.clone(), shell: self.shell }
     }
 
     /// Looks for files where a run did that was cut short.
-    pub(crate) fn as_it_was(&mut self, folders: &Folders, shell: Shell) {
+    pub fn as_it_was(&mut self, folders: &Folders, shell: Shell) {
         (self.folders, self.shell) = (folders.clone(), shell);
     }
 
     /// A value that survives, as it is now.
-    pub(crate) fn value(&mut self, key: &str) -> Option<String> {
+    pub fn value(&mut self, key: &str) -> Option<String> {
         let stored = &self.stored;
         let owes = self.tape.owes(key);
         let news = || stored.news(key).filter(|_| !owes);
@@ -170,7 +167,7 @@ impl Shelf {
     }
 
     /// Keeps a value.
-    pub(crate) fn set_value(&mut self, key: &str, value: Option<&str>) {
+    pub fn set_value(&mut self, key: &str, value: Option<&str>) {
         if self.tape.plays() {
             self.stored.learn(key, value);
             self.replayed.insert(key.to_owned());
@@ -182,39 +179,25 @@ impl Shelf {
         }
     }
 
-    /// Converts a file of the part folder to a part file beside it (FC).
-    pub(crate) fn convert(
-        &mut self,
-        settings: &Settings,
-        request: &ConversionRequest,
-    ) -> Result<FileConversion, HostError> {
-        // What it reads and writes is one step.
-        let mut tape = std::mem::take(&mut self.tape);
-        let convert = || conversion::convert(self, settings, request);
-        let told = tape.change(Kind::Convert, convert);
-        self.tape = tape;
-        told
-    }
-
     /// Makes a file the one that FP, FE and GetPartFileName mean from now on.
     pub fn make_current(&mut self, path: &Path) {
         self.stored.set(PART_FILE, Some(&path.display().to_string()));
     }
 
     /// The tape is over: values that were set meanwhile are in the journal from now on.
-    pub(crate) fn goes_live(&mut self) {
+    pub fn goes_live(&mut self) {
         for key in std::mem::take(&mut self.replayed) {
             self.stored.keep(&key);
         }
     }
 
     /// Returns why the journal cannot be written, when that was not told yet.
-    pub(crate) fn new_trouble(&mut self) -> Option<String> {
+    pub fn new_trouble(&mut self) -> Option<String> {
         self.tape.new_trouble().or_else(|| self.stored.new_trouble())
     }
 
     /// Adds a line to a file of the data folder.
-    pub(crate) fn add_to_data(&mut self, name: &str, line: &str) -> Result<(), String> {
+    pub fn add_to_data(&mut self, name: &str, line: &str) -> Result<(), String> {
         let (disk, path) = (&mut self.disk, self.data.join(name));
         let add = || {
             let folder = path.parent().map_or(Ok(()), |folder| disk.make_folder(folder));
@@ -224,7 +207,7 @@ impl Shelf {
     }
 
     /// Puts a file into the data folder, whole or not at all.
-    pub(crate) fn put_data(&mut self, name: &str, text: &str) -> Result<(), String> {
+    pub fn put_data(&mut self, name: &str, text: &str) -> Result<(), String> {
         let (disk, path) = (&mut self.disk, self.data.join(name));
         let put = || {
             let folder = path.parent().map_or(Ok(()), |folder| disk.make_folder(folder));
@@ -234,7 +217,7 @@ impl Shelf {
     }
 
     /// The text of a file of the data folder.
-    pub(crate) fn data_text(&self, name: &str) -> Option<String> {
+    pub fn data_text(&self, name: &str) -> Option<String> {
         let bytes = self.disk.read(&self.data.join(name)).ok()?;
         Some(String::from_utf8_lossy(&bytes).into_owned())
     }
@@ -245,27 +228,27 @@ impl Shelf {
     }
 
     /// A folder in the data folder.
-    pub(crate) fn data_folder(&self, name: &str) -> PathBuf {
+    pub fn data_folder(&self, name: &str) -> PathBuf {
         self.data.join(name)
     }
 
     /// Names in a folder of the computer.
-    pub(crate) fn names_in(&self, folder: &Path) -> Vec<String> {
+    pub fn names_in(&self, folder: &Path) -> Vec<String> {
         self.disk.names(folder).unwrap_or_default()
     }
 
     /// The bytes of a file of the computer.
-    pub(crate) fn bytes_of(&self, path: &Path) -> Option<Vec<u8>> {
+    pub fn bytes_of(&self, path: &Path) -> Option<Vec<u8>> {
         self.disk.read(path).ok()
     }
 
     /// Names in a folder of the data folder.
-    pub(crate) fn names_in_data(&self, folder: &str) -> Vec<String> {
+    pub fn names_in_data(&self, folder: &str) -> Vec<String> {
         self.disk.names(&self.data.join(folder)).unwrap_or_default()
     }
 
     /// A program file of the data folder.
-    pub(crate) fn data_source(&mut self, name: &str) -> Result<SourceFile, HostError> {
+    pub fn data_source(&mut self, name: &str) -> Result<SourceFile, HostError> {
         let (disk, path) = (&*self.disk, self.data.join(name));
         let (name, bytes) = self.tape.hear_file(Kind::Source, || {
             let bytes = disk.read(&path).map_err(|e| cannot("read", &path, &e))?;
@@ -275,12 +258,7 @@ impl Shelf {
     }
 
     /// Writes a file that a tool made, whole or not at all.
-    pub(crate) fn put_made(
-        &mut self,
-        folder: Folder,
-        name: &str,
-        text: &str,
-    ) -> Result<(), HostError> {
+    pub fn put_made(&mut self, folder: Folder, name: &str, text: &str) -> Result<(), HostError> {
         let path = match folder {
             Folder::Custom => {
                 let folder = self.folders.custom().ok_or_else(|| {
@@ -299,7 +277,7 @@ impl Shelf {
 
     /// Adds to the log of a part file, which lies beside it. A file that comes with the program has
     /// none.
-    pub(crate) fn add_to_log(&mut self, file: &str, entry: &str) -> std::io::Result<()> {
+    pub fn add_to_log(&mut self, file: &str, entry: &str) -> std::io::Result<()> {
         if !self.disk.is_file(Path::new(file)) {
             return Ok(());
         }
@@ -312,7 +290,7 @@ impl Shelf {
 
     /// The line of a part file that was executed last, when its last run ended early.
     pub fn last_line(&self, file: &str) -> Option<u32> {
-        part_log::last_line(&self.log_of(file)?)
+        last_line(&self.log_of(file)?)
     }
 
     fn log_of(&self, file: &str) -> Option<String> {
@@ -364,22 +342,22 @@ impl Shelf {
     }
 
     /// Names of what lies in the part folder.
-    pub(crate) fn names(&self) -> std::io::Result<Vec<String>> {
+    pub fn names(&self) -> std::io::Result<Vec<String>> {
         self.disk.names(self.folders.parts())
     }
 
     /// Tells whether a folder of this name lies in the part folder.
-    pub(crate) fn is_folder(&self, name: &str) -> bool {
+    pub fn is_folder(&self, name: &str) -> bool {
         self.disk.is_folder(&self.folders.parts().join(name))
     }
 
     /// Tells whether there is such a file.
-    pub(crate) fn is_file(&self, name: &str) -> bool {
+    pub fn is_file(&self, name: &str) -> bool {
         self.disk.is_file(Path::new(name))
     }
 
     /// The path of a file from the root on; the name itself when there is no such file.
-    pub(crate) fn full_path(&self, name: &str) -> String {
+    pub fn full_path(&self, name: &str) -> String {
         let path = Path::new(name);
         if self.disk.is_file(path) {
             return self.disk.real_path(path).display().to_string();
@@ -392,12 +370,16 @@ impl Shelf {
         self.folders.parts()
     }
 
-    pub(crate) fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
+    /// A program file, a settings file or a sound by its name.
+    ///
+    /// # Errors
+    /// There is none, or it cannot be read.
+    pub fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
         if request.folder == Folder::Settings {
-            return self.settings_source(&request.name);
+            return settings_files::source(self, &request.name);
         }
         if request.folder == Folder::Media {
-            return self.sound(&request.name);
+            return sounds::sound(self, &request.name);
         }
         let (disk, folders) = (&*self.disk, &self.folders);
         let (name, bytes) =
@@ -423,12 +405,11 @@ impl Shelf {
         Ok(self.folders.parts().display().to_string())
     }
 
-    pub(crate) fn open(
-        &mut self,
-        number: u8,
-        name: &str,
-        mode: FileMode,
-    ) -> Result<String, HostError> {
+    /// Opens a file of a program under a number; returns its path.
+    ///
+    /// # Errors
+    /// It is not there, or may not be used.
+    pub fn open(&mut self, number: u8, name: &str, mode: FileMode) -> Result<String, HostError> {
         let purpose = if mode == FileMode::Input { Purpose::Read } else { Purpose::Make };
         let (disk, folders) = (&mut *self.disk, &self.folders);
         let (path, bytes) = self.tape.hear_file(Kind::Open, || {
@@ -443,22 +424,38 @@ impl Shelf {
         Ok(path)
     }
 
-    pub(crate) fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
+    /// Writes to an open file; the disk has it when it is closed.
+    ///
+    /// # Errors
+    /// It is not open for writing.
+    pub fn write(&mut self, number: u8, text: &str) -> Result<(), HostError> {
         self.open.write(number, text)
     }
 
-    pub(crate) fn read_line(&mut self, number: u8) -> Result<String, HostError> {
+    /// The next line of an open file.
+    ///
+    /// # Errors
+    /// It is not open for reading, or at its end.
+    pub fn read_line(&mut self, number: u8) -> Result<String, HostError> {
         self.open.read_line(number)
     }
 
-    pub(crate) fn close(&mut self, number: u8) -> Result<(), HostError> {
+    /// Closes a file, and writes what a program wrote to it.
+    ///
+    /// # Errors
+    /// The disk does not take it.
+    pub fn close(&mut self, number: u8) -> Result<(), HostError> {
         let Some((path, text)) = self.open.take(number) else { return Ok(()) };
         let disk = &mut self.disk;
         let write = || disk.write(&path, text.as_bytes()).map_err(|e| cannot("write", &path, &e));
         self.tape.change(Kind::Close, write)
     }
 
-    pub(crate) fn shell(&mut self, call: &ShellCall) -> Result<(), HostError> {
+    /// Starts an external program (SHELL).
+    ///
+    /// # Errors
+    /// None may be started, or it cannot be.
+    pub fn shell(&mut self, call: &ShellCall) -> Result<(), HostError> {
         let (shell, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
         let told = [("KERF_URL", self.url.clone()), ("KERF_DATA", Some(self.app_path()))];
         self.tape.change(Kind::Shell, || start(shell, &folder, call, told))
@@ -529,9 +526,9 @@ fn program_file(
     Ok((path.display().to_string(), bytes))
 }
 
-impl std::fmt::Debug for Shelf {
+impl std::fmt::Debug for Workspace {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Shelf").field("folders", &self.folders).finish_non_exhaustive()
+        f.debug_struct("Workspace").field("folders", &self.folders).finish_non_exhaustive()
     }
 }
 
@@ -562,4 +559,24 @@ fn shell_command(line: &str) -> Command {
     let mut command = Command::new("sh");
     command.arg("-c").arg(line);
     command
+}
+
+/// The line at which the last run in a log ended early.
+pub fn last_line(log: &str) -> Option<u32> {
+    let mut fields = log.lines().next_back()?.split(',');
+    (fields.next() == Some("TERMINATED")).then(|| fields.next()?.parse().ok()).flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_line_of_a_log() {
+        assert_eq!(last_line("a.sbp,MOVE\nTERMINATED,57,user\n"), Some(57));
+        assert_eq!(last_line("TERMINATED,57,user\na.sbp,MOVE\nCOMPLETED\n"), None);
+        for text in ["", "TERMINATED", "TERMINATED,x,user", "57"] {
+            assert_eq!(last_line(text), None, "{text}");
+        }
+    }
 }

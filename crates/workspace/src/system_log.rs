@@ -13,10 +13,7 @@
 //! software passed in was refused. The last item is a check
 //! number of the line before it, so that a line that was changed is noticed.
 
-use crate::command_passing::COMMAND;
-use crate::part_log::clock;
-use crate::session::Session;
-use crate::shelf::Shelf;
+use crate::Workspace;
 use kerf_journal::Started;
 use kerf_program::{HostError, Settings};
 use std::time::Instant;
@@ -64,7 +61,7 @@ impl SystemLog {
     }
 }
 
-impl Shelf {
+impl Workspace {
     /// The session begins: so does the log of it, where one is wanted (VD).
     pub fn open_system_log(&mut self, log: SystemLog, settings: &Settings, draws: bool) {
         let line = log.mode(draws);
@@ -73,7 +70,7 @@ impl Shelf {
     }
 
     /// Deletes what was logged so far, and begins a new log.
-    pub(crate) fn begin_system_log_anew(
+    pub fn begin_system_log_anew(
         &mut self,
         settings: &Settings,
         draws: bool,
@@ -94,7 +91,7 @@ impl Shelf {
     }
 
     /// From here on the machine only draws, or moves again.
-    pub(crate) fn log_mode(&mut self, settings: &Settings, draws: bool) {
+    pub fn log_mode(&mut self, settings: &Settings, draws: bool) {
         if let Some(line) = self.system_log.as_ref().map(|log| log.mode(draws)) {
             self.log(settings, &line);
         }
@@ -102,7 +99,7 @@ impl Shelf {
 
     /// A part file was run, or refused, and took so many seconds of machine time; an error ended it at
     /// a line.
-    pub(crate) fn log_file(
+    pub fn log_file(
         &mut self,
         settings: &Settings,
         file: &str,
@@ -129,7 +126,7 @@ impl Shelf {
     }
 
     /// Adds time, date and the tail. A log that cannot be written stops nothing.
-    fn log_with(&mut self, settings: &Settings, head: &str, remark: &str) {
+    pub fn log_with(&mut self, settings: &Settings, head: &str, remark: &str) {
         let Some(log) = self.system_log.as_ref().filter(|_| settings.display.system_log) else {
             return;
         };
@@ -144,17 +141,8 @@ impl Shelf {
     }
 }
 
-impl Session {
-    /// A command that other software passed in was not carried out, and why: an item of one line.
-    pub fn log_refused_command(&self, shelf: &mut Shelf, why: &str) {
-        let mode = mode_word(self.memory.before_preview.is_some());
-        let words: Vec<_> = why.split([',', ' ', '\n', '\r']).filter(|it| !it.is_empty()).collect();
-        let head = format!("{COMMAND},{mode},{}", clock(0.0));
-        shelf.log_with(&self.memory.settings, &head, &words.join(" "));
-    }
-}
-
-const fn mode_word(draws: bool) -> &'static str {
+/// The word for drawing or moving.
+pub const fn mode_word(draws: bool) -> &'static str {
     if draws { "PREVIEW" } else { "CUT" }
 }
 
@@ -170,6 +158,12 @@ pub fn changed_lines(text: &str) -> Vec<usize> {
         line[end..] == check_number(&line[..end])
     };
     text.lines().enumerate().filter(|(_, line)| !sound(line)).map(|(i, _)| i + 1).collect()
+}
+
+/// Hours, minutes and seconds.
+pub fn clock(seconds: f64) -> String {
+    let whole = seconds.max(0.0).round() as u64;
+    format!("{:02}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60)
 }
 
 #[cfg(test)]
@@ -193,5 +187,10 @@ mod tests {
         let words = ["1", "4", "", "2", ""].map(str::to_owned);
         let log = SystemLog::new(Opening { file: true, words }, Started::default);
         assert_eq!(log.mode(true), "StartFile,PREVIEW,1,4,,2,");
+    }
+
+    #[test]
+    fn times_have_hours() {
+        assert_eq!((clock(5.2), clock(3725.0)), ("00:00:05".into(), "01:02:05".into()));
     }
 }

@@ -1,12 +1,16 @@
 //! Values that survive the end of the program: what SetUsrVal, `$name` and the external control
 //! keep under a key; and, read in the same way, what the machine says of itself.
 
-use crate::part_log::LAST_SHAPE;
-use crate::preview_mode::PREVIEW;
-use kerf_journal::facts::{Fact, is_fact};
-use kerf_journal::{Journal, JournalError};
+use crate::values::LAST_SHAPE;
+use kerf_journal::{
+    Journal, JournalError,
+    facts::{Fact, is_fact},
+};
 use kerf_sbp::{EDITOR, LAST_ERROR, PART_FILE, RECORDED, RECORDING};
 use std::collections::BTreeMap;
+
+/// The value that holds where a preview has come to.
+pub const PREVIEW: &str = "PreviewPlace";
 
 /// Keys that Kerf writes for itself; those of folders have no value of their own.
 const OWN: [&str; 9] = [
@@ -48,7 +52,7 @@ impl Stored {
     }
 
     /// Knows the values as they are in the journal now.
-    pub(crate) fn renew(&mut self) -> Result<(), JournalError> {
+    pub fn renew(&mut self) -> Result<(), JournalError> {
         if let Some(journal) = &self.journal {
             let (values, apart) = (journal.values()?, self.apart);
             self.values.retain(|key, _| apart.contains(&key.as_str()));
@@ -59,13 +63,13 @@ impl Stored {
     }
 
     /// These keys have no value at first, and whatever they get is known here only.
-    pub(crate) fn keep_apart(&mut self, keys: &'static [&'static str]) {
+    pub fn keep_apart(&mut self, keys: &'static [&'static str]) {
         self.apart = keys;
         self.values.retain(|key, _| !keys.contains(&key.as_str()));
     }
 
     /// Tells whether the value of a key is kept in a journal, and is no fact of the machine.
-    pub(crate) fn is_kept_value(&self, key: &str) -> bool {
+    pub fn is_kept_value(&self, key: &str) -> bool {
         self.journal.is_some() && !self.is_apart(key) && !is_fact(key)
     }
 
@@ -90,7 +94,7 @@ impl Stored {
     }
 
     /// Returns the value that somebody else gave a key, if anybody did.
-    pub(crate) fn news(&self, key: &str) -> Option<Option<String>> {
+    pub fn news(&self, key: &str) -> Option<Option<String>> {
         let journal = self.journal.as_ref().filter(|_| !self.is_apart(key))?;
         let now = journal.look_up(key).ok()?;
         (now.as_deref() != self.get(key)).then_some(now)
@@ -104,7 +108,7 @@ impl Stored {
     }
 
     /// Knows a value from now on, without keeping it; whether it is a new one.
-    pub(crate) fn learn(&mut self, key: &str, value: Option<&str>) -> bool {
+    pub fn learn(&mut self, key: &str, value: Option<&str>) -> bool {
         let before = match value {
             Some(value) => self.values.insert(key.to_owned(), value.to_owned()),
             None => self.values.remove(key),
@@ -113,7 +117,7 @@ impl Stored {
     }
 
     /// Puts the value of a key into the journal: a fact of the machine where those are.
-    pub(crate) fn keep(&mut self, key: &str) {
+    pub fn keep(&mut self, key: &str) {
         let journal = self.journal.as_ref().filter(|_| !self.is_apart(key));
         let kept = journal.map(|journal| match Fact::of(key) {
             Some(fact) => journal.state(fact, self.get(key)),
@@ -125,17 +129,17 @@ impl Stored {
     }
 
     /// Something could not be kept.
-    pub(crate) fn tell_trouble(&mut self, trouble: String) {
+    pub fn tell_trouble(&mut self, trouble: String) {
         self.trouble = Some(trouble);
     }
 
     /// Returns why a value could not be kept; told once.
-    pub(crate) fn new_trouble(&mut self) -> Option<String> {
+    pub fn new_trouble(&mut self) -> Option<String> {
         self.trouble.take()
     }
 
     /// Knows these values from now on, without keeping them.
-    pub(crate) fn begin_from(&mut self, values: BTreeMap<String, String>) {
+    pub fn begin_from(&mut self, values: BTreeMap<String, String>) {
         self.values = values;
     }
 

@@ -1,32 +1,32 @@
-//! Answers that every host gives in the same way: files, folders and values that survive are those of its shelf.
+//! Answers that every host gives in the same way: files, folders and values that survive are those of its workspace.
 
-/// The methods of `Host` that go to the field `shelf`.
-macro_rules! answered_by_the_shelf {
+/// The methods of `Host` that go to the field `workspace`.
+macro_rules! answered_by_the_workspace {
     () => {
         fn source(
             &mut self,
             request: &kerf_program::FileRequest,
         ) -> Result<kerf_program::SourceFile, kerf_program::HostError> {
-            self.shelf.source(request)
+            self.workspace.source(request)
         }
 
         fn set_part_folder(
             &mut self,
             folder: Option<&str>,
         ) -> Result<String, kerf_program::HostError> {
-            self.shelf.enter(folder)
+            self.workspace.enter(folder)
         }
 
         fn set_file_mask(&mut self, mask: &str) {
-            self.shelf.set_mask(Some(mask));
+            self.workspace.set_mask(Some(mask));
         }
 
         fn file_mask(&mut self) -> String {
-            self.shelf.mask().to_owned()
+            self.workspace.mask().to_owned()
         }
 
         fn full_path(&mut self, name: &str) -> String {
-            self.shelf.full_path(name)
+            self.workspace.full_path(name)
         }
 
         fn open(
@@ -35,38 +35,38 @@ macro_rules! answered_by_the_shelf {
             path: &str,
             mode: kerf_program::FileMode,
         ) -> Result<String, kerf_program::HostError> {
-            self.shelf.open(number, path, mode)
+            self.workspace.open(number, path, mode)
         }
 
         fn write(&mut self, number: u8, text: &str) -> Result<(), kerf_program::HostError> {
-            self.shelf.write(number, text)
+            self.workspace.write(number, text)
         }
 
         fn read_line(&mut self, number: u8) -> Result<String, kerf_program::HostError> {
-            self.shelf.read_line(number)
+            self.workspace.read_line(number)
         }
 
         fn close(&mut self, number: u8) -> Result<(), kerf_program::HostError> {
-            self.shelf.close(number)
+            self.workspace.close(number)
         }
 
         fn stored(&mut self, key: &str) -> Option<String> {
-            self.shelf.value(key)
+            self.workspace.value(key)
         }
 
         fn store(&mut self, key: &str, value: Option<&str>) {
-            self.shelf.set_value(key, value);
+            self.workspace.set_value(key, value);
         }
 
         fn shell(
             &mut self,
             call: &kerf_program::ShellCall,
         ) -> std::task::Poll<Result<(), kerf_program::HostError>> {
-            std::task::Poll::Ready(self.shelf.shell(call))
+            std::task::Poll::Ready(self.workspace.shell(call))
         }
 
         fn settings_files(&mut self) -> Vec<String> {
-            self.shelf.settings_files()
+            kerf_workspace::settings_files::names(&self.workspace)
         }
 
         fn keep_settings(
@@ -74,17 +74,17 @@ macro_rules! answered_by_the_shelf {
             name: &str,
             text: &str,
         ) -> Result<String, kerf_program::HostError> {
-            self.shelf.keep_settings(name, text)
+            kerf_workspace::settings_files::keep(&mut self.workspace, name, text)
         }
 
         fn user_path(&mut self) -> String {
-            self.shelf.user_path()
+            self.workspace.user_path()
         }
 
         fn app_path(&mut self) -> String {
-            self.shelf.app_path()
+            self.workspace.app_path()
         }
     };
 }
 
-pub(crate) use answered_by_the_shelf;
+pub(crate) use answered_by_the_workspace;
