@@ -75,7 +75,7 @@ impl Case {
     /// The wrong answer of the machine, in words.
     pub fn run(&self, bench: &mut dyn Bench) -> Result<Outcome, String> {
         let mut run = Run::new(bench);
-        match (self.check)(&mut run) {
+        match (self.check)(&mut run).and_then(|()| run.ends()) {
             Ok(()) => Ok(Outcome::Held),
             Err(Short::Wrong(why)) => Err(why),
             Err(Short::Failed(fault)) => run.keeps(&fault).map(|()| Outcome::Failed(fault)),
