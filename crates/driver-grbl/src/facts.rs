@@ -148,7 +148,7 @@ impl Told {
     /// The setting that makes it tell its machine place and its buffers, where it does not.
     pub fn mend(&self) -> Option<Changed> {
         let mask = self.of(10)? as u32;
-        (mask & TELLS != TELLS).then(|| Changed { number: 10, was: mask, is: mask | TELLS })
+        (mask & TELLS != TELLS).then_some(Changed { number: 10, was: mask, is: mask | TELLS })
     }
 
     /// Tells why it cannot be driven as it is set, with the way to mend it.

@@ -16,6 +16,7 @@
 
 mod carriages;
 pub mod chance;
+mod flips;
 mod follower;
 mod halt;
 mod hand;

@@ -62,6 +62,11 @@ impl<'a> Run<'a> {
         let goes_on = self.bench.waits();
         let odd = self.bench.seen().and_then(|seen| (self.looks)(&seen).err());
         self.odd = self.odd.take().or(odd);
+        if self.machine().waits().is_some() {
+            // A byte that was garbled into a hold: nobody is at its controls to have it go on.
+            self.machine().give_up();
+            self.is_sound()?;
+        }
         require(goes_on, || format!("it does not come to an end: {what}"))
     }
 
