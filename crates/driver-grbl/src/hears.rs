@@ -208,8 +208,7 @@ impl Grbl {
         }
         self.keeps_to_its_path();
         if let Some(free) = report.free {
-            self.told.planner = self.told.planner.max(free);
-            self.flights.left(self.told.planner - free, now_s);
+            self.flights.left(self.told.left(free), now_s);
         }
         self.finish(now_s);
         self.misses_answer(now_s);
