@@ -7,8 +7,7 @@ use crate::session::Session;
 use kerf_program::settings::Mode;
 use kerf_program::{Axes, Frame};
 use kerf_sbp::BeforePreview;
-use kerf_workspace::Workspace;
-use kerf_workspace::stored::PREVIEW;
+use kerf_workspace::{Workspace, stored::PREVIEW};
 use serde::{Deserialize, Serialize};
 
 /// Place that a preview has come to.

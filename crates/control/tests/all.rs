@@ -3,6 +3,7 @@
 #![allow(clippy::expect_used, clippy::unwrap_used, non_snake_case)]
 
 mod away;
+mod conformance;
 mod damaged;
 mod damaged_journal;
 mod driven;

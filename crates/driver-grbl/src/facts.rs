@@ -47,6 +47,8 @@ pub struct Told {
     pub rx: usize,
     /// Moves that its planner holds.
     pub planner: usize,
+    /// Room in it as the last report told it.
+    room: usize,
 }
 
 impl Default for Told {
@@ -62,11 +64,21 @@ impl Default for Told {
             settings: BTreeMap::new(),
             rx: RX,
             planner: PLANNER,
+            room: 0,
         }
     }
 }
 
 impl Told {
+    /// Returns the moves that its planner has left, by the room in it. More room than the planner is known to have is
+    /// believed when two reports in a row tell it: one that was garbled would have it hold moves for ever.
+    pub fn left(&mut self, room: usize) -> usize {
+        if std::mem::replace(&mut self.room, room) == room {
+            self.planner = self.planner.max(room);
+        }
+        self.planner.saturating_sub(room)
+    }
+
     /// Learns from a line in brackets.
     pub fn bracket(&mut self, line: &str) {
         let Some((name, value)) = line.trim_matches(['[', ']']).split_once(':') else { return };
@@ -136,7 +148,7 @@ impl Told {
     /// The setting that makes it tell its machine place and its buffers, where it does not.
     pub fn mend(&self) -> Option<Changed> {
         let mask = self.of(10)? as u32;
-        (mask & TELLS != TELLS).then(|| Changed { number: 10, was: mask, is: mask | TELLS })
+        (mask & TELLS != TELLS).then_some(Changed { number: 10, was: mask, is: mask | TELLS })
     }
 
     /// Tells why it cannot be driven as it is set, with the way to mend it.

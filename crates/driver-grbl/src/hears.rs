@@ -64,11 +64,11 @@ impl Grbl {
     fn answered(&mut self, now_s: f64) {
         let Some(line) = self.pending.pop_front() else { return self.replies.push(Err(Garbled)) };
         self.asked_s = now_s;
-        if let Some(ticket) = line.ticket {
-            if self.flights.answered(ticket) {
-                self.replies.push(Ok(Reply::Taken(ticket)));
-                self.returns(ticket);
-            }
+        if let Some(ticket) = line.ticket
+            && self.flights.answered(ticket)
+        {
+            self.replies.push(Ok(Reply::Taken(ticket)));
+            self.returns(ticket);
         }
         if line.text.contains('=') {
             self.changed = self.told.mend().or(self.changed);
@@ -208,8 +208,7 @@ impl Grbl {
         }
         self.keeps_to_its_path();
         if let Some(free) = report.free {
-            self.told.planner = self.told.planner.max(free);
-            self.flights.left(self.told.planner - free, now_s);
+            self.flights.left(self.told.left(free), now_s);
         }
         self.finish(now_s);
         self.misses_answer(now_s);

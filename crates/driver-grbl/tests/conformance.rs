@@ -141,6 +141,7 @@ fn a_controller_that_still_moves_is_stopped_and_then_asked() {
         deaf: false,
         spoils_every: None,
         garbles: None,
+        garbles_told: None,
         told: 0,
     };
     let run = |wire: &mut Wire, from_s: f64| {

@@ -107,6 +107,18 @@ fn a_machine_that_stands_elsewhere_than_it_was_told_to_is_in_trouble() {
     assert!(trouble.contains("stands elsewhere"), "{trouble}");
 }
 
+/// The comma of `Bf:15,128` is lost: a planner of 15128 moves would hold some for ever.
+#[test]
+fn one_garbled_report_does_not_make_the_planner_larger() {
+    let mut link = Link::new(Wire::new(Fake::default()));
+    link.driver().garbles_told = Some(("Bf:15,", "Bf:15"));
+    for x in [3.0, 8.0, 2.0] {
+        link.order(to(x, 0.0));
+        let took_s = run(&mut link, 0.0, |_, _| {});
+        assert!(took_s < 10.0, "nothing is told to be made");
+    }
+}
+
 /// Silence of the line, and of whoever looks at it, is no end while the controller has lost nothing.
 #[test]
 fn ten_seconds_of_silence_end_no_job() {

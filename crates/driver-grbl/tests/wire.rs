@@ -25,6 +25,8 @@ pub struct Wire {
     pub spoils_every: Option<usize>,
     /// Every one of these bytes arrives as another one.
     pub garbles: Option<(u8, u8)>,
+    /// Words of the controller, and what arrives in their place once.
+    pub garbles_told: Option<(&'static str, &'static str)>,
     pub told: usize,
 }
 
@@ -42,6 +44,7 @@ impl Wire {
             deaf: false,
             spoils_every: None,
             garbles: None,
+            garbles_told: None,
             told: 0,
         };
         for tick in 0..500 {
@@ -73,6 +76,10 @@ impl Wire {
         self.fake.hear(&bytes, now_s);
         let mut bytes = self.fake.speak(now_s);
         self.spoil(false, &mut bytes);
+        let said = String::from_utf8_lossy(&bytes);
+        if let Some((from, to)) = self.garbles_told.take_if(|(from, _)| said.contains(*from)) {
+            bytes = said.replacen(from, to, 1).into_bytes();
+        }
         for byte in &mut bytes {
             self.told += 1;
             if self.spoils_every.is_some_and(|every| self.told.is_multiple_of(every)) {

@@ -10,5 +10,6 @@ mod line;
 mod measured;
 mod motion;
 mod mutated;
+mod queue;
 mod recorded;
 mod session;

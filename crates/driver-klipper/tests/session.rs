@@ -41,6 +41,30 @@ fn a_board_that_still_moves_is_put_at_rest_first() {
 }
 
 #[test]
+fn a_latch_of_a_former_session_is_put_at_rest() {
+    let options = Options { deadline_s: 60.0, ..Options::default() };
+    let mut world = World::new(2, Faults::default(), setup(), options);
+    world.wait(ready);
+    world.begin(&Motion::straight(9000.0, 3.0), &[]);
+    world.pass_for(0.1);
+    assert!(world.fake.trsyncs.values().any(|latch| latch.armed));
+    second(&mut world, setup());
+    assert!(!world.fake.trsyncs.values().any(|latch| latch.armed));
+}
+
+#[test]
+fn steps_that_were_lost_are_told() {
+    let mut world = World::ready(2, Faults::default());
+    let motion = Motion::straight(500.0, 1.0);
+    let mut feed = world.begin(&motion, &[]);
+    while world.feed(&motion, &mut feed) {
+        world.pass();
+    }
+    world.fake.steppers.get_mut(&0).unwrap().position -= 1;
+    assert_eq!(world.wait_fault(), Fault::Lost { motor: 0, planned: 500, made: 499 });
+}
+
+#[test]
 fn a_board_that_was_configured_otherwise_is_refused() {
     let mut world = World::ready(3, Faults::default());
     let other = Setup { motors: vec![motor(5)], ..Setup::default() };

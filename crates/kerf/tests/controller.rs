@@ -182,7 +182,7 @@ fn a_stop_on_a_grbl_ends_where_the_controller_stands() {
     let again = shop.kerf("run --resume");
     again.exits(1).complains(stopped).complains("only runs of the simulated machine");
     let back = bench.run(&shop, "run back.sbp");
-    back.exits(0).complains(stopped).complains("kerf run --from-line goes on at a line of it");
+    back.exits(0).complains(stopped).complains("goes on at a line of it");
     assert!(bench.x_mm().abs() < 0.01, "the location was kept: {}", bench.x_mm());
 }
 

@@ -12,6 +12,8 @@
 //!
 //! A run calls [`Machine::advance`] again and again: each call takes what there is room for, waits a moment at most and
 //! tells how far the machine has come in its plan. Between two calls the run looks at what the operator asks for.
+//!
+//! Every machine passes the list in [`conformance`](crate::conformance).
 
 use crate::driver::Facts;
 use kerf_motion::{Move, Plan, State};

@@ -1,15 +1,18 @@
 //! Carries out what pages ask for; the [gate](crate::gate) says who may.
 
-use crate::app::{App, Open, lock, problem};
+use crate::app::App;
 use crate::asker::Asker;
 use crate::gate::{STOP_KEY, Way, driven_by};
 use crate::interrupted;
-use crate::job::kind_of;
 use crate::job_told;
+use crate::kind::kind_of;
+use crate::locks::lock;
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, reach};
+use crate::open::Open;
 use crate::people::{Grip, GripError};
 use crate::preview::Preview;
+use crate::refusal::{Done, problem};
 use crate::shop;
 use crate::stop::Halt;
 use kerf_control::{Jog, LIFT, Nudge, answers};
@@ -20,9 +23,6 @@ use kerf_wire::{
 };
 use std::path::PathBuf;
 use std::sync::Arc;
-
-/// Outcome of an act: what was noticed, or why it was not done.
-pub type Done = Result<Vec<String>, Problem>;
 
 /// The questions of programs in which the tool may be lifted and moved, and goes back by itself.
 const PROGRAM_ASKS: [&str; 2] = ["pause", "msgbox"];
@@ -274,7 +274,7 @@ impl App {
     /// Warnings about the file of a job, which whoever starts it is told once more.
     fn noticed(&self, open: &Open) -> Vec<String> {
         match kind_of(&open.name) {
-            FileKind::Job => job_told::warnings(open, self.shaping().factor),
+            FileKind::Job => job_told::warnings(&open.bytes, self.shaping().factor),
             _ => Vec::new(),
         }
     }

@@ -1,8 +1,10 @@
 //! Shapes that were digitized into the open job and are not saved, kept in the data folder: who ends the server, or
 //! its computer, loses none of them. They are there again when the job is opened.
 
-use crate::app::{App, Open, problem};
+use crate::app::App;
 use crate::digested::{checked, with_digest};
+use crate::open::Open;
+use crate::refusal::problem;
 use kerf_control::job_file;
 use kerf_files::{Disk, RealDisk};
 use kerf_wire::{Problem, Tone, Why};

@@ -4,20 +4,24 @@ use crate::awaited::Works;
 use crate::clock::Clock;
 use crate::counted::Counted;
 use crate::desk::Desk;
+use crate::digested::hash;
 use crate::draft;
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::http::Bodies;
 use crate::hub::Hub;
-use crate::job::kind_of;
 use crate::job_told;
+use crate::kind::kind_of;
+use crate::locks::lock;
 use crate::machine::{Left, Link, Order};
 use crate::memory::Memory;
+use crate::open::{Open, hash_of, job_hash};
 use crate::people::{Devices, Here, Pages, Tries};
 use crate::pool::{KERF, Lane, Pool};
-use crate::preview::{self, Called, Charts, Preview};
+use crate::preview::{self, Charts, Preview};
 use crate::protect::Unlocked;
 use crate::reading::Readings;
+use crate::refusal::problem;
 use crate::saving::{Leave, Saves};
 use crate::setup::{Builders, Options};
 use crate::shop;
@@ -31,11 +35,9 @@ use kerf_wire::{
     Change, FileKind, FileParameters, Finding, JobChoice, Opened, PreviewState, Problem, Tone, Why,
 };
 use kerf_workspace::Workspace;
-use sha2::{Digest, Sha256};
-use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::Sender;
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// Everything that requests share.
 pub struct App {
@@ -98,89 +100,6 @@ pub struct App {
     pub works: Works,
     previews: AtomicU32,
     leases: AtomicU32,
-}
-
-/// The file that is open.
-#[derive(Clone, Default)]
-pub struct Open {
-    /// Its name; empty when none is.
-    pub name: String,
-    /// Its bytes, as they were previewed.
-    pub bytes: Arc<[u8]>,
-    /// Its bytes before each shape that was added since the job was saved: first as in the file.
-    pub unsaved: Vec<Arc<[u8]>>,
-    /// Hash by which it is run: that of the bytes, of the parameters, and of the files they call as soon as
-    /// the preview knows them.
-    pub hash: String,
-    /// Parameters with which it is run.
-    pub parameters: FileParameters,
-    /// Choices with which it is cut, when it is a job.
-    pub choice: JobChoice,
-    /// Key of the preview.
-    pub key: String,
-    /// The preview, when it is ready.
-    pub preview: Option<Arc<Preview>>,
-    /// The run of a typed line that it runs in.
-    pub run: Option<u32>,
-    /// Ends the making of the preview.
-    given_up: Arc<AtomicBool>,
-}
-
-/// A mutex whose holder panicked still holds what it held.
-pub fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// A reason why something is not done.
-pub fn problem(why: Why, text: impl Into<String>) -> Problem {
-    Problem { why, text: text.into() }
-}
-
-/// SHA-256 in hexadecimal digits.
-pub fn hash(bytes: &[u8]) -> String {
-    hex(&Sha256::digest(bytes))
-}
-
-/// Returns the hash by which a file is run: that of its bytes, and of parameters or choices other than the usual.
-fn hash_of(bytes: &[u8], parameters: &FileParameters, choice: &JobChoice) -> String {
-    if *choice != JobChoice::default() {
-        let JobChoice { start, offset, origin, finish, lift } = choice;
-        let told = format!("{start:?} {offset} {origin:?} {finish:?} {lift}");
-        return hash(&[bytes, told.as_bytes()].concat());
-    }
-    if *parameters == FileParameters::default() {
-        return hash(bytes);
-    }
-    let FileParameters { proportion, repetitions, offset, plunge, tabs, plunge_from_zero } =
-        parameters;
-    let told = format!("{proportion:?} {repetitions} {offset} {plunge} {tabs} {plunge_from_zero}");
-    hash(&[bytes, told.as_bytes()].concat())
-}
-
-impl Open {
-    /// Returns `true` if these are still the bytes of its file.
-    pub fn is_of(&self, bytes: &[u8]) -> bool {
-        **self.unsaved.first().unwrap_or(&self.bytes) == *bytes
-    }
-}
-
-/// Hexadecimal digits.
-pub fn hex(bytes: &[u8]) -> String {
-    bytes
-        .iter()
-        .flat_map(|byte| [byte >> 4, byte & 15])
-        .filter_map(|n| char::from_digit(n.into(), 16))
-        .collect()
-}
-
-/// Returns the hash by which a file is run: its own, or that of the hashes of all files when it calls others.
-fn job_hash(own: String, called: &Called) -> String {
-    if called.is_empty() {
-        return own;
-    }
-    let one =
-        |(path, bytes): (&PathBuf, &Arc<[u8]>)| format!("{}\n{}\n", path.display(), hash(bytes));
-    hash((own + &called.iter().map(one).collect::<String>()).as_bytes())
 }
 
 /// Parts that an app is made of, besides its options.
@@ -396,7 +315,7 @@ impl App {
             FileKind::Job => {
                 let [origin, _] = self.lies(open);
                 let opened = Opened { origin: Some([origin.x, origin.y]), ..opened };
-                return job_told::with_file(opened, open, self.shaping().factor);
+                return job_told::with_file(opened, &open.bytes, self.shaping().factor);
             }
         }
         let text = String::from_utf8_lossy(&open.bytes);

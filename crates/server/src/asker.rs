@@ -6,11 +6,13 @@
 //!  Stop, Hold, Disarm, an alarm, the lease lost ── Link counts a stop ────┘
 //! ```
 
-use crate::app::{App, lock, problem};
+use crate::app::App;
 use crate::awaited::Awaited;
 use crate::gate::{self, Way};
+use crate::locks::lock;
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Order, Stops};
+use crate::refusal::problem;
 use kerf_wire::{Change, Machine, Problem, Snapshot, State, Who, Why};
 
 /// Somebody who asks for something.

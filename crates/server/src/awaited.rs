@@ -6,7 +6,8 @@
 //!        the page has gone, asks for the same again, presses Give up ────┘
 //! ```
 
-use crate::app::{lock, problem};
+use crate::locks::lock;
+use crate::refusal::problem;
 use kerf_wire::{Act, Op, Problem, Why};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, Weak};

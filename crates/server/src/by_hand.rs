@@ -1,8 +1,10 @@
 //! Acts by hand, for pages, on a machine that stands: moves to somewhere, bits of the card, single steps.
 
-use crate::app::{App, lock, problem};
+use crate::app::App;
 use crate::asker::Asker;
+use crate::locks::lock;
 use crate::machine::Order;
+use crate::refusal::problem;
 use kerf_machine::lines::Output;
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::{Configuration, Errand, wiring};

@@ -1,7 +1,9 @@
 //! A file that a typed line runs (FP, FG) is the file on the screen: its name, its lines, its picture, how far it is.
 
-use crate::app::{App, Open, lock};
+use crate::app::App;
+use crate::locks::lock;
 use crate::machine::CalledFile;
+use crate::open::Open;
 use crate::preview::Preview;
 use kerf_wire::{Change, Job, Motion, Tone};
 use std::sync::Arc;

@@ -1,8 +1,10 @@
 //! The machine's configuration: the form of all settings, and a change of one.
 
-use crate::app::{App, lock, problem};
+use crate::app::App;
 use crate::handconsole::Happening;
+use crate::locks::lock;
 use crate::machine::Order;
+use crate::refusal::problem;
 use kerf_control::Session;
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::table::{self, Area, Bounds, Setting, Unit};

@@ -11,8 +11,8 @@
 //! The mark follows the file, so that a process that is killed between both leaves a file that is newer than its mark:
 //! that one is the newest. Only when a file is taken away does the mark go first.
 
-use crate::app::lock;
 use crate::digested::{checked, with_digest};
+use crate::locks::lock;
 use kerf_files::{Disk, RealDisk, replace_whole, write_private};
 use std::fs;
 use std::io;

@@ -1,9 +1,12 @@
 //! The drawing that is open.
 
-use crate::acts::Done;
-use crate::app::{App, hash, lock, problem};
+use crate::app::App;
 use crate::awaited::Awaited;
+use crate::digested::hash;
+use crate::kind::extension;
+use crate::locks::lock;
 use crate::reading;
+use crate::refusal::{Done, problem};
 use crate::saving::Leave;
 use kerf_control::job_file;
 use kerf_drawing::{Drawing, Editor, Operation, script};
@@ -341,9 +344,4 @@ pub(crate) fn job(
         problem(why, error.to_string())
     })?;
     Ok((job, warnings.iter().map(ToString::to_string).collect()))
-}
-
-/// The extension of a name, in small letters.
-pub fn extension(name: &str) -> String {
-    name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase()).unwrap_or_default()
 }

@@ -6,11 +6,25 @@
 //!  {"name":"door.rsg", …
 //! ```
 
-use crate::app::hash;
+use sha2::{Digest, Sha256};
 use std::io;
 
 /// The first line begins with this word.
 const MARK: &str = "digest ";
+
+/// SHA-256 in hexadecimal digits.
+pub fn hash(bytes: &[u8]) -> String {
+    hex(&Sha256::digest(bytes))
+}
+
+/// Hexadecimal digits.
+pub fn hex(bytes: &[u8]) -> String {
+    bytes
+        .iter()
+        .flat_map(|byte| [byte >> 4, byte & 15])
+        .filter_map(|n| char::from_digit(n.into(), 16))
+        .collect()
+}
 
 /// Bytes with their digest before them.
 pub fn with_digest(bytes: &[u8]) -> Vec<u8> {

@@ -1,7 +1,10 @@
 //! Shapes that were digitized: into the job that is open, else into the drawing, else into a new job.
 
-use crate::app::{App, Open, lock, problem};
-use crate::job::kind_of;
+use crate::app::App;
+use crate::kind::kind_of;
+use crate::locks::lock;
+use crate::open::Open;
+use crate::refusal::problem;
 use kerf_control::job_file;
 use kerf_drawing::{Operation, Shape};
 use kerf_toolpath::Job;

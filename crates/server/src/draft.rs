@@ -1,9 +1,11 @@
 //! The drawing that is not saved, kept in the data folder: who ends the server, or its computer, loses
 //! what was drawn in the last half second. The next server begins with it.
 
-use crate::app::{App, hash, lock};
+use crate::app::App;
 use crate::counted::{Counted, Found};
 use crate::desk::{Desk, drawing_in};
+use crate::digested::hash;
+use crate::locks::lock;
 use crate::priority::Yields;
 use kerf_formats::rsg;
 use kerf_geom::Point2;

@@ -12,8 +12,9 @@
 //! [`needs`] is the only list. The page `docs/book/who-may-what.md` is made from what a server answers to each
 //! line of it; that nothing has begun that was stopped meanwhile is looked after in [`asker`](crate::asker).
 
-use crate::app::{App, problem};
+use crate::app::App;
 use crate::machine::Order;
+use crate::refusal::problem;
 use crate::setup::Options;
 use kerf_control::answers::{self, Effect};
 use kerf_handconsole::{Key, Wish};

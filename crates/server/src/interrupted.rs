@@ -1,7 +1,8 @@
 //! The run that was cut short, as it is taken up: what it is known by, and how far it is in its plan.
 
-use crate::app::{Open, hash};
+use crate::digested::hash;
 use crate::machine::Planned;
+use crate::open::Open;
 use crate::preview;
 use kerf_control::Session;
 use kerf_journal::Journal;

@@ -1,9 +1,13 @@
 //! Jobs: the tool paths of drawings, cut as `kerf run` cuts them, and how they come from a drawing.
 
-use crate::acts::Done;
-use crate::app::{App, Open, hash, lock, problem};
+use crate::app::App;
 use crate::awaited::Awaited;
-use crate::desk::{extension, job};
+use crate::desk::job;
+use crate::digested::hash;
+use crate::kind::kind_of;
+use crate::locks::lock;
+use crate::open::Open;
+use crate::refusal::{Done, problem};
 use crate::saving::Leave;
 use kerf_control::job_file::{self, Choice};
 use kerf_drawing::Drawing;
@@ -16,15 +20,6 @@ use kerf_sequence::Sequence;
 use kerf_toolpath::Job;
 use kerf_wire::{FileKind, JobChoice, JobPath, JobView, Problem, ShapePath, State, Why};
 use std::sync::Arc;
-
-/// Returns the sort of file that a name belongs to.
-pub fn kind_of(name: &str) -> FileKind {
-    match extension(name).as_str() {
-        job_file::EXTENSION => FileKind::Job,
-        "rsg" | "dxf" | "svg" | "plt" | "hpg" | "hpgl" => FileKind::Drawing,
-        _ => FileKind::Program,
-    }
-}
 
 impl App {
     /// Returns the work that an open file has for the machine.

@@ -1,8 +1,11 @@
 //! Acts of a person at the machine on the open job: where it lies, where it ends, which path is near.
 
-use crate::app::{App, Open, lock, problem};
+use crate::app::App;
 use crate::handconsole::Happening;
-use crate::job::kind_of;
+use crate::kind::kind_of;
+use crate::locks::lock;
+use crate::open::Open;
+use crate::refusal::problem;
 use kerf_geom::Point2;
 use kerf_journal::Work;
 use kerf_machine::Configuration;

@@ -1,15 +1,14 @@
 //! Tells pages of a job as soon as its file is read, before its preview is there.
 
-use crate::app::Open;
 use kerf_control::job_file;
 use kerf_formats::Weight;
 use kerf_wire::{Finding, Level, Opened};
 
 /// An open job with what its file says: how many paths, the comments of its drawing, and what was noticed while
 /// it was read.
-pub fn with_file(opened: Opened, open: &Open, smoothing: f64) -> Opened {
+pub fn with_file(opened: Opened, bytes: &[u8], smoothing: f64) -> Opened {
     // A damaged job is told by the preview, which fails.
-    let Ok((job, noticed)) = job_file::read(&open.bytes, smoothing) else { return opened };
+    let Ok((job, noticed)) = job_file::read(bytes, smoothing) else { return opened };
     let comments = job.drawing.comments().join("\n");
     Opened {
         lines: job.paths.len() as u32,
@@ -20,8 +19,8 @@ pub fn with_file(opened: Opened, open: &Open, smoothing: f64) -> Opened {
 }
 
 /// The warnings among what is noticed while the file of a job is read.
-pub fn warnings(open: &Open, smoothing: f64) -> Vec<String> {
-    let noticed = job_file::read(&open.bytes, smoothing).map(|(_, noticed)| noticed);
+pub fn warnings(bytes: &[u8], smoothing: f64) -> Vec<String> {
+    let noticed = job_file::read(bytes, smoothing).map(|(_, noticed)| noticed);
     let warns = |found: &kerf_formats::Finding| found.weight == Weight::Warning;
     noticed.unwrap_or_default().into_iter().filter(warns).map(|found| found.text).collect()
 }

@@ -1,8 +1,9 @@
 //! The drawing as pages show it: its state, its shapes, the paths of the tool.
 
-use crate::app::{App, lock};
+use crate::app::App;
 use crate::awaited::Awaited;
 use crate::desk::{Desk, job};
+use crate::locks::lock;
 use kerf_drawing::{ArrayLevel, Drawing, Group, Height, Lead, Shape};
 use kerf_geom::Vec2;
 use kerf_program::job::{Depth, Depths, Heights};

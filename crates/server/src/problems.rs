@@ -1,6 +1,7 @@
 //! The problem log: what went wrong, kept in the data folder for whoever is asked for help (HN).
 
-use crate::app::{App, lock};
+use crate::app::App;
+use crate::locks::lock;
 use crate::told;
 use kerf_journal::Started;
 use kerf_wire::{Change, Tone};

@@ -1,8 +1,10 @@
 //! The password of the settings: who may change them.
 
-use crate::app::{App, lock, problem};
+use crate::app::App;
 use crate::clock::Clock;
 use crate::configure::PASSWORD;
+use crate::locks::lock;
+use crate::refusal::problem;
 use kerf_control::password;
 use kerf_machine::{Value, table};
 use kerf_wire::{Problem, Tone, Who, Why};

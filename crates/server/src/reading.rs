@@ -1,6 +1,7 @@
 //! The drawing that is being read to be opened. It may take long, and somebody may open another one meanwhile.
 
-use crate::app::{lock, problem};
+use crate::locks::lock;
+use crate::refusal::problem;
 use kerf_formats::{Ended, Finding, Imported};
 use kerf_wire::{Problem, Why};
 use std::sync::atomic::{AtomicBool, Ordering};

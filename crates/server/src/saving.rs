@@ -5,9 +5,11 @@
 //!                                             └─ no: Why::Replaces, and nothing is written
 //! ```
 
-use crate::app::{hash, lock, problem};
+use crate::digested::hash;
 use crate::files::{self, PartFolder};
-use crate::job::kind_of;
+use crate::kind::kind_of;
+use crate::locks::lock;
+use crate::refusal::problem;
 use kerf_files::versions::Versions;
 use kerf_wire::{FileAbout, FileInfo, FileKind, FileVersion, Problem, Why};
 use std::collections::BTreeMap;

@@ -1,10 +1,13 @@
 //! Acts of pages besides driving: how a file is run, the folder it comes from, the recorder, what is
 //! watched, switches of the simulated machine.
 
-use crate::app::{App, hash, lock, problem};
+use crate::app::App;
 use crate::asker::Asker;
+use crate::digested::hash;
 use crate::gate::Way;
+use crate::locks::lock;
 use crate::machine::{Order, Planned};
+use crate::refusal::problem;
 use kerf_journal::Press;
 use kerf_program::settings::LINES;
 use kerf_wire::{Act, FileParameters, Problem, Why};

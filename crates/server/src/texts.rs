@@ -6,9 +6,12 @@
 //!                             └─ no: another page types into the file too ──────────────────► both are kept
 //! ```
 
-use crate::app::{App, hash, lock, problem};
+use crate::app::App;
+use crate::digested::hash;
 use crate::digested::{checked, with_digest};
 use crate::files::{self, PartFolder};
+use crate::locks::lock;
+use crate::refusal::problem;
 use kerf_files::{Disk, RealDisk};
 use kerf_wire::{Problem, TextDraft, Tone, Why};
 use std::fs;

@@ -1,8 +1,9 @@
 //! Ends turns at driving that nobody gave up: a page ends one by going; a script, which has no connection that
 //! could end, by not being heard; and both when their device is revoked.
 
-use crate::app::{App, lock};
+use crate::app::App;
 use crate::clock::Clock;
+use crate::locks::lock;
 use crate::people::is_script;
 use kerf_wire::{State, Who};
 use std::io;

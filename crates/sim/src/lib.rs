@@ -14,10 +14,9 @@
 //! The machine is a value: clone it and run a preview on the copy. Millimetres, degrees and seconds;
 //! positions in the machine frame.
 
-pub mod bench;
 mod carriages;
 pub mod chance;
-pub mod driver;
+mod flips;
 mod follower;
 mod halt;
 mod hand;
@@ -37,7 +36,6 @@ mod scene;
 mod sheet;
 mod simulated;
 mod trigger;
-pub mod unreliable;
 pub mod vcd;
 
 pub use halt::{Halt, HaltCause, Watched};

@@ -1,36 +1,39 @@
 //! The machine itself.
 
-mod drive;
-mod height;
-mod home;
-mod job;
+mod head;
 mod readings;
+mod shine;
 mod switching;
 mod torch;
 
 pub use switching::WasOn;
 
 use crate::carriages::Carriages;
-use crate::follower::Follower;
-use crate::hand::Hand;
+use crate::hand::{Hand, Push};
 use crate::heater::Heater;
 use crate::independent::Spin;
-use crate::inputs::{CABLE, Inputs, STALL};
+use crate::inputs::{CABLE, Change, Inputs, STALL};
 use crate::laser;
 use crate::lift::Lift;
 use crate::limits::Overridden;
 use crate::log::{Log, What};
 use crate::motors::Motors;
 use crate::outputs::Outputs;
-use crate::scene::Touch;
+use crate::scene::{self, Touch};
 use crate::sheet::Sheet;
 use crate::trigger;
-use kerf_motion::{Plan, Span};
+use head::{Ahead, Head, Lent};
+use kerf_machine::Configuration;
+use kerf_machine::homing::soft_bounds;
+use kerf_machine::lines::Input;
+use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::Mode;
 use kerf_program::{
-    AXES, Axes, Axis, AxisSet, Beam, Frame, HeightLaw, Independent, OutputReason, Settings,
+    AXES, Axes, Axis, AxisSet, Frame, HeightLaw, Independent, OutputReason, Settings,
 };
+use shine::Shine;
 use std::sync::Arc;
+use torch::{TORCH_INPUT, Torch, in_xy};
 
 /// A simulated machine. See the [crate] for what it does.
 #[derive(Clone, Debug)]
@@ -43,10 +46,7 @@ pub struct Machine {
     inputs: Inputs,
     outputs: Outputs,
     spins: [Spin; AXES],
-    /// Motion of Z by the torch, beside the plan.
-    torch: Spin,
-    /// Speed of that motion now, mm/s, upwards or downwards.
-    torch_mm_s: f64,
+    torch: Torch,
     heater: Heater,
     motors: Motors,
     /// Motors have power.
@@ -61,17 +61,10 @@ pub struct Machine {
     /// Factors of coarser steps.
     coarse: [u8; AXES],
     pwm_percent: f64,
-    beam: Beam,
-    /// Time at which the beam that follows the speed goes off, in the move under way.
-    beam_ends_s: Option<f64>,
-    sheet: Option<Sheet>,
+    shine: Shine,
+    head: Head,
     /// Bodies on the table, and the inputs that change where the tool is inside of them.
     touches: Arc<[Touch]>,
-    /// Height control, while it is on.
-    law: Option<HeightLaw>,
-    follower: Follower,
-    /// State of the intensity output: value and burn bit.
-    intensity: (u8, bool),
     light: bool,
     /// Outputs of mode 2 that a stop switched off: they come back when motion goes on.
     come_back: Vec<u8>,
@@ -101,8 +94,7 @@ impl Machine {
             inputs,
             outputs: Outputs::default(),
             spins: [Spin::default(); AXES],
-            torch: Spin::default(),
-            torch_mm_s: 0.0,
+            torch: Torch::default(),
             heater: Heater::default(),
             motors,
             powered: true,
@@ -112,13 +104,9 @@ impl Machine {
             bounds: [None; AXES],
             coarse: [1; AXES],
             pwm_percent: 0.0,
-            beam: Beam::Off,
-            beam_ends_s: None,
-            sheet: None,
+            shine: Shine::default(),
+            head: Head::default(),
             touches: Arc::default(),
-            law: None,
-            follower: Follower::default(),
-            intensity: (0, false),
             light: false,
             come_back: Vec::new(),
             overridden: Overridden::default(),
@@ -174,60 +162,89 @@ impl Machine {
         self
     }
 
-    /// Returns `true` while commands are only drawn (SP): outputs, waits and inputs have no effect.
-    pub const fn draws(&self) -> bool {
-        self.drawing_from.is_some()
-    }
-
-    /// Machine time, seconds.
-    pub const fn clock_s(&self) -> f64 {
-        self.clock_s
-    }
-
-    /// Returns the position that planned motion has reached, machine frame.
-    pub const fn position(&self) -> Axes {
-        self.position
-    }
-
-    /// Returns its position, axes that move on their own included, machine frame.
-    pub fn true_position(&self) -> Axes {
-        let mut place = self.position;
-        for axis in Axis::ALL {
-            place[axis] += self.spins[axis.index()].displacement(self.clock_s);
-        }
-        place[Axis::Z] += self.torch.displacement(self.clock_s) + self.follower.offset_mm;
-        place
-    }
-
-    /// Axes that move by themselves.
-    pub fn spinning(&self) -> AxisSet {
-        let moving = Axis::ALL.into_iter().filter(|axis| self.spins[axis.index()].moves());
-        moving.fold(AxisSet::EMPTY, AxisSet::with)
-    }
-
-    /// Lists the axes that move by themselves, with their motions.
-    pub fn moving_alone(&self) -> Vec<(Axis, Independent)> {
-        self.spinning().iter().map(|axis| (axis, self.spins[axis.index()].motion())).collect()
-    }
-
-    /// The frames in force.
-    pub const fn frame(&self) -> &Frame {
-        &self.frame
-    }
-
-    /// The settings in force.
-    pub const fn settings(&self) -> &Arc<Settings> {
-        &self.settings
-    }
-
-    /// The outputs.
-    pub const fn outputs(&self) -> &Outputs {
-        &self.outputs
-    }
-
     /// Returns the log of what happened since it was last emptied.
     pub const fn log(&mut self) -> &mut Log {
         &mut self.log
+    }
+
+    /// The same machine with the switches, motors and lengths of a configuration; the lengths bound these
+    /// axes. What is known of where its axes truly are stays, where it has as many motors as before.
+    #[must_use]
+    pub fn equipped(mut self, machine: &Configuration, bounded: AxisSet) -> Self {
+        let known = self.carriages.astray();
+        self.carriages = Carriages::new(machine);
+        if known.iter().zip(self.carriages.astray()).all(|(a, b)| a.len() == b.len()) {
+            self.carriages.set_astray(&known);
+        }
+        self.carriages.settle(self.position);
+        self.inputs.wire(machine.io);
+        self.bounds =
+            Axis::ALL.map(|axis| soft_bounds(machine, axis).filter(|_| bounded.contains(axis)));
+        self.put_home_switches();
+        // Nobody presses the emergency stop, whatever its level.
+        self.inputs.rests(Input::EmergencyStop.number(), !machine.estop.active);
+        self
+    }
+
+    /// The same machine, whose carriages are off by so much.
+    #[must_use]
+    pub fn with_truth(mut self, truth: &[Vec<f64>]) -> Self {
+        self.carriages.set_astray(truth);
+        self.carriages.settle(self.position);
+        self.put_home_switches();
+        self
+    }
+
+    /// The same machine with a sheet on its table, or without.
+    #[must_use]
+    pub const fn with_sheet(mut self, sheet: Option<Sheet>) -> Self {
+        self.head.put_sheet(sheet);
+        self
+    }
+
+    /// The same machine with things on its table that switches feel.
+    #[must_use]
+    pub fn with_touches(mut self, touches: &[Touch]) -> Self {
+        self.touches = touches.into();
+        let at = self.true_position();
+        for input in scene::inputs(touches) {
+            if let Some(on) = scene::contact(touches, input, &at) {
+                self.inputs.put(input, on);
+            }
+        }
+        self
+    }
+
+    /// The same machine, whose switches somebody has left like this.
+    #[must_use]
+    pub fn with_switches(mut self, switches: &[(u8, bool)]) -> Self {
+        for (input, on) in switches {
+            self.press(Change { input: *input, on: *on, at_s: self.clock_s });
+        }
+        self.log.take().for_each(drop);
+        self
+    }
+
+    /// The same machine, whose locations of these axes nobody has verified since an earlier session.
+    #[must_use]
+    pub fn doubting(mut self, axes: AxisSet) -> Self {
+        axes.iter().for_each(|axis| self.unverified.insert(axis));
+        self
+    }
+
+    /// The same machine, whose locations of these axes somebody has verified.
+    #[must_use]
+    pub fn trusting(mut self, axes: AxisSet) -> Self {
+        axes.iter().for_each(|axis| self.unverified.remove(axis));
+        self
+    }
+
+    /// The same machine, pushed by hand at these times.
+    #[must_use]
+    pub fn pushed(mut self, script: Vec<Push>) -> Self {
+        let to_come = script.into_iter().filter(|push| push.at_s >= self.clock_s).collect();
+        self.hand.follow(to_come);
+        self
     }
 
     /// From here on these settings hold.
@@ -249,11 +266,6 @@ impl Machine {
             self.pwm(laser::CHANNEL, 0.0);
         }
         self.heat(self.clock_s);
-    }
-
-    /// Temperature of the heater, degrees.
-    pub const fn heater_degrees(&self) -> f64 {
-        self.heater.degrees()
     }
 
     fn use_mode(&mut self, mode: Mode, settings: &Settings) {
@@ -334,7 +346,7 @@ impl Machine {
                     number => What::Input { number, on },
                 },
             );
-            if change.input == torch::TORCH_INPUT {
+            if change.input == TORCH_INPUT {
                 self.steer_torch(t_s);
             }
         }
@@ -384,8 +396,10 @@ impl Machine {
                 self.pwm_at(t0_s + t_s, laser::CHANNEL, percent);
             }
         }
-        self.shine(t0_s, plan, span);
-        let lift = self.follow_sheet(t0_s, plan, span);
+        let draws = self.draws();
+        self.shine.follow(t0_s, plan, span, (!draws).then_some(&mut self.log));
+        let lent = Lent { inputs: &self.inputs, modes: &self.settings.io, draws };
+        let lift = self.head.follow_sheet(lent, t0_s, plan, span, &mut self.log);
         self.carriages.moved(self.position, span.made.to);
         self.position = span.made.to;
         if !self.draws() {
@@ -402,6 +416,104 @@ impl Machine {
         if laser::active(&height, &self.settings.io) {
             self.pwm(laser::CHANNEL, height.low_percent);
         }
+    }
+
+    /// Somebody moves the switch of an input, now or at a moment of the motion under way; it stays
+    /// there, also for the next run.
+    pub fn press(&mut self, change: Change) {
+        let at_s = change.at_s.max(self.clock_s);
+        self.inputs.press(Change { at_s, ..change });
+        self.advance(self.clock_s);
+    }
+
+    /// An axis is pushed by hand: its motor holds it, or it gives way and nobody notices.
+    fn push(&mut self, push: Push) {
+        let by = if self.powered || self.draws() { 0.0 } else { push.by };
+        self.hand.astray[push.axis] += by;
+        self.carriages.pushed(push.axis, by, self.position);
+        let what = What::Pushed { axis: push.axis, by };
+        self.log.add(push.at_s.max(self.clock_s), what);
+    }
+
+    /// Nobody knows for sure where the axes are from now on.
+    pub fn doubt(&mut self) -> AxisSet {
+        self.unverified = AxisSet::first(usize::from(self.settings.axis_count));
+        self.unverified
+    }
+
+    /// The motors have brought the axes to where they are.
+    fn follow_motors(&mut self) {
+        if !self.draws() {
+            self.motors.follow(self.true_position(), &self.settings);
+        }
+    }
+
+    /// The contacts of the home switches are as the carriages have them.
+    fn put_home_switches(&mut self) {
+        for (line, on) in self.carriages.lines() {
+            if on || self.input(line) {
+                self.inputs.put(line, on);
+            }
+        }
+    }
+
+    /// From here on only this motor of an axis moves; `None` for all.
+    pub const fn move_alone(&mut self, motor: Option<(Axis, usize)>) {
+        self.carriages.move_alone(motor);
+    }
+
+    /// The axis is at zero where it stands.
+    pub fn zero(&mut self, axis: Axis) {
+        self.carriages.zeroed(axis, self.position[axis]);
+        self.position[axis] = 0.0;
+        self.unverified.remove(axis);
+        self.motors.say(self.true_position());
+    }
+
+    /// Motion will follow this plan from a moment on: what the sensors will tell is worked out.
+    pub fn foresee(&mut self, plan: &Plan, t0_s: f64) {
+        if self.draws() {
+            return;
+        }
+        let lent = Lent { inputs: &self.inputs, modes: &self.settings.io, draws: false };
+        let ahead = Ahead { plan, t0_s, from_s: self.clock_s };
+        let ticks = self.head.foreseen_ticks(lent, &ahead);
+        let mut all = self.foreseen_switches(plan, t0_s);
+        all.extend(self.head.foreseen_sensors(lent, &ahead, &ticks));
+        all.extend(self.foreseen_touches(plan, t0_s));
+        all.extend(self.head.foreseen_faults(self.clock_s, &ticks));
+        all.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+        self.inputs.foresee(all);
+    }
+
+    /// Z follows the sheet from here on, or does not.
+    pub fn height_control(&mut self, law: Option<HeightLaw>) {
+        self.land_torch();
+        let lent = Lent { inputs: &self.inputs, modes: &self.settings.io, draws: self.draws() };
+        for (input, on) in self.head.use_law(law, &self.true_position(), lent) {
+            self.inputs.put(input, on);
+        }
+    }
+
+    /// A move begins that Z may ride on, or the machine comes to rest.
+    fn ride(&mut self, made: Option<&Move>) {
+        let rides = made.filter(|made| self.settings.torch_on() && !self.draws() && in_xy(made));
+        self.torch.ride(rides.map_or(0.0, |made| self.settings.height.rate * made.speed_mm_s));
+        self.steer_torch(self.clock_s);
+    }
+
+    /// Turns Z down or up by the state of the input.
+    fn steer_torch(&mut self, t_s: f64) {
+        let on = self.input(TORCH_INPUT);
+        self.torch.steer(t_s, on, &mut self.log);
+    }
+
+    /// Adds the way that torch and height control have carried Z to the planned position: the next motion begins there.
+    pub fn land_torch(&mut self) {
+        self.torch.ride(0.0);
+        self.steer_torch(self.clock_s);
+        self.position[Axis::Z] += self.torch.end(self.clock_s);
+        self.position[Axis::Z] += self.head.land_mm();
     }
 }
 

@@ -1,6 +1,7 @@
-//! The depth of each pass of a group.
+//! The depth of each pass of a group, and the way down to it.
 
 use kerf_drawing::{GroupSettings, Height};
+use kerf_program::job::Plunge;
 pub use kerf_program::job::{Depth, Depths, Heights, LowError};
 
 /// Returns the depth to which the shapes of a group are cut.
@@ -9,6 +10,25 @@ pub const fn depth(settings: &GroupSettings) -> Depth {
         Height::Thru => Depth::Thru,
         Height::ThreeD => Depth::ThreeD,
         Height::Mm(depth_mm) => Depth::Mm { depth_mm, pass_mm: settings.pass_mm },
+    }
+}
+
+/// The way down of a path of a group. Its helices lie on the side of the leads: right, unless the offset is
+/// negative. They are no larger than the path has room for; without any it is a ramp as steep.
+pub(crate) fn plunge(settings: &GroupSettings, room_mm: Option<f64>) -> Plunge {
+    match settings.plunge {
+        Plunge::Helix { radius_mm, angle_deg } => {
+            let sign = if settings.offset_mm < 0.0 { -1.0 } else { 1.0 };
+            let asked_mm = radius_mm.abs();
+            let fits_mm = room_mm.map_or(asked_mm, |room_mm| room_mm.min(asked_mm));
+            if fits_mm > 0.0 {
+                let radius_mm = sign * fits_mm.copysign(radius_mm);
+                Plunge::Helix { radius_mm, angle_deg }
+            } else {
+                Plunge::Ramp { angle_deg }
+            }
+        }
+        plunge => plunge,
     }
 }
 

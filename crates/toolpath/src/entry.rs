@@ -7,11 +7,10 @@
 //!   ───┴┴─●─┴──┴────────►       along the path, where it cuts nothing that the path does not cut
 //! ```
 
-use crate::depth::{Depths, Heights};
+use crate::depth::{Depths, Heights, plunge};
 use crate::gouge::{Contours, Tool};
 use crate::job::{CutPath, Job};
 use crate::neighbours;
-use crate::neutral::plunge;
 use crate::shape_paths::{Pass, ShapePath};
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, GroupSettings, Height};

@@ -25,6 +25,7 @@ mod gouge;
 mod job;
 mod lead;
 mod lift;
+mod making;
 mod neighbours;
 mod neutral;
 mod order;
@@ -41,12 +42,12 @@ pub use beside::{NoRoom, beside};
 pub use depth::{Depths, Heights, LowError};
 pub use entry::too_flat;
 pub use filter::{filtered, too_near};
-pub use job::{
-    CutPath, Job, JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, shaped_job_until,
-    smoothed_job, too_deep,
-};
+pub use job::{CutPath, Job, too_deep};
 pub use lead::{Side, lead_in, lead_out};
 pub use lift::{lifted, lowest_mm};
+pub use making::{
+    JobError, MOST_PATHS, Shaping, job, shaped, shaped_job, shaped_job_until, smoothed_job,
+};
 pub use relief::{Relief, print_relief};
 pub use rsm::{Damaged, read, read_until, read_whole, write};
 pub use shape_paths::Pass;

@@ -1,10 +1,10 @@
 //! A job in the words that machines understand.
 
-use crate::depth::depth;
+use crate::depth::{depth, plunge};
 use crate::job::{CutPath, Job};
 use crate::shape_paths::Pass;
 use kerf_drawing::GroupSettings;
-use kerf_program::job::{self, Plunge};
+use kerf_program::job;
 use std::sync::Arc;
 
 impl Job {
@@ -20,25 +20,6 @@ impl Job {
             repeats: 1,
             notes: Arc::default(),
         }
-    }
-}
-
-/// The way down of a path of a group. Its helices lie on the side of the leads: right, unless the offset is
-/// negative. They are no larger than the path has room for; without any it is a ramp as steep.
-pub(crate) fn plunge(settings: &GroupSettings, room_mm: Option<f64>) -> Plunge {
-    match settings.plunge {
-        Plunge::Helix { radius_mm, angle_deg } => {
-            let sign = if settings.offset_mm < 0.0 { -1.0 } else { 1.0 };
-            let asked_mm = radius_mm.abs();
-            let fits_mm = room_mm.map_or(asked_mm, |room_mm| room_mm.min(asked_mm));
-            if fits_mm > 0.0 {
-                let radius_mm = sign * fits_mm.copysign(radius_mm);
-                Plunge::Helix { radius_mm, angle_deg }
-            } else {
-                Plunge::Ramp { angle_deg }
-            }
-        }
-        plunge => plunge,
     }
 }
 

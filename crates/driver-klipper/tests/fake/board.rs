@@ -75,11 +75,18 @@ impl Board {
     }
 
     pub fn clock_at(&self, t_s: f64) -> u64 {
-        self.start + (t_s * self.frequency * (1.0 + self.drift)).round() as u64
+        self.start.wrapping_add((t_s * self.frequency * (1.0 + self.drift)).round() as u64)
+    }
+
+    /// Its crystal runs otherwise from now on.
+    pub fn warm(&mut self, t_s: f64, drift: f64) {
+        let clock = self.clock_at(t_s);
+        self.drift = drift;
+        self.start = clock.wrapping_sub((t_s * self.frequency * (1.0 + drift)).round() as u64);
     }
 
     pub fn time_at(&self, clock: u64) -> f64 {
-        (clock - self.start) as f64 / (self.frequency * (1.0 + self.drift))
+        (clock.wrapping_sub(self.start) as i64) as f64 / (self.frequency * (1.0 + self.drift))
     }
 
     /// The next frame has that number.

@@ -1,29 +1,15 @@
 //! Settings that contradict each other, refused by name before anything moves.
 
+mod contradiction;
 mod motors;
 mod pendant;
 mod ranges;
 mod speeds;
 mod tools;
 
+pub use contradiction::Contradiction;
+
 use crate::Configuration;
-
-/// Settings that cannot all hold.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Contradiction {
-    /// The settings, the one most likely wrong first.
-    pub keys: Vec<&'static str>,
-    /// The contradiction in words; names the settings.
-    pub message: String,
-    /// Way to mend it.
-    pub hint: &'static str,
-}
-
-impl Contradiction {
-    fn new(keys: &[&'static str], message: impl Into<String>, hint: &'static str) -> Self {
-        Self { keys: keys.into(), message: message.into(), hint }
-    }
-}
 
 type Check = fn(&Configuration, &mut Vec<Contradiction>);
 

@@ -10,8 +10,8 @@
 //!  told   ◄── Link ◄─ Reply ── Driver ~~~
 //! ```
 //!
-//! What every driver has to hold is in [`conformance`]; the simulated machine passes it, and a
-//! driver for real hardware is run against the same list.
+//! What every driver has to hold is in [`conformance`]: each driver is run against it with its fake, and again with
+//! its hardware.
 
 pub mod conformance;
 mod link;

@@ -1,7 +1,8 @@
 //! Axes, motors, homing, heights and speeds.
 
 use super::Bounds::{Any, NotNegative, Positive, Range};
-use super::{Area, Setting, Unit, row};
+use super::Unit;
+use super::setting::{Area, Setting, row};
 use crate::value::Value;
 
 pub(super) const AREAS: &[Area] = &[

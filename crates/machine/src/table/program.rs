@@ -1,8 +1,9 @@
 //! Settings that part files run by: units, speeds, ramps, limits, steps and the models of motion.
 
 use super::Bounds::{Any, NotNegative, Positive, PositiveOrInfinite, Range};
+use super::Unit;
 use super::plain::Plain;
-use super::{Area, Setting, Unit, row};
+use super::setting::{Area, Setting, row};
 use crate::settings::Configuration;
 use crate::value::Value;
 use kerf_program::{Axes, Dynamics};

@@ -1,7 +1,8 @@
 //! Inputs, the emergency stop, jobs, and what else there is.
 
+use super::Bounds;
 use super::Bounds::{Any, NotNegative, OneOf, Range};
-use super::{Area, Bounds, Setting, row};
+use super::setting::{Area, Setting, row};
 use kerf_program::settings::SWITCHES;
 
 pub(super) const AREAS: &[Area] = &[

@@ -2,7 +2,7 @@
 
 use super::Bounds::{Any, NotNegative, Positive, Range, RangeOrNone};
 use super::plain::Plain;
-use super::{Area, Setting, row};
+use super::setting::{Area, Setting, row};
 use crate::value::Value;
 use kerf_program::LEVELS;
 

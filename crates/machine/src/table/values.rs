@@ -1,7 +1,7 @@
 //! Cutter, tabs, torch, driver, preview and display: values of the V commands beside motion.
 
 use super::Bounds::{Any, NotNegative, Positive, Range};
-use super::{Area, Setting, row};
+use super::setting::{Area, Setting, row};
 
 /// In the order of a file.
 pub(super) const AREAS: &[Area] = &[

@@ -1,6 +1,6 @@
 //! The I/O card: terminals for motors, relays and switches, wired to the PCI card.
 
-use super::{Terminal, Wiring, at};
+use super::terminal::{Terminal, Wiring, at};
 
 pub(super) const IO: Wiring = Wiring {
     name: "io",

@@ -1,6 +1,6 @@
 //! The connectors of the controller's box.
 
-use super::{Terminal, Wiring, at};
+use super::terminal::{Terminal, Wiring, at};
 
 pub(super) const BOX: Wiring = Wiring {
     name: "box",

@@ -1,6 +1,6 @@
 //! The PCI card: 37 pins of outputs and 37 of inputs.
 
-use super::{Terminal, Wiring, at};
+use super::terminal::{Terminal, Wiring, at};
 
 pub(super) const PCI: Wiring = Wiring {
     name: "pci",

@@ -16,10 +16,11 @@ mod port;
 mod view;
 mod wishes;
 
-use crate::app::{App, problem};
+use crate::app::App;
 use crate::asker::Asker;
 use crate::people::Grip;
 use crate::priority::Yields;
+use crate::refusal::problem;
 use kerf_handconsole::Key;
 use kerf_wire::{Problem, Why};
 use std::sync::Arc;

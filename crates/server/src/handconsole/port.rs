@@ -9,7 +9,8 @@
 //! The console is somebody like a page: it drives when nobody else does, and has to take control first. A port
 //! that cannot be opened is tried again, so that the cable may be plugged in at any time.
 
-use crate::app::{App, lock};
+use crate::app::App;
+use crate::locks::lock;
 use crate::people::Grip;
 use crate::priority::Yields;
 use kerf_handconsole::{Key, Screen};

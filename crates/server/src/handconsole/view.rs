@@ -1,9 +1,11 @@
 //! The machine and the open job as the console shows them.
 
-use crate::app::{App, Open, lock};
-use crate::desk::extension;
-use crate::job::kind_of;
+use crate::app::App;
 use crate::job_by_hand::with_job;
+use crate::kind::extension;
+use crate::kind::kind_of;
+use crate::locks::lock;
+use crate::open::Open;
 use kerf_control::job_file;
 use kerf_drawing::Shape;
 use kerf_geom::{Bounds2, Vec2};

@@ -1,11 +1,13 @@
 //! Grants the wishes of the console, as if whoever pressed its keys had asked for them at a page.
 
 use super::Happening;
-use crate::app::{App, lock, problem};
+use crate::app::App;
 use crate::asker::Asker;
 use crate::gate::Way;
+use crate::locks::lock;
 use crate::machine::Order;
 use crate::people::Grip;
+use crate::refusal::problem;
 use kerf_handconsole::{JobWish, Wish};
 use kerf_machine::Errand;
 use kerf_wire::{Act, Change, FileParameters, JobChoice, Look, Looked, Problem, State, Why};

@@ -1,6 +1,7 @@
 //! The console itself: built into the program, or a page that says how to build it.
 
-use crate::app::{App, hex};
+use crate::app::App;
+use crate::digested::hex;
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderValue, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};

@@ -9,8 +9,8 @@
 //! take all places, this computer has places of its own, and so have the addresses from which paired devices came before.
 
 use super::guard::Peer;
-use crate::app::lock;
 use crate::descriptors;
+use crate::locks::lock;
 use axum::Router;
 use axum::extract::connect_info::ConnectInfo;
 use hyper::body::Incoming;

@@ -3,7 +3,9 @@
 use super::guard::Caller;
 use super::rest::demand;
 use super::{Refused, aside, soon};
-use crate::app::{App, hash, problem};
+use crate::app::App;
+use crate::digested::hash;
+use crate::refusal::problem;
 use crate::saving::{self, Leave};
 use axum::body::Bytes;
 use axum::extract::rejection::QueryRejection;

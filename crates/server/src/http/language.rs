@@ -1,9 +1,11 @@
 //! Answers editors, fill-in sheets and the display of values (see [`kerf_language`]).
 
 use super::{Refused, aside};
-use crate::app::{App, lock, problem};
+use crate::app::App;
 use crate::awaited::Awaited;
+use crate::locks::lock;
 use crate::machine::{bits, told_input};
+use crate::refusal::problem;
 use crate::{configure, told};
 use axum::Json;
 use axum::extract::State;

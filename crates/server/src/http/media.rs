@@ -1,8 +1,9 @@
 //! Sounds, for pages that play them.
 
 use super::{Refused, soon};
-use crate::app::{App, problem};
+use crate::app::App;
 use crate::files::PartFolder;
+use crate::refusal::problem;
 use axum::extract::{Path, State};
 use axum::http::header;
 use axum::response::IntoResponse;

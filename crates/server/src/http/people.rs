@@ -3,8 +3,9 @@
 use super::Refused;
 use super::guard::{Caller, Peer, TOKEN};
 use super::rest::demand;
-use crate::app::{App, problem};
+use crate::app::App;
 use crate::people::PairError;
+use crate::refusal::problem;
 use axum::extract::{ConnectInfo, Path, State};
 use axum::http::header;
 use axum::response::IntoResponse;

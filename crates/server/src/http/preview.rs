@@ -1,9 +1,11 @@
 //! Previews, in pieces.
 
 use super::{Refused, aside, soon};
-use crate::app::{App, lock, problem};
+use crate::app::App;
+use crate::locks::lock;
 use crate::pool::Turn;
 use crate::preview::{Asked, Chart, Preview};
+use crate::refusal::problem;
 use axum::Json;
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};

@@ -3,10 +3,12 @@
 use super::guard::Caller;
 use super::rest::who;
 use super::{Refused, soon};
-use crate::app::{App, lock, problem};
+use crate::app::App;
 use crate::asker::Asker;
 use crate::gate::Way;
+use crate::locks::lock;
 use crate::machine::Order;
+use crate::refusal::problem;
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
 use kerf_control::command_passing;

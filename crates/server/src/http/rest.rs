@@ -2,12 +2,13 @@
 
 use super::guard::Caller;
 use super::{Refused, aside, soon};
-use crate::app::{App, problem};
+use crate::app::App;
 use crate::asker::Asker;
 use crate::awaited::Awaited;
 use crate::lanes::Lanes;
 use crate::people::script;
 use crate::pool::Lane;
+use crate::refusal::problem;
 use crate::stop::{Halt, heard};
 use axum::body::to_bytes;
 use axum::extract::{FromRequest, Path, Request, State};

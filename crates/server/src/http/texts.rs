@@ -3,7 +3,8 @@
 use super::guard::Caller;
 use super::rest::demand;
 use super::{Refused, aside};
-use crate::app::{App, problem};
+use crate::app::App;
+use crate::refusal::problem;
 use axum::extract::rejection::{JsonRejection, QueryRejection};
 use axum::extract::{Query, State};
 use axum::{Extension, Json};

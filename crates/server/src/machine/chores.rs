@@ -230,7 +230,7 @@ impl Owner {
         let setup = crate::configure::setup(&self.workshop.session);
         let interrupted = self.interrupted();
         let other = {
-            let (before, now) = (&crate::app::lock(&self.left).session, &self.workshop.session);
+            let (before, now) = (&crate::locks::lock(&self.left).session, &self.workshop.session);
             before.memory.settings != now.memory.settings || before.machine_is != now.machine_is
         };
         self.hub.changing(|now| {

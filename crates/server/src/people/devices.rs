@@ -4,9 +4,10 @@
 //! in constant time. Whoever tries a wrong code waits before the next one counts; the code stays good for others.
 
 use super::Tries;
-use crate::app::{hash, hex, lock};
 use crate::clock::Clock;
 use crate::counted::{Counted, Found};
+use crate::digested::{hash, hex};
+use crate::locks::lock;
 use kerf_files::{Disk, RealDisk};
 use kerf_wire::Role;
 use serde::{Deserialize, Serialize};

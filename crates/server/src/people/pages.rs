@@ -1,7 +1,7 @@
 //! The pages that are connected.
 
 use super::hand::{Grip, GripError, Hand};
-use crate::app::lock;
+use crate::locks::lock;
 use crate::pool::{HERE, KERF};
 use crate::stop::Presses;
 use kerf_wire::{Client, Role, Who};

@@ -10,9 +10,10 @@
 
 mod turns;
 
-use crate::app::{lock, problem};
+use crate::locks::lock;
 use crate::memory::{Memory, REFUSED};
 use crate::priority::Yields;
+use crate::refusal::problem;
 use kerf_wire::{Problem, Why};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};

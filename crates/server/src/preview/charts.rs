@@ -1,6 +1,6 @@
 //! The timing chart that is being made: one at a time, for everybody who asked for that one.
 
-use crate::app::lock;
+use crate::locks::lock;
 use kerf_wire::Problem;
 use kerf_wire::preview::Timing;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};

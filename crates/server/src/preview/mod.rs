@@ -20,8 +20,8 @@ pub use path::Path;
 pub use timing::timing;
 pub use typed::Typed;
 
-use crate::app::lock;
 use crate::job_told;
+use crate::locks::lock;
 use crate::machine::Planned;
 use collect::Collector;
 use kerf_control::Begun;

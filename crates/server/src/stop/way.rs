@@ -2,9 +2,10 @@
 
 use super::halt::{Halt, Pressed, heard};
 use super::presses::Presses;
-use crate::app::{App, problem};
+use crate::app::App;
 use crate::http::{Allowance, Caller, Place, guard_of_stop, serve};
 use crate::hub::text;
+use crate::refusal::problem;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::extract::{Path, Query, State};
 use axum::http::StatusCode;

@@ -1,13 +1,18 @@
-//! Outputs: lines, spindles, PWM, the light of the warning; and when they go on and off by themselves.
+//! Outputs: lines, spindles, PWM, intensity, the light of the warning, the power of the motors; and when they go on
+//! and off by themselves.
 
 use super::Machine;
-use crate::follower::Follower;
+use super::shine::Shine;
 use crate::heater;
 use crate::limits::Overridden;
 use crate::log::What;
 use crate::outputs::{MOTION_OUTPUT, Occasion, switched};
+use kerf_machine::lines::{Input, Output};
 use kerf_program::settings::{LINES, SWITCHES};
-use kerf_program::{Axes, Beam, OutputReason};
+use kerf_program::{AXES, Axes, Beam, MoveKind, OutputReason};
+
+/// Factors of steps that are not made coarser.
+const FINE: [u8; AXES] = [1; AXES];
 
 /// The PWM channel of the heater.
 const HEATER_CHANNEL: u8 = 1;
@@ -145,8 +150,8 @@ impl Machine {
         self.motors.say(self.true_position());
         self.light = false;
         let pwm_percent = std::mem::take(&mut self.pwm_percent);
-        (self.beam, self.intensity) = (Beam::Off, (0, false));
-        (self.law, self.follower) = (None, Follower::default());
+        self.shine = Shine::default();
+        self.head.let_go();
         let outputs = std::mem::take(&mut self.outputs);
         let trigger = &self.settings.cutter.trigger;
         let by_itself = |n: u8| {
@@ -218,6 +223,68 @@ impl Machine {
             self.pwm_percent = percent;
             let frequency_khz = self.settings.height.frequency_khz;
             self.log.add(t_s, What::Pwm { channel, percent, frequency_khz });
+        }
+    }
+
+    /// Cuts motor power; everything that moves or is on stops (MO).
+    pub fn motors_off(&mut self) {
+        if self.draws() {
+            return;
+        }
+        self.spins_off();
+        self.set_light(false);
+        self.all_off(OutputReason::Stop);
+        self.power_motors(false);
+        self.doubt();
+    }
+
+    pub(super) fn power_motors(&mut self, on: bool) {
+        if std::mem::replace(&mut self.powered, on) != on {
+            self.log.add(self.clock_s, What::Motors(on));
+        }
+    }
+
+    /// Steps are coarser during jogs, unless shifting is disabled.
+    pub(super) fn shift_resolution(&mut self, moving: Option<MoveKind>) {
+        let resolution = &self.settings.resolution;
+        let shifted = moving == Some(MoveKind::Jog) && !resolution.no_shift;
+        let factors = if shifted { resolution.multipliers } else { FINE };
+        if !self.draws() && std::mem::replace(&mut self.coarse, factors) != factors {
+            self.log.add(self.clock_s, What::Resolution(factors));
+        }
+    }
+
+    /// The pulse frequency of the laser, Hz.
+    pub fn laser_frequency(&mut self, hz: f64) {
+        if !self.draws() {
+            self.log.add(self.clock_s, What::LaserFrequency(hz));
+        }
+    }
+
+    /// The output of a jig switches its start switch off.
+    pub(super) fn release_jig(&mut self, t_s: f64, number: u8, on: bool) {
+        let jigs = [(Output::Jig1, Input::Jig1), (Output::Jig2, Input::Jig2)];
+        let jig = jigs.into_iter().find(|(output, _)| on && output.number() == number);
+        if let Some((_, input)) = jig.filter(|(_, input)| self.input(input.number())) {
+            self.inputs.put(input.number(), false);
+            self.log.add(t_s, What::Input { number: input.number(), on: false });
+        }
+    }
+
+    /// From here on the intensity output does this.
+    pub fn beam(&mut self, beam: Beam) {
+        let log = (!self.draws()).then_some(&mut self.log);
+        self.shine.set(beam, self.clock_s, log);
+    }
+
+    /// Outputs go off at a moment in the middle of motion, and the intensity with them.
+    pub fn drop_outputs(&mut self, t_s: f64, outputs: &[u8]) {
+        for number in outputs {
+            self.output_at(t_s, *number, false, OutputReason::Stop);
+        }
+        if !outputs.is_empty() {
+            let log = (!self.draws()).then_some(&mut self.log);
+            self.shine.drop_at(t_s, log);
         }
     }
 }

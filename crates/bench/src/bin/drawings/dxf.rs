@@ -2,7 +2,7 @@
 
 use crate::plates::Dice;
 use crate::row::Row;
-use crate::timed;
+use crate::timed::timed;
 use anyhow::{Context, Result};
 use std::fmt::Write as _;
 use std::process::Command;

@@ -1,7 +1,8 @@
 //! Tool paths of 10,000 shapes: offset, tag, leads, two levels of arrays.
 
+use crate::plates;
 use crate::row::Row;
-use crate::{plates, timed};
+use crate::timed::timed;
 use anyhow::Result;
 use kerf_drawing::{Drawing, Editor, script};
 

@@ -1,8 +1,9 @@
 //! The order of cutting: random plates and holes to drill.
 
 use crate::bound::one_tree;
+use crate::plates;
 use crate::row::Row;
-use crate::{plates, timed};
+use crate::timed::timed;
 use kerf_drawing::{Drawing, Editor, Nesting, Operation, Rapids, Search, Sequencing, travelled};
 use kerf_geom::Point2;
 

@@ -1,7 +1,7 @@
 //! GEOS through Python's shapely, where it is installed: a peer in the table and a second opinion.
 
 use crate::families::FAMILIES;
-use crate::flattened;
+use crate::flattened::flattened;
 use crate::shapes::Case;
 use anyhow::{Context, Result};
 use kerf_geom::{OffsetPath, Polyarc};

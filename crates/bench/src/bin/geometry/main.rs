@@ -7,32 +7,21 @@
 
 #[path = "../../../../geom/tests/families/mod.rs"]
 mod families;
+mod flattened;
 mod geos;
+mod outcome;
 mod peers;
 mod prove;
 mod shapes;
+mod timed;
 #[allow(dead_code)]
 #[path = "../../usage.rs"]
 mod usage;
 
 use anyhow::Result;
 use kerf_geom::{Indexed, Offsetter, Polyarc};
-
-/// Result of an offset: rings, vertices, area.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Outcome {
-    rings: usize,
-    vertices: usize,
-    area: f64,
-}
-
-impl Outcome {
-    fn add(&mut self, vertices: usize, area: f64) {
-        self.rings += 1;
-        self.vertices += vertices;
-        self.area += area;
-    }
-}
+use outcome::Outcome;
+use timed::timed;
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -84,45 +73,4 @@ fn deviation(contours: &[Polyarc], distance: f64, rings: &[Polyarc]) -> f64 {
     let segments = rings.iter().flat_map(Polyarc::segments);
     let places = segments.flat_map(|segment| SHARES.map(|share| segment.at(share)));
     places.map(|place| (off(place) - distance.abs()).abs()).fold(0.0, f64::max)
-}
-
-/// Processor time so far, seconds: what passes on an idle machine.
-fn processor_s() -> f64 {
-    usage::own().map_or(0.0, |own| own.cpu_s)
-}
-
-/// The least time of several runs in milliseconds. Short runs are repeated within one measurement.
-fn timed(run: impl Fn() -> Outcome) -> (f64, Outcome) {
-    let mut outcome = run();
-    let mut repeats = 1;
-    let mut least = f64::INFINITY;
-    for _ in 0..7 {
-        loop {
-            let begun = processor_s();
-            for _ in 0..repeats {
-                outcome = run();
-            }
-            let took = processor_s() - begun;
-            if took > 0.02 {
-                least = least.min(took / f64::from(repeats) * 1e3);
-                break;
-            }
-            repeats *= 4;
-        }
-    }
-    (least, outcome)
-}
-
-/// Places along a polyarc, chords nowhere farther from an arc than `tolerance`.
-pub fn flattened(path: &Polyarc, tolerance: f64) -> Vec<[f64; 2]> {
-    let mut places = Vec::new();
-    for segment in path.segments() {
-        let arc = segment.arc().map_or((0.0, 0.0), |a| (a.radius(), a.sweep_rad.abs()));
-        // A chord over an angle u lies r(1 − cos(u/2)) off its arc.
-        let step = 2.0 * (1.0 - (tolerance / arc.0.max(tolerance)).min(1.0)).acos();
-        let chords = if arc.1 > 0.0 { (arc.1 / step).ceil().max(1.0) as usize } else { 1 };
-        places
-            .extend((0..chords).map(|k| segment.at(k as f64 / chords as f64)).map(|p| [p.x, p.y]));
-    }
-    places
 }

@@ -1,6 +1,7 @@
 //! The same offset by Kerf and by others. Polygon libraries get arcs and round joins at a micrometre.
 
-use crate::{Outcome, flattened};
+use crate::flattened::flattened;
+use crate::outcome::Outcome;
 use cavalier_contours::polyline::{
     CoincidentSegmentBehavior, PlineCreation, PlineOffsetOptions, PlineSource, PlineSourceMut,
     PlineVertex, Polyline,

@@ -1,6 +1,7 @@
 //! Counts the offsets of hard shapes that are proved, family by family.
 
 use crate::families::FAMILIES;
+use crate::timed::processor_s;
 use kerf_geom::{Coarse, offset};
 
 /// The first few failures of each family are told, so that they can be made again.
@@ -15,9 +16,9 @@ pub fn families(count: u64, word: &str, first: u64) {
         let mut spent_s = 0.0;
         for seed in first..first + count {
             let (shape, distance) = make(seed);
-            let begun = crate::processor_s();
+            let begun = processor_s();
             let found = offset(&shape, distance);
-            spent_s += crate::processor_s() - begun;
+            spent_s += processor_s() - begun;
             match found {
                 Err(why) => failed.push(format!("{name} {seed} by {distance}: {why}")),
                 Ok(found) => {

@@ -1,7 +1,7 @@
 //! The fast road gives what the step gives.
 
 use super::host_with;
-use crate::testing::{Ran, drive};
+use crate::testing::{FakeHost, Ran, drive};
 use crate::{Options, Session};
 use kerf_program::Command;
 use proptest::prelude::*;
@@ -58,20 +58,20 @@ fn call() -> impl Strategy<Value = String> {
 }
 
 /// Runs a program to its end, each time so many lines at once; step by step without a number. The input of a handler
-/// changes while a pause is under way.
+/// changes behind a pause or SO off, and axes that move by themselves end far away.
 fn run(text: &str, part: &str, max_lines: u64, at_once: Option<u64>) -> Ran {
     let mut session = Session::default();
     session.settings.controller.independent = true;
     let options = Options { max_lines, ..Options::default() };
-    let host = host_with(&[("part.sbp", part)]);
+    let host = FakeHost { strays_to: Some([9.0; 6]), ..host_with(&[("part.sbp", part)]) };
     drive(text, host, session, options, |interpreter, host, out| {
         let step = match at_once {
             Some(lines) => interpreter.run(host, out, lines),
             None => interpreter.step(host, out),
         };
-        let pauses =
-            matches!(out.last(), Some(last) if matches!(last.command, Command::Wait { .. }));
-        let watch = interpreter.watches().next().cloned().filter(|_| pauses);
+        let last = out.last().map(|last| &last.command);
+        let now = matches!(last, Some(Command::Wait { .. } | Command::Output { on: false, .. }));
+        let watch = interpreter.watches().next().cloned().filter(|_| now);
         if let Some(watch) = watch {
             interpreter.interrupt(&watch, None, interpreter.position());
         }
@@ -109,14 +109,18 @@ proptest! {
     }
 }
 
-/// A loop that moves is not one in which nothing changes, and a handler that fired comes before the next move.
+/// Loops that move, handlers that fired, tabs and axes that move by themselves.
 #[test]
-fn loops_and_handlers_hold_on_both_roads() {
+fn what_is_rare_is_the_same_on_both_roads() {
     for text in [
         "SR\nL:\nMX,1\nGOTO L",
         "SR\nL:\nMX,1\nPRINT %(1)\nGOTO L",
         "ON INPUT(1,1) GOSUB Hit\nMX,5\nPAUSE 3\nMY,1\nMX,2\nEND\nHit:\nMZ,1\nMZ,2\nRETURN",
         "ON INPUT(1,1) MZ,1\nMX,5\nPAUSE 3\nMY,1\nMX,2\nPRINT %(51)",
+        "ON INPUT(1,1) MZ,1\nMX,5\nSO,1,0\nMY,1\nMX,2",
+        "VB,.1,.5,.2,.1,1\nMZ,-.5\nMX,5\nMY,5\nVB,,,,,0\nMX,0",
+        "VD,,5\nMI,B,1,.5\nMX,1\nMB,3",
+        "VD,,5\nMI,B,1,.5\nMX,1\nMI,B,1,0\nMX,2\nMY,1",
     ] {
         for at_once in [1, 2, 5, 50] {
             same(text, "", 300, at_once).unwrap_or_else(|error| panic!("{text}: {error}"));

@@ -1,12 +1,12 @@
-//! Homing on the simulated machine, with the numbers of readings, Events of a job.
+//! Homing on a bench of axes, with the numbers of readings, Events of a job.
 
-#![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
-
-use super::*;
-use kerf_machine::homing::{self, Homed, NotFound, soft_bounds};
+use crate::bench::Bench;
+use kerf_machine::Configuration;
+use kerf_machine::homing::{self, Homed, NotFound, Which, soft_bounds};
 use kerf_machine::profile::profile;
-use kerf_machine::settings::motors::FreeMotor;
-use kerf_program::AxisSet;
+use kerf_machine::settings::homing::HomeEnd;
+use kerf_machine::settings::motors::{FreeMotor, Motor};
+use kerf_program::{Axis, AxisSet};
 
 fn sim(edit: impl FnOnce(&mut Configuration)) -> Configuration {
     let mut machine = profile("sim").unwrap().configuration().unwrap();

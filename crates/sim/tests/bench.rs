@@ -123,11 +123,6 @@ impl Shaft {
         self.motors.get(motor).map_or(0.0, |it| it.place - it.zero)
     }
 
-    /// Its motions so far.
-    pub fn legs(&self) -> &[Leg] {
-        &self.legs
-    }
-
     /// A switch moves, or breaks.
     pub fn put_switch(&mut self, motor: usize, at: Option<f64>) {
         if let Some(it) = self.motors.get_mut(motor) {
@@ -236,6 +231,3 @@ fn trapezoid(way: f64, speed: f64, accel: f64) -> (f64, f64, f64) {
     let seconds = if peak > 0.0 { peak / accel + way / peak } else { 0.0 };
     (peak, way, seconds)
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,19 +1,48 @@
 //! Height control on the simulated machine: Z beside the plan, and what the sensors of the head tell.
 
-use super::Machine;
-use super::job::{EXACT_S, SLICE_S};
+use crate::flips::flips;
 use crate::follower::{Follower, Reading, Sensed, TICK_S};
 use crate::inputs::{Change, Inputs};
 use crate::lift::Lift;
-use crate::log::What;
+use crate::log::{Log, What};
 use crate::sheet::Sheet;
 use kerf_machine::lines::Input;
 use kerf_motion::{Plan, Span, State};
+use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Axis, Gauge, HeightLaw, MoveKind};
+
+/// The head, and Z while it follows the sheet.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Head {
+    sheet: Option<Sheet>,
+    /// Height control, while it is on.
+    law: Option<HeightLaw>,
+    follower: Follower,
+}
+
+/// Inputs of the machine that the head belongs to.
+#[derive(Clone, Copy)]
+pub(super) struct Lent<'a> {
+    pub inputs: &'a Inputs,
+    pub modes: &'a IoModes,
+    /// Commands are only drawn: nothing is sensed.
+    pub draws: bool,
+}
+
+/// A plan that is about to be followed.
+#[derive(Clone, Copy)]
+pub(super) struct Ahead<'a> {
+    pub plan: &'a Plan,
+    /// Beginning of the plan, seconds of machine time.
+    pub t0_s: f64,
+    /// The moment from which on it is followed, seconds of machine time.
+    pub from_s: f64,
+}
 
 /// Z while it follows the sheet: what one tick after the other makes of it.
 struct Following<'a> {
-    machine: &'a Machine,
+    sheet: Option<Sheet>,
+    modes: &'a IoModes,
     law: HeightLaw,
     follower: Follower,
     inputs: Inputs,
@@ -64,7 +93,7 @@ impl Following<'_> {
 
     /// On the way down to the sheet Z is the plan's: the controller only misses readings.
     fn listen(&mut self, t_s: f64, state: &State) -> Tick {
-        while self.inputs.step(t_s, &self.machine.settings.io).is_some() {}
+        while self.inputs.step(t_s, self.modes).is_some() {}
         let silent = self.is_silent();
         self.follower.listen(silent);
         let offset_mm = self.follower.offset_mm;
@@ -79,12 +108,11 @@ impl Following<'_> {
 
     /// Returns `true` if the sensor sends nothing: its cable is broken, or there is no sheet that it could read.
     fn is_silent(&self) -> bool {
-        let modes = &self.machine.settings.io;
-        self.machine.sheet.is_none() || self.inputs.reads(Input::NoReadings.number(), modes)
+        self.sheet.is_none() || self.inputs.reads(Input::NoReadings.number(), self.modes)
     }
 
     fn tick(&mut self, t_s: f64, state: &State, full_mm_s: f64) -> Tick {
-        while self.inputs.step(t_s, &self.machine.settings.io).is_some() {}
+        while self.inputs.step(t_s, self.modes).is_some() {}
         let planned_mm = state.position[Axis::Z];
         let sensed = self.sense(state, full_mm_s);
         let reading = self.follower.tick(t_s, planned_mm, &self.law, &sensed);
@@ -103,12 +131,11 @@ impl Following<'_> {
         let [vx, vy, _] = state.velocity.first3();
         let over = z + self.follower.offset_mm;
         let gap_mm = self
-            .machine
             .sheet
             .map(|sheet| over - sheet.height_mm(x, y) - self.law.raised_mm.unwrap_or_default());
         let felt = |number: u8, felt: fn(f64) -> bool| match gap_mm {
             Some(gap_mm) if !self.inputs.is_told(number) => felt(gap_mm),
-            _ => self.inputs.reads(number, &self.machine.settings.io),
+            _ => self.inputs.reads(number, self.modes),
         };
         let (high, low) = match self.law.gauge {
             Gauge::Simple { high, low } => (felt(high, is_high), felt(low, is_low)),
@@ -168,20 +195,42 @@ impl Sheet {
     }
 }
 
-impl Machine {
-    /// Z follows the sheet from here on, or does not.
-    pub fn height_control(&mut self, law: Option<HeightLaw>) {
-        self.land_torch();
+impl Head {
+    /// Distance that height control has carried Z, mm.
+    pub const fn offset_mm(&self) -> f64 {
+        self.follower.offset_mm
+    }
+
+    /// Z stays where it is; returns how far it was carried, mm.
+    pub fn land_mm(&mut self) -> f64 {
+        std::mem::take(&mut self.follower).offset_mm
+    }
+
+    /// Height control is off, and has carried nothing.
+    pub fn let_go(&mut self) {
+        (self.law, self.follower) = (None, Follower::default());
+    }
+
+    /// A sheet lies on the table, or none.
+    pub const fn put_sheet(&mut self, sheet: Option<Sheet>) {
+        self.sheet = sheet;
+    }
+
+    /// Z follows the sheet from here on, or does not. Returns what the switches of the head read at its place.
+    pub fn use_law(
+        &mut self,
+        law: Option<HeightLaw>,
+        at: &Axes,
+        lent: Lent<'_>,
+    ) -> Vec<(u8, bool)> {
         self.law = law;
-        let at = self.true_position();
-        for (input, feels) in self.switches_of_head() {
-            self.inputs.put(input.number(), feels.at(&at, false));
-        }
+        let read = |(input, feels): (Input, Feels)| (input.number(), feels.at(at, false));
+        self.switches(lent).into_iter().map(read).collect()
     }
 
     /// Lists the switches of the head and what they go by while height control is on, as far as no script moves them.
-    fn switches_of_head(&self) -> Vec<(Input, Feels)> {
-        let Some(law) = self.law.filter(|_| !self.draws()) else { return Vec::new() };
+    fn switches(&self, lent: Lent<'_>) -> Vec<(Input, Feels)> {
+        let Some(law) = self.law.filter(|_| !lent.draws) else { return Vec::new() };
         let feels = |felt: Felt| Feels {
             sheet: self.sheet,
             raised_mm: law.raised_mm.unwrap_or_default(),
@@ -191,7 +240,7 @@ impl Machine {
             (Gauge::Proportional { .. }, _) => vec![(Input::ZHigh, feels(Felt::Above(law)))],
             (Gauge::Simple { .. }, Some(_)) => {
                 let both = [(Input::ZHigh, Felt::High), (Input::ZLow, Felt::Low)].into_iter();
-                let free = both.filter(|(input, _)| !self.inputs.is_told(input.number()));
+                let free = both.filter(|(input, _)| !lent.inputs.is_told(input.number()));
                 free.map(|(input, felt)| (input, feels(felt))).collect()
             }
             // Two switches over no sheet feel nothing.
@@ -199,16 +248,23 @@ impl Machine {
         }
     }
 
-    fn following(&self) -> Option<Following<'_>> {
-        let law = self.law.filter(|_| !self.draws())?;
-        let (follower, inputs) = (self.follower, self.inputs.clone());
-        Some(Following { machine: self, law, follower, inputs })
+    fn following<'a>(&self, lent: Lent<'a>) -> Option<Following<'a>> {
+        let law = self.law.filter(|_| !lent.draws)?;
+        let (sheet, follower, inputs) = (self.sheet, self.follower, lent.inputs.clone());
+        Some(Following { sheet, modes: lent.modes, law, follower, inputs })
     }
 
     /// Z follows the sheet over one move: how far it is carried on the way.
-    pub(super) fn follow_sheet(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Lift {
+    pub fn follow_sheet(
+        &mut self,
+        lent: Lent<'_>,
+        t0_s: f64,
+        plan: &Plan,
+        span: &Span<'_>,
+        log: &mut Log,
+    ) -> Lift {
         let before_mm = self.follower.offset_mm;
-        let Some(mut following) = self.following() else { return Lift::still(before_mm) };
+        let Some(mut following) = self.following(lent) else { return Lift::still(before_mm) };
         let [begin_s, end_s] = [span.t0_s, span.t1_s].map(|s| t0_s + s);
         let mut told = Vec::new();
         let mut lift = Lift::still(before_mm);
@@ -219,11 +275,11 @@ impl Machine {
         });
         self.follower = following.follower;
         for (t_s, z_mm, Reading { value, error_mm }) in told {
-            self.log.add(t_s, What::Height { z_mm, error_mm, reading: value });
+            log.add(t_s, What::Height { z_mm, error_mm, reading: value });
         }
         let planned_mm = span.made.to[Axis::Z];
         let mut carried = |t_s: f64, mm: f64| {
-            self.log.add(t_s, What::Carried { z_mm: planned_mm + mm });
+            log.add(t_s, What::Carried { z_mm: planned_mm + mm });
         };
         lift.turns().for_each(|(t_s, mm)| carried(t_s, mm));
         if self.follower.offset_mm != before_mm {
@@ -233,9 +289,10 @@ impl Machine {
     }
 
     /// Foresees the ticks of height control over a plan from now on.
-    pub(super) fn foreseen_ticks(&self, plan: &Plan, t0_s: f64) -> Vec<Tick> {
-        let Some(mut following) = self.following() else { return Vec::new() };
-        let from_s = (self.clock_s - t0_s).max(0.0);
+    pub fn foreseen_ticks(&self, lent: Lent<'_>, ahead: &Ahead<'_>) -> Vec<Tick> {
+        let Ahead { plan, t0_s, from_s } = *ahead;
+        let Some(mut following) = self.following(lent) else { return Vec::new() };
+        let from_s = (from_s - t0_s).max(0.0);
         let mut ticks = Vec::new();
         for index in 0..plan.moves().len() {
             let Some(span) = plan.span(index).filter(|span| span.t1_s > from_s) else { continue };
@@ -245,12 +302,12 @@ impl Machine {
     }
 
     /// Foresees the faults that height control will notice on the way, each off at first.
-    pub(super) fn foreseen_faults(&self, ticks: &[Tick]) -> Vec<Change> {
+    pub fn foreseen_faults(&self, from_s: f64, ticks: &[Tick]) -> Vec<Change> {
         if self.law.is_none() {
             return Vec::new();
         }
         let faults = [Input::HeightSilent, Input::HeightConflict, Input::HeightAtZero];
-        let off = |input: Input| Change { input: input.number(), at_s: self.clock_s, on: false };
+        let off = |input: Input| Change { input: input.number(), at_s: from_s, on: false };
         let mut all: Vec<Change> = faults.map(off).into();
         let mut states = [false; 3];
         for tick in ticks {
@@ -264,7 +321,13 @@ impl Machine {
     }
 
     /// Foresees the changes of the head's sensors, over a sheet or over none.
-    pub(super) fn foreseen_sensors(&self, plan: &Plan, t0_s: f64, ticks: &[Tick]) -> Vec<Change> {
+    pub fn foreseen_sensors(
+        &self,
+        lent: Lent<'_>,
+        ahead: &Ahead<'_>,
+        ticks: &[Tick],
+    ) -> Vec<Change> {
+        let Ahead { plan, t0_s, from_s } = *ahead;
         let at = |t_s: f64| {
             let mut at = plan.at(t_s).position;
             // Where height control carries the head.
@@ -273,7 +336,7 @@ impl Machine {
             at[Axis::Z] += tick.map_or(self.follower.offset_mm, |tick| tick.offset_mm);
             (at, tick.is_some_and(|tick| tick.silent))
         };
-        let (from_s, to_s) = (self.clock_s - t0_s, plan.duration_s());
+        let (from_s, to_s) = (from_s - t0_s, plan.duration_s());
         let changes = |input: Input, is: &dyn Fn(f64) -> bool| -> Vec<Change> {
             let flips = flips(from_s.max(0.0), to_s, is).into_iter();
             let change = |(t_s, on)| Change { input: input.number(), at_s: t0_s + t_s, on };
@@ -287,7 +350,7 @@ impl Machine {
             };
             all.extend(changes(Input::WHome, &close));
         }
-        for (input, feels) in self.switches_of_head() {
+        for (input, feels) in self.switches(lent) {
             let is = |t_s: f64| {
                 let (at, silent) = at(t_s);
                 feels.at(&at, silent)
@@ -338,29 +401,4 @@ impl Feels {
 fn is_above_band(law: &HeightLaw, gap_mm: f64) -> bool {
     let Gauge::Proportional { gain_mm, set_points, .. } = law.gauge else { return false };
     (law.reading(gap_mm) - set_points[0]) * gain_mm.signum() >= 1.0
-}
-
-/// Finds when something becomes true or false in a stretch of time, the state at its beginning first.
-pub(super) fn flips(from_s: f64, to_s: f64, is: &dyn Fn(f64) -> bool) -> Vec<(f64, bool)> {
-    let mut states = vec![(from_s, is(from_s))];
-    let slices = ((to_s - from_s) / SLICE_S).ceil().max(1.0) as u64;
-    for slice in 1..=slices {
-        let end_s = from_s + (to_s - from_s) * slice as f64 / slices as f64;
-        let (begin_s, before) = states.last().copied().unwrap_or_default();
-        if is(end_s) == before {
-            continue;
-        }
-        let start_s = begin_s.max(end_s - (to_s - from_s) / slices as f64);
-        states.push((flip(start_s, end_s, before, is), !before));
-    }
-    states
-}
-
-/// Finds the moment, between two others, at which a state ends.
-fn flip(mut from_s: f64, mut to_s: f64, before: bool, is: &dyn Fn(f64) -> bool) -> f64 {
-    while to_s - from_s > EXACT_S {
-        let middle_s = 0.5 * (from_s + to_s);
-        if is(middle_s) == before { from_s = middle_s } else { to_s = middle_s }
-    }
-    to_s
 }
