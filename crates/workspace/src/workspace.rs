@@ -95,7 +95,7 @@ impl Workspace {
         self.called.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
-    /// The answers that stand beside a part file for whoever only looks at it; none where there is no such file.
+    /// The text of the answers that stand beside a part file for whoever only looks at it; none where there is no such file.
     pub fn answers_beside(&self, file: &str) -> Option<String> {
         let beside = PathBuf::from(format!("{file}.answers"));
         let bytes = if self.disk.is_file(&beside) { self.disk.read(&beside).ok() } else { None };
