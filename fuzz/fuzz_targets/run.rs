@@ -2,7 +2,8 @@
 //! close on the way: never a panic, always an end, and the same again when it is saved and restored.
 #![no_main]
 
-use kerf_control::{Event, RunOptions, TextOptions, json, run_text};
+use kerf_control::{RunOptions, TextOptions, run_text};
+use kerf_trace::{Event, json};
 use kerf_sim::Change;
 use libfuzzer_sys::fuzz_target;
 

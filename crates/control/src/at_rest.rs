@@ -1,17 +1,18 @@
 //! Looks at a machine that stands, and changes to it, without a program.
 
+use crate::Press;
 use crate::journal::Journal;
 use crate::machine_file::MachineFileError;
 use crate::session::{Company, RunOptions, Session};
 use crate::shelf::Shelf;
 use crate::switches::{self, SWITCHES};
 use crate::world::{World, actuator};
-use crate::{Event, Press};
 use kerf_machine::{Configuration, Driven, Setting};
 use kerf_part::Program;
 use kerf_program::OutputReason;
 use kerf_sbp::{SPINDLE_STATUS, SystemVariable, Value};
 use kerf_sim::{Change, Machine, contact};
+use kerf_trace::Event;
 use std::sync::Arc;
 
 impl Session {

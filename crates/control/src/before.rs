@@ -2,8 +2,9 @@
 //! homing. Each is a run of its own on the machine. The clock goes on from one to the next, what was counted is
 //! counted on, and there is one beginning and one end.
 
-use crate::{Event, Made, Sink, Standing, Summary, Tally};
+use crate::Summary;
 use kerf_program::settings::LinearUnit;
+use kerf_trace::{Event, Made, Sink, Standing, Tally};
 use serde::{Deserialize, Serialize};
 
 /// State that a run goes on from.
@@ -103,7 +104,7 @@ impl Sink for Whole<'_> {
         self.sink.made_before(made);
     }
 
-    fn under_way(&mut self, doing: &crate::Doing<'_>, from_s: f64, to_s: f64) {
+    fn under_way(&mut self, doing: &kerf_trace::Doing<'_>, from_s: f64, to_s: f64) {
         self.sink.under_way(doing, from_s, to_s);
     }
 

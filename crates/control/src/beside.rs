@@ -4,7 +4,6 @@
 //! stop on the way is a stop like any other: the tool rises, and comes back to that place before it goes on.
 //! While it is stopped already, the question that comes next, or is open, says what follows.
 
-use crate::Event;
 use crate::OperatorRequest;
 use crate::by_hand::Driven;
 use crate::runner::{Over, Runner};
@@ -12,6 +11,7 @@ use kerf_diag::Code;
 use kerf_machine::state::State;
 use kerf_program::{Axes, Feed, Interpreter, Line, MoveKind, Status};
 use kerf_sim::HaltCause;
+use kerf_trace::Event;
 
 /// Outcome of a move that was stopped on the way.
 enum After {

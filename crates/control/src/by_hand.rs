@@ -2,9 +2,9 @@
 //!
 //! They are answers to its question, which is asked again afterwards, until it gets another answer.
 
+use crate::OperatorRequest;
 use crate::execute::{Slows, link_lost};
 use crate::runner::{Over, Runner};
-use crate::{Event, OperatorRequest};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
 use kerf_machine::hand::keypad_settings;
@@ -13,6 +13,7 @@ use kerf_machine::lines::Input;
 use kerf_motion::{Move, Mover, planner};
 use kerf_program::{AXES, At, Axes, Axis, Feed, Interpreter, Line, MoveKind, Settings, Status};
 use kerf_sim::{HaltCause, Watched};
+use kerf_trace::Event;
 use std::fmt;
 
 /// A movement for as long as somebody holds a key.

@@ -3,16 +3,15 @@
 
 use crate::Work;
 use crate::answers::Operator;
-use crate::event::Event;
 use crate::repetitions::Repetitions;
 use crate::session::{Company, LimitPolicy, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
-use crate::sink::Sink;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_part::Program;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{FileRequest, HostError, SourceFile};
 use kerf_sbp::{Language, NamedFile};
+use kerf_trace::{Event, Sink};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -197,7 +196,7 @@ fn find(shelf: &mut Shelf, request: &FileRequest) -> Result<SourceFile, HostErro
 #[allow(non_snake_case)] // rows and their variants
 mod tests {
     use super::*;
-    use crate::files::MemoryDisk;
+    use kerf_files::MemoryDisk;
 
     fn check_text(files: &[(&str, &str)], expected: &[&str]) {
         let disk = MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes())));

@@ -7,12 +7,12 @@
 //! ```
 
 use crate::requests::{OperatorRequest, Requests};
-use crate::{Doing, Sink};
 use kerf_machine::{Driven, Fault, Going, News};
 use kerf_motion::Move;
 use kerf_program::Axes;
 use kerf_program::settings::IoModes;
 use kerf_sim::contact;
+use kerf_trace::{Doing, Sink};
 use std::time::{Duration, Instant};
 
 /// Time limit for the last moves of a machine that is wanted stopped: longer than what is sent ahead takes.

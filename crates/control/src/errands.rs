@@ -1,5 +1,6 @@
 //! Moves by hand as runs, and the homing that comes before other runs.
 
+use crate::Work;
 use crate::before::Door;
 use crate::homing::Found;
 use crate::runner::{Over, Runner};
@@ -7,7 +8,6 @@ use crate::session::{Company, RunOptions, Session, Summary, end_event, summary, 
 use crate::shelf::Shelf;
 use crate::stopping::CONFIRM;
 use crate::world::World;
-use crate::{Event, Sink, Work};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::settings::homing::BeforeRuns;
 use kerf_machine::{Configuration, Errand, Hand};
@@ -16,6 +16,7 @@ use kerf_program::{
     Status,
 };
 use kerf_sbp::POSITION_LOST;
+use kerf_trace::{Event, Sink};
 use std::sync::Arc;
 
 impl Session {

@@ -1,10 +1,8 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
 use crate::OperatorRequest;
-use crate::event::{ArcEvent, Centre, Event, MoveEvent};
 use crate::journal::Kind;
 use crate::runner::{Over, Runner};
-use crate::sink::Made;
 use crate::stack::Running;
 use kerf_diag::Code;
 use kerf_machine::lines::Input;
@@ -13,6 +11,10 @@ use kerf_motion::{Move, Path, Plan, Stop, planner};
 use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
 use kerf_sim::{Halt, HaltCause, Lift, Watched, pin};
+use kerf_trace::{
+    Made,
+    event::{ArcEvent, Centre, Event, MoveEvent},
+};
 
 /// Reason for which a stack did not run to its end.
 #[derive(Debug)]

@@ -1,13 +1,14 @@
 //! The heights in force, as they are told: ZSurface and ZTop go with Z while it follows the sheet
 //! (Profiler reference, "Automatic Height Control").
 
-use crate::{Event, RunOptions, Sink};
+use crate::RunOptions;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::lines::Input;
 use kerf_program::job::Heights;
 use kerf_program::{Gauge, HeightLaw};
 use kerf_sequence::Sequence;
 use kerf_sim::Sheet;
+use kerf_trace::{Event, Sink};
 use std::sync::Arc;
 
 /// Heights in force, as they were told last, and the law by which Z leaves them behind.

@@ -9,7 +9,6 @@
 //! A nudge moves the tool and the working zero alike: whatever is cut next is shifted, and what the
 //! display calls the place stays (command reference, MN).
 
-use crate::Event;
 use crate::by_hand::Jog;
 use crate::nudge::Nudge;
 use crate::runner::{Over, Runner};
@@ -18,6 +17,7 @@ use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_program::{
     Answer, Axes, Axis, AxisSet, Button, Interpreter, MoveKind, Question, QuestionKind, Status,
 };
+use kerf_trace::Event;
 
 /// A script of answers that says nothing but Resume does not hold a run for ever.
 const MOST_REFUSALS: u32 = 1000;

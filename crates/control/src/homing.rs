@@ -1,7 +1,6 @@
 //! Finding home on the machine itself: the procedure of [`kerf_machine::homing`], each search a planned
 //! motion that a home switch ends.
 
-use crate::Event;
 use crate::by_hand::Driven;
 use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place};
@@ -11,6 +10,7 @@ use kerf_machine::planning::hand_settings;
 use kerf_motion::Mover;
 use kerf_program::{At, Axes, Axis, AxisSet, Feed, Interpreter, Line, MoveKind, Settings, Status};
 use kerf_sim::{Machine, Watched};
+use kerf_trace::Event;
 
 impl<I: Interpreter> Runner<'_, I> {
     /// Homes axes that have a switch, and tells how far the last home was off.

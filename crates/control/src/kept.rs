@@ -3,7 +3,6 @@
 use crate::Work;
 use crate::before::Whole;
 use crate::errands::unconfirmed;
-use crate::event::Event;
 use crate::journal::{
     CutShort, Journal, JournalError, KeptWork, KnownMachine, Owner, Placed, Remembered,
     RunUnderWay, Tape, Whereabouts,
@@ -14,6 +13,7 @@ use crate::switches::{self, SWITCHES};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::Settings;
 use kerf_sim::Machine;
+use kerf_trace::Event;
 
 impl Session {
     /// Recalls what a journal remembers of the machine, a new machine where it remembers nothing; tells whether

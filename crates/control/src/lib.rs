@@ -7,7 +7,7 @@
 //! ```
 //!
 //! - [`Session`] is what stays between runs; [`Session::run`] is one run.
-//! - [`Event`] is what a run tells, exactly as `kerf trace` prints it; a [`Sink`] takes events.
+//! - [`Event`](kerf_trace::Event) is one thing that a run tells; a [`Sink`](kerf_trace::Sink) takes events.
 //! - [`controller`] runs the same on a real machine: the plan is the same, who makes it is not.
 //! - [`Shelf`] is everything on disk that a program may reach. A preview gets a copy that keeps its
 //!   writes to itself.
@@ -19,6 +19,7 @@ pub mod answers;
 mod at_rest;
 mod away;
 mod before;
+mod begun;
 mod beside;
 mod bound;
 mod by_hand;
@@ -30,10 +31,8 @@ mod desk;
 pub mod drawn;
 mod drive;
 mod errands;
-pub mod event;
 mod execute;
 pub mod facts;
-pub mod files;
 mod fonts;
 mod heights;
 mod hold;
@@ -41,7 +40,6 @@ mod homing;
 mod host;
 pub mod job_file;
 pub mod journal;
-pub mod json;
 mod kept;
 pub mod machine_file;
 mod nudge;
@@ -60,24 +58,18 @@ mod settings_files;
 pub mod settings_text;
 mod shelf;
 mod shelf_host;
-mod sink;
 pub mod sounds;
 mod stack;
-mod standing;
 pub mod start_up;
 mod stopping;
 pub mod stored;
 mod switches;
 pub mod system_log;
 mod table_limits;
-mod tally;
 mod text;
-pub mod timing;
 mod trail;
 pub mod transfer;
 mod turning;
-pub mod vcd;
-pub mod versions;
 mod virtual_tools;
 mod waiting;
 mod warning;
@@ -90,11 +82,11 @@ use kerf_sim::Simulated;
 
 pub use away::LIFT;
 pub use before::Before;
+pub use begun::Begun;
 pub use by_hand::Jog;
 pub use check::{Checked, check};
 pub use desk::Desk;
 pub use errands::unconfirmed;
-pub use event::Event;
 pub use nudge::{Nudge, Outside};
 pub use part_log::Started;
 pub use parts::{Listing, PartFile};
@@ -105,9 +97,6 @@ pub use session::{
     Company, DrivenBy, LimitPolicy, RunOptions, Session, Summary, dialect_word, unverified,
 };
 pub use shelf::{Firmware, MOST_BYTES, Shelf, Shell};
-pub use sink::{Doing, Made, Sink};
-pub use standing::{OpenFile, Standing, flag};
-pub use tally::{Tally, ToolPathTime};
 pub use text::{Outcome, TextOptions, run_text};
 pub use work::Work;
 pub use world_clock::WorldClock;

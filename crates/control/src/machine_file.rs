@@ -4,9 +4,9 @@
 //! What a V command changes is written back when the run is over, each value in its place, so that
 //! comments and everything else stay as somebody wrote them.
 
-use crate::files::{Disk, RealDisk, write_private};
 use crate::journal::{Journal, JournalError, KnownMachine};
 use kerf_diag::Diagnostic;
+use kerf_files::{Disk, RealDisk, write_private};
 use kerf_machine::profile::PROFILES;
 use kerf_machine::{Configuration, Value, contradictions, file, table};
 use kerf_program::Settings;

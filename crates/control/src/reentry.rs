@@ -11,16 +11,17 @@
 //! same circle. A job knows its own way back, that from a pause, lift and all: it is asked first, and
 //! told where it was.
 
+use crate::OperatorRequest;
 use crate::execute::Halted;
 use crate::journal::Placed;
 use crate::runner::{Flow, Over, Runner};
-use crate::{Event, OperatorRequest};
 use kerf_machine::lines::Output;
 use kerf_motion::Move;
 use kerf_program::{
     Axes, Axis, Button, Interpreter, MoveKind, OutputReason, Question, QuestionKind, StoppedBy,
 };
 use kerf_sim::{Change, WasOn};
+use kerf_trace::Event;
 use std::sync::Arc;
 
 /// Of a move that was as good as made this much counts as made: the rest has a length.

@@ -15,7 +15,7 @@ use crate::stack::{READ_AHEAD, Stack};
 use crate::stopping::Kept;
 use crate::trail::Trail;
 use crate::world::World;
-use crate::{OperatorRequest, Requests, flag};
+use crate::{OperatorRequest, Requests};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::State;
 use kerf_machine::state::{Event as Stopped, StopSettings};
@@ -26,6 +26,7 @@ use kerf_program::{
 };
 use kerf_sbp::LAST_ERROR;
 use kerf_sim::Watched;
+use kerf_trace::flag;
 use std::collections::VecDeque;
 
 /// Lines that are executed before their commands are looked at.

@@ -3,7 +3,6 @@
 use crate::answers::Operator;
 use crate::before::{Before, Door, Whole};
 use crate::bound::Bound;
-use crate::event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue};
 use crate::heights;
 use crate::journal::Placed;
 use crate::nudge::{Nudge, Outside};
@@ -11,10 +10,9 @@ use crate::part_log::{PartLog, Started};
 use crate::password;
 use crate::runner::{LINES, Runner};
 use crate::shelf::Shelf;
-use crate::tally::Tally;
 use crate::trail::Trail;
 use crate::world::World;
-use crate::{Requests, Sink, Work};
+use crate::{Requests, Work};
 use kerf_diag::Diagnostic;
 use kerf_geom::Bounds3;
 use kerf_machine::homing::bounds_by_hand;
@@ -26,6 +24,10 @@ use kerf_program::{AXES, Axis, AxisSet, Frame, Interpreter as _, Settings};
 use kerf_sbp::{Dialect, Language, POSITION_LOST, Status, Value};
 use kerf_sequence::Sequence;
 use kerf_sim::{Change, Inputs, Machine, Push, Sheet, Touch};
+use kerf_trace::{
+    Sink, Tally,
+    event::{BoundsEvent, Corner, EndEvent, Event, Partial, VarValue},
+};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -390,7 +392,7 @@ impl Session {
     }
 
     /// The simulated machine as a run finds it.
-    pub(crate) fn found_by(&self, work: &Work, options: &RunOptions) -> Machine {
+    pub fn found_by(&self, work: &Work, options: &RunOptions) -> Machine {
         let (mut found, inputs) = (self.clone(), options.inputs.clone());
         if let Work::Job(job, machine) = work {
             let sequence = Sequence::new(job.clone(), machine.clone(), self.memory.position);

@@ -1,8 +1,8 @@
 //! The folder of settings files: part files (.sbd) that set a machine (US, UR). Those that come with
 //! Kerf are there unless somebody has one of the same name.
 
-use crate::files::MACHINES;
 use crate::shelf::Shelf;
+use kerf_files::MACHINES;
 use kerf_program::{HostError, SourceFile};
 use std::collections::BTreeSet;
 use std::path::PathBuf;

@@ -3,10 +3,11 @@
 
 use crate::session::{Company, RunOptions, Session};
 use crate::shelf::Shelf;
-use crate::{Event, files::MemoryDisk};
 use kerf_diag::Diagnostic;
+use kerf_files::MemoryDisk;
 use kerf_program::Settings;
 use kerf_sbp::Options;
+use kerf_trace::Event;
 use std::sync::Arc;
 
 /// The name of the text where a mistake in it is told.

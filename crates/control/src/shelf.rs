@@ -2,13 +2,11 @@
 //! write, stored values, external programs.
 
 use crate::answers::Answers;
-use crate::files::{
-    self, Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name,
-};
 use crate::journal::{Journal, Kind, Tape};
 use crate::stored::Stored;
 use crate::system_log::SystemLog;
 use crate::{conversion, part_log};
+use kerf_files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
 use kerf_program::{
     ConversionRequest, FileConversion, FileMode, FileRequest, Folder, HostError, Settings,
     ShellCall, SourceFile,
@@ -453,9 +451,9 @@ impl Shelf {
         let (path, bytes) = self.tape.hear_file(Kind::Open, || {
             let path = folders.find(disk, Folder::Parts, name, purpose)?;
             if mode != FileMode::Input {
-                files::make_way(disk, &path)?;
+                kerf_files::make_way(disk, &path)?;
             }
-            let bytes = files::to_open(disk, &path, mode)?;
+            let bytes = kerf_files::to_open(disk, &path, mode)?;
             Ok((path.display().to_string(), bytes))
         })?;
         self.open.open(number, PathBuf::from(&path), mode, &bytes);

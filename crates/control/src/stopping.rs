@@ -4,11 +4,11 @@
 //! Jobs and moves by hand know what they do when they are stopped, and ask the same table; the run of a
 //! part file is stopped here. Whatever it is that runs, a cut power and a lost link end it here.
 
+use crate::OperatorRequest;
 use crate::facts::Fact;
 use crate::hold::Said;
 use crate::runner::{Over, Runner};
 use crate::turning::Turning;
-use crate::{Event, OperatorRequest, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Fault;
 use kerf_machine::lines::Input;
@@ -17,6 +17,7 @@ use kerf_program::{
     Answer, At, Axes, Axis, Button, Interpreter, OutputReason, Question, QuestionKind, Status,
 };
 use kerf_sbp::SPINDLE_STATUS;
+use kerf_trace::{Event, flag};
 
 /// The value that says of which axes the location is to be confirmed before anything is cut: letters.
 pub(crate) const CONFIRM: &str = Fact::ConfirmLocation.key();

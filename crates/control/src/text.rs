@@ -2,14 +2,14 @@
 
 use crate::StopAt;
 use crate::answers::Answers;
-use crate::event::Event;
-use crate::files::MemoryDisk;
 use crate::session::{Company, RunOptions, Session, Summary};
 use crate::shelf::Shelf;
+use kerf_files::MemoryDisk;
 use kerf_program::Settings;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
 use kerf_sim::Change;
+use kerf_trace::Event;
 
 /// Options of a run in memory.
 #[derive(Clone, Debug, Default)]

@@ -1,5 +1,6 @@
 //! Waits of a run: for time, answers, inputs, the operator.
 
+use crate::OperatorRequest;
 use crate::answers;
 use crate::away::Aside;
 use crate::by_hand::Jog;
@@ -7,7 +8,6 @@ use crate::journal::{Kind, Placed, Turn};
 use crate::pendant::KEY;
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
-use crate::{Event, OperatorRequest, flag};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
 use kerf_machine::Word;
@@ -17,6 +17,7 @@ use kerf_program::{
     Answer, At, Button, Halted, Interpreter, Question, QuestionKind, Status, StoppedBy,
 };
 use kerf_sim::{Change, Halt, HaltCause};
+use kerf_trace::{Event, flag};
 
 /// Interval at which it is written down how far a move has come, seconds.
 const RECORDED_EVERY_S: f64 = 0.02;

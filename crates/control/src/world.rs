@@ -6,13 +6,11 @@
 use crate::answers::{self, Operator};
 use crate::drive::Drive;
 use crate::errands::{confirm, unconfirmed};
-use crate::event::{AskEvent, Event, Partial, Place};
 use crate::heights::{self, Carried};
 use crate::journal::{Kind, Placed};
 use crate::shelf::Shelf;
-use crate::sink::Made;
 use crate::turning::Turning;
-use crate::{Doing, OpenFile, OperatorRequest, Press, Sink, Standing, Tally, flag};
+use crate::{OperatorRequest, Press};
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::laser::Laser;
@@ -24,6 +22,11 @@ use kerf_program::{
     Question, QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
 use kerf_sim::{Happening, Machine, What};
+use kerf_trace::{
+    Doing, Made, OpenFile, Sink, Standing, Tally,
+    event::{AskEvent, Event, Partial, Place},
+    flag,
+};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 

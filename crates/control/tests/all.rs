@@ -18,3 +18,4 @@ mod standing;
 mod streaming;
 mod taken_up;
 mod taking_up;
+mod vcd;

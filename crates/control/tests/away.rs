@@ -1,8 +1,8 @@
 //! A tool that the operator takes out of the cut while a program waits for him.
 
-use kerf_control::event::Place;
-use kerf_control::{Event, Outcome, TextOptions, run_text};
+use kerf_control::{Outcome, TextOptions, run_text};
 use kerf_sbp::Status;
+use kerf_trace::{Event, event::Place};
 
 /// Everything that shows what the machine did, in order: `z 1`, `1+`, `wait`.
 fn did(outcome: &Outcome) -> Vec<String> {

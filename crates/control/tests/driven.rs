@@ -1,13 +1,12 @@
 //! A run that somebody watches and drives from outside while it goes on.
 
 use kerf_control::answers::Operator;
-use kerf_control::files::MemoryDisk;
-use kerf_control::{
-    Company, Doing, Event, OperatorRequest, Requests, RunOptions, Session, Shelf, Sink, Summary,
-};
+use kerf_control::{Company, OperatorRequest, Requests, RunOptions, Session, Shelf, Summary};
+use kerf_files::MemoryDisk;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
 use kerf_program::{Axis, Question};
 use kerf_sbp::Status;
+use kerf_trace::{Doing, Event, Sink};
 
 /// Asks for something at a moment of machine time.
 #[derive(Default)]

@@ -7,11 +7,12 @@ use crate::taking_up::{
 };
 use kerf_control::answers::{Answers, Operator};
 use kerf_control::journal::Journal;
-use kerf_control::{Company, Event, OperatorRequest, Script, StopAt};
+use kerf_control::{Company, OperatorRequest, Script, StopAt};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_program::MoveKind;
 use kerf_sbp::Status;
+use kerf_trace::Event;
 use tempfile::tempdir;
 
 #[test]

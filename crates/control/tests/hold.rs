@@ -1,18 +1,18 @@
 //! Runs that the operator stops in the middle: resumed, nudged, given up.
 
 use kerf_control::answers::Answers;
-use kerf_control::event::Place;
-use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, OperatorRequest, Outcome, RunOptions, Script, Session, Shelf, Summary,
-    TextOptions, run_text,
+    Company, OperatorRequest, Outcome, RunOptions, Script, Session, Shelf, Summary, TextOptions,
+    run_text,
 };
+use kerf_files::MemoryDisk;
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_machine::settings::estop::EmergencyStop;
 use kerf_program::{Axis, AxisSet};
 use kerf_sbp::{POSITION_LOST, Status};
 use kerf_sim::{CABLE, Change};
+use kerf_trace::{Event, event::Place};
 
 /// Runs a program in inches that is stopped at a time, with answers.
 fn held(program: &str, stop_at_s: f64, answers: &str) -> Outcome {

@@ -2,14 +2,15 @@
 //! released and somebody says so.
 
 use kerf_control::answers::Operator;
-use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, OperatorRequest, Requests, RunOptions, Script, Session, Shelf, Summary,
+    Company, OperatorRequest, Requests, RunOptions, Script, Session, Shelf, Summary,
 };
+use kerf_files::MemoryDisk;
 use kerf_machine::lines::Input;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Question, QuestionKind, Status};
 use kerf_sim::Change;
+use kerf_trace::Event;
 use std::collections::VecDeque;
 
 /// Says one thing after the other, whatever is asked.

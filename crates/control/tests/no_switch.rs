@@ -1,6 +1,7 @@
 //! Cuts that look for a switch or a plate which is not there.
 
-use kerf_control::{Event, Outcome, TextOptions, run_text};
+use kerf_control::{Outcome, TextOptions, run_text};
+use kerf_trace::Event;
 
 /// Runs lines on a table of 96 by 48 inches that is 6 inches deep, from X 30, Y 20, Z 1.
 fn on_a_table(lines: &str, options: TextOptions) -> Outcome {

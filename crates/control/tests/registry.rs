@@ -3,10 +3,10 @@
 
 use crate::taking_up::on_record;
 use kerf_control::answers::Operator;
-use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::{INCOMING_FILE, Journal, Live, MIRROR_FILE};
 use kerf_control::stored::Stored;
 use kerf_control::{Company, OperatorRequest, Requests, RunOptions, Session, Shelf};
+use kerf_files::{Folders, MemoryDisk};
 use kerf_program::Question;
 use kerf_sim::Change;
 use std::cell::RefCell;

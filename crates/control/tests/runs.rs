@@ -1,12 +1,12 @@
 //! What a run does where machine, planner and program meet.
 
-use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, OperatorRequest, Outcome, RunOptions, Script, Session, Shelf, TextOptions,
-    run_text,
+    Company, OperatorRequest, Outcome, RunOptions, Script, Session, Shelf, TextOptions, run_text,
 };
+use kerf_files::MemoryDisk;
 use kerf_program::Settings;
 use kerf_sbp::Status;
+use kerf_trace::Event;
 
 fn run(program: &str, options: TextOptions) -> Outcome {
     run_text(&[("a.sbp", program)], "a.sbp", options)

@@ -1,11 +1,12 @@
 //! Settings files: saved, loaded, those that come with Kerf; and the virtual tools, on a machine.
 
-use kerf_control::files::{Folders, MACHINES, MemoryDisk};
 use kerf_control::stored::Stored;
-use kerf_control::{Company, Event, RunOptions, Session, Shelf, Summary};
+use kerf_control::{Company, RunOptions, Session, Shelf, Summary};
+use kerf_files::{Folders, MACHINES, MemoryDisk};
 use kerf_program::MoveKind;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Status;
+use kerf_trace::Event;
 use std::path::PathBuf;
 
 /// A machine with files in memory.
@@ -433,7 +434,7 @@ fn shop_on_disk(folder: &std::path::Path, ini: &str) -> Shop {
     std::fs::create_dir_all(&data).unwrap();
     std::fs::write(data.join("virtualtools.ini"), ini).unwrap();
     let folders = Folders::new(parts, Vec::new(), Vec::new());
-    let disk = Box::new(kerf_control::files::RealDisk);
+    let disk = Box::new(kerf_files::RealDisk);
     let shelf = Shelf::new(disk, folders, Stored::default(), data);
     let shelf = shelf.with_shell(kerf_control::Shell::Started);
     Shop { session: Session::default(), shelf }

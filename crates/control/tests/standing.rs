@@ -1,9 +1,10 @@
 //! Where a run stands, and nudging: what a console asks of a session.
 
 use kerf_control::answers::Answers;
-use kerf_control::files::MemoryDisk;
-use kerf_control::{Company, Event, RunOptions, Session, Shelf, Sink, Standing, StopAt};
+use kerf_control::{Company, RunOptions, Session, Shelf, StopAt};
+use kerf_files::MemoryDisk;
 use kerf_program::Axis;
+use kerf_trace::{Event, Sink, Standing};
 
 /// Notes every place where a run stands.
 #[derive(Default)]

@@ -1,13 +1,12 @@
 //! Long stacks move while they are read; the operator holds, resumes and overrides.
 
 use kerf_control::answers::Answers;
-use kerf_control::event::MoveEvent;
-use kerf_control::files::MemoryDisk;
 use kerf_control::{
-    Company, Event, OperatorRequest, RunOptions, Script, Session, Shelf, Summary, TextOptions,
-    run_text,
+    Company, OperatorRequest, RunOptions, Script, Session, Shelf, Summary, TextOptions, run_text,
 };
+use kerf_files::MemoryDisk;
 use kerf_program::Status;
+use kerf_trace::{Event, event::MoveEvent};
 use std::fmt::Write;
 
 /// More moves than are read ahead.

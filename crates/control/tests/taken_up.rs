@@ -7,14 +7,14 @@ use crate::taking_up::{
     run_work, same_rest, shelf, stands, uninterrupted,
 };
 use kerf_control::answers::Answers;
-use kerf_control::event::Place;
 use kerf_control::journal::Journal;
 use kerf_control::{
-    Company, Event, OperatorRequest, Press, Requests, RunOptions, Script, Session, Shelf, StopAt,
+    Company, OperatorRequest, Press, Requests, RunOptions, Script, Session, Shelf, StopAt,
 };
 use kerf_machine::lines::Input;
 use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
 use kerf_sbp::Status;
+use kerf_trace::{Event, event::Place};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use tempfile::{TempDir, tempdir};
 

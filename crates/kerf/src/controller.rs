@@ -9,9 +9,10 @@ use crate::stop::Stop;
 use anyhow::{Result, anyhow};
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Controller, Line, Socket};
-use kerf_control::{RunOptions, Session, Shelf, Sink, Work};
+use kerf_control::{RunOptions, Session, Shelf, Work};
 use kerf_driver_grbl::Grbl;
 use kerf_serial::Port;
+use kerf_trace::Sink;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -104,7 +105,7 @@ pub fn look_through(
     let found = controller.lacks(work, session, options, &mut shelf, &mut answers);
     let mut told = Diagnostics::default();
     for diagnostic in &found {
-        told.event(&kerf_control::Event::Diag(Box::new(diagnostic.clone())));
+        told.event(&kerf_trace::Event::Diag(Box::new(diagnostic.clone())));
     }
     Ok(found.iter().any(kerf_diag::Diagnostic::is_error).then_some(Exit::Failed))
 }

@@ -4,12 +4,12 @@
 //! every move. Jerk is what the acceleration changes by between two questions: where a model lets
 //! acceleration step, it is the step over a millisecond.
 
-use kerf_control::{Event, Made, Sink};
 use kerf_motion::{Move, State};
 use kerf_preview::Unit;
 use kerf_preview::plot::{Doing, Moment, Plot, Rates};
 use kerf_program::settings::AxisUnit;
 use kerf_program::{AXES, Axes, Axis, Settings};
+use kerf_trace::{Event, Made, Sink};
 
 /// Time between two questions, seconds.
 const STEP_S: f64 = 0.001;

@@ -5,7 +5,6 @@
 
 use crate::args::{PlaceArgs, Start};
 use anyhow::Result;
-use kerf_control::files;
 use kerf_control::journal::{Journal, JournalError, Whereabouts};
 use kerf_control::{Session, Shelf, unconfirmed, unverified};
 use std::path::Path;
@@ -31,7 +30,7 @@ pub fn journal(data: &Path, looks: bool) -> Result<Option<Journal>> {
 
 /// Removes what killed writers left half written in a folder, and says so.
 pub fn sweep(folder: &Path) {
-    match files::sweep(folder) {
+    match kerf_files::sweep(folder) {
         0 => {}
         1 => eprintln!(
             "kerf: removed a file from {} that a killed Kerf left half written",

@@ -1,10 +1,10 @@
 //! Estimates the time that another controller would take: the moves of a run, from rest to rest, and what
 //! its planner makes of them.
 
-use kerf_control::{Event, Made, Sink, Tally};
 use kerf_motion::Move;
 use kerf_motion::controllers::Controller;
 use kerf_program::{Frame, OutputReason, ToolPathStart};
+use kerf_trace::{Event, Made, Sink, Tally};
 
 /// Shorter gaps between moves are rounding, seconds.
 const GAP_S: f64 = 1e-6;

@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result};
 use kerf_control::Summary;
-use kerf_control::files::{Disk, RealDisk};
+use kerf_files::{Disk, RealDisk};
 use std::io::{self, Write};
 use std::path::Path;
 

@@ -6,7 +6,7 @@ use crate::exit::{Exit, Usage};
 use crate::{clock, out, setup};
 use anyhow::{Result, bail};
 use clap::Args;
-use kerf_control::files::{Disk, RealDisk};
+use kerf_files::{Disk, RealDisk};
 use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};

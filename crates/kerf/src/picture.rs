@@ -6,12 +6,15 @@ use crate::out;
 use crate::report::Diagnostics;
 use crate::setup::Job;
 use anyhow::{Result, bail};
-use kerf_control::event::{ArcEvent, MoveEvent, Place};
-use kerf_control::{Company, Event, Repetitions, Session, Sink, Summary, ToolPathTime, Work};
+use kerf_control::{Company, Repetitions, Session, Summary, Work};
 use kerf_diag::Severity;
 use kerf_preview::{Finding, Options, Scene, Segment, Shape, TableView, ToolPath, Trail};
 use kerf_program::settings::{AxisUnit, MM_PER_INCH};
 use kerf_program::{Axis, Settings};
+use kerf_trace::{
+    Event, Sink, ToolPathTime,
+    event::{ArcEvent, MoveEvent, Place},
+};
 use std::path::Path;
 
 /// The kinds of picture.
@@ -197,8 +200,8 @@ pub fn write(scene: &Scene, format: Format, path: &Path) -> Result<()> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use kerf_control::files::MemoryDisk;
     use kerf_control::{Company, RunOptions, Shelf};
+    use kerf_files::MemoryDisk;
     use kerf_program::Axes;
 
     /// The scene of a program, lines separated by `⏎`, with the tool at (1, 1) in.

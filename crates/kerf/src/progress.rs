@@ -1,7 +1,7 @@
 //! The progress bar of a run.
 
 use indicatif::{ProgressBar, ProgressStyle};
-use kerf_control::{Event, Sink};
+use kerf_trace::{Event, Sink};
 
 /// Moves between two looks at the bar.
 const MOVES_A_LOOK: u64 = 256;

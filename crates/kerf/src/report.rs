@@ -1,9 +1,9 @@
 //! Reports to a person at a terminal while a program runs.
 
 use crate::sources::FileLines;
-use kerf_control::event::AskEvent;
-use kerf_control::{Event, Repetitions, Sink};
+use kerf_control::Repetitions;
 use kerf_diag::{Diagnostic, render_text};
+use kerf_trace::{Event, Sink, event::AskEvent};
 use std::io::{IsTerminal, Write};
 use std::sync::Arc;
 use std::{env, io};

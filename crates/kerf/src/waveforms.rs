@@ -2,9 +2,9 @@
 
 use anyhow::{Context, Result};
 use clap::Args;
-use kerf_control::vcd::VcdSink;
-use kerf_control::{Event, Session, Sink, Work};
+use kerf_control::{Session, Work};
 use kerf_machine::Configuration;
+use kerf_trace::{Event, Sink, vcd::VcdSink};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

@@ -4,7 +4,8 @@
 //! changes for a reason, `KERF_BLESS=1 cargo test -p kerf --test all golden::` writes the new one; read the
 //! difference before keeping it.
 
-use kerf_control::{TextOptions, json, run_text};
+use kerf_control::{TextOptions, run_text};
+use kerf_trace::json;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};

@@ -2,7 +2,7 @@
 
 use crate::shop;
 use crate::shop::Shop;
-use kerf_control::versions::Versions;
+use kerf_files::versions::Versions;
 
 const PART: &str = "SA\nMX,1\nMY,2\n";
 

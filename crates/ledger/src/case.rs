@@ -2,13 +2,14 @@
 
 use crate::Run;
 use kerf_control::answers::Answers;
-use kerf_control::files::MemoryDisk;
-use kerf_control::{Company, Event, RunOptions, Session, Shelf, StopAt, json};
+use kerf_control::{Company, RunOptions, Session, Shelf, StopAt};
+use kerf_files::MemoryDisk;
 use kerf_machine::Configuration;
 use kerf_machine::settings::estop::EmergencyStop;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, Settings};
 use kerf_sim::{Change, Push};
+use kerf_trace::{Event, json};
 use std::sync::Arc;
 
 /// Names of the program that a case runs.

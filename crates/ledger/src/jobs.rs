@@ -1,13 +1,9 @@
 //! Jobs on the machine SIM (readings, SIM), and what their traces tell.
 
 use kerf_control::answers::Answers;
-use kerf_control::event::MoveEvent;
-use kerf_control::files::MemoryDisk;
-use kerf_control::vcd::VcdSink;
-use kerf_control::{
-    Company, Event, OperatorRequest, RunOptions, Script, Session, Shelf, Sink, Summary, Work,
-};
+use kerf_control::{Company, OperatorRequest, RunOptions, Script, Session, Shelf, Summary, Work};
 use kerf_drawing::{Editor, script};
+use kerf_files::MemoryDisk;
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::lines::Input;
 use kerf_machine::profile::profile;
@@ -15,6 +11,7 @@ use kerf_machine::{Configuration, Errand, file};
 use kerf_program::job::{Job, JobShape};
 use kerf_program::{Axes, AxisSet, MoveKind};
 use kerf_sim::{Change, Sheet};
+use kerf_trace::{Event, Sink, event::MoveEvent, vcd::VcdSink};
 use std::sync::Arc;
 
 /// The standard simulated machine (readings, SIM): the profile `sim`.

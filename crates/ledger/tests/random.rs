@@ -1,8 +1,9 @@
 //! Programs thrown together from plausible lines, run whole: they never panic, they end with a
 //! status, and the same program does the same again, also when it is saved and restored between.
 
-use kerf_control::{Event, RunOptions, TextOptions, json, run_text};
+use kerf_control::{RunOptions, TextOptions, run_text};
 use kerf_sim::Change;
+use kerf_trace::{Event, json};
 use proptest::prelude::*;
 use proptest::strategy::Union;
 use proptest::test_runner::TestRunner;

@@ -27,9 +27,9 @@ use crate::setup::{Builders, Options};
 use crate::shop;
 use crate::texts::Texts;
 use crate::turn::Turn;
+use kerf_control::Begun;
 use kerf_control::Shelf;
 use kerf_control::journal::Journal;
-use kerf_control::timing::Begun;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
 use kerf_wire::{

@@ -13,7 +13,7 @@
 
 use crate::digested::{checked, with_digest};
 use crate::locks::lock;
-use kerf_control::files::{Disk, RealDisk, replace_whole, write_private};
+use kerf_files::{Disk, RealDisk, replace_whole, write_private};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};

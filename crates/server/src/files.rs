@@ -2,7 +2,7 @@
 
 use crate::names;
 use kerf_control::MOST_BYTES;
-use kerf_control::files::{Disk, RealDisk};
+use kerf_files::{Disk, RealDisk};
 use kerf_wire::{FileInfo, Problem, Why};
 use std::fs;
 use std::io::{self, Read};

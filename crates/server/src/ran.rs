@@ -1,7 +1,7 @@
 //! The last run of each file, also of those before Kerf began: they are kept in the data folder.
 
 use crate::digested::{checked, with_digest};
-use kerf_control::files::{Disk, RealDisk};
+use kerf_files::{Disk, RealDisk};
 use kerf_wire::LastRun;
 use std::collections::BTreeMap;
 use std::io;

@@ -10,7 +10,7 @@ use crate::files::{self, PartFolder};
 use crate::kind::kind_of;
 use crate::locks::lock;
 use crate::refusal::problem;
-use kerf_control::versions::Versions;
+use kerf_files::versions::Versions;
 use kerf_wire::{FileAbout, FileInfo, FileKind, FileVersion, Problem, Why};
 use std::collections::BTreeMap;
 use std::path::Path;

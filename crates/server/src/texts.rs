@@ -12,7 +12,7 @@ use crate::digested::{checked, with_digest};
 use crate::files::{self, PartFolder};
 use crate::locks::lock;
 use crate::refusal::problem;
-use kerf_control::files::{Disk, RealDisk};
+use kerf_files::{Disk, RealDisk};
 use kerf_wire::{Problem, TextDraft, Tone, Why};
 use std::fs;
 use std::io;

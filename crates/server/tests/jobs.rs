@@ -397,23 +397,23 @@ fn told(tenths: u8) -> Vec<([f64; 3], f64)> {
 
 /// Everything that a run tells.
 #[derive(Default)]
-struct Trace(Vec<kerf_control::Event>);
+struct Trace(Vec<kerf_trace::Event>);
 
-impl kerf_control::Sink for Trace {
-    fn event(&mut self, event: &kerf_control::Event) {
+impl kerf_trace::Sink for Trace {
+    fn event(&mut self, event: &kerf_trace::Event) {
         self.0.push(event.clone());
     }
 }
 
 /// The trace of the same job.
-fn trace(tenths: u8) -> Vec<kerf_control::Event> {
+fn trace(tenths: u8) -> Vec<kerf_trace::Event> {
     let mut machine = kerf_machine::profile::profile("sim").unwrap().configuration().unwrap();
     machine.misc.runtime_drawing = tenths;
     let (job, _) = kerf_toolpath::read(rsm("line 0,0 100,0; line 700,0 600,0").as_bytes());
     let work = kerf_control::job_file::work(&job, "job.rsm".into(), machine);
-    let folders = kerf_control::files::Folders::new(".".into(), Vec::new(), Vec::new());
+    let folders = kerf_files::Folders::new(".".into(), Vec::new(), Vec::new());
     let stored = kerf_control::stored::Stored::in_memory(Default::default());
-    let disk = kerf_control::files::RealDisk;
+    let disk = kerf_files::RealDisk;
     let mut shelf = kerf_control::Shelf::preview(disk, folders, &stored, ".".into());
     let mut sink = Trace::default();
     let company = kerf_control::Company {

@@ -1,12 +1,11 @@
 //! Finds, before anything moves, what a program asks for that a controller does not have.
 
-use crate::event::MoveEvent;
-use crate::{Event, Made, Sink};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Output;
 use kerf_program::{Axes, Axis, OutputReason, Turn};
+use kerf_trace::{Event, Made, Sink, event::MoveEvent};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 

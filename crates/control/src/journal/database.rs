@@ -1,7 +1,7 @@
 //! The SQLite file: how it is opened, what it says when something is wrong.
 
 use super::JournalError;
-use crate::files::private;
+use kerf_files::private;
 use rusqlite::{Connection, ErrorCode, OpenFlags, ffi};
 use std::path::Path;
 use std::time::Duration;

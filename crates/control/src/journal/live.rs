@@ -4,8 +4,8 @@
 use super::progress::{PROGRESS, Reached};
 use super::rows::Table;
 use super::{Journal, JournalError, OWNER_FILE, mirror};
-use crate::flag;
 use kerf_sim::Machine;
+use kerf_trace::flag;
 use serde::{Deserialize, Serialize};
 use std::fs::{File, TryLockError};
 

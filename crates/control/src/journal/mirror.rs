@@ -6,8 +6,8 @@
 
 use super::live::Live;
 use super::{Journal, JournalError};
-use crate::files::replace_whole;
 use crate::stored::check_value;
+use kerf_files::replace_whole;
 use std::fs;
 use std::io;
 use std::path::Path;

@@ -11,7 +11,7 @@
 //! write-ahead file is noticed as well: the seal knows the generation that the file had by itself.
 
 use super::rows::{Result, Rows, Table, Trouble, json};
-use crate::files::{private, write_private};
+use kerf_files::{private, write_private};
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher, RandomState};

@@ -2,11 +2,11 @@
 
 use super::*;
 use crate::facts::Fact;
-use crate::files::{Folders, MemoryDisk};
 use crate::settings_text;
 use crate::stored::Stored;
 use crate::text::{TextOptions, run_text};
 use crate::{Company, RunOptions, Session, Shelf, Started};
+use kerf_files::{Folders, MemoryDisk};
 use std::fs;
 use std::sync::mpsc::channel;
 use std::time::Duration;

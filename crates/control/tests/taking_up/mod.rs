@@ -3,14 +3,12 @@
 #![allow(dead_code)]
 
 use kerf_control::answers::{Answers, Operator};
-use kerf_control::event::{MoveEvent, Place};
-use kerf_control::files::{Folders, MemoryDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{
-    Company, Event, OperatorRequest, Press, Requests, RunOptions, Session, Shelf, Sink, Started,
-    Work,
+    Company, OperatorRequest, Press, Requests, RunOptions, Session, Shelf, Started, Work,
 };
+use kerf_files::{Folders, MemoryDisk};
 use kerf_geom::{Point2, Polyarc};
 use kerf_machine::profile::profile;
 use kerf_machine::{Configuration, Driven};
@@ -19,6 +17,10 @@ use kerf_program::job::{Job, JobShape};
 use kerf_program::{Axes, Question, QuestionKind};
 use kerf_sbp::Status;
 use kerf_sim::{Clock, Simulated};
+use kerf_trace::{
+    Event, Sink,
+    event::{MoveEvent, Place},
+};
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use tempfile::{TempDir, tempdir};

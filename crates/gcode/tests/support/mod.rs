@@ -28,7 +28,7 @@ impl Host for Quiet {
             Folder::Parts | Folder::Settings | Folder::Media => self.0.clone(),
             // The custom cuts that Kerf ships.
             Folder::Custom => {
-                PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../control/custom"))
+                PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../files/custom"))
             }
         };
         let bytes = std::fs::read(folder.join(&request.name));

@@ -14,11 +14,12 @@ use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
 use kerf_control::{
-    Company, Event, OperatorRequest, RunOptions, Script, Session, Shelf, Sink, Work, unverified,
+    Company, OperatorRequest, RunOptions, Script, Session, Shelf, Work, unverified,
 };
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
 use kerf_program::{AXES, Axis, AxisSet, MoveKind, Status};
+use kerf_trace::{Event, Sink};
 use kerf_wire::ByHand;
 use std::io::{self, IsTerminal};
 use std::path::Path;

@@ -8,8 +8,9 @@ use crate::sources::FileLines;
 use crate::{given, out, setup};
 use anyhow::Result;
 use clap::Args;
-use kerf_control::{Checked, Event, Summary, json};
+use kerf_control::{Checked, Summary};
 use kerf_diag::{Code, Diagnostic, Place, Severity, render_text};
+use kerf_trace::{Event, json};
 use std::io;
 use std::path::{Path, PathBuf};
 

@@ -7,10 +7,11 @@ use crate::report::Diagnostics;
 use crate::{out, setup};
 use anyhow::{Result, bail};
 use clap::Args;
-use kerf_control::{Company, Event, Made, Sink, Work};
+use kerf_control::{Company, Work};
 use kerf_preview::heights::{HeightPlot, Reading};
 use kerf_program::{Axis, MoveKind};
 use kerf_sim::Sheet;
+use kerf_trace::{Event, Made, Sink};
 use std::path::PathBuf;
 
 /// Measures height control: how far the gap between tool and sheet is from what is wanted

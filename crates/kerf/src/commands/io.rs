@@ -8,13 +8,13 @@ use crate::waveforms::VcdArgs;
 use crate::{out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand, ValueEnum};
-use kerf_control::{Event, Sink};
 use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::wiring::{self, Bit, CARDS, INPUT_BITS, OUTPUT_BITS, Port, Terminal};
 use kerf_program::OutputReason;
 use kerf_sim::ports::Ports;
+use kerf_trace::{Event, Sink};
 use std::thread;
 use std::time::{Duration, Instant};
 

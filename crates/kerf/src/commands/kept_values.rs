@@ -6,9 +6,9 @@ use crate::remote::Remote;
 use crate::{memory, setup};
 use anyhow::Result;
 use clap::Args;
-use kerf_control::files::{Disk, RealDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::check_value;
+use kerf_files::{Disk, RealDisk};
 use std::path::{Path, PathBuf};
 
 /// Folder or server whose values are meant.

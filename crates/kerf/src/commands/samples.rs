@@ -4,7 +4,7 @@ use crate::exit::Exit;
 use crate::out;
 use anyhow::{Context, Result};
 use clap::Args;
-use kerf_control::files::{Disk, MACHINES, RealDisk, SAMPLES};
+use kerf_files::{Disk, MACHINES, RealDisk, SAMPLES};
 use std::path::PathBuf;
 
 /// Puts sample part files, whose names begin with S_, into a folder

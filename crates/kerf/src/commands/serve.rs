@@ -17,7 +17,7 @@ use kerf_control::Shelf;
 use kerf_control::controller::{Controller, First};
 use kerf_control::machine_file::MachineFile;
 use kerf_control::start_up::{OpenMethod, StartUp};
-use kerf_control::versions::Versions;
+use kerf_files::versions::Versions;
 use kerf_server::{Builders, Options, Server, Workshop};
 use std::io::{self, ErrorKind};
 use std::net::{SocketAddr, TcpListener};

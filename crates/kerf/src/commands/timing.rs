@@ -8,7 +8,8 @@ use crate::{out, setup};
 use anyhow::{Result, bail};
 use clap::Args;
 use kerf_control::Company;
-use kerf_control::timing::{Course, Lines, Timing, corners};
+use kerf_preview::timing::{Course, Timing, corners};
+use kerf_trace::timing::Lines;
 use std::path::PathBuf;
 
 /// Draws the timing of a job or part file: inputs and outputs under the motion

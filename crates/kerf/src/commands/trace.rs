@@ -7,7 +7,7 @@ use crate::{out, setup};
 use anyhow::{Context, Result};
 use clap::Args;
 use kerf_control::Company;
-use kerf_control::json::JsonLines;
+use kerf_trace::json::JsonLines;
 use std::io::{self, BufWriter};
 use std::path::PathBuf;
 

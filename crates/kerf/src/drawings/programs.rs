@@ -2,10 +2,10 @@
 
 use crate::report::Diagnostics;
 use anyhow::{Result, bail};
-use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{Desk, Shelf};
 use kerf_convert::{Conversion, Language, Passage, Source};
+use kerf_files::{Folders, RealDisk};
 use kerf_formats::{Finding, Imported, Weight, motion};
 use kerf_gcode::Dialect;
 use kerf_program::Axes;

@@ -1,9 +1,10 @@
 //! The end of a run of a server, and what is wrong with a file, as the server tells it.
 
-use kerf_control::{Summary, Tally};
+use kerf_control::Summary;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Status;
+use kerf_trace::Tally;
 use serde_json::Value;
 
 /// End of a run.

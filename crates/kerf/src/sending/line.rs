@@ -2,9 +2,8 @@
 
 use super::Shown;
 use anyhow::Result;
-use kerf_control::files::{Disk, RealDisk};
 use kerf_control::transfer::{Receiver, Sender, State};
-use kerf_control::versions::Versions;
+use kerf_files::{Disk, RealDisk, versions::Versions};
 use kerf_serial::Port;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

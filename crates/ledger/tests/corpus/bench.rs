@@ -3,10 +3,11 @@
 use crate::corpus::row::Row;
 use crate::corpus::tree::Tree;
 use kerf_control::answers::Answers;
-use kerf_control::files::RealDisk;
 use kerf_control::stored::Stored;
-use kerf_control::{Company, Event, RunOptions, Session, Shelf, Shell, json};
+use kerf_control::{Company, RunOptions, Session, Shelf, Shell};
+use kerf_files::RealDisk;
 use kerf_sbp::Status;
+use kerf_trace::{Event, json};
 use std::path::PathBuf;
 
 /// What came of a run.

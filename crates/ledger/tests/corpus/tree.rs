@@ -5,7 +5,7 @@
 //! the maker's own below the folder that Windows calls `C:\SbParts`, the others below a folder of
 //! their own.
 
-use kerf_control::files::Folders;
+use kerf_files::Folders;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;

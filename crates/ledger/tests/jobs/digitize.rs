@@ -1,12 +1,12 @@
 //! Area `digitize`: ways along digitized points, driven on the machine.
 
-use kerf_control::Event;
 use kerf_digitize::{Digitizer, Kind, Leg, Stand};
 use kerf_geom::{Point2, Segment};
 use kerf_ledger::jobs::{JobRun, JobTrace};
 use kerf_machine::lines::Input;
 use kerf_machine::{Errand, Stretch};
 use kerf_program::Status;
+use kerf_trace::Event;
 
 /// L(0,0), A(5,-5), L(10,0), L(10,10), the last one current.
 fn points() -> Digitizer {
@@ -35,8 +35,7 @@ fn drive(way: &[Leg], x: f64, y: f64) -> JobRun {
 /// What was moved, from the job origin: `to 10,10`, `cw 90 about 5,0 to 0,0`.
 fn ways(trace: &JobTrace) -> Vec<String> {
     let r = |v: f64| (v * 1e6).round() / 1e6 + 0.0;
-    let end =
-        |to: &kerf_control::event::Place| format!("to {},{}", r(to.x - 300.0), r(to.y - 200.0));
+    let end = |to: &kerf_trace::event::Place| format!("to {},{}", r(to.x - 300.0), r(to.y - 200.0));
     let told = |event: &Event| match event {
         Event::Move(made) => Some(end(&made.to)),
         Event::Arc(arc) => {

@@ -1,11 +1,11 @@
 //! Ways down that are not as they were asked for are told, each once, before anything moves.
 
-use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, job, line, square};
 use kerf_machine::settings::height::HeightMode;
 use kerf_machine::settings::laser::LaserType;
 use kerf_program::job::{Depth, Job, JobShape, Plunge};
 use kerf_sim::Sheet;
+use kerf_trace::Event;
 
 const RAMP: Plunge = Plunge::Ramp { angle_deg: 3.0 };
 const HELIX: Plunge = Plunge::Helix { radius_mm: 2.0, angle_deg: 3.0 };

@@ -1,6 +1,5 @@
 //! Area `estop`: the emergency stop in jobs.
 
-use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, t1};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::delays::BottomDelayType;
@@ -8,6 +7,7 @@ use kerf_machine::wiring::bit;
 use kerf_machine::{Errand, Held};
 use kerf_program::{Axis, AxisSet};
 use kerf_sbp::Status;
+use kerf_trace::Event;
 
 /// JOB-T1 with the emergency stop at a time.
 fn stopped(at_s: f64) -> JobTrace {

@@ -1,11 +1,11 @@
 //! Area `height`: Z follows a warped sheet, closed loop on the simulated machine.
 
-use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::height::HeightMode;
 use kerf_program::job::{Depth, JobShape};
 use kerf_sim::Sheet;
+use kerf_trace::Event;
 
 /// JOB-T1 with proportional height control over a sheet.
 fn over(sheet: Sheet) -> JobRun {

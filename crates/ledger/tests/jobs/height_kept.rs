@@ -1,11 +1,11 @@
 //! Area `height`: however many shapes are cut and however often a job stops, ZSurface and ZTop lie where the
 //! sheet has them.
 
-use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, job, line};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::height::HeightMode;
 use kerf_sim::Sheet;
+use kerf_trace::Event;
 
 /// How exact proportional height control is, mm.
 const ACCURACY_MM: f64 = 0.1;

@@ -1,11 +1,11 @@
 //! Area `homing`, in runs: axes are homed on the machine, before jobs, and bounds follow.
 
-use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, JobTrace, t1};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::homing::{BeforeRuns, HomeEnd};
 use kerf_machine::{Configuration, Errand, Held};
 use kerf_program::{Axis, AxisSet, Status};
+use kerf_trace::Event;
 
 fn axes(letters: &str) -> AxisSet {
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)

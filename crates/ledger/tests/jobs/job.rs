@@ -14,8 +14,8 @@ fn ends(trace: &JobTrace) -> Vec<String> {
 }
 
 fn messages(trace: &JobTrace) -> Vec<String> {
-    let told = |event: &kerf_control::Event| match event {
-        kerf_control::Event::Message { text, .. } => Some(text.to_string()),
+    let told = |event: &kerf_trace::Event| match event {
+        kerf_trace::Event::Message { text, .. } => Some(text.to_string()),
         _ => None,
     };
     trace.events.iter().filter_map(told).collect()
@@ -24,7 +24,7 @@ fn messages(trace: &JobTrace) -> Vec<String> {
 /// Names of shapes in the order in which they are cut.
 fn cut(trace: &JobTrace) -> Vec<u32> {
     let cuts = trace.events.iter().filter_map(|event| match event {
-        kerf_control::Event::Move(made) if made.kind == kerf_program::MoveKind::Cut => {
+        kerf_trace::Event::Move(made) if made.kind == kerf_program::MoveKind::Cut => {
             let flat = (made.from.x, made.from.y) != (made.to.x, made.to.y);
             flat.then_some(made.line)
         }
@@ -148,17 +148,16 @@ fn pro_misc_doublestart() {
         machine.homing.at_job_start = AxisSet::EMPTY.with(Axis::Z);
     };
     let away = JobRun::new(t1()).with(homes).at(40.0, 30.0, -25.0).say("start").run();
-    let first =
-        |is: &dyn Fn(&kerf_control::Event) -> bool| away.events.iter().position(is).unwrap();
-    let waits = first(&|event| matches!(event, kerf_control::Event::Ask(_)));
+    let first = |is: &dyn Fn(&kerf_trace::Event) -> bool| away.events.iter().position(is).unwrap();
+    let waits = first(&|event| matches!(event, kerf_trace::Event::Ask(_)));
     assert!(
         first(
-            &|event| matches!(event, kerf_control::Event::Homed { axis, .. } if axis.eq_ignore_ascii_case("z"))
+            &|event| matches!(event, kerf_trace::Event::Homed { axis, .. } if axis.eq_ignore_ascii_case("z"))
         ) < waits
     );
-    assert!(first(&|event| matches!(event, kerf_control::Event::Output { on: true, .. })) > waits);
+    assert!(first(&|event| matches!(event, kerf_trace::Event::Output { on: true, .. })) > waits);
     let stood = away.events[..waits].iter().rev().find_map(|event| match event {
-        kerf_control::Event::Move(made) => Some([made.to.x, made.to.y, made.to.z]),
+        kerf_trace::Event::Move(made) => Some([made.to.x, made.to.y, made.to.z]),
         _ => None,
     });
     let [x, y, z] = stood.unwrap();
@@ -268,7 +267,7 @@ fn pro_job_jig_inputs() {
 fn pro_job_jig_outputs() {
     let trace = jigs().input(Input::Jig1, 1.0, true).run();
     let latch = trace.events.iter().any(|event| {
-        matches!(event, kerf_control::Event::Input { name: Some("jig1"), on: false, t, .. } if *t == 1.0)
+        matches!(event, kerf_trace::Event::Input { name: Some("jig1"), on: false, t, .. } if *t == 1.0)
     });
     assert!(latch, "the output switches the start switch off");
     let edges: Vec<_> = trace.edges().into_iter().filter(|edge| edge.contains("jig1")).collect();
@@ -359,7 +358,7 @@ fn pro_job_ext_option() {
 fn pro_options_doublestart() {
     let two = JobRun::new(t2()).with(|machine| machine.misc.double_start = true).say("start").run();
     let asked = two.events.iter().find_map(|event| match event {
-        kerf_control::Event::Ask(ask) => Some(ask.text.clone()),
+        kerf_trace::Event::Ask(ask) => Some(ask.text.clone()),
         _ => None,
     });
     assert_eq!(asked.as_deref(), Some("Start with shape 1?"));
@@ -485,8 +484,8 @@ fn pro_motors_z2__adjusted_where_it_was_homed() {
 /// Where each cut of an array goes down, in order.
 fn plunges(drawing: &str) -> Vec<[f64; 2]> {
     let trace = JobRun::new(kerf_ledger::jobs::drawn(drawing)).run();
-    let down = |event: &kerf_control::Event| match event {
-        kerf_control::Event::Move(made) if made.to.z < made.from.z && made.to.z == -30.0 => {
+    let down = |event: &kerf_trace::Event| match event {
+        kerf_trace::Event::Move(made) if made.to.z < made.from.z && made.to.z == -30.0 => {
             Some([made.to.x, made.to.y])
         }
         _ => None,

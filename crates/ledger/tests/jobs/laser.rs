@@ -417,7 +417,7 @@ fn pro_laser_legacy__in_a_trace() {
 fn pro_intensity_pulse__in_a_trace() {
     let trace = t5().with(|machine| machine.laser.cut_hz = 100_000.0).run();
     let widths = trace.events.iter().filter_map(|event| match event {
-        kerf_control::Event::Intensity { value: 38, pulse_us, .. } => *pulse_us,
+        kerf_trace::Event::Intensity { value: 38, pulse_us, .. } => *pulse_us,
         _ => None,
     });
     let widths: Vec<f64> = widths.collect();

@@ -1,10 +1,10 @@
 //! Area `move`: moves by hand; and what belongs to them of zpos, axes and pause.
 
-use kerf_control::{Event, Made, Sink};
 use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Errand, Held, Keypad};
 use kerf_program::{AXES, Axes, Axis, AxisSet, Settings, Status};
+use kerf_trace::{Event, Made, Sink};
 
 fn axes(letters: &str) -> AxisSet {
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)

@@ -146,7 +146,7 @@ fn pro_plasma_tooclose_input() {
         .events
         .iter()
         .filter_map(|event| match event {
-            kerf_control::Event::Input { name: Some("whome"), on, t, .. } => {
+            kerf_trace::Event::Input { name: Some("whome"), on, t, .. } => {
                 Some(format!("{t:.3} {on}"))
             }
             _ => None,
@@ -172,7 +172,7 @@ fn controlled(sheet: Sheet) -> JobRun {
 /// Times and heights of the readings.
 fn readings(trace: &JobTrace) -> Vec<(f64, f64)> {
     let told = trace.events.iter().filter_map(|event| match event {
-        kerf_control::Event::Height { z, t, .. } => Some((*t, *z)),
+        kerf_trace::Event::Height { z, t, .. } => Some((*t, *z)),
         _ => None,
     });
     told.collect()

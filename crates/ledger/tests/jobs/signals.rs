@@ -1,12 +1,12 @@
 //! Inputs, outputs and steps of jobs, as their signals show them.
 
-use kerf_control::Event;
 use kerf_ledger::jobs::{JobRun, Signals, job, t1, t2};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::height::HeightMode;
 use kerf_machine::settings::io::{Card, IoMap};
 use kerf_machine::settings::motors::FreeMotor;
 use kerf_sim::Sheet;
+use kerf_trace::Event;
 use std::sync::LazyLock;
 
 /// The signals of JOB-T1, made once for all tests.

@@ -405,7 +405,7 @@ fn sbp_lang_move_preview_same__each_sample() {
         moved.map(|e| serde_json::json!([e["line"], e["kind"], e["to"]])).collect()
     };
     let mut moved = 0;
-    for sample in kerf_control::files::SAMPLES {
+    for sample in kerf_files::SAMPLES {
         let program = sbp(sample.text);
         let made = path(&program.clone().run());
         moved += made.len();

@@ -3,8 +3,8 @@
 use crate::simulated::dice::Dice;
 use crate::simulated::jobs;
 use kerf_control::answers::Answers;
-use kerf_control::files::MemoryDisk;
-use kerf_control::{Company, Event, RunOptions, Script, Session, Shelf, Summary};
+use kerf_control::{Company, RunOptions, Script, Session, Shelf, Summary};
+use kerf_files::MemoryDisk;
 use kerf_geom::Point2;
 use kerf_ledger::jobs::{JobRun, sim};
 use kerf_machine::Configuration;
@@ -14,6 +14,7 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{MoveKind, RampModel, Status};
 use kerf_sbp::{Printing, SbpPrinter};
 use kerf_sequence::Speeds;
+use kerf_trace::Event;
 use std::sync::Arc;
 
 /// Times of a job and its part program that differ by less are equal: the printer's own tolerance of speeds.

@@ -2,7 +2,7 @@
 //! the surface is where it was.
 
 use crate::simulated::watch::Seen;
-use kerf_control::Event;
+use kerf_trace::Event;
 use std::collections::BTreeMap;
 
 /// Where the sheet is followed heights are as good as the sensor, and the head runs on, mm.

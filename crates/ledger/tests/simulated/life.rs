@@ -6,17 +6,15 @@ use crate::simulated::path::{Done, is_flat, laid};
 use crate::simulated::programs::SUB;
 use crate::simulated::watch::{Doom, Killed, Seen, Watch};
 use kerf_control::answers::Operator;
-use kerf_control::files::{Folders, RealDisk};
 use kerf_control::journal::{Journal, Whereabouts};
 use kerf_control::stored::Stored;
-use kerf_control::{
-    Company, Doing, Event, OperatorRequest, Requests, RunOptions, Session, Shelf, Sink, Summary,
-    Work, json,
-};
+use kerf_control::{Company, OperatorRequest, Requests, RunOptions, Session, Shelf, Summary, Work};
+use kerf_files::{Folders, RealDisk};
 use kerf_machine::{Driven, Errand, Going};
 use kerf_program::settings::Resolution;
 use kerf_program::{Axes, Axis, MoveKind, Question, QuestionKind, Status};
 use kerf_sim::{Clock, Simulated};
+use kerf_trace::{Doing, Event, Sink, json};
 use std::cell::RefCell;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};

@@ -1,9 +1,9 @@
 //! The path of a cut, whatever interrupted it.
 
 use crate::simulated::alike::{self, Point};
-use kerf_control::Made;
 use kerf_geom::Arc2;
 use kerf_program::{Axes, MoveKind};
+use kerf_trace::Made;
 use std::f64::consts::TAU;
 
 /// Places closer than this are the same, mm.

@@ -1,9 +1,9 @@
 //! What has to hold at any time of any run.
 
 use crate::simulated::path::Piece;
-use kerf_control::{Event, Made, Sink};
 use kerf_machine::lines::Output;
 use kerf_program::{Axes, Axis};
+use kerf_trace::{Event, Made, Sink};
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};

@@ -2,8 +2,8 @@
 //! of them.
 
 use crate::app::App;
-use kerf_control::files::{Disk, RealDisk};
 use kerf_digitize::{Digitizer, Point};
+use kerf_files::{Disk, RealDisk};
 use kerf_wire::Tone;
 use std::fs;
 use std::io;

@@ -7,10 +7,10 @@ use super::typing::Typing;
 use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
-use kerf_control::{Doing, Made, OpenFile};
 use kerf_machine::Configuration;
 use kerf_program::{At, Axes, MoveKind};
 use kerf_sim::Machine;
+use kerf_trace::{Doing, Made, OpenFile};
 use kerf_wire::{
     Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Snapshot, Sound,
     Speeds, Tone, Units,

@@ -266,9 +266,9 @@ mod tests {
     use crate::files::PartFolder;
     use crate::hub::Hub;
     use crate::machine::{Link, Order, Screen};
-    use kerf_control::files::{Folders, RealDisk};
     use kerf_control::stored::Stored;
     use kerf_control::{Company, Press, RunOptions, Session, Shelf};
+    use kerf_files::{Folders, RealDisk};
     use kerf_wire::Snapshot;
     use std::sync::Arc;
     use std::sync::mpsc::{TryRecvError, channel};

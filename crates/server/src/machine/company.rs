@@ -9,10 +9,9 @@ use crate::hub::Hub;
 use crate::told;
 use kerf_control::answers::{self, Operator};
 use kerf_control::journal::Hurry;
-use kerf_control::{
-    Doing, Event, Jog, LIFT, Made, OperatorRequest, Requests, Sink, Standing, WorldClock,
-};
+use kerf_control::{Jog, LIFT, OperatorRequest, Requests, WorldClock};
 use kerf_program::{Question, QuestionKind};
+use kerf_trace::{Doing, Event, Made, Sink, Standing};
 use kerf_wire::{Asked, Change, InForce, Machine, State, Tone};
 use std::cell::RefCell;
 use std::path::Path;

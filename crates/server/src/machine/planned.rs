@@ -1,8 +1,8 @@
 //! Progress of a run, by the plan of its preview.
 
-use kerf_control::Made;
 use kerf_machine::Going;
 use kerf_program::MoveKind;
+use kerf_trace::Made;
 use std::sync::Arc;
 
 /// The moves of a run as they were planned in its preview.

@@ -1,8 +1,8 @@
 //! A typed line on the screen: what it draws, or the file that it runs (FP, FG).
 
 use crate::files::PartFolder;
-use kerf_control::{Made, OpenFile};
 use kerf_program::FileCall;
+use kerf_trace::{Made, OpenFile};
 use kerf_wire::FileParameters;
 use std::fmt;
 use std::sync::Arc;

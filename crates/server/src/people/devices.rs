@@ -8,7 +8,7 @@ use crate::clock::Clock;
 use crate::counted::{Counted, Found};
 use crate::digested::{hash, hex};
 use crate::locks::lock;
-use kerf_control::files::{Disk, RealDisk};
+use kerf_files::{Disk, RealDisk};
 use kerf_wire::Role;
 use serde::{Deserialize, Serialize};
 use std::io;

@@ -4,7 +4,7 @@
 //! that is printed at the start, and in a file that only the user can read, for commands beside the server.
 
 use super::devices::{same, token};
-use kerf_control::files::{Disk, RealDisk, write_private};
+use kerf_files::{Disk, RealDisk, write_private};
 use std::io;
 use std::path::Path;
 

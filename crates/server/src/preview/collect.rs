@@ -3,9 +3,10 @@
 use super::pen::Pen;
 use super::rotary::is_rotary;
 use crate::machine::Planning;
-use kerf_control::{Event, Made, Repetitions, Session, Sink};
+use kerf_control::{Repetitions, Session};
 use kerf_diag::Diagnostic;
 use kerf_program::Axis;
+use kerf_trace::{Event, Made, Sink};
 
 /// Collects moves, their times, and what was found.
 #[derive(Debug)]

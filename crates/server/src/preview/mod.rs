@@ -24,15 +24,14 @@ use crate::job_told;
 use crate::locks::lock;
 use crate::machine::Planned;
 use collect::Collector;
-use kerf_control::timing::Begun;
-use kerf_control::{
-    Company, OperatorRequest, Requests, RunOptions, Session, Shelf, Sink, Summary, Work,
-};
+use kerf_control::Begun;
+use kerf_control::{Company, OperatorRequest, Requests, RunOptions, Session, Shelf, Summary, Work};
 use kerf_machine::Configuration;
 use kerf_program::settings::Mode;
 use kerf_program::{Axis, Frame, Settings};
 use kerf_sbp::{FileParameters, Status};
 use kerf_sequence::straddling;
+use kerf_trace::Sink;
 use kerf_wire::Finding;
 use kerf_wire::preview::{Detail, PreviewInfo, Timing, ToolPathInfo};
 use std::collections::BTreeMap;
@@ -256,7 +255,7 @@ fn details(path: Path) -> Vec<Path> {
 fn info(sink: &Collector, summary: &Summary, (settings, frame): &(Settings, Frame)) -> PreviewInfo {
     let (tally, view) = (&summary.tally, &settings.view);
     let low = |axis: Axis| settings.limits.low[axis] + frame.base_zero[axis];
-    let toolpath = |path: &kerf_control::ToolPathTime| ToolPathInfo {
+    let toolpath = |path: &kerf_trace::ToolPathTime| ToolPathInfo {
         name: path.name.to_string(),
         tool: path.tool.to_string(),
         seconds: path.seconds,

@@ -2,9 +2,9 @@
 
 use super::path::{Path, Segment};
 use super::rotary;
-use kerf_control::Made;
 use kerf_motion::{Move, Path as Way};
 use kerf_program::{Axis, MoveKind};
+use kerf_trace::Made;
 use kerf_wire::preview::{CUT, GAP, JOG};
 
 /// Greatest distance of a chord from its arc, mm: finer than a pixel of any view.

@@ -2,10 +2,11 @@
 
 use super::{options, silently, unattended};
 use crate::told;
-use kerf_control::timing::{Course, Lines, Track};
 use kerf_control::{RunOptions, Session, Shelf, Summary, Work};
+use kerf_preview::timing::{Course, Track};
 use kerf_sbp::{FileParameters, Status};
 use kerf_sim::Change;
+use kerf_trace::timing::Lines;
 use kerf_wire::preview::{TIMING_POINTS, Timing, TimingKind, TimingLine};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -25,7 +26,7 @@ pub fn timing(
     let (work, _) = unattended(work);
     let options = RunOptions { inputs, ..options(parameters) };
     let lines = Lines::bounded(TIMING_POINTS).until(given_up.clone());
-    let mut lines = lines.beginning(&session, &work, &options);
+    let mut lines = lines.beginning(&session.found_by(&work, &options));
     let (summary, _) = silently(work, options, session, shelf, given_up, &mut lines)?;
     Some(charted(lines, &summary))
 }

@@ -1,7 +1,7 @@
 //! Draws what was typed, as the machine makes it.
 
 use super::pen::Pen;
-use kerf_control::Made;
+use kerf_trace::Made;
 use kerf_wire::preview::TypedPath;
 
 /// Segments that pages draw many times a second; beyond them the older half is no longer drawn.

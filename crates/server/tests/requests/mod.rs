@@ -1,8 +1,8 @@
 //! Bytes as requests to a server whose machine is simulated. The test of this crate and the fuzz target share it.
 
-use kerf_control::files::{Folders, RealDisk};
 use kerf_control::stored::Stored;
 use kerf_control::{Session, Shelf};
+use kerf_files::{Folders, RealDisk};
 use kerf_server::{Builders, Options, Role, Server, Workshop};
 use std::cell::RefCell;
 use std::net::SocketAddr;

@@ -5,11 +5,11 @@
 pub mod hand;
 pub mod rough;
 
-use kerf_control::files::{Folders, RealDisk};
 use kerf_control::journal::Journal;
 use kerf_control::stored::Stored;
 use kerf_control::{Session, Shelf};
 use kerf_drawing::{Editor, script};
+use kerf_files::{Folders, RealDisk};
 use kerf_program::AxisSet;
 use kerf_server::{Builders, Options, Server, Workshop};
 use serde_json::{Value, json};

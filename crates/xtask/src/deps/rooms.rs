@@ -61,7 +61,11 @@ pub const ROOMS: &[Room] = &[
     at(5.0, Half::Machine, "kerf-sim"),
     // Bytes in and out; it knows nothing of who speaks.
     at(6.0, Half::Edge, "kerf-serial"),
-    at(6.0, Half::Edge, "kerf-control"),
+    // Files that programs name, and where they may be.
+    at(6.0, Half::Edge, "kerf-files"),
+    // What a run tells; it knows nothing of runs.
+    at(6.0, Half::Edge, "kerf-trace"),
+    at(6.5, Half::Edge, "kerf-control"),
     at(7.0, Half::Edge, "kerf-wire"),
     // Between `wire` and whoever serves editors.
     at(7.5, Half::Edge, "kerf-language"),

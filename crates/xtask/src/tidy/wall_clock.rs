@@ -8,7 +8,7 @@ const READS: [&str; 3] = ["SystemTime::now", "Zoned::now", "Timestamp::now"];
 
 /// Places that show it to people, or compare it with the times of files; nothing moves or ends by them.
 const SHOWN_BY: [&str; 4] = [
-    "crates/control/src/files/leftovers.rs",
+    "crates/files/src/leftovers.rs",
     "crates/kerf/src/clock.rs",
     "crates/kerf/src/date.rs",
     "crates/server/src/ran.rs",

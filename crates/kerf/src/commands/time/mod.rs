@@ -11,9 +11,10 @@ use crate::setup::{self, Job};
 use anyhow::{Result, bail};
 use clap::Args;
 use controller::ControllerArgs;
-use kerf_control::{Company, Sink, Summary, Tally, ToolPathTime, json};
+use kerf_control::{Company, Summary};
 use kerf_motion::controllers::Controller;
 use kerf_program::RampModel;
+use kerf_trace::{Sink, Tally, ToolPathTime, json};
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -2,9 +2,10 @@
 
 use crate::args::Format;
 use crate::out;
-use kerf_control::{Summary, Tally, json};
+use kerf_control::Summary;
 use kerf_drawing::Group;
 use kerf_toolpath::{Job, Pass, Warning};
+use kerf_trace::{Tally, json};
 use serde::Serialize;
 
 /// A job in numbers: millimetres and seconds.

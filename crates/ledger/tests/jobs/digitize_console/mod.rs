@@ -3,11 +3,11 @@
 mod functions;
 mod keys;
 
-use kerf_control::Event;
 use kerf_digitize::Kind;
 use kerf_drawing::{Group, Shape};
 use kerf_geom::{Point2, Polyarc, Segment};
 use kerf_ledger::hand_console::HandConsole;
+use kerf_trace::Event;
 use kerf_wire::Look;
 use std::sync::Arc;
 

@@ -4,20 +4,20 @@
 //!  Session::run ──► Lines ──► Timing   drawn by kerf timing, told to pages by the server
 //! ```
 
-mod begin;
 mod kept;
 mod zero;
 
 use crate::event::Partial;
 use crate::{Event, Made, Sink};
 use kept::Kept;
+use kerf_machine::lines::{Input, Output};
+use kerf_preview::timing::{Course, Timing, Track};
+use kerf_program::settings::LINES;
+use kerf_sim::Machine;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use zero::Zero;
-
-pub use begin::Begun;
-pub use kerf_preview::timing::{Course, Timing, Track, corners};
 
 /// Between two looks at the plan, seconds.
 const STEP_S: f64 = 0.005;
@@ -75,6 +75,22 @@ impl Lines {
     #[must_use]
     pub fn until(self, given_up: Arc<AtomicBool>) -> Self {
         Self { given_up, ..self }
+    }
+
+    /// The lines of a run that begins on a machine: what is on before is on from the beginning, and courses are
+    /// working locations; those of a job are the machine's.
+    #[must_use]
+    pub fn beginning(mut self, machine: &Machine) -> Self {
+        self.zero = Some(Zero::new(machine.position(), machine.frame()));
+        for n in 1..=LINES as u8 {
+            if machine.outputs().is_on(n) {
+                self.switch(false, n, Output::of_number(n).map(Output::name), 0.0, true);
+            }
+            if machine.input(n) {
+                self.switch(true, n, Input::of_number(n).map(Input::name), 0.0, true);
+            }
+        }
+        self
     }
 
     /// Returns `true` if it holds all of the run.

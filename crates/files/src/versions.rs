@@ -5,7 +5,7 @@
 //!                                                 since that second
 //! ```
 
-use crate::files::{Disk, RealDisk};
+use crate::{Disk, RealDisk};
 use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};

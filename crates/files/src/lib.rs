@@ -14,10 +14,11 @@ mod folders;
 mod leftovers;
 mod memory;
 mod open;
-pub(crate) mod private;
+pub mod private;
 mod real;
 mod scratch;
 mod shipped;
+pub mod versions;
 
 pub use disk::Disk;
 pub use folders::{Folders, Purpose, custom_name};

@@ -6,7 +6,7 @@ use std::process;
 use std::time::{Duration, SystemTime};
 
 /// End of the name of a file that is not in its place yet; it begins with [`prefix`].
-pub(super) const SUFFIX: &str = ".tmp";
+pub(crate) const SUFFIX: &str = ".tmp";
 
 const OURS: &str = ".kerf-";
 
@@ -17,7 +17,7 @@ const LATELY: Duration = Duration::from_secs(60);
 const DEPTH: usize = 4;
 
 /// Begins the name of a file that is not in its place yet: with the number of the process.
-pub(super) fn prefix() -> String {
+pub(crate) fn prefix() -> String {
     format!("{OURS}{}-", process::id())
 }
 

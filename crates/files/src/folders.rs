@@ -4,7 +4,7 @@
 //! folder, wherever that is; everything else on a drive is looked for in the folders that were allowed besides, each of
 //! which may be meant itself (`D:\Jobs\a.sbp` with `/srv/jobs`) or stand for the whole drive.
 
-use super::Disk;
+use crate::Disk;
 use kerf_program::{Folder, HostError};
 use serde::{Deserialize, Serialize};
 use std::path::{Component, Path, PathBuf};
@@ -49,7 +49,7 @@ impl Folders {
 
     /// The same, wherever the process is.
     #[must_use]
-    pub(crate) fn rooted(&self) -> Self {
+    pub fn rooted(&self) -> Self {
         let absolute = |path: &PathBuf| std::path::absolute(path).unwrap_or_else(|_| path.clone());
         let all = |paths: &[PathBuf]| paths.iter().map(absolute).collect();
         Self {
@@ -276,8 +276,8 @@ fn missing(name: &str, base: &Path, purpose: Purpose) -> HostError {
 
 #[cfg(test)]
 mod tests {
-    use super::super::MemoryDisk;
     use super::*;
+    use crate::MemoryDisk;
 
     fn disk() -> MemoryDisk {
         let files = [

@@ -1,6 +1,6 @@
 //! The files a program has open under numbers.
 
-use super::Disk;
+use crate::Disk;
 use kerf_program::{FileMode, HostError};
 use std::collections::BTreeMap;
 use std::io;
@@ -95,8 +95,8 @@ fn refused(what: &str, path: &Path, error: &io::Error) -> HostError {
 
 #[cfg(test)]
 mod tests {
-    use super::super::MemoryDisk;
     use super::*;
+    use crate::MemoryDisk;
 
     #[test]
     fn written_text_goes_to_the_disk_when_the_file_is_closed() {
@@ -113,9 +113,9 @@ mod tests {
     fn a_folder_is_made_for_a_file_that_is_written() -> std::io::Result<()> {
         let folder = tempfile::tempdir()?;
         let path = folder.path().join("Tools/Now/new.txt");
-        assert_eq!(make_way(&mut super::super::RealDisk, &path), Ok(()));
+        assert_eq!(make_way(&mut crate::RealDisk, &path), Ok(()));
         assert!(path.parent().is_some_and(Path::is_dir) && !path.exists());
-        assert_eq!(make_way(&mut super::super::RealDisk, &path), Ok(()), "it is there already");
+        assert_eq!(make_way(&mut crate::RealDisk, &path), Ok(()), "it is there already");
         Ok(())
     }
 

@@ -1,7 +1,7 @@
 //! A disk whose writes stay in a scratch space: what a preview writes, it can read again, and
 //! nothing of it remains.
 
-use super::{Disk, MemoryDisk};
+use crate::{Disk, MemoryDisk};
 use std::io;
 use std::path::{Path, PathBuf};
 

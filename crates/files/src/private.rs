@@ -5,7 +5,7 @@ use std::path::Path;
 /// Makes an empty file where there is none, and takes it away from everybody but its owner. Whoever opens it afterwards
 /// tells what is wrong with it; on systems without such permissions it is as any other file.
 #[cfg(unix)]
-pub(crate) fn make(path: &Path) {
+pub fn make(path: &Path) {
     use std::fs;
     use std::os::unix::fs::OpenOptionsExt;
     drop(fs::File::options().create(true).truncate(false).write(true).mode(OWNER).open(path));
@@ -16,15 +16,15 @@ pub(crate) fn make(path: &Path) {
 }
 
 #[cfg(not(unix))]
-pub(crate) fn make(_: &Path) {}
+pub fn make(_: &Path) {}
 
 /// Permissions of a file that its owner reads and writes, and nobody else.
 #[cfg(unix)]
-pub(crate) const OWNER: u32 = 0o600;
+pub const OWNER: u32 = 0o600;
 
 /// Takes an earlier file away from others. Who is not its owner leaves it as it is.
 #[cfg(unix)]
-pub(crate) fn keep(path: &Path) {
+pub fn keep(path: &Path) {
     use std::fs;
     use std::os::unix::fs::PermissionsExt;
     let others = |file: &fs::Metadata| file.permissions().mode() & 0o077 != 0;
@@ -34,4 +34,4 @@ pub(crate) fn keep(path: &Path) {
 }
 
 #[cfg(not(unix))]
-pub(crate) fn keep(_: &Path) {}
+pub fn keep(_: &Path) {}

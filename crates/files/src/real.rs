@@ -1,6 +1,6 @@
 //! The disk of the computer.
 
-use super::{Disk, leftovers};
+use crate::{Disk, leftovers};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::{env, fs};

@@ -14,7 +14,7 @@ macro_rules! shipped {
     ($(#[$doc:meta])* $list:ident in $folder:literal: $($name:literal)*) => {
         $(#[$doc])*
         pub const $list: &[Shipped] = &[
-            $(Shipped { name: $name, text: include_str!(concat!("../../", $folder, "/", $name)) },)*
+            $(Shipped { name: $name, text: include_str!(concat!("../", $folder, "/", $name)) },)*
         ];
     };
 }

@@ -1,14 +1,12 @@
-//! Traces of programs.
+//! Programs as traces of signals.
 
-#![allow(clippy::unwrap_used, non_snake_case)] // rows and their variants
-
-use super::VcdSink;
-use crate::files::MemoryDisk;
-use crate::{Company, RunOptions, Session, Shelf};
+use kerf_control::{Company, RunOptions, Session, Shelf};
+use kerf_files::MemoryDisk;
 use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
 use kerf_machine::settings::motors::FreeMotor;
 use kerf_sim::Change;
+use kerf_trace::vcd::VcdSink;
 
 fn sim(edit: impl FnOnce(&mut Configuration)) -> Configuration {
     let mut machine = profile("sim").unwrap().configuration().unwrap();
@@ -26,7 +24,7 @@ fn traced(machine: Configuration, program: &str, inputs: Vec<Change>) -> String 
         sink: &mut sink,
         operator: &mut operator,
         requests: &mut pace,
-        machine: crate::simulated(),
+        machine: kerf_control::simulated(),
     };
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());

@@ -1,6 +1,6 @@
 //! A disk in memory, for tests and for editors.
 
-use super::Disk;
+use crate::Disk;
 use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};

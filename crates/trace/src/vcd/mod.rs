@@ -158,6 +158,3 @@ impl<W: Write> Sink for VcdSink<W> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,0 +1,27 @@
+//! The trace of a run: its events, their receivers, and the sums and diagrams made of them.
+//!
+//! ```text
+//!  a run ──► Sink: Event, Event, …  JsonLines   the trace as text
+//!                  Made, Doing      VcdSink     signals of the motors and the ports
+//!                  Standing         Lines       a diagram of inputs and outputs
+//!        └─► Tally                              lengths, bounds and times of the summary
+//! ```
+//!
+//! - [`Event`] is one thing that a run tells, exactly as `kerf trace` prints it; a [`Sink`] takes events.
+//! - [`Made`] is a move with its plan, [`Doing`] the activity of the machine while time passes.
+//! - [`Standing`] is what a console shows of a run at any time.
+//!
+//! Nothing here knows what runs, or asks anything of it.
+
+pub mod event;
+pub mod json;
+mod sink;
+mod standing;
+mod tally;
+pub mod timing;
+pub mod vcd;
+
+pub use event::Event;
+pub use sink::{Doing, Made, Sink};
+pub use standing::{OpenFile, Standing, flag};
+pub use tally::{Tally, ToolPathTime};
