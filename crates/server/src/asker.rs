@@ -12,13 +12,23 @@ pub struct Asker {
     /// The request, as long as somebody waits for it.
     pub awaited: Awaited,
     /// Stops that had come when it arrived.
-    pub stops: Stops,
+    stops: Stops,
 }
 
 impl Asker {
     /// Somebody asks for something, which has arrived this moment, after so many stops.
     pub fn of(who: &Who, stops: Stops) -> Self {
         Self { who: who.clone(), awaited: Awaited::default(), stops }
+    }
+
+    /// Stops that had come when it arrived.
+    pub const fn stops(&self) -> Stops {
+        self.stops
+    }
+
+    /// The same, by another page or script.
+    pub fn by(self, client: u32) -> Self {
+        Self { who: Who { client, ..self.who }, ..self }
     }
 
     /// The same, who waits for what is asked for until it is given up.

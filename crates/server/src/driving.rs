@@ -42,6 +42,10 @@ impl Driving {
         });
     }
 
+    /// Arms the machine.
+    ///
+    /// # Errors
+    /// It is in alarm.
     pub fn arm(&self) -> Result<(), Problem> {
         let mut alarm = false;
         self.hub.changing(|now| {
@@ -52,6 +56,7 @@ impl Driving {
         if alarm { Err(problem(Why::State, "take note of the alarm first")) } else { Ok(()) }
     }
 
+    /// Takes note of an alarm, which is over then; the machine is disarmed.
     pub fn acknowledge(&self) {
         self.hub.changing(|now| {
             if now.machine.state != State::Alarm {
@@ -62,6 +67,10 @@ impl Driving {
         });
     }
 
+    /// Takes the turn at driving; from somebody else only by force, and while nobody jogs.
+    ///
+    /// # Errors
+    /// Somebody else drives.
     pub fn take_lease(&self, who: &Who, force: bool) -> Result<(), Problem> {
         let mut taken = Ok(());
         self.hub.changing(|now| {
@@ -117,7 +126,7 @@ impl Driving {
         let driver = self.hub.read(|now| now.lease.as_ref().map(|lease| lease.client));
         let same = driver.filter(|driver| own.is_some() && self.pages.device_of(*driver) == own);
         let client = same.unwrap_or(asker.who.client);
-        Asker { who: Who { client, ..asker.who.clone() }, ..asker.clone() }
+        asker.clone().by(client)
     }
 
     /// The number of somebody's turn at driving the machine, which is armed.

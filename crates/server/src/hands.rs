@@ -31,6 +31,10 @@ pub struct Hands {
 }
 
 impl Hands {
+    /// Moves an axis by a distance, as an answer where a question lets hands move.
+    ///
+    /// # Errors
+    /// There is no such axis or distance, or it may not begin.
     pub fn nudge(&self, asker: &Asker, axis: char, distance: f64) -> Result<(), Problem> {
         let Some(axis) = Axis::from_letter(axis).filter(|_| distance.is_finite()) else {
             return Err(problem(Why::Malformed, "an axis and a distance are needed"));

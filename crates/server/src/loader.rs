@@ -248,7 +248,8 @@ impl Loader {
 
     /// The same without changes of the inputs, if it is known already.
     pub fn known_timing(&self, preview: &Preview) -> Option<Arc<Timing>> {
-        preview.timing(&lock(&self.left).session)
+        let session = lock(&self.left).session.clone();
+        preview.timing(&session)
     }
 
     /// Returns the journal of what survives, where there is one.

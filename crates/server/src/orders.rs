@@ -93,7 +93,7 @@ impl Orders {
         }
         let asker = asker.ok_or_else(|| problem(Why::Lease, "nobody asked for this"))?;
         gate::pass(now, &asker.who, Way::Order(order))?;
-        if self.link.begin(Some(asker.stops), held) { Ok(()) } else { Err(stopped()) }
+        if self.link.begin(Some(asker.stops()), held) { Ok(()) } else { Err(stopped()) }
     }
 
     /// Wants something of what runs, as [`Orders::order_of`] where the machine goes on by it.
@@ -107,7 +107,7 @@ impl Orders {
         change: impl FnOnce(&mut Wanted) -> T,
     ) -> Result<T, Problem> {
         self.hub.read(|now| match gate::pass(now, &asker.who, way)?.moves() {
-            true => self.link.want_since(asker.stops, change).ok_or_else(stopped),
+            true => self.link.want_since(asker.stops(), change).ok_or_else(stopped),
             false => Ok(self.link.want(change)),
         })
     }

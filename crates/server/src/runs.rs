@@ -39,6 +39,10 @@ pub struct Runs {
 }
 
 impl Runs {
+    /// Goes on after a hold, or after a stop by its question.
+    ///
+    /// # Errors
+    /// Nothing is held, or somebody else drives.
     pub fn resume(&self, asker: &Asker) -> Result<(), Problem> {
         match self.hub.state() {
             State::Held => self.orders.want_of(asker, Way::GoOn, |wanted| wanted.resume = true)?,
@@ -67,6 +71,10 @@ impl Runs {
         counts.then_some(()).ok_or_else(late)
     }
 
+    /// Starts the open file, or goes on with the job that waits for Start.
+    ///
+    /// # Errors
+    /// It is another file by now, has mistakes or no tool path, or may not begin.
     pub fn run(&self, asker: &Asker, hash: &str, step: bool) -> Result<(), Problem> {
         let open = self.loader.open.lock().clone();
         self.has_tool_path(&open)?;
@@ -100,7 +108,7 @@ impl Runs {
     }
 
     /// Warnings about the file of a job, which whoever starts it is told once more.
-    pub fn noticed(&self, open: &Open) -> Vec<String> {
+    fn noticed(&self, open: &Open) -> Vec<String> {
         match kind_of(&open.name) {
             FileKind::Job => job_told::warnings(&open.bytes, Left::shaping(&self.left).factor),
             _ => Vec::new(),
@@ -108,7 +116,7 @@ impl Runs {
     }
 
     /// Checks that what was previewed is what runs: the file, and those that it calls.
-    pub fn unchanged(&self, open: &Open, preview: &Preview) -> Result<(), Problem> {
+    fn unchanged(&self, open: &Open, preview: &Preview) -> Result<(), Problem> {
         let changed = |what: &str| {
             let text = format!("{what} was changed since it was previewed; open the file again");
             Err(problem(Why::Changed, text))
@@ -138,6 +146,10 @@ impl Runs {
         self.orders.order_of(asker, Order::TakeUp { hash, planned: planned.unwrap_or_default() })
     }
 
+    /// Carries out a typed line.
+    ///
+    /// # Errors
+    /// It has a mistake, or may not begin.
     pub fn command(&self, asker: &Asker, line: String) -> Result<(), Problem> {
         if let Some(mistake) = typed(&line).diagnostics.iter().find(|found| found.is_error()) {
             let hint = &mistake.hint;
@@ -149,6 +161,10 @@ impl Runs {
         self.orders.order_of(asker, Order::Command { line, opened, file })
     }
 
+    /// Changes the speed of what runs, percent of what is programmed.
+    ///
+    /// # Errors
+    /// The share is out of bounds.
     pub fn override_feed(&self, feed_percent: f64) -> Result<(), Problem> {
         if !(10.0..=200.0).contains(&feed_percent) {
             return Err(problem(Why::Malformed, "overrides are 10 to 200 percent"));
@@ -165,7 +181,7 @@ impl Runs {
     ///
     /// # Errors
     /// That.
-    pub fn has_tool_path(&self, open: &Open) -> Result<(), Problem> {
+    fn has_tool_path(&self, open: &Open) -> Result<(), Problem> {
         let draws = open.name.is_empty() && self.hub.read(|now| now.drawing.is_some());
         if draws || kind_of(&open.name) == FileKind::Drawing {
             let text = format!("{}: Machine makes it from the drawing", job_file::NO_TOOL_PATH);
@@ -175,7 +191,7 @@ impl Runs {
     }
 
     /// The question of the job that runs, where Start answers it.
-    pub fn waits_for_start(&self, hash: &str) -> Option<u32> {
+    fn waits_for_start(&self, hash: &str) -> Option<u32> {
         self.hub.read(|now| {
             let mine = now.job.as_ref().is_some_and(|job| job.hash.as_deref() == Some(hash));
             let stands = matches!(now.machine.state, State::Asking | State::Stopped);

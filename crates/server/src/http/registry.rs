@@ -71,7 +71,7 @@ fn log_refused(orders: &Orders, command: &str, why: &Problem) {
 }
 
 /// Carries a command out that came over the network, as if whoever drives had typed it: a script may where its
-/// device drives, at a page or by itapp.
+/// device drives, at a page or by itself.
 fn pass_in(app: &Arc<App>, asker: &Asker, command: &str) -> Result<(), Problem> {
     let line = match command_passing::single(command) {
         _ if command.is_empty() => return Ok(()),
