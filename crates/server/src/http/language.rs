@@ -46,7 +46,7 @@ pub struct Formatted {
 pub async fn commands(State(app): State<Arc<App>>) -> Json<Vec<CommandEntry>> {
     let settings = lock(&app.left).session.memory.settings.clone();
     let mut all = kerf_language::commands(&settings);
-    let added = app.preview_shelf().map(|shelf| shelf.add_ins().0).unwrap_or_default();
+    let added = app.loader.preview_shelf().map(|shelf| shelf.add_ins().0).unwrap_or_default();
     all.extend(added.iter().map(kerf_language::added));
     Json(all)
 }
@@ -96,7 +96,7 @@ pub async fn values(State(app): State<Arc<App>>) -> Result<Json<Values>, Refused
 
 fn read_values(app: &App) -> Result<Values, Problem> {
     let session = lock(&app.left).session.clone();
-    let shelf = app.preview_shelf();
+    let shelf = app.loader.preview_shelf();
     let mut shelf = shelf.map_err(|error| problem(Why::Server, error.to_string()))?;
     let system = session.system_variables(&mut shelf).into_iter().map(|(variable, value)| {
         let (name, unit) = (variable.name.into(), variable.unit.into());
@@ -112,7 +112,10 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         settings: kerf_sbp::table::settings_lines(&memory.settings),
         diagnostics: told::named(session.diagnostics(&mut shelf)),
         folder: app.hub.read(|now| now.folder.clone()),
-        part_file: app.parts.name_of(shelf.stored.get(kerf_sbp::PART_FILE).unwrap_or_default()),
+        part_file: app
+            .files
+            .folder
+            .name_of(shelf.stored.get(kerf_sbp::PART_FILE).unwrap_or_default()),
         parts: shelf.user_path(),
         data: shelf.app_path(),
     })
