@@ -40,7 +40,7 @@ impl Spoiled {
         let mut chance = Chance::new(seed);
         let kinds = [Kind::Lost, Kind::Doubled, Kind::Garbled(1 << (chance.next() % 7))];
         let kind = kinds[(seed % 3) as usize];
-        Self { there: seed % 2 == 0, after: chance.next() % 90, kind }
+        Self { there: seed.is_multiple_of(2), after: chance.next() % 90, kind }
     }
 
     /// Bytes as they arrive; the fault is over when it has happened.

@@ -1,4 +1,5 @@
-//! Measures how fast steps become commands, and how many: `cargo run --release -p kerf-driver-klipper --example compress`.
+//! Measures how fast steps become commands, and how many:
+//! `cargo run --release -p kerf-driver-klipper --example compress`.
 #![allow(clippy::print_stdout)]
 
 use kerf_driver_klipper::compress::{Compressor, Limits, Steps, TooFast};
@@ -30,7 +31,8 @@ fn measure(steps: &[f64], fast: f64, error_us: f64) -> Result<(), TooFast> {
     let late = worst(steps, &out) / FREQUENCY * 1e6;
     let lasts_s = steps.last().copied().unwrap_or(1.0) / FREQUENCY;
     println!(
-        "{fast:7.0} steps/s at most, ±{error_us} µs: {:5.1} M steps/s a core, {:5.1} steps a command, {:5.0} commands/s, worst {late:.2} µs",
+        "{fast:7.0} steps/s at most, ±{error_us} µs: {:5.1} M steps/s a core, \
+         {:5.1} steps a command, {:5.0} commands/s, worst {late:.2} µs",
         steps.len() as f64 / took_s / 1e6,
         steps.len() as f64 / out.len() as f64,
         out.len() as f64 / lasts_s,

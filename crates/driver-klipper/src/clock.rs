@@ -1,8 +1,9 @@
 //! The board's clock, as far as the host can know it.
 //!
-//! A board counts ticks of its own crystal in 32 bits. Each answer to `get_clock` says that its clock had a value some time
-//! between sending and receiving: a box that the true line passes through. The estimate is the line of least squares through
-//! the middles of narrow boxes; it serves to tell the time in the board now, never to change what was planned in ticks.
+//! A board counts ticks of its own crystal in 32 bits. Each answer to `get_clock` says that its clock had a value
+//! some time between sending and receiving: a box that the true line passes through. The estimate is the line of
+//! least squares through the middles of narrow boxes; it serves to tell the time in the board now, never to change
+//! what was planned in ticks.
 //!
 //! ```text
 //!  clock │                     ┌──╱┐
@@ -164,7 +165,7 @@ impl Clock {
         let (Some(first), Some(last)) = (kept.first(), kept.last()) else { return };
         let count = kept.len() as f64;
         let (from_s, from) = (first.middle_s(), first.clock);
-        let points = kept.iter().map(|e| (e.middle_s() - from_s, (e.clock - from) as f64));
+        let points = kept.iter().map(|e| (e.middle_s() - from_s, e.clock as f64 - from as f64));
         let (sum_t, sum_c) = points.clone().fold((0.0, 0.0), |(t, c), p| (t + p.0, c + p.1));
         let (mean_t, mean_c) = (sum_t / count, sum_c / count);
         let spread: f64 = points.clone().map(|(t, _)| (t - mean_t).powi(2)).sum();

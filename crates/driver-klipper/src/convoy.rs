@@ -1,7 +1,8 @@
 //! Several boards that move one machine: they begin together, and what stops one stops all.
 //!
-//! Boards do not know each other. So the host relays: a board that stops for whatever reason stops the others at once, and
-//! while one of them is not heard, the deadlines of the others are not pushed along: they stop by themselves.
+//! Boards do not know each other. So the host relays: a board that stops for whatever reason stops the others at
+//! once, and while one of them is not heard, the deadlines of the others are not pushed along: they stop by
+//! themselves.
 
 use crate::board::{Board, Home, NotNow};
 use crate::timeline::Timeline;
@@ -55,7 +56,8 @@ impl Convoy {
         self.timelines.get(board).map(|line| line.at(t_s))
     }
 
-    /// Bends the boards' lines together again, from a time of the plan up to which nothing was handed out: at each piece.
+    /// Bends the boards' lines together again, from a time of the plan up to which nothing was handed out: at each
+    /// piece.
     pub fn bend(&mut self, boards: &[&mut Board], from_s: f64) {
         for (line, board) in self.timelines.iter_mut().zip(boards) {
             if let Some(clock) = board.line() {

@@ -1,7 +1,7 @@
 //! The board's dictionary, asked for piece by piece.
 //!
-//! `identify offset=%u count=%c` is command 1 of every board, and `identify_response offset=%u data=%.*s` response 0: the two
-//! messages that are known before all others. Pieces are asked for until one is empty.
+//! `identify offset=%u count=%c` is command 1 of every board, and `identify_response offset=%u data=%.*s` response 0:
+//! the two messages that are known before all others. Pieces are asked for until one is empty.
 
 use crate::dictionary::{Dictionary, DictionaryError};
 use crate::wire::vlq;

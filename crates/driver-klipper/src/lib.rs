@@ -1,9 +1,10 @@
 //! Boards with step queues, as values: bytes and moments of time go in, bytes and news come out.
 //!
-//! The program in such a board (the micro-controller part of Klipper; on nearly every board of a printer) knows no G-code and
-//! no speeds. It makes steps at clocks that it is told, and stops them when a latch triggers. Everything else is the host's:
-//! so motion is made as it was planned, to the step. This crate is the host's half of that protocol, written from its
-//! public description and from recorded sessions; it opens no port, starts no thread and reads no clock.
+//! The program in such a board (the micro-controller part of Klipper; on nearly every board of a printer) knows no
+//! G-code and no speeds. It makes steps at clocks that it is told, and stops them when a latch triggers. Everything
+//! else is the host's: so motion is made as it was planned, to the step. This crate is the host's half of that
+//! protocol, written from its public description and from recorded sessions; it opens no port, starts no thread and
+//! reads no clock.
 //!
 //! ```text
 //!  steps of a plan ─► queue::Queue ─► compress::Compressor ─► interval, count, add ─┐
@@ -12,7 +13,8 @@
 //!  counts, inputs ◄── news ◄────────────────────────────────────── (session)   ◄── (loses nothing) ◄────── line
 //! ```
 //!
-//! - [`wire`]: numbers, check number, frames. [`link`]: commands that are run once and in order on a line that spoils bytes.
+//! - [`wire`]: numbers, check number, frames.
+//! - [`link`]: commands that are run once and in order on a line that spoils bytes.
 //! - [`dictionary`]: the board's own words, asked for by [`identify`]; [`orders`]: the commands that Kerf sends.
 //! - [`setup`]: what hangs on a board, as its configuration. [`clock`]: the time in the board.
 //! - [`compress`]: steps as few commands. [`queue`]: motion that ends at rest whatever happens to its planner.
@@ -20,8 +22,8 @@
 //! - [`convoy`]: several boards as one machine, on a [`timeline`] each.
 //! - [`tmc`]: registers of motor drivers on a single wire.
 //!
-//! Three promises hold for whoever drives: no step goes out before the board's latch is armed over it; nothing that was sent
-//! ends in speed while the host lives; a host that dies is taken for dead by the board within the deadline.
+//! Three promises hold for whoever drives: no step goes out before the board's latch is armed over it; nothing that
+//! was sent ends in speed while the host lives; a host that dies is taken for dead by the board within the deadline.
 //!
 //! docs/how-boards-with-step-queues-are-driven.md tells it with pictures, and what is not there yet.
 

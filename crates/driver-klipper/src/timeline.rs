@@ -1,8 +1,8 @@
 //! The time of a plan in a board's ticks, where several boards move one machine.
 //!
-//! Each board counts by its own crystal. A plan's time becomes ticks of each board by a line; the line of each is bent a
-//! little now and then, so that it meets what the board's clock is seen to do. Only what is not planned yet follows the
-//! bend: ticks that were handed out stay.
+//! Each board counts by its own crystal. A plan's time becomes ticks of each board by a line; the line of each is
+//! bent a little now and then, so that it meets what the board's clock is seen to do. Only what is not planned yet
+//! follows the bend: ticks that were handed out stay.
 //!
 //! ```text
 //!  ticks │                  ╱ · estimate

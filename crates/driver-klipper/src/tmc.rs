@@ -1,8 +1,9 @@
 //! Registers of motor drivers over a single wire (TMC2208, TMC2209 and their kin).
 //!
-//! A datagram is `0x05, address, register, check number` to read, and `0x05, address, register | 0x80, four bytes, check number`
-//! to write; the check number is CRC-8 with the polynomial x⁸ + x² + x + 1, bits lowest first (data sheet of the TMC2209,
-//! "UART datagrams"). The board sends bits, not bytes: each byte goes between a start bit 0 and a stop bit 1.
+//! A datagram is `0x05, address, register, check number` to read, and `0x05, address, register | 0x80, four bytes,
+//! check number` to write; the check number is CRC-8 with the polynomial x⁸ + x² + x + 1, bits lowest first (data
+//! sheet of the TMC2209, "UART datagrams"). The board sends bits, not bytes: each byte goes between a start bit 0 and
+//! a stop bit 1.
 
 /// Bits a second on the wire.
 pub const BAUD: f64 = 40_000.0;

@@ -63,7 +63,8 @@ impl Pair {
         (self.handed_s, self.made) = (0.0, 0);
     }
 
-    /// Hands out the next piece of 50 ms: the first motor of both makes 2000 steps/s, and they are made at the same moments.
+    /// Hands out the next piece of 50 ms: the first motor of both makes 2000 steps/s, and they are made at the same
+    /// moments.
     fn hand_out(&mut self, many: u32) {
         let [from_s, to_s] = [self.handed_s, self.handed_s + 0.05];
         let [a, b] = &mut self.worlds;

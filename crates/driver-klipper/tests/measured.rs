@@ -1,4 +1,5 @@
-//! The numbers of docs/how-boards-with-step-queues-are-driven.md: `cargo test -p kerf-driver-klipper measured -- --nocapture`.
+//! The numbers of docs/how-boards-with-step-queues-are-driven.md: `cargo test -p kerf-driver-klipper measured --
+//! --nocapture`.
 
 use crate::fake::Faults;
 use crate::fake::world::{Motion, World};

@@ -1,9 +1,10 @@
 //! Shapes that were digitized into the open job and are not saved, kept in the data folder: who ends the server, or
 //! its computer, loses none of them. They are there again when the job is opened.
 
-use crate::app::App;
 use crate::digested::{checked, with_digest};
+use crate::hub::Hub;
 use crate::open::Open;
+use crate::part_files::PartFiles;
 use crate::refusal::problem;
 use kerf_control::job_file;
 use kerf_files::{Disk, RealDisk};
@@ -12,6 +13,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// They lie under this name in the data folder.
 const FILE: &str = "added.draft";
@@ -19,9 +21,17 @@ const FILE: &str = "added.draft";
 /// By the name of each job what it was before each shape, first as in its file, and last as it is with all of them.
 type Added = BTreeMap<String, Vec<String>>;
 
-impl App {
+/// Shapes that were digitized into jobs and are not saved.
+pub struct AddedShapes {
+    pub hub: Arc<Hub>,
+    pub files: Arc<PartFiles>,
+    /// The data folder.
+    pub data: PathBuf,
+}
+
+impl AddedShapes {
     /// Tells of the jobs to which an earlier server had added shapes.
-    pub fn tell_added(&self) {
+    pub fn tell(&self) {
         match self.read_added() {
             Ok(added) => added.keys().for_each(|name| {
                 let text = format!(
@@ -40,7 +50,7 @@ impl App {
     }
 
     /// Keeps what was added to the open job; nothing any more where all of it is saved or was taken back.
-    pub fn keep_added(&self, open: &Open) {
+    pub fn keep(&self, open: &Open) {
         let states = open.unsaved.iter().chain([&open.bytes]);
         let texts = states.map(|bytes| String::from_utf8_lossy(bytes).into_owned());
         let stack = (!open.unsaved.is_empty()).then(|| texts.collect());
@@ -56,7 +66,7 @@ impl App {
     ///
     /// # Errors
     /// It cannot be put there.
-    pub fn with_added(&self, mut open: Open) -> Result<Open, Problem> {
+    pub fn restore(&self, mut open: Open) -> Result<Open, Problem> {
         let added = self.read_added().map(|mut added| added.remove(&open.name));
         let mut stack = match added {
             Ok(Some(stack)) => stack,
@@ -82,10 +92,10 @@ impl App {
             1 => format!("{stem}-digitized.{}", job_file::EXTENSION),
             n => format!("{stem}-digitized-{n}.{}", job_file::EXTENSION),
         };
-        let free = (1..10_000).map(numbered).find(|name| self.parts.find(name).is_err());
+        let free = (1..10_000).map(numbered).find(|name| self.files.folder.find(name).is_err());
         let free = free.ok_or_else(|| problem(Why::File, "there is no name for the job"))?;
-        self.parts.write(&free, job.as_bytes())?;
-        self.files_changed();
+        self.files.folder.write(&free, job.as_bytes())?;
+        self.files.changed();
         let text = format!(
             "{name} was changed since shapes were digitized into it: the job with them is {free}"
         );
@@ -96,7 +106,7 @@ impl App {
     }
 
     fn added_file(&self) -> PathBuf {
-        self.options.data.join(FILE)
+        self.data.join(FILE)
     }
 
     fn read_added(&self) -> io::Result<Added> {

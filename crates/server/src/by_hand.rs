@@ -1,7 +1,7 @@
 //! Acts by hand, for pages, on a machine that stands: moves to somewhere, bits of the card, single steps.
 
-use crate::app::App;
 use crate::asker::Asker;
+use crate::hands::Hands;
 use crate::locks::lock;
 use crate::machine::Order;
 use crate::refusal::problem;
@@ -12,16 +12,16 @@ use kerf_program::{AXES, AxisSet};
 use kerf_wire::{ByHand, Mode, Problem, Why};
 use std::sync::mpsc::channel;
 
-impl App {
+impl Hands {
     /// Moves the machine to somewhere.
     ///
     /// # Errors
     /// There is no such axis or place, or the machine is busy.
     pub fn go(&self, asker: &Asker, way: ByHand) -> Result<(), Problem> {
-        let machine = Box::new(self.machine_by_hand());
+        let machine = Box::new(self.loader.machine_by_hand());
         if let ByHand::CutMove { at, cut: true } = way {
             let at = finite(at.map(Some)).map(|()| at)?;
-            return self.order_of(asker, Order::CutMove { at, machine });
+            return self.orders.order_of(asker, Order::CutMove { at, machine });
         }
         let homes = lock(&self.left).session.homes(&machine);
         let errand = errand(&machine, way, homes)?;
@@ -36,7 +36,7 @@ impl App {
     ) -> Result<(), Problem> {
         // Pages see how it ends in what the machine tells.
         let (tells, _) = channel();
-        self.order_of(asker, Order::Hand { errand, machine, tells })
+        self.orders.order_of(asker, Order::Hand { errand, machine, tells })
     }
 
     /// Switches an output bit of the card.
@@ -52,7 +52,7 @@ impl App {
         let Some(line) = Output::of_name(bit.name) else {
             return Err(problem(Why::State, "this bit belongs to a motor: step it instead"));
         };
-        self.order_of(asker, Order::Switch(line.number(), on))
+        self.orders.order_of(asker, Order::Switch(line.number(), on))
     }
 
     /// Steps a motor once, which moves its axis by the length of a step.
@@ -61,7 +61,7 @@ impl App {
     /// There is no such motor, it moves no axis alone, or the machine is a real one.
     pub fn step_motor(&self, asker: &Asker, name: &str, forward: bool) -> Result<(), Problem> {
         self.has_card()?;
-        let machine = Box::new(self.machine_by_hand());
+        let machine = Box::new(self.loader.machine_by_hand());
         let motor = Motor::ALL.into_iter().find(|it| it.word().eq_ignore_ascii_case(name));
         let Some(axis) = motor.and_then(|motor| machine.motors.axis_of(motor)) else {
             return Err(problem(Why::Malformed, format!("no axis is moved by a motor {name}")));

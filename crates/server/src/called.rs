@@ -1,6 +1,6 @@
 //! A file that a typed line runs (FP, FG) is the file on the screen: its name, its lines, its picture, how far it is.
 
-use crate::app::App;
+use crate::loader::Loader;
 use crate::locks::lock;
 use crate::machine::CalledFile;
 use crate::open::Open;
@@ -8,7 +8,7 @@ use crate::preview::Preview;
 use kerf_wire::{Change, Job, Motion, Tone};
 use std::sync::Arc;
 
-impl App {
+impl Loader {
     /// Shows the file of a typed line, which runs.
     pub fn show_called(self: &Arc<Self>, called: CalledFile) {
         if let Some((hash, preview)) = self.present_of(&called) {
@@ -27,11 +27,11 @@ impl App {
         CalledFile { name, parameters, .. }: &CalledFile,
     ) -> Option<(String, Arc<Preview>)> {
         let Open { name: open, parameters: with, hash, preview, bytes, .. } =
-            lock(&self.open).clone();
+            self.open.lock().clone();
         let session = lock(&self.left).session.clone();
         let preview = preview.filter(|preview| !preview.is_stale(&session))?;
         let same = open == *name && with == *parameters;
-        let unchanged = same && self.parts.read(name).is_ok_and(|now| now[..] == bytes[..]);
+        let unchanged = same && self.files.folder.read(name).is_ok_and(|now| now[..] == bytes[..]);
         unchanged.then_some((hash, preview))
     }
 

@@ -1,9 +1,13 @@
 //! The machine's configuration: the form of all settings, and a change of one.
 
-use crate::app::App;
+use crate::clock::Clock;
 use crate::handconsole::Happening;
+use crate::hub::Hub;
 use crate::locks::lock;
-use crate::machine::Order;
+use crate::machine::{Left, Order};
+use crate::orders::Orders;
+use crate::people::Tries;
+use crate::protect::Unlocked;
 use crate::refusal::problem;
 use kerf_control::Session;
 use kerf_machine::contradictions::contradictions;
@@ -13,12 +17,13 @@ use kerf_machine::{Configuration, Value};
 use kerf_program::{AXES, Axis, AxisSet};
 use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, Why, ZHeights};
 use std::sync::mpsc::{Sender, channel};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 /// Time that whoever changes a setting waits for the disk.
 const ON_DISK_WITHIN: Duration = Duration::from_secs(10);
 
-/// The setting that holds the password's hash: no page sees it, and only [`App::protect`] changes it.
+/// The setting that holds the password's hash: no page sees it, and only [`MachineSettings::protect`] changes it.
 pub const PASSWORD: &str = "options.password";
 
 /// Every setting that says something on this machine, with what it is now.
@@ -111,7 +116,19 @@ fn written(value: &Value) -> String {
     }
 }
 
-impl App {
+/// The settings of the machine, and who may change them.
+pub struct MachineSettings {
+    pub hub: Arc<Hub>,
+    pub left: Arc<Mutex<Left>>,
+    pub orders: Arc<Orders>,
+    pub clock: Clock,
+    /// Pages and scripts that gave the password.
+    pub unlocked: Unlocked,
+    /// Wrong passwords, by the device that they came from. It is held while one is tried: one at a time.
+    pub passwords: Mutex<Tries<String>>,
+}
+
+impl MachineSettings {
     /// Changes a setting, and comes back when it is on the disk.
     ///
     /// # Errors
@@ -133,7 +150,7 @@ impl App {
         wanted: Configuration,
     ) -> Result<(), Problem> {
         let (tells, told) = channel();
-        self.order(Order::Configure { setting, wanted: Box::new(wanted), tells })?;
+        self.orders.order(Order::Configure { setting, wanted: Box::new(wanted), tells })?;
         match told.recv_timeout(ON_DISK_WITHIN) {
             Ok(kept) => kept.map_err(|why| problem(Why::Server, why)),
             Err(_) => {
@@ -150,7 +167,7 @@ impl App {
     /// Changes settings until Kerf ends, all of them or none; somebody is told when they hold.
     ///
     /// # Errors
-    /// As [`App::configure`].
+    /// As [`MachineSettings::configure`].
     pub fn hold(
         &self,
         settings: &[(&str, String)],
@@ -162,7 +179,7 @@ impl App {
         }
         check(&wanted)?;
         let order = Order::Hold { wanted: Box::new(wanted), tells: tells.clone() };
-        self.order(order)
+        self.orders.order(order)
     }
 
     /// The joining distance used last is the one offered next, also after a restart. Where the machine is
@@ -175,7 +192,7 @@ impl App {
         let Some(setting) = table::setting("options.join_mm") else { return };
         if setting.set(&mut wanted, &Value::Number(join_mm)).is_ok() {
             let (tells, _) = channel();
-            drop(self.order(Order::Configure { setting, wanted: Box::new(wanted), tells }));
+            drop(self.orders.order(Order::Configure { setting, wanted: Box::new(wanted), tells }));
         }
     }
 }

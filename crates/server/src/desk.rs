@@ -1,11 +1,17 @@
 //! The drawing that is open.
 
-use crate::app::App;
 use crate::awaited::Awaited;
+use crate::configure::MachineSettings;
+use crate::counted::Counted;
 use crate::digested::hash;
+use crate::hub::Hub;
 use crate::kind::extension;
-use crate::locks::lock;
+use crate::loader::Loader;
+use crate::locks::{DESK, Lock, lock};
+use crate::machine::Left;
+use crate::part_files::PartFiles;
 use crate::reading;
+use crate::reading::Readings;
 use crate::refusal::{Done, problem};
 use crate::saving::Leave;
 use kerf_control::job_file;
@@ -13,14 +19,14 @@ use kerf_drawing::{Drawing, Editor, Operation, script};
 use kerf_formats::{Imported, dxf, rsg, svg};
 use kerf_gcode::{Writer, Writing};
 use kerf_geom::Point2;
-use kerf_machine::Configuration;
 use kerf_program::Printer;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Printing, SbpPrinter};
 use kerf_sequence::Speeds;
-use kerf_toolpath::{Heights, Job, JobError, Shaping, shaped_job_until};
+use kerf_toolpath::{Job, JobError, Shaping, shaped_job_until};
 use kerf_wire::{Change, Op, Problem, Why};
-use std::sync::Arc;
+use std::sync::mpsc::Sender;
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// Told once when tool paths are opened to be drawn on.
 const BY_HAND: &str = "These are tool paths: what is changed here is lost when they are made anew from the drawing. \
@@ -47,6 +53,23 @@ pub struct Desk {
     pub(crate) finish: Option<Point2>,
 }
 
+/// The desk on which drawings are drawn, and its drawer of drafts.
+pub struct DrawingDesk {
+    pub hub: Arc<Hub>,
+    pub left: Arc<Mutex<Left>>,
+    pub files: Arc<PartFiles>,
+    pub loader: Arc<Loader>,
+    pub settings: Arc<MachineSettings>,
+    /// The drawing that is open.
+    pub desk: Lock<DESK, Desk>,
+    /// The drawing that is being read to be opened.
+    pub reading: Readings,
+    /// The drawing that is not saved, in the data folder.
+    pub draft: Counted,
+    /// Tells the thread that keeps drafts that the drawing changed.
+    pub changed: OnceLock<Sender<()>>,
+}
+
 /// A drawing that was read to be opened.
 struct Read {
     /// The job, where the file holds one.
@@ -56,12 +79,12 @@ struct Read {
     kept: Option<String>,
 }
 
-impl App {
+impl DrawingDesk {
     /// Changes the drawing. Files are read before anybody has to wait for the desk.
     ///
     /// # Errors
     /// Why it stays as it was.
-    pub fn draw(self: &Arc<Self>, op: Op, awaited: &Awaited) -> Done {
+    pub fn draw(&self, op: Op, awaited: &Awaited) -> Done {
         match op {
             Op::Open { name } => {
                 let opened = self.read_to_open(&name, awaited)?;
@@ -89,10 +112,10 @@ impl App {
 
     /// Changes what lies on the desk, and tells everybody.
     fn on_desk(&self, change: impl FnOnce(&mut Desk) -> Done) -> Done {
-        let mut desk = lock(&self.desk);
+        let mut desk = self.desk.lock();
         let notes = change(&mut desk)?;
         desk.notes.clone_from(&notes);
-        let drawing = Some(desk.state(&self.heights()));
+        let drawing = Some(desk.state(&Left::heights(&self.left)));
         self.hub.change(vec![Change::Drawing { drawing }]);
         drop(desk);
         self.drawn();
@@ -103,21 +126,8 @@ impl App {
     ///
     /// # Errors
     /// Why it cannot be drawn.
-    pub fn draw_shape(self: &Arc<Self>, operation: Operation) -> Result<(), Problem> {
+    pub fn draw_shape(&self, operation: Operation) -> Result<(), Problem> {
         self.on_desk(|desk| self.carry_out(desk, &[(1, operation)])).map(drop)
-    }
-
-    /// The heights that the machine is set to.
-    pub fn heights(&self) -> Heights {
-        let zpos = lock(&self.left).session.machine_is.zpos;
-        let (top_mm, surface_mm, bottom_mm) = (zpos.top_mm, zpos.surface_mm, zpos.bottom_mm);
-        Heights { top_mm, surface_mm, bottom_mm }
-    }
-
-    /// Returns what is done to shapes before paths are made of them.
-    pub fn shaping(&self) -> Shaping {
-        let Configuration { program, options, .. } = lock(&self.left).session.configuration();
-        Shaping { factor: program.smoothing.factor, filter_mm: options.filter_mm }
     }
 
     pub(crate) fn begin(
@@ -136,14 +146,14 @@ impl App {
         let before = desk.editor.join_mm;
         let notes = desk.carry_out(operations)?;
         if desk.editor.join_mm.to_bits() != before.to_bits() {
-            self.keep_join(desk.editor.join_mm);
+            self.settings.keep_join(desk.editor.join_mm);
         }
         Ok(notes)
     }
 
     /// Reads a drawing that is to be opened; one that is still being read is given up.
     fn read_to_open(&self, name: &str, awaited: &Awaited) -> Result<Read, Problem> {
-        let (reading, bytes) = (self.reading.begin(), self.parts.read(name)?);
+        let (reading, bytes) = (self.reading.begin(), self.files.folder.read(name)?);
         let given_up = || reading.is_given_up() || awaited.is_given_up();
         let job = (extension(name) == "rsm").then(|| kerf_toolpath::read_until(&bytes, &given_up));
         let (job, imported) = match job {
@@ -171,7 +181,7 @@ impl App {
     }
 
     pub(crate) fn read_drawing(&self, name: &str, awaited: &Awaited) -> Result<Imported, Problem> {
-        drawing_until(name, &self.parts.read(name)?, &|| awaited.is_given_up())
+        drawing_until(name, &self.files.folder.read(name)?, &|| awaited.is_given_up())
     }
 
     /// The operations of clauses, with what the files of the part folder hold that they name.
@@ -200,7 +210,7 @@ impl App {
             "rsm" => kerf_toolpath::write(&desk.edited_job()?),
             _ => return Err(problem(Why::File, "a drawing is written as .rsg, .dxf or .svg")),
         };
-        let hash = self.save(&name, text.as_bytes(), &desk.leave(&name, replaces))?;
+        let hash = self.files.save(&name, text.as_bytes(), &desk.leave(&name, replaces))?;
         let lost = unkept(&name, drawing);
         if let Some(lost) = lost {
             return Ok(vec![format!("{name}: {lost}")]);
@@ -211,18 +221,12 @@ impl App {
     }
 
     /// Writes the part program of the drawing's tool paths, and opens it.
-    fn write_program(
-        self: &Arc<Self>,
-        desk: &Desk,
-        name: &str,
-        leave: &Leave,
-        awaited: &Awaited,
-    ) -> Done {
-        self.nothing_unsaved()?;
+    fn write_program(&self, desk: &Desk, name: &str, leave: &Leave, awaited: &Awaited) -> Done {
+        self.loader.nothing_unsaved()?;
         let (job, mut warnings) = match desk.job {
             // Tool paths are cut as they are.
             Some(_) => (desk.edited_job()?, Vec::new()),
-            None => job(&desk.editor.drawing, self.shaping(), awaited)?,
+            None => job(&desk.editor.drawing, Left::shaping(&self.left), awaited)?,
         };
         let job = Job { finish: desk.finish, ..job };
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));
@@ -239,8 +243,8 @@ impl App {
         let machine = lock(&self.left).session.configuration();
         let noticed = job_file::print(&job, &machine, Speeds::Written, printer.as_mut());
         warnings.extend(noticed.map_err(|wrong| problem(Why::Mistake, wrong.join("; ")))?);
-        self.save(name, printer.finish().text.as_bytes(), leave)?;
-        self.open_file(name)?;
+        self.files.save(name, printer.finish().text.as_bytes(), leave)?;
+        self.loader.open_file(name)?;
         Ok(warnings)
     }
 }

@@ -1,8 +1,7 @@
 //! Shapes that were digitized: into the job that is open, else into the drawing, else into a new job.
 
-use crate::app::App;
+use crate::job::Jobs;
 use crate::kind::kind_of;
-use crate::locks::lock;
 use crate::open::Open;
 use crate::refusal::problem;
 use kerf_control::job_file;
@@ -14,13 +13,13 @@ use std::sync::Arc;
 /// The name of a new job; with a number from 2 where there is one.
 const NEW_JOB: &str = "digitized";
 
-impl App {
+impl Jobs {
     /// Adds a shape, last; gives how many there are then, and where.
     ///
     /// # Errors
     /// A job runs, or nothing can be written.
-    pub fn add_shape(self: &Arc<Self>, shape: Arc<Shape>) -> Result<String, Problem> {
-        let open = lock(&self.open).clone();
+    pub fn add_shape(&self, shape: Arc<Shape>) -> Result<String, Problem> {
+        let open = self.loader.open.lock().clone();
         if kind_of(&open.name) == FileKind::Job {
             return self.add_to_job(shape);
         }
@@ -35,29 +34,29 @@ impl App {
         if kind_of(&open.name) == FileKind::Job {
             return kerf_toolpath::read(&open.bytes).0.as_drawing().shapes;
         }
-        lock(&self.desk).editor.drawing.shapes.clone()
+        self.drawing.desk.lock().editor.drawing.shapes.clone()
     }
 
     /// The open job has a path more. Its file gets it when the job is saved.
-    fn add_to_job(self: &Arc<Self>, shape: Arc<Shape>) -> Result<String, Problem> {
+    fn add_to_job(&self, shape: Arc<Shape>) -> Result<String, Problem> {
         let mut open = self.job_at_rest()?;
         let (bytes, count) = with_shape(kerf_toolpath::read(&open.bytes).0, shape);
         open.unsaved.push(std::mem::replace(&mut open.bytes, bytes));
-        self.keep_added(&open);
+        self.loader.added.keep(&open);
         let choice = open.choice;
-        self.cut_with(open, choice)?;
+        self.loader.cut_with(open, choice)?;
         Ok(format!("{count} in the job"))
     }
 
-    fn add_to_drawing(self: &Arc<Self>, shape: &Shape) -> Result<String, Problem> {
-        self.draw_shape(drawn(shape))?;
-        let count = lock(&self.desk).editor.drawing.shapes.len();
+    fn add_to_drawing(&self, shape: &Shape) -> Result<String, Problem> {
+        self.drawing.draw_shape(drawn(shape))?;
+        let count = self.drawing.desk.lock().editor.drawing.shapes.len();
         Ok(format!("{count} in the drawing"))
     }
 
     /// A job without a drawing, in a file of the current folder.
-    fn begin_job(self: &Arc<Self>, shape: Arc<Shape>) -> Result<String, Problem> {
-        if !lock(&self.open).name.is_empty() {
+    fn begin_job(&self, shape: Arc<Shape>) -> Result<String, Problem> {
+        if !self.loader.open.lock().name.is_empty() {
             let text = "a part file is open: close it, or open a drawing or a job";
             return Err(problem(Why::State, text));
         }
@@ -67,15 +66,15 @@ impl App {
             1 => format!("{folder}{NEW_JOB}.{}", job_file::EXTENSION),
             n => format!("{folder}{NEW_JOB}-{n}.{}", job_file::EXTENSION),
         };
-        let free = |name: &String| self.parts.find(name).is_err();
+        let free = |name: &String| self.files.folder.find(name).is_err();
         let name = (1..10_000).map(numbered).find(free);
         let name = name.ok_or_else(|| problem(Why::File, "there is no name for a new job"))?;
-        let [origin, _] = self.lies(&Open::default());
+        let [origin, _] = self.loader.lies(&Open::default());
         let (bytes, _) =
             with_shape(Job { origin: Some(origin), start: 1, ..Job::default() }, shape);
-        self.parts.write(&name, &bytes)?;
-        self.files_changed();
-        self.open_file(&name)?;
+        self.files.folder.write(&name, &bytes)?;
+        self.files.changed();
+        self.loader.open_file(&name)?;
         Ok(format!("in {name}"))
     }
 
@@ -83,34 +82,15 @@ impl App {
     ///
     /// # Errors
     /// None was since the job was saved, or a job runs.
-    pub fn take_shape_back(self: &Arc<Self>) -> Result<(), Problem> {
+    pub fn take_shape_back(&self) -> Result<(), Problem> {
         let mut open = self.job_at_rest()?;
         let before = open.unsaved.pop();
         let text = "no shape was added since the job was saved";
         open.bytes = before.ok_or_else(|| problem(Why::State, text))?;
-        self.keep_added(&open);
+        self.loader.added.keep(&open);
         let choice = open.choice;
-        self.cut_with(open, choice)?;
+        self.loader.cut_with(open, choice)?;
         Ok(())
-    }
-
-    /// Refuses what would lose shapes that were added to the open job.
-    ///
-    /// # Errors
-    /// There are such shapes.
-    pub fn nothing_unsaved(&self) -> Result<(), Problem> {
-        let open = lock(&self.open).clone();
-        match open.unsaved.len() {
-            0 => Ok(()),
-            added => {
-                let shapes = if added == 1 { "a digitized shape" } else { "digitized shapes" };
-                let name = open.name;
-                let text = format!(
-                    "{name} has {shapes} more than its file: save the job, or take them back"
-                );
-                Err(problem(Why::State, text))
-            }
-        }
     }
 }
 

@@ -1,11 +1,10 @@
 //! The drawing that is not saved, kept in the data folder: who ends the server, or its computer, loses
 //! what was drawn in the last half second. The next server begins with it.
 
-use crate::app::App;
 use crate::counted::{Counted, Found};
-use crate::desk::{Desk, drawing_in};
+use crate::desk::{Desk, DrawingDesk, drawing_in};
 use crate::digested::hash;
-use crate::locks::lock;
+use crate::machine::Left;
 use crate::priority::Yields;
 use kerf_formats::rsg;
 use kerf_geom::Point2;
@@ -54,7 +53,7 @@ struct Draft {
     job: Option<String>,
 }
 
-impl App {
+impl DrawingDesk {
     /// The draft of an earlier server lies on the desk; from now on there is one of what is drawn.
     pub fn keep_drafts(self: &Arc<Self>) {
         self.take_up_draft();
@@ -62,20 +61,20 @@ impl App {
         if self.changed.set(changed).is_err() {
             return;
         }
-        let app = Arc::downgrade(self);
+        let drawing = Arc::downgrade(self);
         let mut failed = false;
         thread::spawn(move || {
             Yields::Aside.hold();
             while changes.recv().is_ok() {
                 while changes.try_recv().is_ok() {}
-                let Some(app) = app.upgrade() else { return };
-                let kept = app.write_draft();
+                let Some(drawing) = drawing.upgrade() else { return };
+                let kept = drawing.write_draft();
                 if let (Err(error), false) = (&kept, failed) {
                     let text = format!("what is drawn is only kept until Kerf ends: {error}");
-                    app.hub.say(Tone::Warning, text);
+                    drawing.hub.say(Tone::Warning, text);
                 }
                 failed = kept.is_err();
-                drop(app);
+                drop(drawing);
                 thread::sleep(REST);
             }
         });
@@ -94,7 +93,7 @@ impl App {
     /// # Errors
     /// Whatever the disk says.
     pub fn write_draft(&self) -> io::Result<()> {
-        let draft = lock(&self.desk).draft();
+        let draft = self.desk.lock().draft();
         match draft {
             Some(draft) => self.draft.write(&serde_json::to_vec(&draft)?),
             None => self.draft.remove(),
@@ -113,18 +112,18 @@ impl App {
             Ok(draft) => draft,
             Err(error) => return self.put_draft_aside(&error),
         };
-        let file = name.as_ref().and_then(|name| Some((name, self.parts.read(name).ok()?)));
+        let file = name.as_ref().and_then(|name| Some((name, self.files.folder.read(name).ok()?)));
         let changed = kept.is_some() && kept != file.as_ref().map(|(_, bytes)| hash(bytes));
         let saved = file.and_then(|(name, bytes)| drawing_in(name, &bytes).ok());
         let notes = [Some(AGAIN), older.then_some(OLDER), changed.then_some(CHANGED)];
         let notes = notes.into_iter().flatten().map(Into::into).collect();
-        let mut desk = lock(&self.desk);
+        let mut desk = self.desk.lock();
         let drawing = rsg::read(drawing.as_bytes()).drawing;
         desk.notes = self.begin(&mut desk, drawing, name, notes);
         desk.saved = saved.map(|read| read.drawing).unwrap_or_default();
         desk.finish = finish.map(|[x, y]| Point2::new(x, y));
         (desk.kept, desk.job) = (kept, job.map(|job| kerf_toolpath::read(job.as_bytes()).0));
-        let drawing = Some(desk.state(&self.heights()));
+        let drawing = Some(desk.state(&Left::heights(&self.left)));
         self.hub.change(vec![Change::Drawing { drawing }]);
         if older {
             self.hub.say(Tone::Warning, OLDER);

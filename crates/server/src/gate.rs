@@ -12,7 +12,6 @@
 //! [`needs`] is the only list. The page `docs/book/who-may-what.md` is made from what a server answers to each
 //! line of it; that nothing has begun that was stopped meanwhile is looked after in [`asker`](crate::asker).
 
-use crate::app::App;
 use crate::machine::Order;
 use crate::refusal::problem;
 use crate::setup::Options;
@@ -201,6 +200,11 @@ impl Need {
         self.armed
     }
 
+    /// Returns `true` if only who may change settings may have it done.
+    pub const fn is_protected(self) -> bool {
+        self.unlocked
+    }
+
     /// Looks whether somebody meets it, but for the password.
     fn met(self, now: &Snapshot, who: &Who) -> Result<(), Problem> {
         if who.role < self.role {
@@ -245,31 +249,6 @@ pub fn driven_by(Lease { device, .. }: &Lease) -> Problem {
     problem(Why::Lease, text)
 }
 
-impl App {
-    /// Decides whether somebody may have something done.
-    ///
-    /// # Errors
-    /// Why not.
-    pub fn gate(&self, who: &Who, way: Way<'_>) -> Result<(), Problem> {
-        if let Way::Act(act) = way {
-            open_here(&self.options, act)?;
-        }
-        let need = self.hub.read(|now| pass(now, who, way))?;
-        if need.unlocked { self.opened(who, None) } else { Ok(()) }
-    }
-
-    /// The number of somebody's turn at driving the machine, which is armed.
-    ///
-    /// # Errors
-    /// Somebody else drives, or nobody, or the machine is disarmed.
-    pub fn drives(&self, who: &Who) -> Result<u32, Problem> {
-        self.hub.read(|now| {
-            pass(now, who, Way::GoOn)?;
-            Ok(now.lease.as_ref().map_or(0, |lease| lease.number))
-        })
-    }
-}
-
 /// Said where the machine is left alone.
 const DRAWING_ONLY: &str =
     "this is not available in the editing version: only drawings are worked on here";
@@ -278,7 +257,7 @@ const DRAWING_ONLY: &str =
 const FILES_ONLY: &str = "Kerf was started for files only: no commands, no keypad";
 
 /// Looks whether Kerf was started for acts of this sort.
-fn open_here(options: &Options, act: &Act) -> Result<(), Problem> {
+pub fn open_here(options: &Options, act: &Act) -> Result<(), Problem> {
     if options.drawing_only && !is_of_drawings(act) {
         return Err(problem(Why::State, DRAWING_ONLY));
     }

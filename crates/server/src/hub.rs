@@ -4,7 +4,9 @@ use crate::preview::Typed;
 use crate::problems::ProblemLog;
 use crate::ran::{Ran, now_s};
 use axum::extract::ws::Utf8Bytes;
-use kerf_wire::{Change, Job, LastRun, Message, Mode, Motion, Opened, Snapshot, ToPage, Tone};
+use kerf_wire::{
+    Change, Job, LastRun, Message, Mode, Motion, Opened, Snapshot, State, ToPage, Tone,
+};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 use tokio::sync::broadcast;
 
@@ -63,6 +65,11 @@ impl Hub {
     /// The snapshot as it is now, for whoever takes longer over it.
     pub fn now(&self) -> Arc<Snapshot> {
         self.lock().clone()
+    }
+
+    /// State of the machine, as pages are told.
+    pub fn state(&self) -> State {
+        self.read(|now| now.machine.state)
     }
 
     /// Changes that are taken over and told, in one go.

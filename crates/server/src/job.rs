@@ -1,15 +1,19 @@
 //! Jobs: the tool paths of drawings, cut as `kerf run` cuts them, and how they come from a drawing.
 
-use crate::app::App;
 use crate::awaited::Awaited;
-use crate::desk::job;
+use crate::configure::MachineSettings;
+use crate::desk::{DrawingDesk, job};
 use crate::digested::hash;
+use crate::hub::Hub;
 use crate::kind::kind_of;
-use crate::locks::lock;
+use crate::loader::Loader;
+use crate::locks::{Lock, TAKEN, lock};
+use crate::machine::Left;
 use crate::open::Open;
+use crate::part_files::PartFiles;
 use crate::refusal::{Done, problem};
 use crate::saving::Leave;
-use kerf_control::job_file::{self, Choice};
+use kerf_control::job_file;
 use kerf_drawing::Drawing;
 use kerf_geom::Point2;
 use kerf_journal::Work;
@@ -19,70 +23,28 @@ use kerf_program::job::JobShape;
 use kerf_sequence::Sequence;
 use kerf_toolpath::Job;
 use kerf_wire::{FileKind, JobChoice, JobPath, JobView, Problem, ShapePath, State, Why};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
-impl App {
-    /// Returns the work that an open file has for the machine.
-    ///
-    /// # Errors
-    /// It is a drawing, or a path of a job has no room for its offset.
-    pub fn work(&self, open: &Open) -> Result<Work, Problem> {
-        match kind_of(&open.name) {
-            FileKind::Program => Ok(self.program(open).into()),
-            FileKind::Job => self.job_of(open),
-            FileKind::Drawing => Err(problem(Why::State, job_file::NO_TOOL_PATH)),
-        }
-    }
+/// The job that is open, and how jobs are made from drawings.
+pub struct Jobs {
+    pub hub: Arc<Hub>,
+    pub left: Arc<Mutex<Left>>,
+    pub files: Arc<PartFiles>,
+    pub loader: Arc<Loader>,
+    pub settings: Arc<MachineSettings>,
+    pub drawing: Arc<DrawingDesk>,
+    /// Key of the preview of the job that runs, and the origin that it took, X and Y from home, mm.
+    pub taken: Lock<TAKEN, Option<(String, [f64; 2])>>,
+}
 
-    pub fn job_of(&self, open: &Open) -> Result<Work, Problem> {
-        let machine = lock(&self.left).session.configuration();
-        let read = job_file::read(&open.bytes, machine.program.smoothing.factor);
-        let (job, _) = read.map_err(|damaged| problem(Why::Mistake, damaged.to_string()))?;
-        let name = self.parts.root().join(&open.name).display().to_string();
-        let work = job_file::work(&job, name.into(), machine);
-        let no_room = |why: kerf_toolpath::NoRoom| problem(Why::Mistake, why.to_string());
-        chosen(&open.choice).of(work).map_err(no_room)
-    }
-
-    /// Returns the number of paths of an open job.
-    pub fn path_count(&self, open: &Open) -> u32 {
-        if kind_of(&open.name) == FileKind::Job {
-            kerf_toolpath::read(&open.bytes).0.paths.len() as u32
-        } else {
-            0
-        }
-    }
-
-    /// Refuses to start where only a drawing is open.
-    ///
-    /// # Errors
-    /// That.
-    pub fn has_tool_path(&self, open: &Open) -> Result<(), Problem> {
-        let draws = open.name.is_empty() && self.hub.read(|now| now.drawing.is_some());
-        if draws || kind_of(&open.name) == FileKind::Drawing {
-            let text = format!("{}: Machine makes it from the drawing", job_file::NO_TOOL_PATH);
-            return Err(problem(Why::State, text));
-        }
-        Ok(())
-    }
-
-    /// The question of the job that runs, where Start answers it.
-    pub fn waits_for_start(&self, hash: &str) -> Option<u32> {
-        self.hub.read(|now| {
-            let mine = now.job.as_ref().is_some_and(|job| job.hash.as_deref() == Some(hash));
-            let stands = matches!(now.machine.state, State::Asking | State::Stopped);
-            let asked = now.asked.as_ref().filter(|asked| asked.kind == "paused");
-            asked.filter(|_| mine && stands).map(|asked| asked.number)
-        })
-    }
-
+impl Jobs {
     /// Cuts the open job otherwise from now on.
     ///
     /// # Errors
     /// No job is open, one runs, or the choice makes no sense.
-    pub fn choose(self: &Arc<Self>, choice: JobChoice) -> Result<(), Problem> {
+    pub fn choose(&self, choice: JobChoice) -> Result<(), Problem> {
         let open = self.job_at_rest()?;
-        let count = self.path_count(&open);
+        let count = self.loader.path_count(&open);
         let places = choice.origin.into_iter().chain(choice.finish).flatten();
         let numbers = places.chain([choice.offset, choice.lift]);
         if choice.start.is_some_and(|start| start == 0 || start > count) {
@@ -91,17 +53,17 @@ impl App {
         if !numbers.into_iter().all(f64::is_finite) {
             return Err(problem(Why::Malformed, "origin, finish, offset and lift are lengths"));
         }
-        self.cut_with(open, choice)?;
+        self.loader.cut_with(open, choice)?;
         Ok(())
     }
 
     /// The job that is open while none runs.
     pub(crate) fn job_at_rest(&self) -> Result<Open, Problem> {
-        let open = lock(&self.open).clone();
+        let open = self.loader.open.lock().clone();
         if kind_of(&open.name) != FileKind::Job {
             return Err(problem(Why::State, "no job is open"));
         }
-        if !matches!(self.state(), State::Idle | State::Alarm) {
+        if !matches!(self.hub.state(), State::Idle | State::Alarm) {
             return Err(problem(Why::State, "the machine is busy"));
         }
         Ok(open)
@@ -111,7 +73,7 @@ impl App {
     ///
     /// # Errors
     /// None is open or was chosen, one runs, or the file is another by now or cannot be written.
-    pub fn keep_origin(self: &Arc<Self>) -> Result<(), Problem> {
+    pub fn keep_origin(&self) -> Result<(), Problem> {
         let open = self.job_at_rest()?;
         let Some([x, y]) = open.choice.origin else {
             return Err(problem(Why::State, "the job lies where its file says"));
@@ -124,10 +86,10 @@ impl App {
     /// as they were made.
     ///
     /// # Errors
-    /// As [`App::keep_origin`].
-    pub fn save_job(self: &Arc<Self>) -> Result<(), Problem> {
+    /// As [`Jobs::keep_origin`].
+    pub fn save_job(&self) -> Result<(), Problem> {
         let open = self.job_at_rest()?;
-        let [origin, finish] = self.lies(&open).map(Some);
+        let [origin, finish] = self.loader.lies(&open).map(Some);
         let chosen = open.choice.start;
         let choice = JobChoice { origin: None, finish: None, start: None, ..open.choice };
         self.write_job(open, choice, |job| {
@@ -138,23 +100,23 @@ impl App {
 
     /// Puts another job into the file of the open one, which is cut so from now on.
     fn write_job(
-        self: &Arc<Self>,
+        &self,
         mut open: Open,
         choice: JobChoice,
         change: impl FnOnce(Job) -> Job,
     ) -> Result<(), Problem> {
-        let present = self.parts.read(&open.name)?;
+        let present = self.files.folder.read(&open.name)?;
         if !open.is_of(&present) {
             let text = "the file was changed since it was opened; open it again";
             return Err(problem(Why::Changed, text));
         }
         let (job, _) = kerf_toolpath::read(&open.bytes);
         let text = kerf_toolpath::write(&change(job));
-        self.save(&open.name, text.as_bytes(), &Leave::Of(hash(&present)))?;
+        self.files.save(&open.name, text.as_bytes(), &Leave::Of(hash(&present)))?;
         open.bytes = text.into_bytes().into();
         open.unsaved.clear();
-        self.keep_added(&open);
-        self.cut_with(open, choice)?;
+        self.loader.added.keep(&open);
+        self.loader.cut_with(open, choice)?;
         Ok(())
     }
 
@@ -162,8 +124,8 @@ impl App {
     ///
     /// # Errors
     /// There is nothing to cut, the file of the job was changed by hand, or nobody waits for it any more.
-    pub fn machine(self: &Arc<Self>, drawing: Option<&str>, anew: bool, awaited: &Awaited) -> Done {
-        self.nothing_unsaved()?;
+    pub fn machine(&self, drawing: Option<&str>, anew: bool, awaited: &Awaited) -> Done {
+        self.loader.nothing_unsaved()?;
         let (name, drawing, finish) = self.drawing_to_machine(drawing, awaited)?;
         if kind_of(&name) == FileKind::Job {
             let text = format!("{name} has tool paths already: save it, and open it as a job");
@@ -175,16 +137,16 @@ impl App {
                 format!("{name}: its paths were changed by hand; making them anew loses that");
             return Err(problem(Why::Changed, text));
         }
-        let (made, warnings) = job(&drawing, self.shaping(), awaited)?;
+        let (made, warnings) = job(&drawing, Left::shaping(&self.left), awaited)?;
         if made.paths.is_empty() {
             return Err(problem(Why::Mistake, "nothing is drawn that could be cut"));
         }
         awaited.goes_on()?;
         let text = kerf_toolpath::write(&Job { finish, ..made });
         awaited.goes_on()?;
-        self.saves.make(&self.parts, &name, text.as_bytes(), anew)?;
-        self.files_changed();
-        self.open_file(&name)?;
+        self.files.saves.make(&self.files.folder, &name, text.as_bytes(), anew)?;
+        self.files.changed();
+        self.loader.open_file(&name)?;
         Ok(warnings)
     }
 
@@ -195,15 +157,15 @@ impl App {
         awaited: &Awaited,
     ) -> Result<(String, Drawing, Option<Point2>), Problem> {
         if let Some(name) = drawing {
-            return Ok((name.into(), self.read_drawing(name, awaited)?.drawing, None));
+            return Ok((name.into(), self.drawing.read_drawing(name, awaited)?.drawing, None));
         }
-        let desk = lock(&self.desk);
+        let desk = self.drawing.desk.lock();
         let name = desk.name.clone().unwrap_or_else(|| "drawing".into());
         Ok((name, desk.editor.drawing.clone(), desk.finish))
     }
 
     fn was_edited(&self, name: &str) -> bool {
-        self.parts.read(name).is_ok_and(|bytes| kerf_toolpath::read(&bytes).0.edited)
+        self.files.folder.read(name).is_ok_and(|bytes| kerf_toolpath::read(&bytes).0.edited)
     }
 
     /// The open job as a page shows it.
@@ -211,12 +173,12 @@ impl App {
     /// # Errors
     /// None is open.
     pub fn job_view(&self) -> Result<JobView, Problem> {
-        let open = lock(&self.open).clone();
+        let open = self.loader.open.lock().clone();
         if kind_of(&open.name) != FileKind::Job {
             return Err(problem(Why::State, "no job is open"));
         }
         let position = lock(&self.left).session.memory.position;
-        let Work::Job(job, machine) = self.job_of(&open)? else {
+        let Work::Job(job, machine) = self.loader.job_of(&open)? else {
             return Err(problem(Why::State, "no job is open"));
         };
         let sequence = Sequence::new(job, machine.clone(), position);
@@ -227,18 +189,6 @@ impl App {
 /// Returns a name without its extension.
 fn stem(name: &str) -> &str {
     name.rsplit_once('.').map_or(name, |(stem, _)| stem)
-}
-
-fn chosen(choice: &JobChoice) -> Choice {
-    let JobChoice { start, offset, origin, finish, lift } = *choice;
-    let place = |[x, y]: [f64; 2]| Point2::new(x, y);
-    Choice {
-        start: start.map(|start| start as usize),
-        offset_mm: offset,
-        origin: origin.map(place),
-        finish: finish.map(place),
-        lift_mm: lift,
-    }
 }
 
 fn view(sequence: &Sequence, machine: &Configuration) -> JobView {

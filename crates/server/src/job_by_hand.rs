@@ -1,43 +1,37 @@
 //! Acts of a person at the machine on the open job: where it lies, where it ends, which path is near.
 
-use crate::app::App;
 use crate::handconsole::Happening;
+use crate::job::Jobs;
 use crate::kind::kind_of;
 use crate::locks::lock;
-use crate::open::Open;
 use crate::refusal::problem;
 use kerf_geom::Point2;
 use kerf_journal::Work;
-use kerf_machine::Configuration;
 use kerf_program::Axis;
-use kerf_program::job::{Job, JobShape};
+use kerf_program::job::JobShape;
 use kerf_wire::{FileKind, JobChoice, Problem, Why};
-use std::sync::Arc;
 use std::sync::mpsc::Sender;
 
-impl App {
+impl Jobs {
     /// Cuts the open job otherwise in some respect.
     ///
     /// # Errors
-    /// As [`App::choose`].
-    pub fn choose_anew(
-        self: &Arc<Self>,
-        change: impl FnOnce(JobChoice) -> JobChoice,
-    ) -> Result<(), Problem> {
-        let mut open = lock(&self.open).clone();
+    /// As [`Jobs::choose`].
+    pub fn choose_anew(&self, change: impl FnOnce(JobChoice) -> JobChoice) -> Result<(), Problem> {
+        let mut open = self.loader.open.lock().clone();
         open.choice = change(open.choice);
         // A path may have no room for the offset.
-        self.work(&open)?;
+        self.loader.work(&open)?;
         self.choose(open.choice)
     }
 
     /// The open job begins with this path, from 1.
     ///
     /// # Errors
-    /// As [`App::choose`].
-    pub fn begin_with(self: &Arc<Self>, path: u32) -> Result<(), Problem> {
+    /// As [`Jobs::choose`].
+    pub fn begin_with(&self, path: u32) -> Result<(), Problem> {
         let open = self.job_at_rest()?;
-        let Work::Job(job, _) = self.job_of(&open)? else { return Ok(()) };
+        let Work::Job(job, _) = self.loader.job_of(&open)? else { return Ok(()) };
         if job.start == path as usize {
             return Ok(());
         }
@@ -45,9 +39,9 @@ impl App {
     }
 
     /// A job is over that took its origin where the tool was: there it lies from now on.
-    pub fn keep_taken(self: &Arc<Self>) {
-        let Some((key, at)) = lock(&self.taken).take() else { return };
-        if lock(&self.open).key == key {
+    pub fn keep_taken(&self) {
+        let Some((key, at)) = self.taken.lock().take() else { return };
+        if self.loader.open.lock().key == key {
             // Whoever begins something else at this very moment has no use for it.
             drop(self.choose_anew(|choice| JobChoice { origin: Some(at), ..choice }));
         }
@@ -59,42 +53,16 @@ impl App {
     /// # Errors
     /// The machine is busy.
     pub fn place_job(
-        self: &Arc<Self>,
+        &self,
         key: &str,
         [x, y]: [f64; 2],
         tells: &Sender<Happening>,
         change: impl FnOnce(JobChoice) -> JobChoice,
     ) -> Result<(), Problem> {
-        if kind_of(&lock(&self.open).name) == FileKind::Job {
+        if kind_of(&self.loader.open.lock().name) == FileKind::Job {
             self.choose_anew(change)?;
         }
-        self.hold(&[(key, format!("{x},{y}"))], tells)
-    }
-
-    /// Returns the origin of the open job on the table, and the place of the head at its end; those of the
-    /// machine where no job is open.
-    pub(crate) fn lies(&self, open: &Open) -> [Point2; 2] {
-        let (job, machine) = self.placed(open);
-        kerf_sequence::lies(&job, &machine)
-    }
-
-    /// An open job as far as it says where it lies, and the machine.
-    fn placed(&self, open: &Open) -> (Job, Configuration) {
-        let (mut job, machine) = (Job::default(), lock(&self.left).session.configuration());
-        if kind_of(&open.name) == FileKind::Job {
-            let (read, _) = kerf_toolpath::read(&open.bytes);
-            (job.origin, job.finish) = (read.origin, read.finish);
-            let place = |[x, y]: [f64; 2]| Point2::new(x, y);
-            job.origin = open.choice.origin.map(place).or(job.origin);
-            job.finish = open.choice.finish.map(place).or(job.finish);
-        }
-        (job, machine)
-    }
-
-    /// The machine as it is moved by hand: its job origin and finish are those of the open job.
-    pub fn machine_by_hand(&self) -> Configuration {
-        let (job, machine) = self.placed(&lock(&self.open).clone());
-        with_job(machine, &job)
+        self.settings.hold(&[(key, format!("{x},{y}"))], tells)
     }
 
     /// The path of the open job nearest to where the tool is in the plane, counted from 1 in cutting order, and how
@@ -104,10 +72,10 @@ impl App {
     /// No job is open, or it has no path.
     pub fn nearest_path(&self) -> Result<(u32, u32), Problem> {
         let open = self.job_at_rest()?;
-        let Work::Job(job, _) = self.job_of(&open)? else {
+        let Work::Job(job, _) = self.loader.job_of(&open)? else {
             return Err(problem(Why::State, "no job is open"));
         };
-        let [origin, _] = self.lies(&open);
+        let [origin, _] = self.loader.lies(&open);
         let position = lock(&self.left).session.memory.position;
         let at = Point2::new(position[Axis::X] - origin.x, position[Axis::Y] - origin.y);
         let nearest = nearest(&job.shapes, at);
@@ -119,25 +87,18 @@ impl App {
     /// paths is open.
     ///
     /// # Errors
-    /// As [`App::choose`].
-    pub fn justify_bottom(self: &Arc<Self>) -> Result<(), Problem> {
-        let mut open = lock(&self.open).clone();
+    /// As [`Jobs::choose`].
+    pub fn justify_bottom(&self) -> Result<(), Problem> {
+        let mut open = self.loader.open.lock().clone();
         if kind_of(&open.name) != FileKind::Job {
             return Ok(());
         }
         open.choice.lift = 0.0;
-        let Work::Job(job, machine) = self.job_of(&open)? else { return Ok(()) };
+        let Work::Job(job, machine) = self.loader.job_of(&open)? else { return Ok(()) };
         let Some(lowest) = kerf_toolpath::lowest_mm(&job) else { return Ok(()) };
         let bottom = machine.zpos.bottom_mm - machine.zpos.surface_mm;
         self.choose_anew(|choice| JobChoice { lift: bottom - lowest, ..choice })
     }
-}
-
-/// A machine with the origin and finish of a job as its own.
-pub fn with_job(mut machine: Configuration, job: &Job) -> Configuration {
-    let lies = kerf_sequence::lies(job, &machine).map(|at| [at.x, at.y]);
-    [machine.job.origin_mm, machine.job.finish_mm] = lies;
-    machine
 }
 
 /// The place in cutting order of the path nearest to a place; the first of several.

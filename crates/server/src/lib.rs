@@ -12,6 +12,8 @@
 //!   a run that goes on reaches it through a [`Link`](machine::Link), which it looks at several times
 //!   between two pictures.
 //! - Who may do what, and when, is one list in [`gate`]. Who is let in at all is decided in `http::guard`.
+//! - What is served has parts ([`app`]): the way to the machine, settings, files, drawings, jobs, runs, hands. Each knows
+//!   only what it is lent; the order in which their locks may be held is told in [`locks`].
 //! - Previews are runs on copies ([`preview`]); files lie in the part folder and nowhere else
 //!   ([`files`]).
 
@@ -32,9 +34,12 @@ mod desk;
 mod digested;
 mod digitized;
 mod draft;
+mod driving;
 mod files;
 mod gate;
 mod handconsole;
+mod hands;
+mod help_wanted;
 mod http;
 mod hub;
 mod interrupted;
@@ -43,12 +48,15 @@ mod job_by_hand;
 mod job_told;
 mod kind;
 mod lanes;
+mod loader;
 mod locks;
 mod machine;
 mod memory;
 mod names;
 mod open;
 mod operations;
+mod orders;
+mod part_files;
 mod paths;
 mod people;
 mod pool;
@@ -59,6 +67,7 @@ mod protect;
 mod ran;
 mod reading;
 mod refusal;
+mod runs;
 mod saving;
 mod setup;
 mod shop;
@@ -69,6 +78,7 @@ mod turn;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod who_may_what;
+mod work;
 
 pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};
@@ -136,15 +146,15 @@ impl Server {
         let closing = options.closes_with_program.then_some(closing);
         let url = format!("http://{}", from_here(address));
         let (app, machine) = machine_and_app(options, builders, (url, door.port), closing)?;
-        app.keep_drafts();
-        app.tell_added();
-        app.tell_texts();
+        app.drawing.keep_drafts();
+        app.loader.added.tell();
+        texts::tell_unread(&app.texts, &app.hub);
         handconsole::begin(&app);
         if let Some(name) = app.options.open.clone() {
-            drop(app.open_file(&name));
+            drop(app.loader.open_file(&name));
         }
         app.start_up();
-        runtime.spawn(turn::watch(Arc::downgrade(&app)));
+        runtime.spawn(driving::watch(Arc::downgrade(&app.driving)));
         let stop_way = StopWay::begin(&app, door, runtime.handle().clone())?;
         runtime.spawn(app.memory.clone().watch(Arc::downgrade(&app.hub)));
         runtime.spawn(http::serve(listener, http::router(app.clone())));
@@ -181,12 +191,12 @@ impl Server {
 
     /// Returns `true` while the machine moves.
     pub fn moves(&self) -> bool {
-        self.app.state() == kerf_wire::State::Running
+        self.app.hub.state() == kerf_wire::State::Running
     }
 
     /// Tells pages that files of the part folder have changed.
     pub fn files_changed(&self) {
-        self.app.files_changed();
+        self.app.files.changed();
     }
 
     /// Waits for as long as the server runs: until a part file closes it, or it is to end; then what runs is
@@ -212,7 +222,7 @@ impl Drop for Server {
     fn drop(&mut self) {
         self.stop_machine();
         // Where the disk refuses, pages were told when it did so first.
-        drop(self.app.write_draft());
+        drop(self.app.drawing.write_draft());
         if let Some(runtime) = self.runtime.take() {
             runtime.shutdown_background();
         }
@@ -261,7 +271,7 @@ fn machine_and_app(
             let Some(app) = app.get().and_then(Weak::upgrade) else { return };
             let (later, file) = (app.clone(), called);
             // Where too much is being done the picture stays what it was: the machine goes on.
-            drop(app.pool.give(Lane::Short, KERF, move || later.show_called(file)));
+            drop(app.pool.give(Lane::Short, KERF, move || later.loader.show_called(file)));
         }))
     };
     let parts = PartFolder::new(&options.parts)?;

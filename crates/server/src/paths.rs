@@ -1,9 +1,8 @@
 //! The drawing as pages show it: its state, its shapes, the paths of the tool.
 
-use crate::app::App;
 use crate::awaited::Awaited;
-use crate::desk::{Desk, job};
-use crate::locks::lock;
+use crate::desk::{Desk, DrawingDesk, job};
+use crate::machine::Left;
 use kerf_drawing::{ArrayLevel, Drawing, Group, Height, Lead, Shape};
 use kerf_geom::Vec2;
 use kerf_program::job::{Depth, Depths, Heights};
@@ -13,10 +12,10 @@ use kerf_wire::{
     ShapePath, ToolPaths,
 };
 
-impl App {
+impl DrawingDesk {
     /// The shapes of the drawing.
     pub fn shapes(&self) -> ShapeList {
-        let desk = lock(&self.desk);
+        let desk = self.desk.lock();
         let shapes = desk.editor.drawing.shapes.iter().zip(1..);
         ShapeList {
             revision: desk.revision,
@@ -26,10 +25,10 @@ impl App {
 
     /// Returns what the drawing becomes when it is machined. Where there are no paths, the notes say why.
     pub fn tool_paths(&self, awaited: &Awaited) -> ToolPaths {
-        let shaping = self.shaping();
+        let shaping = Left::shaping(&self.left);
         // On a copy, which shares the shapes: hands need not wait for paths.
         let (drawing, revision) = {
-            let desk = lock(&self.desk);
+            let desk = self.desk.lock();
             (desk.editor.drawing.clone(), desk.revision)
         };
         let (smoothed, filtered) = as_machined(&drawing, shaping);
@@ -42,8 +41,8 @@ impl App {
 
     /// Tells pages of the drawing again: what its levels follow from has changed.
     pub fn tell_drawing(&self) {
-        let heights = self.heights();
-        let desk = lock(&self.desk);
+        let heights = Left::heights(&self.left);
+        let desk = self.desk.lock();
         let present = self.hub.read(|now| now.drawing.clone());
         let drawing = present.is_some().then(|| desk.state(&heights));
         if drawing != present {

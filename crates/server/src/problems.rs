@@ -1,8 +1,5 @@
 //! The problem log: what went wrong, kept in the data folder for whoever is asked for help (HN).
 
-use crate::app::App;
-use crate::locks::lock;
-use crate::told;
 use kerf_journal::Started;
 use kerf_wire::{Change, Tone};
 use std::fs::{self, OpenOptions};
@@ -10,11 +7,9 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 /// Its name in the data folder.
-const FILE: &str = "problem.log";
+pub const FILE: &str = "problem.log";
 /// Size of what is kept of it when the server starts, bytes.
 const KEPT: usize = 64 * 1024;
-/// Lines that a request for help shows.
-const SHOWN: usize = 100;
 
 /// Writes it. Without a clock nothing is written: then nothing else is on record either.
 #[derive(Debug)]
@@ -61,32 +56,5 @@ impl ProblemLog {
         }
         let mut file = OpenOptions::new().append(true).create(true).open(&self.path)?;
         file.write_all(lines.as_bytes())
-    }
-}
-
-impl App {
-    /// Returns what somebody who helps has to know: versions and places, and the last of the problem log.
-    ///
-    /// # Errors
-    /// The files of the machine cannot be looked at.
-    pub fn problems(&self) -> io::Result<String> {
-        let session = lock(&self.left).session.clone();
-        let mut workspace = self.preview_workspace()?;
-        let facts = told::named(session.diagnostics(&mut workspace));
-        let mut text = self.hub.read(|now| {
-            let file = now.opened.as_ref().map_or("none", |opened| &opened.name);
-            let job = now.job.as_ref().and_then(|job| job.ended.as_deref()).unwrap_or("none");
-            let why = now.machine.why.as_deref().unwrap_or("nothing to tell");
-            format!(
-                "Kerf {}, machine {}\nState: {:?}, {why}\nFile: {file}\nLast job: {job}\n",
-                now.kerf, now.machine.name, now.machine.state
-            )
-        });
-        text.extend(facts.iter().map(|fact| format!("{}: {}\n", fact.name, fact.value)));
-        let log = fs::read_to_string(self.options.data.join(FILE)).unwrap_or_default();
-        let lines: Vec<&str> = log.lines().collect();
-        text += "\nProblem log:\n";
-        text.extend(lines[lines.len().saturating_sub(SHOWN)..].iter().map(|l| format!("{l}\n")));
-        Ok(text)
     }
 }

@@ -1,8 +1,7 @@
 //! The password of the settings: who may change them.
 
-use crate::app::App;
 use crate::clock::Clock;
-use crate::configure::PASSWORD;
+use crate::configure::{MachineSettings, PASSWORD};
 use crate::locks::lock;
 use crate::refusal::problem;
 use kerf_control::password;
@@ -51,7 +50,7 @@ impl Unlocked {
     }
 }
 
-impl App {
+impl MachineSettings {
     /// Protects settings with a password, or no longer.
     ///
     /// # Errors
@@ -101,7 +100,7 @@ impl App {
     }
 }
 
-impl App {
+impl MachineSettings {
     /// Tries a password, while nobody else does: a guess costs the computer a moment of work.
     fn try_password(&self, who: &Who, kept: &str, given: &str) -> Result<(), Problem> {
         let mut wrong = match self.passwords.try_lock() {

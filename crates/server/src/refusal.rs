@@ -9,3 +9,8 @@ pub type Done = Result<Vec<String>, Problem>;
 pub fn problem(why: Why, text: impl Into<String>) -> Problem {
     Problem { why, text: text.into() }
 }
+
+/// Refuses an answer to a question that is not open any more.
+pub fn not_open() -> Problem {
+    problem(Why::Late, "this question is not open any more")
+}

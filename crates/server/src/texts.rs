@@ -6,10 +6,9 @@
 //!                             └─ no: another page types into the file too ──────────────────► both are kept
 //! ```
 
-use crate::app::App;
-use crate::digested::hash;
-use crate::digested::{checked, with_digest};
+use crate::digested::{checked, hash, with_digest};
 use crate::files::{self, PartFolder};
+use crate::hub::Hub;
 use crate::locks::lock;
 use crate::refusal::problem;
 use kerf_files::{Disk, RealDisk};
@@ -134,19 +133,15 @@ impl Texts {
     }
 }
 
-impl App {
-    /// Tells of drafts that cannot be read.
-    pub fn tell_texts(&self) {
-        let told = match self.texts.put_aside() {
-            Ok(aside) => {
-                aside.iter().map(|file| format!("it lies in {}", file.display())).collect()
-            }
-            Err(error) => vec![error.to_string()],
-        };
-        for why in told {
-            let text = format!("text of the editor that was not saved cannot be read: {why}");
-            self.hub.say(Tone::Warning, text);
-        }
+/// Tells of drafts that cannot be read.
+pub fn tell_unread(texts: &Texts, hub: &Hub) {
+    let told = match texts.put_aside() {
+        Ok(aside) => aside.iter().map(|file| format!("it lies in {}", file.display())).collect(),
+        Err(error) => vec![error.to_string()],
+    };
+    for why in told {
+        let text = format!("text of the editor that was not saved cannot be read: {why}");
+        hub.say(Tone::Warning, text);
     }
 }
 

@@ -1,20 +1,12 @@
-//! Ends turns at driving that nobody gave up: a page ends one by going; a script, which has no connection that
-//! could end, by not being heard; and both when their device is revoked.
+//! The turn at driving that goes on, and when whoever has it was heard last.
 
-use crate::app::App;
 use crate::clock::Clock;
 use crate::locks::lock;
-use crate::people::is_script;
-use kerf_wire::{State, Who};
-use std::io;
-use std::sync::{Mutex, Weak};
+use std::sync::Mutex;
 use std::time::Duration;
 
 /// So long a script drives that is not heard.
 pub const SILENCE: Duration = Duration::from_secs(10);
-
-/// Time between two looks whether a script is silent.
-const LOOK: Duration = Duration::from_millis(250);
 
 /// The turn that goes on, as far as it is known.
 #[derive(Debug)]
@@ -48,57 +40,12 @@ impl Turn {
     }
 
     /// Returns `true` if whoever has this turn is not heard any more. While something of the turn runs it goes on.
-    fn is_silent(&self, lease: u32, runs: bool) -> bool {
+    pub fn is_silent(&self, lease: u32, runs: bool) -> bool {
         let mut inner = lock(&self.inner);
         if runs && inner.run_of == lease {
             inner.heard = self.clock.now();
         }
         self.clock.now().saturating_sub(inner.heard) > SILENCE
-    }
-}
-
-/// Looks after the turns of scripts, as long as the server runs.
-pub async fn watch(app: Weak<App>) {
-    while let Some(app) = app.upgrade() {
-        app.end_silent_turn();
-        drop(app);
-        tokio::time::sleep(LOOK).await;
-    }
-}
-
-impl App {
-    /// Somebody was heard, which counts where it drives.
-    pub fn hears_driver(&self, who: &Who) {
-        let drives = |now: &kerf_wire::Snapshot| {
-            now.lease.as_ref().is_some_and(|lease| lease.client == who.client)
-        };
-        if self.hub.read(drives) {
-            self.turn.heard();
-        }
-    }
-
-    /// The turn of a script ends that is not heard any more.
-    pub fn end_silent_turn(&self) {
-        let runs = !matches!(self.state(), State::Idle | State::Alarm);
-        let why = format!("the program that drove was not heard for {} s", SILENCE.as_secs());
-        self.drop_lease(
-            |lease| is_script(lease.client) && self.turn.is_silent(lease.number, runs),
-            &why,
-        );
-    }
-
-    /// Takes a device off the list: what it has of the machine is gone at once.
-    ///
-    /// # Errors
-    /// Whatever the disk says.
-    pub fn revoke(&self, device: u32) -> io::Result<()> {
-        self.devices.revoke(device)?;
-        let of_device = |client| self.pages.device_of(client) == Some(device);
-        self.drop_lease(|lease| of_device(lease.client), "the device that drove was revoked");
-        self.pages.of_device(device).for_each(|client| self.unlocked.remove(client));
-        // Pages look whether they are still paired when something is told.
-        self.files_changed();
-        Ok(())
     }
 }
 
@@ -108,7 +55,7 @@ mod tests {
     use super::*;
     use crate::bench::{Bench, bench};
     use crate::people::script;
-    use kerf_wire::{Act, Role, Why};
+    use kerf_wire::{Act, Role, Who, Why};
 
     /// A script drives, with the machine armed.
     fn scripted() -> (Bench, Who) {
@@ -120,7 +67,7 @@ mod tests {
     }
 
     fn drives(bench: &Bench) -> bool {
-        bench.app.end_silent_turn();
+        bench.app.driving.end_silent_turn();
         bench.app.hub.read(|now| now.lease.is_some() && now.machine.armed)
     }
 
@@ -187,9 +134,9 @@ mod tests {
         let moves = || Act::Command { lease: bench.lease(), line: "MX,1".into() };
         assert_eq!(asks(&second, moves()), Err(Why::Lease), "the other page of the tablet");
         assert_eq!(asks(&second, Act::Arm { lease: bench.lease() }), Err(Why::Lease));
-        bench.app.unlocked.add(first.client);
-        assert!(!bench.app.unlocked.has(second.client));
-        bench.app.gone(second.client);
+        bench.app.settings.unlocked.add(first.client);
+        assert!(!bench.app.settings.unlocked.has(second.client));
+        bench.app.driving.gone(second.client);
         assert!(drives(&bench), "the page that drives is there");
         assert!(asks(&first, moves()).is_ok());
     }
@@ -202,7 +149,7 @@ mod tests {
         bench.does(&second, Act::Disarm);
         assert!(!drives(&bench));
         bench.does(&first, Act::Arm { lease: bench.lease() });
-        bench.app.gone(first.client);
+        bench.app.driving.gone(first.client);
         assert!(!drives(&bench), "nobody drives: the other page does not step in");
         assert_eq!(bench.app.hub.read(|now| now.lease.clone()), None);
     }
@@ -214,9 +161,9 @@ mod tests {
             let driver = [first, second][drives_at].clone();
             bench.does(&driver, Act::TakeLease { force: true });
             bench.does(&driver, Act::Arm { lease: bench.lease() });
-            bench.app.unlocked.add(driver.client);
+            bench.app.settings.unlocked.add(driver.client);
             bench.app.revoke(7).unwrap();
-            assert!(!drives(&bench) && !bench.app.unlocked.has(driver.client));
+            assert!(!drives(&bench) && !bench.app.settings.unlocked.has(driver.client));
             assert_eq!(bench.app.hub.read(|now| now.lease.clone()), None);
         }
     }
@@ -224,10 +171,10 @@ mod tests {
     #[test]
     fn a_device_that_is_revoked_has_nothing_of_the_machine() {
         let (bench, who) = scripted();
-        bench.app.unlocked.add(who.client);
+        bench.app.settings.unlocked.add(who.client);
         bench.app.revoke(7).unwrap();
         assert!(!drives(&bench));
-        assert!(!bench.app.unlocked.has(who.client));
+        assert!(!bench.app.settings.unlocked.has(who.client));
         let page = bench.app.pages.enter(Role::Setter, "page".into(), 8).unwrap().0;
         bench.does(&page, Act::TakeLease { force: false });
         bench.does(&page, Act::Arm { lease: bench.lease() });

@@ -3,6 +3,7 @@
 //! `tests/who_may_what`.
 
 use crate::bench::{Bench, bench};
+use crate::handconsole::grant;
 use crate::people::Grip;
 use kerf_control::answers::{KINDS, kind_word};
 use kerf_drawing::Shape;
@@ -164,7 +165,7 @@ fn told(
     let done = match &row.asks {
         Asks::Wish(wish) => {
             let grip = Grip { seq: 1, at: app.clock.now() };
-            app.grant(&asker, grip, wish.clone(), &channel().0)
+            grant(app, &asker, grip, wish.clone(), &channel().0)
         }
         Asks::Answer(_, words) => {
             let answer = Act::Answer { question: 5, answer: (*words).into() };

@@ -1,7 +1,7 @@
 //! Latches that stop motors: one over all motion, one for each switch that a motor is homed to.
 //!
-//! A latch that is armed triggers by itself when its deadline passes. The host pushes the deadline along while motion goes
-//! on; a host that is dead does not, and the board stops its motors to the tick.
+//! A latch that is armed triggers by itself when its deadline passes. The host pushes the deadline along while motion
+//! goes on; a host that is dead does not, and the board stops its motors to the tick.
 
 use super::news::Ended;
 use super::questions::About;

@@ -43,7 +43,7 @@ impl Session {
         }
     }
 
-    /// Returns `true` once counts are to be waited for.
+    /// Tells that the board is ready, once its clock and its counts are known.
     pub fn learn(&mut self, now_s: f64, news: &mut VecDeque<News>) -> Told {
         let counting = self.questions.has(|about| matches!(about, About::Position(_)));
         let known = self.now(now_s);

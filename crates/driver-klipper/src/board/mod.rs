@@ -128,7 +128,8 @@ impl Board {
         self.news.pop_front()
     }
 
-    /// Motion begins, from rest: the latches are armed, and pieces may be offered. Switches of `homes` stop their motors.
+    /// Motion begins, from rest: the latches are armed, and pieces may be offered. Switches of `homes` stop their
+    /// motors.
     ///
     /// # Errors
     ///
@@ -194,8 +195,8 @@ impl Board {
         }
     }
 
-    /// Takes back what has not been sent, and returns the clock from which other pieces may follow: the way to slow down
-    /// on the path.
+    /// Takes back what has not been sent, and returns the clock from which other pieces may follow: the way to slow
+    /// down on the path.
     ///
     /// # Errors
     ///

@@ -25,6 +25,9 @@ pub const ARMED: u32 = 2;
 /// Time that a command may need on a line, with a resend: nothing is sent that is due sooner, seconds.
 const TRANSIT_S: f64 = 0.01;
 
+/// Bits of the upper half of a clock that are believed: 100 days at 520 MHz, and exact as a float.
+const HIGH: u32 = 0xf_ffff;
+
 /// Something that ends a session.
 pub type Told = Result<(), Fault>;
 
@@ -209,7 +212,8 @@ impl Session {
         match message.name() {
             "starting" => return Err(Fault::Restarted),
             "uptime" if self.questions.answered(About::Uptime) => {
-                let uptime = u64::from(number("high")) << 32 | u64::from(number("clock"));
+                let high = u64::from(number("high") & HIGH);
+                let uptime = high << 32 | u64::from(number("clock"));
                 self.clock = Some(Clock::new(self.frequency, uptime, now_s));
                 self.ask(About::Config, Order::Config, [])?;
             }

@@ -1,8 +1,9 @@
 //! Times of steps as the few commands that a board keeps: `interval, count, add`.
 //!
-//! Step k of a command (1 … count) is due at T + k·interval + add·k(k−1)/2, T being the last step before it. Each step has
-//! a window of time around its planned moment; a command goes on for as long as one pair of whole numbers passes through
-//! all windows, so few commands are needed, and no error is handed on: windows are those of the plan, whatever T became.
+//! Step k of a command (1 … count) is due at T + k·interval + add·k(k−1)/2, T being the last step before it. Each
+//! step has a window of time around its planned moment; a command goes on for as long as one pair of whole numbers
+//! passes through all windows, so few commands are needed, and no error is handed on: windows are those of the plan,
+//! whatever T became.
 //!
 //! ```text
 //!  time │              ┬ ╱ window of step 4
@@ -25,7 +26,8 @@ const LEAD_IN: u64 = 1 << 16;
 /// Limits of a motor's steps, in ticks of its board.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Farthest that a step is from its planned moment. Where steps are close, half the time to the next one is the limit.
+    /// Farthest that a step is from its planned moment. Where steps are close, half the time to the next one is the
+    /// limit.
     pub error: f64,
     /// Least time between two steps: the pulse, its pause, and what the board needs.
     pub least: u32,
@@ -38,7 +40,8 @@ pub struct Limits {
 pub struct Steps {
     /// Its count rises.
     pub forward: bool,
-    /// Clock from which they count. Where it is not the last step of the command before, the motor's clock is set to it.
+    /// Clock from which they count. Where it is not the last step of the command before, the motor's clock is set to
+    /// it.
     pub from: u64,
     /// Ticks to the first step.
     pub interval: u32,

@@ -1,7 +1,7 @@
 //! A board's own dictionary: its commands and answers with their numbers, its pins, its constants, its reasons.
 //!
-//! Numbers, order of fields, even fields differ from build to build. So nothing of a message is known but its name and the
-//! fields that Kerf means; everything else is looked up here, once, when a board is joined.
+//! Numbers, order of fields, even fields differ from build to build. So nothing of a message is known but its name
+//! and the fields that Kerf means; everything else is looked up here, once, when a board is joined.
 
 mod encoder;
 mod format;

@@ -1,7 +1,7 @@
 //! The way into a session: any half frame of a former host is ended, and the board tells the number that it expects.
 //!
-//! An empty frame does nothing in a board, whichever number it has, and is answered with the number expected. A number that
-//! happened to fit has been counted in by then, so the answer is right in each case.
+//! An empty frame does nothing in a board, whichever number it has, and is answered with the number expected. A
+//! number that happened to fit has been counted in by then, so the answer is right in each case.
 
 use crate::wire::frame::{LONGEST, Reader, SYNC, frame};
 

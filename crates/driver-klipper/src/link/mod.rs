@@ -1,8 +1,8 @@
 //! The near end of the line: commands become frames, frames that are lost are sent again.
 //!
-//! A board runs frames in the order of their numbers and tells in each of its own frames the number that it expects next.
-//! So each command that goes in here is run once and in order, however the line spoils bytes. Answers are not assured:
-//! whoever asks asks again.
+//! A board runs frames in the order of their numbers and tells in each of its own frames the number that it expects
+//! next. So each command that goes in here is run once and in order, however the line spoils bytes. Answers are not
+//! assured: whoever asks asks again.
 //!
 //! ```text
 //!  send ──► waiting ──► in flight (≤ 12 frames, ≤ the board's buffer) ──► acknowledged

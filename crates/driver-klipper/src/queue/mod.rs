@@ -1,8 +1,8 @@
 //! Motion on its way to a board: pieces that end at rest, each with the tail that makes it so.
 //!
-//! A board keeps the commands it has and makes them; none can be taken back, but all can be dropped at once. When its queue
-//! runs dry, a motor stands still in the middle of its speed. So no piece is taken without the tail that brings it to rest,
-//! and the tail goes out by itself when nothing follows in time.
+//! A board keeps the commands it has and makes them; none can be taken back, but all can be dropped at once. When its
+//! queue runs dry, a motor stands still in the middle of its speed. So no piece is taken without the tail that brings
+//! it to rest, and the tail goes out by itself when nothing follows in time.
 //!
 //! ```text
 //!  speed │     piece n        │ piece n+1 …        made while the host lives
@@ -119,8 +119,8 @@ pub struct Queue {
 }
 
 impl Queue {
-    /// Motors that stand still, outputs with the time after which they have to be told again (0: never) and the value at
-    /// which they are off, and the places that the board has for commands.
+    /// Motors that stand still, outputs with the time after which they have to be told again (0: never) and the value
+    /// at which they are off, and the places that the board has for commands.
     pub fn new(limits: Vec<Limits>, outputs: &[(u64, u32)], places: usize) -> Self {
         let compressors: Vec<_> = limits.iter().map(|limits| Compressor::new(*limits, 0)).collect();
         Self {
@@ -212,8 +212,8 @@ impl Queue {
         self.offered.is_empty() && self.sending.is_empty() && self.tail.is_none()
     }
 
-    /// Returns what is to be told to the board at a clock. `off` is the farthest that this clock may be off, ticks; nothing
-    /// `moves` yet while latches are being armed.
+    /// Returns what is to be told to the board at a clock. `off` is the farthest that this clock may be off, ticks;
+    /// nothing `moves` yet while latches are being armed.
     ///
     /// # Errors
     ///

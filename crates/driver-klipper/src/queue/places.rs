@@ -1,7 +1,7 @@
 //! Places for commands in the board: one pool for all motors and outputs.
 //!
-//! A command takes its place on arrival and frees it when it is loaded: at the end of the one before, which is the clock
-//! from which it counts.
+//! A command takes its place on arrival and frees it when it is loaded: at the end of the one before, which is the
+//! clock from which it counts.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

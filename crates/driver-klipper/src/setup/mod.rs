@@ -1,7 +1,8 @@
 //! What hangs on a board: motors, switches, outputs, inputs, as the commands that configure it.
 //!
-//! A board keeps one configuration from power-up to reset, with a check number that means nothing to it. Kerf's is made of
-//! the configuration's text, so a board that was configured by someone else, or otherwise, is known by its number.
+//! A board keeps one configuration from power-up to reset, with a check number that means nothing to it. Kerf's is
+//! made of the configuration's text, so a board that was configured by someone else, or otherwise, is known by its
+//! number.
 
 mod pins;
 
@@ -13,6 +14,9 @@ use pins::Pins;
 
 /// Version of the way in which objects are numbered.
 const VERSION: &str = "kerf 1";
+
+/// Rates of clocks that are believed, ticks a second: those of boards are 12 to 520 million.
+const FREQUENCIES: std::ops::RangeInclusive<f64> = 1e5..=1e10;
 
 /// A motor with step and direction.
 #[derive(Clone, Debug, PartialEq)]
@@ -175,8 +179,10 @@ impl Setup {
     ///
     /// It does not fit the board.
     pub fn commands(&self, board: &Dictionary, orders: &Orders) -> Result<Configured, SetupError> {
-        let frequency =
-            board.constant("CLOCK_FREQ").filter(|f| *f > 0.0).ok_or(SetupError::Frequency)?;
+        let frequency = board
+            .constant("CLOCK_FREQ")
+            .filter(|f| FREQUENCIES.contains(f))
+            .ok_or(SetupError::Frequency)?;
         let count = self.oid(Object::Latch(self.switches.len())) as usize + 1;
         let many = |what, most, count| SetupError::Many { what, most, count };
         if count > 255 {

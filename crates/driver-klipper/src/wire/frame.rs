@@ -1,6 +1,7 @@
 //! Frames: `length, 0x10 | number, content, check number (high byte first), 0x7e`.
 //!
-//! The length counts the whole frame. From the host a frame carries whole commands, from a board one message or nothing.
+//! The length counts the whole frame. From the host a frame carries whole commands, from a board one message or
+//! nothing.
 
 use super::crc::crc16;
 

@@ -1,5 +1,5 @@
-//! Bytes as what a board says. The test of this crate and the fuzz target share it: nothing panics, nothing grows without end,
-//! and whatever was said, nothing moves by itself.
+//! Bytes as what a board says. The test of this crate and the fuzz target share it: nothing panics, nothing grows
+//! without end, and whatever was said, nothing moves by itself.
 
 use crate::fake::world::{Motion, World, setup};
 use crate::fake::{Faults, reader};
@@ -9,8 +9,8 @@ use kerf_driver_klipper::dictionary::Dictionary;
 /// Longest input that is looked at.
 const LONGEST: usize = 4096;
 
-/// The first byte chooses who hears the others: the reader of dictionaries, a host that looks for a board, one that is ready,
-/// or one that moves.
+/// The first byte chooses who hears the others: the reader of dictionaries, a host that looks for a board, one that
+/// is ready, or one that moves.
 pub fn check(bytes: &[u8]) {
     let Some((choice, rest)) = bytes.split_first() else { return };
     let rest = &rest[..rest.len().min(LONGEST)];

@@ -25,7 +25,8 @@ pub const COMMANDS: &[&str] = &[
     "queue_step oid=%c interval=%u count=%hu add=%hi",
     "config_stepper oid=%c step_pin=%c dir_pin=%c invert_step=%c step_pulse_ticks=%u",
     "endstop_query_state oid=%c",
-    "endstop_home oid=%c clock=%u sample_ticks=%u sample_count=%c rest_ticks=%u pin_value=%c trsync_oid=%c trigger_reason=%c",
+    "endstop_home oid=%c clock=%u sample_ticks=%u sample_count=%c \
+     rest_ticks=%u pin_value=%c trsync_oid=%c trigger_reason=%c",
     "config_endstop oid=%c pin=%c pull_up=%c",
     "trsync_trigger oid=%c reason=%c",
     "trsync_set_timeout oid=%c clock=%u",
@@ -38,7 +39,8 @@ pub const COMMANDS: &[&str] = &[
     "buttons_query oid=%c clock=%u rest_ticks=%u retransmit_count=%c invert=%c",
     "buttons_ack oid=%c count=%c",
     "config_analog_in oid=%c pin=%u",
-    "query_analog_in oid=%c clock=%u sample_ticks=%u sample_count=%c rest_ticks=%u bytes_per_report=%c min_value=%hu max_value=%hu range_check_count=%c",
+    "query_analog_in oid=%c clock=%u sample_ticks=%u sample_count=%c \
+     rest_ticks=%u bytes_per_report=%c min_value=%hu max_value=%hu range_check_count=%c",
     "config_tmcuart oid=%c rx_pin=%u pull_up=%c tx_pin=%u bit_time=%u",
     "tmcuart_send oid=%c write=%*s read=%c",
     "invented_command oid=%c far=%i",

@@ -91,6 +91,11 @@ impl<'a> Run<'a> {
             self.advances(&going(&plan, index, t0_s), end_s)?;
         }
         self.x_mm = to_mm.last().copied().unwrap_or(self.x_mm);
+        // The plan ends at a stand: nobody goes on before the machine is there.
+        let x_mm = self.bench.seen().map_or(self.x_mm, |seen| seen.place[Axis::X]);
+        if (x_mm - self.x_mm).abs() > X_MM {
+            self.odd.get_or_insert(format!("a plan to x {} is made at x {x_mm}", self.x_mm));
+        }
         Ok(())
     }
 

@@ -89,7 +89,7 @@ impl Keeper {
         let Some(first) = wishes.next() else { return };
         self.waiting = wishes.map(|wish| (asker.clone(), grip, wish)).collect();
         // The key before was let go, and the tool slows down: it moves anew as soon as it stands.
-        if matches!(first, Wish::Jog(_)) && app.state() == State::Jogging {
+        if matches!(first, Wish::Jog(_)) && app.hub.state() == State::Jogging {
             self.waiting.push_front((asker.clone(), grip, first));
         } else {
             self.grant(app, asker, grip, first);
@@ -98,11 +98,11 @@ impl Keeper {
 
     /// Grants what waits, as far as the machine is ready for it.
     fn go_on(&mut self, app: &Arc<App>) {
-        while app.state() == State::Idle && !self.doing {
+        while app.hub.state() == State::Idle && !self.doing {
             let Some((asker, grip, wish)) = self.waiting.pop_front() else { return };
             self.grant(app, &asker, grip, wish);
         }
-        if app.state() == State::Alarm {
+        if app.hub.state() == State::Alarm {
             self.waiting.clear();
         }
     }
@@ -113,7 +113,7 @@ impl Keeper {
             wish => wish,
         };
         let (lasts, settles) = (wish.lasts(), wish.settles());
-        match app.grant(asker, grip, wish, &self.happens) {
+        match super::grant(app, asker, grip, wish, &self.happens) {
             Ok(()) => (self.doing, self.settling) = (lasts || settles, settles),
             Err(problem) => {
                 self.waiting.clear();

@@ -102,7 +102,7 @@ struct Link {
 impl Link {
     fn new(app: &App, port: Port, device: (String, u32)) -> Self {
         let who = app.pages.enter_by_cable(Role::Setter, "hand console".into());
-        app.tell_clients();
+        app.driving.tell_clients();
         tell(app, format!("at {}", device.0));
         let beeps = app.hub.read(|now| now.hand_console.beeps);
         let (drawn, last, busy_until) = (None, None, Instant::now());
@@ -120,8 +120,8 @@ impl Link {
         }
         let Some(app) = app.upgrade() else { return };
         app.pages.remove(self.who.client);
-        app.gone(self.who.client);
-        app.tell_clients();
+        app.driving.gone(self.who.client);
+        app.driving.tell_clients();
         lost.iter().for_each(|why| warn(&app, why));
     }
 
@@ -138,7 +138,7 @@ impl Link {
     /// A key that moves the tool and comes again is held.
     fn key(&mut self, app: &App, key: Key) {
         let again = self.last.replace(key) == Some(key);
-        if again && app.renew(&self.who, self.grip(app)).is_ok() {
+        if again && app.hands.renew(&self.who, self.grip(app)).is_ok() {
             return;
         }
         self.seq += 1;
@@ -146,7 +146,7 @@ impl Link {
             self.drawn = None;
         }
         // It fails where the thread of the console has ended, and with it the server.
-        drop(app.press_key(&app.hears(&self.who), self.grip(app), key.character()));
+        drop(app.keys.press(&app.hears(&self.who), self.grip(app), key.character()));
     }
 
     /// The sign of a hand that is nearer than any link.

@@ -1,11 +1,11 @@
 //! The machine and the open job as the console shows them.
 
 use crate::app::App;
-use crate::job_by_hand::with_job;
 use crate::kind::extension;
 use crate::kind::kind_of;
 use crate::locks::lock;
 use crate::open::Open;
+use crate::work::with_job;
 use kerf_control::job_file;
 use kerf_drawing::Shape;
 use kerf_geom::{Bounds2, Vec2};
@@ -34,7 +34,7 @@ pub struct Facts {
 impl Facts {
     /// Returns the view of this moment; files and shapes only for a key.
     pub fn view(&mut self, app: &Arc<App>, lists: bool) -> View {
-        let open = lock(&app.open).clone();
+        let open = app.loader.open.lock().clone();
         if open.key != self.key {
             (self.job, self.placed) = job(app, &open);
             self.paths = None;
@@ -61,9 +61,9 @@ impl Facts {
     /// The shapes that can be loaded. The paths of a job are read once.
     fn drawn(&mut self, app: &App, open: &Open) -> Vec<Arc<Shape>> {
         if kind_of(&open.name) != FileKind::Job {
-            return app.loadable(open);
+            return app.jobs.loadable(open);
         }
-        self.paths.get_or_insert_with(|| app.loadable(open)).clone()
+        self.paths.get_or_insert_with(|| app.jobs.loadable(open)).clone()
     }
 
     /// The name below the part folder, of a job of the current folder.
@@ -106,8 +106,8 @@ fn job(app: &App, open: &Open) -> (Option<Job>, kerf_program::job::Job) {
     if kind_of(&open.name) != FileKind::Job {
         return (Some(Job { name, ..Job::default() }), Default::default());
     }
-    let Ok(Work::Job(job, _)) = app.job_of(open) else {
-        let shapes = app.path_count(open);
+    let Ok(Work::Job(job, _)) = app.loader.job_of(open) else {
+        let shapes = app.loader.path_count(open);
         return (Some(Job { name, shapes, offset_mm, ..Job::default() }), Default::default());
     };
     let mut bounds = Bounds2::default();
@@ -120,7 +120,7 @@ fn job(app: &App, open: &Open) -> (Option<Job>, kerf_program::job::Job) {
 
 /// The names of the jobs of a folder, as people sort them.
 fn jobs_in(app: &App, folder: &str) -> Vec<String> {
-    let listed = app.parts.list(folder).unwrap_or_default();
+    let listed = app.files.folder.list(folder).unwrap_or_default();
     let jobs = listed.into_iter().filter(|file| !file.folder && is_job(&file.name));
     let short = |name: String| name.rsplit('/').next().unwrap_or_default().to_owned();
     let mut names: Vec<String> = jobs.map(|file| short(file.name)).collect();

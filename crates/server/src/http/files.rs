@@ -5,6 +5,7 @@ use super::rest::demand;
 use super::{Refused, aside, soon};
 use crate::app::App;
 use crate::digested::hash;
+use crate::files::PartFolder;
 use crate::refusal::problem;
 use crate::saving::{self, Leave};
 use axum::body::Bytes;
@@ -37,11 +38,14 @@ pub async fn list(
 ) -> Result<Json<Vec<FileInfo>>, Refused> {
     let list = move || {
         if query.bin.is_some() {
-            return app.saves.bin(&app.parts);
+            return app.files.saves.bin(&app.files.folder);
         }
-        let mut files = app.parts.list(&query.folder)?;
+        let mut files = app.files.folder.list(&query.folder)?;
         let parts = app.hub.read(|now| now.folder.mask.clone());
-        files.iter_mut().filter(|file| !file.folder).for_each(|file| app.look(file, &parts));
+        files
+            .iter_mut()
+            .filter(|file| !file.folder)
+            .for_each(|file| look(&app.files.folder, file, &parts));
         if let Some(mask) = &query.mask {
             files.retain(|file| file.folder || parts::fits(mask, file_name(&file.name)));
         }
@@ -50,22 +54,20 @@ pub async fn list(
     Ok(Json(soon(list).await?))
 }
 
-impl App {
-    /// Enters whether it is a part file, by the mask of part files, and what its head tells.
-    fn look(&self, file: &mut FileInfo, mask: &str) {
-        let name = file_name(&file.name);
-        let gcode = kerf_sbp::is_gcode_name(name);
-        file.part = gcode || parts::fits(mask, name);
-        if file.part && !gcode {
-            let head = self.parts.head(&file.name).unwrap_or_default();
-            file.header = kerf_sbp::Header::read(&head).map(|header| header.text);
-        }
+/// Enters whether it is a part file, by the mask of part files, and what its head tells.
+fn look(folder: &PartFolder, file: &mut FileInfo, mask: &str) {
+    let name = file_name(&file.name);
+    let gcode = kerf_sbp::is_gcode_name(name);
+    file.part = gcode || parts::fits(mask, name);
+    if file.part && !gcode {
+        let head = folder.head(&file.name).unwrap_or_default();
+        file.header = kerf_sbp::Header::read(&head).map(|header| header.text);
     }
 }
 
 /// Checks that a file may be sent now, and has come as it was.
 fn may_be_sent(app: &App, told: &HeaderValue, bytes: &[u8]) -> Result<(), Problem> {
-    if app.state() == wire::State::Running {
+    if app.hub.state() == wire::State::Running {
         let text = "the machine moves: files are sent when it stands".into();
         return Err(Problem { why: Why::State, text });
     }
@@ -101,14 +103,14 @@ pub async fn read(
 ) -> Result<Response, Refused> {
     let look = move || {
         if look.about.is_some() {
-            return Ok(Json(saving::about(&app.parts, &name)?).into_response());
+            return Ok(Json(saving::about(&app.files.folder, &name)?).into_response());
         }
         if look.versions.is_some() {
-            return Ok(Json(app.saves.versions(&app.parts, &name)?).into_response());
+            return Ok(Json(app.files.saves.versions(&app.files.folder, &name)?).into_response());
         }
         let bytes = match look.version {
-            Some(number) => app.saves.version(&app.parts, &name, number)?,
-            None => app.parts.read(&name)?,
+            Some(number) => app.files.saves.version(&app.files.folder, &name, number)?,
+            None => app.files.folder.read(&name)?,
         };
         let tag = tagged(&hash(&bytes));
         // Never taken for a page, whatever is in it.
@@ -157,8 +159,9 @@ pub async fn restore(
     let Query(Restoring { restore }) =
         restoring.map_err(|error| problem(Why::Malformed, error.body_text()))?;
     let parts = app.clone();
-    let hash = aside(move || parts.saves.restore(&parts.parts, &name, restore)).await?;
-    app.files_changed();
+    let hash =
+        aside(move || parts.files.saves.restore(&parts.files.folder, &name, restore)).await?;
+    app.files.changed();
     Ok(([(header::ETAG, tagged(&hash))], Json(())))
 }
 
@@ -179,18 +182,18 @@ pub async fn delete(
     headers: HeaderMap,
 ) -> Result<Json<()>, Refused> {
     demand(&caller, Role::Operator)?;
-    if !matches!(app.state(), wire::State::Idle | wire::State::Alarm) {
+    if !matches!(app.hub.state(), wire::State::Idle | wire::State::Alarm) {
         let text = "the machine is busy: files are deleted when nothing runs".to_owned();
         return Err(Problem { why: Why::State, text }.into());
     }
     let leave = Writing::default().leave(&headers);
     let shop = app.clone();
     let delete = move || match deleting.forget {
-        Some(_) => shop.saves.forget(&shop.parts, &name),
-        None => shop.saves.delete(&shop.parts, &name, &leave),
+        Some(_) => shop.files.saves.forget(&shop.files.folder, &name),
+        None => shop.files.saves.delete(&shop.files.folder, &name, &leave),
     };
     aside(delete).await?;
-    app.files_changed();
+    app.files.changed();
     Ok(Json(()))
 }
 
@@ -212,6 +215,6 @@ pub async fn write(
         may_be_sent(&app, told, &bytes)?;
     }
     let leave = writing.leave(&headers);
-    let hash = aside(move || app.save(&name, &bytes, &leave)).await?;
+    let hash = aside(move || app.files.save(&name, &bytes, &leave)).await?;
     Ok(([(header::ETAG, tagged(&hash))], Json(())))
 }

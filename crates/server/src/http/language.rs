@@ -47,6 +47,7 @@ pub async fn commands(State(app): State<Arc<App>>) -> Json<Vec<CommandEntry>> {
     let settings = lock(&app.left).session.memory.settings.clone();
     let mut all = kerf_language::commands(&settings);
     let added = app
+        .loader
         .preview_workspace()
         .map(|workspace| kerf_workspace::virtual_tools::add_ins(&workspace).0)
         .unwrap_or_default();
@@ -99,7 +100,7 @@ pub async fn values(State(app): State<Arc<App>>) -> Result<Json<Values>, Refused
 
 fn read_values(app: &App) -> Result<Values, Problem> {
     let session = lock(&app.left).session.clone();
-    let workspace = app.preview_workspace();
+    let workspace = app.loader.preview_workspace();
     let mut workspace = workspace.map_err(|error| problem(Why::Server, error.to_string()))?;
     let system = session.system_variables(&mut workspace).into_iter().map(|(variable, value)| {
         let (name, unit) = (variable.name.into(), variable.unit.into());
@@ -115,7 +116,10 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         settings: kerf_sbp::table::settings_lines(&memory.settings),
         diagnostics: told::named(session.diagnostics(&mut workspace)),
         folder: app.hub.read(|now| now.folder.clone()),
-        part_file: app.parts.name_of(workspace.stored.get(kerf_sbp::PART_FILE).unwrap_or_default()),
+        part_file: app
+            .files
+            .folder
+            .name_of(workspace.stored.get(kerf_sbp::PART_FILE).unwrap_or_default()),
         parts: workspace.user_path(),
         data: workspace.app_path(),
     })

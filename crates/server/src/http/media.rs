@@ -20,7 +20,7 @@ pub async fn sound(
     let found = move || {
         let refused = || problem(Why::File, format!("there is no sound {name}"));
         let kind = kind(&name).ok_or_else(refused)?;
-        let part = app.parts.read(&name.replace('\\', "/"));
+        let part = app.files.folder.read(&name.replace('\\', "/"));
         Ok((kind, part.or_else(|_| of_media(&app, last_part(&name))).map_err(|_| refused())?))
     };
     let (kind, bytes) = soon(found).await?;

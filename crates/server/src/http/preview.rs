@@ -2,7 +2,6 @@
 
 use super::{Refused, aside, soon};
 use crate::app::App;
-use crate::locks::lock;
 use crate::pool::Turn;
 use crate::preview::{Asked, Chart, Preview};
 use crate::refusal::problem;
@@ -21,7 +20,7 @@ const ROTARY: &str = "~rotary";
 
 fn find(app: &App, key: &str) -> Result<Arc<Preview>, Problem> {
     let key = key.trim_end_matches(ROTARY);
-    let open = lock(&app.open);
+    let open = app.loader.open.lock();
     let preview = open.preview.clone().filter(|_| open.key == key);
     preview.ok_or_else(|| problem(Why::File, "there is no such preview, or not any more"))
 }
@@ -86,10 +85,10 @@ pub async fn timing(
     let changes = inputs.split([',', ' ']).filter(|text| !text.is_empty()).map(str::parse);
     let changes: Result<Vec<Change>, String> = changes.collect();
     let changes = changes.map_err(|why| problem(Why::Mistake, why))?;
-    if let Some(known) = app.known_timing(&preview).filter(|_| changes.is_empty()) {
+    if let Some(known) = app.loader.known_timing(&preview).filter(|_| changes.is_empty()) {
         return Ok(Json(known));
     }
-    let (waiting, chart) = app.charts.ask(Asked { key: key.clone(), inputs });
+    let (waiting, chart) = app.loader.charts.ask(Asked { key: key.clone(), inputs });
     if let Some(chart) = chart {
         tokio::spawn(Turn::present()?.serve(chart_of(app, chart, key, preview, changes)));
     }
@@ -107,8 +106,11 @@ async fn chart_of(
 ) {
     let (making, made) = (app.clone(), chart.clone());
     let answer = aside(move || {
-        making.charts.make(&made, |given_up| making.timing(&key, &preview, changes, given_up))
+        making
+            .loader
+            .charts
+            .make(&made, |given_up| making.loader.timing(&key, &preview, changes, given_up))
     });
     let answer = answer.await.map_err(|Refused(why)| why);
-    app.charts.made(&chart, answer);
+    app.loader.charts.made(&chart, answer);
 }

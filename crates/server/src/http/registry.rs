@@ -8,6 +8,7 @@ use crate::asker::Asker;
 use crate::gate::Way;
 use crate::locks::lock;
 use crate::machine::Order;
+use crate::orders::Orders;
 use crate::refusal::problem;
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
@@ -48,11 +49,12 @@ pub async fn set(
             return Err(problem(Why::Malformed, "the value is too long"));
         }
         if key == command_passing::COMMAND {
-            let passed = app.pass_in(&asker, value.trim());
-            return passed.inspect_err(|why| app.log_refused(value.trim(), why));
+            let passed = pass_in(&app, &asker, value.trim());
+            return passed.inspect_err(|why| log_refused(&app.orders, value.trim(), why));
         }
         app.gate(&asker.who, Way::Value(key))?;
-        let journal = app.journal().ok_or_else(|| problem(Why::State, "nothing is kept here"))?;
+        let journal =
+            app.loader.journal().ok_or_else(|| problem(Why::State, "nothing is kept here"))?;
         let value = Some(value.trim_end()).filter(|value| !value.is_empty());
         check_value(key, value).map_err(|why| problem(Why::Malformed, why))?;
         journal.set_value(key, value).map_err(server)
@@ -60,30 +62,28 @@ pub async fn set(
     Ok(Json(soon(set).await?))
 }
 
-impl App {
-    /// Enters in the system log that a command was refused, and why.
-    fn log_refused(&self, command: &str, why: &Problem) {
-        let told = format!("{command} was passed in and not carried out: {}", why.text);
-        // The machine's thread ends with the server.
-        drop(self.send(Order::Refused(told)));
-    }
+/// Enters in the system log that a command was refused, and why.
+fn log_refused(orders: &Orders, command: &str, why: &Problem) {
+    let told = format!("{command} was passed in and not carried out: {}", why.text);
+    // The machine's thread ends with the server.
+    drop(orders.send(Order::Refused(told)));
+}
 
-    /// Carries a command out that came over the network, as if whoever drives had typed it: a script may where its
-    /// device drives, at a page or by itself.
-    fn pass_in(self: &Arc<Self>, asker: &Asker, command: &str) -> Result<(), Problem> {
-        let line = match command_passing::single(command) {
-            _ if command.is_empty() => return Ok(()),
-            Ok(line) => line,
-            Err(why) => return Err(problem(Why::Mistake, why)),
-        };
-        let asker = self.at_wheel(asker);
-        let lease = self.hub.read(|now| now.lease.as_ref().map_or(0, |lease| lease.number));
-        self.act(&asker, Act::Command { lease, line }).map(drop)
-    }
+/// Carries a command out that came over the network, as if whoever drives had typed it: a script may where its
+/// device drives, at a page or by itself.
+fn pass_in(app: &Arc<App>, asker: &Asker, command: &str) -> Result<(), Problem> {
+    let line = match command_passing::single(command) {
+        _ if command.is_empty() => return Ok(()),
+        Ok(line) => line,
+        Err(why) => return Err(problem(Why::Mistake, why)),
+    };
+    let asker = app.driving.at_wheel(asker);
+    let lease = app.hub.read(|now| now.lease.as_ref().map_or(0, |lease| lease.number));
+    app.act(&asker, Act::Command { lease, line }).map(drop)
 }
 
 fn values(app: &App) -> Result<Vec<NamedValue>, Problem> {
-    let Some(journal) = app.journal() else { return Ok(Vec::new()) };
+    let Some(journal) = app.loader.journal() else { return Ok(Vec::new()) };
     let rest = || lock(&app.left).session.look(Live::at_rest);
     let live = journal.running().map_err(server)?.unwrap_or_else(rest);
     let live = live.values().map(|(name, value)| (name.to_owned(), value.to_string()));

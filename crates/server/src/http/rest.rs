@@ -5,6 +5,7 @@ use super::{Refused, aside, soon};
 use crate::app::App;
 use crate::asker::Asker;
 use crate::awaited::Awaited;
+use crate::help_wanted;
 use crate::lanes::Lanes;
 use crate::people::script;
 use crate::pool::Lane;
@@ -123,24 +124,24 @@ pub fn demand(caller: &Caller, role: Role) -> Result<(), Problem> {
 /// Returns what somebody who helps has to know, as text.
 pub async fn problems(State(app): State<Arc<App>>) -> Result<String, Refused> {
     let failed = |error: std::io::Error| problem(Why::Server, error.to_string());
-    soon(move || app.problems().map_err(failed)).await
+    soon(move || help_wanted::problems(&app).map_err(failed)).await
 }
 
 /// The shapes of the drawing.
 pub async fn shapes(State(app): State<Arc<App>>) -> Result<Json<ShapeList>, Refused> {
-    Ok(Json(aside(move || Ok(app.shapes())).await?))
+    Ok(Json(aside(move || Ok(app.drawing.shapes())).await?))
 }
 
 /// Returns what the drawing becomes when it is machined.
 pub async fn tool_paths(State(app): State<Arc<App>>) -> Result<Json<ToolPaths>, Refused> {
     let awaited = Awaited::default();
     let _asked = awaited.while_asked();
-    Ok(Json(aside(move || Ok(app.tool_paths(&awaited))).await?))
+    Ok(Json(aside(move || Ok(app.drawing.tool_paths(&awaited))).await?))
 }
 
 /// The job that is open.
 pub async fn job(State(app): State<Arc<App>>) -> Result<Json<JobView>, Refused> {
-    Ok(Json(aside(move || app.job_view()).await?))
+    Ok(Json(aside(move || app.jobs.job_view()).await?))
 }
 
 /// Starts the job or part file that is open, as the Start key does.

@@ -80,15 +80,15 @@ struct Here {
 impl Drop for Here {
     fn drop(&mut self) {
         self.app.pages.remove(self.client);
-        self.app.unlocked.remove(self.client);
+        self.app.settings.unlocked.remove(self.client);
         self.app.works.give_up(self.client);
-        self.app.gone(self.client);
-        self.app.tell_clients();
+        self.app.driving.gone(self.client);
+        self.app.driving.tell_clients();
     }
 }
 
 async fn serve(app: Arc<App>, who: Who, presses: Presses, caller: Caller, socket: WebSocket) {
-    app.tell_clients();
+    app.driving.tell_clients();
     let (write, read) = socket.split();
     let (replies, outgoing) = mpsc::channel(OWED);
     let mut writing =

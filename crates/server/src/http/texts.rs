@@ -26,7 +26,7 @@ pub struct Of {
 
 /// Every draft, the newest first.
 pub async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<TextDraft>>, Refused> {
-    Ok(Json(aside(move || app.texts.list(&app.parts)).await?))
+    Ok(Json(aside(move || app.texts.list(&app.files.folder)).await?))
 }
 
 /// Keeps a draft; tells whether another page types into the same file.

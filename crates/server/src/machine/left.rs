@@ -1,8 +1,12 @@
 //! State that the owner of the machine leaves for others to look at, whenever it is done with something.
 
+use crate::locks::lock;
 use kerf_control::Session;
 use kerf_journal::Journal;
+use kerf_machine::Configuration;
+use kerf_toolpath::{Heights, Shaping};
 use std::path::PathBuf;
+use std::sync::Mutex;
 
 /// The machine and its files as the last run left them.
 #[derive(Default)]
@@ -15,4 +19,19 @@ pub struct Left {
     pub journal: Option<Journal>,
     /// Which files lists show.
     pub mask: String,
+}
+
+impl Left {
+    /// The heights that the machine is set to.
+    pub fn heights(left: &Mutex<Self>) -> Heights {
+        let zpos = lock(left).session.machine_is.zpos;
+        let (top_mm, surface_mm, bottom_mm) = (zpos.top_mm, zpos.surface_mm, zpos.bottom_mm);
+        Heights { top_mm, surface_mm, bottom_mm }
+    }
+
+    /// Returns what is done to shapes before paths are made of them.
+    pub fn shaping(left: &Mutex<Self>) -> Shaping {
+        let Configuration { program, options, .. } = lock(left).session.configuration();
+        Shaping { factor: program.smoothing.factor, filter_mm: options.filter_mm }
+    }
 }

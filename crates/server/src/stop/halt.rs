@@ -95,7 +95,7 @@ impl Halt {
             Self::Stop => return app.link.stop(),
             Self::Disarm => return app.link.disarm(),
             Self::Hold => app.link.hold(),
-            Self::JogStop { seq, client: other } => app.release_jog(other.unwrap_or(client), seq),
+            Self::JogStop { seq, client: other } => app.hands.release(other.unwrap_or(client), seq),
         }
         app.link.stops()
     }
@@ -103,7 +103,7 @@ impl Halt {
     /// Does the rest of it, which may wait for others.
     pub fn settle(self, app: &App) {
         if self == Self::Disarm {
-            app.tell_disarmed("disarmed at a page");
+            app.driving.tell_disarmed("disarmed at a page");
         }
     }
 }

@@ -1,0 +1,36 @@
+//! Tells somebody who helps what they have to know.
+
+use crate::app::App;
+use crate::locks::lock;
+use crate::problems::FILE;
+use crate::told;
+use std::fs;
+use std::io;
+
+/// Lines of the problem log that a request for help shows.
+const SHOWN: usize = 100;
+
+/// Returns what somebody who helps has to know: versions and places, and the last of the problem log.
+///
+/// # Errors
+/// The files of the machine cannot be looked at.
+pub fn problems(app: &App) -> io::Result<String> {
+    let session = lock(&app.left).session.clone();
+    let mut workspace = app.loader.preview_workspace()?;
+    let facts = told::named(session.diagnostics(&mut workspace));
+    let mut text = app.hub.read(|now| {
+        let file = now.opened.as_ref().map_or("none", |opened| &opened.name);
+        let job = now.job.as_ref().and_then(|job| job.ended.as_deref()).unwrap_or("none");
+        let why = now.machine.why.as_deref().unwrap_or("nothing to tell");
+        format!(
+            "Kerf {}, machine {}\nState: {:?}, {why}\nFile: {file}\nLast job: {job}\n",
+            now.kerf, now.machine.name, now.machine.state
+        )
+    });
+    text.extend(facts.iter().map(|fact| format!("{}: {}\n", fact.name, fact.value)));
+    let log = fs::read_to_string(app.options.data.join(FILE)).unwrap_or_default();
+    let lines: Vec<&str> = log.lines().collect();
+    text += "\nProblem log:\n";
+    text.extend(lines[lines.len().saturating_sub(SHOWN)..].iter().map(|l| format!("{l}\n")));
+    Ok(text)
+}
