@@ -80,10 +80,10 @@ impl Modules {
         let (module, mut found) = (&self.all[id], BTreeSet::new());
         if let Some(child) = module.children.get(name) {
             found.extend(self.below(*child, rest, pending));
-        }
-        // A function may bear the name of a module, but nothing lies in it.
-        if !rest.is_empty() && !found.is_empty() {
-            return found;
+            // A function may bear the name of a module, but nothing lies in it.
+            if !rest.is_empty() {
+                return found;
+            }
         }
         if module.items.contains(name) {
             found.insert(Target::Item(id, name.clone()));
