@@ -7,6 +7,7 @@ import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import {
   arm,
   comesToRest,
+  enter,
   hold,
   keysOf,
   openWorkshop,
@@ -135,8 +136,7 @@ it("a job is opened, started and answered with keys only", async () => {
   // By its whole name: the log of an earlier run lies beside it.
   await page.keyboard.type("ask.sbp");
   await expect.poll(() => page.getByRole("option").count()).toBe(1);
-  await page.keyboard.press("Tab");
-  await page.keyboard.press("Enter");
+  await enter(page, /ask\.sbp/);
   await page.getByRole("dialog").waitFor({ state: "detached" });
   await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
   const action = async (words: string) => {

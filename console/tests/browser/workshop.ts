@@ -314,7 +314,8 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
       page.setDefaultTimeout(patienceMs);
       page.on("pageerror", (error) => mistakes.push(error.message));
       page.on("console", (message) => {
-        if (message.type() === "error") mistakes.push(message.text());
+        if (message.type() === "error")
+          mistakes.push(`${message.text()} ${message.location().url}`);
       });
       pages.push(page);
       await delayed(page, options.lagMs ?? usualLagMs);
