@@ -80,8 +80,12 @@ impl Modules {
         let (module, mut found) = (&self.all[id], BTreeSet::new());
         if let Some(child) = module.children.get(name) {
             found.extend(self.below(*child, rest, pending));
-            // A function may bear the name of a module, but nothing lies in it.
-            if !rest.is_empty() {
+            // A function may bear the name of a module, but nothing lies in it. What is not seen in the module (a macro
+            // may make it) is there all the same.
+            if let Some(last) = rest.first() {
+                if found.is_empty() {
+                    found.insert(Target::Item(*child, last.clone()));
+                }
                 return found;
             }
         }
