@@ -40,7 +40,7 @@ export async function writing(world: World, name: string, attempt: Attempt): Pro
 export const mayReplace = async (world: World, name: string): Promise<boolean> =>
   asked(world, await aboutFile(name));
 
-/** What lies under a name. */
+/** The file that lies under a name. */
 export const aboutFile = (name: string): Promise<FileAbout> =>
   getJson<FileAbout>(`${fileAddress(name)}?about`);
 

@@ -1,7 +1,7 @@
 import { whenIdle } from "../actions/machine";
 import { useHands, useShown } from "./context";
 
-/** Why nothing can be begun now; nothing while the machine is idle. */
+/** The reason for which nothing can be begun now; nothing while the machine is idle. */
 export function useBusy(): string | undefined {
   const { link, screen } = useHands();
   return useShown((shown) => whenIdle({ shown, link, screen }));

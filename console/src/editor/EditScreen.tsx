@@ -32,7 +32,7 @@ function useSpot(name: string | null, show: (name: string) => Promise<void>): nu
   return spot?.file === name ? (spot?.line ?? null) : null;
 }
 
-/** Why a new text cannot be begun, and why none can be saved or dropped. */
+/** Reasons for which a new text cannot be begun, and none saved or dropped. */
 const refusals = (changed: boolean, name: string | null) => ({
   begin: changed && name === null ? "Save the new file first, or drop its changes." : undefined,
   save: changed ? undefined : "Nothing was changed.",

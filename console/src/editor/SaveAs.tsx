@@ -6,7 +6,7 @@ import { withEnding } from "./document";
 
 interface SaveAsProps {
   title?: string;
-  /** What its button says. */
+  /** The word on its button. */
   verb?: string;
   first: string;
   onSave: (name: string) => void;

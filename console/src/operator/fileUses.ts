@@ -1,4 +1,4 @@
-/** What becomes of a file of the part folder that is chosen. */
+/** Uses of a file of the part folder that is chosen. */
 
 export type FileUse = "open" | "download" | "copy" | "rename" | "delete" | "versions";
 

@@ -7,7 +7,7 @@ export interface ButtonProps extends Omit<AriaProps, "isDisabled"> {
   /** What pressing it means: `go` starts, `hold` pauses, `plain` is everything else. */
   look?: "plain" | "go" | "hold" | "quiet" | "primary";
   size?: "normal" | "large" | "small";
-  /** Why it cannot be pressed now: it is greyed, and says so to a hand that tries. Nothing when it can. */
+  /** The reason for which it cannot be pressed now: it is greyed, and says so to a hand that tries. Nothing when it can. */
   refused?: string | undefined;
   /** A hand tried while it is refused, and was told why. */
   onRefused?: (() => void) | undefined;

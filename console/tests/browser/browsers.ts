@@ -6,7 +6,7 @@ import type { TestProject } from "vitest/node";
 
 declare module "vitest" {
   interface ProvidedContext {
-    /** Where the browser of each worker listens. */
+    /** Addresses at which the browsers listen, one a worker. */
     browsers: readonly string[];
   }
 }

@@ -244,7 +244,7 @@ export interface WorkshopOptions {
   readonly controller?: string;
   /** Seconds of machine time in a second. */
   readonly rate?: number;
-  /** What the server tells a page comes later by so much, milliseconds. */
+  /** Delay of all that the server tells a page, milliseconds. */
   readonly lagMs?: number;
 }
 
@@ -264,7 +264,7 @@ function addressOf(server: ChildProcess): Promise<string> {
   });
 }
 
-/** What the server tells a page comes later by so much, milliseconds: tests must not hurry before it. */
+/** Delay of all that the server tells a page, milliseconds: tests must not hurry before it. */
 const usualLagMs = Number(process.env.KERF_LAG_MS ?? 0);
 
 async function delayed(page: Page, lagMs: number): Promise<void> {

@@ -13,6 +13,7 @@ use kerf_program::Axes;
 use kerf_program::settings::IoModes;
 use kerf_sim::contact;
 use kerf_trace::{Doing, Sink};
+use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 /// Time limit for the last moves of a machine that is wanted stopped: longer than what is sent ahead takes.
@@ -25,8 +26,8 @@ const GLANCE: Duration = Duration::from_millis(4);
 pub(crate) struct Drive<'a> {
     machine: Driven,
     requests: &'a mut dyn Requests,
-    /// Request that was taken while something else came first.
-    kept: Option<(f64, OperatorRequest)>,
+    /// Requests that were taken while something else came first, in order.
+    kept: VecDeque<(f64, OperatorRequest)>,
     /// Machine time that has passed: a run that heard of something in the middle of a move asks again from its beginning.
     reached_s: f64,
     /// It was stopped on the way: what is left of the plan is made already.
@@ -40,7 +41,7 @@ impl<'a> Drive<'a> {
     pub fn new(machine: Driven, requests: &'a mut dyn Requests, now_s: f64) -> Self {
         machine.borrow_mut().begin();
         machine.borrow_mut().feed(1.0);
-        let (kept, braked, fault, looked) = (None, false, None, None);
+        let (kept, braked, fault, looked) = (VecDeque::new(), false, None, None);
         Self { machine, requests, kept, reached_s: now_s, braked, fault, looked }
     }
 
@@ -73,12 +74,16 @@ impl<'a> Drive<'a> {
             self.comes_to_rest(to_s > from_s);
         }
         let due = self.take(from_s, to_s);
+        if due.is_some_and(|(at_s, _)| at_s <= from_s) {
+            // What is asked for now waits for no machine.
+            return due;
+        }
         let until_s = due.map_or(to_s, |(at_s, _)| at_s);
         match self.pass_until(from_s, until_s, doing, sink) {
             Err(Fails) => None,
             Ok(None) => due,
             Ok(first) => {
-                self.kept = due;
+                self.kept.extend(due);
                 first
             }
         }
@@ -121,7 +126,7 @@ impl<'a> Drive<'a> {
 
     /// Takes the first request from one moment to another; one that was kept comes first.
     fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
-        let kept = self.kept.take().map(|(at_s, request)| (at_s.max(from_s), request));
+        let kept = self.kept.pop_front().map(|(at_s, request)| (at_s.max(from_s), request));
         kept.or_else(|| self.requests.take(from_s, to_s))
     }
 
@@ -142,15 +147,20 @@ impl<'a> Drive<'a> {
     fn settle(&mut self) {
         let mut stopped: Option<Instant> = None;
         while self.machine.borrow_mut().settle() {
-            self.kept = self.kept.take().or_else(|| self.requests.take(0.0, 0.0));
-            let ends = [OperatorRequest::Stop, OperatorRequest::Hold, OperatorRequest::End];
-            if self.kept.is_some_and(|(_, request)| ends.contains(&request)) {
+            if self.is_to_stop() {
                 let since = *stopped.get_or_insert_with(Instant::now);
                 if since.elapsed() > PATIENCE {
                     self.machine.borrow_mut().give_up();
                 }
             }
         }
+    }
+
+    /// Keeps what the operator asks for, and tells whether anything of it stops the machine.
+    fn is_to_stop(&mut self) -> bool {
+        self.kept.extend(self.requests.take(0.0, 0.0));
+        let ends = [OperatorRequest::Stop, OperatorRequest::Hold, OperatorRequest::End];
+        self.kept.iter().any(|(_, request)| ends.contains(request))
     }
 
     /// Notes what went wrong; tells whether anything has.
@@ -192,13 +202,8 @@ impl<'a> Drive<'a> {
     pub fn home(&mut self) -> Option<Axes> {
         self.machine.borrow_mut().home();
         while self.machine.borrow_mut().settle() {
-            let request = self.take(0.0, 0.0);
-            if matches!(
-                request,
-                Some((_, OperatorRequest::Feed(_) | OperatorRequest::Input { .. }))
-            ) {
-                self.kept = request;
-            } else if request.is_some() {
+            if self.is_to_stop() {
+                self.kept.clear();
                 self.machine.borrow_mut().halt();
                 self.notes_fault();
                 return None;
@@ -260,4 +265,109 @@ struct Fails;
 /// A pin that a controller reports: active is what its own wiring makes of it, a run counts in contacts.
 fn moved((number, active): (u8, bool), io: &IoModes) -> OperatorRequest {
     OperatorRequest::Input { number, on: contact(number, active, io) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kerf_machine::Actuator;
+    use kerf_machine::driver::Facts;
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
+    /// A machine that comes to no end until it is halted or given up, as one that somebody holds at its own controls.
+    #[derive(Default)]
+    struct Held {
+        facts: Facts,
+        ended: bool,
+    }
+
+    impl kerf_machine::Machine for Held {
+        fn name(&self) -> &str {
+            "held"
+        }
+
+        fn facts(&self) -> &Facts {
+            &self.facts
+        }
+
+        fn is_real(&self) -> bool {
+            true
+        }
+
+        fn refuses(&self, _: &Move) -> Option<String> {
+            None
+        }
+
+        fn begin(&mut self) {}
+
+        fn begin_plan(&mut self) {}
+
+        fn set(&mut self, _: &Actuator) {}
+
+        fn advance(&mut self, _: &Going<'_>, from_s: f64, _: f64) -> News {
+            News { reached_s: from_s, input: None }
+        }
+
+        fn stand(&mut self, _: f64, until_s: f64) -> News {
+            News { reached_s: until_s, input: None }
+        }
+
+        fn look(&mut self) {}
+
+        fn settle(&mut self) -> bool {
+            !self.ended
+        }
+
+        fn home(&mut self) {}
+
+        fn halt(&mut self) {
+            self.ended = true;
+        }
+
+        fn place(&mut self) -> Option<Axes> {
+            None
+        }
+
+        fn stop(&mut self, _: &Going<'_>) -> Option<f64> {
+            None
+        }
+
+        fn feed(&mut self, _: f32) {}
+
+        fn give_up(&mut self) {
+            self.ended = true;
+        }
+
+        fn fault(&self) -> Option<&Fault> {
+            None
+        }
+    }
+
+    /// Requests that come one behind the other.
+    struct Queue(Vec<OperatorRequest>);
+
+    impl Requests for Queue {
+        fn take(&mut self, from_s: f64, _: f64) -> Option<(f64, OperatorRequest)> {
+            self.0.pop().map(|request| (from_s, request))
+        }
+    }
+
+    #[test]
+    fn a_stop_behind_another_feed_is_heard_by_a_machine_that_is_held() {
+        let asked = || Queue(vec![OperatorRequest::Stop, OperatorRequest::Feed(0.5)]);
+        let (mut requests, machine) = (asked(), Rc::new(RefCell::new(Held::default())));
+        let mut drive = Drive::new(machine.clone(), &mut requests, 0.0);
+        assert_eq!(drive.home(), None);
+        assert!(machine.borrow().ended, "going home is halted");
+
+        let (mut requests, machine) = (asked(), Rc::new(RefCell::new(Held::default())));
+        let mut drive = Drive::new(machine.clone(), &mut requests, 0.0);
+        drive.stands();
+        assert!(machine.borrow().ended, "it is given up");
+        let kept = [drive.take(1.0, 1.0), drive.take(1.0, 1.0), drive.take(1.0, 1.0)];
+        let told = kept.map(|request| request.map(|(_, request)| request));
+        let all = [Some(OperatorRequest::Feed(0.5)), Some(OperatorRequest::Stop), None];
+        assert_eq!(told, all, "nothing that was asked for is lost");
+    }
 }

@@ -135,7 +135,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// What turned before a stop that switches outputs off turns no more. It comes on again, with the time to come to
+    /// Learns that nothing turns any more behind a stop that switches outputs off. It comes on again, with the time to come to
     /// speed, when the run goes on; a job says itself what comes on.
     pub(crate) fn learn_switched_off(&mut self) {
         if self.drive.stop_switches_off() && !self.interpreter.takes_stops() {

@@ -45,15 +45,17 @@ impl Owner {
         let lost = self.hub.read(|now| now.machine.state == State::Alarm);
         let (inputs, place) = controller.attend();
         let fault = controller.fault();
-        let far = |place: &Axes| {
-            place.minus(session.memory.position).0.iter().any(|mm| mm.abs() > MOVED_MM)
-        };
+        let memory = &mut session.memory;
+        // What is only drawn is elsewhere than the machine.
+        let drawn = &mut memory.before_preview;
+        let believed = drawn.as_mut().map_or(&mut memory.position, |before| &mut before.position);
+        let far = |place: &Axes| place.minus(*believed).0.iter().any(|mm| mm.abs() > MOVED_MM);
         let moved = place.filter(far);
         let changed = !inputs.is_empty() || moved.is_some();
-        inputs.into_iter().for_each(|input| session.senses(input));
         if let Some(place) = moved {
-            session.memory.position = place;
+            *believed = place;
         }
+        inputs.into_iter().for_each(|input| session.senses(input));
         match fault {
             Some(why) if !lost => self.rest(State::Alarm, Some(why)),
             _ if changed => self.settle(Machine::clone),
@@ -83,7 +85,14 @@ impl Owner {
             let error = Diagnostic::new(Code::Controller, Place::line(work.name(), 0), locked);
             return Some(Summary::not_begun(unit, Some(Box::new(error))));
         }
-        let mut workspace = (self.previews)().ok()?;
+        let mut workspace = match (self.previews)() {
+            Ok(workspace) => workspace,
+            Err(why) => {
+                let why = format!("what the controller lacks cannot be looked for: {why}");
+                let error = Diagnostic::new(Code::NotConnected, Place::line(work.name(), 0), why);
+                return Some(Summary::not_begun(unit, Some(Box::new(error))));
+            }
+        };
         let mut answers = Answers::default();
         let found =
             controller.as_ref()?.lacks(work, session, options, &mut workspace, &mut answers);

@@ -5,6 +5,7 @@ use super::board::Board;
 use super::company::{Clock, PageRequests, Pages, Shared, Teller};
 use super::left::Left;
 use super::link::Link;
+use super::order::Order;
 use super::planned::Planned;
 use super::typing::{Screen, Typing};
 use crate::files::PartFolder;
@@ -15,152 +16,20 @@ use crate::told;
 use kerf_control::Company;
 use kerf_control::controller::Controller;
 use kerf_journal::{Journal, JournalError, Live, RunOptions, Work};
-use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand, Keypad, hand};
 use kerf_program::{AXES, Axis};
-use kerf_sbp::{FileParameters, Status};
+use kerf_sbp::Status;
 use kerf_sim::Simulated;
 use kerf_trace::Summary;
 use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
 use kerf_workspace::{Workspace, unverified};
 use std::cell::RefCell;
 use std::io;
-use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::mpsc::{Receiver, Sender, TryRecvError};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
-
-/// An order that the machine carries out next.
-#[derive(Debug)]
-pub enum Order {
-    /// Run a part file or a job.
-    File {
-        /// Its content.
-        work: Box<Work>,
-        /// Its name, for pages.
-        name: String,
-        /// Its hash.
-        hash: String,
-        /// Its plan.
-        planned: Planned,
-        /// Parameters with which a part file is run.
-        parameters: FileParameters,
-        /// Settings that it makes may stay.
-        opened: bool,
-    },
-    /// Take up the run that was cut short.
-    TakeUp {
-        /// Hash by which pages know the open file, where it is that which runs.
-        hash: Option<String>,
-        /// The plan of all of it.
-        planned: Planned,
-    },
-    /// Carry out lines of OpenSBP.
-    Command {
-        /// The lines.
-        line: String,
-        /// They may change settings.
-        opened: bool,
-        /// The file that they run and nothing else, by its hash, and its plan.
-        file: Option<(String, Planned)>,
-    },
-    /// Carry out what whoever started Kerf wrote into the start-up line, one after the other, unless a stop comes.
-    StartUp {
-        /// The lines.
-        lines: Vec<String>,
-        /// Stops that had come when Kerf started.
-        since: Stops,
-    },
-    /// Move for as long as the link says.
-    Jog {
-        /// Direction of each axis.
-        direction: [f64; AXES],
-        /// Greatest multiple of the direction that it moves, mm or degrees.
-        distance: Option<f64>,
-        /// Share of the jog speed.
-        speed: f64,
-    },
-    /// Do an errand.
-    Hand {
-        /// Which.
-        errand: Errand,
-        /// The machine, and where on it the job lies.
-        machine: Box<Configuration>,
-        /// Told how it ended.
-        tells: Sender<Happening>,
-    },
-    /// Cut straight from where the tool is to a place from the job origin, X and Y, mm.
-    CutMove {
-        /// The place.
-        at: [f64; 2],
-        /// The machine, and where on it the job lies.
-        machine: Box<Configuration>,
-    },
-    /// Switch an output of the card, by its number.
-    Switch(u8, bool),
-    /// Shift the workpiece.
-    Nudge(Axis, f64),
-    /// Move the switches of the simulated machine that nothing which ran has moved.
-    Switches,
-    /// Choose the part folder, and which files lists show.
-    Folder {
-        /// Its path.
-        path: PathBuf,
-        /// The mask; nothing keeps it.
-        mask: Option<String>,
-    },
-    /// Put a line at the end of the recorder's list.
-    Record(String),
-    /// Tell the watched variables.
-    Watched,
-    /// Have another configuration, of which this setting is new.
-    Configure {
-        /// The setting.
-        setting: &'static Setting,
-        /// The configuration.
-        wanted: Box<Configuration>,
-        /// Told whether it is on the disk.
-        tells: Sender<Result<(), String>>,
-    },
-    /// Have another configuration until Kerf ends.
-    Hold {
-        /// The configuration.
-        wanted: Box<Configuration>,
-        /// Told when it holds.
-        tells: Sender<Happening>,
-    },
-    /// Keep the configuration that holds; told how that went.
-    Keep(Sender<Happening>),
-    /// Enter in the system log that a command was refused which came over the network.
-    Refused(String),
-}
-
-impl Order {
-    /// Returns `true` if it may move the machine: whoever asks for it drives, with the machine armed, when it begins.
-    pub const fn moves(&self) -> bool {
-        match self {
-            Self::File { .. }
-            | Self::TakeUp { .. }
-            | Self::Command { .. }
-            | Self::StartUp { .. }
-            | Self::Jog { .. }
-            | Self::Hand { .. }
-            | Self::CutMove { .. }
-            | Self::Switch(..)
-            | Self::Nudge(..) => true,
-            Self::Switches
-            | Self::Folder { .. }
-            | Self::Record(_)
-            | Self::Watched
-            | Self::Configure { .. }
-            | Self::Hold { .. }
-            | Self::Keep(_)
-            | Self::Refused(_) => false,
-        }
-    }
-}
 
 /// Time between two looks whether other software passed a command in.
 const LOOK: Duration = Duration::from_millis(100);

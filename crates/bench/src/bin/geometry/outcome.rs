@@ -1,4 +1,4 @@
-//! What an offset gave, to be set beside what others give.
+//! Outcome of an offset, to be set beside what others give.
 
 /// Result of an offset: rings, vertices, area.
 #[derive(Clone, Copy, Debug, Default)]

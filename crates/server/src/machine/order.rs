@@ -1,0 +1,142 @@
+//! Orders to the thread that has the machine: what it carries out next.
+
+use super::arrived::Stops;
+use super::planned::Planned;
+use crate::handconsole::Happening;
+use kerf_journal::Work;
+use kerf_machine::table::Setting;
+use kerf_machine::{Configuration, Errand};
+use kerf_program::{AXES, Axis};
+use kerf_sbp::FileParameters;
+use std::path::PathBuf;
+use std::sync::mpsc::Sender;
+
+/// An order that the machine carries out next.
+#[derive(Debug)]
+pub enum Order {
+    /// Run a part file or a job.
+    File {
+        /// Its content.
+        work: Box<Work>,
+        /// Its name, for pages.
+        name: String,
+        /// Its hash.
+        hash: String,
+        /// Its plan.
+        planned: Planned,
+        /// Parameters with which a part file is run.
+        parameters: FileParameters,
+        /// Settings that it makes may stay.
+        opened: bool,
+    },
+    /// Take up the run that was cut short.
+    TakeUp {
+        /// Hash by which pages know the open file, where it is that which runs.
+        hash: Option<String>,
+        /// The plan of all of it.
+        planned: Planned,
+    },
+    /// Carry out lines of OpenSBP.
+    Command {
+        /// The lines.
+        line: String,
+        /// They may change settings.
+        opened: bool,
+        /// The file that they run and nothing else, by its hash, and its plan.
+        file: Option<(String, Planned)>,
+    },
+    /// Carry out what whoever started Kerf wrote into the start-up line, one after the other, unless a stop comes.
+    StartUp {
+        /// The lines.
+        lines: Vec<String>,
+        /// Stops that had come when Kerf started.
+        since: Stops,
+    },
+    /// Move for as long as the link says.
+    Jog {
+        /// Direction of each axis.
+        direction: [f64; AXES],
+        /// Greatest multiple of the direction that it moves, mm or degrees.
+        distance: Option<f64>,
+        /// Share of the jog speed.
+        speed: f64,
+    },
+    /// Do an errand.
+    Hand {
+        /// Which.
+        errand: Errand,
+        /// The machine, and where on it the job lies.
+        machine: Box<Configuration>,
+        /// Told how it ended.
+        tells: Sender<Happening>,
+    },
+    /// Cut straight from where the tool is to a place from the job origin, X and Y, mm.
+    CutMove {
+        /// The place.
+        at: [f64; 2],
+        /// The machine, and where on it the job lies.
+        machine: Box<Configuration>,
+    },
+    /// Switch an output of the card, by its number.
+    Switch(u8, bool),
+    /// Shift the workpiece.
+    Nudge(Axis, f64),
+    /// Move the switches of the simulated machine that nothing which ran has moved.
+    Switches,
+    /// Choose the part folder, and which files lists show.
+    Folder {
+        /// Its path.
+        path: PathBuf,
+        /// The mask; nothing keeps it.
+        mask: Option<String>,
+    },
+    /// Put a line at the end of the recorder's list.
+    Record(String),
+    /// Tell the watched variables.
+    Watched,
+    /// Have another configuration, of which this setting is new.
+    Configure {
+        /// The setting.
+        setting: &'static Setting,
+        /// The configuration.
+        wanted: Box<Configuration>,
+        /// Told whether it is on the disk.
+        tells: Sender<Result<(), String>>,
+    },
+    /// Have another configuration until Kerf ends.
+    Hold {
+        /// The configuration.
+        wanted: Box<Configuration>,
+        /// Told when it holds.
+        tells: Sender<Happening>,
+    },
+    /// Keep the configuration that holds; told how that went.
+    Keep(Sender<Happening>),
+    /// Enter in the system log that a command was refused which came over the network.
+    Refused(String),
+}
+
+impl Order {
+    /// Returns `true` if it may move the machine: whoever asks for it drives, with the machine armed, when it begins.
+    pub const fn moves(&self) -> bool {
+        match self {
+            Self::File { .. }
+            | Self::TakeUp { .. }
+            | Self::Command { .. }
+            | Self::StartUp { .. }
+            | Self::Jog { .. }
+            | Self::Hand { .. }
+            | Self::CutMove { .. }
+            | Self::Switch(..)
+            | Self::Nudge(..) => true,
+            Self::Switches
+            | Self::Folder { .. }
+            | Self::Record(_)
+            | Self::Watched
+            | Self::Configure { .. }
+            | Self::Hold { .. }
+            | Self::Keep(_)
+            | Self::Refused(_) => false,
+        }
+    }
+}
