@@ -1,5 +1,6 @@
 import { useHands, useScreen } from "../app/context";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import "./help.css";
 import { topics } from "./topics";
 
@@ -23,7 +24,7 @@ export function HelpScreen() {
               aria-current={letters === topic.letters ? "page" : undefined}
               onClick={() => screen.explain(letters)}
             >
-              {title} <small>{letters.length === 2 ? letters : ""}</small>
+              {t(title)} <small>{letters.length === 2 ? letters : ""}</small>
             </button>
           ))}
         </nav>

@@ -13,7 +13,7 @@ export const places: Readonly<Record<string, string>> = {
   Password: "promises#roles",
   Drawing: "console#the-drawing",
   Selection: "console#the-drawing",
-  Groups: "drawings#tool-paths",
+  Layers: "drawings#tool-paths",
   Array: "drawings#operations",
   Digitize: "digitizing",
   "Watched variables": "console#line-by-line",

@@ -143,7 +143,7 @@ const troubles: readonly [string, string][] = [
   ],
   [
     "The machine is disarmed",
-    "So it is after a start, an alarm, or when the page that drove has gone. Look that all is clear, then press Arm.",
+    "So it is after a start, an alarm, or when the controlling browser disconnected. Look that all is clear, then press Arm.",
   ],
   [
     "Somebody else drives",

@@ -4,6 +4,7 @@ import { singleStep, start } from "../actions/job";
 import { home, moveMode, preview, zeroAxis, zeroXY } from "../actions/machine";
 import { useShown } from "../app/context";
 import { ActionButton } from "../ui/ActionButton";
+import { t } from "../words/words";
 import { FaceSwitch } from "./FaceSwitch";
 import "./easy-buttons.css";
 
@@ -48,7 +49,7 @@ export function EasyButtons() {
         .map((easy) => (easy.action === preview && previews ? back : easy))
         .map(({ action, words, command }) => (
           <ActionButton key={action.id} action={action} className="easy-button">
-            {words}
+            {t(words)}
             <small>{command}</small>
           </ActionButton>
         ))}

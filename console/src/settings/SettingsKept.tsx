@@ -1,5 +1,6 @@
 import { useEffect, useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
+import { downloadText } from "../link/download";
 import { getJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
@@ -20,7 +21,7 @@ export function SettingsKept({ areas }: { areas: readonly SettingArea[] }) {
     if (found.wanted.length > 0 || found.unknown.length > 0) setLoaded(found);
     else screen.tell(`${file.name}: every setting is as in this file already.`);
   };
-  const text = `data:text/plain;charset=utf-8,${encodeURIComponent(fileOf(areas, machine))}`;
+  const save = () => downloadText("machine-settings.txt", fileOf(areas, machine));
   return (
     <Panel title="Backup">
       <p className="settings-words">
@@ -28,9 +29,7 @@ export function SettingsKept({ areas }: { areas: readonly SettingArea[] }) {
         machine.
       </p>
       <div className="settings-kept">
-        <a className="button" href={text} download="machine-settings.txt">
-          Save settings
-        </a>
+        <Button onPress={save}>Save settings</Button>
         <label className="button">
           Load settings…
           <input

@@ -8,6 +8,7 @@ import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import type { SettingArea } from "../wire/messages";
+import { language, languages, speak, t } from "../words/words";
 import { Devices } from "./Devices";
 import { MachineForm } from "./MachineForm";
 import { Password } from "./Password";
@@ -67,7 +68,7 @@ function ThisBrowser() {
     <Panel title="This browser">
       <dl className="settings-list">
         <div>
-          <dt>Theme</dt>
+          <dt>{t("Theme")}</dt>
           <dd>
             <Choice
               label="Theme"
@@ -78,13 +79,19 @@ function ThisBrowser() {
           </dd>
         </div>
         <div>
-          <dt>Layout</dt>
+          <dt>{t("Language")}</dt>
+          <dd>
+            <Choice label="Language" options={languages} value={language} onChange={speak} />
+          </dd>
+        </div>
+        <div>
+          <dt>{t("Layout")}</dt>
           <dd>
             <FaceSwitch />
           </dd>
         </div>
         <div>
-          <dt>Fill-in sheets appear</dt>
+          <dt>{t("Fill-in sheets appear")}</dt>
           <dd>
             <SheetsAppearChoice />
           </dd>

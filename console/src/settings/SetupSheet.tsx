@@ -5,6 +5,7 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { SettingArea } from "../wire/messages";
+import { t } from "../words/words";
 import { useSet } from "./SettingValue";
 import { TopicTables } from "./TopicTables";
 import { partsOf, topicOf } from "./tables";
@@ -85,9 +86,9 @@ export function SetupSheet({ onClose }: { onClose: () => void }) {
   return (
     <Sheet title="Set up the machine" shape="wide" onClose={onClose} foot={foot}>
       <p className="setup-steps">
-        Step {at + 1} of {steps.length}: <b>{step.title}</b>
+        Step {at + 1} of {steps.length}: <b>{t(step.title)}</b>
       </p>
-      <p className="tool-words">{step.words}</p>
+      <p className="tool-words">{t(step.words)}</p>
       {step.keys.length === 0 ? <TableSize areas={areas} /> : <Asked areas={areas} step={step} />}
     </Sheet>
   );

@@ -1,4 +1,5 @@
 import { type ReactNode, useId } from "react";
+import { t } from "../words/words";
 import { PanelHelp } from "./PanelHelp";
 import "./panel.css";
 
@@ -14,9 +15,9 @@ interface PanelProps {
 export function Panel({ title, aside, className = "", children }: PanelProps) {
   const heading = useId();
   return (
-    <section className={`panel ${className}`} aria-label={title}>
+    <section className={`panel ${className}`} aria-label={t(title)}>
       <header className="panel-head">
-        <h2 id={heading}>{title}</h2>
+        <h2 id={heading}>{t(title)}</h2>
         <div className="panel-aside">
           {aside}
           <PanelHelp title={title} heading={heading} />

@@ -1,4 +1,5 @@
 import { type ReactNode, useEffect, useId, useRef } from "react";
+import { t } from "../words/words";
 import { Button } from "./Button";
 import { PanelHelp } from "./PanelHelp";
 import "./sheet.css";
@@ -32,7 +33,7 @@ export function Sheet({ title, onClose, shape = "middle", foot, children }: Shee
         tabIndex={-1}
       >
         <div className="sheet-head">
-          <h2 id={name}>{title}</h2>
+          <h2 id={name}>{t(title)}</h2>
           <PanelHelp title={title} heading={name} />
           {onClose && (
             <Button look="quiet" size="small" onPress={onClose} aria-label="Close">

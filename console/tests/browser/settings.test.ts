@@ -53,7 +53,7 @@ it("settings are found by the words of a shop", async () => {
 it("settings are saved as a file, loaded again, and each change can be taken back", async () => {
   await search("cutter diameter");
   const saved = page.waitForEvent("download");
-  await page.getByRole("link", { name: "Save settings" }).click();
+  await page.getByRole("button", { name: "Save settings" }).click();
   const kept = join(workshop.parts, "saved.txt");
   await (await saved).saveAs(kept);
   const text = readFileSync(kept, "utf8");

@@ -38,6 +38,7 @@ impl SettingChanges {
     fn append(&self, change: &SettingChange) -> io::Result<()> {
         let mut line = serde_json::to_vec(change)?;
         line.push(b'\n');
+        fs::create_dir_all(self.place.parent().unwrap_or(Path::new("")))?;
         OpenOptions::new().create(true).append(true).open(&self.place)?.write_all(&line)
     }
 
