@@ -1,7 +1,6 @@
 //! Values that survive the end of the program: what SetUsrVal, `$name` and the external control
 //! keep under a key; and, read in the same way, what the machine says of itself.
 
-use crate::values::LAST_SHAPE;
 use kerf_journal::{
     Journal, JournalError,
     facts::{Fact, is_fact},
@@ -11,6 +10,9 @@ use std::collections::BTreeMap;
 
 /// The value that holds where a preview has come to.
 pub const PREVIEW: &str = "PreviewPlace";
+
+/// The value that says which job ended early last, and at which of its shapes.
+pub(crate) const LAST_SHAPE: &str = "LastShape";
 
 /// Keys that Kerf writes for itself; those of folders have no value of their own.
 const OWN: [&str; 9] = [
