@@ -1,5 +1,7 @@
 #![allow(clippy::unwrap_used)]
 
+mod settings;
+
 use super::rows::{Rows, Table};
 use super::{Journal, JournalError};
 use tempfile::{TempDir, tempdir};
