@@ -107,7 +107,7 @@ impl Session {
         wanted: Configuration,
         workspace: &Workspace,
     ) -> Result<(), MachineFileError> {
-        let kept = |journal: &Journal| journal.machine_file().keep_one(setting, &wanted);
+        let kept = |journal: &Journal| journal.settings.file().keep_one(setting, &wanted);
         let told = workspace.journal().map_or(Ok(()), kept);
         self.hold(wanted);
         told
@@ -124,7 +124,7 @@ impl Session {
     /// # Errors
     /// As it cannot be kept.
     pub fn keep_configuration(&self, workspace: &Workspace) -> Result<usize, MachineFileError> {
-        let kept = |journal: &Journal| journal.machine_file().keep_all(&self.configuration());
+        let kept = |journal: &Journal| journal.settings.file().keep_all(&self.configuration());
         workspace.journal().map_or(Ok(0), kept)
     }
 

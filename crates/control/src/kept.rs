@@ -5,8 +5,8 @@ use crate::session::{Company, Session, lines_at_once};
 use crate::settings_text;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::{
-    CutShort, Journal, JournalError, KeptWork, KnownMachine, Live, Owner, Placed, Remembered,
-    RunOptions, RunUnderWay, Standing, Tape, Whereabouts, Work, switches, switches::SWITCHES,
+    CutShort, Journal, JournalError, KeptWork, Live, Owner, Placed, Remembered, RunOptions,
+    RunUnderWay, Standing, Tape, Whereabouts, Work, switches, switches::SWITCHES,
 };
 use kerf_program::Settings;
 use kerf_sim::Machine;
@@ -24,7 +24,7 @@ impl Session {
         journal: &Journal,
         workspace: &mut Workspace,
     ) -> Result<(Self, Whereabouts), JournalError> {
-        let Some(remembered) = journal.remembered(settings_text::read)? else {
+        let Some(remembered) = journal.memory.read(settings_text::read)? else {
             return Ok((Self::default(), Whereabouts::Known));
         };
         let whereabouts = remembered.whereabouts;
@@ -41,7 +41,7 @@ impl Session {
     /// As the journal or the file cannot be read or written.
     pub fn meet_machine(&self, workspace: &mut Workspace) -> Result<Option<String>, JournalError> {
         let Some(journal) = workspace.journal().cloned() else { return Ok(None) };
-        let told = KnownMachine(&journal).meet()?;
+        let told = journal.settings.meet()?;
         if let Some(told) = &told {
             journal.tell(told);
             workspace.doubts_location(self.machine_is.motors.axes());
@@ -72,7 +72,7 @@ impl Session {
     /// As the journal cannot be read.
     pub fn catch_up(&mut self, workspace: &mut Workspace) -> Result<bool, JournalError> {
         let Some(journal) = workspace.journal().cloned() else { return Ok(false) };
-        if !journal.another_had_it()? {
+        if !journal.memory.another_had_it()? {
             return Ok(false);
         }
         match journal.own() {
@@ -88,10 +88,10 @@ impl Session {
         journal: &Journal,
         workspace: &mut Workspace,
     ) -> Result<bool, JournalError> {
-        if !journal.another_had_it()? {
+        if !journal.memory.another_had_it()? {
             return Ok(false);
         }
-        let Some(remembered) = journal.remembered(settings_text::read)? else { return Ok(false) };
+        let Some(remembered) = journal.memory.read(settings_text::read)? else { return Ok(false) };
         workspace.stored.renew()?;
         self.stands_as(remembered, workspace);
         Ok(true)
@@ -115,12 +115,12 @@ impl Session {
             return Ok(self.run(work, options, workspace, company));
         };
         let owner = journal.own()?;
-        journal.move_settings(settings_text::read)?;
+        journal.memory.move_settings(settings_text::read)?;
         if settings.is_none() {
             self.refresh(&journal)?;
         }
         if let Some(told) = self.meet_machine(workspace)? {
-            let place = Place::line(journal.machine_file().name().into(), 1);
+            let place = Place::line(journal.settings.file().name().into(), 1);
             let told = Diagnostic::new(Code::AnotherMachine, place, told);
             company.sink.event(&Event::Diag(Box::new(told.severity(Severity::Warning))));
         }
@@ -164,7 +164,7 @@ impl Session {
             RunUnderWay::new(&self.standing(), &kept, &options, settings, workspace.surroundings());
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
         workspace.keep_doubts();
-        workspace.tape = journal.begin(&run, &self.standing(), &kept.bytes)?;
+        workspace.tape = journal.runs.begin(&run, &self.standing(), &kept.bytes)?;
         in_time(&journal, &mut workspace.tape, &company)?;
         let summary = self.go(work, options, workspace, company, None);
         self.over(&run, summary, workspace, owner)
@@ -178,7 +178,7 @@ impl Session {
         let Some(journal) = workspace.journal().cloned() else { return Ok(()) };
         let _owner = journal.own()?;
         workspace.keep_doubts();
-        journal.end_by_hand(&self.standing())
+        journal.runs.end_by_hand(&self.standing())
     }
 
     /// The operator says whether the location is right, where that is in doubt.
@@ -193,10 +193,10 @@ impl Session {
         if unconfirmed(workspace).is_empty() {
             return Ok(None);
         }
-        journal.begin_by_hand(&self.standing())?;
+        journal.runs.begin_by_hand(&self.standing())?;
         let summary = self.confirm_location(work, options, workspace, company);
         workspace.keep_doubts();
-        journal.end_by_hand(&self.standing())?;
+        journal.runs.end_by_hand(&self.standing())?;
         Ok(summary)
     }
 
@@ -212,7 +212,7 @@ impl Session {
     ) -> Result<Option<Summary>, JournalError> {
         let moves = matches!(work, Work::Hand(..)) || self.homes_before(work, options);
         if moves {
-            journal.begin_by_hand(&self.standing())?;
+            journal.runs.begin_by_hand(&self.standing())?;
         }
         let summary = match work {
             Work::Hand(errand, machine) => {
@@ -224,7 +224,7 @@ impl Session {
         if moves {
             self.location_is_known(workspace);
             workspace.keep_doubts();
-            journal.end_by_hand(&self.standing())?;
+            journal.runs.end_by_hand(&self.standing())?;
         }
         Ok(summary)
     }
@@ -238,7 +238,7 @@ impl Session {
         cut: &CutShort,
         workspace: &mut Workspace,
     ) -> Result<(Work, RunOptions, Self), JournalError> {
-        let (work, run) = (journal.work_of(cut)?, &cut.run);
+        let (work, run) = (journal.runs.work_of(cut)?, &cut.run);
         workspace.as_it_was(&run.folders, run.shell);
         workspace.stored.begin_from(run.values.clone());
         Ok((work, run.options.clone(), Self::as_begun(cut)))
@@ -268,7 +268,7 @@ impl Session {
     /// # Errors
     /// The mistakes of the file: with those nothing may move.
     fn refresh(&mut self, journal: &Journal) -> Result<(), JournalError> {
-        if let Some(now) = journal.refreshed(self.configuration())? {
+        if let Some(now) = journal.settings.refreshed(self.configuration())? {
             self.memory.settings = now.program.clone();
             self.machine_is = Arc::new(now);
         }
@@ -291,7 +291,7 @@ impl Session {
         self.take_over(&journal, workspace)?;
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
         let switches = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
-        let (work, tape) = journal.take_up(cut, stands, switches)?;
+        let (work, tape) = journal.runs.take_up(cut, stands, switches)?;
         let run = &cut.run;
         // Whoever homed the machine since knows its homes.
         *self = Self { homed: self.homed, ..Self::as_begun(cut) };
@@ -336,7 +336,7 @@ impl Session {
             return Err(JournalError::Unfit(why.to_owned()));
         }
         journal.each_commit_lasts(true)?;
-        journal.end(run, &self.standing(), summary, &tape, &self.look(Live::at_rest))?;
+        journal.runs.end(run, &self.standing(), summary, &tape, &self.look(Live::at_rest))?;
         journal.back_up()
     }
 }

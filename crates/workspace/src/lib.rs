@@ -10,7 +10,10 @@
 
 mod fonts;
 pub mod parts;
-pub mod settings_files;
+mod program_file;
+mod session_log;
+mod settings_files;
+mod shell;
 pub mod sounds;
 pub mod stored;
 pub mod system_log;
@@ -18,5 +21,6 @@ mod values;
 pub mod virtual_tools;
 mod workspace;
 
+pub use program_file::MOST_BYTES;
 pub use values::{CONFIRM, confirm, unconfirmed, unverified};
-pub use workspace::{Firmware, MOST_BYTES, Workspace};
+pub use workspace::{Firmware, Workspace};

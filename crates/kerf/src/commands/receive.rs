@@ -102,7 +102,7 @@ impl Watch {
         if journal.is_none() {
             *journal = Journal::look(&self.folder).ok().flatten();
         }
-        let live = journal.as_ref().and_then(|journal| journal.live().ok());
+        let live = journal.as_ref().and_then(|journal| journal.registry.live().ok());
         let moves = live.is_some_and(|live| live.status & flag::STACK_RUNNING != 0);
         self.seen.set(Some((Instant::now(), moves)));
         moves

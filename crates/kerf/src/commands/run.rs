@@ -190,7 +190,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     let mut workspace = setup::workspace(Path::new(""), &run.place, false)?;
     let nothing = || JournalError::NothingToResume { folder: workspace.app_path().into() };
     let journal = workspace.journal().cloned().ok_or_else(nothing)?;
-    let cut = journal.cut_short()?.ok_or_else(nothing)?;
+    let cut = journal.runs.cut_short()?.ok_or_else(nothing)?;
     let (mut session, whereabouts) = Session::recall(&journal, &mut workspace)?;
     if !args.quiet {
         eprintln!("kerf: {}", cut.told());
@@ -202,7 +202,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         );
     }
     let answers = setup::answers(run)?;
-    let machine = journal.machine_of(&cut)?;
+    let machine = journal.runs.machine_of(&cut)?;
     let show = Show {
         name: cut.file().into(),
         lines: 0,

@@ -451,7 +451,7 @@ impl Owner {
     fn tell_others(&self, rest: &Live) {
         let Workshop { workspace, kept, .. } = &self.workshop;
         // Where the disk refuses, that was told when the run ended; pages know better all the same.
-        drop(workspace.journal().filter(|_| *kept).map(|journal| journal.tell_rest(rest)));
+        drop(workspace.journal().filter(|_| *kept).map(|journal| journal.registry.tell_rest(rest)));
     }
 
     /// Nothing happens: what other threads and programs have changed is put into the one file.
