@@ -2,8 +2,8 @@
 
 use crate::OperatorRequest;
 use crate::answers;
-use crate::away::Aside;
 use crate::by_hand::Jog;
+use crate::lift_aside::Aside;
 use crate::pendant::KEY;
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;

@@ -1,6 +1,6 @@
 //! The journal of a machine, beside runs that are kept in it.
 
-use kerf_control::{Company, Session, TextOptions, run_text, settings_text};
+use kerf_control::{RunContext, Session, TextOptions, run_text, settings_text};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_journal::{facts::Fact, *};
 use kerf_workspace::{Workspace, stored::Stored};
@@ -31,14 +31,14 @@ fn run(folder: &TempDir, program: &str, date: &str) -> Session {
     let (mut session, mut workspace) = recalled(folder, program);
     let started = Some(Started { time: "12:00:00".into(), date: date.into() });
     let options = RunOptions { started, ..RunOptions::default() };
-    let company = Company {
+    let context = RunContext {
         sink: &mut (),
         operator: &mut (),
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());
-    session.run_on_record(program, options, None, &mut workspace, company).unwrap();
+    session.run_on_record(program, options, None, &mut workspace, context).unwrap();
     session
 }
 

@@ -3,7 +3,7 @@
 
 use crate::taking_up::on_record;
 use kerf_control::answers::Operator;
-use kerf_control::{Company, OperatorRequest, Requests, Session};
+use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_journal::{INCOMING_FILE, Journal, Live, MIRROR_FILE, RunOptions};
 use kerf_program::Question;
@@ -92,7 +92,7 @@ fn seen_of(
         ..RunOptions::default()
     };
     options.program.typed = typed.is_some();
-    let company = Company {
+    let context = RunContext {
         sink: &mut (),
         operator: &mut operator,
         requests: &mut pace,
@@ -100,7 +100,7 @@ fn seen_of(
     };
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
-    session.run_on_record(read, options, None, &mut workspace, company).unwrap();
+    session.run_on_record(read, options, None, &mut workspace, context).unwrap();
     assert_eq!(looks().registry.live().unwrap(), Live::default(), "nothing runs any more");
     all.take()
 }
@@ -162,13 +162,17 @@ fn sbp_ctl_reg_bit2__at_rest() {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut workspace = Workspace::in_memory(MemoryDisk::default());
-        let company =
-            Company { sink: &mut (), operator: &mut (), requests: &mut (), machine: on_record() };
+        let context = RunContext {
+            sink: &mut (),
+            operator: &mut (),
+            requests: &mut (),
+            machine: on_record(),
+        };
         session.run(
             kerf_part::read("typed".into(), line.as_bytes()),
             options,
             &mut workspace,
-            company,
+            context,
         );
         session.look(Live::at_rest).status
     };

@@ -2,7 +2,7 @@
 
 use crate::stop::Stop;
 use anyhow::Result;
-use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
+use kerf_control::answers::{Answers, Operator, meaning, words};
 use kerf_control::{OperatorRequest, Requests, Script, WorldClock};
 use kerf_journal::Hurry;
 use kerf_machine::Driven;
@@ -102,7 +102,7 @@ impl Keyboard {
     }
 
     fn ask(&self, question: &Question, line: u32) -> Option<String> {
-        let default = words(&default_answer(question));
+        let default = words(&question.default_answer());
         let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
         loop {
             let text = shown(question, line);

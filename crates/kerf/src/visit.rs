@@ -3,9 +3,9 @@
 
 use crate::clock;
 use anyhow::Result;
-use kerf_control::{Session, command_passing};
+use kerf_control::Session;
 use kerf_journal::Live;
-use kerf_workspace::{Workspace, system_log::Opening, system_log::SystemLog};
+use kerf_workspace::{Workspace, command_passing, system_log::Opening, system_log::SystemLog};
 
 /// A visit.
 #[derive(Clone, Debug)]
@@ -74,5 +74,6 @@ impl Visit {
 
 fn tell_refused(why: &str, session: &Session, workspace: &mut Workspace) {
     eprintln!("kerf: {}: {why}", command_passing::COMMAND);
-    session.log_refused_command(workspace, why);
+    let (settings, draws) = (&session.memory.settings, session.is_in_preview());
+    command_passing::log_refused(workspace, settings, draws, why);
 }

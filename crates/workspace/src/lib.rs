@@ -8,7 +8,10 @@
 //!
 //! What a run hears of all this is on its tape, so that the run can be taken up.
 
+pub mod command_passing;
 mod fonts;
+mod host;
+pub mod part_log;
 pub mod parts;
 mod program_file;
 mod session_log;

@@ -3,7 +3,7 @@
 use super::{Connection, Lacks, Line};
 use crate::answers::Operator;
 use crate::session::DrivenBy;
-use crate::{Company, Session};
+use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work, facts::Fact};
 use kerf_machine::driver::{Changed, Wired};
@@ -300,9 +300,13 @@ impl Controller {
         }
         let mut options = RunOptions { started: None, ..options.clone() };
         options.program.preview = true;
-        let company =
-            Company { sink: &mut lacks, operator, requests: &mut (), machine: crate::simulated() };
-        drop(session.clone().run(again, options, workspace, company));
+        let context = RunContext {
+            sink: &mut lacks,
+            operator,
+            requests: &mut (),
+            machine: crate::simulated(),
+        };
+        drop(session.clone().run(again, options, workspace, context));
         lacks.found()
     }
 

@@ -12,9 +12,9 @@ use crate::orders::Orders;
 use crate::refusal::problem;
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
-use kerf_control::command_passing;
 use kerf_journal::{Live, check_value};
 use kerf_wire::{Act, NamedValue, Problem, Why};
+use kerf_workspace::command_passing;
 use std::sync::Arc;
 
 /// Longest value, bytes.

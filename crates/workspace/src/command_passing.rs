@@ -4,12 +4,10 @@
 //! One command of two letters with its parameters is carried out once, when no file runs, and the
 //! value is empty from then on. What was left there before the start is not carried out.
 
-use crate::session::Session;
+use crate::Workspace;
+use crate::system_log::{clock, mode_word};
 use kerf_journal::{Journal, JournalError};
-use kerf_workspace::{
-    Workspace,
-    system_log::{clock, mode_word},
-};
+use kerf_program::Settings;
 
 /// Key of the command.
 pub const COMMAND: &str = "uCommand";
@@ -57,14 +55,12 @@ pub fn single(command: &str) -> Result<String, String> {
     Ok(command.to_owned())
 }
 
-impl Session {
-    /// A command that other software passed in was not carried out, and why: an item of one line.
-    pub fn log_refused_command(&self, workspace: &mut Workspace, why: &str) {
-        let mode = mode_word(self.memory.before_preview.is_some());
-        let words: Vec<_> = why.split([',', ' ', '\n', '\r']).filter(|it| !it.is_empty()).collect();
-        let head = format!("{COMMAND},{mode},{}", clock(0.0));
-        workspace.log_with(&self.memory.settings, &head, &words.join(" "));
-    }
+/// Logs that a command that other software passed in was not carried out, and why: an item of one line. `draws`: the
+/// machine is in preview.
+pub fn log_refused(workspace: &mut Workspace, settings: &Settings, draws: bool, why: &str) {
+    let words: Vec<_> = why.split([',', ' ', '\n', '\r']).filter(|it| !it.is_empty()).collect();
+    let head = format!("{COMMAND},{},{}", mode_word(draws), clock(0.0));
+    workspace.log_with(settings, &head, &words.join(" "));
 }
 
 #[cfg(test)]

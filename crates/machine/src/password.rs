@@ -3,7 +3,6 @@
 //! `pbkdf2-sha256$ROUNDS$SALT$HASH` with salt and hash in hexadecimal digits, so that more rounds can be
 //! asked for later and old ones still open.
 
-use kerf_program::Settings;
 use pbkdf2::pbkdf2_hmac_array;
 use sha2::Sha256;
 use subtle::ConstantTimeEq;
@@ -27,13 +26,6 @@ pub fn fits(kept: &str, password: &str) -> bool {
     let Some((rounds, salt, hash)) = parts(kept) else { return false };
     let tried = pbkdf2_hmac_array::<Sha256, 32>(password.as_bytes(), &salt, rounds);
     bool::from(tried.ct_eq(hash.as_slice()))
-}
-
-/// Settings as they were before something ran to which they are protected. What is to be made of the next
-/// lines is none of them: preview or moves, distances or places.
-pub(crate) fn give_back(began: &Settings, settings: &mut Settings) {
-    let (mode, distance) = (settings.mode, settings.distance);
-    *settings = Settings { mode, distance, ..began.clone() };
 }
 
 fn parts(kept: &str) -> Option<(u32, Vec<u8>, Vec<u8>)> {

@@ -5,13 +5,13 @@ use kerf_diag::with_commas;
 
 /// A bound on the commands that are carried out: moves, switches, words to the operator.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Bound {
+pub(crate) struct CommandLimit {
     /// The most; 0 for no bound.
     most: u64,
     done: u64,
 }
 
-impl Bound {
+impl CommandLimit {
     /// So many commands at the most; 0 for no bound.
     pub const fn of(most: u64) -> Self {
         Self { most, done: 0 }

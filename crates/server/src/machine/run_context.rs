@@ -215,7 +215,7 @@ impl Pages {
             if let Some(words) = wanted.given()
                 && answers::meaning(question, &words).is_some()
             {
-                if Jog::read(&words).is_none() || answers::takes_text(question.kind) {
+                if Jog::read(&words).is_none() || question.kind.takes_text() {
                     wanted.close();
                 }
                 return Some(words);
@@ -253,7 +253,7 @@ impl Operator for Pages {
         let asked = Some(Asked { edits, ..asked });
         self.shared.becomes(state, vec![Change::Asked { asked }]);
         let answer = self.wait(question);
-        let takes_text = answers::takes_text(question.kind);
+        let takes_text = question.kind.takes_text();
         let moves = |words: &str| !takes_text && (words == LIFT || Jog::read(words).is_some());
         self.jogged = answer.as_deref().is_some_and(moves);
         if !self.jogged && !self.pressed {

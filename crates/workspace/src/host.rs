@@ -1,6 +1,7 @@
 //! Answers that every host gives in the same way: files, folders and values that survive are those of its workspace.
 
-/// The methods of `Host` that go to the field `workspace`.
+/// The methods of `Host` that go to the field `workspace`, for an implementation of it.
+#[macro_export]
 macro_rules! answered_by_the_workspace {
     () => {
         fn source(
@@ -86,5 +87,3 @@ macro_rules! answered_by_the_workspace {
         }
     };
 }
-
-pub(crate) use answered_by_the_workspace;

@@ -1,6 +1,6 @@
 //! Findings that come again and again at one place: a loop finds what it finds a million times.
 
-use kerf_diag::{Code, Diagnostic, Severity, with_commas};
+use crate::{Code, Diagnostic, Severity, with_commas};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -64,7 +64,7 @@ impl Seen {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kerf_diag::Place;
+    use crate::Place;
 
     fn found(line: u32, message: &str) -> Diagnostic {
         Diagnostic::new(Code::OutsideLimits, Place::line("a.sbp".into(), line), message)

@@ -1,13 +1,18 @@
 //! Runs on record: what a run leaves stays, and one that was cut short can be taken up.
 
-use crate::before::Whole;
-use crate::session::{Company, Session, lines_at_once};
+use crate::preparation::{Preparation, homes_before};
+use crate::run_context::RunContext;
+use crate::runs::lines_at_once;
+use crate::session::Session;
 use crate::settings_text;
+use crate::told_as_one::Whole;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::{
     CutShort, Journal, JournalError, KeptWork, Live, Owner, Placed, Remembered, RunOptions,
-    RunUnderWay, Standing, Tape, Whereabouts, Work, switches, switches::SWITCHES,
+    RunUnderWay, Standing, Tape, Whereabouts, Work, machine_file::MachineFileError, switches,
+    switches::SWITCHES,
 };
+use kerf_machine::{Configuration, Setting};
 use kerf_program::Settings;
 use kerf_sim::Machine;
 use kerf_trace::{Event, Summary};
@@ -108,11 +113,11 @@ impl Session {
         mut options: RunOptions,
         settings: Option<Settings>,
         workspace: &mut Workspace,
-        company: Company<'_>,
+        context: RunContext<'_>,
     ) -> Result<Summary, JournalError> {
         let work = work.into();
         let Some(journal) = workspace.journal().cloned() else {
-            return Ok(self.run(work, options, workspace, company));
+            return Ok(self.run(work, options, workspace, context));
         };
         let owner = journal.own()?;
         journal.memory.move_settings(settings_text::read)?;
@@ -122,17 +127,17 @@ impl Session {
         if let Some(told) = self.meet_machine(workspace)? {
             let place = Place::line(journal.settings.file().name().into(), 1);
             let told = Diagnostic::new(Code::AnotherMachine, place, told);
-            company.sink.event(&Event::Diag(Box::new(told.severity(Severity::Warning))));
+            context.sink.event(&Event::Diag(Box::new(told.severity(Severity::Warning))));
         }
         // A controller says itself where it stands.
         if options.controller.is_none() {
             self.take_over(&journal, workspace)?;
         }
-        options.lines_at_once = lines_at_once(&options, &*company.sink);
-        let Company { sink, operator, requests, machine } = company;
+        options.lines_at_once = lines_at_once(&options, &*context.sink);
+        let RunContext { sink, operator, requests, machine } = context;
         let mut whole = Whole::new(sink);
-        let company = Company { sink: &mut whole, operator, requests, machine };
-        let summary = self.begin_on_record(work, options, settings, workspace, company, &owner);
+        let context = RunContext { sink: &mut whole, operator, requests, machine };
+        let summary = self.begin_on_record(work, options, settings, workspace, context, &owner);
         whole.ends();
         summary
     }
@@ -144,18 +149,18 @@ impl Session {
         mut options: RunOptions,
         settings: Option<Settings>,
         workspace: &mut Workspace,
-        mut company: Company<'_>,
+        mut context: RunContext<'_>,
         owner: &Owner,
     ) -> Result<Summary, JournalError> {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = workspace.journal().cloned().ok_or_else(nothing)?;
         if let Some(summary) =
-            self.confirm_on_record(&work, &mut options, workspace, company.again(), &journal)?
+            self.confirm_on_record(&work, &mut options, workspace, context.again(), &journal)?
         {
             return Ok(summary);
         }
         if let Some(summary) =
-            self.before_run_on_record(&work, &mut options, workspace, company.again(), &journal)?
+            self.before_run_on_record(&work, &mut options, workspace, context.again(), &journal)?
         {
             return Ok(summary);
         }
@@ -165,8 +170,8 @@ impl Session {
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
         workspace.keep_doubts();
         workspace.tape = journal.runs.begin(&run, &self.standing(), &kept.bytes)?;
-        in_time(&journal, &mut workspace.tape, &company)?;
-        let summary = self.go(work, options, workspace, company, None);
+        in_time(&journal, &mut workspace.tape, &context)?;
+        let summary = self.go(work, options, workspace, context, None);
         self.over(&run, summary, workspace, owner)
     }
 
@@ -187,14 +192,14 @@ impl Session {
         work: &Work,
         options: &mut RunOptions,
         workspace: &mut Workspace,
-        company: Company<'_>,
+        context: RunContext<'_>,
         journal: &Journal,
     ) -> Result<Option<Summary>, JournalError> {
         if unconfirmed(workspace).is_empty() {
             return Ok(None);
         }
         journal.runs.begin_by_hand(&self.standing())?;
-        let summary = self.confirm_location(work, options, workspace, company);
+        let summary = Preparation::of(self, work, options, workspace, context).confirm_location();
         workspace.keep_doubts();
         journal.runs.end_by_hand(&self.standing())?;
         Ok(summary)
@@ -207,26 +212,61 @@ impl Session {
         work: &Work,
         options: &mut RunOptions,
         workspace: &mut Workspace,
-        company: Company<'_>,
+        context: RunContext<'_>,
         journal: &Journal,
     ) -> Result<Option<Summary>, JournalError> {
-        let moves = matches!(work, Work::Hand(..)) || self.homes_before(work, options);
+        let moves = matches!(work, Work::Hand(..)) || homes_before(work, options, &self.machine_is);
         if moves {
             journal.runs.begin_by_hand(&self.standing())?;
         }
         let summary = match work {
             Work::Hand(errand, machine) => {
                 let options = options.clone();
-                Some(self.run_hand(errand.clone(), machine, options, None, workspace, company))
+                Some(self.run_hand(errand.clone(), machine, options, None, workspace, context))
             }
-            _ => self.before_run(work, options, workspace, company),
+            _ => Preparation::of(self, work, options, workspace, context).home_first(),
         };
         if moves {
-            self.location_is_known(workspace);
+            workspace.trusts_location(self.homed);
             workspace.keep_doubts();
             journal.runs.end_by_hand(&self.standing())?;
         }
         Ok(summary)
+    }
+
+    /// Puts on record where somebody left the switches of the simulated machine.
+    pub(crate) fn keep_switches(&self, workspace: &mut Workspace) {
+        let moved = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
+        let kept = switches::write(&moved);
+        if workspace.stored.get(SWITCHES) != kept.as_deref() {
+            workspace.stored.set(SWITCHES, kept.as_deref());
+            workspace.stored.keep(SWITCHES);
+        }
+    }
+
+    /// Has another configuration from now on, and keeps a setting of it where that is kept.
+    ///
+    /// # Errors
+    /// It holds, but cannot be kept.
+    pub fn configure(
+        &mut self,
+        setting: &'static Setting,
+        wanted: Configuration,
+        workspace: &Workspace,
+    ) -> Result<(), MachineFileError> {
+        let kept = |journal: &Journal| journal.settings.file().keep_one(setting, &wanted);
+        let told = workspace.journal().map_or(Ok(()), kept);
+        self.hold(wanted);
+        told
+    }
+
+    /// Keeps the configuration that holds, where settings are kept. Gives how many of them were not yet.
+    ///
+    /// # Errors
+    /// As it cannot be kept.
+    pub fn keep_configuration(&self, workspace: &Workspace) -> Result<usize, MachineFileError> {
+        let kept = |journal: &Journal| journal.settings.file().keep_all(&self.configuration());
+        workspace.journal().map_or(Ok(0), kept)
     }
 
     /// Returns work, options and session from which a run that was cut short was begun; the workspace is as it was.
@@ -283,7 +323,7 @@ impl Session {
         &mut self,
         cut: &CutShort,
         workspace: &mut Workspace,
-        company: Company<'_>,
+        context: RunContext<'_>,
     ) -> Result<Summary, JournalError> {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = workspace.journal().cloned().ok_or_else(nothing)?;
@@ -298,8 +338,8 @@ impl Session {
         workspace.as_it_was(&run.folders, run.shell);
         workspace.stored.begin_from(run.values.clone());
         workspace.tape = tape;
-        in_time(&journal, &mut workspace.tape, &company)?;
-        let summary = self.go(work, run.options.clone(), workspace, company, Some(stands));
+        in_time(&journal, &mut workspace.tape, &context)?;
+        let summary = self.go(work, run.options.clone(), workspace, context, Some(stands));
         self.over(run, summary, workspace, &owner)
     }
 
@@ -342,11 +382,15 @@ impl Session {
 }
 
 /// Makes records survive a power cut, written by a thread, where machine time is the time of the world.
-fn in_time(journal: &Journal, tape: &mut Tape, company: &Company<'_>) -> Result<(), JournalError> {
-    let is_real = company.machine.borrow().is_real();
+fn in_time(
+    journal: &Journal,
+    tape: &mut Tape,
+    context: &RunContext<'_>,
+) -> Result<(), JournalError> {
+    let is_real = context.machine.borrow().is_real();
     journal.each_commit_lasts(is_real)?;
     if is_real {
-        tape.writes_behind(company.requests.hurry());
+        tape.writes_behind(context.requests.hurry());
     }
     Ok(())
 }

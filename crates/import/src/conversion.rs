@@ -129,7 +129,7 @@ fn part_file(
     };
     // G-code reads files and writes none, so the workspace stays as it is.
     let converted = kerf_convert::convert(source, &conversion, &mut |follow| {
-        follow(&mut Desk::new(workspace, &mut ()))
+        follow(&mut Desk::new(workspace, &mut |_| None))
     });
     converted.text.ok_or_else(|| {
         let found = converted.diagnostics.iter().find(|d| d.is_error());

@@ -1,10 +1,9 @@
 //! Checking a part file without a machine: everything that can be said about it and the files it
 //! names, and what a dry run finds.
 
-use crate::answers::Operator;
-use crate::repetitions::Repetitions;
-use crate::session::{Company, Session};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_control::answers::Operator;
+use kerf_control::{RunContext, Session};
+use kerf_diag::{Code, Diagnostic, Place, Repetitions, Severity};
 use kerf_journal::{LimitPolicy, RunOptions, Work};
 use kerf_part::Program;
 use kerf_program::settings::LinearUnit;
@@ -31,13 +30,13 @@ pub fn check(
     let program = match work.into() {
         Work::Part(program) => *program,
         job @ (Work::Job(..) | Work::Hand(..)) => {
-            let company = Company {
+            let context = RunContext {
                 sink: &mut findings,
                 operator,
                 requests: &mut (),
-                machine: crate::simulated(),
+                machine: kerf_control::simulated(),
             };
-            let summary = session.clone().run(job, options, workspace, company);
+            let summary = session.clone().run(job, options, workspace, context);
             return findings.checked(Some(summary));
         }
     };
@@ -46,11 +45,11 @@ pub fn check(
     let gcode = program.language() == Language::Gcode;
     let summary = (good || gcode).then(|| {
         let mut session = session.clone();
-        let company = Company {
+        let context = RunContext {
             sink: &mut findings,
             operator,
             requests: &mut (),
-            machine: crate::simulated(),
+            machine: kerf_control::simulated(),
         };
         let mut options = RunOptions { limits: LimitPolicy::List, ..options };
         options.program.preview = true;
@@ -58,7 +57,7 @@ pub fn check(
         // tried all the same.
         options.gcode.keep_going = true;
         options.program.allow_errors |= gcode;
-        session.run(program, options, workspace, company)
+        session.run(program, options, workspace, context)
     });
     findings.checked(summary)
 }
@@ -262,8 +261,9 @@ mod tests {
     fn sbp_file_check__answers_beside_the_file() {
         let files: [(&str, &[u8]); 2] = [("a.sbp", b""), ("a.sbp.answers", b"# depth\n.5\n")];
         let workspace = Workspace::in_memory(MemoryDisk::new(files));
-        let mut answers =
-            crate::answers::Answers::read(&workspace.answers_beside("a.sbp").unwrap_or_default());
+        let mut answers = kerf_control::answers::Answers::read(
+            &workspace.answers_beside("a.sbp").unwrap_or_default(),
+        );
         let text = b"INPUT \"How deep?\" &d\nMZ,-&d\n";
         let program = kerf_part::read("a.sbp".into(), text);
         let mut workspace = Workspace::in_memory(MemoryDisk::new(files));

@@ -1,6 +1,6 @@
-//! State before a run, by which a diagram of an earlier run is found still true.
+//! State before a run, the basis of its diagram: by it a diagram of an earlier run is found still true.
 
-use crate::Session;
+use kerf_control::Session;
 use kerf_machine::Configuration;
 use kerf_program::{Axis, AxisSet, Independent};
 use kerf_sim::Outputs;
@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// Everything of a session that a run of the simulated machine depends on.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Begun {
+pub struct Basis {
     memory: kerf_sbp::Session,
     gcode: kerf_gcode::State,
     machine_is: Arc<Configuration>,
@@ -18,7 +18,7 @@ pub struct Begun {
     alone: Vec<(Axis, Independent)>,
 }
 
-impl Begun {
+impl Basis {
     /// As a session is now.
     pub fn of(session: &Session) -> Self {
         let Session { memory, gcode, machine_is, homed, .. } = session.clone();

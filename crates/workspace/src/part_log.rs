@@ -7,17 +7,16 @@
 //!
 //! The line at which a run ended is where FG can take it up again.
 
-use crate::Session;
+use crate::system_log::clock;
 use kerf_diag::Diagnostic;
 use kerf_journal::Started;
 use kerf_program::settings::Mode;
-use kerf_program::{FileCall, Status};
+use kerf_program::{FileCall, Settings, Status};
 use kerf_sbp::{Options, format_number};
-use kerf_workspace::system_log::clock;
 
 /// Facts that are known of a run before it begins.
 #[derive(Clone, Debug)]
-pub(crate) struct PartLog {
+pub struct PartLog {
     started: Started,
     /// The machine only drew when it began.
     drew: bool,
@@ -27,8 +26,7 @@ pub(crate) struct PartLog {
 
 impl PartLog {
     /// The log of a run that is about to begin; nothing when none is to be written (VD).
-    pub fn begin(session: &Session, options: &Options, started: Option<Started>) -> Option<Self> {
-        let settings = &session.memory.settings;
+    pub fn begin(settings: &Settings, options: &Options, started: Option<Started>) -> Option<Self> {
         let wanted = settings.display.part_log && !options.preview;
         let drew = settings.mode == Mode::Preview;
         let call = (!options.typed).then(|| options.file.call());
@@ -62,7 +60,7 @@ impl PartLog {
 }
 
 /// Tells why a run ended early, in a word; nothing when it came to its end.
-pub(crate) fn why(status: Status, error: Option<&Diagnostic>) -> Option<&'static str> {
+pub fn why(status: Status, error: Option<&Diagnostic>) -> Option<&'static str> {
     match status {
         Status::Ok | Status::Ended => None,
         Status::Failed => Some("error"),
