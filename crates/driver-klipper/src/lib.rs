@@ -20,6 +20,7 @@
 //! - [`compress`]: steps as few commands. [`queue`]: motion that ends at rest whatever happens to its planner.
 //! - [`board`]: all of that for one board: found, configured, moved, stopped, counted.
 //! - [`convoy`]: several boards as one machine, on a [`timeline`] each.
+//! - [`fake`]: a board that is none.
 //! - [`tmc`]: registers of motor drivers on a single wire.
 //!
 //! Three promises hold for whoever drives: no step goes out before the board's latch is armed over it; nothing that
@@ -32,6 +33,7 @@ pub mod clock;
 pub mod compress;
 pub mod convoy;
 pub mod dictionary;
+pub mod fake;
 pub mod identify;
 pub mod link;
 pub mod orders;

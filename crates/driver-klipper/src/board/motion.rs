@@ -90,7 +90,8 @@ impl Motion {
             Ok(releases) => releases.into_iter().try_for_each(|it| release(channel, it))?,
             Err(_) => self.stop(channel, Ended::Late)?,
         }
-        let settled = self.queue.ends() + off + channel.ticks(SETTLED_S);
+        let lingers_s = if self.queue.is_stopping() { 0.0 } else { channel.options.linger_s };
+        let settled = self.queue.ends() + off + channel.ticks(SETTLED_S + lingers_s);
         if self.state == State::Moving && self.queue.is_sent() && now > settled {
             self.state = State::Ending(Ended::Rested);
             self.latches.trigger(channel)?;

@@ -9,10 +9,13 @@ pub struct Options {
     pub deadline_s: f64,
     /// Farthest that a step is from its planned moment, seconds.
     pub error_s: f64,
+    /// Time behind the last step for which latches stay armed, seconds: motion that follows by then begins without arming
+    /// them anew.
+    pub linger_s: f64,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { baud: None, deadline_s: 0.1, error_s: 5e-6 }
+        Self { baud: None, deadline_s: 0.1, error_s: 5e-6, linger_s: 0.0 }
     }
 }
