@@ -10,6 +10,7 @@
 
 use crate::chain::{Clocked, plain_clock};
 use crate::plan::{Law, Plan};
+use crate::steps::{Step, Stepper};
 use crate::stop::Braked;
 use kerf_program::Axes;
 
@@ -49,6 +50,11 @@ impl Leg {
         self.0.at(t_s).position
     }
 
+    /// The steps of the motors from one time of the plan to another, in order of time.
+    pub fn steps(&self, stepper: &mut Stepper, [from_s, to_s]: [f64; 2]) -> Vec<Step> {
+        stepper.follow(from_s, to_s, |t_s| self.at(t_s))
+    }
+
     /// The times at which it begins and ends, seconds of the plan.
     pub fn span_s(&self) -> [f64; 2] {
         [self.0.span_s(0).0, self.0.duration_s()]
@@ -64,20 +70,15 @@ impl Leg {
         stands(&self.0)
     }
 
-    /// The way to rest from a time of the plan on, as steeply as accelerations allow; it may lead into the piece that
-    /// follows. Nothing for a plan without moves.
-    pub fn rest(&self, next: Option<&Self>, t_s: f64) -> Option<Rest> {
-        let mut plan = self.0.clone();
-        if let Some(Self(next)) = next {
-            plan.join(next.clone());
-        }
-        let stop = plan.brake(t_s).or_else(|| plan.stop(t_s, true))?;
+    /// The way to rest from a time of the plan on, as steeply as accelerations allow; nothing for a plan without moves.
+    pub fn rest(&self, t_s: f64) -> Option<Rest> {
+        let stop = self.0.brake(t_s).or_else(|| self.0.stop(t_s, true))?;
         let end_s = stop.end_s;
         if let Braked::Clocked(slowed) = stop.law {
             let v = crate::splice::speed(&slowed.at(end_s));
             return Some(Rest { law: RestLaw::Clocked(slowed), end_s, stands: v < STILL_MM_S });
         }
-        let (made, _) = plan.cut(&stop);
+        let (made, _) = self.0.clone().cut(&stop);
         Some(Rest { stands: stands(&made), law: RestLaw::Ramped(made), end_s })
     }
 }
@@ -89,6 +90,11 @@ impl Rest {
             RestLaw::Ramped(plan) => plan.at(t_s).position,
             RestLaw::Clocked(law) => law.at(t_s).position,
         }
+    }
+
+    /// The steps of the motors from a time of the plan to where it stands, in order of time.
+    pub fn steps(&self, stepper: &mut Stepper, from_s: f64) -> Vec<Step> {
+        stepper.follow(from_s, self.end_s, |t_s| self.at(t_s))
     }
 }
 

@@ -195,6 +195,13 @@ impl Board {
         self.open()?.stop().map_err(NotNow::Order)
     }
 
+    /// Motion that is over is ended and counted, and latches are disarmed without waiting for more of it.
+    pub fn let_rest(&mut self) {
+        if let Phase::Open(open) = &mut self.phase {
+            open.motion.lingers = false;
+        }
+    }
+
     /// Shuts the board down: motors stand, outputs go off.
     ///
     /// # Errors
@@ -222,6 +229,11 @@ impl Board {
     /// The board is not ready.
     pub fn set_output(&mut self, output: usize, share: f64, now_s: f64) -> Result<(), NotNow> {
         self.open()?.set_output(output, share, now_s)
+    }
+
+    /// Value of an output as the board takes it, for a share from 0 (off) to 1; nothing before the board is known.
+    pub fn output_value(&self, output: usize, share: f64) -> Option<u32> {
+        self.shown().map(|open| open.channel.output_value(output, share))
     }
 
     /// Asks for the state of a switch.

@@ -37,6 +37,8 @@ pub struct Motion {
     pub lead: Lead,
     /// Steps that each motor has made, as the board told last.
     pub counts: Vec<i64>,
+    /// More motion may follow soon: latches stay armed behind the last step.
+    pub lingers: bool,
 }
 
 impl Motion {
@@ -48,6 +50,7 @@ impl Motion {
             queue: Queue::new(Vec::new(), &[], 0),
             lead: Lead::new(channel.frequency),
             counts: vec![0; channel.setup.motors.len()],
+            lingers: true,
         }
     }
 
@@ -68,6 +71,7 @@ impl Motion {
         self.latches.arm(channel, homes, now, starts, now_s)?;
         self.queue.start(starts, &self.counts);
         self.state = State::Arming;
+        self.lingers = true;
         Ok(Start { clock: starts, ticks_per_s })
     }
 
@@ -90,7 +94,8 @@ impl Motion {
             Ok(releases) => releases.into_iter().try_for_each(|it| release(channel, it))?,
             Err(_) => self.stop(channel, Ended::Late)?,
         }
-        let lingers_s = if self.queue.is_stopping() { 0.0 } else { channel.options.linger_s };
+        let lingers = self.lingers && !self.queue.is_stopping();
+        let lingers_s = if lingers { channel.options.linger_s } else { 0.0 };
         let settled = self.queue.ends() + off + channel.ticks(SETTLED_S + lingers_s);
         if self.state == State::Moving && self.queue.is_sent() && now > settled {
             self.state = State::Ending(Ended::Rested);
