@@ -19,8 +19,8 @@ export interface Workshop {
   readonly shows: Readonly<Record<string, string>>;
   readonly parts: string;
   readonly browser: Browser;
-  /** A page of this size; what went wrong on it is kept in `mistakes`. */
-  page(size?: { width: number; height: number }): Promise<Page>;
+  /** A page of this size, for fingers where `hasTouch`; what went wrong on it is kept in `mistakes`. */
+  page(size?: { width: number; height: number }, hasTouch?: boolean): Promise<Page>;
   /** Every page that was opened here. */
   readonly pages: readonly Page[];
   /** Errors of every page so far. */
@@ -309,8 +309,8 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
     browser,
     pages,
     mistakes,
-    async page(size = { width: 1280, height: 720 }) {
-      const page = await browser.newPage({ viewport: size });
+    async page(size = { width: 1280, height: 720 }, hasTouch = false) {
+      const page = await browser.newPage({ viewport: size, hasTouch });
       page.setDefaultTimeout(patienceMs);
       page.on("pageerror", (error) => mistakes.push(error.message));
       page.on("console", (message) => {

@@ -330,7 +330,7 @@ impl Sink for Teller {
             Event::Message { text, .. } => board.comment(text),
             Event::Wait { seconds, t } => board.pause(*t, *seconds),
             Event::Sound { path, .. } => board.sound(self.shared.name_from_root(path)),
-            Event::Diag(found) => board.say(told::tone(found), told::sentence(found)),
+            Event::Diag(found) => board.finds(found),
             Event::Spindle { rpm, on, n: 1, .. } => board.spindle(if *on { *rpm } else { 0.0 }),
             Event::Homed { axis, steps, .. } => {
                 board.say(Tone::Note, format!("{axis} homed; its last home was {steps} steps off"));
