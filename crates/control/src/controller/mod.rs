@@ -21,6 +21,7 @@ mod attached;
 mod connection;
 mod driven;
 mod lacks;
+pub mod queued;
 mod row;
 mod ways;
 

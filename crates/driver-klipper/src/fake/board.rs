@@ -97,7 +97,7 @@ impl Board {
     /// Bytes that came at the moment which the board has reached.
     pub fn feed(&mut self, bytes: &[u8]) {
         self.reader.feed(bytes);
-        while let Some(piece) = self.reader.next() {
+        while let Some(piece) = self.reader.piece() {
             match piece {
                 Piece::Nak => self.say_content(&[]),
                 Piece::Run(content) => {
@@ -323,7 +323,7 @@ impl Board {
             "update_digital_out" => self.update_output(said),
             "set_digital_out" => self.edge(said.clock("pin"), said.n("value") != 0),
             "tmcuart_send" => self.ask_driver(said),
-            other => panic!("the fake does not know {other}"),
+            _ => self.shut("Invalid command"),
         }
     }
 

@@ -1,7 +1,7 @@
 //! A host, a line and a board that is none, in time that is none.
 
-use super::{Board as Fake, Faults, Line};
 use kerf_driver_klipper::board::{Board, Ended, Fault, Home, News, Options, Start};
+use kerf_driver_klipper::fake::{Board as Fake, Faults, Line};
 use kerf_driver_klipper::queue::{Change, Piece, Step};
 use kerf_driver_klipper::setup::{Motor, Pin, Setup, Switched};
 
