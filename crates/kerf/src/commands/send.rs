@@ -16,7 +16,7 @@ use crate::summary::told_by_server;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::transfer::Sender;
-use kerf_serial::Port;
+use kerf_transport::Port;
 use kerf_workspace::Workspace;
 use std::path::Path;
 
