@@ -358,6 +358,9 @@ fn attended<'a>(
     let mut terminal = Terminal::new(clock, run.operator.script())?;
     let mut person_at_it = Person::new(answers, person, &terminal).with_editor(show.editor);
     let machine = controller.map_or_else(|| terminal.simulated(), Controller::driven);
+    if controller.is_some() {
+        terminal.follows(&machine);
+    }
     let context = RunContext {
         sink: &mut told,
         operator: &mut person_at_it,

@@ -270,11 +270,11 @@ impl Owner {
             link: self.link.clone(),
             parts: self.parts.clone(),
         };
-        let mut requests = PageRequests::new(shared.clone(), self.rate);
         let simulated = || Simulated::driven(Clock::new(shared.clone(), self.rate));
         let controller = self.workshop.controller.clone();
         let machine = controller.as_ref().map_or_else(simulated, Controller::driven);
-        let mut pages = Pages::new(shared.clone(), self.asked);
+        let mut requests = PageRequests::new(shared.clone(), machine.clone(), self.rate);
+        let mut pages = Pages::new(shared.clone(), machine.clone(), self.asked);
         let mut teller = Teller::new(shared);
         let context = RunContext {
             sink: &mut teller,

@@ -1,12 +1,10 @@
 //! A port: opened by its path, bytes in, bytes out.
 
-use crate::SerialError;
+use crate::LineError;
+use crate::line::STUCK;
 use serialport::{ClearBuffer, SerialPort};
 use std::io::{ErrorKind, Read, Write};
 use std::time::Duration;
-
-/// A line that takes no byte for so long is gone. The slowest rate takes 250 bytes in this time.
-const STUCK: Duration = Duration::from_secs(1);
 
 /// Bytes handed to the system at a time, so that it never has to wait for room in the middle.
 const MOUTHFUL: usize = 64;
@@ -19,11 +17,11 @@ pub struct Port {
 
 impl Port {
     /// Opens a port at a rate in baud. Nobody else can open it meanwhile; what came before is dropped.
-    pub fn open(path: &str, baud: u32) -> Result<Self, SerialError> {
+    pub fn open(path: &str, baud: u32) -> Result<Self, LineError> {
         let line = serialport::new(path, baud).timeout(STUCK).open();
-        let line = line.map_err(|error| SerialError::opening(path, baud, &error))?;
+        let line = line.map_err(|error| LineError::opening(path, baud, &error))?;
         let cleared = line.clear(ClearBuffer::Input);
-        cleared.map_err(|error| SerialError::opening(path, baud, &error))?;
+        cleared.map_err(|error| LineError::opening(path, baud, &error))?;
         Ok(Self::of(path, line))
     }
 
@@ -38,34 +36,35 @@ impl Port {
     }
 
     /// The bytes that came, waiting for the first of them at most `wait`; 0 when none did.
-    pub fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, SerialError> {
+    pub fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, LineError> {
         let outcome = self.line.set_timeout(wait).map_err(std::io::Error::from);
         match outcome.and_then(|()| self.line.read(into)) {
             Ok(0) if !into.is_empty() => {
-                Err(SerialError::using(&self.path, &ErrorKind::UnexpectedEof.into()))
+                Err(LineError::using(&self.path, &ErrorKind::UnexpectedEof.into()))
             }
             Ok(count) => Ok(count),
             Err(error) if is_nothing(error.kind()) => Ok(0),
-            Err(error) => Err(SerialError::using(&self.path, &error)),
+            Err(error) => Err(LineError::using(&self.path, &error)),
         }
     }
 
     /// Writes all bytes; they may be still on their way when it returns.
-    pub fn write(&mut self, bytes: &[u8]) -> Result<(), SerialError> {
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), LineError> {
         let outcome = self.line.set_timeout(STUCK).map_err(std::io::Error::from);
         let written = outcome.and_then(|()| {
             bytes.chunks(MOUTHFUL).try_for_each(|mouthful| self.line.write_all(mouthful))
         });
-        written.map_err(|error| SerialError::using(&self.path, &error))
+        written.map_err(|error| LineError::using(&self.path, &error))
     }
 
     /// The rate in baud.
-    pub fn baud(&self) -> Result<u32, SerialError> {
-        self.line.baud_rate().map_err(|error| SerialError::using(&self.path, &error.into()))
+    pub fn baud(&self) -> Result<u32, LineError> {
+        self.line.baud_rate().map_err(|error| LineError::using(&self.path, &error.into()))
     }
 }
 
-fn is_nothing(kind: ErrorKind) -> bool {
+/// Tells whether a line has nothing to say, and is no worse for it.
+pub(crate) fn is_nothing(kind: ErrorKind) -> bool {
     matches!(kind, ErrorKind::TimedOut | ErrorKind::WouldBlock | ErrorKind::Interrupted)
 }
 

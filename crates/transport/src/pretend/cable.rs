@@ -2,7 +2,7 @@
 //! when they are set differently, and can be damaged.
 
 use super::Plug;
-use crate::SerialError;
+use crate::LineError;
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -40,7 +40,7 @@ impl Cable {
     ///
     /// # Errors
     /// When the computer has no more ports to pretend.
-    pub fn new() -> Result<Self, SerialError> {
+    pub fn new() -> Result<Self, LineError> {
         Self::hurried(1.0)
     }
 
@@ -49,7 +49,7 @@ impl Cable {
     ///
     /// # Errors
     /// When the computer has no more ports to pretend.
-    pub fn hurried(times: f64) -> Result<Self, SerialError> {
+    pub fn hurried(times: f64) -> Result<Self, LineError> {
         let plugs = [Plug::new()?, Plug::new()?];
         let ends = [plugs[0].path().to_owned(), plugs[1].path().to_owned()];
         let damage = Arc::new(Mutex::new(Damage::default()));
@@ -120,7 +120,7 @@ impl Wire {
     }
 
     /// Takes what the sender has, hands over what is through.
-    fn carry(&mut self, plugs: &mut [Plug; 2], damage: &Mutex<Damage>) -> Result<(), SerialError> {
+    fn carry(&mut self, plugs: &mut [Plug; 2], damage: &Mutex<Damage>) -> Result<(), LineError> {
         let mut bytes = [0; ON_THE_LINE];
         let room = ON_THE_LINE - self.under_way.len();
         let count = plugs[self.from].read(&mut bytes[..room], Duration::from_millis(1))?;
@@ -139,7 +139,7 @@ impl Wire {
         bytes: &mut [u8],
         plugs: &[Plug; 2],
         damage: &Mutex<Damage>,
-    ) -> Result<(), SerialError> {
+    ) -> Result<(), LineError> {
         let (sender, receiver) = (plugs[self.from].baud()?, plugs[1 - self.from].baud()?);
         let byte_s = BITS / f64::from(sender.max(1)) / self.times;
         let mut damage = lock(damage);

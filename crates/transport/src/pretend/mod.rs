@@ -9,7 +9,7 @@ mod cable;
 
 pub use cable::Cable;
 
-use crate::{Port, SerialError};
+use crate::{LineError, Port};
 use serialport::{SerialPort, TTYPort};
 use std::fs::File;
 use std::os::unix::fs::OpenOptionsExt;
@@ -27,8 +27,8 @@ pub struct Plug {
 
 impl Plug {
     /// A new port with this as its far end.
-    pub fn new() -> Result<Self, SerialError> {
-        Self::make().map_err(|error| SerialError::opening("(pretended)", 0, &error))
+    pub fn new() -> Result<Self, LineError> {
+        Self::make().map_err(|error| LineError::opening("(pretended)", 0, &error))
     }
 
     fn make() -> serialport::Result<Self> {
@@ -49,17 +49,17 @@ impl Plug {
     }
 
     /// As [`Port::read`].
-    pub fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, SerialError> {
+    pub fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, LineError> {
         self.far.read(into, wait)
     }
 
     /// As [`Port::write`].
-    pub fn write(&mut self, bytes: &[u8]) -> Result<(), SerialError> {
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), LineError> {
         self.far.write(bytes)
     }
 
     /// The rate that the near end was opened at.
-    pub fn baud(&self) -> Result<u32, SerialError> {
+    pub fn baud(&self) -> Result<u32, LineError> {
         self.far.baud()
     }
 }

@@ -1,10 +1,10 @@
-//! Errors of a port, and what to do about them.
+//! Errors of a line, and what to do about them.
 
 use std::io;
 
-/// Reason why a port cannot be used.
+/// Reason why a line cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum SerialError {
+pub enum LineError {
     /// There is no such port.
     #[error("there is no serial port {path}: is it plugged in, and is this its name?")]
     Missing {
@@ -43,9 +43,30 @@ pub enum SerialError {
         /// Words of the system.
         why: String,
     },
+    /// Nobody answers at an address of the network.
+    #[error(
+        "{address} cannot be reached ({why}): is it switched on, in this network, and is this its address?"
+    )]
+    Unreachable {
+        /// The address.
+        address: String,
+        /// Words of the system.
+        why: String,
+    },
+    /// A connection through the network has ended.
+    #[error("the connection to {address} is gone ({why}): is it switched on, and the network up?")]
+    Broken {
+        /// The address.
+        address: String,
+        /// Words of the system.
+        why: String,
+    },
+    /// Its owner has closed it.
+    #[error("the line of the controller is closed")]
+    Closed,
 }
 
-impl SerialError {
+impl LineError {
     /// Returns the error for what the system said when a port was opened.
     pub(crate) fn opening(path: &str, baud: u32, error: &serialport::Error) -> Self {
         let path = path.to_owned();

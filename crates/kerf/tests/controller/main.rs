@@ -3,101 +3,24 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, non_snake_case)]
 
+mod bench;
+mod gone;
+mod held;
+mod network;
+#[path = "../shop/mod.rs"]
 mod shop;
 
+use bench::Bench;
 use kerf_driver_grbl::fake::{Board, Fake};
 use kerf_machine::driver::Axes;
-use kerf_serial::pretend::Plug;
+use kerf_transport::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 use serde_json::Value;
 use shop::{Did, Shop};
 use std::process::{Child, Stdio};
-use std::sync::{Arc, Mutex};
-use std::thread::{JoinHandle, sleep, spawn};
-use std::time::{Duration, Instant};
-
-/// A controller on a port; unplugged when it is dropped.
-struct Bench {
-    fake: Arc<Mutex<Fake>>,
-    port: String,
-    plugged: Arc<Mutex<bool>>,
-    player: Option<JoinHandle<()>>,
-}
-
-impl Bench {
-    fn new(settings: &[(u16, f64)]) -> Self {
-        Self::of(Fake::new(settings))
-    }
-
-    fn of(fake: Fake) -> Self {
-        let plug = Plug::new().unwrap();
-        let (port, plugged) = (plug.path().to_owned(), Arc::new(Mutex::new(true)));
-        let fake = Arc::new(Mutex::new(fake));
-        let (played, until) = (fake.clone(), plugged.clone());
-        let player = Some(spawn(move || play(plug, &played, &until)));
-        Self { fake, port, plugged, player }
-    }
-
-    fn look<T>(&self, at: impl FnOnce(&mut Fake) -> T) -> T {
-        at(&mut self.fake.lock().unwrap())
-    }
-
-    /// Waits until something holds of the controller.
-    #[track_caller]
-    fn until(&self, holds: impl Fn(&Fake) -> bool) {
-        let begin = Instant::now();
-        while !self.look(|fake| holds(fake)) {
-            assert!(begin.elapsed() < Duration::from_secs(60), "it does not come to that");
-            sleep(Duration::from_millis(5));
-        }
-    }
-
-    fn unplug(&mut self) {
-        *self.plugged.lock().unwrap() = false;
-        if let Some(player) = self.player.take() {
-            player.join().unwrap();
-        }
-    }
-
-    fn x_mm(&self) -> f64 {
-        self.look(|fake| fake.position().0[0])
-    }
-
-    fn args(&self, words: &str) -> String {
-        format!("{words} --driver grbl:{} --trace t.jsonl --force", self.port)
-    }
-
-    fn run(&self, shop: &Shop, words: &str) -> Did {
-        shop.kerf(&self.args(words))
-    }
-
-    fn start(&self, shop: &Shop, words: &str) -> Child {
-        let mut command = shop.command();
-        command.args(self.args(words).split_whitespace());
-        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
-    }
-}
-
-impl Drop for Bench {
-    fn drop(&mut self) {
-        self.unplug();
-    }
-}
-
-fn play(mut plug: Plug, fake: &Mutex<Fake>, plugged: &Mutex<bool>) {
-    let (since, mut bytes) = (Instant::now(), [0; 256]);
-    while *plugged.lock().unwrap() {
-        let count = plug.read(&mut bytes, Duration::from_millis(2)).unwrap();
-        let now_s = since.elapsed().as_secs_f64();
-        let out = {
-            let mut fake = fake.lock().unwrap();
-            fake.hear(&bytes[..count], now_s);
-            fake.speak(now_s)
-        };
-        plug.write(&out).unwrap();
-    }
-}
+use std::thread::sleep;
+use std::time::Duration;
 
 fn events(shop: &Shop, kind: &str) -> Vec<Value> {
     let trace = shop.read("t.jsonl");

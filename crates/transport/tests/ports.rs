@@ -2,8 +2,8 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, non_snake_case)]
 
-use kerf_serial::pretend::{Cable, Plug};
-use kerf_serial::{Port, SerialError};
+use kerf_transport::pretend::{Cable, Plug};
+use kerf_transport::{LineError, Port};
 use std::time::{Duration, Instant};
 
 const SOON: Duration = Duration::from_secs(5);
@@ -45,9 +45,9 @@ fn silence_is_no_error_and_a_pulled_plug_is_one() {
     assert_eq!(port.read(&mut bytes, Duration::from_millis(20)), Ok(0));
     drop(plug);
     let read = port.read(&mut bytes, Duration::from_millis(20));
-    assert!(matches!(read, Err(SerialError::Gone { .. })), "{read:?}");
+    assert!(matches!(read, Err(LineError::Gone { .. })), "{read:?}");
     let written = port.write(b"?");
-    assert!(matches!(written, Err(SerialError::Gone { .. })), "{written:?}");
+    assert!(matches!(written, Err(LineError::Gone { .. })), "{written:?}");
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn what_is_no_port_is_told_by_its_name() {
     assert!(missing.to_string().contains("no serial port /dev/no-such-port"), "{missing}");
     let file = tempfile::NamedTempFile::new().unwrap();
     let unfit = Port::open(file.path().to_str().unwrap(), 9600).unwrap_err();
-    assert!(matches!(unfit, SerialError::Unfit { .. }), "{unfit:?}");
+    assert!(matches!(unfit, LineError::Unfit { .. }), "{unfit:?}");
 }
 
 #[test]
