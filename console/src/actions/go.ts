@@ -70,6 +70,7 @@ export const openTiming: Action = {
   ...sheetAction({ kind: "timing" }, "Timing chart", []),
   refused: ({ shown }) => (shown.snapshot?.opened ? undefined : "Open a file first."),
 };
+export const openSetup = sheetAction({ kind: "setup" }, "Set up the machine, step by step", []);
 export const openPalette = sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]);
 
 const themeActions = themes.map(
@@ -111,6 +112,7 @@ export const goActions: readonly Action[] = [
   openPorts,
   openTools,
   openTiming,
+  openSetup,
   openPalette,
   ...themeActions,
   ...faceActions,

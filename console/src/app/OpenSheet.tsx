@@ -1,6 +1,7 @@
 import { CommandSheet } from "../command/CommandSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
+import { SetupSheet } from "../settings/SetupSheet";
 import { TimingSheet } from "../timing/TimingSheet";
 import { BinSheet } from "../tools/BinSheet";
 import { ConfirmSheet } from "../tools/ConfirmSheet";
@@ -51,6 +52,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <TimingSheet onClose={close} />;
     case "versions":
       return <VersionsSheet name={sheet.name} onClose={close} />;
+    case "setup":
+      return <SetupSheet onClose={close} />;
     case "bin":
       return <BinSheet onClose={close} />;
     case "confirm":

@@ -25,6 +25,7 @@ export type Sheet =
   | { readonly kind: "timing" }
   | { readonly kind: "versions"; readonly name: string }
   | { readonly kind: "bin" }
+  | { readonly kind: "setup" }
   | { readonly kind: "confirm"; readonly action: string }
   | {
       readonly kind: "replace";
@@ -123,7 +124,7 @@ export function createScreen(): Screen {
     steppedRun: null,
     spot: null,
     large: false,
-    topic: "HQ",
+    topic: "how",
     edits: null,
     tool: null,
     notices: [],

@@ -7,7 +7,8 @@ import { topics } from "./topics";
 export function HelpScreen() {
   const { screen } = useHands();
   const asked = useScreen("topic");
-  const topic = topics.find(({ letters }) => letters === asked) ?? topics[0];
+  const [name, place] = splitAt(asked);
+  const topic = topics.find(({ letters }) => letters === name) ?? topics[0];
   if (!topic) return null;
   const { page: Page } = topic;
   return (
@@ -22,14 +23,20 @@ export function HelpScreen() {
               aria-current={letters === topic.letters ? "page" : undefined}
               onClick={() => screen.explain(letters)}
             >
-              {title} <small>{letters}</small>
+              {title} <small>{letters.length === 2 ? letters : ""}</small>
             </button>
           ))}
         </nav>
         <Panel title={topic.title} className="help-page">
-          <Page />
+          <Page place={place} />
         </Panel>
       </div>
     </div>
   );
+}
+
+/** `book/frames#working` as the page of the help and the place on it. */
+function splitAt(topic: string): [string, string] {
+  const [name = "", ...rest] = topic.split("/");
+  return [name, rest.join("/")];
 }

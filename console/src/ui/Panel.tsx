@@ -1,4 +1,5 @@
-import type { ReactNode } from "react";
+import { type ReactNode, useId } from "react";
+import { PanelHelp } from "./PanelHelp";
 import "./panel.css";
 
 interface PanelProps {
@@ -11,11 +12,15 @@ interface PanelProps {
 
 /** A named region of a screen. */
 export function Panel({ title, aside, className = "", children }: PanelProps) {
+  const heading = useId();
   return (
     <section className={`panel ${className}`} aria-label={title}>
       <header className="panel-head">
-        <h2>{title}</h2>
-        {aside}
+        <h2 id={heading}>{title}</h2>
+        <div className="panel-aside">
+          {aside}
+          <PanelHelp title={title} heading={heading} />
+        </div>
       </header>
       {children}
     </section>

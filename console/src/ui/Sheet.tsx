@@ -1,5 +1,6 @@
 import { type ReactNode, useEffect, useId, useRef } from "react";
 import { Button } from "./Button";
+import { PanelHelp } from "./PanelHelp";
 import "./sheet.css";
 
 interface SheetProps {
@@ -32,6 +33,7 @@ export function Sheet({ title, onClose, shape = "middle", foot, children }: Shee
       >
         <div className="sheet-head">
           <h2 id={name}>{title}</h2>
+          <PanelHelp title={title} heading={name} />
           {onClose && (
             <Button look="quiet" size="small" onPress={onClose} aria-label="Close">
               ✕

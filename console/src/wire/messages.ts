@@ -1293,6 +1293,17 @@ manual: string,
 /** Its settings. */
 settings: Array<SettingEntry>, };
 
+/** A change of a setting that holds. */
+export type SettingChange = {
+/** Seconds since 1970, UTC. */
+at: number,
+/** The setting: `homing.x.fast_mm_s`. */
+key: string,
+/** Its value before, as it is written. */
+from: string,
+/** Its value since, as it is written. */
+to: string, };
+
 /** A setting of the machine. */
 export type SettingEntry = {
 /** Its name, dotted: `homing.x.fast_mm_s`. */

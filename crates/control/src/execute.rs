@@ -144,6 +144,9 @@ impl<I: Interpreter> Runner<'_, I> {
                             self.stops.station.stand_back(&plan.moves()[index..]);
                             return None;
                         }
+                        let Some(turn) = self.stops.station.hold_on_path(turn, &going) else {
+                            continue;
+                        };
                         let began = plan.at((t_s - t0_s).max(0.0)).position;
                         let stops = !matches!(turn, Turn::Operator(OperatorRequest::Feed(_)));
                         let stood_s = if stops { self.stops.station.brake(&going) } else { None };
@@ -193,7 +196,10 @@ impl<I: Interpreter> Runner<'_, I> {
         match turn {
             Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped && ramps),
             Turn::Operator(
-                OperatorRequest::Stop | OperatorRequest::Hold | OperatorRequest::End,
+                OperatorRequest::Stop
+                | OperatorRequest::Hold
+                | OperatorRequest::End
+                | OperatorRequest::GiveUp,
             ) => planner.stop(piece, t_s, ramps),
             Turn::Operator(OperatorRequest::Feed(share)) => planner.feed(piece, t_s, share),
             Turn::Operator(OperatorRequest::Input { .. }) => None,

@@ -16,13 +16,15 @@ use crate::run_end::RunEnd;
 use crate::stopped_spindles::Turning;
 use crate::stopping::Stops;
 use kerf_diag::Code;
-use kerf_journal::Kind;
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_program::{
     Answer, At, Axes, AxisSet, Button, Interpreter, MoveKind, Question, QuestionKind, Status,
 };
 use kerf_sim::HaltCause;
 use kerf_trace::{Event, flag};
+
+/// A hold leaves the tool where it is.
+const HELD: StopSettings = StopSettings { raise: false, ..StopSettings::OPENSBP };
 
 /// A script of answers that says nothing but Resume does not hold a run for ever.
 const MOST_REFUSALS: u32 = 1000;
@@ -61,38 +63,30 @@ impl<I: Interpreter> Stops<'_, I> {
         self.heeded()
     }
 
+    /// A run is given up that is held.
+    fn gives_up_held(&mut self) -> RunEnd {
+        self.on(Stopped::Abort, HELD, "");
+        self.station.world.workspace.tape.given_up(self.station.world.placed());
+        RunEnd::of(Status::Stopped)
+    }
+
     /// The machine stands where it is, and stays so until the operator resumes.
     fn pause(&mut self) -> Result<(), RunEnd> {
-        // The tool stays where it is.
-        let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
         self.heed_emergency()?;
-        self.on(Stopped::Stop, settings, "");
-        self.on(Stopped::Stands, settings, "");
+        self.on(Stopped::Stop, HELD, "");
+        self.on(Stopped::Stands, HELD, "");
         self.keep_turning();
         self.stopped_meanwhile()?;
         let t = self.station.world.now();
         self.station.world.tell(&Event::Hold { t });
         self.station.tell_standing(flag::PAUSED);
-        let resumed = if self.station.is_open_for_take_up() {
-            Some(t)
-        } else {
-            let drive = &mut self.station.drive;
-            self.station.world.workspace.tape.change(Kind::Resume, || drive.resumes(t))
-        };
-        // The power went before the run was given up.
-        let resumed = resumed.or_else(|| self.station.is_open_for_take_up().then_some(t));
-        let Some(resumed_s) = resumed else {
-            self.on(Stopped::Abort, settings, "");
-            self.station.world.workspace.tape.given_up(self.station.world.placed());
-            return Err(RunEnd::of(Status::Stopped));
-        };
-        if let Err(over) = self.stand_held(resumed_s) {
-            self.on(Stopped::Abort, settings, "");
-            self.station.world.workspace.tape.given_up(self.station.world.placed());
-            return Err(over);
+        let Some(resumed_s) = self.station.resumes(t) else { return Err(self.gives_up_held()) };
+        if let Err(end) = self.stand_held(resumed_s) {
+            drop(self.gives_up_held());
+            return Err(end);
         }
         self.station.world.workspace.tape.goes_on();
-        self.on(Stopped::Continue, settings, "");
+        self.on(Stopped::Continue, HELD, "");
         self.heeded()
     }
 
@@ -106,6 +100,12 @@ impl<I: Interpreter> Stops<'_, I> {
                 Ok(())
             }
             OperatorRequest::End => Err(RunEnd::of(Status::Ended)),
+            OperatorRequest::GiveUp => {
+                self.on(Stopped::Stop, HELD, "");
+                self.on(Stopped::Stands, HELD, "");
+                self.keep_turning();
+                Err(self.gives_up_held())
+            }
             OperatorRequest::Input { number, on } => {
                 self.station.press(number, on, self.station.world.now());
                 Ok(())

@@ -8,9 +8,9 @@ use crate::settings_text;
 use crate::told_as_one::Whole;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::{
-    CutShort, Journal, JournalError, KeptWork, KnownMachine, Live, Owner, Placed, Remembered,
-    RunOptions, RunUnderWay, Standing, Tape, Whereabouts, Work, machine_file::MachineFileError,
-    switches, switches::SWITCHES,
+    CutShort, Journal, JournalError, KeptWork, Live, Owner, Placed, Remembered, RunOptions,
+    RunUnderWay, Standing, Tape, Whereabouts, Work, machine_file::MachineFileError, switches,
+    switches::SWITCHES,
 };
 use kerf_machine::{Configuration, Setting};
 use kerf_program::Settings;
@@ -29,7 +29,7 @@ impl Session {
         journal: &Journal,
         workspace: &mut Workspace,
     ) -> Result<(Self, Whereabouts), JournalError> {
-        let Some(remembered) = journal.remembered(settings_text::read)? else {
+        let Some(remembered) = journal.memory.read(settings_text::read)? else {
             return Ok((Self::default(), Whereabouts::Known));
         };
         let whereabouts = remembered.whereabouts;
@@ -46,7 +46,7 @@ impl Session {
     /// As the journal or the file cannot be read or written.
     pub fn meet_machine(&self, workspace: &mut Workspace) -> Result<Option<String>, JournalError> {
         let Some(journal) = workspace.journal().cloned() else { return Ok(None) };
-        let told = KnownMachine(&journal).meet()?;
+        let told = journal.settings.meet()?;
         if let Some(told) = &told {
             journal.tell(told);
             workspace.doubts_location(self.machine_is.motors.axes());
@@ -77,7 +77,7 @@ impl Session {
     /// As the journal cannot be read.
     pub fn catch_up(&mut self, workspace: &mut Workspace) -> Result<bool, JournalError> {
         let Some(journal) = workspace.journal().cloned() else { return Ok(false) };
-        if !journal.another_had_it()? {
+        if !journal.memory.another_had_it()? {
             return Ok(false);
         }
         match journal.own() {
@@ -93,10 +93,10 @@ impl Session {
         journal: &Journal,
         workspace: &mut Workspace,
     ) -> Result<bool, JournalError> {
-        if !journal.another_had_it()? {
+        if !journal.memory.another_had_it()? {
             return Ok(false);
         }
-        let Some(remembered) = journal.remembered(settings_text::read)? else { return Ok(false) };
+        let Some(remembered) = journal.memory.read(settings_text::read)? else { return Ok(false) };
         workspace.stored.renew()?;
         self.stands_as(remembered, workspace);
         Ok(true)
@@ -120,12 +120,12 @@ impl Session {
             return Ok(self.run(work, options, workspace, context));
         };
         let owner = journal.own()?;
-        journal.move_settings(settings_text::read)?;
+        journal.memory.move_settings(settings_text::read)?;
         if settings.is_none() {
             self.refresh(&journal)?;
         }
         if let Some(told) = self.meet_machine(workspace)? {
-            let place = Place::line(journal.machine_file().name().into(), 1);
+            let place = Place::line(journal.settings.file().name().into(), 1);
             let told = Diagnostic::new(Code::AnotherMachine, place, told);
             context.sink.event(&Event::Diag(Box::new(told.severity(Severity::Warning))));
         }
@@ -169,7 +169,7 @@ impl Session {
             RunUnderWay::new(&self.standing(), &kept, &options, settings, workspace.surroundings());
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
         workspace.keep_doubts();
-        workspace.tape = journal.begin(&run, &self.standing(), &kept.bytes)?;
+        workspace.tape = journal.runs.begin(&run, &self.standing(), &kept.bytes)?;
         in_time(&journal, &mut workspace.tape, &context)?;
         let summary = self.go(work, options, workspace, context, None);
         self.over(&run, summary, workspace, owner)
@@ -183,7 +183,7 @@ impl Session {
         let Some(journal) = workspace.journal().cloned() else { return Ok(()) };
         let _owner = journal.own()?;
         workspace.keep_doubts();
-        journal.end_by_hand(&self.standing())
+        journal.runs.end_by_hand(&self.standing())
     }
 
     /// The operator says whether the location is right, where that is in doubt.
@@ -198,10 +198,10 @@ impl Session {
         if unconfirmed(workspace).is_empty() {
             return Ok(None);
         }
-        journal.begin_by_hand(&self.standing())?;
+        journal.runs.begin_by_hand(&self.standing())?;
         let summary = Preparation::of(self, work, options, workspace, context).confirm_location();
         workspace.keep_doubts();
-        journal.end_by_hand(&self.standing())?;
+        journal.runs.end_by_hand(&self.standing())?;
         Ok(summary)
     }
 
@@ -217,7 +217,7 @@ impl Session {
     ) -> Result<Option<Summary>, JournalError> {
         let moves = matches!(work, Work::Hand(..)) || homes_before(work, options, &self.machine_is);
         if moves {
-            journal.begin_by_hand(&self.standing())?;
+            journal.runs.begin_by_hand(&self.standing())?;
         }
         let summary = match work {
             Work::Hand(errand, machine) => {
@@ -229,7 +229,7 @@ impl Session {
         if moves {
             workspace.trusts_location(self.homed);
             workspace.keep_doubts();
-            journal.end_by_hand(&self.standing())?;
+            journal.runs.end_by_hand(&self.standing())?;
         }
         Ok(summary)
     }
@@ -254,7 +254,7 @@ impl Session {
         wanted: Configuration,
         workspace: &Workspace,
     ) -> Result<(), MachineFileError> {
-        let kept = |journal: &Journal| journal.machine_file().keep_one(setting, &wanted);
+        let kept = |journal: &Journal| journal.settings.file().keep_one(setting, &wanted);
         let told = workspace.journal().map_or(Ok(()), kept);
         self.hold(wanted);
         told
@@ -265,7 +265,7 @@ impl Session {
     /// # Errors
     /// As it cannot be kept.
     pub fn keep_configuration(&self, workspace: &Workspace) -> Result<usize, MachineFileError> {
-        let kept = |journal: &Journal| journal.machine_file().keep_all(&self.configuration());
+        let kept = |journal: &Journal| journal.settings.file().keep_all(&self.configuration());
         workspace.journal().map_or(Ok(0), kept)
     }
 
@@ -278,7 +278,7 @@ impl Session {
         cut: &CutShort,
         workspace: &mut Workspace,
     ) -> Result<(Work, RunOptions, Self), JournalError> {
-        let (work, run) = (journal.work_of(cut)?, &cut.run);
+        let (work, run) = (journal.runs.work_of(cut)?, &cut.run);
         workspace.as_it_was(&run.folders, run.shell);
         workspace.stored.begin_from(run.values.clone());
         Ok((work, run.options.clone(), Self::as_begun(cut)))
@@ -308,7 +308,7 @@ impl Session {
     /// # Errors
     /// The mistakes of the file: with those nothing may move.
     fn refresh(&mut self, journal: &Journal) -> Result<(), JournalError> {
-        if let Some(now) = journal.refreshed(self.configuration())? {
+        if let Some(now) = journal.settings.refreshed(self.configuration())? {
             self.memory.settings = now.program.clone();
             self.machine_is = Arc::new(now);
         }
@@ -331,7 +331,7 @@ impl Session {
         self.take_over(&journal, workspace)?;
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
         let switches = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
-        let (work, tape) = journal.take_up(cut, stands, switches)?;
+        let (work, tape) = journal.runs.take_up(cut, stands, switches)?;
         let run = &cut.run;
         // Whoever homed the machine since knows its homes.
         *self = Self { homed: self.homed, ..Self::as_begun(cut) };
@@ -376,7 +376,7 @@ impl Session {
             return Err(JournalError::Unfit(why.to_owned()));
         }
         journal.each_commit_lasts(true)?;
-        journal.end(run, &self.standing(), summary, &tape, &self.look(Live::at_rest))?;
+        journal.runs.end(run, &self.standing(), summary, &tape, &self.look(Live::at_rest))?;
         journal.back_up()
     }
 }

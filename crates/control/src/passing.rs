@@ -9,7 +9,7 @@ use kerf_machine::state::RELEASE_S;
 use kerf_motion::Move;
 use kerf_program::Interpreter;
 use kerf_sim::{Change, HaltCause, Watched};
-use kerf_trace::Event;
+use kerf_trace::{Event, flag};
 
 /// Interval at which it is written down how far a move has come, seconds.
 const RECORDED_EVERY_S: f64 = 0.02;
@@ -214,6 +214,40 @@ impl<I: Interpreter> Station<'_, I> {
             }
             from_s = t_s;
         }
+    }
+
+    /// Has a machine that holds by itself do so on its path until the operator resumes: the plan stays what it is. Returns
+    /// what is left to be answered; nothing where the run goes on.
+    pub(crate) fn hold_on_path(&mut self, turn: Turn, going: &Going<'_>) -> Option<Turn> {
+        if !matches!(turn, Turn::Operator(OperatorRequest::Hold)) || !self.drive.holds() {
+            return Some(turn);
+        }
+        let drive = &mut self.drive;
+        let stands_s = self.world.workspace.tape.hear_rarely(Kind::Stood, || drive.hold(going));
+        let Some(t) = stands_s else { return Some(turn) };
+        self.world.tell(&Event::Hold { t });
+        self.tell_standing(flag::PAUSED);
+        if self.resumes(t).is_none() {
+            return Some(Turn::Operator(OperatorRequest::GiveUp));
+        }
+        if !self.world.silent {
+            self.drive.goes_on();
+        }
+        self.world.workspace.tape.goes_on();
+        self.world.tell(&Event::Resume { t });
+        None
+    }
+
+    /// Waits until the operator has a held machine go on; tells when, or nothing when the run is given up.
+    pub(crate) fn resumes(&mut self, held_s: f64) -> Option<f64> {
+        let resumed = if self.is_open_for_take_up() {
+            Some(held_s)
+        } else {
+            let drive = &mut self.drive;
+            self.world.workspace.tape.change(Kind::Resume, || drive.resumes(held_s))
+        };
+        // The power went before the run was given up.
+        resumed.or_else(|| self.is_open_for_take_up().then_some(held_s))
     }
 
     /// Has a machine that slows down by itself do so; tells the moment of the plan at which it stands.

@@ -309,7 +309,10 @@ impl<I: Interpreter> Station<'_, I> {
             OperatorRequest::Feed(share) => self.override_feed(share),
             OperatorRequest::End => self.postpone((self.world.now(), request)),
             // An input is what it is now.
-            OperatorRequest::Stop | OperatorRequest::Hold | OperatorRequest::Input { .. } => {}
+            OperatorRequest::Stop
+            | OperatorRequest::Hold
+            | OperatorRequest::GiveUp
+            | OperatorRequest::Input { .. } => {}
         }
     }
 

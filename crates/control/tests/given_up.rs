@@ -28,7 +28,7 @@ fn a_run_that_was_given_up_goes_on_where_it_stood() {
         let first = same_rest(&whole, &rest, line);
         assert!(near(&first.from, &stood.unwrap().to), "line {line}: {first:?}");
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        assert!(journal.cut_short().unwrap().is_none(), "it is done");
+        assert!(journal.runs.cut_short().unwrap().is_none(), "it is done");
     }
 }
 
@@ -41,7 +41,7 @@ fn a_job_that_was_given_up_in_a_pause_is_taken_up() {
         let (_, status) = run_work(&folder, job(machine), &mut StopAt(5.4), &mut answers);
         assert_eq!(status, Some(Status::Stopped));
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        (folder, journal.cut_short().unwrap())
+        (folder, journal.runs.cut_short().unwrap())
     };
     // Also when he has moved the tool before.
     for answers in ["paused=abort", "jog 0,30,0,0,0,0 1\njog 5,30,0,0,0,0 1\nabort"] {

@@ -28,7 +28,7 @@ struct Onlooker {
 
 impl Onlooker {
     fn look(&self, when: String) {
-        self.seen.borrow_mut().push((when, self.journal.live().unwrap()));
+        self.seen.borrow_mut().push((when, self.journal.registry.live().unwrap()));
     }
 }
 
@@ -101,7 +101,7 @@ fn seen_of(
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
     session.run_on_record(read, options, None, &mut workspace, context).unwrap();
-    assert_eq!(looks().live().unwrap(), Live::default(), "nothing runs any more");
+    assert_eq!(looks().registry.live().unwrap(), Live::default(), "nothing runs any more");
     all.take()
 }
 
@@ -114,7 +114,7 @@ fn status(program: &str, when: &str) -> u8 {
 fn sbp_ctl_reg_status() {
     assert_eq!(status("MX,5\n", "passing"), 33);
     let idle = Journal::open(tempfile::tempdir().unwrap().path()).unwrap().0;
-    assert_eq!(idle.live().unwrap().status, 0);
+    assert_eq!(idle.registry.live().unwrap().status, 0);
 }
 
 #[test]
@@ -243,7 +243,7 @@ fn other_programs_read_and_write_text_files() {
     seen(&folder, program, false, f64::INFINITY);
     assert!(!folder.path().join(INCOMING_FILE).exists(), "it was taken");
     let (journal, _) = Journal::open(folder.path()).unwrap();
-    assert_eq!(journal.value("$W").unwrap().as_deref(), Some("17"), "the program saw it");
+    assert_eq!(journal.registry.value("$W").unwrap().as_deref(), Some("17"), "the program saw it");
     let text = fs::read_to_string(folder.path().join(MIRROR_FILE)).unwrap();
     assert!(text.starts_with("Status=0\n") && text.contains("\nuValue=17\n"), "{text}");
 }

@@ -61,7 +61,7 @@ fn sbp_cmd_us() {
     shop.does("UR,mine,0");
     assert_eq!(shop.session.memory.settings, saved, "exactly");
     // The file runs as a part file, too.
-    let source = kerf_workspace::settings_files::names(&shop.workspace);
+    let source = shop.workspace.settings_files();
     assert!(source.contains(&"mine.sbd".to_owned()), "{source:?}");
 }
 
@@ -91,7 +91,7 @@ fn sbp_cmd_ur_machines() {
 #[test]
 fn sbp_cmd_ur() {
     let mut shop = Shop::new(&[("data/settings/own.sbd", "VC,.75\n")]);
-    assert!(kerf_workspace::settings_files::names(&shop.workspace).len() > 4);
+    assert!(shop.workspace.settings_files().len() > 4);
     shop.does("UR,own,0");
     assert!((shop.session.memory.settings.cutter.diameter_mm - 19.05).abs() < 1e-9);
     let (summary, _) = shop.types("UR,none of these,0");

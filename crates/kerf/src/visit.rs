@@ -39,9 +39,9 @@ impl Visit {
         workspace.open_system_log(log, &session.memory.settings, draws);
         workspace.asks_for_spindle_anew();
         if let Some(journal) = workspace.journal() {
-            journal.take_in()?;
+            journal.registry.take_in()?;
             command_passing::forget(journal)?;
-            journal.tell_rest(&session.look(Live::at_rest))?;
+            journal.registry.tell_rest(&session.look(Live::at_rest))?;
         }
         Ok(())
     }
@@ -49,7 +49,7 @@ impl Visit {
     /// A command that was passed in since; one that cannot be used is told, logged and left.
     pub fn command(&self, session: &Session, workspace: &mut Workspace) -> Result<Option<String>> {
         let Some(journal) = workspace.journal() else { return Ok(None) };
-        journal.take_in()?;
+        journal.registry.take_in()?;
         match command_passing::take(journal)? {
             Some(Err(why)) => {
                 tell_refused(&why, session, workspace);
@@ -67,7 +67,7 @@ impl Visit {
     /// Kerf closes, and leaves nothing on.
     pub fn ends(&self, session: &Session, workspace: &mut Workspace) {
         // Where the disk refuses, that was told when the run ended.
-        drop(workspace.journal().map(|journal| journal.tell_rest(&Live::default())));
+        drop(workspace.journal().map(|journal| journal.registry.tell_rest(&Live::default())));
         workspace.close_system_log(&session.memory.settings, self.closing);
     }
 }

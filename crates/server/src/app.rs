@@ -30,11 +30,13 @@ use crate::protect::Unlocked;
 use crate::reading::Readings;
 use crate::runs::Runs;
 use crate::saving::Saves;
+use crate::setting_changes::SettingChanges;
 use crate::setup::{Builders, Options};
 use crate::texts::Texts;
 use crate::turn::Turn;
 use kerf_wire::Tone;
 use std::io;
+use std::path::Path;
 use std::sync::atomic::AtomicU32;
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -118,7 +120,7 @@ impl App {
         let (pages, turn) = (Arc::new(Pages::default()), Arc::new(Turn::by(clock.clone())));
         let orders = Arc::new(Orders::new(hub.clone(), link.clone(), turn.clone(), orders));
         let driving = Driving::new(hub.clone(), link.clone(), pages.clone(), turn);
-        let settings = Arc::new(lent.settings(&orders, &clock));
+        let settings = Arc::new(lent.settings(&options.data, &orders, &clock));
         let loader = Arc::new(lent.loader(&options, &pool, builders)?);
         let drawing = Arc::new(lent.drawing(&options, &loader, &settings));
         let jobs = Arc::new(lent.jobs(&drawing));
@@ -189,7 +191,7 @@ struct Lent {
 }
 
 impl Lent {
-    fn settings(&self, orders: &Arc<Orders>, clock: &Clock) -> MachineSettings {
+    fn settings(&self, data: &Path, orders: &Arc<Orders>, clock: &Clock) -> MachineSettings {
         MachineSettings {
             hub: self.hub.clone(),
             left: self.left.clone(),
@@ -197,6 +199,7 @@ impl Lent {
             unlocked: Unlocked::by(clock.clone()),
             clock: clock.clone(),
             passwords: Mutex::default(),
+            changes: SettingChanges::new(data),
         }
     }
 

@@ -69,6 +69,7 @@ mod reading;
 mod refusal;
 mod runs;
 mod saving;
+mod setting_changes;
 mod setup;
 mod shop;
 mod stop;

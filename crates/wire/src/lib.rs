@@ -65,7 +65,7 @@ pub use machine::{
 pub use operation::{OperationEntry, OperationPart, OperationValue, OperationVariant};
 pub use people::{Client, Lease, Role, Who};
 pub use reply::{Problem, Reply, Why};
-pub use setting::{SettingArea, SettingEntry, SettingKind};
+pub use setting::{SettingArea, SettingChange, SettingEntry, SettingKind};
 pub use setup::{Setup, ZHeights};
 pub use snapshot::{Snapshot, StartUp};
 pub use typescript::typescript;

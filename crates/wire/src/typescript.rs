@@ -3,8 +3,8 @@
 use crate::preview::{PreviewInfo, Timing};
 use crate::{
     Checked, CommandEntry, Completion, FileAbout, FileInfo, FileVersion, Hint, Hover, JobView,
-    Lamp, OperationEntry, PortBit, Request, SettingArea, ShapeList, TextDraft, ToPage, ToolPaths,
-    Values,
+    Lamp, OperationEntry, PortBit, Request, SettingArea, SettingChange, ShapeList, TextDraft,
+    ToPage, ToolPaths, Values,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -102,6 +102,7 @@ pub fn typescript() -> String {
     declared.visit::<FileAbout>();
     declared.visit::<FileVersion>();
     declared.visit::<TextDraft>();
+    declared.visit::<SettingChange>();
     declared.visit::<Values>();
     declared.visit::<SettingArea>();
     declared.visit::<Lamp>();

@@ -20,8 +20,8 @@ pub const NAME: &str = "uCommand";
 /// # Errors
 /// As the journal cannot be written.
 pub fn forget(journal: &Journal) -> Result<(), JournalError> {
-    match journal.value(COMMAND)? {
-        Some(_) => journal.set_value(COMMAND, None),
+    match journal.registry.value(COMMAND)? {
+        Some(_) => journal.registry.set_value(COMMAND, None),
         None => Ok(()),
     }
 }
@@ -32,8 +32,8 @@ pub fn forget(journal: &Journal) -> Result<(), JournalError> {
 /// # Errors
 /// As the journal cannot be read or written.
 pub fn take(journal: &Journal) -> Result<Option<Result<String, String>>, JournalError> {
-    let Some(text) = journal.value(COMMAND)? else { return Ok(None) };
-    journal.set_value(COMMAND, None)?;
+    let Some(text) = journal.registry.value(COMMAND)? else { return Ok(None) };
+    journal.registry.set_value(COMMAND, None)?;
     let command = text.trim();
     if command.is_empty() {
         return Ok(None);
@@ -73,9 +73,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (journal, _) = Journal::open(folder.path()).unwrap();
         let pass = |text: &str| {
-            journal.set_value(COMMAND, Some(text)).unwrap();
+            journal.registry.set_value(COMMAND, Some(text)).unwrap();
             let taken = take(&journal).unwrap();
-            assert_eq!(journal.value(COMMAND).unwrap(), None, "it is taken away");
+            assert_eq!(journal.registry.value(COMMAND).unwrap(), None, "it is taken away");
             taken
         };
         for good in ["FP,a.sbp,,,,,2", "mx 2", "ST"] {

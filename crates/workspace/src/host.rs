@@ -67,7 +67,7 @@ macro_rules! answered_by_the_workspace {
         }
 
         fn settings_files(&mut self) -> Vec<String> {
-            kerf_workspace::settings_files::names(&self.workspace)
+            self.workspace.settings_files()
         }
 
         fn keep_settings(
@@ -75,7 +75,7 @@ macro_rules! answered_by_the_workspace {
             name: &str,
             text: &str,
         ) -> Result<String, kerf_program::HostError> {
-            kerf_workspace::settings_files::keep(&mut self.workspace, name, text)
+            self.workspace.keep_settings_file(name, text)
         }
 
         fn user_path(&mut self) -> String {

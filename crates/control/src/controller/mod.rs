@@ -21,9 +21,12 @@ mod attached;
 mod connection;
 mod driven;
 mod lacks;
+mod lost;
+pub mod queued;
 mod row;
 mod ways;
 
 pub use attached::{Controller, Ends, First, Socket, Told};
-pub use connection::{Connection, Line};
+pub use connection::Connection;
 pub use lacks::Lacks;
+pub use lost::Opens;

@@ -19,7 +19,7 @@ fn writing_behind(folder: &TempDir) -> (Journal, Workspace) {
     let kept = KeptWork::of(&work).unwrap();
     let (standing, around) = (session.standing(), workspace.surroundings());
     let run = RunUnderWay::new(&standing, &kept, &options, None, around);
-    workspace.tape = journal.begin(&run, &standing, &kept.bytes).unwrap();
+    workspace.tape = journal.runs.begin(&run, &standing, &kept.bytes).unwrap();
     workspace.tape.writes_behind(None);
     (journal, workspace)
 }
@@ -30,7 +30,7 @@ fn writing_behind(folder: &TempDir) -> (Journal, Workspace) {
 fn a_value_of_a_program_does_not_wait_for_the_disk() {
     let folder = tempdir().unwrap();
     let (journal, mut workspace) = writing_behind(&folder);
-    journal.set_value("theirs", Some("1")).unwrap();
+    journal.registry.set_value("theirs", Some("1")).unwrap();
     let ((holds, held), (done, is_done)) = (channel(), channel());
     std::thread::scope(|scope| {
         let file = folder.path().join(JOURNAL_FILE);
@@ -51,7 +51,7 @@ fn a_value_of_a_program_does_not_wait_for_the_disk() {
     });
     workspace.tape.ends();
     let (again, _) = Journal::open(folder.path()).unwrap();
-    assert_eq!(again.value("ours").unwrap().as_deref(), Some("3"));
-    journal.set_value("ours", Some("4")).unwrap();
+    assert_eq!(again.registry.value("ours").unwrap().as_deref(), Some("3"));
+    journal.registry.set_value("ours", Some("4")).unwrap();
     assert_eq!(workspace.value("ours").as_deref(), Some("4"));
 }

@@ -197,7 +197,7 @@ pub fn resume_with(
     operator: &mut dyn Operator,
 ) -> (Vec<Event>, Option<Status>) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
-    let cut = journal.cut_short().unwrap().expect("a run to take up");
+    let cut = journal.runs.cut_short().unwrap().expect("a run to take up");
     let mut workspace = workspace(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut workspace).unwrap();
     let mut events = Vec::new();

@@ -191,7 +191,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     let mut workspace = setup::workspace(Path::new(""), &run.place, false)?;
     let nothing = || JournalError::NothingToResume { folder: workspace.app_path().into() };
     let journal = workspace.journal().cloned().ok_or_else(nothing)?;
-    let cut = journal.cut_short()?.ok_or_else(nothing)?;
+    let cut = journal.runs.cut_short()?.ok_or_else(nothing)?;
     let (mut session, whereabouts) = Session::recall(&journal, &mut workspace)?;
     if !args.quiet {
         eprintln!("kerf: {}", cut.told());
@@ -203,7 +203,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         );
     }
     let answers = setup::answers(run)?;
-    let machine = journal.machine_of(&cut)?;
+    let machine = journal.runs.machine_of(&cut)?;
     let show = Show {
         name: cut.file().into(),
         lines: 0,
@@ -358,6 +358,9 @@ fn attended<'a>(
     let mut terminal = Terminal::new(clock, run.operator.script())?;
     let mut person_at_it = Person::new(answers, person, &terminal).with_editor(show.editor);
     let machine = controller.map_or_else(|| terminal.simulated(), Controller::driven);
+    if controller.is_some() {
+        terminal.follows(&machine);
+    }
     let context = RunContext {
         sink: &mut told,
         operator: &mut person_at_it,

@@ -17,7 +17,7 @@ use crate::summary::told_by_server;
 use crate::transfer::Sender;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
-use kerf_serial::Port;
+use kerf_transport::Port;
 use kerf_workspace::Workspace;
 use std::path::Path;
 

@@ -279,7 +279,7 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
     let named = name.map(|name| machine_file::named(name, &args.place.data)).transpose()?;
     // A file that is named leads, and takes what is changed here.
     if let (Some(journal), Some(Named::File(file))) = (workspace.journal(), &named) {
-        journal.use_machine_file(MachineFile::at(file));
+        journal.settings.use_file(MachineFile::at(file));
     }
     let (mut session, kept) = setup::session(&args.place, false, &mut workspace)?;
     if named.is_some() {

@@ -217,8 +217,8 @@ impl<'a> Life<'a> {
         let data = self.folder.path().join("data");
         let (journal, told) = Journal::open(&data).unwrap();
         assert!(told.is_empty(), "the journal was damaged: {told:?}");
-        let cut = journal.cut_short().unwrap();
-        if cut.is_none() && !journal.history().unwrap().is_empty() {
+        let cut = journal.runs.cut_short().unwrap();
+        if cut.is_none() && !journal.runs.history().unwrap().is_empty() {
             return None;
         }
         let folders = Folders::new(self.folder.path().into(), Vec::new(), Vec::new());
@@ -277,7 +277,7 @@ impl<'a> Life<'a> {
         let to = session.memory.position;
         let gave_up = helpful.asked > PATIENCE;
         let took_up = cut.is_some();
-        let put_off = helpful.gave_up && journal.cut_short().unwrap().is_some();
+        let put_off = helpful.gave_up && journal.runs.cut_short().unwrap().is_some();
         // What was given up before it moved is over.
         let begun = summary.as_ref().is_none_or(|it| it.tally.moves > 0);
         let over_early = helpful.gave_up && !begun && !took_up;

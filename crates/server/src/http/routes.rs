@@ -210,7 +210,7 @@ fn routes() -> Vec<Route> {
         looks("/api/problems", "What somebody who helps has to know, as text", None),
         looks(
             "/api/settings",
-            "The configuration of the machine, to be changed with the act set",
+            "The configuration of the machine, to be changed with the act set; with ?changes its last changes",
             Some(schema::<Vec<SettingArea>>),
         ),
         looks(

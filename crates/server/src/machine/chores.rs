@@ -26,7 +26,7 @@ impl Owner {
         let stops = self.link.stops();
         let arrived = self.looked.replace(stops).unwrap_or(stops);
         let journal = self.workshop.workspace.journal()?;
-        let taken = journal.take_in().and_then(|()| command_passing::take(journal));
+        let taken = journal.registry.take_in().and_then(|()| command_passing::take(journal));
         let told = match taken {
             Ok(None) => return None,
             Ok(Some(Ok(line))) => match self.may_run(Way::PassedIn, arrived) {
@@ -50,9 +50,10 @@ impl Owner {
         let stops = self.link.stops();
         let journal = self.workshop.workspace.journal();
         let nothing = |journal: &Journal| {
-            journal
+            let registry = &journal.registry;
+            registry
                 .take_in()
-                .and_then(|()| journal.value(command_passing::COMMAND))
+                .and_then(|()| registry.value(command_passing::COMMAND))
                 .is_ok_and(|it| it.is_none())
         };
         if journal.is_some_and(nothing) {
@@ -203,7 +204,7 @@ impl Owner {
     /// The run that can be taken up, where runs are on record.
     pub(super) fn cut_short(&self) -> Result<Option<CutShort>, JournalError> {
         let journal = self.workshop.workspace.journal().filter(|_| self.workshop.kept);
-        journal.map_or(Ok(None), Journal::cut_short)
+        journal.map_or(Ok(None), |journal| journal.runs.cut_short())
     }
 
     /// The same as pages show it. A journal that cannot be read was told when it was opened.

@@ -270,11 +270,11 @@ impl Owner {
             link: self.link.clone(),
             parts: self.parts.clone(),
         };
-        let mut requests = PageRequests::new(shared.clone(), self.rate);
         let simulated = || Simulated::driven(Clock::new(shared.clone(), self.rate));
         let controller = self.workshop.controller.clone();
         let machine = controller.as_ref().map_or_else(simulated, Controller::driven);
-        let mut pages = Pages::new(shared.clone(), self.asked);
+        let mut requests = PageRequests::new(shared.clone(), machine.clone(), self.rate);
+        let mut pages = Pages::new(shared.clone(), machine.clone(), self.asked);
         let mut teller = Teller::new(shared);
         let context = RunContext {
             sink: &mut teller,
@@ -455,7 +455,7 @@ impl Owner {
     fn tell_others(&self, rest: &Live) {
         let Workshop { workspace, kept, .. } = &self.workshop;
         // Where the disk refuses, that was told when the run ended; pages know better all the same.
-        drop(workspace.journal().filter(|_| *kept).map(|journal| journal.tell_rest(rest)));
+        drop(workspace.journal().filter(|_| *kept).map(|journal| journal.registry.tell_rest(rest)));
     }
 
     /// Nothing happens: what other threads and programs have changed is put into the one file.

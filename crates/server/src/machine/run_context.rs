@@ -10,6 +10,7 @@ use crate::told;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Jog, LIFT, OperatorRequest, Requests, WorldClock};
 use kerf_journal::Hurry;
+use kerf_machine::Driven;
 use kerf_program::{Question, QuestionKind};
 use kerf_trace::{Doing, Event, Made, Sink, Standing};
 use kerf_wire::{Asked, Change, InForce, Machine, State, Tone};
@@ -21,6 +22,9 @@ use std::time::{Duration, Instant};
 
 /// A nap while machine time passes: pages see the machine move, a jog that nobody renews is noticed.
 const NAP: Duration = Duration::from_millis(15);
+
+/// While a run waits for somebody its machine is looked at so often.
+const LOOK: Duration = Duration::from_millis(100);
 
 /// A nap that takes so long is none: the computer slept, or everything on it stood still.
 const SLEPT: Duration = Duration::from_secs(5);
@@ -54,6 +58,24 @@ impl Shared {
             slept.as_secs()
         );
         self.hub.say(Tone::Warning, text);
+    }
+
+    /// Looks at the machine while its run waits for somebody.
+    fn look(&self, machine: &Driven) {
+        let waits = machine.try_borrow_mut().ok().and_then(|mut machine| {
+            machine.look();
+            machine.waits()
+        });
+        self.waits(waits);
+    }
+
+    /// Tells pages for what the machine waits at its own controls.
+    fn waits(&self, why: Option<&'static str>) {
+        self.hub.changing(|now| {
+            let other = now.machine.why.as_deref() != why;
+            let machine = || Machine { why: why.map(String::from), ..now.machine.clone() };
+            other.then(|| Change::Machine { machine: machine() }).into_iter().collect()
+        });
     }
 
     /// The name below the part folder of the server, of a file as a program names it.
@@ -126,22 +148,29 @@ impl kerf_sim::Clock for Clock {
 }
 
 /// What pages ask for of a run.
-#[derive(Debug)]
 pub struct PageRequests {
     shared: Shared,
+    machine: Driven,
     /// Seconds of machine time in a second.
     rate: f64,
 }
 
 impl PageRequests {
     /// Requests about a machine whose time passes at a rate.
-    pub const fn new(shared: Shared, rate: f64) -> Self {
-        Self { shared, rate }
+    pub const fn new(shared: Shared, machine: Driven, rate: f64) -> Self {
+        Self { shared, machine, rate }
+    }
+
+    /// Returns `true` if somebody at the controls of the machine has had it go on from a hold.
+    fn went_on(&self) -> bool {
+        self.machine.try_borrow_mut().is_ok_and(|mut machine| machine.went_on())
     }
 }
 
 impl Requests for PageRequests {
     fn take(&mut self, from_s: f64, _: f64) -> Option<(f64, OperatorRequest)> {
+        let waits = self.machine.try_borrow_mut().ok().and_then(|mut machine| machine.waits());
+        self.shared.waits(waits);
         self.shared.link.lock().request().map(|request| (from_s, request))
     }
 
@@ -163,10 +192,13 @@ impl Requests for PageRequests {
             if wanted.gives_up() {
                 return None;
             }
-            if std::mem::take(&mut wanted.resume) {
+            if std::mem::take(&mut wanted.resume) || self.went_on() {
                 break;
             }
-            wanted = self.shared.link.wait(wanted, Duration::from_secs(1));
+            wanted = self.shared.link.wait(wanted, LOOK);
+            drop(wanted);
+            self.shared.look(&self.machine);
+            wanted = self.shared.link.lock();
         }
         wanted.stands();
         drop(wanted);
@@ -176,9 +208,9 @@ impl Requests for PageRequests {
 }
 
 /// The operator: whoever answers at a page.
-#[derive(Debug)]
 pub struct Pages {
     shared: Shared,
+    machine: Driven,
     asked: u32,
     stopped: bool,
     /// The last answer was a jog.
@@ -189,8 +221,8 @@ pub struct Pages {
 
 impl Pages {
     /// Questions count from a number on, so that no answer goes to another run.
-    pub const fn new(shared: Shared, asked: u32) -> Self {
-        Self { shared, asked, stopped: false, jogged: false, pressed: false }
+    pub const fn new(shared: Shared, machine: Driven, asked: u32) -> Self {
+        Self { shared, machine, asked, stopped: false, jogged: false, pressed: false }
     }
 
     /// Returns the number of questions that were asked.
@@ -220,7 +252,10 @@ impl Pages {
                 }
                 return Some(words);
             }
-            wanted = self.shared.link.wait(wanted, Duration::from_secs(1));
+            wanted = self.shared.link.wait(wanted, LOOK);
+            drop(wanted);
+            self.shared.look(&self.machine);
+            wanted = self.shared.link.lock();
         }
     }
 }

@@ -60,7 +60,7 @@ pub const ROOMS: &[Room] = &[
     at(4.0, Half::Machine, "kerf-preview"),
     at(5.0, Half::Machine, "kerf-sim"),
     // Bytes in and out; it knows nothing of who speaks.
-    at(6.0, Half::Edge, "kerf-serial"),
+    at(6.0, Half::Edge, "kerf-transport"),
     // Files that programs name, and where they may be.
     at(6.0, Half::Edge, "kerf-files"),
     // What a run tells; it knows nothing of runs.
