@@ -107,6 +107,7 @@ impl<I: Interpreter> Station<'_, I> {
             let state = under_way.at(end_s);
             if state.move_index == under_way.index {
                 let place = Placed { position: state.position, ..self.world.placed() };
+                self.world.workspace.tape.comes_to(end_s);
                 self.world.workspace.tape.makes(state.share * under_way.part, place);
             }
         }

@@ -106,6 +106,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.world.tally.carried(&made, &lift, &frame);
         self.world.tell_log();
         let (file, place) = (self.world.file(span.made.at), self.world.placed());
+        self.world.workspace.tape.comes_to(end_s);
         self.world.workspace.tape.made(&file, span.made.at.line, place);
     }
 

@@ -59,6 +59,8 @@ pub struct Told {
 #[derive(Clone)]
 pub struct Controller {
     socket: Socket,
+    /// It has kept count of its place since it was driven last.
+    counts: bool,
     connection: Rc<RefCell<Connection>>,
 }
 
@@ -115,21 +117,23 @@ impl Controller {
         // Outputs and switches of the simulated machine are none of this one's.
         session.machine = None;
         session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes });
-        let controller = Self { socket, connection: Rc::new(RefCell::new(connection)) };
+        let connection = Rc::new(RefCell::new(connection));
+        let mut controller = Self { socket, counts: true, connection };
         controller.finds_place(first, abandoned, session, workspace, &mut told);
         Ok((controller, told))
     }
 
     /// Holds the place that the controller tells against the one on record.
     fn finds_place(
-        &self,
+        &mut self,
         first: First,
         abandoned: bool,
         session: &mut Session,
         workspace: &mut Workspace,
         told: &mut Told,
     ) {
-        let mut connection = self.connection.borrow_mut();
+        let connection = self.connection.clone();
+        let mut connection = connection.borrow_mut();
         let (stands, axes) = (connection.stands(), AxisSet::first(connection.facts().axes));
         if connection.facts().homes {
             told.notes.extend(takes_place(&connection, session, stands));
@@ -141,9 +145,13 @@ impl Controller {
         }
         match (self.left_at(stands, workspace), abandoned) {
             (Some(place), false) => told.notes.extend(takes_place(&connection, session, place)),
-            (None, false) => told.notes.push(self.believed(session.memory.position)),
+            (None, false) => {
+                self.counts = false;
+                told.notes.push(self.believed(session.memory.position));
+            }
             (_, true) => {
                 let counted = self.counted_on(stands, workspace);
+                self.counts = counted.is_some();
                 session.memory.position = counted.unwrap_or(session.memory.position);
                 told.warnings.push(self.abandoned(session.memory.position));
                 workspace.doubts_location(axes);
@@ -172,12 +180,18 @@ impl Controller {
         // Whoever has hold of the connection has the new one from now on.
         let (again, told) = attached;
         self.connection.swap(&again.connection);
+        self.counts = again.counts;
         Ok(told)
     }
 
     /// The machine, for a run.
     pub fn driven(&self) -> Driven {
         self.connection.clone()
+    }
+
+    /// Returns `true` if it has kept count of its place since it was driven last, or was homed: a run can be taken up there.
+    pub const fn knows_place(&self) -> bool {
+        self.counts
     }
 
     /// Its name, as people give it.

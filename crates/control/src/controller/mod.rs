@@ -22,6 +22,7 @@ mod connection;
 mod driven;
 mod lacks;
 mod lost;
+mod merged;
 pub mod queued;
 mod row;
 mod ways;

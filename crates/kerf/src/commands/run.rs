@@ -78,7 +78,7 @@ pub struct RunCommand {
     run: RunArgs,
 }
 
-/// Options that are heeded when a run is taken up; on a controller nothing is taken up, which is told by itself.
+/// Options that are heeded when a run is taken up.
 const TAKES_UP: Heeded = Heeded {
     options: &[
         "resume",
@@ -175,13 +175,6 @@ fn in_force(job: &Job, machine: &Configuration) -> String {
 
 /// Takes up the run that was cut short.
 fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
-    if run.place.machine.controller().is_some() {
-        bail!(Usage(
-            "a run on a controller is not taken up with --resume: home it or set its location, and begin at \
-             a line of the file with --from-line"
-                .into()
-        ));
-    }
     if let Some(name) = run.place.machine.configuration() {
         bail!(Usage(format!(
             "a run is taken up on the machine on which it was begun: leave --machine {} out",
@@ -212,13 +205,40 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         machine,
         editor: editor(&workspace),
     };
+    let controller = controller_of(args, run, &mut session, &mut workspace)?;
     let visit = Visit::default();
     visit.begins(&session, &mut workspace)?;
-    let exit = attended(args, run, show, answers, None, |context| {
+    let stop = Stop::listen()?;
+    let exit = attended(args, run, show, answers, controller.as_ref(), |context| {
         let (summary, unkept) = over(session.resume(&cut, &mut workspace, context))?;
+        if let Some(controller) = &controller {
+            let well = summary.status == kerf_sbp::Status::Ok;
+            controller.ends(well, &mut workspace, || stop.is_wanted());
+            controller.detach(&mut workspace);
+        }
         Ok((summary, &session, unkept))
     })?;
     closes(exit, &visit, (&mut session, &mut workspace), args, run)
+}
+
+/// The controller on which a run is taken up, ready at a place that is known.
+fn controller_of(
+    args: &MachineArgs,
+    run: &RunArgs,
+    session: &mut Session,
+    workspace: &mut Workspace,
+) -> Result<Option<Controller>> {
+    let Some(name) = run.place.machine.controller() else { return Ok(None) };
+    let ready = controller::ready(name, args.first, args.quiet(), session, workspace)?;
+    if !ready.knows_place() {
+        ready.detach(workspace);
+        bail!(
+            "{name} has not kept count of where it stands: a run is taken up at the very place, and nobody knows it. Home \
+             the controller (--home) where it can be, or set its location and begin at a line with --from-line"
+        );
+    }
+    ready.begins(workspace);
+    Ok(Some(ready))
 }
 
 /// Runs a job on the machine and keeps what stays.
