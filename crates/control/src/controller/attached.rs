@@ -1,39 +1,17 @@
 //! A controller that a session drives from run to run: attached, held to the place that is on record, left again.
 
-use super::{Connection, Lacks, Opens};
+use super::{Connection, Lacks, Socket};
 use crate::answers::Operator;
 use crate::session::DrivenBy;
 use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work, facts::Fact};
-use kerf_machine::driver::{Changed, Wired};
+use kerf_machine::driver::Changed;
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
-use kerf_transport::Line;
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
-use std::fmt;
 use std::rc::Rc;
-
-/// A driver that knows nothing yet, with the line it speaks through.
-pub type Ends = (Box<dyn Wired>, Box<dyn Line>);
-
-/// The place where a controller hangs.
-#[derive(Clone)]
-pub struct Socket {
-    /// Its name, as people give it: `grbl:/dev/ttyUSB0`.
-    pub name: String,
-    /// The port alone, by which it is known again whatever its rate.
-    pub port: String,
-    /// Opens the port.
-    pub opens: Opens,
-}
-
-impl fmt::Debug for Socket {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.name)
-    }
-}
 
 /// Steps that come before anything else.
 #[derive(Clone, Copy, Debug, Default)]

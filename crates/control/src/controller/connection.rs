@@ -2,8 +2,9 @@
 
 use super::driven::LEAD_S;
 use super::lacks::no_output;
-use super::lost::{Lost, Opens};
+use super::lost::Lost;
 use super::row::Row;
+use super::socket::Opens;
 use kerf_machine::driver::{
     Changed, Driver, Facts, Hold, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };

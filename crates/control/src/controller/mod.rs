@@ -25,9 +25,10 @@ mod lost;
 mod merged;
 pub mod queued;
 mod row;
+mod socket;
 mod ways;
 
-pub use attached::{Controller, Ends, First, Socket, Told};
+pub use attached::{Controller, First, Told};
 pub use connection::Connection;
 pub use lacks::Lacks;
-pub use lost::Opens;
+pub use socket::{Ends, Opens, Socket};
