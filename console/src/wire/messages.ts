@@ -867,7 +867,9 @@ ended: string,
 /** Time of its end: seconds since 1970. */
 at: number,
 /** The line of the last move; the path of a job. */
-line: number, };
+line: number,
+/** Time that it took, seconds of whoever waited; 0 where it is not known. */
+seconds: number, };
 
 /** The turn at driving, one at a time. Every command that moves the machine carries the number. */
 export type Lease = {
@@ -911,7 +913,9 @@ tone: Tone,
 /** The text. */
 text: string,
 /** The run it belongs to; 0 when to none. */
-run: number, };
+run: number,
+/** The place in a file that it is about, with the line that stands there; nothing where it is about none. */
+place: Call | null, };
 
 /** Effect of running a file. */
 export type Mode = "preview" | "simulated" | "cut";
@@ -933,7 +937,9 @@ made: number,
 /** Progress of the job, 0 … 1 of its planned time. */
 progress: number,
 /** Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster. */
-remaining: number, };
+remaining: number,
+/** Time of the run so far, seconds of whoever waits: with the planned time of what was made before it was taken up. */
+elapsed: number, };
 
 /** A variable. */
 export type NamedValue = {

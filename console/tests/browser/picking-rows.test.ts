@@ -68,7 +68,7 @@ it("pro_select_radius, pro_options_radius: a click selects within 8 pixels, or a
   const radius = async (text: string) => {
     await sheet.page.getByRole("link", { name: "Settings" }).click();
     await sheet.page.getByLabel("Search settings").fill("pick_radius");
-    const field = sheet.page.getByLabel("Options, pick radius", { exact: true });
+    const field = sheet.page.getByRole("textbox", { name: "Options, pick radius" });
     await field.fill(text);
     await field.press("Enter");
     await sheet.page.getByLabel("Search settings").fill("");

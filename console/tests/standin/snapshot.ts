@@ -45,6 +45,7 @@ export const firstSnapshot: Snapshot = {
     made: 0,
     progress: 0,
     remaining: 0,
+    elapsed: 0,
   },
   units: {
     linear: "in",
@@ -107,7 +108,9 @@ export const firstSnapshot: Snapshot = {
   asked: null,
   overrides: { feedPercent: 100 },
   printed: [],
-  messages: [{ tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0 }],
+  messages: [
+    { tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0, place: null },
+  ],
   lease: null,
   clients: [],
   drawing: null,

@@ -160,8 +160,8 @@ impl Hub {
             };
             let mut changes = Vec::new();
             if let (Some(hash), Some(ended)) = (&job.hash, &job.ended) {
-                let line = now.motion.line;
-                let last = LastRun { ended: ended.clone(), at: now_s(), line };
+                let Motion { line, elapsed: seconds, .. } = now.motion;
+                let last = LastRun { ended: ended.clone(), at: now_s(), line, seconds };
                 self.ran.put(hash, last.clone());
                 let opened = now.opened.clone().filter(|opened| opened.hash == *hash);
                 let ran = opened.map(|opened| Opened { ran: Some(last), ..opened });
@@ -182,7 +182,7 @@ impl Hub {
 
     /// A line for the message area.
     pub fn say(&self, tone: Tone, text: impl Into<String>) {
-        let message = Message { tone, text: text.into(), run: 0 };
+        let message = Message { tone, text: text.into(), ..Message::default() };
         self.change(vec![Change::Messages { messages: vec![message] }]);
     }
 

@@ -131,7 +131,7 @@ pub struct Opened {
 }
 
 /// The last run of a file, when it is over.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct LastRun {
     /// Word for its end, as [`Job`] has it.
@@ -141,6 +141,9 @@ pub struct LastRun {
     pub at: u64,
     /// The line of the last move; the path of a job.
     pub line: u32,
+    /// Time that it took, seconds of whoever waited; 0 where it is not known.
+    #[serde(default)]
+    pub seconds: f64,
 }
 
 /// State of a preview.
@@ -318,6 +321,8 @@ pub struct Message {
     pub text: String,
     /// The run it belongs to; 0 when to none.
     pub run: u32,
+    /// The place in a file that it is about, with the line that stands there; nothing where it is about none.
+    pub place: Option<Call>,
 }
 
 /// The operator's overrides.
