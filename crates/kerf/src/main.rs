@@ -52,6 +52,7 @@ mod served;
 mod setup;
 mod sources;
 mod stop;
+mod streamed;
 mod summary;
 mod visit;
 mod waveforms;
