@@ -25,6 +25,7 @@ use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job as Prepared};
 use crate::sources::FileLines;
 use crate::stop::Stop;
+use crate::streamed::Streamed;
 use crate::summary;
 use crate::visit::Visit;
 use crate::waveforms::{ReadingBytes, VcdArgs};
@@ -41,7 +42,6 @@ use kerf_trace::{Summary, json::JsonLines};
 use kerf_workspace::Workspace;
 use on_server::{REACHES_SERVERS, remotely};
 use options::{PaceName, STANDARD_OUTPUT};
-use std::fs::File;
 use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -364,9 +364,11 @@ fn attended<'a>(
     let format = args.picture.as_deref().map(Format::of).transpose()?;
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(show.lines));
-    let trace = args.trace.as_deref().map(trace).transpose()?;
-    let signals = args.vcd.sink(show.machine)?;
-    let readings = args.readings.as_deref().map(ReadingBytes::to).transpose()?;
+    let data = setup::data_folder(&run.place.data).ok();
+    let data = data.as_deref();
+    let trace = args.trace.as_deref().map(|path| trace(path, data)).transpose()?;
+    let signals = args.vcd.sink(show.machine, data)?;
+    let readings = args.readings.as_deref().map(|path| ReadingBytes::to(path, data)).transpose()?;
     let talk = (!args.traces_out()).then_some(show.talk);
     let mut told = (
         (talk, (trace, (signals, readings))),
@@ -417,12 +419,12 @@ fn over(ran: Result<Summary, JournalError>) -> Result<(Summary, Option<JournalEr
     }
 }
 
-/// A file that takes the trace of a run.
-fn trace(path: &Path) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
+/// A file that takes the trace of a run; the data folder keeps the note of it.
+fn trace(path: &Path, data: Option<&Path>) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
     let cannot = |e: io::Error| Usage(format!("cannot write {}: {e}", path.display()));
     let to: Box<dyn Write> = match path == Path::new(STANDARD_OUTPUT) {
         true => Box::new(io::stdout()),
-        false => Box::new(File::create(path).map_err(cannot)?),
+        false => Box::new(Streamed::create(path, data).map_err(cannot)?),
     };
     Ok(JsonLines::new(LineWriter::new(to)))
 }
