@@ -10,7 +10,10 @@ import { useKept } from "./useKept";
 
 const address = "/api/todo";
 
-/** Files that are to be run, how often, and how often they were. Whoever made one opens the next: nothing starts by itself. */
+/**
+ * Files that are to be run, how often, and how often they were. Whoever made one opens the next: nothing starts by
+ * itself.
+ */
 export function ToDoSheet({ onClose }: { onClose: () => void }) {
   const hands = useHands();
   const opened = useSnapshot("opened");
