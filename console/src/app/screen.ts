@@ -23,6 +23,10 @@ export type Sheet =
   | { readonly kind: "ports" }
   | { readonly kind: "tools" }
   | { readonly kind: "timing" }
+  | { readonly kind: "samples" }
+  | { readonly kind: "history" }
+  | { readonly kind: "todo" }
+  | { readonly kind: "macros" }
   | { readonly kind: "versions"; readonly name: string }
   | { readonly kind: "bin" }
   | { readonly kind: "setup" }

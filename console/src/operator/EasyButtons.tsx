@@ -30,7 +30,7 @@ const buttons: readonly Easy[] = [
   { action: openKeypad, words: "Move tool", command: "SK" },
   { action: asking(zeroXY), words: "Zero X Y", command: "Z2" },
   ...(zeroZ ? [{ action: asking(zeroZ), words: "Zero Z", command: "ZZ" }] : []),
-  { action: home, words: "Home", command: "JH" },
+  { action: home, words: "Work zero", command: "JH" },
   { action: openFiles, words: "Choose file", command: "FP" },
   { action: start, words: "Cut part", command: "FP" },
   { action: preview, words: "Preview", command: "SP" },

@@ -33,6 +33,7 @@ use crate::saving::Saves;
 use crate::setting_changes::SettingChanges;
 use crate::setup::{Builders, Options};
 use crate::texts::Texts;
+use crate::thumbnails::Thumbnails;
 use crate::turn::Turn;
 use kerf_wire::Tone;
 use std::io;
@@ -112,6 +113,9 @@ impl App {
         told.into_iter().for_each(|told| hub.say(Tone::Warning, told));
         if let Err(error) = hub.ran.keep_in(&options.data) {
             hub.say(Tone::Warning, format!("when files ran last is not known any more: {error}"));
+        }
+        if let Err(error) = hub.history.keep_in(&options.data) {
+            hub.say(Tone::Warning, format!("the history of runs is not known any more: {error}"));
         }
         let here = options.lan.then(|| Here::of(&options.data)).transpose()?;
         let memory = Memory::default();
@@ -213,6 +217,7 @@ impl Lent {
         let files = Arc::new(PartFiles { folder, saves, hub: self.hub.clone() });
         let (hub, data) = (self.hub.clone(), options.data.clone());
         Ok(Loader {
+            thumbnails: Thumbnails::in_data(&options.data),
             added: AddedShapes { hub, files: files.clone(), data },
             hub: self.hub.clone(),
             link: self.link.clone(),

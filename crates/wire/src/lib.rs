@@ -25,6 +25,7 @@ mod digitized;
 mod drawing;
 mod file;
 mod hand_console;
+mod history;
 mod job;
 mod job_view;
 mod language;
@@ -49,9 +50,10 @@ pub use drawing::{
 };
 pub use file::{FileAbout, FileVersion, TextDraft};
 pub use hand_console::HandConsole;
+pub use history::{RunRecord, ToDo};
 pub use job::{
     Asked, Call, FileInfo, FileParameters, Folder, InForce, Interrupted, Job, LastRun, Message,
-    Opened, Overrides, Pause, PreviewState, Recorder, RunSummary, Sound, Tone,
+    Opened, Overrides, Pause, PreviewState, Recorder, RunSummary, SampleAnswer, Sound, Tone,
 };
 pub use job_view::{FileKind, JobChoice, JobPath, JobView};
 pub use language::{
