@@ -29,7 +29,7 @@ export function HowDoI() {
             <Button
               size="small"
               look="quiet"
-              aria-label={`The book: ${question}`}
+              aria-label={`More in the book: ${question}`}
               onPress={() => screen.explain(`book/${place}`)}
             >
               More in the book
