@@ -9,7 +9,7 @@ use crate::stop::Stop;
 use anyhow::{Result, anyhow};
 use kerf_control::Session;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{Controller, Line, Socket};
+use kerf_control::controller::{Controller, Line, Place, Socket, queued};
 use kerf_driver_grbl::Grbl;
 use kerf_journal::{RunOptions, Work};
 use kerf_serial::Port;
@@ -31,8 +31,26 @@ impl Line for Wire {
     }
 }
 
+/// The rate of boards with step queues on a serial line where none is given.
+const BOARD_BAUD: u32 = 250_000;
+
 /// Returns the place where a controller hangs.
-pub fn socket(name: &DriverName) -> Socket {
+pub fn socket(name: &DriverName) -> Place {
+    if name.is_board() { Place::Queued(board(name)) } else { Place::Followed(followed(name)) }
+}
+
+fn board(name: &DriverName) -> queued::Socket {
+    let DriverName { words, path, baud } = name.clone();
+    let baud = if words.contains('@') { baud } else { BOARD_BAUD };
+    let port = path.clone();
+    let opens = Arc::new(move || {
+        let port = Port::open(&path, baud).map_err(|why| why.to_string())?;
+        Ok(Box::new(Wire(port)) as Box<_>)
+    });
+    queued::Socket { name: words, port, baud: Some(baud), opens }
+}
+
+fn followed(name: &DriverName) -> Socket {
     let DriverName { words, path, baud } = name.clone();
     let port = path.clone();
     let opens = Arc::new(move || {

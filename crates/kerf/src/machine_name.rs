@@ -9,11 +9,17 @@ use std::path::{Path, PathBuf};
 /// The rate of grbl's own build.
 const BAUD: u32 = 115_200;
 
+/// The driver of boards with step queues.
+const KLIPPER: &str = "klipper";
+
 /// The ending of files that say how a machine is set up.
 const ENDING: &str = "toml";
 
 /// Ways to name a controller.
 const CONTROLLERS: &str = "grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000 with another rate";
+
+/// The way to name a board with step queues.
+const BOARDS: &str = "klipper:/dev/ttyACM0, or klipper:/dev/ttyUSB0@250000 on a serial line";
 
 /// One name of a machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -42,6 +48,7 @@ impl MachineName {
             }
             None if words == "sim" => Ok(Self::Sim),
             None if words == "grbl" => Err(format!("grbl needs its port: {CONTROLLERS}")),
+            None if words == KLIPPER => Err(format!("klipper needs its port: {BOARDS}")),
             None if words.is_empty() => Err(format!("name a machine: sim, or {CONTROLLERS}")),
             _ => configured(),
         }
@@ -70,9 +77,16 @@ pub struct DriverName {
 }
 
 impl DriverName {
+    /// Returns `true` for a board with step queues, which is told each step.
+    pub fn is_board(&self) -> bool {
+        self.words.starts_with(KLIPPER)
+    }
+
     fn read(words: &str, driver: &str, port: &str) -> Result<Self, String> {
-        if driver != "grbl" {
-            return Err(format!("there is no driver '{driver}', only grbl: {CONTROLLERS}"));
+        if !["grbl", KLIPPER].contains(&driver) {
+            return Err(format!(
+                "there is no driver '{driver}', only grbl and klipper: {CONTROLLERS}"
+            ));
         }
         if port.starts_with("tcp:") {
             return Err(format!("controllers are reached over serial ports only: {CONTROLLERS}"));
@@ -101,7 +115,7 @@ impl fmt::Display for DriverName {
 #[derive(Args, Clone, Debug, Default)]
 pub struct MachineChoice {
     /// The machine: sim, the simulated one; grbl:PORT or grbl:PORT@BAUD, a controller of the grbl family at a serial
-    /// port; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
+    /// port; klipper:PORT, a board with step queues; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
     /// is like may both be given [default: sim, as the data folder has it]
     #[arg(
         id = MACHINE,
@@ -219,7 +233,7 @@ mod tests {
         check("grbl:COM3@fast", "'fast' is no rate");
         check("grbl:COM3@0", "'0' is no rate");
         check("grbl:tcp:10.0.0.2:23", "serial ports only");
-        check("linuxcnc:x", "there is no driver 'linuxcnc', only grbl");
+        check("linuxcnc:x", "there is no driver 'linuxcnc', only grbl and klipper");
         check("", "name a machine: sim");
     }
 }

@@ -20,11 +20,13 @@
 mod attached;
 mod connection;
 mod driven;
+mod either;
 mod lacks;
 pub mod queued;
 mod row;
 mod ways;
 
-pub use attached::{Controller, Ends, First, Socket, Told};
+pub use attached::{Ends, First, Socket, Told};
 pub use connection::{Connection, Line};
+pub use either::{Controller, Place};
 pub use lacks::Lacks;

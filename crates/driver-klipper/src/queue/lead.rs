@@ -10,6 +10,8 @@ const SAFETY: f64 = 2.0;
 const FORGOTTEN: f64 = 0.02;
 /// The whole lead, in times of the shortest one.
 const FULL: f64 = 2.0;
+/// The shortest lead is longer by at most so much at a look, seconds: whoever plans needs time to come so far ahead.
+const RISE_S: f64 = 0.005;
 
 /// How far ahead of its time motion is sent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,19 +20,22 @@ pub struct Lead {
     frequency: f64,
     /// Longest time between two looks at the queue, slowly forgotten, seconds.
     stall_s: f64,
+    /// Time before the end of what was sent at which the tail goes out, seconds.
+    least_s: f64,
     looked_s: Option<f64>,
 }
 
 impl Lead {
     /// For a board with so many ticks a second.
     pub const fn new(frequency: f64) -> Self {
-        Self { frequency, stall_s: 0.0, looked_s: None }
+        Self { frequency, stall_s: 0.0, least_s: SHORTEST_S, looked_s: None }
     }
 
     /// The host looks at the queue at a moment. It has stalled since the last look, as far as this can tell.
     pub fn looked(&mut self, now_s: f64) {
         let gap_s = self.looked_s.map_or(0.0, |looked_s| now_s - looked_s);
         self.stall_s = (self.stall_s * (1.0 - FORGOTTEN * gap_s)).max(gap_s);
+        self.least_s = self.wanted_s().min(self.least_s + RISE_S.min(gap_s));
         self.looked_s = Some(now_s);
     }
 
@@ -46,7 +51,7 @@ impl Lead {
 
     /// Ticks before the end of what was sent at which the tail goes out.
     pub fn least(&self) -> u64 {
-        (self.least_s() * self.frequency) as u64
+        (self.least_s * self.frequency) as u64
     }
 
     /// Ticks by which a piece is sent before it begins.
@@ -56,10 +61,11 @@ impl Lead {
 
     /// The same, seconds.
     pub fn full_s(&self) -> f64 {
-        FULL * self.least_s()
+        FULL * self.wanted_s()
     }
 
-    fn least_s(&self) -> f64 {
+    /// The shortest lead that the stalls ask for, seconds.
+    fn wanted_s(&self) -> f64 {
         (SHORTEST_S + SAFETY * self.stall_s).min(LONGEST_S)
     }
 }

@@ -52,6 +52,7 @@ pub struct Feeder {
     /// The plan that was taken last is known by its moves and its end.
     last: (usize, f64),
     stepper: Stepper,
+    per_unit: Axes,
     /// Axes of the motors.
     motors: Vec<Axis>,
     /// The moment up to which motion was handed over.
@@ -72,6 +73,7 @@ impl Feeder {
             follows: true,
             last: (0, 0.0),
             stepper: Stepper::new(per_unit, Axes::default()),
+            per_unit,
             motors,
             handed_s: f64::NEG_INFINITY,
             limit_s: f64::INFINITY,
@@ -83,6 +85,11 @@ impl Feeder {
     /// Steps made by the motors of an axis, as they were handed over.
     pub fn made(&self, axis: Axis) -> i64 {
         self.stepper.made()[axis.index()]
+    }
+
+    /// The machine stands there.
+    pub fn is_at(&mut self, place: Axes) {
+        self.stepper = Stepper::new(self.per_unit, place);
     }
 
     /// Another piece of plan is followed from now on.
