@@ -14,6 +14,7 @@ use kerf_sim::{Halt, HaltCause, Lift, Watched, pin};
 use kerf_trace::{
     Made,
     event::{ArcEvent, Centre, Event, MoveEvent},
+    flag,
 };
 
 /// Reason for which a stack did not run to its end.
@@ -206,6 +207,7 @@ impl<I: Interpreter> Runner<'_, I> {
                             self.stand_back(&plan.moves()[index..]);
                             return None;
                         }
+                        let Some(turn) = self.hold_on_path(turn, &going) else { continue };
                         let began = plan.at((t_s - t0_s).max(0.0)).position;
                         let stops = !matches!(turn, Turn::Operator(OperatorRequest::Feed(_)));
                         let stood_s = if stops { self.brake(&going) } else { None };
@@ -256,6 +258,28 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
+    /// Has a machine that holds by itself do so on its path until the operator resumes: the plan stays what it is. Returns
+    /// what is left to be answered; nothing where the run goes on.
+    pub(crate) fn hold_on_path(&mut self, turn: Turn, going: &Going<'_>) -> Option<Turn> {
+        if !matches!(turn, Turn::Operator(OperatorRequest::Hold)) || !self.drive.holds() {
+            return Some(turn);
+        }
+        let drive = &mut self.drive;
+        let stands_s = self.world.workspace.tape.hear_rarely(Kind::Stood, || drive.hold(going));
+        let Some(t) = stands_s else { return Some(turn) };
+        self.world.tell(&Event::Hold { t });
+        self.tell_standing(flag::PAUSED);
+        if self.resumes(t).is_none() {
+            return Some(Turn::Operator(OperatorRequest::GiveUp));
+        }
+        if !self.world.silent {
+            self.drive.goes_on();
+        }
+        self.world.workspace.tape.goes_on();
+        self.world.tell(&Event::Resume { t });
+        None
+    }
+
     /// Has a machine that slows down by itself do so; tells the moment of the plan at which it stands.
     pub(crate) fn brake(&mut self, going: &Going<'_>) -> Option<f64> {
         let drive = &mut self.drive;
@@ -269,7 +293,10 @@ impl<I: Interpreter> Runner<'_, I> {
         match turn {
             Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped && ramps),
             Turn::Operator(
-                OperatorRequest::Stop | OperatorRequest::Hold | OperatorRequest::End,
+                OperatorRequest::Stop
+                | OperatorRequest::Hold
+                | OperatorRequest::End
+                | OperatorRequest::GiveUp,
             ) => planner.stop(piece, t_s, ramps),
             Turn::Operator(OperatorRequest::Feed(share)) => planner.feed(piece, t_s, share),
             Turn::Operator(OperatorRequest::Input { .. }) => None,

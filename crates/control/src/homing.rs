@@ -4,11 +4,15 @@
 use crate::by_hand::Driven;
 use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place};
+use kerf_machine::Hand;
 use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
 use kerf_machine::planning::hand_settings;
 use kerf_motion::Mover;
-use kerf_program::{At, Axes, Axis, AxisSet, Feed, Interpreter, Line, MoveKind, Settings, Status};
+use kerf_program::{
+    Answer, At, Axes, Axis, AxisSet, Button, Command, Feed, Interpreter, Line, MoveKind, Question,
+    Settings, Status,
+};
 use kerf_sim::{Machine, Watched};
 use kerf_trace::Event;
 
@@ -84,6 +88,43 @@ impl<I: Interpreter> Runner<'_, I> {
             let axis = self.world.machine_is.motors.axis_name(it.axis);
             self.world.tell(&Event::Homed { axis, steps: it.difference_steps, t });
         }
+    }
+}
+
+impl Runner<'_, Hand> {
+    /// Asks whether to home first; `Ended` goes on without.
+    pub(crate) fn asked(&mut self, question: Option<Question>) -> Result<(), Over> {
+        let Some(question) = question else { return Ok(()) };
+        let status = match self.ask(&question, At::default())? {
+            Answer::Button(Button::Yes) => return Ok(()),
+            Answer::Button(Button::No | Button::Continue) => Status::Ended,
+            _ => Status::Stopped,
+        };
+        Err(Over { status, diagnostic: None })
+    }
+
+    /// Homes axes. An axis that was homed before keeps the numbers of its zero points, which count from
+    /// home; of one that was not they stay where they were on the table.
+    pub(crate) fn find_home(&mut self, axes: AxisSet, before: AxisSet) -> Found {
+        let found = self.home(axes);
+        let mut frame = *self.world.machine.frame();
+        for axis in found.zeroed.without(before).iter() {
+            frame.working_zero[axis] -= found.shift[axis];
+            frame.base_zero[axis] -= found.shift[axis];
+        }
+        found.done.iter().for_each(|axis| frame.base_zero[axis] = 0.0);
+        if found.over.is_none() || !found.zeroed.is_empty() {
+            let (working, base) = (found.done, found.done);
+            self.world.perform(Command::Location { frame, working, base });
+        }
+        found
+    }
+
+    pub(crate) fn told(&mut self, over: Over) -> Over {
+        if let Some(why) = &over.diagnostic {
+            self.world.tell_diagnostic((**why).clone());
+        }
+        over
     }
 }
 

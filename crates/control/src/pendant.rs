@@ -3,27 +3,16 @@
 //! A key moves the tool from when it is pressed until it is let go. Whatever else ends a motion, nothing
 //! moves before a key is pressed anew: one that is held already was meant for something else.
 
-use crate::Session;
 use crate::by_hand::Jog;
 use crate::runner::Runner;
 use crate::world::World;
 use kerf_machine::hand::FAR;
 use kerf_machine::settings::pendant::Pendant;
-use kerf_part::Program;
 use kerf_program::{AXES, Answer, At, Axes, Axis, Button, Interpreter, Question, QuestionKind};
 use kerf_sim::{Duty, Watched, duty};
 
 /// Word of a key that moves the tool.
 pub(crate) const KEY: &str = "pendant";
-
-impl Session {
-    /// Adds errors to a part file that sets what cannot be on this machine: it is not begun.
-    pub(crate) fn refuse_keys(&self, program: &mut Program) {
-        let keys: Vec<u8> = self.machine_is.pendant.inputs().collect();
-        let present = self.memory.settings.display.has_pendant();
-        program.diagnostics.extend(kerf_sbp::stops_on_keys(&program.sbp, &keys, present));
-    }
-}
 
 impl World<'_> {
     /// The keys that work while this question is open. An input that stops the machine is none of them.

@@ -83,7 +83,10 @@ impl<I: Interpreter> Runner<'_, I> {
             OperatorRequest::Feed(share) => self.override_feed(share),
             OperatorRequest::End => self.postpone((self.world.now(), request)),
             // An input is what it is now.
-            OperatorRequest::Stop | OperatorRequest::Hold | OperatorRequest::Input { .. } => {}
+            OperatorRequest::Stop
+            | OperatorRequest::Hold
+            | OperatorRequest::GiveUp
+            | OperatorRequest::Input { .. } => {}
         }
     }
 

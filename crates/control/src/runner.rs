@@ -6,7 +6,7 @@
 //!        └── World: answers ┴──────────► carried out                  └─ input: interrupt
 //! ```
 
-use crate::bound::Bound;
+use crate::command_limit::CommandLimit;
 use crate::drive::Drive;
 use crate::execute::Halted;
 use crate::stack::{READ_AHEAD, Stack};
@@ -75,7 +75,7 @@ pub(crate) struct Runner<'a, I> {
     /// Up to here it is on record how far a move has come, machine time.
     pub recorded_s: f64,
     /// The bound on what is carried out.
-    pub bound: Bound,
+    pub bound: CommandLimit,
 }
 
 /// Decision whether a run goes on.
@@ -132,7 +132,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             ends: None,
             reentry: None,
             recorded_s: 0.0,
-            bound: Bound::default(),
+            bound: CommandLimit::default(),
         }
     }
 

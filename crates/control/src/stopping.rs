@@ -7,7 +7,7 @@
 use crate::OperatorRequest;
 use crate::hold::Said;
 use crate::runner::{Over, Runner};
-use crate::turning::Turning;
+use crate::stopped_spindles::Turning;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Fault;
 use kerf_machine::lines::Input;

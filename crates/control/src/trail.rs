@@ -1,9 +1,9 @@
 //! At which line of the part file a run ended, for its log.
 
-use crate::part_log::{self, PartLog};
 use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::{At, Interpreter, Status};
+use kerf_workspace::part_log::{self, PartLog};
 
 /// Place of the program when it was looked at last.
 #[derive(Clone, Debug, Default)]

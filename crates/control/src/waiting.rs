@@ -2,8 +2,8 @@
 
 use crate::OperatorRequest;
 use crate::answers;
-use crate::away::Aside;
 use crate::by_hand::Jog;
+use crate::lift_aside::Aside;
 use crate::pendant::KEY;
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
@@ -18,6 +18,9 @@ use kerf_program::{
 };
 use kerf_sim::{Change, Halt, HaltCause};
 use kerf_trace::{Event, flag};
+
+/// A hold leaves the tool where it is.
+const HELD: StopSettings = StopSettings { raise: false, ..StopSettings::OPENSBP };
 
 /// Interval at which it is written down how far a move has come, seconds.
 const RECORDED_EVERY_S: f64 = 0.02;
@@ -315,6 +318,12 @@ impl<I: Interpreter> Runner<'_, I> {
                 Ok(())
             }
             OperatorRequest::End => Err(Over { status: Status::Ended, diagnostic: None }),
+            OperatorRequest::GiveUp => {
+                self.on(Stopped::Stop, HELD, "");
+                self.on(Stopped::Stands, HELD, "");
+                self.keep_turning();
+                Err(self.gives_up_held())
+            }
             OperatorRequest::Input { number, on } => {
                 self.press(number, on, self.world.now());
                 Ok(())
@@ -343,38 +352,42 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell(&Event::Override { percent, t: self.world.now() });
     }
 
+    /// Waits until the operator has a held machine go on; tells when, or nothing when the run is given up.
+    pub(crate) fn resumes(&mut self, held_s: f64) -> Option<f64> {
+        let resumed = if self.is_open_for_take_up() {
+            Some(held_s)
+        } else {
+            let drive = &mut self.drive;
+            self.world.workspace.tape.change(Kind::Resume, || drive.resumes(held_s))
+        };
+        // The power went before the run was given up.
+        resumed.or_else(|| self.is_open_for_take_up().then_some(held_s))
+    }
+
+    /// A run is given up that is held.
+    fn gives_up_held(&mut self) -> Over {
+        self.on(Stopped::Abort, HELD, "");
+        self.world.workspace.tape.given_up(self.world.placed());
+        Over { status: Status::Stopped, diagnostic: None }
+    }
+
     /// The machine stands where it is, and stays so until the operator resumes.
     fn pause(&mut self) -> Result<(), Over> {
-        // The tool stays where it is.
-        let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
         self.heed_emergency()?;
-        self.on(Stopped::Stop, settings, "");
-        self.on(Stopped::Stands, settings, "");
+        self.on(Stopped::Stop, HELD, "");
+        self.on(Stopped::Stands, HELD, "");
         self.keep_turning();
         self.stopped_meanwhile()?;
         let t = self.world.now();
         self.world.tell(&Event::Hold { t });
         self.tell_standing(flag::PAUSED);
-        let resumed = if self.is_open_for_take_up() {
-            Some(t)
-        } else {
-            let drive = &mut self.drive;
-            self.world.workspace.tape.change(Kind::Resume, || drive.resumes(t))
-        };
-        // The power went before the run was given up.
-        let resumed = resumed.or_else(|| self.is_open_for_take_up().then_some(t));
-        let Some(resumed_s) = resumed else {
-            self.on(Stopped::Abort, settings, "");
-            self.world.workspace.tape.given_up(self.world.placed());
-            return Err(Over { status: Status::Stopped, diagnostic: None });
-        };
+        let Some(resumed_s) = self.resumes(t) else { return Err(self.gives_up_held()) };
         if let Err(over) = self.stand_held(resumed_s) {
-            self.on(Stopped::Abort, settings, "");
-            self.world.workspace.tape.given_up(self.world.placed());
+            let _ = self.gives_up_held();
             return Err(over);
         }
         self.world.workspace.tape.goes_on();
-        self.on(Stopped::Continue, settings, "");
+        self.on(Stopped::Continue, HELD, "");
         self.heeded()
     }
 

@@ -7,7 +7,7 @@ use crate::OperatorRequest;
 use crate::answers::{self, Operator};
 use crate::drive::Drive;
 use crate::heights::{self, Carried};
-use crate::turning::Turning;
+use crate::stopped_spindles::Turning;
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_journal::{Kind, Placed, Press};
 use kerf_machine::lines::{Input, Output};
@@ -584,9 +584,8 @@ impl<'a> World<'a> {
     }
 
     fn told_question(&mut self, question: &Question, answer: &Answer, scripted: bool, at: At) {
-        let default = answers::words(&answers::default_answer(question));
-        let nothing_typed =
-            answers::takes_text(question.kind) && *answer == Answer::Button(Button::OK);
+        let default = answers::words(&question.default_answer());
+        let nothing_typed = question.kind.takes_text() && *answer == Answer::Button(Button::OK);
         let event = Event::Ask(AskEvent {
             kind: question.kind,
             text: question.text.clone(),

@@ -44,6 +44,34 @@ impl Flights {
         })
     }
 
+    /// Returns `true` if an order is a move.
+    pub fn moves(&self, ticket: Ticket) -> bool {
+        let moves = |flight: &Flight| matches!(flight.sent.order, Order::Move { .. });
+        self.0.iter().any(|flight| flight.sent.ticket == ticket && moves(flight))
+    }
+
+    /// Returns the orders of which lines are not answered.
+    pub fn unanswered(&self) -> impl Iterator<Item = &Flight> {
+        self.0.iter().filter(|flight| flight.lines > 0)
+    }
+
+    /// Returns the last order that was answered, and its end where it is a move.
+    pub fn answered_end(&self) -> Option<(Ticket, Axes)> {
+        let last = self.0.iter().rfind(|flight| flight.lines == 0)?;
+        let end = match last.sent.order {
+            Order::Move { to, .. } | Order::Probe { to, .. } => to,
+            _ => last.from,
+        };
+        Some((last.sent.ticket, end))
+    }
+
+    /// The machine stands: everything up to an order is made.
+    pub fn made(&mut self, last: Ticket, now_s: f64) {
+        for flight in self.0.iter_mut().take_while(|flight| flight.sent.ticket <= last) {
+            (flight.lines, flight.cut_s) = (0, Some(now_s));
+        }
+    }
+
     /// Another line belongs to the newest order, and a move of the planner.
     pub fn extends(&mut self, blocks: usize) {
         if let Some(flight) = self.0.back_mut() {

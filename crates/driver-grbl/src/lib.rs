@@ -24,6 +24,7 @@ mod driver;
 mod facts;
 pub mod fake;
 mod flights;
+mod gap;
 mod hears;
 mod lines;
 mod place;

@@ -105,6 +105,20 @@ fn a_board_that_is_shut_down_already_tells_why() {
 }
 
 #[test]
+fn a_shutdown_is_cleared_where_somebody_has_looked_why() {
+    let mut world = World::ready(5, Faults::default());
+    world.make(&Motion::straight(500.0, 1.0), &[]);
+    world.fake.shut("ADC out of range");
+    let options = Options { clears: true, ..Options::default() };
+    world.host = kerf_driver_klipper::board::Board::new(setup(), options, world.now_s);
+    world.news.clear();
+    let told = world.wait(|news| ready(news) || matches!(news, News::Fault(_)));
+    let News::Ready { counts, .. } = told else { panic!("{told:?}") };
+    assert_eq!(counts[0], 500);
+    assert_eq!(world.make(&Motion::straight(500.0, 1.0), &[]).0, Ended::Rested);
+}
+
+#[test]
 fn a_board_that_restarts_is_told() {
     let mut world = World::ready(6, Faults::default());
     world.fake.reset();

@@ -18,7 +18,8 @@ mod reentries;
 
 pub use reentries::Reentered;
 
-use super::progress::{Progress, Reached};
+use super::progress::Progress;
+use super::reached::Reached;
 use crate::switches::Switches;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -432,7 +433,7 @@ mod tests {
         let (journal, _) = Journal::open(folder.path()).unwrap();
         let step = Step { kind: Kind::Log, call: 1, told: serde_json::Value::Null };
         for (steps, fits) in [(Vec::new(), true), (vec![step], false)] {
-            let progress = Progress::new(journal.clone(), Some(2));
+            let progress = Progress::new(journal.registry.clone(), Some(2));
             let reached = Reached::default();
             let mut tape =
                 Tape::playing(steps, BTreeMap::new(), &reached, progress, Default::default());
@@ -446,14 +447,14 @@ mod tests {
     fn what_is_over_is_on_record_however_long_the_disk_takes() {
         let folder = tempfile::tempdir().unwrap();
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        let mut progress = Progress::new(journal.clone(), Some(1));
+        let mut progress = Progress::new(journal.registry.clone(), Some(1));
         progress.writes_behind(Some(Hurry::new(|| true)));
         let mut tape = Tape::recording(Placed::default(), progress);
         let (holds, held) = std::sync::mpsc::channel();
         let written = AtomicBool::new(false);
         std::thread::scope(|scope| {
             scope.spawn(|| {
-                let _disk = journal.opened();
+                let _disk = journal.store.opened();
                 holds.send(()).unwrap();
                 std::thread::sleep(Duration::from_millis(30));
                 written.store(true, Ordering::Release);

@@ -3,20 +3,22 @@
 
 use crate::exit::Usage;
 use clap::{ArgMatches, Args};
+use kerf_transport::Address;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// The rate of grbl's own build.
-const BAUD: u32 = 115_200;
-
 /// The driver of boards with step queues.
 const KLIPPER: &str = "klipper";
+
+/// Their rate on a serial line where none is given; over USB it has no meaning.
+const BOARD_BAUD: u32 = 250_000;
 
 /// The ending of files that say how a machine is set up.
 const ENDING: &str = "toml";
 
 /// Ways to name a controller.
-const CONTROLLERS: &str = "grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000 with another rate";
+const CONTROLLERS: &str = "grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000 with another rate, grbl:tcp:HOST or \
+     grbl:ws:HOST in the network";
 
 /// The way to name a board with step queues.
 const BOARDS: &str = "klipper:/dev/ttyACM0, or klipper:/dev/ttyUSB0@250000 on a serial line";
@@ -33,7 +35,7 @@ pub enum MachineName {
 }
 
 impl MachineName {
-    /// Reads `sim`, `grbl:PORT[@BAUD]`, or the name of a configuration.
+    /// Reads `sim`, `grbl:PORT[@BAUD]`, `grbl:tcp:HOST[:PORT]`, `grbl:ws:HOST[:PORT]`, or the name of a configuration.
     ///
     /// # Errors
     /// A driver that does not exist, or one without its port; the text tells how it is named.
@@ -65,15 +67,13 @@ impl fmt::Display for MachineName {
     }
 }
 
-/// A driver and the port at which its controller is.
+/// A driver and the line on which its controller hangs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DriverName {
     /// The whole name, as it was given.
     pub words: String,
-    /// Device of the serial port.
-    pub path: String,
-    /// Rate of the serial port, baud.
-    pub baud: u32,
+    /// The line.
+    pub address: Address,
 }
 
 impl DriverName {
@@ -88,20 +88,15 @@ impl DriverName {
                 "there is no driver '{driver}', only grbl and klipper: {CONTROLLERS}"
             ));
         }
-        if port.starts_with("tcp:") {
-            return Err(format!("controllers are reached over serial ports only: {CONTROLLERS}"));
-        }
-        let (path, baud) = match port.rsplit_once('@') {
-            Some((path, baud)) => {
-                let wrong = || format!("'{baud}' is no rate in baud, as 115200 is");
-                (path, baud.parse().ok().filter(|baud| *baud > 0).ok_or_else(wrong)?)
-            }
-            None => (port, BAUD),
-        };
-        if path.is_empty() {
-            return Err(format!("grbl needs its port: {CONTROLLERS}"));
-        }
-        Ok(Self { words: words.to_owned(), path: path.to_owned(), baud })
+        let serial = !port.is_empty() && !port.contains('@') && !port.contains(':');
+        let at_rate = (driver == KLIPPER && serial).then(|| format!("{port}@{BOARD_BAUD}"));
+        let address =
+            Address::read(at_rate.as_deref().unwrap_or(port)).map_err(|why| match &*why {
+                "" if driver == KLIPPER => format!("klipper needs its port: {BOARDS}"),
+                "" => format!("grbl needs its port: {CONTROLLERS}"),
+                _ => why,
+            })?;
+        Ok(Self { words: words.to_owned(), address })
     }
 }
 
@@ -115,7 +110,8 @@ impl fmt::Display for DriverName {
 #[derive(Args, Clone, Debug, Default)]
 pub struct MachineChoice {
     /// The machine: sim, the simulated one; grbl:PORT or grbl:PORT@BAUD, a controller of the grbl family at a serial
-    /// port; klipper:PORT, a board with step queues; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
+    /// port; grbl:tcp:HOST[:PORT] or grbl:ws:HOST[:PORT], one in the network; klipper:PORT, a board with step queues;
+    /// or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
     /// is like may both be given [default: sim, as the data folder has it]
     #[arg(
         id = MACHINE,
@@ -199,12 +195,20 @@ mod tests {
 
     #[test]
     fn controllers_are_named_with_port_and_rate() {
-        let check = |words: &str, path: &str, baud| {
-            let name = DriverName { words: words.into(), path: path.into(), baud };
-            assert_eq!(MachineName::read(words), Ok(MachineName::Controller(name)));
+        let check = |words: &str, address: &str| {
+            let read = MachineName::read(words).unwrap();
+            let MachineName::Controller(name) = &read else { panic!("{words} is a controller") };
+            assert_eq!(
+                (name.address.to_string().as_str(), read.to_string().as_str()),
+                (address, words)
+            );
         };
-        check("grbl:/dev/ttyUSB0", "/dev/ttyUSB0", 115_200);
-        check("grbl:COM3@250000", "COM3", 250_000);
+        check("grbl:/dev/ttyUSB0", "/dev/ttyUSB0@115200");
+        check("grbl:COM3@250000", "COM3@250000");
+        check("grbl:tcp:10.0.0.2", "tcp:10.0.0.2:23");
+        check("klipper:/dev/ttyACM0", "/dev/ttyACM0@250000");
+        check("klipper:/dev/ttyUSB0@500000", "/dev/ttyUSB0@500000");
+        check("grbl:ws:router.local:80", "ws:router.local:80/");
     }
 
     #[test]
@@ -229,10 +233,12 @@ mod tests {
         };
         check("grbl", "grbl:/dev/ttyUSB0");
         check("grbl:", "grbl:/dev/ttyUSB0");
+        check("klipper:", "klipper:/dev/ttyACM0");
         check("grbl:@9600", "grbl needs its port");
         check("grbl:COM3@fast", "'fast' is no rate");
         check("grbl:COM3@0", "'0' is no rate");
-        check("grbl:tcp:10.0.0.2:23", "serial ports only");
+        check("grbl:tcp:10.0.0.2:x", "'x' is no port of the network");
+        check("grbl:ws:", "grbl:ws:HOST");
         check("linuxcnc:x", "there is no driver 'linuxcnc', only grbl and klipper");
         check("", "name a machine: sim");
     }

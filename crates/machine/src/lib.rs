@@ -19,6 +19,7 @@ pub mod homing;
 mod levels;
 pub mod lines;
 pub mod machine;
+pub mod password;
 pub mod planning;
 pub mod profile;
 pub mod settings;

@@ -1,6 +1,6 @@
 //! Sorts of files, by their names.
 
-use kerf_control::job_file;
+use kerf_import::job_file;
 use kerf_wire::FileKind;
 
 /// Returns the sort of file that a name belongs to.

@@ -11,11 +11,11 @@ use crate::machine::{Left, Link};
 use crate::open::{Open, hash_of, job_hash};
 use crate::part_files::PartFiles;
 use crate::pool::{KERF, Lane, Pool};
+use crate::preview::Basis;
 use crate::preview::{self, Charts, Preview};
 use crate::refusal::problem;
 use crate::setup::Builders;
 use crate::shop;
-use kerf_control::Begun;
 use kerf_journal::Journal;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
@@ -234,14 +234,14 @@ impl Loader {
         let open =
             Some(self.open.lock().clone()).filter(|open| open.key == key).ok_or_else(other)?;
         let session = lock(&self.left).session.clone();
-        let begun = inputs.is_empty().then(|| Begun::of(&session));
+        let basis = inputs.is_empty().then(|| Basis::of(&session));
         let workspace = self.preview_workspace();
         let mut workspace = workspace.map_err(|error| problem(Why::File, error.to_string()))?;
         let (work, parameters) = (self.work(&open)?, shop::parameters(&open.parameters));
         let made = preview::timing(work, parameters, inputs, session, &mut workspace, given_up);
         let made = Arc::new(made.ok_or_else(other)?);
-        if let Some(begun) = begun {
-            preview.keep_timing(begun, made.clone());
+        if let Some(basis) = basis {
+            preview.keep_timing(basis, made.clone());
         }
         Ok(made)
     }

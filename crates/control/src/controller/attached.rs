@@ -1,7 +1,7 @@
 //! A controller that a session drives from run to run: attached, held to the place that is on record, left again.
 
 use super::either::dry_run;
-use super::{Connection, Lacks, Line};
+use super::{Connection, Lacks, Opens};
 use crate::Session;
 use crate::answers::Operator;
 use crate::session::DrivenBy;
@@ -10,11 +10,11 @@ use kerf_journal::{RunOptions, Work, facts::Fact};
 use kerf_machine::driver::{Changed, Wired};
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
+use kerf_transport::Line;
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
-use std::sync::Arc;
 
 /// A driver that knows nothing yet, with the line it speaks through.
 pub type Ends = (Box<dyn Wired>, Box<dyn Line>);
@@ -27,7 +27,7 @@ pub struct Socket {
     /// The port alone, by which it is known again whatever its rate.
     pub port: String,
     /// Opens the port.
-    pub opens: Arc<dyn Fn() -> Result<Ends, String> + Send + Sync>,
+    pub opens: Opens,
 }
 
 impl fmt::Debug for Socket {
@@ -94,6 +94,7 @@ impl Controller {
         let (driver, line) = (socket.opens)()?;
         let open = if abandoned { Connection::open_stopped } else { Connection::open };
         let mut connection = open(&socket.name, driver, line)?;
+        connection.opens_again(socket.opens.clone());
         let mut told = Told::default();
         let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
         told.notes.push(format!("{}: {}, axes {axes}", socket.name, connection.facts().name));
@@ -169,8 +170,9 @@ impl Controller {
             workspace,
             || false,
         )?;
+        // Whoever has hold of the connection has the new one from now on.
         let (again, told) = attached;
-        *self = again;
+        self.connection.swap(&again.connection);
         Ok(told)
     }
 

@@ -5,7 +5,7 @@ use super::connection::NAP;
 use super::lacks::{lacked, needs, out_of_reach, wired};
 use super::row::{Chord, Handed, Row};
 use super::ways::{chords, speed_mm_s};
-use kerf_machine::driver::{Driver, Facts, Order, Signal};
+use kerf_machine::driver::{Facts, Hold, Order, Signal};
 use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
 use kerf_motion::{Move, Path};
 use kerf_program::{Axes, MoveKind, OutputReason};
@@ -124,6 +124,13 @@ impl Connection {
             self.order(Order::Output { line, on });
         }
         self.ordered = self.wanted;
+    }
+
+    /// Makes the end of the piece of plan before, which is told already; not where somebody holds it at its own controls.
+    fn makes_piece_before(&mut self) {
+        while self.done < self.row.before && self.is_busy() && self.waits().is_none() {
+            self.tend(NAP);
+        }
     }
 
     /// The moment that is reached of a move, as far as it is known.
@@ -253,26 +260,41 @@ impl Machine for Connection {
             self.row = Row::default();
             return Some(going.t0_s + going.plan.time_at_share(index, share));
         }
-        // The end of the piece before is made: what it belongs to is told already.
-        while self.done < self.row.before && self.is_busy() {
-            self.tend(NAP);
-        }
-        let done = self.done;
+        self.makes_piece_before();
+        let (done, whole) = (self.done, self.done >= self.row.before);
         if self.failure.is_none() {
             self.stop_at_once();
         }
         let place = self.place()?;
+        if !whole {
+            // Somebody holds it at its own controls, before the end of what is told already.
+            self.give_up();
+        }
         let (index, share) = self.row.locate(done, place).unwrap_or((going.index, 0.0));
         self.row = Row::default();
         Some(going.t0_s + going.plan.time_at_share(index, share))
     }
 
+    fn hold(&mut self, going: &Going<'_>) -> Option<f64> {
+        self.makes_piece_before();
+        self.comes_to_hold();
+        let place = self.place().filter(|_| self.failure.is_none())?;
+        let (index, share) = self.row.locate(self.done, place).unwrap_or((going.index, 0.0));
+        Some(going.t0_s + going.plan.time_at_share(index, share))
+    }
+
+    fn go_on(&mut self) {
+        self.signal(Signal::Resume);
+    }
+
+    fn went_on(&mut self) -> bool {
+        self.link.driver().hold() == Hold::WentOn
+    }
+
     fn feed(&mut self, share: f32) {
         if self.facts.overrides {
             self.feed = share;
-            self.link
-                .driver()
-                .signal(Signal::Feed(percent(share)), self.since.elapsed().as_secs_f64());
+            self.signal(Signal::Feed(percent(share)));
         }
     }
 
@@ -283,6 +305,9 @@ impl Machine for Connection {
     }
 
     fn waits(&mut self) -> Option<&'static str> {
+        if self.lost.is_some() {
+            return Some("its line is gone: it is opened again when it is back");
+        }
         self.link.driver().waits()
     }
 

@@ -4,7 +4,7 @@ use super::attached::{self, First, Socket, Told};
 use super::lacks::Lacks;
 use super::queued;
 use crate::answers::Operator;
-use crate::{Company, Session};
+use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::{Driven, Machine};
@@ -46,7 +46,7 @@ impl Controller {
                 attached::Controller::attach(socket, first, session, workspace, is_stopped)
                     .map(|(controller, told)| (Self::Followed(controller), told))
             }
-            Place::Queued(socket) => queued::Attached::attach(socket, session, workspace)
+            Place::Queued(socket) => queued::Attached::attach(socket, first, session, workspace)
                 .map(|(attached, told)| (Self::Queued(attached), told)),
         }
     }
@@ -182,8 +182,8 @@ pub(super) fn dry_run(
     }
     let mut options = RunOptions { started: None, ..options.clone() };
     options.program.preview = true;
-    let company =
-        Company { sink: &mut lacks, operator, requests: &mut (), machine: crate::simulated() };
-    drop(session.clone().run(again, options, workspace, company));
+    let context =
+        RunContext { sink: &mut lacks, operator, requests: &mut (), machine: crate::simulated() };
+    drop(session.clone().run(again, options, workspace, context));
     lacks.found()
 }

@@ -22,11 +22,13 @@ mod connection;
 mod driven;
 mod either;
 mod lacks;
+mod lost;
 pub mod queued;
 mod row;
 mod ways;
 
 pub use attached::{Ends, First, Socket, Told};
-pub use connection::{Connection, Line};
+pub use connection::Connection;
 pub use either::{Controller, Place};
 pub use lacks::Lacks;
+pub use lost::Opens;

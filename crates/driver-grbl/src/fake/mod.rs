@@ -351,6 +351,7 @@ impl Fake {
     /// Somebody presses its reset, or its power fails: it begins anew, and counts from where it stands as zero.
     pub fn begins_anew(&mut self) {
         self.halt();
+        self.feed_mm_min = 0.0;
         self.motion.put(Axes::default());
         (self.planned, self.motion.held, self.state) = (Axes::default(), false, State::Ready);
         self.incoming.clear();
@@ -396,6 +397,7 @@ impl Fake {
 
     fn reset(&mut self) {
         self.override_feed(0x90);
+        self.feed_mm_min = 0.0;
         let too_early = self.motion.speed_mm_s > 0.0 || self.state == State::Homing;
         self.halt();
         self.motion.held = false;
@@ -452,7 +454,7 @@ impl Fake {
         match command {
             "I" | "$" if !self.motion.is_empty() => self.tell("error:8"),
             "G" => {
-                self.tell("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]");
+                self.tell(&self.modes());
                 self.tell("ok");
             }
             "$" => {

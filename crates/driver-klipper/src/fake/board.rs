@@ -97,7 +97,7 @@ impl Board {
     /// Bytes that came at the moment which the board has reached.
     pub fn feed(&mut self, bytes: &[u8]) {
         self.reader.feed(bytes);
-        while let Some(piece) = self.reader.next() {
+        while let Some(piece) = self.reader.piece() {
             match piece {
                 Piece::Nak => self.say_content(&[]),
                 Piece::Run(content) => {

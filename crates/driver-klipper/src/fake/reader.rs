@@ -38,7 +38,7 @@ impl Reader {
         self.bytes.clear();
     }
 
-    pub fn next(&mut self) -> Option<Piece> {
+    pub fn piece(&mut self) -> Option<Piece> {
         loop {
             if self.searching {
                 let Some(at) = self.bytes.iter().position(|b| *b == 0x7e) else {

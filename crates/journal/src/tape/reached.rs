@@ -1,7 +1,8 @@
 //! Progress of a run, and the place where it was given up.
 
 use super::Tape;
-use crate::progress::{Progress, Reached};
+use crate::progress::Progress;
+use crate::reached::Reached;
 use crate::{Hurry, Placed};
 
 impl Tape {

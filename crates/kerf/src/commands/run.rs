@@ -19,6 +19,7 @@ use crate::out;
 use crate::outputs::Outputs;
 use crate::parse;
 use crate::picture::{self, Format, Picture};
+use crate::preview_mode;
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job as Prepared};
@@ -32,7 +33,7 @@ use behind::closes;
 use clap::Args;
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
-use kerf_control::{Company, Session};
+use kerf_control::{RunContext, Session};
 use kerf_journal::{JournalError, Whereabouts, Work};
 use kerf_machine::{Configuration, table};
 use kerf_program::job::Job;
@@ -190,7 +191,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     let mut workspace = setup::workspace(Path::new(""), &run.place, false)?;
     let nothing = || JournalError::NothingToResume { folder: workspace.app_path().into() };
     let journal = workspace.journal().cloned().ok_or_else(nothing)?;
-    let cut = journal.cut_short()?.ok_or_else(nothing)?;
+    let cut = journal.runs.cut_short()?.ok_or_else(nothing)?;
     let (mut session, whereabouts) = Session::recall(&journal, &mut workspace)?;
     if !args.quiet {
         eprintln!("kerf: {}", cut.told());
@@ -202,7 +203,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         );
     }
     let answers = setup::answers(run)?;
-    let machine = journal.machine_of(&cut)?;
+    let machine = journal.runs.machine_of(&cut)?;
     let show = Show {
         name: cut.file().into(),
         lines: 0,
@@ -213,8 +214,8 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     };
     let visit = Visit::default();
     visit.begins(&session, &mut workspace)?;
-    let exit = attended(args, run, show, answers, None, |company| {
-        let (summary, unkept) = over(session.resume(&cut, &mut workspace, company))?;
+    let exit = attended(args, run, show, answers, None, |context| {
+        let (summary, unkept) = over(session.resume(&cut, &mut workspace, context))?;
         Ok((summary, &session, unkept))
     })?;
     closes(exit, &visit, (&mut session, &mut workspace), args, run)
@@ -270,11 +271,11 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     let takes = takes.filter(|_| kept && own);
     let (mut moved, typed) = (false, options.program.typed);
     let stop = Stop::listen()?;
-    let exit = attended(args, run, show, answers, controller.as_ref(), |company| {
+    let exit = attended(args, run, show, answers, controller.as_ref(), |context| {
         let workspace = &mut workspace;
         let (summary, unkept) = over(match kept {
-            true => session.run_on_record(work, options, replaced, workspace, company),
-            false => Ok(session.run(work, options, workspace, company)),
+            true => session.run_on_record(work, options, replaced, workspace, context),
+            false => Ok(session.run(work, options, workspace, context)),
         })?;
         moved = summary.tally.moves > 0;
         if let Some(controller) = &controller {
@@ -297,7 +298,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
 
 /// Preview mode holds for what is typed next, and whoever types knows.
 fn tell_preview(session: &Session, workspace: &mut Workspace, quiet: bool) {
-    session.keep_preview(workspace);
+    preview_mode::keep(session, workspace);
     if session.is_in_preview() && !quiet {
         eprintln!("kerf: in preview: what is sent is only drawn, until `kerf send SM`");
     }
@@ -338,7 +339,7 @@ fn attended<'a>(
     show: Show,
     answers: Answers,
     controller: Option<&Controller>,
-    runs: impl FnOnce(Company<'_>) -> Result<(Summary, &'a Session, Option<JournalError>)>,
+    runs: impl FnOnce(RunContext<'_>) -> Result<(Summary, &'a Session, Option<JournalError>)>,
 ) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
@@ -357,9 +358,16 @@ fn attended<'a>(
     let mut terminal = Terminal::new(clock, run.operator.script())?;
     let mut person_at_it = Person::new(answers, person, &terminal).with_editor(show.editor);
     let machine = controller.map_or_else(|| terminal.simulated(), Controller::driven);
-    let company =
-        Company { sink: &mut told, operator: &mut person_at_it, requests: &mut terminal, machine };
-    let (summary, session, unkept) = runs(company)?;
+    if controller.is_some() {
+        terminal.follows(&machine);
+    }
+    let context = RunContext {
+        sink: &mut told,
+        operator: &mut person_at_it,
+        requests: &mut terminal,
+        machine,
+    };
+    let (summary, session, unkept) = runs(context)?;
     let ((_, (trace, (signals, readings))), (_, (picture, progress))) = told;
     readings.map_or(Ok(()), ReadingBytes::finish)?;
     args.vcd.finish(signals)?;

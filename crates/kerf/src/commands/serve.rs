@@ -8,13 +8,13 @@ use crate::exit::{Exit, Usage};
 use crate::machine_file::{self, Named};
 use crate::memory;
 use crate::served::Served;
+use crate::start_up::{OpenMethod, StartUp};
 use crate::stop::Stop;
 use crate::visit::Visit;
 use crate::{given, out, setup};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::controller::{Controller, First};
-use kerf_control::start_up::{OpenMethod, StartUp};
 use kerf_files::versions::Versions;
 use kerf_journal::machine_file::MachineFile;
 use kerf_server::{Builders, Options, Server, Workshop};
@@ -279,7 +279,7 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
     let named = name.map(|name| machine_file::named(name, &args.place.data)).transpose()?;
     // A file that is named leads, and takes what is changed here.
     if let (Some(journal), Some(Named::File(file))) = (workspace.journal(), &named) {
-        journal.use_machine_file(MachineFile::at(file));
+        journal.settings.use_file(MachineFile::at(file));
     }
     let (mut session, kept) = setup::session(&args.place, false, &mut workspace)?;
     if named.is_some() {

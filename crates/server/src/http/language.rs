@@ -102,10 +102,12 @@ fn read_values(app: &App) -> Result<Values, Problem> {
     let session = lock(&app.left).session.clone();
     let workspace = app.loader.preview_workspace();
     let mut workspace = workspace.map_err(|error| problem(Why::Server, error.to_string()))?;
-    let system = session.system_variables(&mut workspace).into_iter().map(|(variable, value)| {
-        let (name, unit) = (variable.name.into(), variable.unit.into());
-        SystemValue { number: variable.number, name, unit, value: value.display() }
-    });
+    let system = kerf_control::system_variables(&session, &mut workspace).into_iter().map(
+        |(variable, value)| {
+            let (name, unit) = (variable.name.into(), variable.unit.into());
+            SystemValue { number: variable.number, name, unit, value: value.display() }
+        },
+    );
     let memory = &session.memory;
     let variables = memory.variables.list().into_iter();
     let variables = variables
@@ -114,7 +116,7 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         system: system.collect(),
         variables: variables.collect(),
         settings: kerf_sbp::table::settings_lines(&memory.settings),
-        diagnostics: told::named(session.diagnostics(&mut workspace)),
+        diagnostics: told::named(kerf_control::diagnostics(&session, &mut workspace)),
         folder: app.hub.read(|now| now.folder.clone()),
         part_file: app
             .files

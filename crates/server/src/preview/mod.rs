@@ -7,6 +7,7 @@
 //!
 //! The timing chart is another run of the same kind, made when somebody asks for it.
 
+mod basis;
 mod charts;
 mod collect;
 mod path;
@@ -15,6 +16,7 @@ mod rotary;
 mod timing;
 mod typed;
 
+pub use basis::Basis;
 pub use charts::{Answer, Asked, Chart, Charts};
 pub use path::Path;
 pub use timing::timing;
@@ -24,9 +26,8 @@ use crate::job_told;
 use crate::locks::lock;
 use crate::machine::Planned;
 use collect::Collector;
-use kerf_control::Begun;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Requests, Session};
+use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::Configuration;
 use kerf_program::settings::Mode;
@@ -70,7 +71,7 @@ pub struct Preview {
     /// Other program files that it called, as they were.
     pub called: Called,
     /// The timing chart without inputs that was made last, and what its run began with.
-    timing: Mutex<Option<(Begun, Arc<Timing>)>>,
+    timing: Mutex<Option<(Basis, Arc<Timing>)>>,
 }
 
 /// A path on a cylinder.
@@ -95,13 +96,13 @@ impl Preview {
     /// The timing chart without inputs, if it was made and its run would begin with the same now.
     pub fn timing(&self, session: &Session) -> Option<Arc<Timing>> {
         let made = lock(&self.timing);
-        let (_, timing) = made.as_ref().filter(|(begun, _)| *begun == Begun::of(session))?;
+        let (_, timing) = made.as_ref().filter(|(basis, _)| *basis == Basis::of(session))?;
         Some(timing.clone())
     }
 
     /// Keeps the timing chart without inputs.
-    pub fn keep_timing(&self, begun: Begun, timing: Arc<Timing>) {
-        *lock(&self.timing) = Some((begun, timing));
+    pub fn keep_timing(&self, basis: Basis, timing: Arc<Timing>) {
+        *lock(&self.timing) = Some((basis, timing));
     }
 }
 
@@ -186,13 +187,13 @@ fn silently(
     session.memory.settings.mode = Mode::Move;
     let beside = workspace.answers_beside(&work.name());
     let mut answers = Answers::read(&beside.unwrap_or_default());
-    let company = Company {
+    let context = RunContext {
         sink,
         operator: &mut answers,
         requests: &mut Until(given_up),
         machine: kerf_control::simulated(),
     };
-    let summary = session.run(work, options, workspace, company);
+    let summary = session.run(work, options, workspace, context);
     (!given_up.load(Ordering::Relaxed))
         .then_some((summary, session.memory.settings.cutter.diameter_mm))
 }

@@ -4,8 +4,9 @@ use super::machine::Queued;
 use super::thread::{Greeted, OpensLine, Threaded};
 use super::wiring::Wiring;
 use crate::Session;
-use crate::controller::Told;
+use crate::controller::{First, Told};
 use crate::session::DrivenBy;
+use kerf_driver_klipper::board::Options;
 use kerf_journal::facts::Fact;
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
@@ -27,8 +28,6 @@ pub struct Socket {
     pub name: String,
     /// The port alone, by which it is known again.
     pub port: String,
-    /// Bits a second of a serial line; over USB it has no meaning.
-    pub baud: Option<u32>,
     /// Opens the port.
     pub opens: OpensLine,
 }
@@ -47,19 +46,28 @@ pub struct Attached {
 }
 
 impl Attached {
-    /// Opens the port, waits until the board is ready, and has the session stand where its counts say.
+    /// Opens the port, waits until the board is ready, clearing a shutdown where somebody asked for that, and has the session stand where its counts say.
     ///
     /// # Errors
     /// The machine's file names no motors, nobody answers, or a board that does not fit; in words.
     pub fn attach(
         socket: Socket,
+        first: First,
         session: &mut Session,
         workspace: &mut Workspace,
     ) -> Result<(Self, Told), String> {
         let named = |why: String| format!("{}: {why}", socket.name);
+        if first.home {
+            return Err(named(
+                "a board with step queues is not homed by Kerf yet: set its location by hand"
+                    .into(),
+            ));
+        }
         let machine = session.configuration();
         let wiring = Wiring::of(&machine).map_err(named)?;
-        let opened = Threaded::open(wiring.setup.clone(), socket.baud, socket.opens.clone());
+        let deadline_s = machine.board.deadline_s;
+        let options = Options { deadline_s, clears: first.unlock, ..Options::default() };
+        let opened = Threaded::open(wiring.setup.clone(), options, socket.opens.clone());
         let Greeted { berth, version, counts } = opened.map_err(named)?;
         let per_unit = machine.program.resolution.steps_per_unit;
         let motors = wiring.motors.len();
@@ -85,7 +93,8 @@ impl Attached {
         workspace: &mut Workspace,
     ) -> Result<Told, String> {
         self.queued.borrow_mut().let_go();
-        let (again, told) = Self::attach(self.socket.clone(), session, workspace)?;
+        let (again, told) =
+            Self::attach(self.socket.clone(), First::default(), session, workspace)?;
         self.queued.swap(&again.queued);
         Ok(told)
     }

@@ -61,7 +61,7 @@ pub struct Feeder {
     limit_s: f64,
     /// The machine stands there, as it was handed over.
     pub rests: bool,
-    /// What follows has to be known first: the way to rest would lead beyond the plan.
+    /// The plan that follows has to be known first: the way to rest would lead beyond this one.
     pub starves: bool,
 }
 
@@ -229,7 +229,7 @@ impl Way {
     /// The steps of it, and the time of the plan at its end.
     fn steps(&self, stepper: &mut Stepper) -> (Vec<kerf_motion::Step>, f64) {
         match self {
-            Self::Planned(leg, span_s) => (leg.steps(stepper, *span_s), span_s[1]),
+            Self::Planned(leg, span_s) => (leg.sketch(stepper, *span_s), span_s[1]),
             Self::Brakes(from_s, rest) => (rest.steps(stepper, *from_s), rest.end_s),
         }
     }

@@ -67,7 +67,7 @@ pub struct Queued {
     /// Counts of the motors as they were told last, and what they are where its axis stands at 0.
     counts: Vec<i64>,
     zeros: Vec<i64>,
-    /// Where it stands, when that is not where the plan leads.
+    /// Place where it stands, when that is not the end of the plan.
     elsewhere: Option<Axes>,
     /// It has come to rest by itself, on the path, because nothing followed in time.
     late: bool,
@@ -170,6 +170,14 @@ impl Queued {
     pub fn let_go(&mut self) {
         self.berth = Box::new(Gone);
         self.fail("its port is closed".into(), "", true);
+    }
+
+    /// Clock of the board at a moment of machine time, while it is in motion.
+    pub fn clock_at(&self, t_s: f64) -> Option<f64> {
+        match self.state {
+            State::Moving(scale, _) => Some(scale.at(t_s)),
+            _ => None,
+        }
     }
 
     /// Ticks of a time, seconds.
@@ -380,6 +388,13 @@ impl Queued {
         }
         self.berth.request(Request::LetRest);
         self.wait_until(|it| it.state == State::Rest);
+    }
+}
+
+impl Drop for Queued {
+    fn drop(&mut self) {
+        // An output that is left on would have the board shut down by itself.
+        self.drop_all();
     }
 }
 

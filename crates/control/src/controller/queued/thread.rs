@@ -8,11 +8,11 @@
 //! It ends with whoever has made it: motion is stopped first.
 
 use super::berth::Berth;
-use crate::controller::Line;
 use kerf_driver_klipper::board::Board;
 use kerf_driver_klipper::board::{Fault, News, Options};
 use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
 use kerf_driver_klipper::setup::Setup;
+use kerf_transport::Line;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{Builder, JoinHandle};
@@ -27,6 +27,8 @@ const GLANCE: Duration = Duration::from_millis(1);
 const GREETING: Duration = Duration::from_secs(12);
 /// The last words of a host have this time to come to the board.
 const PARTING: Duration = Duration::from_millis(500);
+/// They need at least so long: an output changes a moment after it was told.
+const FAREWELL: Duration = Duration::from_millis(80);
 /// Time behind the last step for which motion is waited on for more, seconds.
 const LINGER_S: f64 = 1.0;
 
@@ -54,12 +56,12 @@ impl Threaded {
     ///
     /// # Errors
     /// Nobody answers, or a board that the setup does not fit; in words.
-    pub fn open(setup: Setup, baud: Option<u32>, opens: OpensLine) -> Result<Greeted, String> {
+    pub fn open(setup: Setup, options: Options, opens: OpensLine) -> Result<Greeted, String> {
         let (requests, taken) = channel();
         let (told, answers) = channel();
         let progress = Arc::new(Mutex::new(Progress::default()));
         let since = Instant::now();
-        let options = Options { baud, linger_s: LINGER_S, ..Options::default() };
+        let options = Options { linger_s: LINGER_S, error_s: super::ERROR_S, ..options };
         let mut tender = Tender {
             desk: Desk::new(Board::new(setup, options, 0.0)),
             requests: taken,
@@ -167,12 +169,13 @@ impl Tender {
         let now_s = self.now_s();
         let out = self.desk.board().transmit(now_s);
         if !out.bytes.is_empty() {
-            line.write(&out.bytes)?;
+            line.write(&out.bytes).map_err(|why| why.to_string())?;
         }
         let now_s = self.now_s();
         let due_s = (self.desk.board().due_s() - now_s).clamp(0.0, GLANCE.as_secs_f64());
         let mut bytes = [0; 1024];
-        let count = line.read(&mut bytes, Duration::from_secs_f64(due_s))?;
+        let read = line.read(&mut bytes, Duration::from_secs_f64(due_s));
+        let count = read.map_err(|why| why.to_string())?;
         if count > 0 {
             let now_s = self.now_s();
             self.desk.board().receive(&bytes[..count], now_s);
@@ -189,7 +192,9 @@ impl Tender {
     fn part(&mut self, line: &mut dyn Line) -> Result<(), String> {
         let until = Instant::now() + PARTING;
         self.desk.take(Request::Stop, self.now_s());
-        while self.desk.board().is_stopping() && Instant::now() < until {
+        let least = Instant::now() + FAREWELL;
+        while (self.desk.board().is_stopping() || Instant::now() < least) && Instant::now() < until
+        {
             self.carry(line)?;
         }
         Ok(())
