@@ -96,6 +96,12 @@ describe("how far it is", () => {
     );
     expect(progressOf(told({})).spent).toBeUndefined();
   });
+  it("is not told of a file whose plan ends at an error", () => {
+    const over = job && { ...job, ended: "failed" };
+    const done = { ...firstSnapshot.motion, progress: 1 };
+    const shown = progressOf(told({ findings: [error(5)] }, { job: over, motion: done }));
+    expect(shown.part).toBeUndefined();
+  });
   it("is not told without a plan", () => {
     const typed = job && { ...job, hash: null, seconds: 0, command: "MX,3" };
     const shown = progressOf(told({}, { job: typed }));

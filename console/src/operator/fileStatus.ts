@@ -165,11 +165,19 @@ export function progressOf(told: Told): RunProgress {
       spent: `so far ${durationText(motion.elapsed)}`,
     };
   }
+  return atRest(told, name);
+}
+
+/** How far the file that is open was made last. */
+function atRest(told: Told, name: string): RunProgress {
+  const { opened, motion } = told;
   // A preview that ended at an error is no plan of the whole file.
-  const ready = opened?.preview.state === "ready" && errorsOf(opened).length === 0;
+  const halts = opened ? errorsOf(opened).length > 0 : false;
+  const ready = opened?.preview.state === "ready" && !halts;
+  const made = halts ? undefined : motion.progress;
   return {
     name,
-    part: isOpenFile(told) ? motion.progress : 0,
+    part: isOpenFile(told) ? made : 0,
     words: "planned",
     seconds: ready ? opened.seconds : undefined,
     spent: opened?.ran?.seconds ? `took ${durationText(opened.ran.seconds)}` : undefined,

@@ -3,6 +3,7 @@ import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
 import { useWords } from "../app/useWords";
 import { errorsOf, mistakesText, movesMade, placeOf } from "../operator/fileStatus";
+import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import type { Motion, Opened, PreviewInfo } from "../wire/messages";
 import type { Bounds, Vec3 } from "./camera";
@@ -96,10 +97,26 @@ export function ToolPathPanel() {
         <PathWords path={path} typed={typed} opened={opened} recorded={recorded} />
       </div>
       {path && units && !opened?.broken && <PathFacts info={path.info} units={units} />}
+      <SampledWith count={opened?.samples.length ?? 0} />
       {path && !opened?.broken && (
         <PlayBar playback={playback} seconds={seconds} onChange={setPlayback} />
       )}
     </Panel>
+  );
+}
+
+/** Says that a program that asks was previewed with sample answers, and leads to them. */
+function SampledWith({ count }: { count: number }) {
+  const { screen } = useHands();
+  if (count === 0) return null;
+  return (
+    <p className="path-samples">
+      It asks {count === 1 ? "a question" : `${count} questions`}: this is drawn with sample
+      answers.
+      <Button size="small" onPress={() => screen.open({ kind: "samples" })}>
+        Sample answers…
+      </Button>
+    </p>
   );
 }
 

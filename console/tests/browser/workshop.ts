@@ -232,6 +232,8 @@ export interface WorkshopOptions {
   readonly lan?: boolean;
   /** Drawings only. */
   readonly drawingOnly?: boolean;
+  /** Told when somebody is needed and how runs end. */
+  readonly webhook?: string;
   /** Opened at the start. */
   readonly open?: string;
   /** The start-up line of the handbooks that begins it, read in the part folder. */
@@ -287,9 +289,12 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const places = ["--listen", listen, "--parts", folder, "--data", folder, "--rate", rate];
   const lan = options.lan ? ["--lan"] : [];
   const only = options.drawingOnly ? ["--drawing-only"] : [];
+  const told = options.webhook ? ["--webhook", options.webhook] : [];
   const begins = options.line ? ["sb3", options.line, "--console"] : ["serve", ...file];
   const driven = options.controller ? ["--machine", options.controller] : [];
-  const server = spawn(kerf, [...begins, ...places, ...lan, ...only, ...driven], { cwd: folder });
+  const server = spawn(kerf, [...begins, ...places, ...lan, ...only, ...told, ...driven], {
+    cwd: folder,
+  });
   const wayIn = await addressOf(server);
   const { origin: address, searchParams } = new URL(wayIn);
   const token = searchParams.get("token");

@@ -94,6 +94,7 @@ export const firstSnapshot: Snapshot = {
     header: "First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.",
     preview: { state: "ready", key: "first" },
     seconds: 31.4,
+    samples: [],
     findings: [],
     broken: false,
     ran: null,

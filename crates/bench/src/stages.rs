@@ -2,13 +2,13 @@
 
 use crate::figure::{Figure, Goal, timed};
 use crate::inputs::Input;
-use crate::still::Still;
 use anyhow::Result;
 use kerf_control::answers::Answers;
 use kerf_control::{RunContext, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_motion::{Move, Mover, plan_stack};
+use kerf_program::testing::Still;
 use kerf_program::{Axes, Command, Settings};
 use kerf_sbp::{Interpreter, Options, Program, Step};
 use kerf_workspace::Workspace;

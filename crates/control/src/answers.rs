@@ -6,10 +6,10 @@
 //! begin with `#` are notes. A box that comes back for as long as nothing leads on gets the answer of
 //! its kind a thousand times; then it is as if nobody were there.
 
-use crate::by_hand::Jog;
-use crate::lift_aside::Aside;
+use crate::hand_words::Aside;
+use crate::hand_words::Jog;
+use crate::hand_words::KEY;
 use crate::nudge::Nudge;
-use crate::pendant::KEY;
 use kerf_machine::Word;
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};

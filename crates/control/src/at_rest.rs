@@ -1,7 +1,7 @@
 //! Changes to a machine that stands, without a program.
 
+use crate::happenings::actuator;
 use crate::session::Session;
-use crate::world::actuator;
 use kerf_journal::Press;
 use kerf_machine::Driven;
 use kerf_program::OutputReason;

@@ -2,9 +2,9 @@
 //! motion that a home switch ends.
 
 use crate::by_hand::Driven;
-use crate::runner::{Over, Runner};
+use crate::run_end::RunEnd;
+use crate::stopping::Stops;
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_machine::Hand;
 use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
 use kerf_machine::planning::hand_settings;
@@ -16,116 +16,122 @@ use kerf_program::{
 use kerf_sim::{Machine, Watched};
 use kerf_trace::Event;
 
-impl<I: Interpreter> Runner<'_, I> {
-    /// Homes axes that have a switch, and tells how far the last home was off.
-    pub(crate) fn home(&mut self, axes: AxisSet) -> Found {
-        if self.drive.homes() {
-            return self.home_by_itself();
-        }
-        let machine = self.world.machine_is.clone();
-        let settings = hand_settings(&machine);
-        let now_s = self.world.now();
-        self.world.machine.advance(now_s);
-        let mut rig =
-            OnMachine { runner: self, settings, axis: None, over: None, found: Found::default() };
-        let mut homed = Vec::new();
-        let ended = homing::home(&machine, &mut rig, axes, &mut homed);
-        let (over, at, mut found) = (rig.over.take(), rig.axis, rig.found);
-        self.world.machine.move_alone(None);
-        self.mover.set_position(self.world.machine.position());
-        match &ended {
-            Ok(()) => found.done = found.zeroed,
-            // A switch that does not come is not where it was believed to be.
-            Err(_) if over.is_none() => at.iter().for_each(|axis| found.lost.insert(*axis)),
-            // Its motors may stand differently.
-            Err(_) => found.lost = found.zeroed.without(found.done),
-        }
-        found.over = over.or_else(|| ended.err().map(|missing| self.misses_switch(&missing, at)));
-        homed.retain(|it| found.done.contains(it.axis));
-        self.tell_homed(&homed);
-        found
+/// Homes axes that have a switch, and tells how far the last home was off.
+pub(crate) fn home<I: Interpreter>(stops: &mut Stops<'_, I>, axes: AxisSet) -> Found {
+    if stops.station.drive.homes() {
+        return home_by_itself(stops);
     }
-
-    /// Has a controller go home that finds it by itself, with all its axes.
-    fn home_by_itself(&mut self) -> Found {
-        let axes = self.world.homes;
-        let mut found = Found { lost: axes, ..Found::default() };
-        self.world.workspace.tape.moves(true, self.world.placed());
-        let forbidden = self.forbidden();
-        let home = if forbidden.is_none() { self.drive.home() } else { None };
-        match (forbidden, home) {
-            (_, Some(place)) => {
-                self.world.machine.put(place);
-                self.mover.set_position(place);
-                found = Found { done: axes, zeroed: axes, ..Found::default() };
-                let text = "the controller has homed its axes".into();
-                self.world.tell(&Event::Message { text, t: self.world.now() });
-            }
-            (Some(driven), _) => found.over = Some(self.interrupted(&driven)),
-            (None, None) => {
-                let failed = self.drive.fault().cloned().map(|fault| self.fails(&fault));
-                let stopped = Over { status: Status::Stopped, diagnostic: None };
-                found.over = Some(failed.unwrap_or(stopped));
-            }
-        }
-        self.stand();
-        found
+    let machine = stops.station.world.machine_is.clone();
+    let settings = hand_settings(&machine);
+    let now_s = stops.station.world.now();
+    stops.station.world.machine.advance(now_s);
+    let mut rig = OnMachine { stops, settings, axis: None, over: None, found: Found::default() };
+    let mut homed = Vec::new();
+    let ended = homing::home(&machine, &mut rig, axes, &mut homed);
+    let (over, at, mut found) = (rig.over.take(), rig.axis, rig.found);
+    stops.station.world.machine.move_alone(None);
+    stops.station.mover.set_position(stops.station.world.machine.position());
+    match &ended {
+        Ok(()) => found.done = found.zeroed,
+        // A switch that does not come is not where it was believed to be.
+        Err(_) if over.is_none() => at.iter().for_each(|axis| found.lost.insert(*axis)),
+        // Its motors may stand differently.
+        Err(_) => found.lost = found.zeroed.without(found.done),
     }
+    found.over = over.or_else(|| ended.err().map(|missing| misses_switch(stops, &missing, at)));
+    homed.retain(|it| found.done.contains(it.axis));
+    tell_homed(stops, &homed);
+    found
+}
 
-    fn misses_switch(&self, missing: &NotFound, axis: Option<Axis>) -> Over {
-        let place = Place::line(self.world.file(At::default()), 0);
-        let input = axis.and_then(Machine::home_line).map_or("none", Input::name);
-        let hint = format!(
-            "nothing moves on; look at the switch on input {input} (homing), and at the length of the axis (axis.length)"
-        );
-        let why = Diagnostic::new(Code::NoHome, place, missing.to_string()).hint(hint);
-        Over { status: Status::Failed, diagnostic: Some(Box::new(why)) }
-    }
-
-    fn tell_homed(&mut self, homed: &[Homed]) {
-        let t = self.world.now();
-        for it in homed {
-            let axis = self.world.machine_is.motors.axis_name(it.axis);
-            self.world.tell(&Event::Homed { axis, steps: it.difference_steps, t });
+/// Has a controller go home that finds it by itself, with all its axes.
+fn home_by_itself<I: Interpreter>(stops: &mut Stops<'_, I>) -> Found {
+    let axes = stops.station.world.homes;
+    let mut found = Found { lost: axes, ..Found::default() };
+    stops.station.world.workspace.tape.moves(true, stops.station.world.placed());
+    let forbidden = stops.station.forbidden();
+    let home = if forbidden.is_none() { stops.station.drive.home() } else { None };
+    match (forbidden, home) {
+        (_, Some(place)) => {
+            stops.station.world.machine.put(place);
+            stops.station.mover.set_position(place);
+            found = Found { done: axes, zeroed: axes, ..Found::default() };
+            let text = "the controller has homed its axes".into();
+            stops.station.world.tell(&Event::Message { text, t: stops.station.world.now() });
         }
+        (Some(driven), _) => found.over = Some(stops.station.interrupted(&driven)),
+        (None, None) => {
+            let failed = stops.station.drive.fault().cloned().map(|fault| stops.fails(&fault));
+            let stopped = RunEnd::of(Status::Stopped);
+            found.over = Some(failed.unwrap_or(stopped));
+        }
+    }
+    stops.station.stand();
+    found
+}
+
+fn misses_switch<I: Interpreter>(
+    stops: &Stops<'_, I>,
+    missing: &NotFound,
+    axis: Option<Axis>,
+) -> RunEnd {
+    let place = Place::line(stops.station.world.file(At::default()), 0);
+    let input = axis.and_then(Machine::home_line).map_or("none", Input::name);
+    let hint = format!(
+        "nothing moves on; look at the switch on input {input} (homing), and at the length of the axis (axis.length)"
+    );
+    let why = Diagnostic::new(Code::NoHome, place, missing.to_string()).hint(hint);
+    RunEnd { status: Status::Failed, diagnostic: Some(Box::new(why)) }
+}
+
+fn tell_homed<I: Interpreter>(stops: &mut Stops<'_, I>, homed: &[Homed]) {
+    let t = stops.station.world.now();
+    for it in homed {
+        let axis = stops.station.world.machine_is.motors.axis_name(it.axis);
+        stops.station.world.tell(&Event::Homed { axis, steps: it.difference_steps, t });
     }
 }
 
-impl Runner<'_, Hand> {
-    /// Asks whether to home first; `Ended` goes on without.
-    pub(crate) fn asked(&mut self, question: Option<Question>) -> Result<(), Over> {
-        let Some(question) = question else { return Ok(()) };
-        let status = match self.ask(&question, At::default())? {
-            Answer::Button(Button::Yes) => return Ok(()),
-            Answer::Button(Button::No | Button::Continue) => Status::Ended,
-            _ => Status::Stopped,
-        };
-        Err(Over { status, diagnostic: None })
-    }
+/// Asks whether to home first; `Ended` goes on without.
+pub(crate) fn asked<I: Interpreter>(
+    stops: &mut Stops<'_, I>,
+    question: Option<Question>,
+) -> Result<(), RunEnd> {
+    let Some(question) = question else { return Ok(()) };
+    let status = match stops.ask(&question, At::default())? {
+        Answer::Button(Button::Yes) => return Ok(()),
+        Answer::Button(Button::No | Button::Continue) => Status::Ended,
+        _ => Status::Stopped,
+    };
+    Err(RunEnd::of(status))
+}
 
-    /// Homes axes. An axis that was homed before keeps the numbers of its zero points, which count from
-    /// home; of one that was not they stay where they were on the table.
-    pub(crate) fn find_home(&mut self, axes: AxisSet, before: AxisSet) -> Found {
-        let found = self.home(axes);
-        let mut frame = *self.world.machine.frame();
-        for axis in found.zeroed.without(before).iter() {
-            frame.working_zero[axis] -= found.shift[axis];
-            frame.base_zero[axis] -= found.shift[axis];
-        }
-        found.done.iter().for_each(|axis| frame.base_zero[axis] = 0.0);
-        if found.over.is_none() || !found.zeroed.is_empty() {
-            let (working, base) = (found.done, found.done);
-            self.world.perform(Command::Location { frame, working, base });
-        }
-        found
+/// Homes axes. An axis that was homed before keeps the numbers of its zero points, which count from
+/// home; of one that was not they stay where they were on the table.
+pub(crate) fn find_home<I: Interpreter>(
+    stops: &mut Stops<'_, I>,
+    axes: AxisSet,
+    before: AxisSet,
+) -> Found {
+    let found = home(stops, axes);
+    let mut frame = *stops.station.world.machine.frame();
+    for axis in found.zeroed.without(before).iter() {
+        frame.working_zero[axis] -= found.shift[axis];
+        frame.base_zero[axis] -= found.shift[axis];
     }
+    found.done.iter().for_each(|axis| frame.base_zero[axis] = 0.0);
+    if found.over.is_none() || !found.zeroed.is_empty() {
+        let (working, base) = (found.done, found.done);
+        stops.station.world.perform(Command::Location { frame, working, base });
+    }
+    found
+}
 
-    pub(crate) fn told(&mut self, over: Over) -> Over {
-        if let Some(why) = &over.diagnostic {
-            self.world.tell_diagnostic((**why).clone());
-        }
-        over
+pub(crate) fn told<I: Interpreter>(stops: &mut Stops<'_, I>, over: RunEnd) -> RunEnd {
+    if let Some(why) = &over.diagnostic {
+        stops.station.world.tell_diagnostic((**why).clone());
     }
+    over
 }
 
 /// Result of homing.
@@ -140,17 +146,17 @@ pub(crate) struct Found {
     /// By how much.
     pub shift: Axes,
     /// Reason for which it did not come to its end.
-    pub over: Option<Over>,
+    pub over: Option<RunEnd>,
 }
 
 /// The machine as the homing procedure moves it.
 struct OnMachine<'a, 'b, I> {
-    runner: &'a mut Runner<'b, I>,
+    stops: &'a mut Stops<'b, I>,
     settings: Settings,
     /// The axis that is being homed.
     axis: Option<Axis>,
     /// Reason for which nothing moves any more.
-    over: Option<Over>,
+    over: Option<RunEnd>,
     found: Found,
 }
 
@@ -169,11 +175,11 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
     }
 
     fn place(&self) -> f64 {
-        self.runner.world.machine.position()[self.axis()]
+        self.stops.station.world.machine.position()[self.axis()]
     }
 
     fn machine(&mut self) -> &mut Machine {
-        &mut self.runner.world.machine
+        &mut self.stops.station.world.machine
     }
 
     /// Moves the axis, until a switch reads a state; tells where that was.
@@ -181,11 +187,11 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         if self.over.is_some() {
             return None;
         }
-        if let Some(driven) = self.runner.forbidden() {
-            self.over = Some(self.runner.interrupted(&driven));
+        if let Some(driven) = self.stops.station.forbidden() {
+            self.over = Some(self.stops.station.interrupted(&driven));
             return None;
         }
-        let (axis, from) = (self.axis(), self.runner.world.machine.position());
+        let (axis, from) = (self.axis(), self.stops.station.world.machine.position());
         self.machine().move_alone(match which {
             Which::All => None,
             Which::One(motor) => Some((axis, motor)),
@@ -195,11 +201,11 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         let line = Line { kind: MoveKind::Jog, to: there, feed: Feed::Path(speed.abs()) };
         let made = Mover::new(from, &self.settings).line(At::default(), &line)?;
         let switch = until.zip(Machine::home_line(axis)).map(|(on, line)| line.number_when(on));
-        match self.runner.drive(made, &self.settings, switch.as_slice()) {
+        match self.stops.station.drive(made, &self.settings, switch.as_slice()) {
             Driven::Edge(place) => Some(place[axis]),
             Driven::There => None,
             driven => {
-                self.over = Some(self.runner.interrupted(&driven));
+                self.over = Some(self.stops.station.interrupted(&driven));
                 None
             }
         }
@@ -219,7 +225,7 @@ impl Switch for Input {
 
 impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
     fn switch(&self, which: Which) -> bool {
-        self.runner.world.machine.home_switch(self.axis(), which)
+        self.stops.station.world.machine.home_switch(self.axis(), which)
     }
 
     fn seek(&mut self, which: Which, speed: f64, until: bool, most: f64) -> Sought {

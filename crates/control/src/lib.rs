@@ -1,10 +1,16 @@
 //! One owner of one machine: runs programs on it and tells what happens.
 //!
 //! ```text
-//!  Session::run ── Runner ── Interpreter            asks World: machine, operator, files
-//!                    │  └─── Mover, plan ── Machine (kerf-sim)
-//!                    └─────► Sink: Event, Event, …  trace, picture, progress
+//!  Session::run ── Runner    the loop: commands, stacks of moves, plans, waits
+//!                    │
+//!                  Stops     what follows on a stop; every way back may be stopped again
+//!                    │
+//!                  Station ── Interpreter            asks World: machine, operator, files
+//!                    │  └──── Drive, Machine         time passes, moves are made
+//!                    └──────► Sink: Event, Event, …  trace, picture, progress
 //! ```
+//!
+//! A floor calls those below it and nothing above. What ends a run comes up as the error `RunEnd`.
 //!
 //! - [`Session`] is what stays between runs; [`Session::run`] is one run, and what it is lent is a [`RunContext`].
 //! - [`AtRest`] is its machine while it stands.
@@ -17,14 +23,17 @@
 //! The same program, settings, files, answers and inputs give the same events, byte for byte.
 
 pub mod answers;
+mod asking;
 mod at_rest;
-mod beside;
+
 mod by_hand;
 mod command_limit;
 pub mod controller;
 mod diagnostics;
 mod drive;
 mod execute;
+mod hand_words;
+mod happenings;
 mod heights;
 mod hold;
 mod homing;
@@ -32,25 +41,29 @@ mod host;
 mod lift_aside;
 mod nudge;
 mod on_record;
+mod passing;
 mod pendant;
 mod preparation;
 mod reentry;
 mod requests;
 mod run_context;
+mod run_end;
 mod run_summary;
 mod runner;
 mod runs;
 mod session;
 pub mod settings_text;
 mod stack;
+mod station;
 mod stopped_spindles;
 mod stopping;
 mod table_limits;
 mod text;
 mod told_as_one;
 mod trail;
+mod turn;
 mod waiting;
-mod warning;
+mod way_back;
 mod world;
 mod world_clock;
 
@@ -58,9 +71,8 @@ use kerf_machine::Driven;
 use kerf_sim::Simulated;
 
 pub use at_rest::AtRest;
-pub use by_hand::Jog;
 pub use diagnostics::{diagnostics, system_variables};
-pub use lift_aside::LIFT;
+pub use hand_words::{Jog, LIFT};
 pub use nudge::{Nudge, Outside};
 pub use requests::{OperatorRequest, Requests, Script, StopAt};
 pub use run_context::RunContext;

@@ -8,94 +8,65 @@
 //! The way back is that from a stop. A program whose question is answered with a refusal most often ends there:
 //! then the tool stays away, and goes back only when the program moves on.
 
-use crate::by_hand::Jog;
-use crate::runner::{Over, Runner};
+use crate::hand_words::Aside;
+use crate::run_end::RunEnd;
+use crate::stopping::Stops;
 use kerf_machine::state::{Effect, State};
-use kerf_program::{Answer, Axis, Button, Interpreter, QuestionKind};
-
-/// The word that takes the tool out of the cut while a program asks.
-pub const LIFT: &str = "lift";
-
-/// Move of the tool by the operator while a program waits.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Aside {
-    /// Out of the cut, what turns stops.
-    Lift,
-    /// By hand.
-    Jog(Jog),
-}
-
-impl Aside {
-    /// Reads `lift`, or a jog.
-    pub fn read(words: &str) -> Option<Self> {
-        if words.trim().eq_ignore_ascii_case(LIFT) {
-            return Some(Self::Lift);
-        }
-        Jog::read(words).map(Self::Jog)
-    }
-
-    /// Returns `true` if a question of a kind leaves the tool to the operator: a program waits for him, and goes on
-    /// where it was.
-    pub const fn is_for(kind: QuestionKind) -> bool {
-        matches!(kind, QuestionKind::Pause | QuestionKind::Msgbox)
-    }
-}
+use kerf_program::{Answer, Axis, Button, Interpreter};
 
 /// Returns `true` if a program that gets this answer goes on, as far as its buttons say.
 const fn goes_on(answer: &Answer) -> bool {
     !matches!(answer, Answer::Button(Button::Cancel | Button::Abort | Button::No))
 }
 
-impl<I: Interpreter> Runner<'_, I> {
-    /// The tool is moved while a program waits; where it comes back to is kept. What ends the run meanwhile is told
-    /// by [`Runner::heeded`].
-    pub(crate) fn set_aside(&mut self, aside: Aside) {
-        if self.world.machine.draws() {
-            return;
-        }
-        let ahead = self.mover.position();
-        // A stop on the way ends it there: the question that is open says what follows.
-        let state = std::mem::replace(&mut self.state, State::Paused);
-        if !std::mem::replace(&mut self.away, true) {
-            self.carry_out(Effect::KeepPlace);
-            self.carry_out(Effect::Halt);
-        }
-        match aside {
-            Aside::Lift => {
-                self.carry_out(Effect::SpindleOff);
-                self.world.tell_log();
-                self.carry_out(Effect::Raise);
-            }
-            Aside::Jog(jog) => self.jog(jog),
-        }
-        self.come_back_over();
-        // The program is still where it waits.
-        if self.state == State::Paused {
-            self.state = state;
-        }
-        self.mover.set_position(ahead);
+/// The tool is moved while a program waits; where it comes back to is kept. What ends the run meanwhile is told
+/// by [`Stops::heeded`].
+pub(crate) fn set_aside<I: Interpreter>(stops: &mut Stops<'_, I>, aside: Aside) {
+    if stops.station.world.machine.draws() {
+        return;
     }
+    let ahead = stops.station.mover.position();
+    // A stop on the way ends it there: the question that is open says what follows.
+    let state = std::mem::replace(&mut stops.state, State::Paused);
+    if !std::mem::replace(&mut stops.away, true) {
+        stops.carry_out(Effect::KeepPlace);
+        stops.carry_out(Effect::Halt);
+    }
+    match aside {
+        Aside::Lift => {
+            stops.carry_out(Effect::SpindleOff);
+            stops.station.world.tell_log();
+            stops.carry_out(Effect::Raise);
+        }
+        Aside::Jog(jog) => stops.station.jog(jog),
+    }
+    come_back_over(stops);
+    // The program is still where it waits.
+    if stops.state == State::Paused {
+        stops.state = state;
+    }
+    stops.station.mover.set_position(ahead);
+}
 
-    /// A question that left the tool to the operator is answered.
-    pub(crate) fn goes_back_after(&mut self) -> Result<(), Over> {
-        let goes_on = self.world.answer.as_ref().is_some_and(goes_on);
-        if goes_on { self.back_in_the_cut() } else { Ok(()) }
-    }
+/// A question that left the tool to the operator is answered.
+pub(crate) fn goes_back_after<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
+    let goes_on = stops.station.world.answer.as_ref().is_some_and(goes_on);
+    if goes_on { back_in_the_cut(stops) } else { Ok(()) }
+}
 
-    /// The tool goes back to where the program left it, if it was taken away.
-    pub(crate) fn back_in_the_cut(&mut self) -> Result<(), Over> {
-        if !std::mem::take(&mut self.away) {
-            return Ok(());
-        }
-        let ahead = self.mover.position();
-        self.carry_out(Effect::ComeBack);
-        self.mover.set_position(ahead);
-        self.heeded()
+/// The tool goes back to where the program left it, if it was taken away.
+pub(crate) fn back_in_the_cut<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
+    if !std::mem::take(&mut stops.away) {
+        return Ok(());
     }
+    let ahead = stops.station.mover.position();
+    stops.carry_out(Effect::ComeBack);
+    stops.station.mover.set_position(ahead);
+    stops.heeded()
+}
 
-    /// The way back is no lower than Safe-Z, nor than where the tool is.
-    fn come_back_over(&mut self) {
-        let safe_mm = self.lift_mm().unwrap_or(f64::NEG_INFINITY);
-        self.kept.lifted_mm = safe_mm.max(self.world.machine.position()[Axis::Z]);
-    }
+/// The way back is no lower than Safe-Z, nor than where the tool is.
+fn come_back_over<I: Interpreter>(stops: &mut Stops<'_, I>) {
+    let safe_mm = stops.station.lift_mm().unwrap_or(f64::NEG_INFINITY);
+    stops.kept.lifted_mm = safe_mm.max(stops.station.world.machine.position()[Axis::Z]);
 }

@@ -328,13 +328,18 @@ impl Session {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = workspace.journal().cloned().ok_or_else(nothing)?;
         let owner = journal.own()?;
-        self.take_over(&journal, workspace)?;
+        // A controller says itself where it stands.
+        if self.driven_by.is_none() {
+            self.take_over(&journal, workspace)?;
+        }
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
         let switches = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
-        let (work, tape) = journal.runs.take_up(cut, stands, switches)?;
+        let on = self.driven_by.as_ref().map(|controller| &*controller.name);
+        let (work, tape) = journal.runs.take_up(cut, on, stands, switches)?;
         let run = &cut.run;
         // Whoever homed the machine since knows its homes.
-        *self = Self { homed: self.homed, ..Self::as_begun(cut) };
+        let driven_by = self.driven_by.take();
+        *self = Self { homed: self.homed, driven_by, ..Self::as_begun(cut) };
         workspace.as_it_was(&run.folders, run.shell);
         workspace.stored.begin_from(run.values.clone());
         workspace.tape = tape;
@@ -391,6 +396,10 @@ fn in_time(
     journal.each_commit_lasts(is_real)?;
     if is_real {
         tape.writes_behind(context.requests.hurry());
+    }
+    let leads_s = context.machine.borrow().facts().leads_s;
+    if leads_s > 0.0 {
+        tape.lags(leads_s);
     }
     Ok(())
 }

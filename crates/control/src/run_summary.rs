@@ -1,6 +1,6 @@
 //! The summary of a run, and the event that ends it.
 
-use crate::runner::Over;
+use crate::run_end::RunEnd;
 use crate::world::World;
 use kerf_geom::Bounds3;
 use kerf_part::Interpreter;
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 pub(crate) fn summary(
     interpreter: &impl kerf_program::Interpreter,
     world: &mut World<'_>,
-    over: Over,
+    over: RunEnd,
 ) -> Summary {
     Summary {
         status: over.status,

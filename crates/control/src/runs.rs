@@ -1,16 +1,18 @@
 //! Runs of a session: a part file, a job, a movement by hand.
 
 use crate::command_limit::CommandLimit;
-use crate::heights;
 use crate::homing::Found;
 use crate::preparation::{Preparation, axis_names};
 use crate::run_context::RunContext;
+use crate::run_end::RunEnd;
 use crate::run_summary::{end_event, summary, variables_told};
-use crate::runner::{LINES, Over, Runner};
+use crate::runner::{LINES, Runner};
 use crate::session::Session;
+use crate::station::Station;
 use crate::told_as_one::Whole;
 use crate::trail::Trail;
 use crate::world::World;
+use crate::{heights, homing, trail};
 use kerf_journal::{Door, Placed, RunOptions, Work};
 use kerf_machine::{Configuration, Errand, Hand};
 use kerf_part::{Interpreter, Program};
@@ -118,14 +120,14 @@ impl Session {
         let mut runner =
             Runner::new(interpreter, world, requests, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
-        runner.trail = Trail::new(depth);
+        runner.stops.station.trail = Trail::new(depth);
         runner.bound = CommandLimit::of(options.most_commands);
-        runner.reentry = stands;
+        runner.stops.station.reentry = stands;
         let over = runner.run();
         if let Some(log) = log {
-            runner.write_log(&log, &over);
+            trail::write_log(&mut runner.stops.station, &log, &over);
         }
-        runner.write_system_log(&over);
+        trail::write_system_log(&mut runner.stops.station, &over);
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
         machine.unverified().iter().for_each(|axis| self.homed.remove(axis));
         (self.memory, self.gcode, self.machine) = (memory.sbp, memory.gcode, Some(machine));
@@ -192,10 +194,10 @@ impl Session {
         (world.machine_is, world.homed, world.tally) =
             (machine.clone(), self.homed, before.tally());
         let mut runner = Runner::new(sequence, world, requests, options.limits, 0);
-        runner.reentry = stands;
+        runner.stops.station.reentry = stands;
         let over = runner.run();
-        runner.stay_where_it_stands();
-        let Runner { interpreter, mut world, last_move, .. } = runner;
+        runner.stops.station.stay_where_it_stands();
+        let Station { interpreter, mut world, last_move, .. } = runner.stops.station;
         let summary = summary(&interpreter, &mut world, over);
         world.tell(&Event::End(end_event(&summary, &world.machine, None)));
         self.memory.position = world.machine.position();
@@ -240,15 +242,17 @@ impl Session {
         let mut runner = Runner::new(hand, world, requests, options.limits, 0);
         let over = match errand {
             Errand::FindHome(axes) => {
-                let over = match runner.asked(asks) {
-                    Ok(()) => self.learn_homes(runner.find_home(axes, self.homed)),
+                let over = match homing::asked(&mut runner.stops, asks) {
+                    Ok(()) => {
+                        self.learn_homes(homing::find_home(&mut runner.stops, axes, self.homed))
+                    }
                     Err(over) => over,
                 };
-                runner.told(over)
+                homing::told(&mut runner.stops, over)
             }
             _ => runner.run(),
         };
-        let Runner { interpreter, mut world, .. } = runner;
+        let Station { interpreter, mut world, .. } = runner.stops.station;
         let summary = summary(&interpreter, &mut world, over);
         world.tell(&Event::End(end_event(&summary, &world.machine, None)));
         (self.memory.position, self.memory.frame) =
@@ -258,9 +262,9 @@ impl Session {
     }
 
     /// Which axes are homed now, however homing ended.
-    fn learn_homes(&mut self, found: Found) -> Over {
+    fn learn_homes(&mut self, found: Found) -> RunEnd {
         self.homed = self.homed.without(found.lost).union(found.done);
-        found.over.unwrap_or(Over { status: Status::Ok, diagnostic: None })
+        found.over.unwrap_or(RunEnd::of(Status::Ok))
     }
 
     /// Returns the event with which a run begins, for whoever looks.
@@ -350,11 +354,11 @@ pub const fn dialect_word(dialect: Dialect) -> &'static str {
 
 fn conclude(
     mut runner: Runner<'_, Interpreter>,
-    over: Over,
+    over: RunEnd,
     variables: bool,
 ) -> (Summary, kerf_part::Session, Machine) {
-    runner.stay_where_it_stands();
-    let Runner { interpreter, mut world, .. } = runner;
+    runner.stops.station.stay_where_it_stands();
+    let Station { interpreter, mut world, .. } = runner.stops.station;
     let closes = interpreter.closes();
     let summary = Summary { closes, ..summary(&interpreter, &mut world, over) };
     let variables = variables.then(|| variables_told(&interpreter));

@@ -10,7 +10,7 @@ use kerf_machine::driver::{
     Axes, Changed, Driver, Facts, Garbled, Hold, Order, Reply, Sent, Signal, Standing, Ticket,
     Trouble, Wired, is_sound,
 };
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 /// Orders that are made and not known to be: a report comes ten times a second, and a board makes some 600 moves a second
 /// at most on a serial line.
@@ -198,6 +198,16 @@ impl Grbl {
             asked_s: f64::NEG_INFINITY,
             replies: Vec::new(),
         }
+    }
+
+    /// Returns its settings as it writes them, by their numbers.
+    pub const fn settings(&self) -> &BTreeMap<u16, String> {
+        self.told.texts()
+    }
+
+    /// Changes a setting, while nothing moves.
+    pub fn writes(&mut self, number: u16, value: &str) {
+        self.say(format!("${number}={value}"));
     }
 
     /// Time in which nobody looked at the line is no time in which an answer did not come.

@@ -43,6 +43,8 @@ pub struct Told {
     /// Modal words that hold in it.
     modes: Vec<String>,
     settings: BTreeMap<u16, f64>,
+    /// The same as it writes them, with those that are no numbers.
+    texts: BTreeMap<u16, String>,
     /// Bytes that its receive buffer holds.
     pub rx: usize,
     /// Moves that its planner holds.
@@ -64,6 +66,7 @@ impl Default for Told {
             lacks_probe: false,
             modes: Vec::new(),
             settings: BTreeMap::new(),
+            texts: BTreeMap::new(),
             rx: RX,
             planner: PLANNER,
             is_sized: false,
@@ -134,6 +137,9 @@ impl Told {
         };
         let read: Option<(u16, f64)> = read();
         self.settings.extend(read);
+        let text = line.strip_prefix('$').and_then(|rest| rest.split_once('='));
+        let text = text.and_then(|(number, value)| Some((number.parse().ok()?, value.to_owned())));
+        self.texts.extend(text);
         read.is_some()
     }
 
@@ -156,6 +162,11 @@ impl Told {
     /// Returns `true` if it has told its settings.
     pub fn is_known(&self) -> bool {
         !self.settings.is_empty()
+    }
+
+    /// Returns all settings as it writes them.
+    pub const fn texts(&self) -> &BTreeMap<u16, String> {
+        &self.texts
     }
 
     /// Returns a setting.
@@ -272,6 +283,7 @@ impl Told {
             overrides: true,
             holds: true,
             stop_switches_off: true,
+            leads_s: 0.0,
         }
     }
 }

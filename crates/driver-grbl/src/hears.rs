@@ -273,7 +273,7 @@ impl Grbl {
     }
 
     /// Returns `true` if every line is sent and answered.
-    fn has_said_all(&self) -> bool {
+    pub fn has_said_all(&self) -> bool {
         self.pending.is_empty() && self.queue.is_empty()
     }
 

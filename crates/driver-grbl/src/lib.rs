@@ -29,6 +29,7 @@ mod hears;
 mod lines;
 mod place;
 mod report;
+pub mod settings;
 mod words;
 
 pub use driver::Grbl;

@@ -112,16 +112,19 @@ impl Runs {
     }
 
     /// Returns the work of a run that was cut short, and the tape of what the world told it. The machine is at
-    /// this place now, its switches are so; how far the run is, is told by its own progress again.
+    /// this place now, its switches are so, and the controller that it hangs on is this one; how far the run is, is told
+    /// by its own progress again.
     pub fn take_up(
         &self,
         cut: &CutShort,
+        on: Option<&str>,
         place: Placed,
         switches: Switches,
     ) -> Result<(Work, Tape), JournalError> {
         let run = &cut.run;
-        if let Some(name) = cut.controller() {
-            let why = format!("it ran on {name}, and only runs of the simulated machine are");
+        if cut.controller() != on {
+            let ran = cut.controller().unwrap_or("sim");
+            let why = format!("it ran on {ran}: name that machine, --machine {ran}");
             return Err(JournalError::Unfit(why));
         }
         let version = env!("CARGO_PKG_VERSION");

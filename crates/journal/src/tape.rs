@@ -13,6 +13,7 @@
 //! Each kind of question is counted. Most are on the tape whenever they were asked; those that are
 //! asked at every move and hardly ever have an answer only when they had ([`Tape::hear_rarely`]).
 
+mod lag;
 mod reached;
 mod reentries;
 
@@ -21,6 +22,7 @@ pub use reentries::Reentered;
 use super::progress::Progress;
 use super::reached::Reached;
 use crate::switches::Switches;
+use lag::Lag;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
@@ -110,6 +112,8 @@ pub struct Tape {
     switches: [Switches; 2],
     /// Progress of the run.
     reached: Reached,
+    /// What of it is made for sure, where the run tells of moves before they are made.
+    lag: Option<Lag>,
     writing: Option<Progress>,
     /// Nothing is written and the world is not asked: what happens has happened before.
     silent: bool,
@@ -170,6 +174,7 @@ impl Tape {
     /// From here on the world is heard; the machine stands there.
     pub fn wake(&mut self, place: super::Placed) {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
+        self.comes_to_rest();
     }
 
     /// The run is over: nothing of it is written any more, and what was to be written is. Where something on the
@@ -260,6 +265,9 @@ impl Tape {
     pub fn heard<T: Serialize>(&mut self, kind: Kind, call: u64, told: Option<&T>) {
         if let Some(told) = told {
             self.add(kind, call, told);
+            if kind == Kind::Stood {
+                self.comes_to_rest();
+            }
             let last = self.writing.as_ref().and_then(Progress::last_step);
             self.last_request = last.filter(|_| kind == Kind::Request);
         }

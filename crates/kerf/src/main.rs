@@ -55,6 +55,7 @@ mod setup;
 mod sources;
 mod start_up;
 mod stop;
+mod streamed;
 mod summary;
 mod transfer;
 mod visit;

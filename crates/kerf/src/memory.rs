@@ -77,8 +77,8 @@ fn tell(journal: &Journal, workspace: &Workspace, whereabouts: Whereabouts) -> R
     }
     if let Some(cut) = cut {
         let how = match cut.controller() {
-            None => "kerf run --resume takes it up",
-            Some(_) => "kerf run FILE --from-line N goes on at a line of it",
+            None => "kerf run --resume takes it up".to_owned(),
+            Some(name) => format!("kerf run --resume --machine {name} takes it up"),
         };
         eprintln!("kerf: {}; {how}", cut.told());
     }

@@ -4,9 +4,6 @@ use crate::{Line, LineError, Port, Tcp, WebSocket};
 use std::fmt;
 use std::path::Path;
 
-/// The rate of a serial port where none is named, baud.
-const BAUD: u32 = 115_200;
-
 /// The port of telnet.
 const TELNET: u16 = 23;
 
@@ -42,6 +39,9 @@ pub enum Address {
 }
 
 impl Address {
+    /// The rate of a serial port where none is named, baud.
+    pub const BAUD: u32 = 115_200;
+
     /// Reads `PORT[@BAUD]`, `tcp:HOST[:PORT]` or `ws:HOST[:PORT][/PATH]`.
     ///
     /// # Errors
@@ -62,7 +62,7 @@ impl Address {
                 let wrong = || format!("'{baud}' is no rate in baud, as 115200 is");
                 (path, baud.parse().ok().filter(|baud| *baud > 0).ok_or_else(wrong)?)
             }
-            None => (words, BAUD),
+            None => (words, Self::BAUD),
         };
         if path.is_empty() {
             return Err(String::new());

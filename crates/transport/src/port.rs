@@ -9,6 +9,14 @@ use std::time::Duration;
 /// Bytes handed to the system at a time, so that it never has to wait for room in the middle.
 const MOUTHFUL: usize = 64;
 
+/// Returns the names of the serial ports that there are.
+pub fn ports() -> Vec<String> {
+    let found = serialport::available_ports().unwrap_or_default();
+    let mut names: Vec<String> = found.into_iter().map(|port| port.port_name).collect();
+    names.sort();
+    names
+}
+
 /// An open serial port: 8 data bits, no parity, 1 stop bit, no flow control.
 pub struct Port {
     path: String,

@@ -23,6 +23,8 @@ pub struct FileInfo {
     pub header: Option<String>,
     /// It is a part file: one that the mask of the part folder lets through, or G-code.
     pub part: bool,
+    /// The sort of file as which it is opened; nothing for a folder, a log, and whatever else is none.
+    pub opens: Option<FileKind>,
 }
 
 /// Parameters with which a part file is run: those of FP.
@@ -122,12 +124,30 @@ pub struct Opened {
     pub seconds: f64,
     /// Mistakes in it, and whatever else is worth knowing.
     pub findings: Vec<Finding>,
+    /// What it asked while it was previewed, and the sample answers that it got.
+    pub samples: Vec<SampleAnswer>,
     /// It has mistakes that keep it from running: the first errors of the findings.
     pub broken: bool,
     /// Its last run since Kerf began, as the file is now; nothing where it has not run.
     pub ran: Option<LastRun>,
     /// The picture was cleared (SP given in preview): it is empty until the file is drawn again.
     pub cleared: bool,
+}
+
+/// A question that a program asked while it was previewed, with its sample answer.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct SampleAnswer {
+    /// The line that asks.
+    pub line: u32,
+    /// The text of the question.
+    pub text: String,
+    /// The words on its buttons; none where a value is entered.
+    pub buttons: Vec<String>,
+    /// The answer that it got: empty where a value counts as 0.
+    pub answer: String,
+    /// The file of answers beside the program says so.
+    pub given: bool,
 }
 
 /// The last run of a file, when it is over.

@@ -1,8 +1,10 @@
 //! The connection to a controller: a driver, the line it hangs on, and the clock of the world.
 
+use super::driven::LEAD_S;
 use super::lacks::no_output;
-use super::lost::{Lost, Opens};
+use super::lost::Lost;
 use super::row::Row;
+use super::socket::Opens;
 use kerf_machine::driver::{
     Changed, Driver, Facts, Hold, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };
@@ -158,7 +160,7 @@ impl Connection {
                 return Err(format!("{}: {trouble}", self.name));
             }
             if let Some(facts) = self.link.driver().facts().cloned() {
-                self.facts = facts;
+                self.facts = Facts { leads_s: LEAD_S, ..facts };
                 self.owed = self.link.driver().changed();
                 self.link.restart(self.now_s());
                 return Ok(self);

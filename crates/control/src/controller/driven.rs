@@ -3,6 +3,7 @@
 use super::Connection;
 use super::connection::NAP;
 use super::lacks::{lacked, needs, out_of_reach, wired};
+use super::merged::together;
 use super::row::{Chord, Handed, Row};
 use super::ways::{chords, speed_mm_s};
 use kerf_machine::driver::{Facts, Hold, Order, Signal};
@@ -13,7 +14,7 @@ use std::time::{Duration, Instant};
 
 /// The last moves of a piece of plan that does not end at a stand are not waited for, as long as this,
 /// seconds: the next piece is planned meanwhile, and the machine does not stop between them.
-const LEAD_S: f64 = 0.5;
+pub(super) const LEAD_S: f64 = 0.5;
 
 /// The line of flood coolant.
 const FLOOD: u8 = 2;
@@ -49,8 +50,15 @@ impl Connection {
         self.open < AHEAD && self.failure.is_none()
     }
 
-    /// Hands a move over, after the outputs that should be on. One that ends at a change of the probe is alone.
-    fn hand(&mut self, made: &Move, watches: &[Watch]) {
+    /// Hands the next move over, after the outputs that should be on; short ones on one line together. One that ends at a
+    /// change of the probe is alone.
+    fn hand(&mut self, moves: &[Move], watches: &[Watch]) {
+        let Some(made) = moves.first() else { return };
+        let count =
+            if watches.is_empty() { together(moves, self.facts.arc_tolerance_mm) } else { 1 };
+        if count > 1 && self.contact.is_none() && self.probing.is_none() {
+            return self.hand_together(&moves[..count]);
+        }
         let probes = self.probes(made, watches);
         if self.contact.is_some() || self.probing.is_some() || probes.is_some() && self.open > 0 {
             return;
@@ -76,6 +84,23 @@ impl Connection {
             handed.chords.push(Chord { ticket, share, to });
         }
         self.row.push(handed);
+    }
+
+    /// Hands moves over as one straight one.
+    fn hand_together(&mut self, moves: &[Move]) {
+        let [first, .., last] = moves else { return };
+        self.switch_outputs();
+        let mut speed_mm_s = speed_mm_s(first, &[(1.0, first.to)]);
+        if first.kind == MoveKind::Jog {
+            speed_mm_s /= f64::from(self.feed);
+        }
+        self.looks_often = false;
+        let order = Order::Move { to: last.to.minus(self.offset), speed_mm_s };
+        let Some(ticket) = self.order(order) else { return };
+        for mv in moves {
+            let chords = vec![Chord { ticket, share: 1.0, to: mv.to }];
+            self.row.push(Handed { at: mv.at, from: mv.from, chords });
+        }
     }
 
     /// The input at whose change the controller itself ends a move: its probe, where the move is straight, nothing else
@@ -222,7 +247,7 @@ impl Machine for Connection {
         let moves = going.plan.moves();
         while self.has_room() && self.row.next() < moves.len().min(going.until) {
             let next = self.row.next();
-            self.hand(&moves[next], going.watches);
+            self.hand(&moves[next..moves.len().min(going.until)], going.watches);
             if self.row.next() == next {
                 break;
             }

@@ -1,6 +1,7 @@
 //! A controller of either kind: one that plans for itself and is followed, or a board that is told each step.
 
-use super::attached::{self, First, Socket, Told};
+use super::Socket;
+use super::attached::{self, First, Told};
 use super::lacks::Lacks;
 use super::queued;
 use crate::answers::Operator;
@@ -71,6 +72,14 @@ impl Controller {
         match self {
             Self::Followed(controller) => controller.driven(),
             Self::Queued(attached) => attached.driven(),
+        }
+    }
+
+    /// Returns `true` if it has kept count of its place since it was driven last: a run can be taken up there.
+    pub const fn knows_place(&self) -> bool {
+        match self {
+            Self::Followed(controller) => controller.knows_place(),
+            Self::Queued(attached) => attached.knows_place(),
         }
     }
 

@@ -1,12 +1,9 @@
 //! A line that is lost on the way: a cable that was pulled, a network that is down. It is opened once more for a while.
 
-use super::{Connection, Ends};
-use std::sync::Arc;
+use super::Connection;
+use super::socket::Opens;
 use std::thread::sleep;
 use std::time::Duration;
-
-/// Opens the line of a controller.
-pub type Opens = Arc<dyn Fn() -> Result<Ends, String> + Send + Sync>;
 
 /// A line that is not there again after this is lost for good, seconds.
 const GONE_S: f64 = 10.0;

@@ -23,12 +23,14 @@ mod driven;
 mod either;
 mod lacks;
 mod lost;
+mod merged;
 pub mod queued;
 mod row;
+mod socket;
 mod ways;
 
-pub use attached::{Ends, First, Socket, Told};
+pub use attached::{First, Told};
 pub use connection::Connection;
 pub use either::{Controller, Place};
 pub use lacks::Lacks;
-pub use lost::Opens;
+pub use socket::{Ends, Opens, Socket};

@@ -94,6 +94,8 @@ pub struct Fake {
     pub overflowed: usize,
     /// Lines that it read, for tests.
     pub lines: Vec<String>,
+    /// Places that it came by with its spindle on, a thousandth of a second apart.
+    pub cut: Vec<Axes>,
 }
 
 impl Default for Fake {
@@ -172,6 +174,7 @@ impl Fake {
             pins: String::new(),
             overflowed: 0,
             lines: Vec::new(),
+            cut: Vec::new(),
         };
         fake.start();
         fake
@@ -317,6 +320,9 @@ impl Fake {
             self.clock_s += STEP_S;
             self.motion.step(STEP_S);
             self.carry();
+            if self.spindle().is_some() && self.motion.speed_mm_s > 0.0 {
+                self.cut.push(self.motion.position);
+            }
             self.lowest_mm = self.lowest_mm.min(self.motion.position.0[2]);
             self.probe();
             if self.homed_s.is_some_and(|at_s| self.state == State::Homing && self.clock_s >= at_s)

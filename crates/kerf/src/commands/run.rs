@@ -25,6 +25,7 @@ use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job as Prepared};
 use crate::sources::FileLines;
 use crate::stop::Stop;
+use crate::streamed::Streamed;
 use crate::summary;
 use crate::visit::Visit;
 use crate::waveforms::{ReadingBytes, VcdArgs};
@@ -41,7 +42,6 @@ use kerf_trace::{Summary, json::JsonLines};
 use kerf_workspace::Workspace;
 use on_server::{REACHES_SERVERS, remotely};
 use options::{PaceName, STANDARD_OUTPUT};
-use std::fs::File;
 use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -78,7 +78,7 @@ pub struct RunCommand {
     run: RunArgs,
 }
 
-/// Options that are heeded when a run is taken up; on a controller nothing is taken up, which is told by itself.
+/// Options that are heeded when a run is taken up.
 const TAKES_UP: Heeded = Heeded {
     options: &[
         "resume",
@@ -175,13 +175,6 @@ fn in_force(job: &Job, machine: &Configuration) -> String {
 
 /// Takes up the run that was cut short.
 fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
-    if run.place.machine.controller().is_some() {
-        bail!(Usage(
-            "a run on a controller is not taken up with --resume: home it or set its location, and begin at \
-             a line of the file with --from-line"
-                .into()
-        ));
-    }
     if let Some(name) = run.place.machine.configuration() {
         bail!(Usage(format!(
             "a run is taken up on the machine on which it was begun: leave --machine {} out",
@@ -212,13 +205,40 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         machine,
         editor: editor(&workspace),
     };
+    let controller = controller_of(args, run, &mut session, &mut workspace)?;
     let visit = Visit::default();
     visit.begins(&session, &mut workspace)?;
-    let exit = attended(args, run, show, answers, None, |context| {
+    let stop = Stop::listen()?;
+    let exit = attended(args, run, show, answers, controller.as_ref(), |context| {
         let (summary, unkept) = over(session.resume(&cut, &mut workspace, context))?;
+        if let Some(controller) = &controller {
+            let well = summary.status == kerf_sbp::Status::Ok;
+            controller.ends(well, &mut workspace, || stop.is_wanted());
+            controller.detach(&mut workspace);
+        }
         Ok((summary, &session, unkept))
     })?;
     closes(exit, &visit, (&mut session, &mut workspace), args, run)
+}
+
+/// The controller on which a run is taken up, ready at a place that is known.
+fn controller_of(
+    args: &MachineArgs,
+    run: &RunArgs,
+    session: &mut Session,
+    workspace: &mut Workspace,
+) -> Result<Option<Controller>> {
+    let Some(name) = run.place.machine.controller() else { return Ok(None) };
+    let ready = controller::ready(name, args.first, args.quiet(), session, workspace)?;
+    if !ready.knows_place() {
+        ready.detach(workspace);
+        bail!(
+            "{name} has not kept count of where it stands: a run is taken up at the very place, and nobody knows it. Home \
+             the controller (--home) where it can be, or set its location and begin at a line with --from-line"
+        );
+    }
+    ready.begins(workspace);
+    Ok(Some(ready))
 }
 
 /// Runs a job on the machine and keeps what stays.
@@ -344,9 +364,11 @@ fn attended<'a>(
     let format = args.picture.as_deref().map(Format::of).transpose()?;
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(show.lines));
-    let trace = args.trace.as_deref().map(trace).transpose()?;
-    let signals = args.vcd.sink(show.machine)?;
-    let readings = args.readings.as_deref().map(ReadingBytes::to).transpose()?;
+    let data = setup::data_folder(&run.place.data).ok();
+    let data = data.as_deref();
+    let trace = args.trace.as_deref().map(|path| trace(path, data)).transpose()?;
+    let signals = args.vcd.sink(show.machine, data)?;
+    let readings = args.readings.as_deref().map(|path| ReadingBytes::to(path, data)).transpose()?;
     let talk = (!args.traces_out()).then_some(show.talk);
     let mut told = (
         (talk, (trace, (signals, readings))),
@@ -397,12 +419,12 @@ fn over(ran: Result<Summary, JournalError>) -> Result<(Summary, Option<JournalEr
     }
 }
 
-/// A file that takes the trace of a run.
-fn trace(path: &Path) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
+/// A file that takes the trace of a run; the data folder keeps the note of it.
+fn trace(path: &Path, data: Option<&Path>) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
     let cannot = |e: io::Error| Usage(format!("cannot write {}: {e}", path.display()));
     let to: Box<dyn Write> = match path == Path::new(STANDARD_OUTPUT) {
         true => Box::new(io::stdout()),
-        false => Box::new(File::create(path).map_err(cannot)?),
+        false => Box::new(Streamed::create(path, data).map_err(cannot)?),
     };
     Ok(JsonLines::new(LineWriter::new(to)))
 }

@@ -34,7 +34,7 @@ pub fn run(args: &TraceArgs) -> Result<Exit> {
     job.options.tell_variables = args.vars;
     let machine = VcdArgs::machine(&job.work, &job.session);
     let lines = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
-    let mut sink = (lines, args.vcd.sink(machine)?);
+    let mut sink = (lines, args.vcd.sink(machine, None)?);
     let mut pace = args.run.operator.script();
     let context = RunContext {
         sink: &mut sink,

@@ -4,12 +4,15 @@
 #![allow(clippy::unwrap_used, non_snake_case)]
 
 mod bench;
+mod boards;
 mod gone;
 mod held;
+mod merged;
 mod network;
 #[path = "../shop/mod.rs"]
 mod shop;
 mod step_board;
+mod taken_up;
 
 use bench::Bench;
 use kerf_driver_grbl::fake::{Board, Fake};
@@ -104,9 +107,9 @@ fn a_stop_on_a_grbl_ends_where_the_controller_stands() {
     // The simulated machine does not go on with it.
     let stopped = "square.sbp was stopped behind line 3 on grbl:/dev/";
     let again = shop.kerf("run --resume");
-    again.exits(1).complains(stopped).complains("only runs of the simulated machine");
+    again.exits(1).complains(stopped).complains("it ran on grbl:/dev/");
     let back = bench.run(&shop, "run back.sbp");
-    back.exits(0).complains(stopped).complains("goes on at a line of it");
+    back.exits(0).complains(stopped).complains("--resume --machine grbl:/dev/");
     assert!(bench.x_mm().abs() < 0.01, "the location was kept: {}", bench.x_mm());
 }
 

@@ -210,6 +210,7 @@ impl Owner {
         self.run += 1;
         let job = Job { run: self.run, seconds: planned.seconds(), ..job };
         if job.command.is_none() {
+            self.hub.begins(&job);
             self.hub.cleared(false);
             self.hub.moves_on();
         }

@@ -42,6 +42,8 @@ impl fmt::Debug for Socket {
 #[derive(Clone)]
 pub struct Attached {
     socket: Socket,
+    /// It has kept count of its place since it was driven last.
+    counts: bool,
     queued: Rc<RefCell<Queued>>,
 }
 
@@ -76,11 +78,11 @@ impl Attached {
         let mut told = Told::default();
         told.notes.push(format!("{}: {version}, motors: {motors}", socket.name));
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
-        find_place(&socket, &mut queued, abandoned, (session, workspace), &mut told);
+        let counts = find_place(&socket, &mut queued, abandoned, (session, workspace), &mut told);
         // Outputs and switches of the simulated machine are none of this one's.
         session.machine = None;
         session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes: AxisSet::EMPTY });
-        Ok((Self { socket, queued: Rc::new(RefCell::new(queued)) }, told))
+        Ok((Self { socket, counts, queued: Rc::new(RefCell::new(queued)) }, told))
     }
 
     /// Opens the port once more, after the board was lost or has shut down.
@@ -96,7 +98,13 @@ impl Attached {
         let (again, told) =
             Self::attach(self.socket.clone(), First::default(), session, workspace)?;
         self.queued.swap(&again.queued);
+        self.counts = again.counts;
         Ok(told)
+    }
+
+    /// Returns `true` if it has kept count of its place since it was driven last: a run can be taken up there.
+    pub const fn knows_place(&self) -> bool {
+        self.counts
     }
 
     /// The machine, for a run.
@@ -157,20 +165,21 @@ impl Attached {
 }
 
 /// Holds the counts of the board against those on record. A board that was not switched off has gone on counting, so the
-/// place is known to the step, also where its host was killed.
+/// place is known to the step, also where its host was killed. Tells whether it is known.
 fn find_place(
     socket: &Socket,
     queued: &mut Queued,
     abandoned: bool,
     (session, workspace): (&mut Session, &mut Workspace),
     told: &mut Told,
-) {
+) -> bool {
     let own = queued.by_counts();
     let kept: Option<(String, Axes, Axes)> =
         workspace.stored.get(LEFT).and_then(|kept| serde_json::from_str(kept).ok());
     let kept = kept.filter(|(port, ..)| *port == socket.port);
     let is_fresh = own == Axes::default();
     let place = &mut session.memory.position;
+    let mut is_known = true;
     let words = |place: &Axes| format!("{:.3}, {:.3}, {:.3}", place.0[0], place.0[1], place.0[2]);
     match kept {
         Some((_, counts, left)) if counts == own && !(is_fresh && abandoned) => *place = left,
@@ -183,6 +192,7 @@ fn find_place(
             ));
         }
         _ => {
+            is_known = false;
             let at = words(place);
             let why = "the board was switched off, or has not been driven before";
             told.notes.push(format!(
@@ -195,4 +205,5 @@ fn find_place(
         }
     }
     queued.is_at(session.memory.position);
+    is_known
 }

@@ -6,10 +6,11 @@
 
 use crate::OperatorRequest;
 use crate::by_hand::Driven;
-use crate::runner::{Over, Runner};
+use crate::run_end::RunEnd;
+use crate::stopping::Stops;
 use kerf_diag::Code;
 use kerf_machine::state::State;
-use kerf_program::{Axes, Feed, Interpreter, Line, MoveKind, Status};
+use kerf_program::{Axes, Axis, Feed, Interpreter, Line, MoveKind, Status};
 use kerf_sim::HaltCause;
 use kerf_trace::Event;
 
@@ -21,25 +22,25 @@ enum After {
     Ended,
 }
 
-impl<I: Interpreter> Runner<'_, I> {
+impl<I: Interpreter> Stops<'_, I> {
     /// Goes to a place, machine frame; stays on the way when something says so. What ends the run is told
-    /// by [`Runner::heeded`], and nothing moves any more.
+    /// by [`Stops::heeded`], and nothing moves any more.
     pub(crate) fn go(&mut self, kind: MoveKind, to: Axes) {
-        let nudged = self.nudged.unwrap_or_default();
+        let nudged = self.station.nudged.unwrap_or_default();
         while self.ends.is_none() {
             // Whoever stopped it on the way may have nudged the workpiece.
-            let to = to.plus(self.nudged.unwrap_or_default().minus(nudged));
-            if self.is_open_for_take_up() {
-                return self.world.machine.put(to);
+            let to = to.plus(self.station.nudged.unwrap_or_default().minus(nudged));
+            if self.station.is_open_for_take_up() {
+                return self.station.world.machine.put(to);
             }
-            self.mover.set_position(self.world.machine.position());
+            self.station.mover.set_position(self.station.world.machine.position());
             let line = Line { kind, to, feed: Feed::Axis };
-            let Some(made) = self.mover.line(self.last_move, &line) else { return };
-            let settings = self.world.machine.settings().clone();
-            let driven = match self.world.machine.stop_input() {
-                _ if self.is_ended_by_press() => Driven::EmergencyStop,
+            let Some(made) = self.station.mover.line(self.station.last_move, &line) else { return };
+            let settings = self.station.world.machine.settings().clone();
+            let driven = match self.station.world.machine.stop_input() {
+                _ if self.station.is_ended_by_press() => Driven::EmergencyStop,
                 Some(n) => Driven::StopInput(n),
-                None => self.drive(made, &settings, &[]),
+                None => self.station.drive(made, &settings, &[]),
             };
             match self.on_the_way(driven) {
                 Ok(After::On) => {}
@@ -50,25 +51,25 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Fails, once, with what ended the run beside the program.
-    pub(crate) fn heeded(&mut self) -> Result<(), Over> {
+    pub(crate) fn heeded(&mut self) -> Result<(), RunEnd> {
         self.ends.take().map_or(Ok(()), Err)
     }
 
-    fn on_the_way(&mut self, driven: Driven) -> Result<After, Over> {
+    fn on_the_way(&mut self, driven: Driven) -> Result<After, RunEnd> {
         let runs = self.state == State::Running;
         if runs {
-            self.world.workspace.tape.stood(1.0);
+            self.station.world.workspace.tape.stood(1.0);
         }
         let (by, n) = match driven {
             Driven::There | Driven::Edge(_) => return Ok(After::Ended),
             Driven::OperatorRequest(OperatorRequest::End) => {
-                return Err(Over { status: Status::Ended, diagnostic: None });
+                return Err(RunEnd::of(Status::Ended));
             }
             Driven::OperatorRequest(request) if runs => {
                 return self.stands(request).map(|()| After::On);
             }
             Driven::OperatorRequest(_) => {
-                self.drive.heard();
+                self.station.drive.heard();
                 ("operator", 0)
             }
             Driven::EmergencyStop => return Err(self.emergency()),
@@ -77,13 +78,15 @@ impl<I: Interpreter> Runner<'_, I> {
             Driven::LinkLost => ("link", 0),
             Driven::Stalled => ("stall", 0),
         };
-        self.world.tell(&Event::Stop { by, n, t: self.world.now() });
+        self.station.world.tell(&Event::Stop { by, n, t: self.station.world.now() });
         match driven {
             Driven::Limit(n) if runs => {
                 let message = format!("stopped by limit input {n}");
-                self.limited(self.last_move, Code::InputStop, message).map(|()| After::On)
+                self.limited(self.station.last_move, Code::InputStop, message).map(|()| After::On)
             }
-            Driven::StopInput(n) if runs || self.cuts_power(n) => self.ended_by(HaltCause::Stop(n)),
+            Driven::StopInput(n) if runs || self.station.cuts_power(n) => {
+                self.ended_by(HaltCause::Stop(n))
+            }
             Driven::StopInput(n) => self.stopped_again(n).map(|()| After::On),
             Driven::LinkLost => self.ended_by(HaltCause::LinkLost),
             Driven::Stalled => self.ended_by(HaltCause::Stall),
@@ -92,9 +95,9 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// Deals with the cause of a halt in a run of a part file; a job never comes here.
-    fn ended_by(&mut self, cause: HaltCause) -> Result<After, Over> {
+    fn ended_by(&mut self, cause: HaltCause) -> Result<After, RunEnd> {
         match cause {
-            HaltCause::Stop(n) if self.cuts_power(n) => Err(self.power_is_cut()),
+            HaltCause::Stop(n) if self.station.cuts_power(n) => Err(self.power_is_cut()),
             HaltCause::Stop(n) => self.blocked(n).map(|()| After::On),
             HaltCause::LinkLost => Err(self.link_is_lost()),
             HaltCause::Watch(_) => Err(self.emergency()),
@@ -103,30 +106,30 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// A stop input while the machine is stopped already: nothing moves or turns before it is released.
-    pub(crate) fn stopped_again(&mut self, n: u8) -> Result<(), Over> {
-        let message = self.stop_input_message(format!("stopped by stop input {n}"));
+    pub(crate) fn stopped_again(&mut self, n: u8) -> Result<(), RunEnd> {
+        let message = self.station.stop_input_message(format!("stopped by stop input {n}"));
         self.stop_spindles();
-        self.world.tell_log();
+        self.station.world.tell_log();
         self.until_released(&message, true)
     }
 
     /// Stands until a moment, and heeds every stop meanwhile.
-    pub(crate) fn stand_heeding(&mut self, until_s: f64) -> Result<(), Over> {
-        while self.world.now() < until_s && !self.is_open_for_take_up() {
-            let now_s = self.world.now();
-            let watched = self.watched_at_rest();
-            let halt = self.world.machine.first_halt_at_rest(until_s, watched.as_slice());
+    pub(crate) fn stand_heeding(&mut self, until_s: f64) -> Result<(), RunEnd> {
+        while self.station.world.now() < until_s && !self.station.is_open_for_take_up() {
+            let now_s = self.station.world.now();
+            let watched = self.station.watched_at_rest();
+            let halt = self.station.world.machine.first_halt_at_rest(until_s, watched.as_slice());
             let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
-            let request = self.ask_pace(now_s, end_s, None);
-            if self.drive.fault().is_some() {
+            let request = self.station.ask_pace(now_s, end_s, None);
+            if self.station.drive.fault().is_some() {
                 return Err(self.link_is_lost());
             }
             if let Some((t_s, OperatorRequest::Input { number, on })) = request {
-                self.press(number, on, t_s);
+                self.station.press(number, on, t_s);
                 continue;
             }
-            self.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
-            self.world.workspace.tape.stood(1.0);
+            self.station.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
+            self.station.world.workspace.tape.stood(1.0);
             match (request, halt) {
                 (Some((_, request)), _) => self.stands(request)?,
                 (None, Some(halt)) => {
@@ -136,5 +139,29 @@ impl<I: Interpreter> Runner<'_, I> {
             }
         }
         Ok(())
+    }
+
+    /// Goes back to a place, from wherever the operator moved the machine: over it at a height, or
+    /// higher, then down.
+    pub(crate) fn go_back_to(&mut self, stood: Axes, lifted_mm: f64) {
+        let mut above = self.station.world.machine.position();
+        above[Axis::Z] = above[Axis::Z].max(lifted_mm);
+        let mut over = stood;
+        over[Axis::Z] = above[Axis::Z];
+        let before = self.station.nudged.unwrap_or_default();
+        for (kind, to) in [(MoveKind::Jog, above), (MoveKind::Jog, over), (MoveKind::Cut, stood)] {
+            let on_the_way = self.station.nudged.unwrap_or_default().minus(before);
+            self.go(kind, to.plus(on_the_way));
+        }
+    }
+
+    /// Lifts the tool to safe Z when it is lower (command reference, stopping).
+    pub(crate) fn lift(&mut self) {
+        let mut to = self.station.world.machine.position();
+        let Some(safe_mm) = self.station.lift_mm() else { return };
+        if to[Axis::Z] < safe_mm {
+            to[Axis::Z] = safe_mm;
+            self.go(MoveKind::Jog, to);
+        }
     }
 }
