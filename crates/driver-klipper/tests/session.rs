@@ -53,6 +53,19 @@ fn a_latch_of_a_former_session_is_put_at_rest() {
 }
 
 #[test]
+fn a_host_that_may_be_silent_for_long_moves_the_board_beyond_the_first_deadline() {
+    let options = Options { deadline_s: 0.8, ..Options::default() };
+    let mut world = World::new(5, Faults::default(), setup(), options);
+    world.wait(ready);
+    let motion = Motion::straight(500.0, 2.0);
+    let mut feed = world.begin(&motion, &[]);
+    while world.feed(&motion, &mut feed) {
+        world.pass();
+    }
+    assert_eq!(world.wait_end(), (Ended::Rested, vec![500, 0, 0]));
+}
+
+#[test]
 fn steps_that_were_lost_are_told() {
     let mut world = World::ready(2, Faults::default());
     let motion = Motion::straight(500.0, 1.0);

@@ -6,6 +6,7 @@
 
 pub mod board;
 pub mod events;
+pub mod input;
 pub mod line;
 pub mod output;
 pub mod reader;

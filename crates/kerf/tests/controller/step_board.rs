@@ -1,7 +1,7 @@
 //! `kerf run --machine klipper:PORT`: runs on a board with step queues that is none, on a pseudo terminal.
 
 use crate::shop::{Did, Shop};
-use kerf_driver_klipper::fake::{Board, Pace};
+use kerf_driver_klipper::fake::Board;
 use kerf_transport::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
@@ -17,6 +17,9 @@ const MACHINE: &str = "units = \"mm\"\n[steps]\nper_unit = [100, 100, 200, 100, 
 
 const SQUARE: &str =
     "TR,12000\nSO,1,1\nMS,50,10\nJZ,5\nMZ,-2\nMX,25\nMY,25\nMX,0\nMY,0\nSO,1,0\nJZ,5\n";
+
+/// One that lasts longer than the board is silent for.
+const LONG: &str = "TR,12000\nSO,1,1\nMS,50,10\nMX,200\nMY,100\nMX,0\nMY,0\nSO,1,0\n";
 
 /// A board on a port; unplugged when it is dropped.
 struct Bench {
@@ -68,12 +71,12 @@ impl Drop for Bench {
 }
 
 fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
-    let (since, mut pace, mut bytes) = (Instant::now(), Pace::default(), [0; 256]);
+    let (since, mut bytes) = (Instant::now(), [0; 256]);
     while *plugged.lock().unwrap() {
         let count = plug.read(&mut bytes, Duration::from_millis(1)).unwrap();
         let out = {
             let mut board = board.lock().unwrap();
-            let clock = board.clock_at(pace.at(since.elapsed().as_secs_f64()));
+            let clock = board.clock_at(since.elapsed().as_secs_f64());
             board.run_to(clock);
             board.feed(&bytes[..count]);
             board.take()
@@ -83,7 +86,7 @@ fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
 }
 
 fn shop() -> Shop {
-    Shop::new(&[("square.sbp", SQUARE), ("board.toml", MACHINE)])
+    Shop::new(&[("square.sbp", SQUARE), ("long.sbp", LONG), ("board.toml", MACHINE)])
 }
 
 #[test]
@@ -124,7 +127,7 @@ fn what_a_board_lacks_is_told_before_anything_moves() {
 fn a_host_that_is_killed_leaves_motors_and_spindle_off_and_the_place_known() {
     let (shop, bench) = (shop(), Bench::new());
     let mut command = shop.command();
-    command.args(bench.args("run square.sbp").split_whitespace());
+    command.args(bench.args("run long.sbp").split_whitespace());
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     crate::shop::until("it moves", || bench.counts().first().is_some_and(|x| *x > 500));
