@@ -11,6 +11,7 @@ mod merged;
 mod network;
 #[path = "../shop/mod.rs"]
 mod shop;
+mod step_board;
 mod taken_up;
 
 use bench::Bench;
