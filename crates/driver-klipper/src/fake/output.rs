@@ -16,7 +16,7 @@ pub struct Output {
     pub made: Vec<(u64, u32)>,
 }
 
-/// What an output that has changed waits for, and at which clock.
+/// The event that a changed output awaits, with its clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Awaits {
     Change(u64),
