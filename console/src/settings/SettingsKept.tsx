@@ -74,6 +74,7 @@ function LoadSheet({ loaded, onClose }: { loaded: Loaded; onClose: () => void })
         {wanted.map(({ key, from, to }) => (
           <li key={key}>
             <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
+            <span className="settings-words">by {by || "this machine"}</span>
           </li>
         ))}
         {unknown.map((line) => (
@@ -128,7 +129,7 @@ function Changes() {
       <h3 className="settings-head">Changes</h3>
       {changes.length === 0 && <p className="settings-words">Nothing was changed so far.</p>}
       <ol className="settings-changes">
-        {shown.map(({ at, key, from, to }, n) => (
+        {shown.map(({ at, key, from, to, by }, n) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same setting may change twice in a second
           <li key={n}>
             <time dateTime={new Date(at * 1000).toISOString()}>
