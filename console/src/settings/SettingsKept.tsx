@@ -74,7 +74,6 @@ function LoadSheet({ loaded, onClose }: { loaded: Loaded; onClose: () => void })
         {wanted.map(({ key, from, to }) => (
           <li key={key}>
             <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
-            <span className="settings-words">by {by || "this machine"}</span>
           </li>
         ))}
         {unknown.map((line) => (
@@ -136,6 +135,7 @@ function Changes() {
               {new Date(at * 1000).toLocaleString()}
             </time>{" "}
             <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
+            <span className="settings-words">by {by || "this machine"}</span>
             <Button
               size="small"
               look="quiet"
