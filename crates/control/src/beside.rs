@@ -6,6 +6,7 @@
 
 use crate::OperatorRequest;
 use crate::by_hand::Driven;
+use crate::execute::Turn;
 use crate::runner::{Over, Runner};
 use kerf_diag::Code;
 use kerf_machine::state::State;
@@ -113,26 +114,19 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Stands until a moment, and heeds every stop meanwhile.
     pub(crate) fn stand_heeding(&mut self, until_s: f64) -> Result<(), Over> {
         while self.world.now() < until_s && !self.is_open_for_take_up() {
-            let now_s = self.world.now();
             let watched = self.watched_at_rest();
-            let halt = self.world.machine.first_halt_at_rest(until_s, watched.as_slice());
-            let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
-            let request = self.ask_pace(now_s, end_s, None);
+            let turn = self.meet(until_s, watched.as_slice(), None, Self::ask_pace);
             if self.drive.fault().is_some() {
                 return Err(self.link_is_lost());
             }
-            if let Some((t_s, OperatorRequest::Input { number, on })) = request {
-                self.press(number, on, t_s);
-                continue;
-            }
-            self.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
+            self.stand_until(turn.map_or(until_s, |(t_s, _)| t_s));
             self.world.workspace.tape.stood(1.0);
-            match (request, halt) {
-                (Some((_, request)), _) => self.stands(request)?,
-                (None, Some(halt)) => {
+            match turn {
+                Some((_, Turn::Operator(request))) => self.stands(request)?,
+                Some((_, Turn::Input(halt))) => {
                     self.ended_by(halt.cause)?;
                 }
-                (None, None) => {}
+                None => {}
             }
         }
         Ok(())

@@ -3,7 +3,7 @@
 //! They are answers to its question, which is asked again afterwards, until it gets another answer.
 
 use crate::OperatorRequest;
-use crate::execute::{Slows, link_lost};
+use crate::execute::{Slows, Turn};
 use crate::runner::{Over, Runner};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
@@ -153,8 +153,7 @@ impl<I: Interpreter> Runner<'_, I> {
         planner.push(made);
         let mut driven = None;
         while let Some(mut plan) = planner.finish() {
-            self.drive.follows();
-            self.world.machine.foresee(&plan, t0_s);
+            self.follows(&plan, t0_s);
             let mut index = 0;
             while index < plan.moves().len() {
                 let until = plan.moves().len();
@@ -172,7 +171,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 let (at_s, ramped) =
                     stood_s.map_or((at_s, ramped), |stood_s| ((stood_s - t0_s).max(0.0), false));
                 let Some((ramp_down, _)) = planner.stop(plan, at_s, ramped) else { break };
-                self.world.machine.foresee(&ramp_down, t0_s);
+                self.replans(&ramp_down, t0_s, t_s);
                 plan = ramp_down;
             }
             if driven.is_some() {
@@ -209,19 +208,19 @@ impl<I: Interpreter> Runner<'_, I> {
             self.slow_down(Slows { by_stop, asks }, end_s, going);
             return None;
         }
-        let halt = loop {
-            // A switch that is moved meanwhile may stop the machine.
-            let halt = self.world.machine.first_halt(end_s, watched);
-            let until_s = halt.map_or(end_s, |halt| halt.t_s.max(self.world.now()));
-            match self.pass(self.world.now(), until_s, Some(going)) {
-                Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
-                Some(request @ (_, OperatorRequest::Feed(_))) => self.postpone(request),
-                Some((t_s, request)) => return Some((t_s, Driven::OperatorRequest(request), true)),
-                None if self.drive.fault().is_some() => break link_lost(self.world.now()),
-                None => break halt?,
+        loop {
+            match self.meet(end_s, watched, Some(going), Self::pass)? {
+                (t_s, Turn::Operator(request @ OperatorRequest::Feed(_))) => {
+                    self.postpone((t_s, request));
+                }
+                (t_s, Turn::Operator(request)) => {
+                    return Some((t_s, Driven::OperatorRequest(request), true));
+                }
+                (t_s, Turn::Input(halt)) => {
+                    return Some((t_s, Driven::by(halt.cause, watched.len()), halt.ramped));
+                }
             }
-        };
-        Some((halt.t_s, Driven::by(halt.cause, watched.len()), halt.ramped))
+        }
     }
 
     /// Returns the end of a run whose motion by hand was stopped for good.

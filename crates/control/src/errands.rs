@@ -63,7 +63,7 @@ impl Session {
         world.tell(&Event::End(end_event(&summary, &world.machine, None)));
         (self.memory.position, self.memory.frame) =
             (world.machine.position(), *world.machine.frame());
-        self.machine = Some(world.machine);
+        self.machine = Some(world.into_machine());
         summary
     }
 

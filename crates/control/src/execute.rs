@@ -1,12 +1,13 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
 use crate::OperatorRequest;
+use crate::drive::Heard;
 use crate::runner::{Over, Runner};
 use crate::stack::Running;
 use kerf_diag::Code;
 use kerf_journal::Kind;
 use kerf_machine::lines::Input;
-use kerf_machine::{Going, Watch};
+use kerf_machine::{Ahead, Going, Watch};
 use kerf_motion::{Move, Path, Plan, Stop, planner};
 use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Axis, Interpreter, StoppedBy};
@@ -166,9 +167,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let t0_s = self.stack.running.as_ref()?.t0_s;
         let watched = self.watched(t0_s);
         let watches = pins(&watched, t0_s, &self.world.machine.settings().io);
-        self.drive.follows();
-        self.world.machine.foresee(&plan, t0_s);
-        let mut halt = self.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
+        self.follows(&plan, t0_s);
         let mut turned: Option<(Stop, Turn, Axes)> = None;
         let mut index = 0;
         while index < plan.moves().len() {
@@ -189,13 +188,9 @@ impl<I: Interpreter> Runner<'_, I> {
                     let until = index.saturating_add(self.stack.before_mark());
                     let (part, watches) = (1.0, &*watches);
                     let going = Going { plan: &plan, index, t0_s, until, part, watches };
-                    if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
-                        if let Turn::Operator(OperatorRequest::Input { number, on }) = turn {
-                            self.press(number, on, t_s);
-                            let end_s = t0_s + plan.duration_s();
-                            halt = self.world.machine.first_halt(end_s, &watched);
-                            continue;
-                        }
+                    if let Some((t_s, turn)) =
+                        self.meet(end_s, &watched, Some(going), Self::ask_pace)
+                    {
                         if let Turn::Operator(OperatorRequest::Feed(share)) = turn
                             && self.drive.overrides()
                         {
@@ -214,7 +209,7 @@ impl<I: Interpreter> Runner<'_, I> {
                         if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
                             self.drop_outputs(t_s, index);
                         }
-                        self.world.machine.foresee(&made, t0_s);
+                        self.replans(&made, t0_s, t_s);
                         (plan, turned) = (made, Some((stop, turn, began)));
                         continue;
                     }
@@ -239,20 +234,68 @@ impl<I: Interpreter> Runner<'_, I> {
         overtaken
     }
 
-    /// Lets time pass up to a moment, unless an input or the operator wants something before.
-    fn turn_before(
+    /// A plan, or another piece of it, is about to be followed.
+    pub(crate) fn follows(&mut self, plan: &Plan, t0_s: f64) {
+        let ahead = Ahead { plan, t0_s, from_s: self.world.now() };
+        if !self.world.machine.draws() {
+            self.drive.follows(&ahead);
+            self.begins_anew();
+        }
+    }
+
+    /// What is left of a plan at a moment is made by another.
+    pub(crate) fn replans(&mut self, plan: &Plan, t0_s: f64, at_s: f64) {
+        let ahead = Ahead { plan, t0_s, from_s: self.world.now() };
+        if !self.world.machine.draws() {
+            self.drive.replans(&ahead);
+            self.begins_anew();
+            self.world.tracked().learn_until(at_s);
+        }
+    }
+
+    /// A machine that repeats tells what it told of the move under way by the plan that is followed now.
+    fn begins_anew(&mut self) {
+        if self.drive.repeats() {
+            self.world.machine.forget();
+        }
+    }
+
+    /// Lets time pass up to a moment, unless an input that stops the machine or the operator comes before. The moment of
+    /// the input may be over.
+    pub(crate) fn meet(
         &mut self,
-        halt: Option<Halt>,
         end_s: f64,
-        going: Going<'_>,
+        watched: &[Watched],
+        going: Option<Going<'_>>,
+        ask: Ask<Self>,
     ) -> Option<(f64, Turn)> {
-        let now = self.world.now();
-        let halt = halt.filter(|halt| halt.t_s <= end_s);
-        let until_s = halt.map_or(end_s, |halt| halt.t_s.max(now));
-        match self.ask_pace(now, until_s, Some(going)) {
-            Some((t_s, request)) => Some((t_s, Turn::Operator(request))),
-            None if self.drive.fault().is_some() => Some((now, Turn::Input(link_lost(now)))),
-            None => halt.map(|halt| (halt.t_s, Turn::Input(halt))),
+        let now_s = self.world.now();
+        let mut looked_s = now_s;
+        loop {
+            let machine = &self.world.machine;
+            let halt = match going {
+                Some(_) => machine.halted(looked_s, watched),
+                None => machine.halted_at_rest(looked_s, watched),
+            };
+            let level_s = next_level_s(watched, looked_s, end_s);
+            let until_s = halt.map_or(level_s.unwrap_or(end_s), |halt| halt.t_s);
+            match ask(self, now_s, until_s.max(now_s), going) {
+                Some((t_s, Heard::Input { number, on })) => {
+                    self.world.tracked().learn(number, on, t_s);
+                    looked_s = looked_s.max(t_s);
+                }
+                Some((t_s, Heard::Operator(request))) => {
+                    return Some((t_s, Turn::Operator(request)));
+                }
+                None if self.drive.fault().is_some() => {
+                    return Some((now_s, Turn::Input(link_lost(now_s))));
+                }
+                None => match (halt, level_s) {
+                    (Some(halt), _) => return Some((halt.t_s, Turn::Input(halt))),
+                    (None, Some(level_s)) => looked_s = level_s,
+                    (None, None) => return None,
+                },
+            }
         }
     }
 
@@ -272,6 +315,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 OperatorRequest::Stop | OperatorRequest::Hold | OperatorRequest::End,
             ) => planner.stop(piece, t_s, ramps),
             Turn::Operator(OperatorRequest::Feed(share)) => planner.feed(piece, t_s, share),
+            // A switch stops nothing by itself.
             Turn::Operator(OperatorRequest::Input { .. }) => None,
         }
     }
@@ -281,13 +325,8 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn slow_down(&mut self, slows: Slows, end_s: f64, going: Going<'_>) {
         let mut from_s = self.world.now();
         let mut before = None;
-        while let Some(told) = self.pass(from_s, end_s, Some(going)) {
+        while let Some(told) = self.pass_learning(from_s, end_s, Some(going)) {
             let (t_s, request) = told;
-            if let OperatorRequest::Input { number, on } = request {
-                self.press(number, on, t_s);
-                (from_s, before) = (t_s, None);
-                continue;
-            }
             // Whoever tells the same at the same moment goes on doing so until the machine stands.
             let repeats = before.replace(told) == Some(told);
             match request {
@@ -321,7 +360,8 @@ impl<I: Interpreter> Runner<'_, I> {
         self.trail.moves(span.made.at);
         let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
         let alone = self.world.machine.alone();
-        let lift = self.world.machine.make(t0_s, plan, &span);
+        let lift =
+            self.move_made(Going { plan, index, t0_s, until: index + 1, part: 1.0, watches: &[] });
         let made = carried(span.made, &lift);
         if self.world.tells_motion() {
             let event = self.move_event(&made, begin_s, end_s);
@@ -334,6 +374,20 @@ impl<I: Interpreter> Runner<'_, I> {
         self.world.tell_log();
         let (file, place) = (self.world.file(span.made.at), self.world.placed());
         self.world.workspace.tape.made(&file, span.made.at.line, place);
+    }
+
+    /// A move of a plan is made: everything that happened on the way is known. Returns how far height control carried Z.
+    fn move_made(&mut self, going: Going<'_>) -> Lift {
+        let Going { plan, index, t0_s, .. } = going;
+        let Some(span) = plan.span(index) else { return Lift::default() };
+        let carried = if self.world.machine.draws() {
+            self.world.machine.not_carried()
+        } else {
+            self.world.tracked().learn_until(t0_s + span.t1_s);
+            self.world.driven.borrow_mut().made(&going)
+        };
+        self.world.machine.make(t0_s, plan, &span, &carried);
+        carried.lift
     }
 
     fn move_event(&self, made: &Move, t0: f64, t1: f64) -> Event {
@@ -441,6 +495,15 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn cuts_power(&self, input: u8) -> bool {
         input == kerf_sim::STOP_INPUT && self.world.machine_is.estop.cuts_power
     }
+}
+
+/// A way to let time pass that heeds the operator: also what he asked for before, or only what he asks for now.
+pub(crate) type Ask<R> = fn(&mut R, f64, f64, Option<Going<'_>>) -> Option<(f64, Heard)>;
+
+/// Returns the next moment, up to another, from which on a state that is watched stops the machine.
+fn next_level_s(watched: &[Watched], from_s: f64, end_s: f64) -> Option<f64> {
+    let levels = watched.iter().filter_map(|watch| watch.level_from_s);
+    levels.filter(|s| *s > from_s && *s <= end_s).min_by(f64::total_cmp)
 }
 
 /// Returns the halt of a plan that nothing follows any more.

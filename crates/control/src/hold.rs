@@ -152,7 +152,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         frame.working_zero = frame.working_zero.plus(nudge.way());
         self.world.machine.use_frame(frame, AxisSet::EMPTY);
-        self.world.machine.begin_motion();
+        self.world.tracked().begin_motion();
         self.world.tell_log();
         self.go(MoveKind::Jog, position.plus(nudge.way()));
         self.world.tell_base(AxisSet::EMPTY.with(axis));

@@ -21,13 +21,13 @@ impl<I: Interpreter> Runner<'_, I> {
         let machine = self.world.machine_is.clone();
         let settings = hand_settings(&machine);
         let now_s = self.world.now();
-        self.world.machine.advance(now_s);
+        self.world.tracked().advance(now_s);
         let mut rig =
             OnMachine { runner: self, settings, axis: None, over: None, found: Found::default() };
         let mut homed = Vec::new();
         let ended = homing::home(&machine, &mut rig, axes, &mut homed);
         let (over, at, mut found) = (rig.over.take(), rig.axis, rig.found);
-        self.world.machine.move_alone(None);
+        self.world.tracked().move_alone(None);
         self.mover.set_position(self.world.machine.position());
         match &ended {
             Ok(()) => found.done = found.zeroed,
@@ -131,10 +131,6 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         self.runner.world.machine.position()[self.axis()]
     }
 
-    fn machine(&mut self) -> &mut Machine {
-        &mut self.runner.world.machine
-    }
-
     /// Moves the axis, until a switch reads a state; tells where that was.
     fn drive(&mut self, which: Which, to: f64, speed: f64, until: Option<bool>) -> Option<f64> {
         if self.over.is_some() {
@@ -145,7 +141,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
             return None;
         }
         let (axis, from) = (self.axis(), self.runner.world.machine.position());
-        self.machine().move_alone(match which {
+        self.runner.world.tracked().move_alone(match which {
             Which::All => None,
             Which::One(motor) => Some((axis, motor)),
         });
@@ -178,7 +174,7 @@ impl Switch for Input {
 
 impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
     fn switch(&self, which: Which) -> bool {
-        self.runner.world.machine.home_switch(self.axis(), which)
+        self.runner.world.driven.borrow().home_switch(self.axis(), which)
     }
 
     fn seek(&mut self, which: Which, speed: f64, until: bool, most: f64) -> Sought {
@@ -199,7 +195,7 @@ impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
             let axis = self.axis();
             self.found.shift[axis] += self.place();
             self.found.zeroed.insert(axis);
-            self.machine().zero(axis);
+            self.runner.world.tracked().zero(axis);
         }
     }
 }

@@ -54,6 +54,7 @@ pub mod start_up;
 mod stopping;
 mod table_limits;
 mod text;
+mod tracked;
 mod trail;
 pub mod transfer;
 mod turning;

@@ -44,9 +44,10 @@ impl World<'_> {
     }
 
     /// Returns the moment at which the next key of the pendant is pressed, seconds of machine time.
-    pub fn next_key_s(&self, question: QuestionKind) -> Option<f64> {
+    pub fn next_key_s(&mut self, question: QuestionKind) -> Option<f64> {
         let keys = self.keys(question)?;
-        let pressed = keys.inputs().filter_map(|input| self.machine.when_pressed(input, true));
+        let tracked = self.tracked();
+        let pressed = keys.inputs().filter_map(|input| tracked.when_pressed(input, true));
         pressed.min_by(f64::total_cmp)
     }
 }

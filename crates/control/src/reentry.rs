@@ -20,7 +20,7 @@ use kerf_motion::Move;
 use kerf_program::{
     Axes, Axis, Button, Interpreter, MoveKind, OutputReason, Question, QuestionKind, StoppedBy,
 };
-use kerf_sim::{Change, WasOn};
+use kerf_sim::WasOn;
 use kerf_trace::Event;
 use std::sync::Arc;
 
@@ -100,9 +100,8 @@ impl<I: Interpreter> Runner<'_, I> {
             self.world.workspace.tape.reenter(stands)
         });
         self.skip(told.within);
-        let at_s = self.world.now();
         for (input, on) in told.moved {
-            self.world.machine.press(Change { input, at_s, on });
+            self.world.tracked().press(input, on);
         }
         if self.interpreter.takes_stops() {
             let halted = self.hand_over(told.place.position);
@@ -129,7 +128,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let began = self.world.machine.position();
         let motion = self.stack.next_number();
         // What was on comes on by the program's own way back.
-        drop(self.world.machine.restart(from));
+        drop(self.world.tracked().restart(from));
         self.tell_taken_up();
         let at = kerf_program::Halted { motion, began, stands: from };
         let outputs = self.interpreter.comes_on(&at);
@@ -181,17 +180,17 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn stay_where_it_stands(&mut self) {
         if self.reentry.is_some() {
             let stands = self.stands_at();
-            self.world.machine.restart(stands.position);
+            self.world.tracked().restart(stands.position);
         }
     }
 
     fn go_back(&mut self, from: Axes) -> Result<(), Over> {
         let ahead = self.mover.position();
         let to = self.world.machine.position();
-        let was_on = self.world.machine.restart(from);
+        let was_on = self.world.tracked().restart(from);
         self.tell_taken_up();
         self.may_go_back()?;
-        self.world.machine.begin_motion();
+        self.world.tracked().begin_motion();
         self.lift();
         self.heeded()?;
         let (ready, nudged) = self.whether_ready(&was_on);

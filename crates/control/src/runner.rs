@@ -138,7 +138,8 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// Runs the program to its end.
     pub fn run(&mut self) -> Over {
-        let typed = self.world.typed_files > 0;
+        let (typed, now_s) = (self.world.typed_files > 0, self.world.now());
+        self.world.tracked().learn_until(now_s);
         let may_begin = if typed { Ok(()) } else { self.may_begin() };
         if typed {
             self.world.machine.begin_lines();
@@ -152,6 +153,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             Ok(()) => self.turns(),
             Err(over) => self.ended(over),
         };
+        self.world.driven.borrow_mut().land();
         // Typed lines are no file, unless they ran one.
         if typed && self.world.files_known() <= self.world.typed_files {
             self.world.machine.end_lines();
@@ -358,7 +360,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         }
         if self.leaves_torch(&sourced.command) {
             match self.flush() {
-                Flow::On => self.world.machine.land_torch(),
+                Flow::On => self.world.tracked().land(),
                 flow => return flow,
             }
             self.mover.set_position(self.world.machine.position());
@@ -563,7 +565,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     /// A watched input stopped the machine: the program's handler comes next, and those of inputs that changed in the
     /// same moment or until the machine stood.
     pub(crate) fn interrupt(&mut self, index: usize, at: &kerf_program::Halted) -> Flow {
-        self.world.machine.land_torch();
+        self.world.tracked().land();
         let position = self.world.machine.position();
         let Some(watch) = self.interpreter.watches().get(index).cloned() else { return Flow::On };
         self.interpreter.fired(at);
@@ -580,7 +582,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     /// The machine was stopped, and the program says what follows.
     pub(crate) fn taken(&mut self, by: StoppedBy, at: &kerf_program::Halted) -> Flow {
         self.drive.heard();
-        self.world.machine.land_torch();
+        self.world.tracked().land();
         let stands = self.world.machine.position();
         self.world.limit = match by {
             StoppedBy::Limit(input) => Some(input),

@@ -284,7 +284,7 @@ impl Session {
         let summary = summary(&interpreter, &mut world, over);
         world.tell(&Event::End(end_event(&summary, &world.machine, None)));
         self.memory.position = world.machine.position();
-        self.machine = Some(world.machine);
+        self.machine = Some(world.into_machine());
         if on_record {
             let well = matches!(summary.status, Status::Ok | Status::Ended);
             workspace.keep_last_shape((!well).then_some((&*name, last_move.line)));
@@ -440,7 +440,7 @@ fn conclude(
     let independent = world.machine.spinning();
     let mut memory = interpreter.into_session();
     (memory.sbp.position, memory.sbp.independent) = (position, independent);
-    (summary, memory, world.machine)
+    (summary, memory, world.into_machine())
 }
 
 pub(crate) fn end_event(

@@ -88,7 +88,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     fn keep_place(&mut self) {
         self.tell_standing(flag::STOPPED);
-        self.world.machine.land_torch();
+        self.world.tracked().land();
         let stood = self.world.machine.position();
         let ahead = self.mover.position();
         self.kept = Kept { stood, ahead, lifted_mm: stood[Axis::Z], ..Kept::default() };
@@ -110,7 +110,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn cut_power(&mut self) {
         let t = self.world.now();
         self.world.tell_log();
-        self.pass(t, t + POWER_S, None).into_iter().for_each(drop);
+        self.pass_learning(t, t + POWER_S, None).into_iter().for_each(drop);
         self.stand_until(t + POWER_S);
         self.world.machine.motors_off();
     }
@@ -250,8 +250,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let t = self.world.now();
         let text = format!("stop input {active} is active: nothing moves before it is released");
         self.world.tell(&Event::Message { text: text.into(), t });
-        match self.pass(t, t + RELEASE_S, None) {
-            Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
+        match self.pass_learning(t, t + RELEASE_S, None) {
             Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => self.forgo(),
             request => request.into_iter().for_each(|request| self.put_off(request)),
         }

@@ -4,6 +4,8 @@ use crate::OperatorRequest;
 use crate::answers;
 use crate::away::Aside;
 use crate::by_hand::Jog;
+use crate::drive::Heard;
+use crate::execute::Turn as Halts;
 use crate::pendant::KEY;
 use crate::runner::{Flow, Over, Runner};
 use crate::world::Unanswered;
@@ -16,7 +18,7 @@ use kerf_motion::Move;
 use kerf_program::{
     Answer, At, Button, Halted, Interpreter, Question, QuestionKind, Status, StoppedBy,
 };
-use kerf_sim::{Change, Halt, HaltCause};
+use kerf_sim::{Halt, HaltCause};
 use kerf_trace::{Event, flag};
 
 /// Interval at which it is written down how far a move has come, seconds.
@@ -59,27 +61,20 @@ impl<I: Interpreter> Runner<'_, I> {
     fn pass_some(&mut self, until_s: f64) -> Option<(f64, Flow)> {
         self.wake();
         let watches = self.watched(self.world.now());
-        let halt = self.world.machine.first_halt_at_rest(until_s, &watches);
-        let end_s = halt.map_or(until_s, |halt| halt.t_s);
-        let request = self.ask_pace(self.world.now(), end_s, None);
+        let turn = self.meet(until_s, &watches, None, Self::ask_pace);
         if self.drive.fault().is_some() {
             return Some((self.world.now(), Flow::Over(self.link_is_lost())));
         }
-        if let Some((t_s, OperatorRequest::Input { number, on })) = request {
-            self.press(number, on, t_s);
-            return Some((self.world.now(), Flow::On));
-        }
-        self.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
+        self.stand_until(turn.map_or(until_s, |(t_s, _)| t_s));
         let stood_s = self.world.now();
         self.world.workspace.tape.stood(1.0);
-        let flow = match (request, halt) {
-            (Some((_, request)), _) if self.is_taken(request) => {
+        let flow = match turn?.1 {
+            Halts::Operator(request) if self.is_taken(request) => {
                 self.taken(StoppedBy::Operator, &self.stood())
             }
-            (Some((_, request)), _) if self.is_passed_over(request) => Flow::On,
-            (Some((_, request)), _) => self.stands(request).map_or_else(Flow::Over, |()| Flow::On),
-            (None, Some(halt)) => self.input_halts(halt),
-            (None, None) => return None,
+            Halts::Operator(request) if self.is_passed_over(request) => Flow::On,
+            Halts::Operator(request) => self.stands(request).map_or_else(Flow::Over, |()| Flow::On),
+            Halts::Input(halt) => self.input_halts(halt),
         };
         Some((stood_s, flow))
     }
@@ -125,7 +120,7 @@ impl<I: Interpreter> Runner<'_, I> {
     pub(crate) fn stand_until(&mut self, end_s: f64) {
         let begin_s = self.world.now();
         let end_s = end_s.max(begin_s);
-        self.world.machine.advance(end_s);
+        self.world.tracked().advance(end_s);
         self.world.tally.waited(end_s - begin_s);
         self.world.tell_log();
     }
@@ -140,31 +135,33 @@ impl<I: Interpreter> Runner<'_, I> {
         self.pass_until(t + seconds.max(0.0), Waits::Time)
     }
 
-    /// Returns the request of the operator before a moment; one that was postponed comes first.
+    /// Returns what comes before a moment: a request of the operator, one that was postponed first, or an input.
     pub(crate) fn ask_pace(
         &mut self,
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         let Some((t_s, request)) = self.requests.pop_front() else {
             return self.pass(from_s, to_s, going);
         };
-        let heard = self.hear_request(|_, _| Some((t_s.clamp(from_s, to_s.max(from_s)), request)));
-        if heard.is_none() {
+        let postponed = (t_s.clamp(from_s, to_s.max(from_s)), Heard::Operator(request));
+        let heard = self.hear(to_s, |_, _| Some(postponed));
+        if !matches!(heard, Some((_, Heard::Operator(_)))) {
             // Not yet, where this has happened before.
             self.requests.push_front((t_s, request));
         }
         heard
     }
 
-    /// Lets machine time pass. What was made before it is on record; while the machine moves, soon.
+    /// Lets machine time pass. What was made before it is on record; while the machine moves, soon. A switch that the
+    /// operator moves is told by the machine.
     pub(crate) fn pass(
         &mut self,
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         if to_s > from_s && self.drive.is_real() {
             self.world.workspace.tape.write();
             // What moves waits for no disk.
@@ -172,50 +169,80 @@ impl<I: Interpreter> Runner<'_, I> {
                 self.world.workspace.tape.settle();
             }
         }
-        self.hear_request(|run, is_kept| {
-            if is_kept {
-                run.watch_writing(from_s, to_s, going)
-            } else {
-                run.watch(from_s, to_s, going)
-            }
-        })
-    }
-
-    /// Returns the request of the operator: what the tape tells, else the world; that is kept where there is a tape.
-    fn hear_request(
-        &mut self,
-        world: impl FnOnce(&mut Self, bool) -> Option<(f64, OperatorRequest)>,
-    ) -> Option<(f64, OperatorRequest)> {
-        let request = match self.world.workspace.tape.turn(Kind::Request) {
-            Turn::Told(told) => told,
-            Turn::Live => world(self, false),
-            Turn::Open(call) => {
-                let request = world(self, true);
-                self.world.workspace.tape.heard(Kind::Request, call, request.as_ref());
-                match request {
-                    Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => {
-                        self.world.workspace.tape.stops()
-                    }
-                    Some((_, OperatorRequest::Input { number, .. })) => {
-                        self.world.workspace.tape.presses(number);
-                    }
-                    _ => {}
+        loop {
+            let heard = self.hear(to_s, |run, is_kept| {
+                if is_kept {
+                    run.watch_writing(from_s, to_s, going)
+                } else {
+                    run.watch(from_s, to_s, going)
                 }
-                request
+            });
+            let (t_s, Heard::Operator(OperatorRequest::Input { number, on })) = heard? else {
+                return heard;
+            };
+            if !self.press(number, on, t_s) {
+                return Some((t_s, Heard::Input { number, on }));
             }
-        };
-        if request.is_some() {
-            self.world.workspace.tape.write();
         }
-        request
     }
 
-    fn watch(
+    /// The same; inputs that change meanwhile are noted, and only the operator ends it.
+    pub(crate) fn pass_learning(
         &mut self,
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
     ) -> Option<(f64, OperatorRequest)> {
+        loop {
+            match self.pass(from_s, to_s, going)? {
+                (t_s, Heard::Input { number, on }) => self.world.tracked().learn(number, on, t_s),
+                (t_s, Heard::Operator(request)) => return Some((t_s, request)),
+            }
+        }
+    }
+
+    /// Returns what the tape tells, else what the world does; that is kept where there is a tape.
+    fn hear(
+        &mut self,
+        to_s: f64,
+        world: impl FnOnce(&mut Self, bool) -> Option<(f64, Heard)>,
+    ) -> Option<(f64, Heard)> {
+        match self.world.workspace.tape.turn(Kind::Request) {
+            Turn::Told(Some((t_s, request))) => {
+                self.world.workspace.tape.write();
+                Some((t_s, Heard::Operator(request)))
+            }
+            Turn::Told(None) if self.world.machine.draws() => None,
+            Turn::Told(None) => self.drive.repeat(to_s, &self.world.machine.settings().io),
+            Turn::Live => world(self, false),
+            Turn::Open(call) => {
+                let heard = world(self, true);
+                self.keep(call, heard);
+                heard
+            }
+        }
+    }
+
+    /// Keeps what was heard on the tape. A machine that repeats what it does tells its inputs once more instead.
+    fn keep(&mut self, call: u64, heard: Option<(f64, Heard)>) {
+        let request = heard.and_then(|(t_s, heard)| match heard {
+            Heard::Operator(request) => Some((t_s, request)),
+            Heard::Input { .. } if self.drive.repeats() => None,
+            Heard::Input { number, on } => Some((t_s, OperatorRequest::Input { number, on })),
+        });
+        let tape = &mut self.world.workspace.tape;
+        tape.heard(Kind::Request, call, request.as_ref());
+        match request {
+            Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => tape.stops(),
+            Some((_, OperatorRequest::Input { number, .. })) => tape.presses(number),
+            _ => {}
+        }
+        if request.is_some() {
+            tape.write();
+        }
+    }
+
+    fn watch(&mut self, from_s: f64, to_s: f64, going: Option<Going<'_>>) -> Option<(f64, Heard)> {
         self.world.pass(&mut self.drive, from_s, to_s, going, self.feed)
     }
 
@@ -226,7 +253,7 @@ impl<I: Interpreter> Runner<'_, I> {
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         let Some(under_way) = going.filter(|_| self.drive.is_real()) else {
             return self.watch(from_s, to_s, going);
         };
@@ -279,7 +306,14 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.stack.running.is_some() {
             return self.heed_while_moving();
         }
-        let Some((_, request)) = self.ask_pace(now, now, None) else { return Flow::On };
+        let Some((t_s, heard)) = self.ask_pace(now, now, None) else { return Flow::On };
+        let request = match heard {
+            Heard::Operator(request) => request,
+            Heard::Input { number, on } => {
+                self.world.tracked().learn(number, on, t_s);
+                return Flow::On;
+            }
+        };
         if self.is_taken(request) {
             return self.taken(StoppedBy::Operator, &self.stood());
         }
@@ -294,8 +328,13 @@ impl<I: Interpreter> Runner<'_, I> {
     /// another from being heard.
     fn heed_while_moving(&mut self) -> Flow {
         let now = self.world.now();
-        if let Some(request) = self.pass(now, now, None) {
-            self.postpone(request);
+        match self.pass(now, now, None) {
+            Some((t_s, Heard::Operator(request))) => self.postpone((t_s, request)),
+            Some((t_s, Heard::Input { number, on })) => {
+                self.world.tracked().learn(number, on, t_s);
+                return self.flush();
+            }
+            None => {}
         }
         let stops = |request: &OperatorRequest| !matches!(request, OperatorRequest::Feed(_));
         if self.requests.iter().any(|(_, request)| stops(request)) {
@@ -322,12 +361,11 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
-    /// The switch of an input is moved at a moment that is still to come, or in the next: whoever waits
-    /// for the input sees it change.
-    pub(crate) fn press(&mut self, input: u8, on: bool, at_s: f64) {
+    /// The switch of an input is moved at a moment that is still to come, or in the next: the machine tells that it
+    /// changes. Returns `false` where nobody moves switches but the machine.
+    fn press(&mut self, input: u8, on: bool, at_s: f64) -> bool {
         let at_s = at_s.max(self.world.now().next_up());
-        self.world.machine.press(Change { input, at_s, on });
-        self.world.tell_log();
+        self.drive.press(input, on, at_s)
     }
 
     /// From here on cuts run at this share of the speed asked for.
@@ -397,12 +435,13 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     /// The first stop of a machine that is held until a moment, and when it came.
-    fn stops_held(&self, until_s: f64) -> Option<(f64, HaltCause)> {
+    fn stops_held(&mut self, until_s: f64) -> Option<(f64, HaltCause)> {
         let active = self.world.machine.stop_input();
         let active = active.map(|n| (self.world.now(), HaltCause::Stop(n)));
         active.or_else(|| {
             let watched = self.watched_at_rest();
-            let halt = self.world.machine.first_halt_at_rest(until_s, watched.as_slice())?;
+            self.world.tracked().learn_until(until_s);
+            let halt = self.world.machine.halted_at_rest(until_s, watched.as_slice())?;
             matches!(halt.cause, HaltCause::Stop(_) | HaltCause::Watch(_))
                 .then_some((halt.t_s, halt.cause))
         })
@@ -417,10 +456,11 @@ impl<I: Interpreter> Runner<'_, I> {
         self.trail.asks(self.interpreter.call_stack());
         let at = self.asking_line();
         let until = self.world.question.as_ref().and_then(|q| q.until);
+        let tracked = self.world.tracked();
         let moment = until.and_then(|(n, on)| match asked {
             // A key: what is pressed already was meant for something else.
-            Some(QuestionKind::Paused) => self.world.machine.when_pressed(n, on),
-            _ => self.world.machine.when_input(n, on),
+            Some(QuestionKind::Paused) => tracked.when_pressed(n, on),
+            _ => tracked.when(n, on),
         });
         if let Some(moment) = moment {
             let (begin_s, flow) = (self.world.now(), self.pass_until(moment, Waits::Input));

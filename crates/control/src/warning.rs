@@ -39,26 +39,17 @@ impl<I: Interpreter> Runner<'_, I> {
         let until_s = self.world.machine.warn();
         self.world.tell_log();
         while self.world.now() < until_s {
-            let now_s = self.world.now();
-            let halt = self.world.machine.first_halt_at_rest(until_s, watched);
-            let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
-            let request = self.pass(now_s, end_s, None);
+            let turn = self.meet(until_s, watched, None, Self::pass);
             if self.drive.fault().is_some() {
-                return Some(Turn::Input(crate::execute::link_lost(now_s)));
+                return turn.map(|(_, turn)| turn);
             }
-            match request {
-                Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
-                Some(request @ (_, OperatorRequest::Feed(_))) => self.postpone(request),
-                Some((t_s, request)) => {
-                    self.stand_until(t_s);
-                    return Some(Turn::Operator(request));
-                }
-                None => {
-                    self.stand_until(end_s);
-                    if halt.is_some() {
-                        return halt.map(Turn::Input);
-                    }
-                }
+            if let Some((t_s, Turn::Operator(request @ OperatorRequest::Feed(_)))) = turn {
+                self.postpone((t_s, request));
+                continue;
+            }
+            self.stand_until(turn.map_or(until_s, |(t_s, _)| t_s));
+            if turn.is_some() {
+                return turn.map(|(_, turn)| turn);
             }
         }
         None

@@ -3,10 +3,10 @@
 //! The world answers what the interpreter asks ([`Host`]) and carries out its commands, except
 //! motion, which the [`Runner`](crate::runner) plans first.
 
-use crate::OperatorRequest;
 use crate::answers::{self, Operator};
-use crate::drive::Drive;
+use crate::drive::{Drive, Heard};
 use crate::heights::{self, Carried};
+use crate::tracked::Tracked;
 use crate::turning::Turning;
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_journal::{Kind, Placed, Press};
@@ -19,7 +19,7 @@ use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Button, Command, FileCall, Frame, Independent, OutputReason,
     Question, QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
-use kerf_sim::{Happening, Machine, What};
+use kerf_sim::{Happening, Machine, Physics, What};
 use kerf_trace::{
     Doing, Made, OpenFile, Sink, Standing, Tally,
     event::{AskEvent, Event, Partial, Place},
@@ -50,6 +50,8 @@ pub(crate) struct World<'a> {
     pub machine: Machine,
     /// The machine that makes what is planned.
     pub driven: Driven,
+    /// What was not lent to that machine, which has its own.
+    own: Option<Box<Physics>>,
     pub tally: Tally,
     pub workspace: &'a mut Workspace,
     sink: &'a mut dyn Sink,
@@ -104,10 +106,12 @@ impl<'a> World<'a> {
         operator: &'a mut dyn Operator,
         driven: Driven,
     ) -> Self {
-        let settings = machine.settings().clone();
+        let mut machine = machine;
+        let (own, settings) = (machine.lend(&driven), machine.settings().clone());
         Self {
             machine,
             driven,
+            own,
             tally: Tally::default(),
             workspace,
             sink,
@@ -136,6 +140,19 @@ impl<'a> World<'a> {
         }
     }
 
+    /// Returns the machine as the run leaves it.
+    pub fn into_machine(self) -> Machine {
+        let mut machine = self.machine;
+        machine.take_back(&self.driven, self.own);
+        machine
+    }
+
+    /// The machine, and what is believed of it.
+    pub fn tracked(&mut self) -> Tracked<'_> {
+        let own = self.own.as_deref_mut();
+        Tracked { machine: &mut self.machine, driven: &self.driven, own }
+    }
+
     /// Has the machine set something, in its place between two moves. What is told again was set before, and what is
     /// only drawn sets nothing.
     fn set(&self, actuator: &Actuator) {
@@ -159,7 +176,7 @@ impl<'a> World<'a> {
         to_s: f64,
         going: Option<Going<'_>>,
         feed: f32,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         let doing = Doing { machine: &self.machine, going, feed, files: &self.files };
         drive.pass(from_s, to_s, &doing, self.sink)
     }
@@ -286,6 +303,7 @@ impl<'a> World<'a> {
             match happening.what {
                 What::LaserFrequency(hz) => self.laser_hz = Some(hz),
                 What::Output { number: SPINDLE_OUTPUT, .. } => self.spindle_switched = true,
+                What::Pushed { axis, by } => self.tracked().pushed(axis, by),
                 _ => {}
             }
             if let Some(actuator) = actuator(&happening.what) {
@@ -407,7 +425,7 @@ impl<'a> World<'a> {
             Command::HeightControl(law) => {
                 let law = law.as_deref().copied();
                 self.heights.follow(law);
-                self.machine.height_control(law);
+                self.tracked().control_height(law);
             }
             // The simulated machine has one direction and no coolant: they are only told.
             Command::SpindleTurn { number, turn } => {
@@ -433,6 +451,7 @@ impl<'a> World<'a> {
             self.sink.displays(settings.display.comments);
         }
         self.settings = settings.clone();
+        self.driven.borrow_mut().use_settings(&settings);
         self.machine.use_settings(settings);
         self.tell_log();
         let (units, t) = (self.units(), self.now());
@@ -560,7 +579,7 @@ impl<'a> World<'a> {
             }
             let Some(press) = given.as_deref().and_then(Press::read) else { return Ok(given) };
             let Press { number: input, on } = press;
-            self.machine.press(kerf_sim::Change { input, on, at_s: self.now() });
+            self.tracked().press(input, on);
             self.tell_log();
             self.heed_switch();
             let ok = Button::OK.word();

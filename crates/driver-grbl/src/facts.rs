@@ -244,6 +244,7 @@ impl Told {
             spindle_rpm: self.of(30).unwrap_or(1000.0),
             overrides: true,
             stop_switches_off: true,
+            repeats: false,
         }
     }
 }

@@ -17,6 +17,7 @@ pub mod file;
 pub mod hand;
 pub mod homing;
 mod levels;
+mod lift;
 pub mod lines;
 pub mod machine;
 pub mod planning;
@@ -29,7 +30,8 @@ pub mod wiring;
 mod words;
 
 pub use hand::{Errand, Hand, Held, Keypad, Stretch};
-pub use machine::{Actuator, Driven, Fault, Going, Machine, News, OVERRUN_MM, Watch};
+pub use lift::{Carried, Lift, Reading};
+pub use machine::{Actuator, Ahead, Driven, Fault, Going, Machine, News, OVERRUN_MM, Watch};
 pub use settings::Configuration;
 pub use state::State;
 pub use table::Setting;

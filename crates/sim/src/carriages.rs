@@ -105,11 +105,6 @@ impl Carriages {
         self.alone = motor;
     }
 
-    /// The motor that moves while the others of its axis stand.
-    pub const fn alone(&self) -> Option<(Axis, usize)> {
-        self.alone
-    }
-
     /// The controller believes to have moved.
     pub fn moved(&mut self, from: Axes, to: Axes) {
         if let Some((axis, motor)) = self.alone {

@@ -33,6 +33,11 @@ impl<M: Machine> Bench for Looked<M> {
     fn breaks(&mut self) -> bool {
         false
     }
+
+    fn moves_switch(&mut self, active: bool) -> Option<u8> {
+        let input = 1;
+        self.0.press(input, active, 0.0).then_some(input)
+    }
 }
 
 #[test]

@@ -173,6 +173,8 @@ pub struct Facts {
     pub overrides: bool,
     /// Its stop switches every output off.
     pub stop_switches_off: bool,
+    /// It does the same once more when the same is made again: what its inputs tell needs no place on record.
+    pub repeats: bool,
 }
 
 /// A setting of a controller that was changed to drive it, and is put back afterwards.
