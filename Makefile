@@ -18,7 +18,7 @@ test: rust-test console-test console-browser ## run every test, once
 
 # The server is compiled with the page in it, so the page comes first.
 rust-test: prepare console ## tests of everything but the console
-	$(CARGO) test --workspace --locked --no-fail-fast -- --show-output | awk -f .ci/told-tests.awk
+	$(CARGO) xtask test | awk -f .ci/told-tests.awk
 
 properties: prepare ## try the properties on new random cases
 	seed=$$(date +%s); echo "PROPTEST_RNG_SEED=$$seed"; \

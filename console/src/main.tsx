@@ -8,6 +8,9 @@ import { App } from "./app/App";
 import { createScreen } from "./app/screen";
 import { openLink, socketAddress } from "./link/link";
 import { keepRecent } from "./operator/recent";
+import { language } from "./words/words";
+
+document.documentElement.lang = language;
 
 const hands = { link: openLink(socketAddress(location)), screen: createScreen() };
 

@@ -4,8 +4,8 @@
 
 #[path = "../../crates/driver-klipper/tests/bytes/mod.rs"]
 mod bytes;
-#[path = "../../crates/driver-klipper/tests/fake/mod.rs"]
-mod fake;
+#[path = "../../crates/driver-klipper/tests/world.rs"]
+mod world;
 
 use libfuzzer_sys::fuzz_target;
 

@@ -7,9 +7,13 @@ import type { World } from "./action";
 /** Asks; a refusal becomes a notice. Tells whether it was done. */
 export async function ask(world: World, act: Act): Promise<boolean> {
   const { problem } = await world.link.ask(act);
-  if (problem) world.screen.tell(problem.text);
+  if (problem) world.screen.tell(withoutGrammar(problem.text));
   return problem === null;
 }
+
+/** A refusal as a person reads it: without the number, the words and the grammar of the clause that was sent. */
+export const withoutGrammar = (text: string): string =>
+  text.replace(/^clause \d+(?: `[^`]*`)?: /i, "").replace(/; write `[^`]*`$/, "");
 
 /** An act of the driver: everything that carries the number of the lease. */
 type Driven = Extract<Act, { lease: number }>;

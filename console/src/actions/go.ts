@@ -70,6 +70,11 @@ export const openTiming: Action = {
   ...sheetAction({ kind: "timing" }, "Timing chart", []),
   refused: ({ shown }) => (shown.snapshot?.opened ? undefined : "Open a file first."),
 };
+export const openSetup = sheetAction({ kind: "setup" }, "Set up the machine, step by step", []);
+const openHistory = sheetAction({ kind: "history" }, "History of runs", []);
+const openToDo = sheetAction({ kind: "todo" }, "Jobs to do", []);
+const openSamples = sheetAction({ kind: "samples" }, "Sample answers of the open file", []);
+export const openMacros = sheetAction({ kind: "macros" }, "Macros: commands of one's own", []);
 export const openPalette = sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]);
 
 const themeActions = themes.map(
@@ -111,6 +116,11 @@ export const goActions: readonly Action[] = [
   openPorts,
   openTools,
   openTiming,
+  openSetup,
+  openHistory,
+  openToDo,
+  openSamples,
+  openMacros,
   openPalette,
   ...themeActions,
   ...faceActions,

@@ -50,7 +50,7 @@ export const spaceBar: Action = {
 /** Home as switches tell it: by Kerf's own search, or by that of the controller. */
 export const findHome: Action = {
   id: "machine.findHome",
-  title: "Find home by the home switches",
+  title: "Find the machine's home by its switches",
   section: "machine",
   refused: unlessReady,
   run: (world) => void drive(world, { do: "go", way: { to: "findHome", axes: null } }),
@@ -139,7 +139,8 @@ const zero = (id: string, title: string, line: string): Action => ({
 });
 
 export const zeroXY = zero("machine.zero.xy", "Zero X and Y", "Z2");
-export const home = command("machine.home", "Go home", "JH");
+/** The zero of the work, which is not the home of the machine. */
+export const home = command("machine.home", "Go to work zero", "JH");
 
 /** Zeroing of each axis, X to B. */
 export const zeroAxis: readonly Action[] = ["X", "Y", "Z", "A", "B"].map((letter) =>

@@ -2,6 +2,7 @@
 
 import type { Action } from "./action";
 import { drawActions } from "./draw";
+import { frameJob } from "./frame";
 import { goActions } from "./go";
 import { jobActions } from "./job";
 import { machineActions } from "./machine";
@@ -9,6 +10,7 @@ import { machineActions } from "./machine";
 export const actions: readonly Action[] = [
   ...machineActions,
   ...jobActions,
+  frameJob,
   ...goActions,
   ...drawActions,
 ];

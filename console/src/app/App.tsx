@@ -18,6 +18,7 @@ import { Guard } from "./Guard";
 import { Keys } from "./Keys";
 import { LostLink } from "./LostLink";
 import { Notices } from "./Notices";
+import { Notifications } from "./Notifications";
 import { OpenSheet } from "./OpenSheet";
 import { OtherVersion } from "./OtherVersion";
 import { PairScreen } from "./PairScreen";
@@ -38,6 +39,7 @@ export function App({ hands }: { hands: Hands }) {
       <Guard>
         <Notices />
         <Sounds />
+        <Notifications />
       </Guard>
     </HandsContext>
   );

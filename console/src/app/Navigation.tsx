@@ -1,5 +1,6 @@
 import { openPalette } from "../actions/go";
 import { ActionButton } from "../ui/ActionButton";
+import { t } from "../words/words";
 import { useHands, useScreen, useSnapshot } from "./context";
 import { routes, shownIn } from "./routes";
 import "./navigation.css";
@@ -23,7 +24,7 @@ export function Navigation() {
               screen.go(path);
             }}
           >
-            {title}
+            {t(title)}
           </a>
         ))}
       <ActionButton action={openPalette} size="small" look="plain" aria-label={openPalette.title}>

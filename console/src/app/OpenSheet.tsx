@@ -1,17 +1,22 @@
 import { CommandSheet } from "../command/CommandSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
+import { SetupSheet } from "../settings/SetupSheet";
 import { TimingSheet } from "../timing/TimingSheet";
 import { BinSheet } from "../tools/BinSheet";
 import { ConfirmSheet } from "../tools/ConfirmSheet";
+import { HistorySheet } from "../tools/HistorySheet";
 import { InputsSheet } from "../tools/InputsSheet";
+import { MacrosSheet } from "../tools/MacrosSheet";
 import { MoveToSheet } from "../tools/MoveToSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
 import { Palette } from "../tools/Palette";
 import { PortsSheet } from "../tools/PortsSheet";
 import { RecorderSheet } from "../tools/RecorderSheet";
 import { ReplaceSheet } from "../tools/ReplaceSheet";
+import { SamplesSheet } from "../tools/SamplesSheet";
 import { ScratchSheet } from "../tools/ScratchSheet";
+import { ToDoSheet } from "../tools/ToDoSheet";
 import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
 import { VersionsSheet } from "../tools/VersionsSheet";
@@ -47,10 +52,20 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <MoveToSheet onClose={close} />;
     case "ports":
       return <PortsSheet onClose={close} />;
+    case "samples":
+      return <SamplesSheet onClose={close} />;
+    case "history":
+      return <HistorySheet onClose={close} />;
+    case "todo":
+      return <ToDoSheet onClose={close} />;
+    case "macros":
+      return <MacrosSheet onClose={close} />;
     case "timing":
       return <TimingSheet onClose={close} />;
     case "versions":
       return <VersionsSheet name={sheet.name} onClose={close} />;
+    case "setup":
+      return <SetupSheet onClose={close} />;
     case "bin":
       return <BinSheet onClose={close} />;
     case "confirm":

@@ -1,4 +1,5 @@
 import type { Asked, Machine, State } from "../wire/messages";
+import { t } from "../words/words";
 import { useShown } from "./context";
 import "./state-word.css";
 import { useWords } from "./useWords";
@@ -57,7 +58,7 @@ function Word({ tone, word, why }: WordProps) {
   return (
     <div className={`state state-${tone}`} role="status">
       <span className="state-dot" aria-hidden="true" />
-      <strong>{word}</strong>
+      <strong>{t(word)}</strong>
       {why && <span className="state-why">{words(why)}</span>}
     </div>
   );

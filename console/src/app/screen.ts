@@ -23,8 +23,13 @@ export type Sheet =
   | { readonly kind: "ports" }
   | { readonly kind: "tools" }
   | { readonly kind: "timing" }
+  | { readonly kind: "samples" }
+  | { readonly kind: "history" }
+  | { readonly kind: "todo" }
+  | { readonly kind: "macros" }
   | { readonly kind: "versions"; readonly name: string }
   | { readonly kind: "bin" }
+  | { readonly kind: "setup" }
   | { readonly kind: "confirm"; readonly action: string }
   | {
       readonly kind: "replace";
@@ -123,7 +128,7 @@ export function createScreen(): Screen {
     steppedRun: null,
     spot: null,
     large: false,
-    topic: "HQ",
+    topic: "how",
     edits: null,
     tool: null,
     notices: [],

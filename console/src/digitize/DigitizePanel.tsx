@@ -30,15 +30,14 @@ export function DigitizePanel() {
   if (only || !units) return null;
   const world = worldOf(hands);
   if (!digitized) {
+    const isJob = lines[0].startsWith("JOB:");
     return (
-      <Panel title="Digitize">
-        <div className="digitize-body">
-          <p className="digitize-words">
-            Drive the tool to the points of a shape and record each of them.
-          </p>
-          <Keys world={world} keys={[begin]} />
-          {lines[0].startsWith("JOB:") || <Screen lines={lines} />}
-        </div>
+      <Panel title="Digitize" aside={<Keys world={world} keys={[begin]} />}>
+        {isJob || (
+          <div className="digitize-body">
+            <Screen lines={lines} />
+          </div>
+        )}
       </Panel>
     );
   }

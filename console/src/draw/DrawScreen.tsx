@@ -11,6 +11,7 @@ import { KeyButtons } from "./KeyButtons";
 import { Operations } from "./operations/Operations";
 import { createOptions, showsMachined } from "./options";
 import { SelectionPanel } from "./SelectionPanel";
+import { ShapePanel } from "./ShapePanel";
 import { sceneOf } from "./scene";
 import { SpaceSheet } from "./space/SpaceSheet";
 import type { Aspect } from "./space/space";
@@ -88,8 +89,9 @@ export function DrawScreen() {
         <SelectionPanel desk={desk} scene={scene} notes={machined.notes} />
         <CommentPanel />
         <ArrayPanel onChange={() => setOperation("array")} />
-        <DigitizePanel />
         <GroupPanel desk={desk} scene={scene} />
+        <ShapePanel desk={desk} scene={scene} />
+        <DigitizePanel />
         <ViewPanel options={options} onChange={(next) => optionsStore.set(next)} />
       </div>
       <Operations open={operation} onOpen={setOperation} />

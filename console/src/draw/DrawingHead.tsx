@@ -95,7 +95,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         <FileSheet
           title="Open a drawing"
           warning={isUnsaved(worldOf(hands)) ? unsaved : undefined}
-          endings={["dxf", "svg", "rsg", "rsm"]}
+          endings={["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl"]}
           onClose={() => setAsking(null)}
           onName={(name) => draw({ op: "open", name })}
         />

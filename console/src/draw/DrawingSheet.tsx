@@ -12,6 +12,7 @@ import { lookedAt } from "../digitize/points";
 import { useLook } from "../digitize/useLook";
 import { useSize } from "../view/useSize";
 import { Chooser } from "./Chooser";
+import { chordOf } from "./chords";
 import { dragged, grabbed, moved, pressed, released, rightClicked } from "./desk";
 import { EntryBox } from "./EntryBox";
 import { boxOf, type Place, place } from "./geometry/vec";
@@ -72,7 +73,7 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
         tabIndex={0}
         role="application"
         aria-label="Shapes of the drawing"
-        onKeyDown={(event) => keyed(desk, event)}
+        onKeyDown={(event) => keyed(desk, event, units?.mm ?? 1)}
         onPointerDown={(event) =>
           pointerDown(desk, event, place(event), pixelOf(box.current, event))
         }
@@ -191,13 +192,21 @@ function pointerDown(desk: Desk, event: PointerEvent<HTMLElement>, at: Place, pi
   if (event.button === 2) return;
   event.currentTarget.focus();
   event.currentTarget.setPointerCapture(event.pointerId);
-  desk.set((state) => (event.button === 1 ? grabbed(state, pixel) : pressed(state, at)));
+  desk.set((state) =>
+    event.button === 1 ? grabbed(state, pixel) : pressed(state, at, desk.around),
+  );
 }
 
 /** Keys of the drawing; what they mean nothing to goes on to the page. */
-function keyed(desk: Desk, event: KeyboardEvent): void {
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
+function keyed(desk: Desk, event: KeyboardEvent, unitMm: number): void {
   const key = event.key.toLowerCase();
+  const chord = chordOf(key, event, unitMm);
+  if (chord?.(desk.state, desk.around)) {
+    event.preventDefault();
+    desk.act(chord);
+    return;
+  }
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
   const meant = desk.waits ? isDeskKey(key) : typed(desk.state, key, desk.around) !== null;
   if (!meant) return;
   event.preventDefault();

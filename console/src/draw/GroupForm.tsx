@@ -32,12 +32,12 @@ const rows: readonly Row[] = [
   length("rough", "Rough", "What a first pass leaves", (g) => g.rough),
   length(
     "tag",
-    "Tag",
+    "Tab",
     "Left out at the path's beginning, so that the part stays in the sheet",
     (g) => g.tag,
   ),
   { key: "tool", label: "Tool", title: "Tool output, 1 to 3", value: (g) => g.tool, length: false },
-  { key: "cut", label: "Cut", title: "Cut output, 1 to 3", value: (g) => g.cut, length: false },
+  { key: "cut", label: "Output", title: "Cut output, 1 to 3", value: (g) => g.cut, length: false },
 ];
 
 /** How the shapes of a group are cut. */
@@ -75,7 +75,7 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
           checked={group.double}
           onChange={() => set(`double=${group.double ? "off" : "on"}`)}
         />
-        Both sides of the line
+        Double cut, on both sides of the line
       </label>
       <label className="group-check">
         <input
@@ -83,7 +83,7 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
           checked={group.traversal}
           onChange={() => set(`traversal=${group.traversal ? "off" : "on"}`)}
         />
-        Way round obstacles, not cut
+        Travel only
       </label>
     </div>
   );
@@ -100,12 +100,12 @@ function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
     <>
       <Entry
         label="Depth"
-        title="thru, 3d, or the height of the cut over the surface, negative into the material"
-        text={typeof group.height === "number" ? shown(group.height, mm) : group.height}
+        title="through, 3d, or the height of the cut over the surface, negative into the material"
+        text={typeof group.height === "number" ? shown(group.height, mm) : depthWords(group.height)}
         onText={(text) => {
           const read = readLength(text, mm);
-          const word = /^(thru|3d)$/i.test(text.trim()) ? text.trim().toLowerCase() : null;
-          if (word) set(`height=${word}`);
+          const [word] = /^(thru|through|3d)$/i.exec(text.trim()) ?? [];
+          if (word) set(`height=${/^3d$/i.test(word) ? "3d" : "thru"}`);
           else if (!isWrong(read)) set(`height=${num(read.value)}`);
         }}
       />
@@ -121,6 +121,8 @@ function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
     </>
   );
 }
+
+const depthWords = (height: string): string => (height === "thru" ? "through" : height);
 
 interface LeadRowProps extends RowProps {
   name: string;

@@ -10,35 +10,54 @@ interface GroupPanelProps {
   scene: Scene;
 }
 
-/** The eight groups: how many shapes, whether they are cut, how. */
+/** The eight layers, those without shapes when asked for: how many shapes, whether they are cut, how. */
 export function GroupPanel({ desk, scene }: GroupPanelProps) {
   const groups = useSnapshot("drawing")?.groups ?? [];
   const units = useSnapshot("units");
-  const [open, setOpen] = useState("black");
+  const [open, setOpen] = useState<string | null>(null);
+  const [all, setAll] = useState(false);
   const some = scene.selected.size > 0;
   const shown = groups.find(({ name }) => name === open);
   // Before there is a drawing there is nothing to set.
   if (groups.length === 0) return null;
+  const countOf = (name: string) => scene.shapes.filter(({ group }) => group === name).length;
+  // What is selected can go to any of them.
+  const isSeen = (name: string, on: boolean) =>
+    all || some || !on || name === open || countOf(name) > 0 || name === "black";
+  const rows = groups.filter(({ name, on }) => isSeen(name, on));
   return (
-    <Panel title="Groups">
+    <Panel
+      title="Layers"
+      aside={
+        rows.length < groups.length || all ? (
+          <button type="button" className="link-button" onClick={() => setAll(!all)}>
+            {all ? "Used layers" : `All ${groups.length}`}
+          </button>
+        ) : null
+      }
+    >
       <ul className="groups">
-        {groups.map(({ name, on }) => (
+        {rows.map(({ name, on }) => (
           <li key={name} className={name === open ? "group-row group-open" : "group-row"}>
-            <button type="button" className="group-name" onClick={() => setOpen(name)}>
+            <button
+              type="button"
+              className="group-name"
+              aria-expanded={name === open}
+              onClick={() => setOpen(name === open ? null : name)}
+            >
               <span className="swatch" style={{ background: `var(--draw-group-${name})` }} />
               {name}
             </button>
-            <span className="group-count">
-              {scene.shapes.filter(({ group }) => group === name).length || ""}
-            </span>
+            <span className="group-count">{countOf(name) || ""}</span>
             <button
               type="button"
               className="link-button"
               disabled={!some}
               onClick={() => desk.send(`group ${name}`)}
-              aria-label={`put here: the selection into ${name}`}
+              title={`Moves the selection to the layer ${name}`}
+              aria-label={`move: the selection into ${name}`}
             >
-              put here
+              move
             </button>
             <button
               type="button"

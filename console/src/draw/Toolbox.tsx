@@ -1,3 +1,4 @@
+import { t } from "../words/words";
 import { startTool } from "./desk";
 import { ToolIcon } from "./ToolIcon";
 import { menus, toolsOf } from "./tools/catalog";
@@ -21,20 +22,10 @@ const sheets: readonly { readonly name: string; readonly title: string; readonly
   { name: "justify", title: "Justify…", doc: "The drawing at the origin" },
 ];
 
-/** Every tool, by menu, then sheets of operations. */
+/** Sheets of operations, then every tool by menu. */
 export function Toolbox({ desk, onOperation }: ToolboxProps) {
   return (
     <nav className="toolbox" aria-label="Drawing tools">
-      {menus.map(({ menu, title }) => (
-        <section key={menu} aria-label={title}>
-          <h2>{title}</h2>
-          <div className="toolbox-tools">
-            {toolsOf(menu).map((tool) => (
-              <ToolButton key={tool.id} tool={tool} desk={desk} />
-            ))}
-          </div>
-        </section>
-      ))}
       <section aria-label="Operations">
         <h2>Operations</h2>
         <div className="toolbox-tools">
@@ -47,7 +38,7 @@ export function Toolbox({ desk, onOperation }: ToolboxProps) {
               onClick={() => onOperation(name)}
             >
               <ToolIcon id={name} />
-              <span>{title}</span>
+              <span>{t(title)}</span>
             </button>
           ))}
           <button
@@ -60,6 +51,16 @@ export function Toolbox({ desk, onOperation }: ToolboxProps) {
           </button>
         </div>
       </section>
+      {menus.map(({ menu, title }) => (
+        <section key={menu} aria-label={title}>
+          <h2>{t(title)}</h2>
+          <div className="toolbox-tools">
+            {toolsOf(menu).map((tool) => (
+              <ToolButton key={tool.id} tool={tool} desk={desk} />
+            ))}
+          </div>
+        </section>
+      ))}
     </nav>
   );
 }
@@ -75,7 +76,7 @@ function ToolButton({ tool, desk }: { tool: Tool; desk: Desk }) {
       onClick={() => desk.act((state, around) => startTool(state, tool, around))}
     >
       <ToolIcon id={tool.id} />
-      <span>{tool.title}</span>
+      <span>{t(tool.title)}</span>
     </button>
   );
 }

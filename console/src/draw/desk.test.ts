@@ -40,7 +40,7 @@ const drag = (
   world = around(),
   adds = false,
 ): Done => {
-  const over = moved(pressed(state, place(...from)), place(...to), place(0, 0));
+  const over = moved(pressed(state, place(...from), world), place(...to), place(0, 0));
   return dragged(released(over), over.drag, adds, world);
 };
 

@@ -25,7 +25,7 @@ import {
   type Running,
   type Step,
 } from "./tools/running";
-import { type Mark, type Tool, xy } from "./tools/tool";
+import { type Mark, select, type Tool, xy } from "./tools/tool";
 import { firstStep } from "./tools/turn";
 import { fitted, panned, type Size, type Window } from "./window";
 
@@ -33,6 +33,12 @@ import { fitted, panned, type Size, type Window } from "./window";
 const clickSlack = 4;
 
 export type Drag =
+  | {
+      readonly kind: "shapes";
+      readonly numbers: readonly number[];
+      readonly from: Place;
+      readonly to: Place;
+    }
   | { readonly kind: "region"; readonly from: Place; readonly to: Place }
   | { readonly kind: "pan"; readonly at: Place };
 
@@ -132,12 +138,24 @@ export const takesPlace = (running: Running): boolean => {
   );
 };
 
-/** The left button went down. */
-export const pressed = (state: DeskState, at: Place): DeskState => ({
-  ...state,
-  drag: { kind: "region", from: at, to: at },
-  chooser: null,
-});
+/** The left button went down: on what is selected it takes hold of all of that; else a region begins. */
+export function pressed(state: DeskState, at: Place, around: Around): DeskState {
+  const numbers = heldAt(state, at, around);
+  const drag: Drag =
+    numbers.length > 0
+      ? { kind: "shapes", numbers, from: at, to: at }
+      : { kind: "region", from: at, to: at };
+  return { ...state, drag, chooser: null };
+}
+
+/** The shapes that a drag from here carries: the selection, where the pointer is on one of it. */
+function heldAt(state: DeskState, at: Place, around: Around): readonly number[] {
+  if (state.running) return [];
+  const isHeld = shapesUnder(state, at, around).some(({ number }) =>
+    around.selected.includes(number),
+  );
+  return isHeld ? around.selected : [];
+}
 
 /** The middle button went down, or the space bar is held. */
 export const grabbed = (state: DeskState, pixel: Place): DeskState => ({
@@ -159,12 +177,16 @@ export const released = (state: DeskState): DeskState => ({ ...state, drag: null
 
 /** Acts on what was dragged until a button went up: a click or a region. `adds` keeps what is selected. */
 export function dragged(state: DeskState, drag: Drag | null, adds: boolean, around: Around): Done {
-  if (drag?.kind !== "region") return { state };
-  const far = distance(drag.from, drag.to) / state.window.mmPerPixel;
-  return far < clickSlack
-    ? clicked(state, drag.from, adds, around)
-    : spanned(state, drag.from, drag.to, adds, around);
+  if (!drag || drag.kind === "pan") return { state };
+  if (!isFar(drag, state.window)) return clicked(state, drag.from, adds, around);
+  if (drag.kind === "region") return spanned(state, drag.from, drag.to, adds, around);
+  const way = `move from ${xy(drag.from)} to ${xy(drag.to)}`;
+  return { state, clauses: `${select(drag.numbers)}; ${way}` };
 }
+
+/** Tells a drag from a click. */
+export const isFar = (drag: Exclude<Drag, { kind: "pan" }>, { mmPerPixel }: Window): boolean =>
+  distance(drag.from, drag.to) / mmPerPixel >= clickSlack;
 
 function clicked(state: DeskState, at: Place, adds: boolean, around: Around): Done {
   const { running } = state;

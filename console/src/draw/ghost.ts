@@ -1,18 +1,19 @@
 /** What is drawn at the mouse while a tool is at work. */
 
-import { type Around, type DeskState, pickPlace, shapesUnder } from "./desk";
+import { type Around, type DeskState, isFar, pickPlace, shapesUnder } from "./desk";
 import { bulgeThrough, type Segment } from "./geometry/segment";
 import type { Shape } from "./geometry/shape";
 import type { Place } from "./geometry/vec";
 import type { Overlay } from "./paint/overlay";
+import { shifted } from "./tools/matrix";
 import { asked, baseOf, type Running } from "./tools/running";
-import { noGhost } from "./tools/tool";
+import { type Ghost, noGhost } from "./tools/tool";
 
 export function overlayOf(state: DeskState, around: Around): Overlay {
   const { running, pointer, drag, window } = state;
   const { shapes } = around.picking;
   const at = pointer && pickPlace(state, pointer, around);
-  const ghost = running && at ? ghostOf(running, at, shapes) : noGhost;
+  const ghost = running && at ? ghostOf(running, at, shapes) : carriedBy(state);
   const picks = picksOf(running, around);
   return {
     hovered: hoveredOf(state, around),
@@ -28,6 +29,12 @@ export function overlayOf(state: DeskState, around: Around): Overlay {
     radius: running?.snap ? around.pickRadius : null,
     square: running?.snap === "g" ? baseOf(running) : null,
   };
+}
+
+/** Shapes that are dragged follow the mouse. */
+function carriedBy({ drag, window }: DeskState): Ghost {
+  if (drag?.kind !== "shapes" || !isFar(drag, window)) return noGhost;
+  return { kind: "moved", numbers: drag.numbers, by: shifted(drag.from, drag.to) };
 }
 
 /** What is picked: by the tool at work, else to be sequenced later. */

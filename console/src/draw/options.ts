@@ -28,12 +28,12 @@ interface OptionWords {
 }
 
 export const optionWords: Record<ViewOption, OptionWords> = {
-  groupColours: { title: "Group colours", doc: "Instead of the colours of the directions" },
+  groupColours: { title: "Layer colours", doc: "Instead of the colours of the directions" },
   starts: { title: "Starts", doc: "Where each shape begins, its direction and the cutting side" },
   vertices: { title: "Vertices", doc: "A small cross at each" },
   filtered: { title: "Filtered", doc: "Vertices that are left out when paths are made" },
   smoothed: { title: "Smoothed", doc: "Curves that short lines become when paths are made" },
-  offDashed: { title: "Groups off", doc: "Dashed; else they are not shown and not picked" },
+  offDashed: { title: "Layers off", doc: "Dashed; else they are not shown and not picked" },
   toolPaths: { title: "Tool paths", doc: "As the machine would cut, made anew with every change" },
   rough: { title: "Rough passes", doc: "The paths of rough passes besides the final ones" },
   machine: { title: "Machine", doc: "Its bounds, home, origin and finish of the job, the tool" },

@@ -80,7 +80,7 @@ export class Hand {
     return this.press(x, y).move(x, y).release(adds);
   }
   press(x: number, y: number): this {
-    this.state = pressed(this.state, place(x, y));
+    this.state = pressed(this.state, place(x, y), this.around);
     return this;
   }
   release(adds = false): this {

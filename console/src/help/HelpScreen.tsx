@@ -1,5 +1,6 @@
 import { useHands, useScreen } from "../app/context";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import "./help.css";
 import { topics } from "./topics";
 
@@ -7,7 +8,8 @@ import { topics } from "./topics";
 export function HelpScreen() {
   const { screen } = useHands();
   const asked = useScreen("topic");
-  const topic = topics.find(({ letters }) => letters === asked) ?? topics[0];
+  const [name, place] = splitAt(asked);
+  const topic = topics.find(({ letters }) => letters === name) ?? topics[0];
   if (!topic) return null;
   const { page: Page } = topic;
   return (
@@ -22,14 +24,20 @@ export function HelpScreen() {
               aria-current={letters === topic.letters ? "page" : undefined}
               onClick={() => screen.explain(letters)}
             >
-              {title} <small>{letters}</small>
+              {t(title)} <small>{letters.length === 2 ? letters : ""}</small>
             </button>
           ))}
         </nav>
         <Panel title={topic.title} className="help-page">
-          <Page />
+          <Page place={place} />
         </Panel>
       </div>
     </div>
   );
+}
+
+/** `book/frames#working` as the page of the help and the place on it. */
+function splitAt(topic: string): [string, string] {
+  const [name = "", ...rest] = topic.split("/");
+  return [name, rest.join("/")];
 }

@@ -63,7 +63,7 @@ export function Web() {
         </a>
         , as text.
       </li>
-      <li>The book, the sources and the changelog come with Kerf, in its folder docs.</li>
+      <li>The book comes with this page: see The book at the left.</li>
     </ul>
   );
 }

@@ -1,21 +1,24 @@
 /** The pages of the help, each by the letters of the command that opens it. */
 
-import { type ReactNode, useEffect, useState } from "react";
+import { lazy, type ReactNode, Suspense, useEffect, useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
 import { useCommands } from "../command/table";
 import { getText } from "../link/http";
 import { Button } from "../ui/Button";
 import { CommandReference } from "./CommandReference";
+import { HowDoI } from "./HowDoI";
 import { KeyLists } from "./KeyLists";
 import { Bulletins, Web } from "./News";
 
 export interface Topic {
   readonly letters: string;
   readonly title: string;
-  readonly page: () => ReactNode;
+  readonly page: (props: { place: string }) => ReactNode;
 }
 
 export const topics: readonly Topic[] = [
+  { letters: "how", title: "How do I …", page: HowDoI },
+  { letters: "book", title: "The book", page: BookPage },
   { letters: "HQ", title: "Quick start", page: QuickStart },
   { letters: "HU", title: "User guide", page: UserGuide },
   { letters: "HC", title: "Command reference", page: CommandReference },
@@ -28,6 +31,17 @@ export const topics: readonly Topic[] = [
   { letters: "HW", title: "On the web", page: Web },
   { letters: "HA", title: "About", page: About },
 ];
+
+/** The book and its reader are fetched when they are wanted. */
+const Book = lazy(async () => ({ default: (await import("./book/Book")).Book }));
+
+function BookPage({ place }: { place: string }) {
+  return (
+    <Suspense fallback={<p>Reading…</p>}>
+      <Book place={place} />
+    </Suspense>
+  );
+}
 
 function QuickStart() {
   return (
@@ -129,7 +143,7 @@ const troubles: readonly [string, string][] = [
   ],
   [
     "The machine is disarmed",
-    "So it is after a start, an alarm, or when the page that drove has gone. Look that all is clear, then press Arm.",
+    "So it is after a start, an alarm, or when the controlling browser disconnected. Look that all is clear, then press Arm.",
   ],
   [
     "Somebody else drives",

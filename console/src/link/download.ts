@@ -9,3 +9,11 @@ export function download(name: string): void {
   way.download = name.split("/").at(-1) ?? name;
   way.click();
 }
+
+/** Hands a text to the browser as a file. */
+export function downloadText(name: string, text: string): void {
+  const way = document.createElement("a");
+  way.href = `data:text/plain;charset=utf-8,${encodeURIComponent(text)}`;
+  way.download = name;
+  way.click();
+}

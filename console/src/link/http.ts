@@ -54,6 +54,12 @@ export async function postJson<T>(path: string, body: unknown): Promise<T> {
   return response.json() as Promise<T>;
 }
 
+/** Puts a JSON value in the place of what lies there. */
+export async function putJson(path: string, body: unknown): Promise<void> {
+  const headers = { "content-type": "application/json" };
+  await request(path, { method: "PUT", headers, body: JSON.stringify(body) });
+}
+
 export async function deleteAt(path: string, headers: Record<string, string> = {}): Promise<void> {
   await request(path, { method: "DELETE", headers });
 }

@@ -4,6 +4,7 @@ import { singleStep, start } from "../actions/job";
 import { home, moveMode, preview, zeroAxis, zeroXY } from "../actions/machine";
 import { useShown } from "../app/context";
 import { ActionButton } from "../ui/ActionButton";
+import { t } from "../words/words";
 import { FaceSwitch } from "./FaceSwitch";
 import "./easy-buttons.css";
 
@@ -29,7 +30,7 @@ const buttons: readonly Easy[] = [
   { action: openKeypad, words: "Move tool", command: "SK" },
   { action: asking(zeroXY), words: "Zero X Y", command: "Z2" },
   ...(zeroZ ? [{ action: asking(zeroZ), words: "Zero Z", command: "ZZ" }] : []),
-  { action: home, words: "Home", command: "JH" },
+  { action: home, words: "Work zero", command: "JH" },
   { action: openFiles, words: "Choose file", command: "FP" },
   { action: start, words: "Cut part", command: "FP" },
   { action: preview, words: "Preview", command: "SP" },
@@ -48,7 +49,7 @@ export function EasyButtons() {
         .map((easy) => (easy.action === preview && previews ? back : easy))
         .map(({ action, words, command }) => (
           <ActionButton key={action.id} action={action} className="easy-button">
-            {words}
+            {t(words)}
             <small>{command}</small>
           </ActionButton>
         ))}

@@ -1,6 +1,6 @@
 import { useEffect, useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
-import { ask } from "../actions/ask";
+import { isUnsaved, unsaved } from "../actions/draw";
 import { copied, renamed } from "../actions/files";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { SaveAs } from "../editor/SaveAs";
@@ -13,8 +13,10 @@ import type { FileInfo } from "../wire/messages";
 import { DeleteFile } from "./DeleteFile";
 import { copyName, type FileUse, fileUses } from "./fileUses";
 import { sizeText } from "./fileWords";
-import { baseOf, inFolder, parentOf } from "./folder";
+import { baseOf, listed, parentOf } from "./folder";
+import { kindWord, openDrawing, openToRun } from "./openFile";
 import { RecentFiles } from "./RecentFiles";
+import { Thumbnail } from "./Thumbnail";
 import { UploadButton, UploadList } from "./UploadList";
 import { useFiles } from "./useFiles";
 import { useUploads } from "./useUploads";
@@ -30,31 +32,31 @@ export function FilePicker({ given }: FilePickerProps) {
   const hands = useHands();
   const kept = useSnapshot("folder");
   const [folder, setFolder] = useState(kept?.name ?? "");
-  const [mask, setMask] = useState("");
+  const [word, setWord] = useState("");
   const [use, setUse] = useState<FileUse>("open");
   const [asking, setAsking] = useState<string | null>(null);
-  const files = useFiles(folder);
+  const [lost, setLost] = useState<string | null>(null);
+  const files = useFiles(folder, word.trim());
   const uploads = useUploads();
   // biome-ignore lint/correctness/useExhaustiveDependencies: once for each time that files are given
   useEffect(() => uploads.add(folder, given ?? []), [given]);
   const close = () => hands.screen.open(null);
-  const open = async (name: string) => {
-    // Where a file is chosen, the next one is looked for (FS).
-    if (parentOf(name) !== kept?.name)
-      await ask(worldOf(hands), { do: "folder", name: parentOf(name), mask: null });
-    if (hands.screen.get().face === "full") {
-      return hands.screen.open({ kind: "command", letters: "FP", given: [baseOf({ name })] });
-    }
-    if (await ask(worldOf(hands), { do: "open", name })) close();
+  const open = (name: string) => {
+    const as = files.find((file) => file.name === name)?.opens;
+    if (as === null) return hands.screen.edit(name);
+    if (as !== "drawing") return void openToRun(hands, name, kept?.name ?? "");
+    if (isUnsaved(worldOf(hands))) setLost(name);
+    else void openDrawing(hands, name);
   };
   const choose = ({ folder, name }: FileInfo) => {
     if (folder) return setFolder(name);
-    if (use === "open") void open(name);
+    if (use === "open") open(name);
     else if (use === "download") download(name);
     else if (use === "versions") hands.screen.open({ kind: "versions", name });
     else setAsking(name);
   };
-  const shown = inFolder(files, folder, mask);
+  const shown = listed(files, word.trim());
+  if (lost !== null) return <DrawingLost name={lost} onDone={() => setLost(null)} />;
   if (asking !== null)
     return <FileQuestion use={use} name={asking} onDone={() => setAsking(null)} />;
   return (
@@ -67,6 +69,8 @@ export function FilePicker({ given }: FilePickerProps) {
           <span className="files-hint">
             Upload brings files of this computer here, and so does dropping them on the page.
           </span>
+          <Button onPress={() => hands.screen.open({ kind: "todo" })}>Jobs to do…</Button>
+          <Button onPress={() => hands.screen.open({ kind: "history" })}>History…</Button>
           <Button onPress={() => hands.screen.open({ kind: "bin" })}>Bin…</Button>
           <UploadButton uploads={uploads} folder={folder} />
         </>
@@ -74,16 +78,16 @@ export function FilePicker({ given }: FilePickerProps) {
     >
       <div className="files-head">
         <Field
-          label="Mask"
-          placeholder="part files; * for all"
-          value={mask}
-          onChange={setMask}
+          label="Search"
+          placeholder="in all folders; *.log for other files"
+          value={word}
+          onChange={setWord}
           first
         />
         <Choice label="A file that is chosen" options={fileUses} value={use} onChange={setUse} />
       </div>
-      <RecentFiles onOpen={(name) => void open(name)} />
-      <UploadList uploads={uploads} onUse={(name) => void open(name)} />
+      <RecentFiles onOpen={open} />
+      <UploadList uploads={uploads} onUse={open} />
       <ListBox
         aria-label="Files"
         className="files"
@@ -95,13 +99,13 @@ export function FilePicker({ given }: FilePickerProps) {
         }}
         renderEmptyState={() => <p className="tail-empty">No file matches.</p>}
       >
-        {folder && (
+        {folder && word.trim() === "" && (
           <ListBoxItem id=".." className="files-row" textValue="up">
             ↑ Folder above
           </ListBoxItem>
         )}
         {shown.map((file) => (
-          <FileRow key={file.name} file={file} />
+          <FileRow key={file.name} file={file} whole={word.trim() !== ""} />
         ))}
       </ListBox>
     </Sheet>
@@ -135,14 +139,43 @@ function FileQuestion({ use, name, onDone }: FileQuestionProps) {
   );
 }
 
-function FileRow({ file }: { file: FileInfo }) {
-  const name = file.name.split("/").at(-1) ?? file.name;
+/** Asks before a drawing takes the place of one that is not saved. */
+function DrawingLost({ name, onDone }: { name: string; onDone: () => void }) {
+  const hands = useHands();
   return (
-    <ListBoxItem id={file.name} className="files-row" textValue={name}>
-      <span className="files-name">
-        {file.folder ? "▸ " : ""}
-        {name}
-      </span>
+    <Sheet
+      title={`Open ${name}?`}
+      shape="question"
+      onClose={onDone}
+      foot={
+        <>
+          <Button size="large" data-first onPress={onDone}>
+            Cancel
+          </Button>
+          <Button size="large" look="primary" onPress={() => void openDrawing(hands, name)}>
+            Open
+          </Button>
+        </>
+      }
+    >
+      <p className="question-text">{unsaved}</p>
+    </Sheet>
+  );
+}
+
+function FileRow({ file, whole }: { file: FileInfo; whole: boolean }) {
+  const base = baseOf(file);
+  return (
+    <ListBoxItem id={file.name} className="files-row" textValue={base}>
+      {file.folder ? (
+        <span className="files-folder" aria-hidden="true">
+          ▸
+        </span>
+      ) : (
+        <Thumbnail name={file.name} changed={file.changed} />
+      )}
+      <span className="files-name">{whole ? file.name : base}</span>
+      <span className="files-kind">{kindWord(file)}</span>
       <span className="files-header" title={file.header ?? undefined}>
         {file.header && (
           <b className="files-mark" role="img" aria-label="Its head tells about the job">

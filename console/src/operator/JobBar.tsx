@@ -40,7 +40,7 @@ function Interrupted() {
 function Progress() {
   const snapshot = useShown((shown) => shown.snapshot);
   if (!snapshot) return null;
-  const { name, part, words, seconds } = progressOf(snapshot);
+  const { name, part, words, seconds, spent } = progressOf(snapshot);
   return (
     <div className="job-progress">
       <p className="job-name">
@@ -52,6 +52,7 @@ function Progress() {
         <span>
           <b>{part === undefined ? "–" : Math.floor(part * 100)}</b> %
         </span>
+        {spent !== undefined && <span className="job-spent">{spent}</span>}
         <span>
           {words} <b className="job-left">{seconds === undefined ? "–" : durationText(seconds)}</b>
         </span>

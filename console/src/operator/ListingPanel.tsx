@@ -12,6 +12,7 @@ export function ListingPanel() {
   return (
     <Panel
       title="Program"
+      className="listing-panel"
       aside={<span className="listing-count">{opened ? countOf(opened) : ""}</span>}
     >
       <OpenFiles />

@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { Button } from "../ui/Button";
 import { recentFiles } from "./recent";
+import { Thumbnail } from "./Thumbnail";
 
 /** The files that were opened last, one press each. */
 export function RecentFiles({ onOpen }: { onOpen: (name: string) => void }) {
@@ -11,6 +12,7 @@ export function RecentFiles({ onOpen }: { onOpen: (name: string) => void }) {
       <span>Opened last</span>
       {names.map((name) => (
         <Button key={name} size="small" onPress={() => onOpen(name)}>
+          <Thumbnail name={name} />
           {name}
         </Button>
       ))}

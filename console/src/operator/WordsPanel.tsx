@@ -6,8 +6,9 @@ import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Tail } from "../ui/Tail";
+import type { Message } from "../wire/messages";
 import { FindingPlace } from "./FindingPlace";
-import { errorsOf, placeOf } from "./fileStatus";
+import { errorsOf, placeOf, placeOfMessage } from "./fileStatus";
 import "./words-panel.css";
 
 type Kind = "messages" | "printed" | "notes";
@@ -41,20 +42,38 @@ export function WordsPanel() {
 }
 
 function Messages() {
+  const { screen } = useHands();
+  const opened = useSnapshot("opened");
   const messages = useSnapshot("messages") ?? [];
   const words = useWords();
   return (
     <Tail label="Messages" empty="Nothing to report." count={messages.length}>
-      {messages.map((message, n) => (
-        // biome-ignore lint/suspicious/noArrayIndexKey: messages have no name of their own
-        <p key={n} className={`word word-${message.tone}`}>
-          {/* A comment of the program stays as it was written. */}
-          {message.tone === "program" ? message.text : words(message.text)}
-        </p>
-      ))}
+      {messages.map((message, n) => {
+        const place = placeOfMessage(message.place);
+        return (
+          // biome-ignore lint/suspicious/noArrayIndexKey: messages have no name of their own
+          <p key={n} className={`word word-${message.tone}`}>
+            {place && (
+              <FindingPlace
+                place={place}
+                file={opened?.name}
+                onShow={(to) => screen.showLine(to)}
+              />
+            )}
+            {/* A comment of the program stays as it was written. */}
+            {message.tone === "program"
+              ? message.text
+              : words(place ? behindPlace(message) : message.text)}
+          </p>
+        );
+      })}
     </Tail>
   );
 }
+
+/** The text of a message whose line is told before it. */
+const behindPlace = ({ text, place }: Message): string =>
+  text.replace(`line ${place?.line}: `, ": ");
 
 function Printed() {
   const lines = useSnapshot("printed") ?? [];

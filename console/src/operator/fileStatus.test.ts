@@ -33,7 +33,7 @@ const told = (change: Partial<Opened>, other: Partial<Snapshot> = {}): Snapshot 
 
 describe("how the open file stands", () => {
   const words = (snapshot: Snapshot) => fileStatus(snapshot, now).words;
-  const ran = (ended: string, line = 0) => told({ ran: { ended, at, line } });
+  const ran = (ended: string, line = 0) => told({ ran: { ended, at, line, seconds: 75 } });
   const interrupted = {
     file: opened.name,
     hash: opened.content,
@@ -45,9 +45,9 @@ describe("how the open file stands", () => {
   it.each<[string, Snapshot]>([
     ["", { ...firstSnapshot, opened: null }],
     ["finished", { ...firstSnapshot, opened: null, job: typed("ok") }],
-    ["running", told({}, { job: typed(null) })],
-    ["ready", told({}, { job: typed("ok") })],
-    ["ready", told({})],
+    ["running, line 14", told({}, { job: typed(null) })],
+    ["ready, never run", told({}, { job: typed("ok") })],
+    ["ready, never run", told({})],
     ["being checked", told({ preview: { state: "working" } })],
     ["1 mistake: see line 12", told({ broken: true, findings: [error(12)] })],
     [
@@ -55,18 +55,29 @@ describe("how the open file stands", () => {
       told({ broken: true, findings: [error(3, "a.sbp"), error(4)] }),
     ],
     ["its preview ends at line 5", told({ findings: [error(5)] })],
-    ["running", told({}, states.running)],
-    ["held", told({}, states.held)],
+    ["running, line 13", told({}, states.running)],
+    ["held, line 13", told({}, states.held)],
+    ["running, path 13", told({ kind: "job" }, states.running)],
     ["finished at 14:03", ran("ok", 20)],
     ["failed behind line 7 at 14:03", ran("failed", 7)],
     ["interrupted behind line 9", told({}, { interrupted })],
-    ["ready", told({ content: "another" }, { interrupted })],
-    ["ready", told({ name: "other.sbp" }, { interrupted })],
+    ["ready, never run", told({ content: "another" }, { interrupted })],
+    ["ready, never run", told({ name: "other.sbp" }, { interrupted })],
   ])("%s", (wanted, snapshot) => expect(words(snapshot)).toBe(wanted));
 
   it("leads to the first mistake", () => {
     const { place, look } = fileStatus(told({ broken: true, findings: [error(12), error(14)] }));
     expect([place, look]).toEqual([{ file: opened.name, line: 12 }, "error"]);
+  });
+
+  it.each<[number | undefined, Partial<Opened>]>([
+    [7, { kind: "program" }],
+    [undefined, { kind: "job" }],
+  ])("leads to line %s behind which it failed", (line, change) => {
+    const { place } = fileStatus(
+      told({ ...change, ran: { ended: "failed", at, line: 7, seconds: 1 } }),
+    );
+    expect(place?.line).toBe(line);
   });
 });
 
@@ -77,6 +88,19 @@ describe("how far it is", () => {
     const over = job && { ...job, ended: "ok" };
     expect(progressOf(told({}, { job: over, motion: done })).part).toBe(1);
     expect(progressOf(told({ hash: "other" }, { job: over, motion: done })).part).toBe(0);
+  });
+  it("tells the time so far, and behind the end the time that it took", () => {
+    expect(progressOf(told({}, states.running)).spent).toBe("so far 0:14");
+    expect(progressOf(told({ ran: { ended: "ok", at, line: 0, seconds: 75 } })).spent).toBe(
+      "took 1:15",
+    );
+    expect(progressOf(told({})).spent).toBeUndefined();
+  });
+  it("is not told of a file whose plan ends at an error", () => {
+    const over = job && { ...job, ended: "failed" };
+    const done = { ...firstSnapshot.motion, progress: 1 };
+    const shown = progressOf(told({ findings: [error(5)] }, { job: over, motion: done }));
+    expect(shown.part).toBeUndefined();
   });
   it("is not told without a plan", () => {
     const typed = job && { ...job, hash: null, seconds: 0, command: "MX,3" };

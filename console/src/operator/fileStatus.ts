@@ -1,8 +1,10 @@
 /** How the open file stands, and how far what runs is: what is told beside its name. */
 
 import type { Spot } from "../app/screen";
+import { durationText } from "../app/units";
 import type { Shown } from "../link/shown";
-import type { Finding, Job, LastRun, Opened, Snapshot, State } from "../wire/messages";
+import type { Call, Finding, Job, LastRun, Opened, Snapshot, State } from "../wire/messages";
+import { toolLine } from "./toolLine";
 
 export interface FileStatus {
   readonly words: string;
@@ -11,7 +13,7 @@ export interface FileStatus {
   readonly place?: Spot | undefined;
 }
 
-type Told = Pick<Snapshot, "opened" | "job" | "interrupted" | "machine" | "motion">;
+type Told = Pick<Snapshot, "opened" | "job" | "interrupted" | "machine" | "motion" | "asked">;
 
 /** Whether a job is under way. */
 export const isUnderWay = (job: Job | null): job is Job & { ended: null } =>
@@ -52,7 +54,7 @@ const warning = (words: string, place?: Spot): FileStatus => ({ words, look: "wa
 const running: Partial<Record<State, string>> = {
   held: "held",
   asking: "waits for an answer",
-  stopped: "stopped: it waits",
+  stopped: "stopped, waits",
 };
 
 /** How a run ended that belongs to no open file. */
@@ -65,17 +67,41 @@ const outcomes: Record<string, string> = {
 /** How what runs stands, else the file that is open; where none is, what ran last. */
 export function fileStatus(told: Told, now = new Date()): FileStatus {
   const { opened, job, machine, interrupted } = told;
-  if (isUnderWay(job)) return plain(running[machine.state] ?? "running");
+  if (isUnderWay(job)) {
+    return plain(`${running[machine.state] ?? "running"}${toolText(told)}`);
+  }
   if (!opened) return plain(job?.ended ? (outcomes[job.ended] ?? job.ended) : "");
   if (opened.kind === "drawing") return plain("no tool path yet");
   if (opened.preview.state === "working") return plain("being checked");
   if (opened.broken) return broken(opened);
   const same = interrupted?.hash === null || interrupted?.hash === opened.content;
-  if (interrupted?.file === opened.name && same) return warning(behind(interrupted.line, opened));
+  if (interrupted?.file === opened.name && same) {
+    return warning(behind(interrupted.line, opened), lineOf(interrupted.line, opened));
+  }
   if (opened.ran) return ranStatus(opened.ran, opened, now);
   const place = placeOf(errorsOf(opened)[0], opened);
-  return place ? warning(`its preview ends at ${lineText(place, opened)}`, place) : plain("ready");
+  return place
+    ? warning(`its preview ends at ${lineText(place, opened)}`, place)
+    : plain("ready, never run");
 }
+
+/** Where the tool is: `, line 14`, `, path 3`; nothing where no line says. */
+function toolText(told: Told): string {
+  const { opened, job } = told;
+  const tool = toolLine(told);
+  if (!tool || tool.line === 0 || tool.file === "") return "";
+  if (!opened || !isOpenFile(told)) return `, line ${tool.line}`;
+  const own = tool.file === opened.name || tool.file === job?.file;
+  return `, ${unitOf(opened)} ${tool.line}${own ? "" : ` of ${tool.file}`}`;
+}
+
+/** A line of the open file that the editor can show: the paths of a job are no lines. */
+const lineOf = (line: number, { kind, name }: Opened): Spot | undefined =>
+  line > 0 && kind === "program" ? { file: name, line } : undefined;
+
+/** The place that a message is about. */
+export const placeOfMessage = (place: Call | null): Spot | undefined =>
+  place && place.file !== "" ? { file: place.file, line: place.line } : undefined;
 
 function broken(opened: Opened): FileStatus {
   const [first] = errorsOf(opened);
@@ -90,16 +116,17 @@ const behind = (line: number, opened: Opened): string =>
 
 function ranStatus({ ended, at, line }: LastRun, opened: Opened, now: Date): FileStatus {
   const when = timeText(new Date(at * 1000), now);
-  const place = line > 0 ? ` behind ${unitOf(opened)} ${line}` : "";
+  const behind = line > 0 ? ` behind ${unitOf(opened)} ${line}` : "";
+  const place = lineOf(line, opened);
   switch (ended) {
     case "ok":
       return plain(`finished at ${when}`);
     case "ended":
-      return plain(`ended by itself${place} at ${when}`);
+      return plain(`ended by itself${behind} at ${when}`);
     case "limit":
-      return warning(`ended at a limit${place} at ${when}`);
+      return warning(`ended at a limit${behind} at ${when}`, place);
     default:
-      return warning(`${ended}${place} at ${when}`);
+      return warning(`${ended}${behind} at ${when}`, place);
   }
 }
 
@@ -119,6 +146,8 @@ export interface RunProgress {
   readonly words: "left" | "planned";
   /** Nothing where no plan says. */
   readonly seconds: number | undefined;
+  /** What the seconds behind it are, and how many: of the run under way, or of the last one of this file. */
+  readonly spent: string | undefined;
 }
 
 /** How far what runs is; else the file that is open, as far as it was made last. */
@@ -133,14 +162,24 @@ export function progressOf(told: Told): RunProgress {
       part: known ? motion.progress : undefined,
       words: "left",
       seconds: known ? motion.remaining : undefined,
+      spent: `so far ${durationText(motion.elapsed)}`,
     };
   }
+  return atRest(told, name);
+}
+
+/** How far the file that is open was made last. */
+function atRest(told: Told, name: string): RunProgress {
+  const { opened, motion } = told;
   // A preview that ended at an error is no plan of the whole file.
-  const ready = opened?.preview.state === "ready" && errorsOf(opened).length === 0;
+  const halts = opened ? errorsOf(opened).length > 0 : false;
+  const ready = opened?.preview.state === "ready" && !halts;
+  const made = halts ? undefined : motion.progress;
   return {
     name,
-    part: isOpenFile(told) ? motion.progress : 0,
+    part: isOpenFile(told) ? made : 0,
     words: "planned",
     seconds: ready ? opened.seconds : undefined,
+    spent: opened?.ran?.seconds ? `took ${durationText(opened.ran.seconds)}` : undefined,
   };
 }

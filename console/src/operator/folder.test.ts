@@ -1,37 +1,27 @@
 import { describe, expect, it } from "vitest";
-import { inFolder, matches, parentOf } from "./folder";
+import type { FileInfo } from "../wire/messages";
+import { listed, matches, parentOf } from "./folder";
 
-const file = (name: string, folder = false) => ({
+const file = (name: string, folder = false): FileInfo => ({
   name,
   folder,
   bytes: 1,
   changed: 0,
   header: null,
   part: !name.endsWith(".log"),
+  opens: folder || name.endsWith(".log") ? null : "program",
 });
-const files = [
-  file("b.log"),
-  file("b.sbp"),
-  file("a.nc"),
-  file("doors", true),
-  file("doors/left.sbp"),
-];
-const names = (folder: string, mask: string) =>
-  inFolder(files, folder, mask).map(({ name }) => name);
+const files = [file("b.log"), file("b.sbp"), file("a.nc"), file("doors", true)];
+const names = (word: string) => listed(files, word).map(({ name }) => name);
 
 describe("the part folder", () => {
   it("shows folders first, then files by name", () =>
-    expect(names("", "")).toEqual(["doors", "a.nc", "b.sbp"]));
+    expect(names("")).toEqual(["doors", "a.nc", "b.sbp"]));
 
   it("shows logs and the like only to a mask that asks for them", () => {
-    expect(names("", "*")).toEqual(["doors", "a.nc", "b.log", "b.sbp"]);
-    expect(names("", "log")).toEqual(["doors", "b.log"]);
+    expect(names("*")).toEqual(["a.nc", "b.log", "b.sbp"]);
+    expect(names("b")).toEqual(["b.sbp"]);
   });
-
-  it("shows one folder", () => expect(names("doors", "")).toEqual(["doors/left.sbp"]));
-
-  it("keeps folders in sight whatever the mask", () =>
-    expect(names("", "*.sbp")).toEqual(["doors", "b.sbp"]));
 
   it.each([
     ["Box.SBP", "*.sbp", true],

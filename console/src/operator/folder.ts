@@ -1,4 +1,4 @@
-/** What the file picker shows: one folder, by a mask. */
+/** What the file picker shows: one folder, or what was looked for in all of them. */
 
 import type { FileInfo } from "../wire/messages";
 
@@ -18,10 +18,11 @@ export function matches(name: string, mask: string): boolean {
   return new RegExp(`^${pattern}$`).test(name.toLowerCase());
 }
 
-/** Folders first, then files, each by name: part files where no mask asks for others. */
-export function inFolder(files: readonly FileInfo[], folder: string, mask: string): FileInfo[] {
+/** Folders first, then files, each by name: what can be opened, unless a mask as `*.log` asks for others. */
+export function listed(files: readonly FileInfo[], word: string): FileInfo[] {
+  const all = /[*?]/.test(word);
   return files
-    .filter(({ name }) => parentOf(name) === folder)
-    .filter((file) => file.folder || (mask.trim() === "" ? file.part : matches(baseOf(file), mask)))
+    .filter((file) => file.folder || all || file.opens !== null)
+    .filter((file) => word === "" || (!file.folder && matches(baseOf(file), word)))
     .sort((a, b) => Number(b.folder) - Number(a.folder) || a.name.localeCompare(b.name));
 }

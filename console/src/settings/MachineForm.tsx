@@ -1,140 +1,88 @@
-import { useEffect, useState } from "react";
-import { drive } from "../actions/ask";
-import { useHands, useSnapshot, worldOf } from "../app/context";
-import { getJson } from "../link/http";
-import { Choice } from "../ui/Choice";
+import { useState } from "react";
+import { useHands } from "../app/context";
+import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Panel } from "../ui/Panel";
 import { Pick } from "../ui/Pick";
 import type { SettingArea, SettingEntry } from "../wire/messages";
-import { shownUnit, shownValue, writtenValue } from "./value";
+import { isMeant } from "./names";
+import { TopicTables } from "./TopicTables";
+import { topicOf } from "./tables";
 
-/** Every setting of the machine by its area, to be looked for and changed; in the unit that is set. */
-export function MachineForm() {
-  const areas = useSettings();
+/** Every setting of the machine in tables by topic, found by the words of whoever looks for it. */
+export function MachineForm({ areas }: { areas: readonly SettingArea[] }) {
   const [title, setTitle] = useState("");
-  const [wanted, setWanted] = useState("");
+  const [text, setText] = useState("");
+  const wanted = text.trim();
   const first = areas[0]?.title ?? "";
+  const found = wanted === "" ? [] : once(areas).map((area) => only(area, wanted));
   const chosen =
-    wanted.trim() === "" ? areas.filter((area) => area.title === (title || first)) : once(areas);
-  const fits = ({ key, doc }: SettingEntry) =>
-    `${key} ${doc}`.toLowerCase().includes(wanted.trim().toLowerCase());
+    wanted === ""
+      ? areas.filter((area) => area.title === (title || first))
+      : found.filter(({ settings }) => settings.length > 0);
   return (
     <Panel title="Settings of the machine" className="machine-form">
       <div className="machine-form-head">
+        <Field
+          label="Search settings"
+          value={text}
+          onChange={setText}
+          placeholder="backup, inch, probe"
+        />
         <Pick
-          label="Area"
+          label="Topic"
           labelled
           options={areas.map((area) => ({ value: area.title, words: area.title }))}
           value={title || first}
-          onChange={setTitle}
+          onChange={(next) => {
+            setTitle(next);
+            setText("");
+          }}
         />
-        <Field label="Look for" value={wanted} onChange={setWanted} placeholder="speed" />
       </div>
+      {wanted !== "" && <OtherPlaces wanted={wanted} />}
       {chosen.map((area) => (
-        <section key={area.title} aria-label={area.title}>
-          {wanted.trim() === "" && <p className="settings-words">{area.manual}</p>}
-          {area.settings.filter(fits).map((entry) => (
-            <SettingField key={`${entry.key} ${entry.value}`} entry={entry} />
-          ))}
-        </section>
+        <TopicTables key={area.title} topic={topicOf(area)} />
       ))}
     </Panel>
   );
 }
+
+/** Things that people look for here and that are not settings. */
+const elsewhere: readonly (readonly [string, string, string])[] = [
+  ["probe touch plate zero tool length", "Zero Z with a touch plate (C2)", "C2"],
+  [
+    "backup save load restore export import file profile",
+    "Save and load all settings: Backup, on this page",
+    "",
+  ],
+  ["inch metric millimetre unit imperial", "Inches or millimetres: Units, below", ""],
+];
+
+function OtherPlaces({ wanted }: { wanted: string }) {
+  const { screen } = useHands();
+  const meant = elsewhere.filter(([words]) => words.includes(wanted.toLowerCase()));
+  return meant.map(([, title, letters]) => (
+    <p key={title} className="settings-words">
+      {letters === "" ? (
+        title
+      ) : (
+        <Button size="small" onPress={() => screen.open({ kind: "command", letters, given: [] })}>
+          {title}
+        </Button>
+      )}
+    </p>
+  ));
+}
+
+const only = (area: SettingArea, wanted: string): SettingArea => ({
+  ...area,
+  settings: area.settings.filter((entry) => isMeant(entry, area.title, wanted)),
+});
 
 /** Every setting in one area only: some stand in two. */
 function once(areas: readonly SettingArea[]): SettingArea[] {
   const seen = new Set<string>();
   const isNew = ({ key }: SettingEntry) => !seen.has(key) && seen.add(key);
   return areas.map((area) => ({ ...area, settings: area.settings.filter(isNew) }));
-}
-
-/** One setting: it is sent when the field is left or Enter pressed. */
-function SettingField({ entry }: { entry: SettingEntry }) {
-  const hands = useHands();
-  const mm = useSnapshot("units")?.mm ?? 1;
-  const shown = shownValue(entry, mm);
-  const [text, setText] = useState(shown);
-  const [wrong, setWrong] = useState<string>();
-  const { kind } = entry;
-  const send = async (value: string | undefined) => {
-    if (value === undefined) return setWrong("This is not a value of it.");
-    setWrong(undefined);
-    const done = await drive(worldOf(hands), { do: "set", key: entry.key, value });
-    if (!done) setText(shown);
-  };
-  const leave = () => text !== shown && void send(writtenValue(entry, text, mm));
-  const facts = [
-    entry.bound && `allowed: ${entry.bound}`,
-    `usual: ${shownValue({ ...entry, value: entry.default }, mm)}`,
-  ];
-  const hint = `${entry.doc} (${facts.filter(Boolean).join(", ")})`;
-  if (kind.is === "flag" || kind.is === "choice") {
-    const words = kind.is === "flag" ? ["true", "false"] : kind.words;
-    const all = words.includes(entry.value) ? words : [entry.value, ...words];
-    const options = all.map((word) => ({ value: word, words: named[word] ?? word }));
-    const Way = all.length <= 3 ? Choice : Pick;
-    return (
-      <div className="setting">
-        <span className="field-label">
-          {nameOf(entry.key)} <code>{entry.key}</code>
-        </span>
-        <Way
-          label={nameOf(entry.key)}
-          options={options}
-          value={entry.value}
-          onChange={(value) => void send(value)}
-        />
-        <span className="field-hint">{hint}</span>
-      </div>
-    );
-  }
-  return (
-    <form
-      className="setting"
-      onSubmit={(event) => {
-        event.preventDefault();
-        leave();
-      }}
-    >
-      <Field
-        label={nameOf(entry.key)}
-        value={text}
-        onChange={setText}
-        onBlur={leave}
-        unit={shownUnit(entry, mm).unit}
-        hint={hint}
-        error={wrong}
-      />
-    </form>
-  );
-}
-
-/** Endings of keys that name the unit, which stands behind the value. */
-const unitEnding = /_(mm_s[23]?|mm|s|ms|ns|us|hz|khz|deg|percent|px|twips)$/;
-
-/** `speeds.cut.xy` as a person reads it: Speeds, cut, xy. */
-function nameOf(key: string): string {
-  const name = key
-    .split(".")
-    .map((part) => part.replace(unitEnding, "").replaceAll("_", " "))
-    .join(", ");
-  return name.charAt(0).toUpperCase() + name.slice(1);
-}
-
-const named: Record<string, string> = { true: "yes", false: "no" };
-
-/** The settings, read anew when one of them changed. */
-function useSettings(): readonly SettingArea[] {
-  const changes = useSnapshot("settings");
-  const { screen } = useHands();
-  const [areas, setAreas] = useState<readonly SettingArea[]>([]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: read anew when settings changed
-  useEffect(() => {
-    getJson<SettingArea[]>("/api/settings").then(setAreas, (error: Error) =>
-      screen.tell(error.message),
-    );
-  }, [changes, screen]);
-  return areas;
 }

@@ -1,18 +1,25 @@
+import { openSetup } from "../actions/go";
 import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { inMenu, useCommands } from "../command/table";
 import { FaceSwitch } from "../operator/FaceSwitch";
 import { themeNames, themes } from "../theme/theme";
+import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
+import type { SettingArea } from "../wire/messages";
+import { language, languages, speak, t } from "../words/words";
 import { Devices } from "./Devices";
 import { MachineForm } from "./MachineForm";
 import { Password } from "./Password";
+import { SettingsKept } from "./SettingsKept";
 import "./settings.css";
 import { SheetsAppearChoice } from "./SheetsAppearChoice";
+import { useSettings } from "./useSettings";
 
 /** How this browser shows things, who may connect, and the settings of the machine. */
 export function SettingsScreen() {
+  const areas = useSettings();
   const owner = useShown((shown) => shown.who?.role === "owner");
   return (
     <div className="settings">
@@ -20,16 +27,37 @@ export function SettingsScreen() {
       <div className="settings-columns">
         <div className="settings-column">
           <ThisBrowser />
+          <SettingsKept areas={areas} />
           {owner && <Devices />}
           <Password />
           <About />
         </div>
         <div className="settings-machines">
-          <MachineForm />
+          <FirstStart areas={areas} />
+          <MachineForm areas={areas} />
           <MachineSettings />
         </div>
       </div>
     </div>
+  );
+}
+
+/** Leads through the settings of a new machine; in short where something was set already. */
+function FirstStart({ areas }: { areas: readonly SettingArea[] }) {
+  const entries = areas.flatMap((area) => area.settings);
+  if (entries.length === 0) return null;
+  const fresh = entries.every((entry) => entry.value === entry.default);
+  return (
+    <section className={`first-start ${fresh ? "first-start-new" : ""}`} aria-label="First start">
+      <p>
+        {fresh
+          ? "This machine was not set up yet: units, table size, axes, limits, spindle, and what is wired."
+          : "Units, table size, axes, limits, spindle and what is wired, one after the other."}
+      </p>
+      <ActionButton action={openSetup} look={fresh ? "primary" : "plain"}>
+        Set up…
+      </ActionButton>
+    </section>
   );
 }
 
@@ -40,7 +68,7 @@ function ThisBrowser() {
     <Panel title="This browser">
       <dl className="settings-list">
         <div>
-          <dt>Theme</dt>
+          <dt>{t("Theme")}</dt>
           <dd>
             <Choice
               label="Theme"
@@ -51,13 +79,19 @@ function ThisBrowser() {
           </dd>
         </div>
         <div>
-          <dt>Face</dt>
+          <dt>{t("Language")}</dt>
+          <dd>
+            <Choice label="Language" options={languages} value={language} onChange={speak} />
+          </dd>
+        </div>
+        <div>
+          <dt>{t("Layout")}</dt>
           <dd>
             <FaceSwitch />
           </dd>
         </div>
         <div>
-          <dt>Fill-in sheets appear</dt>
+          <dt>{t("Fill-in sheets appear")}</dt>
           <dd>
             <SheetsAppearChoice />
           </dd>

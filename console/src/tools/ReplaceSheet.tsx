@@ -1,3 +1,5 @@
+import { fileAddress } from "../link/http";
+import { FileText } from "../operator/FileText";
 import { aboutText } from "../operator/fileWords";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
@@ -35,6 +37,7 @@ export function ReplaceSheet({ about, onAnswer, onClose }: ReplaceSheetProps) {
         {about.name} is there already: {aboutText(about)}. It is replaced as a whole; the last 20
         versions of it are kept.
       </p>
+      <FileText address={fileAddress(about.name)} label="What is replaced" />
     </Sheet>
   );
 }

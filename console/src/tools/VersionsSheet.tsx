@@ -2,6 +2,7 @@ import { useEffect, useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { fileAddress, getJson, restoreFile } from "../link/http";
+import { FileText } from "../operator/FileText";
 import { sizeText, timeText } from "../operator/fileWords";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
@@ -12,6 +13,7 @@ export function VersionsSheet({ name, onClose }: { name: string; onClose: () => 
   const hands = useHands();
   const opened = useSnapshot("opened")?.name;
   const files = useSnapshot("files");
+  const [looked, setLooked] = useState<number | null>(null);
   const [versions, setVersions] = useState<readonly FileVersion[]>([]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: read again when files change
   useEffect(() => {
@@ -42,11 +44,25 @@ export function VersionsSheet({ name, onClose }: { name: string; onClose: () => 
             <span className="versions-size">{sizeText(version.bytes)}</span>
             <Button
               size="small"
+              aria-expanded={looked === version.number}
+              onPress={() => setLooked(looked === version.number ? null : version.number)}
+              aria-label={`Look at version ${version.number}`}
+            >
+              Look at it
+            </Button>
+            <Button
+              size="small"
               onPress={() => void restore(version)}
               aria-label={`Bring version ${version.number} back`}
             >
               Bring back
             </Button>
+            {looked === version.number && (
+              <FileText
+                address={`${fileAddress(name)}?version=${version.number}`}
+                label={`Version ${version.number}`}
+              />
+            )}
           </li>
         ))}
       </ol>

@@ -1,6 +1,7 @@
 import { useContext } from "react";
 import { Button as AriaButton, type ButtonProps as AriaProps } from "react-aria-components";
 import { HandsContext } from "../app/context";
+import { t } from "../words/words";
 import "./button.css";
 
 export interface ButtonProps extends Omit<AriaProps, "isDisabled"> {
@@ -21,6 +22,7 @@ export function Button(props: ButtonProps) {
   const button = (
     <AriaButton
       {...rest}
+      {...(typeof rest.children === "string" ? { children: t(rest.children) } : {})}
       isDisabled={refused !== undefined}
       className={`button button-${look} button-${size} ${extra}`}
     />

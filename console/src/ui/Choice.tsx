@@ -1,4 +1,5 @@
 import { ToggleButton, ToggleButtonGroup } from "react-aria-components";
+import { t } from "../words/words";
 import "./choice.css";
 
 interface ChoiceProps<T extends string> {
@@ -40,7 +41,7 @@ export function Choice<T extends string>({
           className="choice-one"
           data-first={(first && option.value === value) || undefined}
         >
-          {option.words}
+          {t(option.words)}
         </ToggleButton>
       ))}
     </ToggleButtonGroup>

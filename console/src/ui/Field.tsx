@@ -7,6 +7,7 @@ import {
   TextField,
   type TextFieldProps,
 } from "react-aria-components";
+import { t } from "../words/words";
 import "./field.css";
 
 interface FieldProps extends Omit<TextFieldProps, "children"> {
@@ -25,7 +26,7 @@ export function Field({ label, unit, hint, error, placeholder, first, ...rest }:
   return (
     <TextField {...rest} isInvalid={error !== undefined} className="field">
       <Label className="field-label">
-        {label}
+        {t(label)}
         {rest.isRequired && <Required />}
       </Label>
       <div className="field-box">

@@ -1,4 +1,6 @@
-import type { ReactNode } from "react";
+import { type ReactNode, useId } from "react";
+import { t } from "../words/words";
+import { PanelHelp } from "./PanelHelp";
 import "./panel.css";
 
 interface PanelProps {
@@ -11,11 +13,15 @@ interface PanelProps {
 
 /** A named region of a screen. */
 export function Panel({ title, aside, className = "", children }: PanelProps) {
+  const heading = useId();
   return (
-    <section className={`panel ${className}`} aria-label={title}>
+    <section className={`panel ${className}`} aria-label={t(title)}>
       <header className="panel-head">
-        <h2>{title}</h2>
-        {aside}
+        <h2 id={heading}>{t(title)}</h2>
+        <div className="panel-aside">
+          {aside}
+          <PanelHelp title={title} heading={heading} />
+        </div>
       </header>
       {children}
     </section>

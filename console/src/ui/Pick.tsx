@@ -1,3 +1,4 @@
+import { t } from "../words/words";
 import "./pick.css";
 
 interface PickProps {
@@ -15,14 +16,14 @@ export function Pick({ label, options, value, onChange, labelled = false }: Pick
   const list = (
     <select
       className="pick"
-      aria-label={label}
+      aria-label={t(label)}
       value={value}
       onChange={(event) => onChange(event.target.value)}
     >
       {!known && <option value={value}>{value}</option>}
       {options.map((option) => (
         <option key={option.value} value={option.value}>
-          {option.words}
+          {t(option.words)}
         </option>
       ))}
     </select>
@@ -31,7 +32,7 @@ export function Pick({ label, options, value, onChange, labelled = false }: Pick
   return (
     <div className="field">
       <span className="field-label" aria-hidden="true">
-        {label}
+        {t(label)}
       </span>
       {list}
     </div>

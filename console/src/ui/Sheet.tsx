@@ -1,5 +1,7 @@
 import { type ReactNode, useEffect, useId, useRef } from "react";
+import { t } from "../words/words";
 import { Button } from "./Button";
+import { PanelHelp } from "./PanelHelp";
 import "./sheet.css";
 
 interface SheetProps {
@@ -31,7 +33,8 @@ export function Sheet({ title, onClose, shape = "middle", foot, children }: Shee
         tabIndex={-1}
       >
         <div className="sheet-head">
-          <h2 id={name}>{title}</h2>
+          <h2 id={name}>{t(title)}</h2>
+          <PanelHelp title={title} heading={name} />
           {onClose && (
             <Button look="quiet" size="small" onPress={onClose} aria-label="Close">
               ✕

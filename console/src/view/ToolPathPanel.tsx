@@ -1,8 +1,9 @@
 import { useEffect, useMemo, useRef, useState } from "react";
-import { useScreen, useShown, useSnapshot } from "../app/context";
+import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
 import { useWords } from "../app/useWords";
-import { mistakesText, movesMade } from "../operator/fileStatus";
+import { errorsOf, mistakesText, movesMade, placeOf } from "../operator/fileStatus";
+import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import type { Motion, Opened, PreviewInfo } from "../wire/messages";
 import type { Bounds, Vec3 } from "./camera";
@@ -96,10 +97,26 @@ export function ToolPathPanel() {
         <PathWords path={path} typed={typed} opened={opened} recorded={recorded} />
       </div>
       {path && units && !opened?.broken && <PathFacts info={path.info} units={units} />}
+      <SampledWith count={opened?.samples.length ?? 0} />
       {path && !opened?.broken && (
         <PlayBar playback={playback} seconds={seconds} onChange={setPlayback} />
       )}
     </Panel>
+  );
+}
+
+/** Says that a program that asks was previewed with sample answers, and leads to them. */
+function SampledWith({ count }: { count: number }) {
+  const { screen } = useHands();
+  if (count === 0) return null;
+  return (
+    <p className="path-samples">
+      It asks {count === 1 ? "a question" : `${count} questions`}: this is drawn with sample
+      answers.
+      <Button size="small" onPress={() => screen.open({ kind: "samples" })}>
+        Sample answers…
+      </Button>
+    </p>
   );
 }
 
@@ -129,9 +146,29 @@ interface PathWordsProps {
 
 /** What is said where there is no picture yet. */
 function PathWords(props: PathWordsProps) {
+  const { screen } = useHands();
   const inUnits = useWords();
   const words = wordsFor(props);
-  return words === undefined ? null : <p className="path-words">{inUnits(words)}</p>;
+  if (words === undefined) return null;
+  const { opened } = props;
+  const place = opened?.broken ? placeOf(errorsOf(opened)[0], opened) : undefined;
+  return (
+    <p className="path-words">
+      {place ? (
+        <button
+          type="button"
+          className="finding-place"
+          // The box behind it takes a press for the beginning of a turn.
+          onPointerDown={(event) => event.stopPropagation()}
+          onClick={() => screen.showLine(place)}
+        >
+          {inUnits(words)}
+        </button>
+      ) : (
+        inUnits(words)
+      )}
+    </p>
+  );
 }
 
 function wordsFor({ path, typed, opened, recorded }: PathWordsProps): string | undefined {
@@ -187,7 +224,7 @@ function marksOf(
   const tool = motion && minus(motion.at.machine, origin);
   if (!path) {
     const shows = typed.path.segments > 0 || typed.live.length > 0 || recorded;
-    const zero = motion && minus(motion.at.machine, placeOf(motion.at.working));
+    const zero = motion && minus(motion.at.machine, spotOf(motion.at.working));
     const marks = shows ? { tool, zero } : { tool: undefined, zero: undefined };
     return { ...marks, made: undefined, typed: drawn, recorded, cutter: 0, unit };
   }
@@ -205,7 +242,7 @@ function marksOf(
   };
 }
 
-const placeOf = (place: readonly number[]): Vec3 => minus(place, [0, 0, 0]);
+const spotOf = (place: readonly number[]): Vec3 => minus(place, [0, 0, 0]);
 
 const madeOf = (path: ToolPath, made: number, tool: Vec3) =>
   stretches(path.coarse, timeOfMoves(path.coarse, made), tool).find((stretch) => stretch.made);

@@ -609,7 +609,9 @@ changed: number,
 /** Text of its head about the job. */
 header: string | null,
 /** It is a part file: one that the mask of the part folder lets through, or G-code. */
-part: boolean, };
+part: boolean,
+/** The sort of file as which it is opened; nothing for a folder, a log, and whatever else is none. */
+opens: FileKind | null, };
 
 /** Sort of the open file. */
 export type FileKind = "program" | "job" | "drawing";
@@ -867,7 +869,9 @@ ended: string,
 /** Time of its end: seconds since 1970. */
 at: number,
 /** The line of the last move; the path of a job. */
-line: number, };
+line: number,
+/** Time that it took, seconds of whoever waited; 0 where it is not known. */
+seconds: number, };
 
 /** The turn at driving, one at a time. Every command that moves the machine carries the number. */
 export type Lease = {
@@ -911,7 +915,9 @@ tone: Tone,
 /** The text. */
 text: string,
 /** The run it belongs to; 0 when to none. */
-run: number, };
+run: number,
+/** The place in a file that it is about, with the line that stands there; nothing where it is about none. */
+place: Call | null, };
 
 /** Effect of running a file. */
 export type Mode = "preview" | "simulated" | "cut";
@@ -933,7 +939,9 @@ made: number,
 /** Progress of the job, 0 … 1 of its planned time. */
 progress: number,
 /** Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster. */
-remaining: number, };
+remaining: number,
+/** Time of the run so far, seconds of whoever waits: with the planned time of what was made before it was taken up. */
+elapsed: number, };
 
 /** A variable. */
 export type NamedValue = {
@@ -1011,6 +1019,8 @@ preview: PreviewState,
 seconds: number,
 /** Mistakes in it, and whatever else is worth knowing. */
 findings: Array<Finding>,
+/** What it asked while it was previewed, and the sample answers that it got. */
+samples: Array<SampleAnswer>,
 /** It has mistakes that keep it from running: the first errors of the findings. */
 broken: boolean,
 /** Its last run since Kerf began, as the file is now; nothing where it has not run. */
@@ -1278,6 +1288,34 @@ act: Act, };
 /** Rights of a device. Each role may do what those before it may. */
 export type Role = "observer" | "operator" | "setter" | "owner";
 
+/** A run of a file. */
+export type RunRecord = {
+/** Its name below the part folder. */
+file: string,
+/** Time of its beginning: seconds since 1970. */
+begun: number,
+/** Time that it took, seconds of whoever waited; 0 while it runs, or where it was cut short. */
+seconds: number,
+/** Word for its end, as that of a job, or `cut short` where Kerf ended first; nothing while it runs. */
+ended: string | null,
+/** The line of the last move; the path of a job. */
+line: number,
+/** Name of the device of whoever drove; empty for a page on the machine itself. */
+by: string, };
+
+/** A question that a program asked while it was previewed, with its sample answer. */
+export type SampleAnswer = {
+/** The line that asks. */
+line: number,
+/** The text of the question. */
+text: string,
+/** The words on its buttons; none where a value is entered. */
+buttons: Array<string>,
+/** The answer that it got: empty where a value counts as 0. */
+answer: string,
+/** The file of answers beside the program says so. */
+given: boolean, };
+
 /** Settings that belong together. */
 export type SettingArea = {
 /** Its name, as people say it. */
@@ -1286,6 +1324,17 @@ title: string,
 manual: string,
 /** Its settings. */
 settings: Array<SettingEntry>, };
+
+/** A change of a setting that holds. */
+export type SettingChange = {
+/** Seconds since 1970, UTC. */
+at: number,
+/** The setting: `homing.x.fast_mm_s`. */
+key: string,
+/** Its value before, as it is written. */
+from: string,
+/** Its value since, as it is written. */
+to: string, };
 
 /** A setting of the machine. */
 export type SettingEntry = {
@@ -1528,6 +1577,15 @@ name: string,
 grain: number,
 /** Moments, seconds, and the value there. An axis goes evenly between them; a value or a bit is 0 before the first and keeps what it is to the next. */
 points: Array<[number, number]>, };
+
+/** A file that is to be run so many times. */
+export type ToDo = {
+/** Its name below the part folder. */
+file: string,
+/** Parts that are wanted, at least one. */
+wanted: number,
+/** Runs of it that came to their end since it stands here. */
+made: number, };
 
 export type ToPageSnapshot = { "tell": "snapshot",
 /** The page: its number, role and device. */

@@ -48,8 +48,8 @@ const shown = async () => {
 /** Changes a setting on its page, as a person does. */
 const change = async (key: string, value: string) => {
   await show("Settings");
-  await page.getByLabel("Look for").fill(key);
-  const field = page.locator(".setting").filter({ hasText: key }).locator("input").first();
+  await page.getByLabel("Search settings").fill(key);
+  const field = page.locator(`.setting[data-key="${key}"] input`).first();
   const other = page.locator(".setting input").first();
   const box = (await field.count()) > 0 ? field : other;
   await box.fill(value);
@@ -218,13 +218,13 @@ it("pro_clipboard_dxf_via_clip: a second drawing comes into sight, and what was 
 
 it("pro_options_doublestart: double start is on the page of the program, too, and is one value", async () => {
   await show("Settings");
-  await page.getByLabel("Look for").fill("");
+  await page.getByLabel("Search settings").fill("");
   const area = async (title: string) => {
-    await page.getByLabel("Area").selectOption(title);
+    await page.getByLabel("Topic").selectOption(title);
     const region = page.getByRole("region", { name: title, exact: true });
     return region.getByRole("radiogroup", { name: "Misc, double start" });
   };
-  const titles = await page.getByLabel("Area").locator("option").allTextContents();
+  const titles = await page.getByLabel("Topic").locator("option").allTextContents();
   const [other = ""] = titles.filter((title) => title.startsWith("Misc"));
   const here = await area("Options of the program");
   await here.getByRole("radio", { name: "yes" }).click();

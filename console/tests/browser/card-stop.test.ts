@@ -44,7 +44,7 @@ async function openInputs(): Promise<void> {
 
 const doubleStart = async (on: "yes" | "no") => {
   await page.getByRole("link", { name: "Settings" }).click();
-  await page.getByLabel("Look for").fill("double_start");
+  await page.getByLabel("Search settings").fill("double_start");
   await page.getByRole("radio", { name: on }).click();
   await page.getByRole("link", { name: "Job" }).click();
 };

@@ -1,6 +1,6 @@
 /** Files of the part folder are brought to this computer, copied, renamed, deleted and brought back. */
 
-import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
@@ -143,4 +143,78 @@ it("by keys alone: a file is chosen to be deleted, and is", async () => {
   await page.keyboard.press("Enter");
   await until(async () => !there("other.sbp"), "it is gone");
   expect(workshop.mistakes).toEqual([]);
+});
+
+it("a file is looked for in all folders; a log is no program, and a mask shows it", async () => {
+  mkdirSync(place("doors"), { recursive: true });
+  writeFileSync(place("doors/hinge.sbp"), cut);
+  writeFileSync(place("hinge.log"), "it ran");
+  await page.getByLabel("Search").fill("hinge");
+  await row(/doors\/hinge\.sbp/).waitFor();
+  expect(await row(/hinge\.log/).count()).toBe(0);
+  await page.getByLabel("Search").fill("*.log");
+  await row(/hinge\.log/).waitFor();
+  await page.getByLabel("Search").fill("hinge");
+  await page.keyboard.press("Tab");
+  await row(/doors\/hinge\.sbp/).click();
+  await until(
+    async () => (await stateOf(workshop)).opened?.name === "doors/hinge.sbp",
+    "it is open",
+  );
+  await script(workshop, "folder", { name: "", mask: null });
+});
+
+it("a file that was previewed has a small picture", async () => {
+  await script(workshop, "open", { name: "cut.sbp" });
+  await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+o");
+  const picture = async (name: string) =>
+    (await fetch(`${workshop.address}/api/files/${name}?thumb`)).text();
+  await expect.poll(() => picture("cut.sbp")).toContain("<path");
+  expect(await picture("door.sbp")).not.toContain("<path");
+  await row(/cut\.sbp/)
+    .locator("img")
+    .waitFor();
+  await shot("thumbnails");
+  expect(await violations(page)).toEqual([]);
+});
+
+it("a drawing is opened where it is drawn, and one that is not saved is not lost without a question", async () => {
+  writeFileSync(place("plan.plt"), "IN;SP1;PU0,0;PD400,0;PD400,400;PU;");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+o");
+  await row(/plan\.plt/).click();
+  await page.locator(".drawing-name", { hasText: "plan" }).waitFor();
+  expect((await stateOf(workshop)).drawing?.shapes).toBeGreaterThan(0);
+  await script(workshop, "draw", { op: { op: "do", clauses: "circle 50,30 12" } });
+  await page.keyboard.press("Control+o");
+  await row(/plan\.plt/).click();
+  await page.getByText("not saved: they are lost").waitFor();
+  await page.getByRole("button", { name: "Cancel" }).click();
+  expect((await stateOf(workshop)).drawing?.changed).toBe(true);
+  await page.keyboard.press("Escape");
+  await script(workshop, "draw", { op: { op: "new" } });
+  await page.getByRole("link", { name: "Operate" }).click();
+  await page.keyboard.press("Control+o");
+});
+
+it("an earlier version is looked at before it is brought back", async () => {
+  for (const text of ["MX,7\n", "MX,8\n"]) {
+    const written = await fetch(`${workshop.address}/api/files/other.sbp?replace=1`, {
+      method: "PUT",
+      body: text,
+    });
+    expect(written.ok).toBe(true);
+  }
+  await use("Versions…", /other\.sbp/);
+  const looks = page.getByRole("button", { name: /^Look at version/ });
+  await looks.first().click();
+  await page.locator(".file-text pre", { hasText: "MX,7" }).waitFor();
+  await shot("version");
+  await page
+    .getByRole("button", { name: /^Bring version/ })
+    .first()
+    .click();
+  await expect.poll(() => read("other.sbp")).toBe("MX,7\n");
 });

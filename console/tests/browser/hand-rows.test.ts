@@ -137,7 +137,7 @@ it("pro_move_arrows_limit: the tool rests at the end of the axis, unless movemen
   await digit(6).up();
   await standing();
   await page.getByRole("link", { name: "Settings" }).click();
-  await page.getByLabel("Look for").fill("axis.limit_movement");
+  await page.getByLabel("Search settings").fill("axis.limit_movement");
   const before = (await stateOf(workshop)).settings;
   const rows = page.locator(".setting");
   await expect.poll(() => rows.count()).toBe(1);

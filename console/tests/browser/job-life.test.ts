@@ -163,9 +163,9 @@ it("an emergency stop of the machine ends the job, and the page says so", async 
   const { lease } = await stateOf(workshop);
   expect(lease).not.toBeNull();
   await page.getByRole("link", { name: "Settings" }).click();
-  await page.getByLabel("Look for").fill("io.inputs");
-  const field = page.getByLabel("Io, inputs");
-  await field.fill("0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0");
+  await page.getByLabel("Search settings").fill("io.inputs");
+  const field = page.getByLabel("Inputs, 5", { exact: true });
+  await field.fill("3");
   await field.press("Enter");
   await until(async () => (await stateOf(workshop)).io.inputs[4]?.duty === "stop", "input 5 stops");
   await page.getByRole("link", { name: "Operate" }).click();

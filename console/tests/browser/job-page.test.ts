@@ -293,7 +293,7 @@ it("pro_job_step_start: F10 and HTTP start alike, and the second Start cuts", as
   const state = await stateOf(workshop);
   const lease = state.lease?.number ?? 0;
   await page.getByRole("link", { name: "Settings" }).click();
-  await page.getByLabel("Look for").fill("double_start");
+  await page.getByLabel("Search settings").fill("double_start");
   await page.getByRole("radio", { name: "yes" }).click();
   await page.getByRole("link", { name: "Job" }).click();
   await previewed();

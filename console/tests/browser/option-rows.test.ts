@@ -19,7 +19,7 @@ afterAll(() => workshop?.close());
 /** The field of the joining distance on the page of settings. */
 async function setting(page: Page) {
   await page.getByRole("link", { name: "Settings" }).click();
-  await page.getByLabel("Look for").fill("join_mm");
+  await page.getByLabel("Search settings").fill("join_mm");
   return page.getByLabel("Options, join", { exact: true });
 }
 

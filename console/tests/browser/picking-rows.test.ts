@@ -67,11 +67,11 @@ it("pro_select_radius, pro_options_radius: a click selects within 8 pixels, or a
   await picks();
   const radius = async (text: string) => {
     await sheet.page.getByRole("link", { name: "Settings" }).click();
-    await sheet.page.getByLabel("Look for").fill("pick_radius");
-    const field = sheet.page.getByLabel("Options, pick radius");
+    await sheet.page.getByLabel("Search settings").fill("pick_radius");
+    const field = sheet.page.getByRole("textbox", { name: "Options, pick radius" });
     await field.fill(text);
     await field.press("Enter");
-    await sheet.page.getByLabel("Look for").fill("");
+    await sheet.page.getByLabel("Search settings").fill("");
     await sheet.page.getByRole("link", { name: "Draw", exact: true }).click();
   };
   await radius("4");

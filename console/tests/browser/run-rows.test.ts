@@ -36,7 +36,7 @@ const setting = async (key: string) => {
 /** The setting of this key on the page of settings. */
 async function onPage(key: string) {
   await show("Settings");
-  await page.getByLabel("Look for").fill(key);
+  await page.getByLabel("Search settings").fill(key);
   const row = page.locator(".setting");
   await expect.poll(() => row.count()).toBe(1);
   return row;

@@ -101,8 +101,8 @@ it("sbp_io_spindle_dialog: Cancel leaves it off; OK starts it, sets the flag, an
 it("sbp_io_spindle_dialog: a setting switches the question off", async () => {
   const asking = async (yes: string) => {
     await page.getByRole("link", { name: "Settings" }).click();
-    await page.getByLabel("Look for").fill("ask_spindle");
-    const choice = page.locator(".setting").filter({ hasText: "ask_spindle" });
+    await page.getByLabel("Search settings").fill("ask_spindle");
+    const choice = page.locator('.setting[data-key="ask_spindle"]');
     await choice.getByRole("radio", { name: yes }).click();
     const chosen = choice.getByRole("radio", { name: yes });
     await expect.poll(() => chosen.getAttribute("aria-checked")).toBe("true");

@@ -63,6 +63,8 @@ it("a run that a power cut ended is taken up after the safe way back, in each br
   expect(motion.remaining).toBeCloseTo(((job?.seconds ?? 0) * (1 - motion.progress)) / 3, 3);
   expect(await page.locator(".job-name strong").textContent()).toBe("cut.sbp");
   expect(await page.locator(".job-left").textContent()).not.toMatch(/–|0:00/);
+  // The time before it was cut short is in the time so far: that which was planned for it.
+  expect(motion.elapsed).toBeGreaterThan((0.8 * motion.progress * (job?.seconds ?? 0)) / 3);
   await page.getByRole("button", { name: "Resume" }).last().click();
   // As soon as it cuts on, it is as far as it was, and not further.
   const shares: number[] = [];

@@ -66,6 +66,9 @@ it("a file with mistakes looks like one, and Start leads to its first line", asy
   await page.locator(".action-place", { has: start() }).click();
   await page.locator(".cm-content", { hasText: "FOO,1" }).waitFor();
   await expect.poll(cursorLine).toBe("4");
+  await page.getByRole("link", { name: "Operate" }).click();
+  await page.getByRole("button", { name: "No tool path: 2 mistakes: see line 4." }).click();
+  await expect.poll(cursorLine).toBe("4");
   // The words beside the name of the file lead there too, and each finding to its own line.
   await page.getByRole("link", { name: "Operate" }).click();
   await status().click();
@@ -90,6 +93,7 @@ it("finished is a file's own, and its bar is of what was done last", async () =>
   await start().click();
   await status().filter({ hasText: "running" }).waitFor();
   await ends();
+  await page.locator(".job-spent", { hasText: /^took 0:0\d$/ }).waitFor();
   await status()
     .filter({ hasText: /^finished at \d\d:\d\d$/ })
     .waitFor();
@@ -117,6 +121,23 @@ it("finished is a file's own, and its bar is of what was done last", async () =>
   writes("good.sbp", `${good}MX,1\n`);
   await opens("good.sbp");
   await status().filter({ hasText: "ready" }).waitFor();
+});
+
+it("a mistake that a run meets leads to its line, and so does the place where it failed", async () => {
+  writes("meets.sbp", "SA\nM2,1,1\nPAUSE .1\nM2,&far,1\nM2,0,0\n");
+  await opens("meets.sbp");
+  await start().click();
+  await until(async () => (await stateOf(workshop)).job?.ended === "failed", "it failed");
+  await page.getByRole("radio", { name: "Messages" }).click();
+  const said = page.locator(".words .word-error");
+  await said.getByRole("button", { name: "Line 4", exact: true }).click();
+  await expect.poll(cursorLine).toBe("4");
+  await page.getByRole("link", { name: "Operate" }).click();
+  await status()
+    .filter({ hasText: /^failed behind line 2 at/ })
+    .click();
+  await expect.poll(cursorLine).toBe("2");
+  await page.screenshot({ path: process.env.KERF_SHOT ?? "/dev/null", type: "png" });
 });
 
 it("what runs beside the open file is named, and of an unknown plan no share is told", async () => {
@@ -188,6 +209,10 @@ it("one line is told everywhere: that of the move which the tool makes", async (
   await script(workshop, "hold");
   await until(async () => (await stateOf(workshop)).machine.state === "held", "held");
   const { motion } = await stateOf(workshop);
+  await status()
+    .filter({ hasText: new RegExp(`^held, line ${motion.line}$`) })
+    .waitFor();
+  await page.locator(".job-spent", { hasText: /^so far 0:\d\d$/ }).waitFor();
   const listed = page.locator(".listing-running .listing-number");
   await expect.poll(() => listed.textContent()).toBe(`${motion.line}`);
   const head = page.getByRole("list", { name: "Files that run" });

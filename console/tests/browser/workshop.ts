@@ -19,8 +19,8 @@ export interface Workshop {
   readonly shows: Readonly<Record<string, string>>;
   readonly parts: string;
   readonly browser: Browser;
-  /** A page of this size; what went wrong on it is kept in `mistakes`. */
-  page(size?: { width: number; height: number }): Promise<Page>;
+  /** A page of this size, for fingers where `hasTouch`; what went wrong on it is kept in `mistakes`. */
+  page(size?: { width: number; height: number }, hasTouch?: boolean): Promise<Page>;
   /** Every page that was opened here. */
   readonly pages: readonly Page[];
   /** Errors of every page so far. */
@@ -232,6 +232,8 @@ export interface WorkshopOptions {
   readonly lan?: boolean;
   /** Drawings only. */
   readonly drawingOnly?: boolean;
+  /** Told when somebody is needed and how runs end. */
+  readonly webhook?: string;
   /** Opened at the start. */
   readonly open?: string;
   /** The start-up line of the handbooks that begins it, read in the part folder. */
@@ -287,9 +289,12 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const places = ["--listen", listen, "--parts", folder, "--data", folder, "--rate", rate];
   const lan = options.lan ? ["--lan"] : [];
   const only = options.drawingOnly ? ["--drawing-only"] : [];
+  const told = options.webhook ? ["--webhook", options.webhook] : [];
   const begins = options.line ? ["sb3", options.line, "--console"] : ["serve", ...file];
   const driven = options.controller ? ["--machine", options.controller] : [];
-  const server = spawn(kerf, [...begins, ...places, ...lan, ...only, ...driven], { cwd: folder });
+  const server = spawn(kerf, [...begins, ...places, ...lan, ...only, ...told, ...driven], {
+    cwd: folder,
+  });
   const wayIn = await addressOf(server);
   const { origin: address, searchParams } = new URL(wayIn);
   const token = searchParams.get("token");
@@ -309,8 +314,8 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
     browser,
     pages,
     mistakes,
-    async page(size = { width: 1280, height: 720 }) {
-      const page = await browser.newPage({ viewport: size });
+    async page(size = { width: 1280, height: 720 }, hasTouch = false) {
+      const page = await browser.newPage({ viewport: size, hasTouch });
       page.setDefaultTimeout(patienceMs);
       page.on("pageerror", (error) => mistakes.push(error.message));
       page.on("console", (message) => {

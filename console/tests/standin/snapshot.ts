@@ -45,6 +45,7 @@ export const firstSnapshot: Snapshot = {
     made: 0,
     progress: 0,
     remaining: 0,
+    elapsed: 0,
   },
   units: {
     linear: "in",
@@ -93,6 +94,7 @@ export const firstSnapshot: Snapshot = {
     header: "First cut: the outline of a rectangle, 4 by 2 inches, an eighth of an inch deep.",
     preview: { state: "ready", key: "first" },
     seconds: 31.4,
+    samples: [],
     findings: [],
     broken: false,
     ran: null,
@@ -107,7 +109,9 @@ export const firstSnapshot: Snapshot = {
   asked: null,
   overrides: { feedPercent: 100 },
   printed: [],
-  messages: [{ tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0 }],
+  messages: [
+    { tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0, place: null },
+  ],
   lease: null,
   clients: [],
   drawing: null,

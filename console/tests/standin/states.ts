@@ -19,6 +19,7 @@ const running: Partial<Snapshot> = {
     made: 4,
     progress: 0.46,
     remaining: 17,
+    elapsed: 14,
     cutting: true,
   },
   job: {

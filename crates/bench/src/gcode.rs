@@ -3,10 +3,10 @@
 
 use crate::child;
 use crate::figure::{Figure, Goal, Spread, timed};
-use crate::still::Still;
 use anyhow::{Context, Result};
 use kerf_gcode::{Interpreter, Options, Session};
 use kerf_program::Step;
+use kerf_program::testing::Still;
 use std::ffi::OsStr;
 use std::fmt::Write;
 use std::fs;

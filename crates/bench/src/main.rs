@@ -15,7 +15,6 @@ mod references;
 mod replan;
 mod ruckig;
 mod stages;
-mod still;
 mod table;
 mod usage;
 

@@ -2,13 +2,13 @@
 
 use crate::figure::{Figure, Goal, timed};
 use crate::inputs::Input;
-use crate::still::Still;
 use anyhow::Result;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Session};
+use kerf_control::{RunContext, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_motion::{Move, Mover, plan_stack};
+use kerf_program::testing::Still;
 use kerf_program::{Axes, Command, Settings};
 use kerf_sbp::{Interpreter, Options, Program, Step};
 use kerf_workspace::Workspace;
@@ -144,11 +144,11 @@ fn previewed(name: &str, bytes: Vec<u8>) -> u64 {
     let program_options = Options { max_lines, preview: true, ..Options::default() };
     let options = RunOptions { program: program_options, ..RunOptions::default() };
     let mut workspace = Workspace::in_memory(MemoryDisk::new([]));
-    let company = Company {
+    let context = RunContext {
         sink: &mut (),
         operator: &mut Answers::default(),
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    Session::default().run(program, options, &mut workspace, company).lines
+    Session::default().run(program, options, &mut workspace, context).lines
 }

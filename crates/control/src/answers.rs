@@ -6,10 +6,10 @@
 //! begin with `#` are notes. A box that comes back for as long as nothing leads on gets the answer of
 //! its kind a thousand times; then it is as if nobody were there.
 
-use crate::away::Aside;
-use crate::by_hand::Jog;
+use crate::hand_words::Aside;
+use crate::hand_words::Jog;
+use crate::hand_words::KEY;
 use crate::nudge::Nudge;
-use crate::pendant::KEY;
 use kerf_machine::Word;
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
@@ -188,7 +188,7 @@ pub const fn kind_word(kind: QuestionKind) -> &'static str {
 pub fn meaning(question: &Question, words: &str) -> Option<Answer> {
     let quoted = words.strip_prefix('"').and_then(|w| w.strip_suffix('"'));
     let button = Button::ALL.into_iter().find(|b| b.word().eq_ignore_ascii_case(words.trim()));
-    if takes_text(question.kind) {
+    if question.kind.takes_text() {
         return Some(match button {
             Some(Button::Cancel) => Answer::Button(Button::Cancel),
             _ => Answer::Text(quoted.unwrap_or(words).to_owned()),
@@ -231,7 +231,7 @@ pub enum Effect {
 /// Tells what comes of words as the answer to a question of a kind. Words of which nothing is known go on.
 pub fn effect(kind: QuestionKind, words: &str) -> Effect {
     if Jog::read(words).is_some() || Nudge::read(words).is_some() {
-        return if takes_text(kind) { Effect::Value } else { Effect::Moves };
+        return if kind.takes_text() { Effect::Value } else { Effect::Moves };
     }
     if kind == QuestionKind::Paused {
         return effect_on_job(words);
@@ -239,7 +239,7 @@ pub fn effect(kind: QuestionKind, words: &str) -> Effect {
     match Button::ALL.into_iter().find(|button| button.word().eq_ignore_ascii_case(words.trim())) {
         Some(Button::Cancel | Button::Quit | Button::End | Button::Abort) => Effect::Ends,
         Some(Button::No) => Effect::Value,
-        _ if takes_text(kind) => Effect::Value,
+        _ if kind.takes_text() => Effect::Value,
         _ if words == KEY => Effect::Moves,
         _ => Effect::GoesOn,
     }
@@ -263,19 +263,11 @@ fn effect_on_job(words: &str) -> Effect {
     }
 }
 
-/// Returns the answer that ENTER alone gives.
-pub fn default_answer(question: &Question) -> Answer {
-    if takes_text(question.kind) {
-        return Answer::Text(question.prefill.clone());
-    }
-    Answer::Button(question.buttons.get(question.default).copied().unwrap_or(Button::OK))
-}
-
 /// Returns the answer that counts when nobody is there: a file is not stepped through then.
 pub fn unattended_answer(question: &Question) -> Answer {
     match question.kind {
         QuestionKind::Step => Answer::Button(Button::Run),
-        _ => default_answer(question),
+        _ => question.default_answer(),
     }
 }
 
@@ -293,11 +285,6 @@ pub fn words(answer: &Answer) -> String {
         Answer::Button(button) => button.word().to_owned(),
         Answer::Text(text) => text.clone(),
     }
-}
-
-/// Tells questions whose answer is a value, whatever it reads like.
-pub fn takes_text(kind: QuestionKind) -> bool {
-    kind == QuestionKind::Input
 }
 
 #[cfg(test)]
@@ -425,11 +412,11 @@ mod tests {
         assert_eq!(meaning(&yes_no, "yes"), Some(Answer::Button(Button::Yes)));
         assert_eq!(meaning(&yes_no, "Cancel"), None);
         assert_eq!(meaning(&yes_no, "maybe"), None);
-        assert_eq!(default_answer(&yes_no), Answer::Button(Button::No));
+        assert_eq!(yes_no.default_answer(), Answer::Button(Button::No));
         let input = question(QuestionKind::Input, &[]);
         assert_eq!(meaning(&input, "cancel"), Some(Answer::Button(Button::Cancel)));
         assert_eq!(meaning(&input, "\"cancel\""), Some(Answer::Text("cancel".into())));
         assert_eq!(meaning(&input, "OK"), Some(Answer::Text("OK".into())));
-        assert_eq!(default_answer(&input), Answer::Text("7".into()));
+        assert_eq!(input.default_answer(), Answer::Text("7".into()));
     }
 }

@@ -3,8 +3,10 @@
 //! They are answers to its question, which is asked again afterwards, until it gets another answer.
 
 use crate::OperatorRequest;
-use crate::execute::{Slows, Turn};
-use crate::runner::{Over, Runner};
+use crate::hand_words::Jog;
+use crate::run_end::RunEnd;
+use crate::station::Station;
+use crate::turn::{Slows, Turn};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
 use kerf_machine::hand::keypad_settings;
@@ -14,39 +16,106 @@ use kerf_motion::{Move, Mover, planner};
 use kerf_program::{AXES, At, Axes, Axis, Feed, Interpreter, Line, MoveKind, Settings, Status};
 use kerf_sim::{HaltCause, Watched};
 use kerf_trace::Event;
-use std::fmt;
 
-/// A movement for as long as somebody holds a key.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Jog {
-    /// Distance it goes when nobody lets go, mm or degrees.
-    pub by: Axes,
-    /// Share of the jog speed, 0 … 1.
-    pub speed: f64,
-}
-
-impl Jog {
-    /// Reads `jog 0,-100,0,0,0,0 0.5`.
-    pub fn read(words: &str) -> Option<Self> {
-        let mut words = words.split(' ');
-        let (command, by, speed) = (words.next()?, words.next()?, words.next()?);
-        let number = |word: &str| word.parse().ok().filter(|n: &f64| n.is_finite());
-        let by: Option<Vec<f64>> = by.split(',').map(number).collect();
-        let by: [f64; AXES] = by?.try_into().ok()?;
-        let speed = number(speed).filter(|speed| (0.0..=1.0).contains(speed))?;
-        let whole = command == "jog" && words.next().is_none();
-        whole.then_some(Self { by: Axes(by), speed })
+impl<I: Interpreter> Station<'_, I> {
+    /// Makes a move beside the program, until it is made or something stops it.
+    pub(crate) fn drive(
+        &mut self,
+        made: Move,
+        settings: &Settings,
+        switches: &[Watched],
+    ) -> Driven {
+        self.world.workspace.tape.moves(true, self.world.placed());
+        let watched = self.watched_by_hand(switches);
+        if let Some(driven) = self.warn_by_hand(&watched) {
+            self.stand();
+            return driven;
+        }
+        let t0_s = self.world.now();
+        let mut planner = planner(settings);
+        planner.push(made);
+        let mut driven = None;
+        while let Some(mut plan) = planner.finish() {
+            self.follows(&plan, t0_s);
+            let mut index = 0;
+            while index < plan.moves().len() {
+                let until = plan.moves().len();
+                // No share of it is one of a move of the program, which is taken up at its own.
+                let going = Going { plan: &plan, index, t0_s, until, part: 0.0, watches: &[] };
+                let until = self.driven_until(&watched, going, driven);
+                let Some((t_s, why, ramped)) = until else {
+                    self.make_one(&plan, index, t0_s, true);
+                    index += 1;
+                    continue;
+                };
+                let stood_s = self.brake(&going);
+                let at_s = (t_s - t0_s).max(0.0);
+                driven = Some(why.at(plan.at(at_s).position));
+                let (at_s, ramped) =
+                    stood_s.map_or((at_s, ramped), |stood_s| ((stood_s - t0_s).max(0.0), false));
+                let Some((ramp_down, _)) = planner.stop(plan, at_s, ramped) else { break };
+                self.replans(&ramp_down, t0_s, t_s);
+                plan = ramp_down;
+            }
+            if driven.is_some() {
+                break;
+            }
+        }
+        self.stand();
+        if driven.is_some() {
+            self.learn_switched_off();
+        }
+        driven.unwrap_or(Driven::There)
     }
-}
 
-impl fmt::Display for Jog {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y, z, a, b, c] = self.by.0;
-        write!(f, "jog {x},{y},{z},{a},{b},{c} {}", self.speed)
+    /// Lets time pass to the end of a move, unless something stops the machine before. What stops already
+    /// is not stopped again; what the operator wants meanwhile comes next.
+    fn driven_until(
+        &mut self,
+        watched: &[Watched],
+        going: Going<'_>,
+        driven: Option<Driven>,
+    ) -> Option<(f64, Driven, bool)> {
+        let end_s = going.t0_s + going.plan.span_s(going.index).1;
+        if let Some(driven) = driven {
+            let by_stop = driven == Driven::OperatorRequest(OperatorRequest::Stop);
+            let asks = matches!(driven, Driven::StopInput(_));
+            self.slow_down(Slows { by_stop, asks }, end_s, going);
+            return None;
+        }
+        loop {
+            match self.meet(end_s, watched, Some(going), Self::pass)? {
+                (t_s, Turn::Operator(request @ OperatorRequest::Feed(_))) => {
+                    self.postpone((t_s, request));
+                }
+                (t_s, Turn::Operator(request)) => {
+                    return Some((t_s, Driven::OperatorRequest(request), true));
+                }
+                (t_s, Turn::Input(halt)) => {
+                    return Some((t_s, Driven::by(halt.cause, watched.len()), halt.ramped));
+                }
+            }
+        }
     }
-}
 
-impl<I: Interpreter> Runner<'_, I> {
+    /// The switches that are sought first, then the emergency stop.
+    fn watched_by_hand(&self, switches: &[Watched]) -> Vec<Watched> {
+        let input = Input::EmergencyStop.number();
+        let on = self.world.machine_is.estop.active;
+        let emergency = Watched { input, on, ramped: true, level_from_s: None };
+        switches.iter().copied().chain([emergency]).collect()
+    }
+
+    /// The same before a motion beside the program.
+    fn warn_by_hand(&mut self, watched: &[Watched]) -> Option<Driven> {
+        let turn = self.warn(watched)?;
+        let here = self.world.machine.position();
+        Some(match turn {
+            Turn::Operator(request) => Driven::OperatorRequest(request),
+            Turn::Input(halt) => Driven::by(halt.cause, watched.len()).at(here),
+        })
+    }
+
     /// Moves until the way is made, a bound is reached, a limit switch stops it, or somebody lets go.
     /// Nothing of the program moves. A switch that is on already does not stop it again: whoever presses
     /// the key once more means it (command reference, VN).
@@ -103,6 +172,13 @@ impl<I: Interpreter> Runner<'_, I> {
         }
     }
 
+    /// Letting go is done with; everything else is wanted of the program.
+    fn heed_later(&mut self, t_s: f64, request: OperatorRequest) {
+        if request != OperatorRequest::End {
+            self.postpone((t_s, request));
+        }
+    }
+
     /// Returns the stop that forbids a movement by hand before it begins.
     pub(crate) fn forbidden(&self) -> Option<Driven> {
         let stop = self.world.machine.stop_input().map(Driven::StopInput);
@@ -135,103 +211,15 @@ impl<I: Interpreter> Runner<'_, I> {
         (low.max(lowest), high.min(highest))
     }
 
-    /// Makes a move beside the program, until it is made or something stops it.
-    pub(crate) fn drive(
-        &mut self,
-        made: Move,
-        settings: &Settings,
-        switches: &[Watched],
-    ) -> Driven {
-        self.world.workspace.tape.moves(true, self.world.placed());
-        let watched = self.watched_by_hand(switches);
-        if let Some(driven) = self.warn_by_hand(&watched) {
-            self.stand();
-            return driven;
-        }
-        let t0_s = self.world.now();
-        let mut planner = planner(settings);
-        planner.push(made);
-        let mut driven = None;
-        while let Some(mut plan) = planner.finish() {
-            self.follows(&plan, t0_s);
-            let mut index = 0;
-            while index < plan.moves().len() {
-                let until = plan.moves().len();
-                // No share of it is one of a move of the program, which is taken up at its own.
-                let going = Going { plan: &plan, index, t0_s, until, part: 0.0, watches: &[] };
-                let until = self.driven_until(&watched, going, driven);
-                let Some((t_s, why, ramped)) = until else {
-                    self.make_one(&plan, index, t0_s, true);
-                    index += 1;
-                    continue;
-                };
-                let stood_s = self.brake(&going);
-                let at_s = (t_s - t0_s).max(0.0);
-                driven = Some(why.at(plan.at(at_s).position));
-                let (at_s, ramped) =
-                    stood_s.map_or((at_s, ramped), |stood_s| ((stood_s - t0_s).max(0.0), false));
-                let Some((ramp_down, _)) = planner.stop(plan, at_s, ramped) else { break };
-                self.replans(&ramp_down, t0_s, t_s);
-                plan = ramp_down;
-            }
-            if driven.is_some() {
-                break;
-            }
-        }
-        self.stand();
-        if driven.is_some() {
-            self.learn_switched_off();
-        }
-        driven.unwrap_or(Driven::There)
-    }
-
-    /// The switches that are sought first, then the emergency stop.
-    fn watched_by_hand(&self, switches: &[Watched]) -> Vec<Watched> {
-        let input = Input::EmergencyStop.number();
-        let on = self.world.machine_is.estop.active;
-        let emergency = Watched { input, on, ramped: true, level_from_s: None };
-        switches.iter().copied().chain([emergency]).collect()
-    }
-
-    /// Lets time pass to the end of a move, unless something stops the machine before. What stops already
-    /// is not stopped again; what the operator wants meanwhile comes next.
-    fn driven_until(
-        &mut self,
-        watched: &[Watched],
-        going: Going<'_>,
-        driven: Option<Driven>,
-    ) -> Option<(f64, Driven, bool)> {
-        let end_s = going.t0_s + going.plan.span_s(going.index).1;
-        if let Some(driven) = driven {
-            let by_stop = driven == Driven::OperatorRequest(OperatorRequest::Stop);
-            let asks = matches!(driven, Driven::StopInput(_));
-            self.slow_down(Slows { by_stop, asks }, end_s, going);
-            return None;
-        }
-        loop {
-            match self.meet(end_s, watched, Some(going), Self::pass)? {
-                (t_s, Turn::Operator(request @ OperatorRequest::Feed(_))) => {
-                    self.postpone((t_s, request));
-                }
-                (t_s, Turn::Operator(request)) => {
-                    return Some((t_s, Driven::OperatorRequest(request), true));
-                }
-                (t_s, Turn::Input(halt)) => {
-                    return Some((t_s, Driven::by(halt.cause, watched.len()), halt.ramped));
-                }
-            }
-        }
-    }
-
     /// Returns the end of a run whose motion by hand was stopped for good.
-    pub(crate) fn interrupted(&self, driven: &Driven) -> Over {
+    pub(crate) fn interrupted(&self, driven: &Driven) -> RunEnd {
         let why = match driven {
             Driven::Limit(n) => format!("stopped by limit input {n}"),
             Driven::StopInput(n) => format!("stopped by stop input {n}"),
             Driven::EmergencyStop => "emergency stop".to_owned(),
             Driven::LinkLost => "not connected".to_owned(),
             Driven::Stalled => "a motor has stalled".to_owned(),
-            _ => return Over { status: Status::Stopped, diagnostic: None },
+            _ => return RunEnd::of(Status::Stopped),
         };
         let place = Place::line(self.world.file(At::default()), 0);
         let mut told = Diagnostic::new(Code::InputStop, place, why);
@@ -240,14 +228,7 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         let diagnostic = Some(Box::new(told));
         let limit = matches!(driven, Driven::Limit(_));
-        Over { status: if limit { Status::Limit } else { Status::Stopped }, diagnostic }
-    }
-
-    /// Letting go is done with; everything else is wanted of the program.
-    fn heed_later(&mut self, t_s: f64, request: OperatorRequest) {
-        if request != OperatorRequest::End {
-            self.postpone((t_s, request));
-        }
+        RunEnd { status: if limit { Status::Limit } else { Status::Stopped }, diagnostic }
     }
 }
 
@@ -290,21 +271,6 @@ impl Driven {
         match self {
             Self::Edge(_) => Self::Edge(place),
             other => other,
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_written_is_read() {
-        let jog = Jog { by: Axes([0.0, -100.25, 0.0, 0.0, 3.0, 0.0]), speed: 0.5 };
-        assert_eq!(Jog::read(&jog.to_string()), Some(jog));
-        let wrong = ["", "jog", "jog 1,2,3 1", "jog 1,2,3,4,5,6", "jog 1,2,3,4,5,inf 1"];
-        for words in wrong.into_iter().chain(["jog 0,0,0,0,0,0 2", "nudge 0,0,0,0,0,0 1"]) {
-            assert_eq!(Jog::read(words), None, "{words}");
         }
     }
 }

@@ -258,6 +258,23 @@ impl<'a> Drive<'a> {
         self.machine.borrow().facts().overrides
     }
 
+    /// Returns `true` if the machine holds on its path and goes on from there by itself.
+    pub fn holds(&self) -> bool {
+        self.machine.borrow().facts().holds
+    }
+
+    /// Has such a machine hold; tells the moment of the plan at which it stands, seconds of machine time.
+    pub fn hold(&mut self, going: &Going<'_>) -> Option<f64> {
+        let stands_s = self.machine.borrow_mut().hold(going);
+        self.notes_fault();
+        stands_s
+    }
+
+    /// Has such a machine go on.
+    pub fn goes_on(&mut self) {
+        self.machine.borrow_mut().go_on();
+    }
+
     /// Returns `true` if a stop of the machine switches its outputs off.
     pub fn stop_switches_off(&self) -> bool {
         self.machine.borrow().facts().stop_switches_off

@@ -2,89 +2,136 @@
 //! motion that a home switch ends.
 
 use crate::by_hand::Driven;
-use crate::runner::{Over, Runner};
+use crate::run_end::RunEnd;
+use crate::stopping::Stops;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
 use kerf_machine::planning::hand_settings;
 use kerf_motion::Mover;
-use kerf_program::{At, Axes, Axis, AxisSet, Feed, Interpreter, Line, MoveKind, Settings, Status};
+use kerf_program::{
+    Answer, At, Axes, Axis, AxisSet, Button, Command, Feed, Interpreter, Line, MoveKind, Question,
+    Settings, Status,
+};
 use kerf_sim::{Machine, Watched};
 use kerf_trace::Event;
 
-impl<I: Interpreter> Runner<'_, I> {
-    /// Homes axes that have a switch, and tells how far the last home was off.
-    pub(crate) fn home(&mut self, axes: AxisSet) -> Found {
-        if self.drive.homes() {
-            return self.home_by_itself();
-        }
-        let machine = self.world.machine_is.clone();
-        let settings = hand_settings(&machine);
-        let now_s = self.world.now();
-        self.world.tracked().advance(now_s);
-        let mut rig =
-            OnMachine { runner: self, settings, axis: None, over: None, found: Found::default() };
-        let mut homed = Vec::new();
-        let ended = homing::home(&machine, &mut rig, axes, &mut homed);
-        let (over, at, mut found) = (rig.over.take(), rig.axis, rig.found);
-        self.world.tracked().move_alone(None);
-        self.mover.set_position(self.world.machine.position());
-        match &ended {
-            Ok(()) => found.done = found.zeroed,
-            // A switch that does not come is not where it was believed to be.
-            Err(_) if over.is_none() => at.iter().for_each(|axis| found.lost.insert(*axis)),
-            // Its motors may stand differently.
-            Err(_) => found.lost = found.zeroed.without(found.done),
-        }
-        found.over = over.or_else(|| ended.err().map(|missing| self.misses_switch(&missing, at)));
-        homed.retain(|it| found.done.contains(it.axis));
-        self.tell_homed(&homed);
-        found
+/// Homes axes that have a switch, and tells how far the last home was off.
+pub(crate) fn home<I: Interpreter>(stops: &mut Stops<'_, I>, axes: AxisSet) -> Found {
+    if stops.station.drive.homes() {
+        return home_by_itself(stops);
     }
+    let machine = stops.station.world.machine_is.clone();
+    let settings = hand_settings(&machine);
+    let now_s = stops.station.world.now();
+    stops.station.world.tracked().advance(now_s);
+    let mut rig = OnMachine { stops, settings, axis: None, over: None, found: Found::default() };
+    let mut homed = Vec::new();
+    let ended = homing::home(&machine, &mut rig, axes, &mut homed);
+    let (over, at, mut found) = (rig.over.take(), rig.axis, rig.found);
+    stops.station.world.tracked().move_alone(None);
+    stops.station.mover.set_position(stops.station.world.machine.position());
+    match &ended {
+        Ok(()) => found.done = found.zeroed,
+        // A switch that does not come is not where it was believed to be.
+        Err(_) if over.is_none() => at.iter().for_each(|axis| found.lost.insert(*axis)),
+        // Its motors may stand differently.
+        Err(_) => found.lost = found.zeroed.without(found.done),
+    }
+    found.over = over.or_else(|| ended.err().map(|missing| misses_switch(stops, &missing, at)));
+    homed.retain(|it| found.done.contains(it.axis));
+    tell_homed(stops, &homed);
+    found
+}
 
-    /// Has a controller go home that finds it by itself, with all its axes.
-    fn home_by_itself(&mut self) -> Found {
-        let axes = self.world.homes;
-        let mut found = Found { lost: axes, ..Found::default() };
-        self.world.workspace.tape.moves(true, self.world.placed());
-        let forbidden = self.forbidden();
-        let home = if forbidden.is_none() { self.drive.home() } else { None };
-        match (forbidden, home) {
-            (_, Some(place)) => {
-                self.world.machine.put(place);
-                self.mover.set_position(place);
-                found = Found { done: axes, zeroed: axes, ..Found::default() };
-                let text = "the controller has homed its axes".into();
-                self.world.tell(&Event::Message { text, t: self.world.now() });
-            }
-            (Some(driven), _) => found.over = Some(self.interrupted(&driven)),
-            (None, None) => {
-                let failed = self.drive.fault().cloned().map(|fault| self.fails(&fault));
-                let stopped = Over { status: Status::Stopped, diagnostic: None };
-                found.over = Some(failed.unwrap_or(stopped));
-            }
+/// Has a controller go home that finds it by itself, with all its axes.
+fn home_by_itself<I: Interpreter>(stops: &mut Stops<'_, I>) -> Found {
+    let axes = stops.station.world.homes;
+    let mut found = Found { lost: axes, ..Found::default() };
+    stops.station.world.workspace.tape.moves(true, stops.station.world.placed());
+    let forbidden = stops.station.forbidden();
+    let home = if forbidden.is_none() { stops.station.drive.home() } else { None };
+    match (forbidden, home) {
+        (_, Some(place)) => {
+            stops.station.world.machine.put(place);
+            stops.station.mover.set_position(place);
+            found = Found { done: axes, zeroed: axes, ..Found::default() };
+            let text = "the controller has homed its axes".into();
+            stops.station.world.tell(&Event::Message { text, t: stops.station.world.now() });
         }
-        self.stand();
-        found
-    }
-
-    fn misses_switch(&self, missing: &NotFound, axis: Option<Axis>) -> Over {
-        let place = Place::line(self.world.file(At::default()), 0);
-        let input = axis.and_then(Machine::home_line).map_or("none", Input::name);
-        let hint = format!(
-            "nothing moves on; look at the switch on input {input} (homing), and at the length of the axis (axis.length)"
-        );
-        let why = Diagnostic::new(Code::NoHome, place, missing.to_string()).hint(hint);
-        Over { status: Status::Failed, diagnostic: Some(Box::new(why)) }
-    }
-
-    fn tell_homed(&mut self, homed: &[Homed]) {
-        let t = self.world.now();
-        for it in homed {
-            let axis = self.world.machine_is.motors.axis_name(it.axis);
-            self.world.tell(&Event::Homed { axis, steps: it.difference_steps, t });
+        (Some(driven), _) => found.over = Some(stops.station.interrupted(&driven)),
+        (None, None) => {
+            let failed = stops.station.drive.fault().cloned().map(|fault| stops.fails(&fault));
+            let stopped = RunEnd::of(Status::Stopped);
+            found.over = Some(failed.unwrap_or(stopped));
         }
     }
+    stops.station.stand();
+    found
+}
+
+fn misses_switch<I: Interpreter>(
+    stops: &Stops<'_, I>,
+    missing: &NotFound,
+    axis: Option<Axis>,
+) -> RunEnd {
+    let place = Place::line(stops.station.world.file(At::default()), 0);
+    let input = axis.and_then(Machine::home_line).map_or("none", Input::name);
+    let hint = format!(
+        "nothing moves on; look at the switch on input {input} (homing), and at the length of the axis (axis.length)"
+    );
+    let why = Diagnostic::new(Code::NoHome, place, missing.to_string()).hint(hint);
+    RunEnd { status: Status::Failed, diagnostic: Some(Box::new(why)) }
+}
+
+fn tell_homed<I: Interpreter>(stops: &mut Stops<'_, I>, homed: &[Homed]) {
+    let t = stops.station.world.now();
+    for it in homed {
+        let axis = stops.station.world.machine_is.motors.axis_name(it.axis);
+        stops.station.world.tell(&Event::Homed { axis, steps: it.difference_steps, t });
+    }
+}
+
+/// Asks whether to home first; `Ended` goes on without.
+pub(crate) fn asked<I: Interpreter>(
+    stops: &mut Stops<'_, I>,
+    question: Option<Question>,
+) -> Result<(), RunEnd> {
+    let Some(question) = question else { return Ok(()) };
+    let status = match stops.ask(&question, At::default())? {
+        Answer::Button(Button::Yes) => return Ok(()),
+        Answer::Button(Button::No | Button::Continue) => Status::Ended,
+        _ => Status::Stopped,
+    };
+    Err(RunEnd::of(status))
+}
+
+/// Homes axes. An axis that was homed before keeps the numbers of its zero points, which count from
+/// home; of one that was not they stay where they were on the table.
+pub(crate) fn find_home<I: Interpreter>(
+    stops: &mut Stops<'_, I>,
+    axes: AxisSet,
+    before: AxisSet,
+) -> Found {
+    let found = home(stops, axes);
+    let mut frame = *stops.station.world.machine.frame();
+    for axis in found.zeroed.without(before).iter() {
+        frame.working_zero[axis] -= found.shift[axis];
+        frame.base_zero[axis] -= found.shift[axis];
+    }
+    found.done.iter().for_each(|axis| frame.base_zero[axis] = 0.0);
+    if found.over.is_none() || !found.zeroed.is_empty() {
+        let (working, base) = (found.done, found.done);
+        stops.station.world.perform(Command::Location { frame, working, base });
+    }
+    found
+}
+
+pub(crate) fn told<I: Interpreter>(stops: &mut Stops<'_, I>, over: RunEnd) -> RunEnd {
+    if let Some(why) = &over.diagnostic {
+        stops.station.world.tell_diagnostic((**why).clone());
+    }
+    over
 }
 
 /// Result of homing.
@@ -99,17 +146,17 @@ pub(crate) struct Found {
     /// By how much.
     pub shift: Axes,
     /// Reason for which it did not come to its end.
-    pub over: Option<Over>,
+    pub over: Option<RunEnd>,
 }
 
 /// The machine as the homing procedure moves it.
 struct OnMachine<'a, 'b, I> {
-    runner: &'a mut Runner<'b, I>,
+    stops: &'a mut Stops<'b, I>,
     settings: Settings,
     /// The axis that is being homed.
     axis: Option<Axis>,
     /// Reason for which nothing moves any more.
-    over: Option<Over>,
+    over: Option<RunEnd>,
     found: Found,
 }
 
@@ -128,7 +175,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
     }
 
     fn place(&self) -> f64 {
-        self.runner.world.machine.position()[self.axis()]
+        self.stops.station.world.machine.position()[self.axis()]
     }
 
     /// Moves the axis, until a switch reads a state; tells where that was.
@@ -136,12 +183,12 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         if self.over.is_some() {
             return None;
         }
-        if let Some(driven) = self.runner.forbidden() {
-            self.over = Some(self.runner.interrupted(&driven));
+        if let Some(driven) = self.stops.station.forbidden() {
+            self.over = Some(self.stops.station.interrupted(&driven));
             return None;
         }
-        let (axis, from) = (self.axis(), self.runner.world.machine.position());
-        self.runner.world.tracked().move_alone(match which {
+        let (axis, from) = (self.axis(), self.stops.station.world.machine.position());
+        self.stops.station.world.tracked().move_alone(match which {
             Which::All => None,
             Which::One(motor) => Some((axis, motor)),
         });
@@ -150,11 +197,11 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         let line = Line { kind: MoveKind::Jog, to: there, feed: Feed::Path(speed.abs()) };
         let made = Mover::new(from, &self.settings).line(At::default(), &line)?;
         let switch = until.zip(Machine::home_line(axis)).map(|(on, line)| line.number_when(on));
-        match self.runner.drive(made, &self.settings, switch.as_slice()) {
+        match self.stops.station.drive(made, &self.settings, switch.as_slice()) {
             Driven::Edge(place) => Some(place[axis]),
             Driven::There => None,
             driven => {
-                self.over = Some(self.runner.interrupted(&driven));
+                self.over = Some(self.stops.station.interrupted(&driven));
                 None
             }
         }
@@ -174,7 +221,7 @@ impl Switch for Input {
 
 impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
     fn switch(&self, which: Which) -> bool {
-        self.runner.world.driven.borrow().home_switch(self.axis(), which)
+        self.stops.station.world.driven.borrow().home_switch(self.axis(), which)
     }
 
     fn seek(&mut self, which: Which, speed: f64, until: bool, most: f64) -> Sought {
@@ -195,7 +242,7 @@ impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
             let axis = self.axis();
             self.found.shift[axis] += self.place();
             self.found.zeroed.insert(axis);
-            self.runner.world.tracked().zero(axis);
+            self.stops.station.world.tracked().zero(axis);
         }
     }
 }

@@ -34,7 +34,7 @@ impl Host for World<'_> {
         Poll::Pending
     }
 
-    crate::workspace_host::answered_by_the_workspace!();
+    kerf_workspace::answered_by_the_workspace!();
 
     fn last_line(&mut self, file: &str) -> Option<u32> {
         self.workspace.last_line(file)
@@ -42,7 +42,7 @@ impl Host for World<'_> {
 
     fn convert(&mut self, request: &ConversionRequest) -> Result<FileConversion, HostError> {
         let settings = self.machine.settings().clone();
-        crate::conversion::convert(self.workspace, &settings, request)
+        kerf_import::convert(self.workspace, &settings, request)
     }
 
     fn machine_position(&mut self) -> [f64; AXES] {

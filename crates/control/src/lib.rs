@@ -1,12 +1,19 @@
 //! One owner of one machine: runs programs on it and tells what happens.
 //!
 //! ```text
-//!  Session::run ── Runner ── Interpreter            asks World: machine, operator, files
-//!                    │  └─── Mover, plan ── Machine (kerf-sim)
-//!                    └─────► Sink: Event, Event, …  trace, picture, progress
+//!  Session::run ── Runner    the loop: commands, stacks of moves, plans, waits
+//!                    │
+//!                  Stops     what follows on a stop; every way back may be stopped again
+//!                    │
+//!                  Station ── Interpreter            asks World: machine, operator, files
+//!                    │  └──── Drive, Machine         time passes, moves are made
+//!                    └──────► Sink: Event, Event, …  trace, picture, progress
 //! ```
 //!
-//! - [`Session`] is what stays between runs; [`Session::run`] is one run.
+//! A floor calls those below it and nothing above. What ends a run comes up as the error `RunEnd`.
+//!
+//! - [`Session`] is what stays between runs; [`Session::run`] is one run, and what it is lent is a [`RunContext`].
+//! - [`AtRest`] is its machine while it stands.
 //! - [`Event`](kerf_trace::Event) is one thing that a run tells; a [`Sink`](kerf_trace::Sink) takes events.
 //! - [`controller`] runs the same on a real machine: the plan is the same, who makes it is not.
 //! - [`Workspace`](kerf_workspace::Workspace) is everything on disk that a program may reach. A preview gets a copy that keeps its
@@ -16,66 +23,63 @@
 //! The same program, settings, files, answers and inputs give the same events, byte for byte.
 
 pub mod answers;
+mod asking;
 mod at_rest;
-mod away;
-mod before;
-mod begun;
-mod beside;
-mod bound;
+
 mod by_hand;
-mod check;
-pub mod command_passing;
+mod command_limit;
 pub mod controller;
-mod conversion;
-mod desk;
-pub mod drawn;
+mod diagnostics;
 mod drive;
-mod errands;
 mod execute;
+mod following;
+mod hand_words;
+mod happenings;
 mod heights;
 mod hold;
 mod homing;
 mod host;
-pub mod job_file;
-mod kept;
+mod lift_aside;
 mod nudge;
-mod part_log;
-pub mod password;
+mod on_record;
+mod passing;
 mod pendant;
-mod preview_mode;
+mod preparation;
 mod reentry;
-mod repetitions;
 mod requests;
+mod run_context;
+mod run_end;
+mod run_summary;
 mod runner;
+mod runs;
 mod session;
 pub mod settings_text;
 mod stack;
-pub mod start_up;
+mod station;
+mod stopped_spindles;
 mod stopping;
 mod table_limits;
 mod text;
+mod told_as_one;
 mod tracked;
 mod trail;
-pub mod transfer;
-mod turning;
+mod turn;
 mod waiting;
-mod warning;
-mod workspace_host;
+mod way_back;
 mod world;
 mod world_clock;
 
 use kerf_machine::Driven;
 use kerf_sim::Simulated;
 
-pub use away::LIFT;
-pub use begun::Begun;
-pub use by_hand::Jog;
-pub use check::{Checked, check};
-pub use desk::Desk;
+pub use at_rest::AtRest;
+pub use diagnostics::{diagnostics, system_variables};
+pub use hand_words::{Jog, LIFT};
 pub use nudge::{Nudge, Outside};
-pub use repetitions::Repetitions;
 pub use requests::{OperatorRequest, Requests, Script, StopAt};
-pub use session::{Company, DrivenBy, Session, dialect_word};
+pub use run_context::RunContext;
+pub use runs::dialect_word;
+pub use session::{DrivenBy, Session};
 pub use text::{Outcome, TextOptions, run_text};
 pub use world_clock::WorldClock;
 

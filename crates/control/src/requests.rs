@@ -15,6 +15,8 @@ pub enum OperatorRequest {
     /// The machine ramps down, and the run is over where it stands; nobody is asked. That is how a
     /// movement ends that somebody held a key for.
     End,
+    /// The run is given up where it is held: the machine stays there, and nobody is asked.
+    GiveUp,
     /// The switch of an input of the simulated machine is moved.
     Input {
         /// Which input.

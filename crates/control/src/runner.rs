@@ -6,27 +6,22 @@
 //!        └── World: answers ┴──────────► carried out                  └─ input: interrupt
 //! ```
 
-use crate::bound::Bound;
-use crate::drive::Drive;
-use crate::execute::Halted;
-use crate::stack::{READ_AHEAD, Stack};
-use crate::stopping::Kept;
-use crate::trail::Trail;
+use crate::command_limit::CommandLimit;
+use crate::run_end::{Break, RunEnd};
+use crate::stack::READ_AHEAD;
+use crate::station::Station;
+use crate::stopping::Stops;
 use crate::world::World;
-use crate::{OperatorRequest, Requests};
+use crate::{Requests, lift_aside, reentry, table_limits};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
-use kerf_journal::{LimitPolicy, Placed};
-use kerf_machine::State;
+use kerf_journal::LimitPolicy;
 use kerf_machine::state::{Event as Stopped, StopSettings};
 use kerf_motion::{Move, Mover};
 use kerf_program::{
-    At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step, StoppedBy,
-    Watch,
+    At, Axes, Axis, Command, Feed, Interpreter, Line, MoveKind, Sourced, Status, Step, Watch,
 };
 use kerf_sbp::LAST_ERROR;
-use kerf_sim::Watched;
 use kerf_trace::flag;
-use std::collections::VecDeque;
 
 /// Lines that are executed before their commands are looked at.
 pub(crate) const LINES: u64 = 4096;
@@ -36,64 +31,18 @@ pub(crate) type Restore<I> = fn(&I) -> Result<I, String>;
 
 /// One run.
 pub(crate) struct Runner<'a, I> {
-    pub interpreter: I,
-    pub world: World<'a>,
-    pub drive: Drive<'a>,
-    pub mover: Mover,
-    pub stack: Stack,
-    /// The operator's override: share of the speed asked for at which cuts run.
-    pub feed: f32,
-    /// Requests of the operator that he has not got yet.
-    pub requests: VecDeque<(f64, OperatorRequest)>,
-    /// Distance by which the workpiece was nudged since the commands at hand were given.
-    pub nudged: Option<Axes>,
+    pub stops: Stops<'a, I>,
+    /// Commands that were given and not taken yet.
     out: Vec<Sourced>,
     lines: u64,
     /// An input may interrupt: moves need their numbers.
     watching: bool,
     /// Moment at which the watched input changed that stopped the machine last, seconds of machine time.
-    pub(crate) changed_s: f64,
+    pub changed_s: f64,
     /// Saves and restores the program's state before each look.
     pub restore: Option<Restore<I>>,
-    pub limits: LimitPolicy,
-    /// The line of the move made last.
-    pub last_move: At,
-    /// Place of the program, for the log.
-    pub trail: Trail,
-    /// State of the machine. A job, or a move by hand, knows more of it.
-    pub state: State,
-    /// Place to which a run that was stopped comes back.
-    pub kept: Kept,
-    /// The operator took the tool out of the cut while the program waits.
-    pub away: bool,
-    /// A job has switched off what it leaves.
-    settled: bool,
-    /// End of the run that came while the machine moved beside the program.
-    pub ends: Option<Over>,
-    /// The run is taken up: where the machine stands meanwhile.
-    pub reentry: Option<Placed>,
-    /// Up to here it is on record how far a move has come, machine time.
-    pub recorded_s: f64,
-    /// The bound on what is carried out.
-    pub bound: Bound,
-}
-
-/// Decision whether a run goes on.
-#[derive(Debug)]
-pub(crate) enum Flow {
-    /// On to the next.
-    On,
-    /// An input interrupted: commands given so far are dropped, the interpreter knows.
-    Interrupted,
-    /// The machine ends the run.
-    Over(Over),
-}
-
-/// The end of a run that the interpreter did not decide.
-#[derive(Debug)]
-pub(crate) struct Over {
-    pub status: Status,
-    pub diagnostic: Option<Box<Diagnostic>>,
+    /// The limit of what is carried out.
+    pub bound: CommandLimit,
 }
 
 impl<'a, I: Interpreter> Runner<'a, I> {
@@ -105,217 +54,164 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         limits: LimitPolicy,
         lines: u64,
     ) -> Self {
-        let mover = Mover::new(world.machine.position(), interpreter.settings());
-        let (stack, out) = (Stack::default(), Vec::new());
-        let drive = Drive::new(world.driven.clone(), requests, world.now());
-        Self {
-            interpreter,
-            world,
-            drive,
-            mover,
-            stack,
-            feed: 1.0,
-            requests: VecDeque::new(),
-            out,
-            lines,
-            limits,
-            watching: false,
-            changed_s: 0.0,
-            nudged: None,
-            restore: None,
-            last_move: At::default(),
-            trail: Trail::default(),
-            state: State::Idle,
-            kept: Kept::default(),
-            away: false,
-            settled: false,
-            ends: None,
-            reentry: None,
-            recorded_s: 0.0,
-            bound: Bound::default(),
-        }
+        let stops = Stops::new(Station::new(interpreter, world, requests), limits);
+        let (out, bound) = (Vec::new(), CommandLimit::default());
+        Self { stops, out, lines, watching: false, changed_s: 0.0, restore: None, bound }
     }
 
     /// Runs the program to its end.
-    pub fn run(&mut self) -> Over {
-        let (typed, now_s) = (self.world.typed_files > 0, self.world.now());
-        self.world.tracked().learn_until(now_s);
-        let may_begin = if typed { Ok(()) } else { self.may_begin() };
+    pub(crate) fn run(&mut self) -> RunEnd {
+        let world = &mut self.stops.station.world;
+        let (typed, now_s) = (world.typed_files > 0, world.now());
+        world.tracked().learn_until(now_s);
+        let may_begin = if typed { Ok(()) } else { table_limits::may_begin(&mut self.stops) };
         if typed {
-            self.world.machine.begin_lines();
+            self.stops.station.world.machine.begin_lines();
         } else if may_begin.is_ok() {
-            self.world.machine.begin_file();
+            self.stops.station.world.machine.begin_file();
         }
-        self.world.tell_log();
-        self.on(Stopped::Start, StopSettings::OPENSBP, "");
-        self.on(Stopped::Ready, StopSettings::OPENSBP, "");
+        self.stops.station.world.tell_log();
+        self.stops.on(Stopped::Start, StopSettings::OPENSBP, "");
+        self.stops.on(Stopped::Ready, StopSettings::OPENSBP, "");
         let over = match may_begin {
             Ok(()) => self.turns(),
             Err(over) => self.ended(over),
         };
-        self.world.driven.borrow_mut().land();
+        self.stops.station.world.driven.borrow_mut().land();
         // Typed lines are no file, unless they ran one.
-        if typed && self.world.files_known() <= self.world.typed_files {
-            self.world.machine.end_lines();
+        if typed && self.stops.station.world.files_known() <= self.stops.station.world.typed_files {
+            self.stops.station.world.machine.end_lines();
         } else {
-            self.world.machine.end_file();
+            self.stops.station.world.machine.end_file();
         }
-        self.world.tell_log();
-        self.world.spindle_rests();
-        self.on(Stopped::End, StopSettings::OPENSBP, "");
-        self.world.flush_print();
-        self.world.file_runs = false;
+        self.stops.station.world.tell_log();
+        self.stops.station.world.spindle_rests();
+        self.stops.on(Stopped::End, StopSettings::OPENSBP, "");
+        self.stops.station.world.flush_print();
+        self.stops.station.world.file_runs = false;
         let stopped = if over.status == Status::Stopped { flag::STOPPED } else { 0 };
-        let interpreter = &self.interpreter;
-        self.world.tell_standing(stopped, &Vec::new, &|| interpreter.variables());
+        let interpreter = &self.stops.station.interpreter;
+        self.stops.station.world.tell_standing(stopped, &Vec::new, &|| interpreter.variables());
         over
     }
 
-    fn turns(&mut self) -> Over {
+    fn turns(&mut self) -> RunEnd {
         loop {
-            if let Some(over) = self.turn() {
-                return over;
+            if let Err(end) = self.restore() {
+                return end;
+            }
+            if let Err(end) = self.turn() {
+                return self.ended(end);
             }
         }
+    }
+
+    /// Goes on with the program as it comes back from a record, where that is tried.
+    fn restore(&mut self) -> Result<(), RunEnd> {
+        let Some(restore) = self.restore else { return Ok(()) };
+        match restore(&self.stops.station.interpreter) {
+            Ok(restored) => self.stops.station.interpreter = restored,
+            Err(why) => return Err(self.lost(&why)),
+        }
+        Ok(())
     }
 
     /// Some lines, and what they ask for.
-    fn turn(&mut self) -> Option<Over> {
-        if let Some(restore) = self.restore {
-            match restore(&self.interpreter) {
-                Ok(restored) => self.interpreter = restored,
-                Err(why) => return Some(self.lost(&why)),
-            }
-        }
-        self.nudged = None;
-        self.wake();
-        if let Some(over) = self.take_up_at_rest() {
-            return Some(self.ended(over));
-        }
-        let step = self.interpreter.run(&mut self.world, &mut self.out, self.lines);
+    fn turn(&mut self) -> Result<(), RunEnd> {
+        let station = &mut self.stops.station;
+        station.nudged = None;
+        station.wake();
+        self.take_up_at_rest()?;
+        let station = &mut self.stops.station;
+        let step = station.interpreter.run(&mut station.world, &mut self.out, self.lines);
         self.learn_files();
-        self.trail.goes_on(self.interpreter.call_stack());
-        self.tell_standing(0);
-        let flow = match self.feed() {
-            Flow::On => self.follow(step),
-            flow => flow,
-        };
-        let flow = match flow {
-            Flow::On | Flow::Interrupted => self.heed_operator(),
-            flow => flow,
-        };
-        if let Some(over) = self.keeps_record() {
-            return Some(self.ended(over));
-        }
-        match flow {
-            Flow::On | Flow::Interrupted => None,
-            Flow::Over(over) => Some(self.ended(over)),
-        }
+        let station = &mut self.stops.station;
+        station.trail.goes_on(station.interpreter.call_stack());
+        station.tell_standing_with(0, &self.out);
+        let followed = self.feed().and_then(|()| self.follow(step));
+        let heeded =
+            Break::unless_ended(followed).map_err(Break::Ended).and_then(|()| self.heed_operator());
+        self.keeps_record()?;
+        Break::unless_ended(heeded)
     }
 
     /// Tells when the journal cannot be written; ends a run that is not the one on the tape.
-    fn keeps_record(&mut self) -> Option<Over> {
-        if let Some(trouble) = self.world.workspace.new_trouble() {
-            let place = Place::line(self.world.file(self.last_move), self.last_move.line);
+    fn keeps_record(&mut self) -> Result<(), RunEnd> {
+        let Station { world, last_move, .. } = &mut self.stops.station;
+        if let Some(trouble) = world.workspace.new_trouble() {
+            let place = Place::line(world.file(*last_move), last_move.line);
             let message = format!("the run goes on, but is not on record: {trouble}");
             let diagnostic = Diagnostic::new(Code::Journal, place, message);
-            self.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
+            world.tell_diagnostic(diagnostic.severity(Severity::Warning));
         }
-        let unfit = self.world.workspace.tape.unfit()?.to_owned();
-        Some(self.lost(&unfit))
+        let unfit = world.workspace.tape.unfit().map(str::to_owned);
+        unfit.map_or(Ok(()), |unfit| Err(self.lost(&unfit)))
     }
 
-    pub(crate) fn tell_standing(&mut self, flags: u8) {
-        let moves = |s: &Sourced| s.command.is_motion() && self.is_of_file(s.at);
-        self.world.file_moves = self.stack.moves_file() || self.out.iter().any(moves);
-        let interpreter = &self.interpreter;
-        let called = |at: At| (at, interpreter.file_call(at.file));
-        let files = || interpreter.call_stack().into_iter().map(called).collect();
-        self.world.tell_standing(flags, &files, &|| interpreter.variables());
-    }
-
-    fn lost(&self, why: &str) -> Over {
-        let at = self.asking_line();
-        let place = Place::line(self.world.file(at), at.line);
+    fn lost(&self, why: &str) -> RunEnd {
+        let at = self.stops.station.asking_line();
+        let place = Place::line(self.stops.station.world.file(at), at.line);
         let message = format!("the state of the program cannot be saved: {why}");
         let diagnostic = Diagnostic::new(Code::Terminated, place, message);
-        Over { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
+        RunEnd { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
     }
 
     /// Does what a step asks for, after its commands were taken over.
-    fn follow(&mut self, step: Step) -> Flow {
+    fn follow(&mut self, step: Step) -> Result<(), Break> {
         match step {
-            Step::Ran => Flow::On,
-            Step::Waiting if self.world.question.is_some() => self.answer(),
+            Step::Ran => Ok(()),
+            Step::Waiting if self.stops.station.world.question.is_some() => self.answer(),
             Step::Waiting => {
-                let flow = self.flush();
-                if matches!(flow, Flow::On) {
-                    self.world.settled = true;
-                }
-                flow
+                self.flush()?;
+                self.stops.station.world.settled = true;
+                Ok(())
             }
             Step::Done(Status::Failed, diagnostic) => {
-                Flow::Over(Over { status: Status::Failed, diagnostic })
+                Err(RunEnd { status: Status::Failed, diagnostic }.into())
             }
-            Step::Done(status, diagnostic) => match self.flush() {
-                Flow::On => Flow::Over(Over { status, diagnostic }),
-                flow => flow,
-            },
+            Step::Done(status, diagnostic) => {
+                self.flush()?;
+                Err(RunEnd { status, diagnostic }.into())
+            }
         }
     }
 
     /// The run is over: what was read and not made is dropped, what ended it is told.
-    fn ended(&mut self, over: Over) -> Over {
-        let failed = over.diagnostic.is_none().then(|| self.drive.fault().cloned()).flatten();
-        let over = failed.map_or(over, |failure| self.fails(&failure));
-        if self.stack.running.is_some() {
+    fn ended(&mut self, over: RunEnd) -> RunEnd {
+        let failed =
+            over.diagnostic.is_none().then(|| self.stops.station.drive.fault().cloned()).flatten();
+        let over = failed.map_or(over, |failure| self.stops.fails(&failure));
+        if self.stops.station.stack.running.is_some() {
             // What moves cannot be dropped: it comes to rest behind the last move that was read.
             drop(self.flush());
         }
         // A run that is taken up and has nothing to make says so.
-        self.hear_world();
-        self.trail.goes_on(self.interpreter.call_stack());
-        let last = self.last_commands(over.status);
+        self.stops.station.hear_world();
+        self.stops.station.trail.goes_on(self.stops.station.interpreter.call_stack());
+        let last = self.stops.last_commands(over.status);
         if let Some(diagnostic) = &over.diagnostic {
-            self.world.tell_diagnostic((**diagnostic).clone());
-            if !self.world.previews {
+            self.stops.station.world.tell_diagnostic((**diagnostic).clone());
+            if !self.stops.station.world.previews {
                 let Place { file, line, .. } = &diagnostic.place;
                 let told = format!("{file}:{line}: {}", diagnostic.message);
-                self.world.workspace.set_value(LAST_ERROR, Some(&told));
+                self.stops.station.world.workspace.set_value(LAST_ERROR, Some(&told));
             }
         }
         self.drop_motion(over.status);
-        last.into_iter().for_each(|sourced| self.world.perform(sourced.command));
+        last.into_iter().for_each(|sourced| self.stops.station.world.perform(sourced.command));
         over
-    }
-
-    /// Returns the commands of the program for the end of its run. A job leaves nothing on, however it ends; that is
-    /// settled once.
-    pub(crate) fn last_commands(&mut self, status: Status) -> Vec<Sourced> {
-        let mut last = Vec::new();
-        let is_job = self.interpreter.takes_stops();
-        if is_job && std::mem::replace(&mut self.settled, true) {
-            return last;
-        }
-        match status {
-            Status::Limit => drop(self.interpreter.limit(&mut self.world, &mut last)),
-            Status::Stopped => drop(self.interpreter.stop(&mut self.world, &mut last)),
-            _ if is_job => drop(self.interpreter.stop(&mut self.world, &mut last)),
-            Status::Ok | Status::Ended | Status::Failed => {}
-        }
-        last
     }
 
     /// Forgets moves that were not made. What does not belong to them is carried out: files that
     /// were closed, settings given back, what a person should know.
     fn drop_motion(&mut self, status: Status) {
-        let waiting = std::mem::take(&mut self.stack.waiting);
+        let waiting = std::mem::take(&mut self.stops.station.stack.waiting);
         if let (Status::Failed, Some(first)) = (status, waiting.front()) {
             self.note_dropped(first.at, waiting.len());
         }
-        for sourced in self.stack.clear().chain(std::mem::take(&mut self.out)) {
+        for sourced in self.stops.station.stack.clear().chain(std::mem::take(&mut self.out)) {
             if outlives_motion(&sourced.command) {
-                self.world.perform(sourced.command);
+                self.stops.station.world.perform(sourced.command);
             }
         }
     }
@@ -323,293 +219,241 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     fn note_dropped(&mut self, at: At, count: usize) {
         let moves = if count == 1 { "1 move was".into() } else { format!("{count} moves were") };
         let message = format!("{moves} read but not made, because of the error in the same stack");
-        let place = Place::line(self.world.file(at), at.line);
+        let place = Place::line(self.stops.station.world.file(at), at.line);
         let hint = "nothing of a stack moves when it cannot be read to its end";
-        self.world.tell_diagnostic(Diagnostic::new(Code::StackDropped, place, message).hint(hint));
+        self.stops
+            .station
+            .world
+            .tell_diagnostic(Diagnostic::new(Code::StackDropped, place, message).hint(hint));
     }
 
     fn learn_files(&mut self) {
-        while let Some(name) = self.interpreter.file_name(self.world.files_known() as u32) {
-            self.world.name_file(name);
-            self.world.file_runs |= self.world.files_known() > self.world.typed_files;
+        while let Some(name) =
+            self.stops.station.interpreter.file_name(self.stops.station.world.files_known() as u32)
+        {
+            self.stops.station.world.name_file(name);
+            self.stops.station.world.file_runs |=
+                self.stops.station.world.files_known() > self.stops.station.world.typed_files;
         }
     }
 
     /// Takes over the commands given: motion goes onto the stack, the rest is carried out.
-    fn feed(&mut self) -> Flow {
-        self.watching = self.interpreter.takes_stops() || !self.interpreter.watches().is_empty();
+    fn feed(&mut self) -> Result<(), Break> {
+        let interpreter = &self.stops.station.interpreter;
+        self.watching = interpreter.takes_stops() || !interpreter.watches().is_empty();
         let mut out = std::mem::take(&mut self.out);
         let motions = out.iter().filter(|s| s.command.is_motion()).count() as u64;
-        let mut number = self.interpreter.motions() - motions;
-        let mut flow = Flow::On;
-        for sourced in out.drain(..) {
+        let mut number = interpreter.motions() - motions;
+        let taken = out.drain(..).try_for_each(|sourced| {
             number += u64::from(sourced.command.is_motion());
-            flow = self.take(sourced, number);
-            if !matches!(flow, Flow::On) {
-                break;
-            }
-        }
+            self.take(sourced, number)
+        });
         self.out = out;
-        self.out.clear();
-        flow
+        taken
     }
 
-    fn take(&mut self, mut sourced: Sourced, number: u64) -> Flow {
+    fn take(&mut self, mut sourced: Sourced, number: u64) -> Result<(), Break> {
         if !self.bound.takes_one() {
-            return self.looked_enough(sourced.at);
+            return Err(self.looked_enough(sourced.at));
         }
         if self.leaves_torch(&sourced.command) {
-            match self.flush() {
-                Flow::On => self.world.tracked().land(),
-                flow => return flow,
-            }
-            self.mover.set_position(self.world.machine.position());
+            self.flush()?;
+            let station = &mut self.stops.station;
+            station.world.tracked().land();
+            station.mover.set_position(station.world.machine.position());
         }
-        if let Some(nudged) = self.nudged {
+        let station = &mut self.stops.station;
+        if let Some(nudged) = station.nudged {
             sourced.command.shift(nudged);
         }
         if let Some((axis, place)) = Mover::beyond(&sourced.command) {
-            let far = place / self.world.scale(axis);
+            let far = place / station.world.scale(axis);
             let message = format!("{} would go to {far:e}: nothing is that long", axis.letter());
-            return Flow::Over(self.over(Status::Failed, Code::OutOfRange, sourced.at, message));
+            let end = station.over(Status::Failed, Code::OutOfRange, sourced.at, message);
+            return Err(end.into());
         }
         let made = match &sourced.command {
-            Command::Line(line) => self.mover.line(sourced.at, line),
-            Command::Arc(arc) => self.mover.arc(sourced.at, arc),
+            Command::Line(line) => station.mover.line(sourced.at, line),
+            Command::Arc(arc) => station.mover.arc(sourced.at, arc),
             _ => return self.take_other(sourced),
         };
-        let Some(made) = made else { return Flow::On };
-        self.take_move(made, number)
+        made.map_or(Ok(()), |made| self.take_move(made, number))
     }
 
     /// Makes what was read up to here; then the run is over.
-    fn looked_enough(&mut self, at: At) -> Flow {
-        match self.flush() {
-            Flow::On => {
-                let (message, hint) = self.bound.told();
-                let mut over = self.over(Status::Limit, Code::LineLimit, at, message);
-                over.diagnostic = over.diagnostic.map(|told| Box::new(told.hint(hint)));
-                Flow::Over(over)
-            }
-            flow => flow,
+    fn looked_enough(&mut self, at: At) -> Break {
+        if let Err(sooner) = self.flush() {
+            return sooner;
         }
+        let (message, hint) = self.bound.told();
+        self.stops.station.over(Status::Limit, Code::LineLimit, at, message).hint(hint).into()
     }
 
     /// A move joins the stack; a jog is a stack of its own.
-    fn take_move(&mut self, mut made: Move, number: u64) -> Flow {
-        if let Err(over) = self.back_in_the_cut() {
-            return Flow::Over(over);
-        }
+    fn take_move(&mut self, mut made: Move, number: u64) -> Result<(), Break> {
+        lift_aside::back_in_the_cut(&mut self.stops)?;
         let jog = made.kind == MoveKind::Jog;
-        let apart = jog && !self.stack.is_empty() || self.leaves_table(&made);
-        let flow = if apart { self.flush_before(|by| made.shift(by)) } else { Flow::On };
-        if !matches!(flow, Flow::On) {
-            return flow;
+        let apart = jog && !self.stops.station.stack.is_empty()
+            || table_limits::leaves_table(&mut self.stops, &made);
+        if apart {
+            self.flush_before(|by| made.shift(by))?;
         }
         if !jog && self.is_full() {
-            match self.reload(&mut made, number) {
-                Flow::On => {}
-                flow => return flow,
-            }
+            self.reload(&mut made, number)?;
         }
         self.stack_up(made, number);
         if jog { self.flush() } else { self.run_ahead() }
     }
 
     /// Makes what is planned for good, once enough was read.
-    fn run_ahead(&mut self) -> Flow {
-        if self.stack.running.is_none() {
-            if self.stack.waiting.len() < READ_AHEAD {
-                return Flow::On;
+    fn run_ahead(&mut self) -> Result<(), Break> {
+        let stack = &self.stops.station.stack;
+        if stack.running.is_none() {
+            if stack.waiting.len() < READ_AHEAD {
+                return Ok(());
             }
-            if let Err(halted) = self.begin() {
-                return self.halted(halted);
-            }
+            self.begin()?;
         }
-        match self.run_on(false) {
-            None => Flow::On,
-            Some(halted) => self.halted(halted),
-        }
+        self.run_on(false)
     }
 
     fn stack_up(&mut self, made: Move, number: u64) {
-        let of_file = self.is_of_file(made.at);
-        self.stack.push(made.at_feed(self.feed), self.watching.then_some(number));
-        if of_file {
-            self.stack.came_from_file();
+        let station = &mut self.stops.station;
+        station.stack.push(made.at_feed(station.feed), self.watching.then_some(number));
+        if station.is_of_file(made.at) {
+            station.stack.came_from_file();
         }
-    }
-
-    /// Returns `true` if a line stands in a file, and was not typed.
-    const fn is_of_file(&self, at: At) -> bool {
-        at.file as usize >= self.world.typed_files
     }
 
     /// Returns `true` if the stack takes no more moves.
     fn is_full(&self) -> bool {
-        let limit = self.world.machine.settings().stack_limit;
-        limit.is_some_and(|limit| self.stack.len() >= u64::from(limit))
+        let limit = self.stops.station.world.machine.settings().stack_limit;
+        limit.is_some_and(|limit| self.stops.station.stack.len() >= u64::from(limit))
     }
 
     /// Makes a full stack, pulls up to Safe-Z and comes back, so that the next move begins another
     /// (programming handbook, "Movement Blocks").
-    fn reload(&mut self, next: &mut Move, number: u64) -> Flow {
-        match self.flush_before(|by| next.shift(by)) {
-            Flow::On => {}
-            flow => return flow,
-        }
-        let machine = &self.world.machine;
-        let Some(safe_mm) = machine.settings().cutter.safe_z_mm else { return Flow::On };
+    fn reload(&mut self, next: &mut Move, number: u64) -> Result<(), Break> {
+        self.flush_before(|by| next.shift(by))?;
+        let Station { world, mover, .. } = &mut self.stops.station;
+        let Some(safe_mm) = world.machine.settings().cutter.safe_z_mm else { return Ok(()) };
         let mut up = next.from;
-        up[Axis::Z] = machine.frame().working_zero[Axis::Z] + safe_mm;
-        let after = self.mover.position();
-        self.mover.set_position(next.from);
+        up[Axis::Z] = world.machine.frame().working_zero[Axis::Z] + safe_mm;
+        let after = mover.position();
+        mover.set_position(next.from);
         for (kind, to) in [(MoveKind::Jog, up), (MoveKind::Cut, next.from)] {
             let line = Line { kind, to, feed: Feed::Axis };
-            let Some(made) = self.mover.line(next.at, &line) else { continue };
+            let Some(made) = self.stops.station.mover.line(next.at, &line) else { continue };
             self.stack_up(made, number);
-            match self.flush() {
-                Flow::On => {}
-                flow => return flow,
-            }
+            self.flush()?;
         }
-        self.mover.set_position(after);
-        Flow::On
+        self.stops.station.mover.set_position(after);
+        Ok(())
     }
 
-    fn take_other(&mut self, mut sourced: Sourced) -> Flow {
+    fn take_other(&mut self, mut sourced: Sourced) -> Result<(), Break> {
         if let Command::Settings(settings) = &sourced.command {
-            self.mover.settings(settings);
+            self.stops.station.mover.settings(settings);
         }
         if self.joins(&sourced.command) {
-            if self.stack.is_empty() {
+            let stack = &mut self.stops.station.stack;
+            if stack.is_empty() {
                 return self.perform(sourced.command, sourced.at);
             }
-            self.stack.mark(sourced);
-            return Flow::On;
+            stack.mark(sourced);
+            return Ok(());
         }
-        match (self.flush_before(|by| sourced.command.shift(by)), sourced.command) {
-            (Flow::On, Command::Wait { seconds }) => self.wait(seconds),
-            (Flow::On, command) => self.perform(command, sourced.at),
-            (flow, _) => flow,
+        self.flush_before(|by| sourced.command.shift(by))?;
+        match sourced.command {
+            Command::Wait { seconds } => self.wait(seconds),
+            command => self.perform(command, sourced.at),
         }
     }
 
     /// Carries out a command at rest, where it may be.
-    fn perform(&mut self, command: Command, at: At) -> Flow {
-        if let Err(over) = self.may_turn(&command, at) {
-            return Flow::Over(over);
-        }
-        self.world.perform(command);
+    fn perform(&mut self, command: Command, at: At) -> Result<(), Break> {
+        table_limits::may_turn(&mut self.stops, &command, at)?;
+        let Station { world, mover, .. } = &mut self.stops.station;
+        world.perform(command);
         // A preview begins and ends elsewhere than the last move.
-        self.mover.set_position(self.world.machine.position());
-        Flow::On
+        mover.set_position(world.machine.position());
+        Ok(())
     }
 
     /// Returns `true` if a move of Z alone begins where the torch has brought it.
     fn leaves_torch(&self, command: &Command) -> bool {
         let Command::Line(line) = command else { return false };
-        let from = self.mover.position();
+        let from = self.stops.station.mover.position();
         let stays = |axis: Axis| line.to[axis] == from[axis];
-        self.world.machine.settings().torch_on() && stays(Axis::X) && stays(Axis::Y)
+        self.stops.station.world.machine.settings().torch_on() && stays(Axis::X) && stays(Axis::Y)
     }
 
     /// Tells whether motion goes on through a command. It does not when a preview begins or ends.
     fn joins(&self, command: &Command) -> bool {
         match command {
-            Command::Settings(new) => new.mode == self.world.machine.settings().mode,
+            Command::Settings(new) => new.mode == self.stops.station.world.machine.settings().mode,
             other => !other.ends_stack(),
         }
     }
 
     /// The stack is complete: runs what is left of it.
-    pub(crate) fn flush(&mut self) -> Flow {
-        if self.stack.is_empty() {
-            return Flow::On;
+    pub(crate) fn flush(&mut self) -> Result<(), Break> {
+        if self.stops.station.stack.is_empty() {
+            return Ok(());
         }
         loop {
-            if !self.stack.waiting.is_empty()
-                && let Err(halted) = self.begin()
-            {
-                return self.halted(halted);
+            if !self.stops.station.stack.waiting.is_empty() {
+                self.begin()?;
             }
-            if let Some(halted) = self.run_on(true) {
-                return self.halted(halted);
-            }
-            if self.stack.waiting.is_empty() {
-                self.come_to_rest();
-                return Flow::On;
+            self.run_on(true)?;
+            if self.stops.station.stack.waiting.is_empty() {
+                self.stops.station.come_to_rest();
+                return Ok(());
             }
         }
     }
 
     /// Runs the stack that was read before something that was taken out of it already: a nudge
     /// meanwhile shifts that too.
-    fn flush_before(&mut self, shift: impl FnOnce(Axes)) -> Flow {
-        let before = self.nudged.unwrap_or_default();
-        let flow = self.flush();
-        if let Some(nudged) = self.nudged {
+    fn flush_before(&mut self, shift: impl FnOnce(Axes)) -> Result<(), Break> {
+        let before = self.stops.station.nudged.unwrap_or_default();
+        let flushed = self.flush();
+        if let Some(nudged) = self.stops.station.nudged {
             shift(nudged.minus(before));
         }
-        flow
-    }
-
-    pub(crate) fn halted(&mut self, halted: Halted) -> Flow {
-        match halted {
-            Halted::Watch { index, at } => self.interrupt(index, &at),
-            Halted::Taken { by, at } => self.taken(by, &at),
-            Halted::Over(over) => Flow::Over(over),
-        }
+        flushed
     }
 
     /// A watched input stopped the machine: the program's handler comes next, and those of inputs that changed in the
     /// same moment or until the machine stood.
-    pub(crate) fn interrupt(&mut self, index: usize, at: &kerf_program::Halted) -> Flow {
-        self.world.tracked().land();
-        let position = self.world.machine.position();
-        let Some(watch) = self.interpreter.watches().get(index).cloned() else { return Flow::On };
-        self.interpreter.fired(at);
-        self.interpreter.interrupt(&watch, at.motion, position);
-        let changed = self.world.machine.changed_since(self.changed_s);
+    pub(crate) fn interrupt(
+        &mut self,
+        index: usize,
+        at: &kerf_program::Halted,
+    ) -> Result<(), Break> {
+        let Station { interpreter, world, .. } = &mut self.stops.station;
+        world.tracked().land();
+        let position = world.machine.position();
+        let Some(watch) = interpreter.watches().get(index).cloned() else { return Ok(()) };
+        interpreter.fired(at);
+        interpreter.interrupt(&watch, at.motion, position);
+        let changed = world.machine.changed_since(self.changed_s);
         let fires = |w: &Watch| w.level_after_s.is_none() && changed.contains(&(w.input, w.on));
-        for other in self.interpreter.watches().into_iter().filter(fires) {
-            self.interpreter.interrupt(&other, None, position);
+        for other in interpreter.watches().into_iter().filter(fires) {
+            interpreter.interrupt(&other, None, position);
         }
-        self.begin_anew(position);
-        Flow::Interrupted
+        self.stops.station.begin_anew(position);
+        Err(Break::Interrupted)
     }
 
-    /// The machine was stopped, and the program says what follows.
-    pub(crate) fn taken(&mut self, by: StoppedBy, at: &kerf_program::Halted) -> Flow {
-        self.drive.heard();
-        self.world.tracked().land();
-        let stands = self.world.machine.position();
-        self.world.limit = match by {
-            StoppedBy::Limit(input) => Some(input),
-            _ => None,
-        };
-        self.interpreter.stopped(by, &kerf_program::Halted { stands, ..*at });
-        self.world.workspace.tape.goes_on();
-        self.begin_anew(stands);
-        Flow::Interrupted
-    }
-
-    /// Commands given so far are dropped.
-    fn begin_anew(&mut self, position: Axes) {
-        drop(self.stack.clear());
-        self.mover.set_position(position);
-        self.mover.settings(self.interpreter.settings());
-    }
-
-    /// The inputs whose changes stop the machine for the program.
-    pub(crate) fn watched(&self, begin_s: f64) -> Vec<Watched> {
-        let watched = self.interpreter.watches().into_iter().map(|w| Watched {
-            input: w.input,
-            on: w.on,
-            ramped: w.ramped,
-            level_from_s: w.level_after_s.map(|after_s| begin_s + after_s),
-        });
-        watched.chain(self.watched_for_all()).collect()
+    /// A program that finds its own way back does so at once: nothing goes on before the tool is clear.
+    fn take_up_at_rest(&mut self) -> Result<(), RunEnd> {
+        let Station { interpreter, world, stack, .. } = &self.stops.station;
+        let rests = stack.is_empty() && !world.workspace.tape.reenters_within();
+        if !(interpreter.takes_stops() && rests) {
+            return Ok(());
+        }
+        Break::unless_ended(reentry::take_up(&mut self.stops))
     }
 }
 

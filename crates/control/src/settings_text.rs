@@ -1,7 +1,8 @@
 //! Settings as a part file that sets them: the lines that UV shows, in the order in which they have
 //! to be carried out. The journal keeps settings so, and settings files (.sbd) are the same text.
 
-use crate::session::{Company, Session};
+use crate::run_context::RunContext;
+use crate::session::Session;
 use kerf_diag::Diagnostic;
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
@@ -36,13 +37,13 @@ pub fn read(text: &str) -> Result<Settings, Box<Diagnostic>> {
     let mut session = Session::default();
     let mut workspace = Workspace::in_memory(MemoryDisk::default());
     let mut events: Vec<Event> = Vec::new();
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut (),
         requests: &mut (),
         machine: crate::simulated(),
     };
-    let summary = session.run(program, options, &mut workspace, company);
+    let summary = session.run(program, options, &mut workspace, context);
     match summary.error {
         Some(error) => Err(error),
         None => Ok(session.memory.settings),

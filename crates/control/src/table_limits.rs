@@ -1,197 +1,169 @@
 //! Refusal of motion: moves that would leave the table, anything while a stop input is active or the
 //! enclosure is open.
 
-use crate::execute::Halted;
-use crate::runner::{Over, Runner};
+use crate::reentry::taken;
+use crate::run_end::{Break, RunEnd};
+use crate::stopping::Stops;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::LimitPolicy;
-use kerf_machine::lines::{Input, Output};
+use kerf_machine::lines::Output;
 use kerf_motion::{Move, Queue};
 use kerf_program::{At, Command, Independent, Interpreter, Status, StoppedBy, Turn};
-use kerf_sim::{Violation, Watched};
-
-/// Message when the interlock forbids motion or a spindle.
-const ENCLOSURE_OPEN: &str = "enclosure open";
+use kerf_sim::Violation;
 
 /// Tells whether an output turns a spindle: those of part files, or that of jobs.
 const fn turns(output: u8) -> bool {
     matches!(output, 1 | 2) || output == Output::Router.number()
 }
 
-impl<I: Interpreter> Runner<'_, I> {
-    /// Nothing moves that would leave the table, or while a stop input is active.
-    pub(crate) fn check(&mut self, moves: &Queue) -> Result<(), Over> {
-        let Some(first) = moves.front() else { return Ok(()) };
-        if self.lists_limits() {
-            moves.iter().for_each(|made| self.list_violation(&made));
-        } else if let Some((at, violation)) = self.first_outside(moves) {
-            self.limited(at, Code::OutsideLimits, self.limit_message(&violation))?;
-        }
-        let refused = moves.iter().find_map(|made| Some((made.at, self.drive.refuses(&made)?)));
-        if let Some((at, why)) = refused {
-            return Err(self.over(Status::Failed, Code::Controller, at, why));
-        }
-        self.may_move(first.at)
+/// Nothing moves that would leave the table, or while a stop input is active.
+pub(crate) fn check<I: Interpreter>(stops: &mut Stops<'_, I>, moves: &Queue) -> Result<(), RunEnd> {
+    let Some(first) = moves.front() else { return Ok(()) };
+    if lists_limits(stops) {
+        moves.iter().for_each(|made| list_violation(stops, &made));
+    } else if let Some((at, violation)) = first_outside(stops, moves) {
+        stops.limited(at, Code::OutsideLimits, limit_message(stops, &violation))?;
     }
+    let refused =
+        moves.iter().find_map(|made| Some((made.at, stops.station.drive.refuses(&made)?)));
+    if let Some((at, why)) = refused {
+        return Err(stops.station.over(Status::Failed, Code::Controller, at, why));
+    }
+    may_move(stops, first.at)
+}
 
-    /// A limit switch that is on already when a file begins to move, or whose wire is broken, stops it as one that comes
-    /// on the way. By hand the tool may be moved away from it.
-    pub(crate) fn heed_limit(&mut self) -> Result<(), Halted> {
-        let by_hand = self.world.typed_files > 0 || self.is_open_for_take_up();
-        let Some(input) = self.world.machine.limit_input().filter(|_| !by_hand) else {
-            return Ok(());
-        };
-        if self.interpreter.takes_stops() {
-            return Err(Halted::Taken { by: StoppedBy::Limit(input), at: self.stood() });
-        }
-        let message = format!("limit input {input} is active before anything moves");
-        self.world.limit = Some(input);
-        self.limited(self.last_move, Code::InputStop, message).map_err(Halted::Over)
+/// A limit switch that is on already when a file begins to move, or whose wire is broken, stops it as one that comes
+/// on the way. By hand the tool may be moved away from it.
+pub(crate) fn heed_limit<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), Break> {
+    let by_hand = stops.station.world.typed_files > 0 || stops.station.is_open_for_take_up();
+    let Some(input) = stops.station.world.machine.limit_input().filter(|_| !by_hand) else {
+        return Ok(());
+    };
+    if stops.station.interpreter.takes_stops() {
+        let stood = stops.station.stood();
+        return Err(taken(stops, StoppedBy::Limit(input), &stood));
     }
+    let message = format!("limit input {input} is active before anything moves");
+    stops.station.world.limit = Some(input);
+    Ok(stops.limited(stops.station.last_move, Code::InputStop, message)?)
+}
 
-    /// Nothing moves without a controller, or while a stop input is active. A run that has not moved
-    /// yet does not begin; another waits until the input is released.
-    pub(crate) fn may_move(&mut self, at: At) -> Result<(), Over> {
-        if self.is_open_for_take_up() {
-            return Ok(());
-        }
-        if !self.world.machine.is_connected() {
-            return Err(self.not_connected(at));
-        }
-        if self.is_ended_by_press() {
-            return Err(self.ended_by_press(at));
-        }
-        let Some(input) = self.world.machine.stop_input() else { return Ok(()) };
-        if self.world.tally.moves > 0 && self.cuts_power(input) {
-            return Err(self.power_is_cut());
-        }
-        if self.world.tally.moves > 0 && !self.interpreter.takes_stops() {
-            self.world.workspace.tape.stood(1.0);
-            return self.blocked(input);
-        }
-        Err(self.forbids(input, at))
+/// Nothing moves without a controller, or while a stop input is active. A run that has not moved
+/// yet does not begin; another waits until the input is released.
+pub(crate) fn may_move<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> Result<(), RunEnd> {
+    if stops.station.is_open_for_take_up() {
+        return Ok(());
     }
+    if !stops.station.world.machine.is_connected() {
+        return Err(stops.station.not_connected(at));
+    }
+    if stops.station.is_ended_by_press() {
+        return Err(ended_by_press(stops, at));
+    }
+    let Some(input) = stops.station.world.machine.stop_input() else { return Ok(()) };
+    if stops.station.world.tally.moves > 0 && stops.station.cuts_power(input) {
+        return Err(stops.power_is_cut());
+    }
+    if stops.station.world.tally.moves > 0 && !stops.station.interpreter.takes_stops() {
+        stops.station.world.workspace.tape.stood(1.0);
+        return stops.blocked(input);
+    }
+    Err(forbids(stops, input, at))
+}
 
-    /// The emergency stop is pressed where something is about to move or to turn: a run that has not moved yet
-    /// does not begin.
-    fn ended_by_press(&mut self, at: At) -> Over {
-        if self.world.tally.moves > 0 {
-            self.world.workspace.tape.stood(1.0);
-            return self.emergency();
-        }
-        let message = "emergency stop".to_owned();
-        let over = self.over(Status::Stopped, Code::InputStop, at, message);
-        let hint = "release it: nothing moves and nothing turns before";
-        let diagnostic = over.diagnostic.map(|why| Box::new((*why).hint(hint)));
-        Over { diagnostic, ..over }
+/// The emergency stop is pressed where something is about to move or to turn: a run that has not moved yet
+/// does not begin.
+fn ended_by_press<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> RunEnd {
+    if stops.station.world.tally.moves > 0 {
+        stops.station.world.workspace.tape.stood(1.0);
+        return stops.emergency();
     }
+    let message = "emergency stop".to_owned();
+    let hint = "release it: nothing moves and nothing turns before";
+    stops.station.over(Status::Stopped, Code::InputStop, at, message).hint(hint)
+}
 
-    /// A file whose outputs come on when it starts does not start while a stop is active.
-    pub(crate) fn may_begin(&mut self) -> Result<(), Over> {
-        self.world.machine.begin_lines();
-        if !self.world.machine.switches_on_at_start() || self.interpreter.takes_stops() {
-            return Ok(());
-        }
-        if self.is_ended_by_press() {
-            return Err(self.ended_by_press(At::default()));
-        }
-        let input = self.world.machine.stop_input();
-        input.map_or(Ok(()), |input| Err(self.forbids(input, At::default())))
+/// A file whose outputs come on when it starts does not start while a stop is active.
+pub(crate) fn may_begin<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
+    stops.station.world.machine.begin_lines();
+    if !stops.station.world.machine.switches_on_at_start()
+        || stops.station.interpreter.takes_stops()
+    {
+        return Ok(());
     }
+    if stops.station.is_ended_by_press() {
+        return Err(ended_by_press(stops, At::default()));
+    }
+    let input = stops.station.world.machine.stop_input();
+    input.map_or(Ok(()), |input| Err(forbids(stops, input, At::default())))
+}
 
-    fn forbids(&self, input: u8, at: At) -> Over {
-        let active = format!("stop input {input} is active: stop circuit open, nothing may move");
-        let message = self.stop_input_message(active);
-        self.over(Status::Stopped, Code::InputStop, at, message)
-    }
+fn forbids<I: Interpreter>(stops: &Stops<'_, I>, input: u8, at: At) -> RunEnd {
+    let active = format!("stop input {input} is active: stop circuit open, nothing may move");
+    let message = stops.station.stop_input_message(active);
+    stops.station.over(Status::Stopped, Code::InputStop, at, message)
+}
 
-    /// Returns the message about a stop input; an open enclosure says so itself.
-    pub(crate) fn stop_input_message(&self, message: String) -> String {
-        let open = self.world.machine.open_enclosure().is_some();
-        if open { ENCLOSURE_OPEN.into() } else { message }
+/// Tells whether a move of a stack that moves already would leave the table: whatever comes before it is
+/// made first, and then it is a stack of its own, about which the operator is asked.
+pub(crate) fn leaves_table<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move) -> bool {
+    if stops.station.stack.running.is_none() {
+        return false;
     }
+    if lists_limits(stops) {
+        list_violation(stops, made);
+        return false;
+    }
+    stops.station.world.machine.first_outside(std::slice::from_ref(made)).is_some()
+}
 
-    /// Tells whether a move of a stack that moves already would leave the table: whatever comes before it is
-    /// made first, and then it is a stack of its own, about which the operator is asked.
-    pub(crate) fn leaves_table(&mut self, made: &Move) -> bool {
-        if self.stack.running.is_none() {
-            return false;
-        }
-        if self.lists_limits() {
-            self.list_violation(made);
-            return false;
-        }
-        self.world.machine.first_outside(std::slice::from_ref(made)).is_some()
-    }
+/// Nothing is asked about what is only drawn.
+fn lists_limits<I: Interpreter>(stops: &Stops<'_, I>) -> bool {
+    stops.limits == LimitPolicy::List || stops.station.world.machine.draws()
+}
 
-    /// Nothing is asked about what is only drawn.
-    fn lists_limits(&self) -> bool {
-        self.limits == LimitPolicy::List || self.world.machine.draws()
+fn list_violation<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move) {
+    if let Some(violation) = stops.station.world.machine.first_outside(std::slice::from_ref(made)) {
+        let message = limit_message(stops, &violation);
+        let place = Place::line(stops.station.world.file(made.at), made.at.line);
+        let diagnostic = Diagnostic::new(Code::OutsideLimits, place, message);
+        stops.station.world.tell_diagnostic(diagnostic);
     }
+}
 
-    fn list_violation(&mut self, made: &Move) {
-        if let Some(violation) = self.world.machine.first_outside(std::slice::from_ref(made)) {
-            let message = self.limit_message(&violation);
-            let place = Place::line(self.world.file(made.at), made.at.line);
-            let diagnostic = Diagnostic::new(Code::OutsideLimits, place, message);
-            self.world.tell_diagnostic(diagnostic);
-        }
-    }
+fn first_outside<I: Interpreter>(stops: &Stops<'_, I>, moves: &Queue) -> Option<(At, Violation)> {
+    let machine = &stops.station.world.machine;
+    moves.iter().find_map(|made| Some((made.at, machine.first_outside(&[made])?)))
+}
 
-    fn first_outside(&self, moves: &Queue) -> Option<(At, Violation)> {
-        let machine = &self.world.machine;
-        moves.iter().find_map(|made| Some((made.at, machine.first_outside(&[made])?)))
+fn limit_message<I: Interpreter>(stops: &Stops<'_, I>, violation: &Violation) -> String {
+    let scale = stops.station.world.scale(violation.axis);
+    let [reached, limit] =
+        [violation.reached, violation.limit].map(|v| kerf_sbp::format_number(v / scale));
+    let letter = violation.axis.letter();
+    if violation.soft {
+        return format!(
+            "Out of bounds: {letter} would reach {reached}, it ends at {limit} (from home)"
+        );
     }
+    format!("{letter} would reach {reached}, the table limit is {limit} (table base coordinates)")
+}
 
-    fn limit_message(&self, violation: &Violation) -> String {
-        let scale = self.world.scale(violation.axis);
-        let [reached, limit] =
-            [violation.reached, violation.limit].map(|v| kerf_sbp::format_number(v / scale));
-        let letter = violation.axis.letter();
-        if violation.soft {
-            return format!(
-                "Out of bounds: {letter} would reach {reached}, it ends at {limit} (from home)"
-            );
-        }
-        format!(
-            "{letter} would reach {reached}, the table limit is {limit} (table base coordinates)"
-        )
-    }
-
-    /// No spindle and no axis of its own (MI) starts where nothing may move: in an open enclosure, while a stop is
-    /// pressed.
-    pub(crate) fn may_turn(&mut self, command: &Command, at: At) -> Result<(), Over> {
-        let starts = match command {
-            Command::Output { number, on } => *on && turns(*number),
-            Command::Independent { motion, .. } => *motion != Independent::Off,
-            Command::SpindleTurn { turn, .. } => *turn != Turn::Off,
-            Command::Pwm { percent, .. } => *percent > 0.0,
-            _ => false,
-        };
-        let stopped = self.world.machine.stop_input().is_some() || self.world.is_pressed();
-        if starts && stopped { self.may_move(at) } else { Ok(()) }
-    }
-
-    /// Watches for part files, beside what they wait for, the emergency stop of jobs, which see to it themselves.
-    pub(crate) fn watched_for_all(&self) -> Option<Watched> {
-        let (input, on) = (Input::EmergencyStop.number(), self.world.machine_is.estop.active);
-        let watched = Watched { input, on, ramped: true, level_from_s: None };
-        (!self.interpreter.takes_stops()).then_some(watched)
-    }
-
-    /// The same while the machine stands: whether it is pressed from now on.
-    pub(crate) fn watched_at_rest(&self) -> Option<Watched> {
-        let level_from_s = Some(self.world.now());
-        self.watched_for_all().map(|watched| Watched { level_from_s, ..watched })
-    }
-
-    /// Returns `true` if this watch is the emergency stop.
-    pub(crate) fn is_emergency(&self, watch: usize) -> bool {
-        watch >= self.interpreter.watches().len()
-    }
-
-    /// Returns `true` if the emergency stop of jobs is pressed while a part file runs.
-    pub(crate) fn is_ended_by_press(&self) -> bool {
-        self.world.is_pressed() && !self.interpreter.takes_stops()
-    }
+/// No spindle and no axis of its own (MI) starts where nothing may move: in an open enclosure, while a stop is
+/// pressed.
+pub(crate) fn may_turn<I: Interpreter>(
+    stops: &mut Stops<'_, I>,
+    command: &Command,
+    at: At,
+) -> Result<(), RunEnd> {
+    let starts = match command {
+        Command::Output { number, on } => *on && turns(*number),
+        Command::Independent { motion, .. } => *motion != Independent::Off,
+        Command::SpindleTurn { turn, .. } => *turn != Turn::Off,
+        Command::Pwm { percent, .. } => *percent > 0.0,
+        _ => false,
+    };
+    let stopped =
+        stops.station.world.machine.stop_input().is_some() || stops.station.world.is_pressed();
+    if starts && stopped { may_move(stops, at) } else { Ok(()) }
 }

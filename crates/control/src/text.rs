@@ -2,7 +2,8 @@
 
 use crate::StopAt;
 use crate::answers::Answers;
-use crate::session::{Company, Session};
+use crate::run_context::RunContext;
+use crate::session::Session;
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Settings;
@@ -92,12 +93,12 @@ pub fn run_text(files: &[(&str, &str)], main: &str, options: TextOptions) -> Out
     let mut events = Vec::new();
     let mut operator = Answers::read(&options.answers);
     let mut stop = StopAt(options.stop_at_s.unwrap_or(f64::INFINITY));
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut operator,
         requests: &mut stop,
         machine: crate::simulated(),
     };
-    let summary = session.run(program, options.run, &mut workspace, company);
+    let summary = session.run(program, options.run, &mut workspace, context);
     Outcome { events, summary, session, workspace }
 }

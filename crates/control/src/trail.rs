@@ -1,9 +1,10 @@
 //! At which line of the part file a run ended, for its log.
 
-use crate::part_log::{self, PartLog};
-use crate::runner::{Over, Runner};
+use crate::run_end::RunEnd;
+use crate::station::Station;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_program::{At, Interpreter, Status};
+use kerf_workspace::part_log::{self, PartLog};
 
 /// Place of the program when it was looked at last.
 #[derive(Clone, Debug, Default)]
@@ -58,39 +59,44 @@ impl Trail {
     }
 }
 
-impl<I: Interpreter> Runner<'_, I> {
-    /// Writes the line of the part file into the system log.
-    pub(crate) fn write_system_log(&mut self, over: &Over) {
-        let Some(file) = self.interpreter.file_name(self.trail.depth as u32) else { return };
-        let failed = over.diagnostic.as_deref().filter(|_| over.status == Status::Failed);
-        let line = failed.map(|error| self.ended_at(&file, Some(error)));
-        let machine = &self.world.machine;
-        let (draws, settings) =
-            (machine.draws() || self.world.previews, machine.settings().clone());
-        let seconds = self.world.now();
-        self.world.workspace.log_file(&settings, &file, draws, seconds, line);
-    }
+/// Writes the line of the part file into the system log.
+pub(crate) fn write_system_log<I: Interpreter>(station: &mut Station<'_, I>, over: &RunEnd) {
+    let Some(file) = station.interpreter.file_name(station.trail.depth as u32) else { return };
+    let failed = over.diagnostic.as_deref().filter(|_| over.status == Status::Failed);
+    let line = failed.map(|error| ended_at(station, &file, Some(error)));
+    let machine = &station.world.machine;
+    let (draws, settings) = (machine.draws() || station.world.previews, machine.settings().clone());
+    let seconds = station.world.now();
+    station.world.workspace.log_file(&settings, &file, draws, seconds, line);
+}
 
-    /// Writes the log of the part file, if there is one.
-    pub(crate) fn write_log(&mut self, log: &PartLog, over: &Over) {
-        let depth = self.trail.depth as u32;
-        let Some(file) = self.interpreter.file_name(depth) else { return };
-        let (call, error) = (self.interpreter.file_call(depth), over.diagnostic.as_deref());
-        let ended = part_log::why(over.status, error).map(|why| (self.ended_at(&file, error), why));
-        let (draws, seconds) = (self.world.machine.draws(), self.world.now());
-        let entry = log.entry(&file, draws, seconds, call, ended);
-        if let Err(error) = self.world.workspace.add_to_log(&file, &entry) {
-            let message = format!("the log of {file} cannot be written: {error}");
-            let diagnostic = Diagnostic::new(Code::FileError, Place::line(file, 1), message);
-            self.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
-        }
+/// Writes the log of the part file, if there is one.
+pub(crate) fn write_log<I: Interpreter>(
+    station: &mut Station<'_, I>,
+    log: &PartLog,
+    over: &RunEnd,
+) {
+    let depth = station.trail.depth as u32;
+    let Some(file) = station.interpreter.file_name(depth) else { return };
+    let (call, error) = (station.interpreter.file_call(depth), over.diagnostic.as_deref());
+    let ended = part_log::why(over.status, error).map(|why| (ended_at(station, &file, error), why));
+    let (draws, seconds) = (station.world.machine.draws(), station.world.now());
+    let entry = log.entry(&file, draws, seconds, call, ended);
+    if let Err(error) = station.world.workspace.add_to_log(&file, &entry) {
+        let message = format!("the log of {file} cannot be written: {error}");
+        let diagnostic = Diagnostic::new(Code::FileError, Place::line(file, 1), message);
+        station.world.tell_diagnostic(diagnostic.severity(Severity::Warning));
     }
+}
 
-    /// The line of the part file at which the run ended: that of the error, or of the call that led
-    /// to it, else that of the last move.
-    fn ended_at(&self, file: &str, error: Option<&Diagnostic>) -> u32 {
-        let places = error.into_iter().flat_map(|d| d.callers.iter().rev().chain([&d.place]));
-        let told = places.filter(|p| &*p.file == file && p.line > 0).map(|p| p.line).next();
-        told.unwrap_or_else(|| self.trail.line(self.last_move)).max(1)
-    }
+/// The line of the part file at which the run ended: that of the error, or of the call that led
+/// to it, else that of the last move.
+fn ended_at<I: Interpreter>(
+    station: &Station<'_, I>,
+    file: &str,
+    error: Option<&Diagnostic>,
+) -> u32 {
+    let places = error.into_iter().flat_map(|d| d.callers.iter().rev().chain([&d.place]));
+    let told = places.filter(|p| &*p.file == file && p.line > 0).map(|p| p.line).next();
+    told.unwrap_or_else(|| station.trail.line(station.last_move)).max(1)
 }

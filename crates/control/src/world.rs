@@ -3,28 +3,22 @@
 //! The world answers what the interpreter asks ([`Host`]) and carries out its commands, except
 //! motion, which the [`Runner`](crate::runner) plans first.
 
-use crate::answers::{self, Operator};
+use crate::answers::Operator;
 use crate::drive::{Drive, Heard};
 use crate::heights::{self, Carried};
+use crate::stopped_spindles::Turning;
 use crate::tracked::Tracked;
-use crate::turning::Turning;
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
-use kerf_journal::{Kind, Placed, Press};
-use kerf_machine::lines::{Input, Output};
-use kerf_machine::settings::laser::Laser;
+use kerf_journal::Placed;
 use kerf_machine::{Actuator, Configuration, Driven, Going};
-use kerf_program::job::{Heights, InForce};
-use kerf_program::settings::SWITCHES;
+use kerf_program::job::InForce;
 use kerf_program::{
-    Answer, At, Axes, Axis, AxisSet, Button, Command, FileCall, Frame, Independent, OutputReason,
-    Question, QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
+    Answer, At, Axes, Axis, AxisSet, Command, FileCall, Frame, OutputReason, Question,
+    SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
-use kerf_sim::{Happening, Machine, Physics, What};
-use kerf_trace::{
-    Doing, Made, OpenFile, Sink, Standing, Tally,
-    event::{AskEvent, Event, Partial, Place},
-    flag,
-};
+use kerf_sim::{Machine, Physics};
+use kerf_trace::event::{Event, Partial, Place};
+use kerf_trace::{Doing, Made, OpenFile, Sink, Standing, Tally, flag};
 use kerf_workspace::{Workspace, confirm, unconfirmed};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -32,19 +26,6 @@ use std::sync::Arc;
 /// A line of the print window that grows beyond this is told in parts, bytes: a loop that prints
 /// without end must not eat the memory.
 const LONGEST_LINE: usize = 1_000_000;
-
-/// Words that a job that waits is told besides its buttons: an example of each.
-const TELLS_JOBS: &str = "cut 3000, plunge 600, zbottom -0.5, height 0.1, raise no, move x 10; before it starts \
-                          next, previous, 3";
-
-/// Reason for which a question has no answer.
-#[derive(Debug)]
-pub(crate) enum Unanswered {
-    /// The operator stopped the machine instead.
-    Stopped,
-    /// The answer is no button of the box: what is told of it.
-    NoButton(String),
-}
 
 pub(crate) struct World<'a> {
     pub machine: Machine,
@@ -55,7 +36,7 @@ pub(crate) struct World<'a> {
     pub tally: Tally,
     pub workspace: &'a mut Workspace,
     sink: &'a mut dyn Sink,
-    operator: &'a mut dyn Operator,
+    pub operator: &'a mut dyn Operator,
     /// The settings whose units events are told in.
     settings: Arc<Settings>,
     /// Names of the files that places speak of.
@@ -87,11 +68,11 @@ pub(crate) struct World<'a> {
     /// Axes that can be homed.
     pub homes: AxisSet,
     /// The heights of a job.
-    heights: Carried,
+    pub heights: Carried,
     /// The pulse frequency of a laser, where one was set.
-    laser_hz: Option<f64>,
+    pub laser_hz: Option<f64>,
     /// The spindle was switched in this run.
-    spindle_switched: bool,
+    pub spindle_switched: bool,
     /// Spindles and axes that a stop input stopped while somebody was asked.
     pub stopped: Turning,
     /// The limit switch that the next question about limits is about; without one it is about the table.
@@ -100,13 +81,12 @@ pub(crate) struct World<'a> {
 
 impl<'a> World<'a> {
     pub fn new(
-        machine: Machine,
+        mut machine: Machine,
         workspace: &'a mut Workspace,
         sink: &'a mut dyn Sink,
         operator: &'a mut dyn Operator,
         driven: Driven,
     ) -> Self {
-        let mut machine = machine;
         let (own, settings) = (machine.lend(&driven), machine.settings().clone());
         Self {
             machine,
@@ -155,7 +135,7 @@ impl<'a> World<'a> {
 
     /// Has the machine set something, in its place between two moves. What is told again was set before, and what is
     /// only drawn sets nothing.
-    fn set(&self, actuator: &Actuator) {
+    pub fn set(&self, actuator: &Actuator) {
         if !self.silent && !self.machine.draws() {
             self.driven.borrow_mut().set(actuator);
         }
@@ -287,33 +267,6 @@ impl<'a> World<'a> {
         self.settings.linear_unit.symbol()
     }
 
-    /// Tells what the machine logged.
-    pub fn tell_log(&mut self) {
-        if self.machine.log().is_empty() {
-            return;
-        }
-        let bits = |is_on: &dyn Fn(u8) -> bool| {
-            (1..=SWITCHES as u8).filter(|n| is_on(*n)).fold(0, |bits, n| bits | 1 << (n - 1))
-        };
-        let inputs = bits(&|n| self.machine.input(n));
-        let outputs = bits(&|n| self.machine.outputs().is_on(n));
-        self.workspace.tape.switches(inputs, outputs);
-        let happenings: Vec<Happening> = self.machine.log().take().collect();
-        for happening in happenings {
-            match happening.what {
-                What::LaserFrequency(hz) => self.laser_hz = Some(hz),
-                What::Output { number: SPINDLE_OUTPUT, .. } => self.spindle_switched = true,
-                What::Pushed { axis, by } => self.tracked().pushed(axis, by),
-                _ => {}
-            }
-            if let Some(actuator) = actuator(&happening.what) {
-                self.set(&actuator);
-            }
-            let event = self.happened(&happening);
-            self.tell(&event);
-        }
-    }
-
     /// A spindle that was switched in a run and is off at its end counts as active no longer: whoever
     /// starts it next is asked again.
     pub fn spindle_rests(&mut self) {
@@ -321,67 +274,6 @@ impl<'a> World<'a> {
         {
             self.workspace.set_value(SPINDLE_STATUS, Some("0"));
         }
-    }
-
-    fn happened(&mut self, happening: &Happening) -> Event {
-        let t = happening.t_s;
-        match happening.what {
-            What::Input { number, on } => {
-                Event::Input { n: number, on, t, name: Input::of_number(number).map(Input::name) }
-            }
-            What::Link(up) => {
-                let state = if up { "connected" } else { "not connected" };
-                Event::State { state: state.into(), why: "".into(), t }
-            }
-            What::Stall(stalled) => {
-                let state = if stalled { "stalled" } else { "free" };
-                Event::State { state: state.into(), why: "".into(), t }
-            }
-            What::Intensity { value, burn } => Event::Intensity {
-                value,
-                byte: intensity_byte(value, burn),
-                port: self.machine_is.intensity.port,
-                pulse_us: self.laser_hz.map(|hz| Laser::pulse_us(hz, value)),
-                t,
-            },
-            What::Height { z_mm, error_mm, reading } => {
-                let Heights { top_mm: top, surface_mm: surface, .. } = self.heights.at(z_mm);
-                let off = error_mm.abs() > self.machine_is.height.display_accuracy_mm;
-                Event::Height { z: z_mm, error: error_mm, reading, off, surface, top, t }
-            }
-            What::Carried { z_mm } => heights::event(self.heights.at(z_mm), t),
-            What::LaserFrequency(hz) => Event::LaserHz { hz, t },
-            What::Output { number, on, why } => Event::Output {
-                n: number,
-                on,
-                t,
-                why,
-                name: Output::of_number(number).map(Output::name),
-            },
-            What::Pwm { channel, percent, frequency_khz } => {
-                Event::Pwm { channel, percent, t, khz: frequency_khz }
-            }
-            What::Spindle { number, rpm, on } => Event::Spindle { rpm, on, t, n: number },
-            What::Light(on) => Event::Light { on, t },
-            What::Motors(on) => Event::Motors { on, t },
-            What::Pushed { axis, by } => {
-                Event::HandMove { axis: axis.letter(), by: by / self.scale(axis), t }
-            }
-            What::Resolution(multipliers) => Event::Resolution { multipliers, t },
-            What::Independent { axis, motion } => self.independent(axis, motion, t),
-        }
-    }
-
-    fn independent(&self, axis: Axis, motion: Independent, t: f64) -> Event {
-        let scale = self.scale(axis);
-        let (speed, frequency, distance) = match motion {
-            Independent::Off => (0.0, 0.0, 0.0),
-            Independent::Rotate(speed) => (speed / scale, 0.0, 0.0),
-            Independent::Oscillate { frequency_hz, distance } => {
-                (0.0, frequency_hz, distance / scale)
-            }
-        };
-        Event::Independent { axis: axis.letter(), speed, frequency, distance, t }
     }
 
     /// Carries out a command that is no motion and takes no time.
@@ -509,133 +401,4 @@ impl<'a> World<'a> {
             self.end_line();
         }
     }
-
-    /// Asks the operator and tells it.
-    ///
-    /// # Errors
-    /// The operator stops instead, or the script answers with a button that the box does not have.
-    pub fn ask_now(&mut self, question: &Question, at: At) -> Result<Answer, Unanswered> {
-        self.machine.warning_off();
-        self.tell_log();
-        let given = self.hear_answer(question, at)?;
-        let scripted = given.is_some();
-        let answer = match given {
-            None if self.previews => answers::previewed_answer(question),
-            None => answers::unattended_answer(question),
-            Some(words) => answers::meaning(question, &words)
-                .ok_or_else(|| Unanswered::NoButton(self.fits_nothing(question, &words)))?,
-        };
-        self.told_question(question, &answer, scripted, at);
-        if question.kind == QuestionKind::Limit && answer == Answer::Button(Button::Continue) {
-            // Going on beyond the table says nothing of the switches, and one switch nothing of the others.
-            match self.limit.take() {
-                Some(input) => self.machine.override_switch(input),
-                None => self.machine.override_table(),
-            }
-        }
-        Ok(answer)
-    }
-
-    /// Returns the message about an answer that a box does not take.
-    fn fits_nothing(&self, question: &Question, words: &str) -> String {
-        let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
-        let buttons = buttons.join(", ");
-        let line = self.operator.script_line().map(|line| format!("line {line} of the answers: "));
-        let line = line.unwrap_or_default();
-        if question.kind == QuestionKind::Paused {
-            let told = "tells a job that waits nothing";
-            return format!("{line}'{words}' {told} (it takes {buttons}, {TELLS_JOBS})");
-        }
-        format!("{line}the answer '{words}' is no button of this box ({buttons})")
-    }
-
-    /// The operator moves the tool by hand while a question is open.
-    pub fn moved_by_hand(&mut self) {
-        if !self.silent {
-            self.operator.moves();
-        }
-    }
-
-    /// An input has answered what the operator was asked.
-    pub fn answered(&mut self) {
-        if !self.silent {
-            self.operator.answered();
-        }
-    }
-
-    /// Hears what the operator says. He may move switches of the simulated machine before; the one that the
-    /// question waits for answers it, and so do the keys of a pendant.
-    fn hear_answer(&mut self, question: &Question, at: At) -> Result<Option<String>, Unanswered> {
-        let file = self.file(at);
-        loop {
-            let operator = &mut self.operator;
-            let (given, gives_up) = self.workspace.tape.change(Kind::Answer, || {
-                let given = operator.answer_in(question, &file, at.line);
-                let gives_up = given.is_none() && operator.gives_up();
-                (given, gives_up)
-            });
-            if gives_up {
-                return Err(Unanswered::Stopped);
-            }
-            let Some(press) = given.as_deref().and_then(Press::read) else { return Ok(given) };
-            let Press { number: input, on } = press;
-            self.tracked().press(input, on);
-            self.tell_log();
-            self.heed_switch();
-            let ok = Button::OK.word();
-            let waits = question.until.is_some_and(|(n, on)| self.machine.input(n) == on);
-            let said = if waits { Some(ok) } else { self.said_by_key(question, input) };
-            if said == Some(ok) {
-                self.answered();
-            }
-            if let Some(said) = said {
-                return Ok(Some(said.into()));
-            }
-        }
-    }
-
-    /// An input that the program waits for answered for the operator.
-    pub fn answered_by_input(&mut self, answer: Answer, at: At) {
-        if let Some(question) = self.question.take() {
-            self.told_question(&question, &answer, true, at);
-            self.answer = Some(answer);
-        }
-    }
-
-    fn told_question(&mut self, question: &Question, answer: &Answer, scripted: bool, at: At) {
-        let default = answers::words(&answers::default_answer(question));
-        let nothing_typed =
-            answers::takes_text(question.kind) && *answer == Answer::Button(Button::OK);
-        let event = Event::Ask(AskEvent {
-            kind: question.kind,
-            text: question.text.clone(),
-            title: question.title.clone(),
-            buttons: question.buttons.iter().map(|b| b.word()).collect(),
-            answer: if nothing_typed { default.clone() } else { answers::words(answer) },
-            default,
-            scripted,
-            t: self.now(),
-            file: self.file(at),
-            line: at.line,
-        });
-        self.tell(&event);
-    }
-}
-
-/// Returns the actuator that is set where this happens; nothing where it is only noticed.
-pub(crate) const fn actuator(what: &What) -> Option<Actuator> {
-    Some(match *what {
-        What::Output { number, on, why } => Actuator::Output { number, on, why },
-        What::Spindle { rpm, .. } => Actuator::Spindle { rpm },
-        What::Pwm { percent, .. } => Actuator::Pwm { percent },
-        What::Intensity { value, burn } => {
-            Actuator::Intensity { byte: intensity_byte(value, burn) }
-        }
-        _ => return None,
-    })
-}
-
-/// The byte of the intensity output: the value, and the burn bit below it.
-const fn intensity_byte(value: u8, burn: bool) -> u8 {
-    2 * value + burn as u8
 }

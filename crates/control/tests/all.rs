@@ -13,6 +13,7 @@ mod interlock;
 mod journal;
 mod machine_file;
 mod no_switch;
+mod queued;
 mod registry;
 mod runs;
 mod settings_files;

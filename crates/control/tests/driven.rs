@@ -1,7 +1,7 @@
 //! A run that somebody watches and drives from outside while it goes on.
 
 use kerf_control::answers::Operator;
-use kerf_control::{Company, OperatorRequest, Requests, Session};
+use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
@@ -70,8 +70,8 @@ fn run_seen(
     session.memory.settings.use_linear_unit(LinearUnit::Inch);
     let mut workspace = Workspace::in_memory(MemoryDisk::default());
     let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
-    let company = Company { sink, operator, requests, machine: kerf_control::simulated() };
-    let summary = session.run(program, RunOptions::default(), &mut workspace, company);
+    let context = RunContext { sink, operator, requests, machine: kerf_control::simulated() };
+    let summary = session.run(program, RunOptions::default(), &mut workspace, context);
     (summary, session)
 }
 

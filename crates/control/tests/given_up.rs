@@ -6,7 +6,7 @@ use crate::taking_up::{
     uninterrupted,
 };
 use kerf_control::answers::{Answers, Operator};
-use kerf_control::{Company, OperatorRequest, Script, StopAt};
+use kerf_control::{OperatorRequest, RunContext, Script, StopAt};
 use kerf_journal::Journal;
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
@@ -28,7 +28,7 @@ fn a_run_that_was_given_up_goes_on_where_it_stood() {
         let first = same_rest(&whole, &rest, line);
         assert!(near(&first.from, &stood.unwrap().to), "line {line}: {first:?}");
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        assert!(journal.cut_short().unwrap().is_none(), "it is done");
+        assert!(journal.runs.cut_short().unwrap().is_none(), "it is done");
     }
 }
 
@@ -41,7 +41,7 @@ fn a_job_that_was_given_up_in_a_pause_is_taken_up() {
         let (_, status) = run_work(&folder, job(machine), &mut StopAt(5.4), &mut answers);
         assert_eq!(status, Some(Status::Stopped));
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        (folder, journal.cut_short().unwrap())
+        (folder, journal.runs.cut_short().unwrap())
     };
     // Also when he has moved the tool before.
     for answers in ["paused=abort", "jog 0,30,0,0,0,0 1\njog 5,30,0,0,0,0 1\nabort"] {
@@ -64,13 +64,13 @@ fn a_job_that_was_given_up_in_a_pause_is_taken_up() {
 fn a_job_that_was_about_to_be_given_up_asks_again() {
     let folder = tempdir().unwrap();
     let operator = &mut Answers::read("paused=abort");
-    let company = Company {
+    let context = RunContext {
         sink: &mut PowerCutTold("abort"),
         operator,
         requests: &mut StopAt(5.4),
         machine: kerf_control::simulated(),
     };
-    assert_eq!(run_in(&folder, job(|_| ()), company), None, "the power failed");
+    assert_eq!(run_in(&folder, job(|_| ()), context), None, "the power failed");
     let (said, status) = resume(&folder, "paused=abort");
     assert_eq!((asked(&said).len(), status), (1, Status::Stopped), "{said:#?}");
     let (rest, status) = resume(&folder, "hold=Resume\npaused=Resume");
@@ -182,13 +182,13 @@ fn a_held_run_that_was_about_to_be_given_up_goes_on() {
     let whole = uninterrupted();
     let (folder, at_s) = (tempdir().unwrap(), middle(&whole, 5));
     let pace = &mut Script::new(vec![(at_s, OperatorRequest::Hold)], Vec::new());
-    let company = Company {
+    let context = RunContext {
         sink: &mut PowerCutIn("idle"),
         operator: &mut (),
         requests: pace,
         machine: kerf_control::simulated(),
     };
-    assert_eq!(run_in(&folder, part(), company), None, "the power failed");
+    assert_eq!(run_in(&folder, part(), context), None, "the power failed");
     let (rest, status) = resume(&folder, "hold=Resume");
     assert_eq!((asked(&rest), status), (vec![READY], Status::Ok), "{rest:#?}");
     same_rest(&whole, &rest, 5);

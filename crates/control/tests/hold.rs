@@ -1,7 +1,7 @@
 //! Runs that the operator stops in the middle: resumed, nudged, given up.
 
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Outcome, Script, Session, TextOptions, run_text};
+use kerf_control::{OperatorRequest, Outcome, RunContext, Script, Session, TextOptions, run_text};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
@@ -81,7 +81,7 @@ fn stopped_again(
     let mut operator = Answers::read(answers);
     let requests = [&[(2.0, OperatorRequest::Stop)], requests].concat();
     let mut pace = Script::new(requests, Vec::new());
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut operator,
         requests: &mut pace,
@@ -89,7 +89,7 @@ fn stopped_again(
     };
     let options = RunOptions { inputs: inputs.to_vec(), ..RunOptions::default() };
     let program = kerf_sbp::read("a.sbp".into(), format!("SO,1,1\n{SQUARE}").as_bytes());
-    let summary = session.run(program, options, &mut workspace, company);
+    let summary = session.run(program, options, &mut workspace, context);
     (summary, events)
 }
 
@@ -176,7 +176,7 @@ fn stopped_by_both(input: u8, by_hand: OperatorRequest, answers: &str) -> (Summa
     let mut workspace = Workspace::in_memory(MemoryDisk::default());
     let mut operator = Answers::read(answers);
     let mut pace = Script::new(vec![(2.01, by_hand)], Vec::new());
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut operator,
         requests: &mut pace,
@@ -186,7 +186,7 @@ fn stopped_by_both(input: u8, by_hand: OperatorRequest, answers: &str) -> (Summa
     let inputs = vec![pressed(2.0, true), pressed(9.0, false)];
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_sbp::read("a.sbp".into(), b"MS,4,4\nMX,20\n");
-    let summary = session.run(program, options, &mut workspace, company);
+    let summary = session.run(program, options, &mut workspace, context);
     (summary, events)
 }
 
@@ -336,7 +336,7 @@ impl Shop {
     ) -> (Summary, Vec<Event>) {
         let mut events = Vec::new();
         let mut operator = Answers::read(answers);
-        let company = Company {
+        let context = RunContext {
             sink: &mut events,
             operator: &mut operator,
             requests: &mut (),
@@ -344,7 +344,7 @@ impl Shop {
         };
         let options = RunOptions { inputs: input.into_iter().collect(), ..RunOptions::default() };
         let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
-        let summary = self.session.run(program, options, &mut self.workspace, company);
+        let summary = self.session.run(program, options, &mut self.workspace, context);
         (summary, events)
     }
 
@@ -353,14 +353,14 @@ impl Shop {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut events: Vec<Event> = Vec::new();
-        let company = Company {
+        let context = RunContext {
             sink: &mut events,
             operator: &mut (),
             requests: &mut (),
             machine: kerf_control::simulated(),
         };
         let typed = kerf_sbp::read_typed("command".into(), lines);
-        self.session.run(typed, options, &mut self.workspace, company);
+        self.session.run(typed, options, &mut self.workspace, context);
         let told = events.iter().filter_map(|event| match event {
             Event::Message { text, .. } => Some(&**text),
             _ => None,

@@ -2,7 +2,7 @@
 //! released and somebody says so.
 
 use kerf_control::answers::Operator;
-use kerf_control::{Company, OperatorRequest, Requests, Script, Session};
+use kerf_control::{OperatorRequest, Requests, RunContext, Script, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::lines::Input;
@@ -78,7 +78,7 @@ impl Run {
         let mut events = Vec::new();
         let mut operator = Says(self.says.into());
         let mut pace = Script::new(self.requests, self.resumes);
-        let company = Company {
+        let context = RunContext {
             sink: &mut events,
             operator: &mut operator,
             requests: &mut pace,
@@ -86,7 +86,7 @@ impl Run {
         };
         let options = RunOptions { inputs: self.inputs, ..RunOptions::default() };
         let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
-        let summary = session.run(program, options, &mut workspace, company);
+        let summary = session.run(program, options, &mut workspace, context);
         Ran { summary, events, session }
     }
 }
@@ -517,12 +517,12 @@ fn a_feed_does_not_keep_a_stop_from_a_program_that_only_computes() {
     let program = moves.chain(["&n=0\nA:\n&n=&n+1\nGOTO A\n".to_owned()]).collect::<String>();
     let program = kerf_sbp::read("part.sbp".into(), program.as_bytes());
     let mut workspace = Workspace::in_memory(MemoryDisk::default());
-    let company = Company {
+    let context = RunContext {
         sink: &mut (),
         operator: &mut (),
         requests: &mut Busy(0),
         machine: kerf_control::simulated(),
     };
-    let ran = Session::default().run(program, RunOptions::default(), &mut workspace, company);
+    let ran = Session::default().run(program, RunOptions::default(), &mut workspace, context);
     assert_eq!(ran.status, Status::Stopped);
 }

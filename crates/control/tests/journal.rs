@@ -1,6 +1,6 @@
 //! The journal of a machine, beside runs that are kept in it.
 
-use kerf_control::{Company, Session, TextOptions, run_text, settings_text};
+use kerf_control::{RunContext, Session, TextOptions, run_text, settings_text};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_journal::{facts::Fact, *};
 use kerf_workspace::{Workspace, stored::Stored};
@@ -31,14 +31,14 @@ fn run(folder: &TempDir, program: &str, date: &str) -> Session {
     let (mut session, mut workspace) = recalled(folder, program);
     let started = Some(Started { time: "12:00:00".into(), date: date.into() });
     let options = RunOptions { started, ..RunOptions::default() };
-    let company = Company {
+    let context = RunContext {
         sink: &mut (),
         operator: &mut (),
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());
-    session.run_on_record(program, options, None, &mut workspace, company).unwrap();
+    session.run_on_record(program, options, None, &mut workspace, context).unwrap();
     session
 }
 
@@ -47,9 +47,9 @@ fn sbp_val_va_store() {
     let folder = tempdir().unwrap();
     let session = after("M3,4,5,6\nZT\nM3,8,10,12\nVA,1,2,3\nVC,.375\nSR\n");
     let (journal, _) = opened(&folder);
-    assert_eq!(journal.remembered(settings_text::read).unwrap(), None);
-    journal.remember(&session.memory, &session.gcode).unwrap();
-    let back = opened(&folder).0.remembered(settings_text::read).unwrap().unwrap();
+    assert_eq!(journal.memory.read(settings_text::read).unwrap(), None);
+    journal.memory.keep(&session.memory, &session.gcode).unwrap();
+    let back = opened(&folder).0.memory.read(settings_text::read).unwrap().unwrap();
     assert_eq!(back.whereabouts, Whereabouts::Known);
     assert_eq!(
         (back.memory.position, back.memory.frame),
@@ -67,8 +67,8 @@ fn what_g_code_remembers_comes_back() {
     let session = run_text(&[("a.nc", program)], "a.nc", TextOptions::default()).session;
     let folder = tempdir().unwrap();
     let (journal, _) = opened(&folder);
-    journal.remember(&session.memory, &session.gcode).unwrap();
-    assert_eq!(journal.remembered(settings_text::read).unwrap().unwrap().gcode, session.gcode);
+    journal.memory.keep(&session.memory, &session.gcode).unwrap();
+    assert_eq!(journal.memory.read(settings_text::read).unwrap().unwrap().gcode, session.gcode);
 }
 
 #[test]
@@ -77,8 +77,8 @@ fn of_a_preview_the_place_before_it_is_kept_and_what_was_set() {
     let (journal, _) = opened(&folder);
     let kept = |program: &str| {
         let session = after(program);
-        journal.remember(&session.memory, &session.gcode).unwrap();
-        journal.remembered(settings_text::read).unwrap().unwrap().memory
+        journal.memory.keep(&session.memory, &session.gcode).unwrap();
+        journal.memory.read(settings_text::read).unwrap().unwrap().memory
     };
     assert_eq!(kept("MX,1\nSP\nMX,5\nZX\nVC,2"), kept("MX,1\nVC,2"));
 }
@@ -99,25 +99,25 @@ fn a_nudge_is_kept() {
 fn values_are_seen_by_everybody_at_once() {
     let folder = tempdir().unwrap();
     let (mine, theirs) = (opened(&folder).0, opened(&folder).0);
-    mine.set_value("uValue", Some("hello")).unwrap();
-    assert_eq!(theirs.value("uValue").unwrap().as_deref(), Some("hello"));
-    theirs.set_value("uValue", None).unwrap();
-    assert_eq!(mine.values().unwrap(), []);
+    mine.registry.set_value("uValue", Some("hello")).unwrap();
+    assert_eq!(theirs.registry.value("uValue").unwrap().as_deref(), Some("hello"));
+    theirs.registry.set_value("uValue", None).unwrap();
+    assert_eq!(mine.registry.values().unwrap(), []);
 }
 
 #[test]
 fn what_the_machine_says_of_itself_is_no_value_that_others_write() {
     let folder = tempdir().unwrap();
     let (journal, _) = opened(&folder);
-    journal.state(Fact::PositionLost, Some("XY")).unwrap();
+    journal.registry.state(Fact::PositionLost, Some("XY")).unwrap();
     for fact in Fact::ALL {
-        journal.set_value(fact.key(), Some("1")).unwrap();
+        journal.registry.set_value(fact.key(), Some("1")).unwrap();
         let told = (fact == Fact::PositionLost).then_some("XY");
-        assert_eq!(journal.value(fact.key()).unwrap().as_deref(), told, "{fact:?}");
+        assert_eq!(journal.registry.value(fact.key()).unwrap().as_deref(), told, "{fact:?}");
     }
-    assert_eq!(journal.values().unwrap(), [("PositionLost".into(), "XY".into())]);
-    journal.set_value("PositionLost", None).unwrap();
-    assert_eq!(journal.value("PositionLost").unwrap().as_deref(), Some("XY"));
+    assert_eq!(journal.registry.values().unwrap(), [("PositionLost".into(), "XY".into())]);
+    journal.registry.set_value("PositionLost", None).unwrap();
+    assert_eq!(journal.registry.value("PositionLost").unwrap().as_deref(), Some("XY"));
 }
 
 #[test]
@@ -135,10 +135,10 @@ fn who_only_looks_leaves_nothing() {
     let folder = tempdir().unwrap();
     assert!(Journal::look(folder.path()).unwrap().is_none());
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
-    opened(&folder).0.set_value("a", Some("1")).unwrap();
+    opened(&folder).0.registry.set_value("a", Some("1")).unwrap();
     let looked = Journal::look(folder.path()).unwrap().unwrap();
-    assert_eq!(looked.value("a").unwrap().as_deref(), Some("1"));
-    assert!(looked.set_value("a", Some("2")).is_err());
+    assert_eq!(looked.registry.value("a").unwrap().as_deref(), Some("1"));
+    assert!(looked.registry.set_value("a", Some("2")).is_err());
 }
 
 #[test]
@@ -150,10 +150,10 @@ fn a_clock_that_jumps_changes_nothing() {
     let (journal, told) = opened(&folder);
     assert_eq!(told, [""; 0]);
     let dates: Vec<_> =
-        journal.history().unwrap().into_iter().map(|p| p.started.unwrap().date).collect();
+        journal.runs.history().unwrap().into_iter().map(|p| p.started.unwrap().date).collect();
     assert_eq!(dates, ["2026-11-21", "1970-01-01", "2038-01-19"], "in the order of the runs");
     assert_eq!(
-        journal.remembered(settings_text::read).unwrap().unwrap().memory.position.0[0],
+        journal.memory.read(settings_text::read).unwrap().unwrap().memory.position.0[0],
         3.0 * 25.4
     );
 }
@@ -199,11 +199,15 @@ fn a_damaged_journal_is_rescued() {
             told[0].starts_with("the journal was damaged") && told.len() > 2,
             "{what}: {told:?}"
         );
-        let memory = journal.remembered(settings_text::read).unwrap().unwrap().memory;
+        let memory = journal.memory.read(settings_text::read).unwrap().unwrap().memory;
         assert_eq!(memory.position.0[0], 50.8, "{what}");
         assert!((memory.settings.cutter.diameter_mm - 9.525).abs() < 1e-9, "{what}");
-        assert_eq!(journal.value("uValue").unwrap().as_deref(), Some("hello"), "{what}");
-        assert_eq!(journal.value("PositionLost").unwrap().as_deref(), Some("XYZABC"), "{what}");
+        assert_eq!(journal.registry.value("uValue").unwrap().as_deref(), Some("hello"), "{what}");
+        assert_eq!(
+            journal.registry.value("PositionLost").unwrap().as_deref(),
+            Some("XYZABC"),
+            "{what}"
+        );
         assert!(folder.path().join("journal.damaged-1.db").is_file(), "{what}");
         assert_eq!(opened(&folder).1, [""; 0], "{what}: sound again");
     }
@@ -234,14 +238,14 @@ fn killed() -> Vec<(&'static str, Option<Vec<u8>>)> {
     let folder = tempdir().unwrap();
     let values = |numbers: std::ops::Range<u32>| {
         let (journal, _) = opened(&folder);
-        numbers.for_each(|n| journal.set_value(&format!("key{n}"), Some("kept")).unwrap());
+        numbers.for_each(|n| journal.registry.set_value(&format!("key{n}"), Some("kept")).unwrap());
         journal
     };
     values(0..30);
     run(&folder, "MX,1\n", "2026-11-21");
     let journal = values(30..60);
     let session = after("MX,2\n");
-    journal.remember(&session.memory, &session.gcode).unwrap();
+    journal.memory.keep(&session.memory, &session.gcode).unwrap();
     // The files are read while the journal is open: as a kill leaves them.
     files_of(&folder)
 }
@@ -257,10 +261,11 @@ fn opened_after(
     damage(&mut files.iter_mut().find(|(it, _)| *it == name).unwrap().1);
     let folder = folder_of(&files);
     let (journal, told) = opened(&folder);
-    let values = journal.values().unwrap().into_iter().filter(|(_, value)| value == "kept").count();
+    let values =
+        journal.registry.values().unwrap().into_iter().filter(|(_, value)| value == "kept").count();
     let position =
-        journal.remembered(settings_text::read).unwrap().map(|it| it.memory.position.0[0]);
-    let verified = journal.value(kerf_sbp::POSITION_LOST).unwrap().is_none();
+        journal.memory.read(settings_text::read).unwrap().map(|it| it.memory.position.0[0]);
+    let verified = journal.registry.value(kerf_sbp::POSITION_LOST).unwrap().is_none();
     drop(journal);
     assert_eq!(opened(&folder).1, [""; 0], "{name}: whole again");
     (told, position.unwrap_or_default(), values, verified)
@@ -337,7 +342,7 @@ fn at_rest_everything_is_in_the_file_itself() {
     run(&folder, "MX,1\nSetUsrVal, hello\n", "2026-11-21");
     let wal = folder.path().join("journal.db-wal");
     assert_eq!(fs::metadata(&wal).map_or(0, |it| it.len()), 0, "a run is over");
-    journal.set_value("uValue", Some("hi")).unwrap();
+    journal.registry.set_value("uValue", Some("hi")).unwrap();
     assert!(fs::metadata(&wal).unwrap().len() > 0);
     journal.rest().unwrap();
     assert_eq!(fs::metadata(&wal).map_or(0, |it| it.len()), 0);

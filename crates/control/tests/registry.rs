@@ -3,7 +3,7 @@
 
 use crate::taking_up::on_record;
 use kerf_control::answers::Operator;
-use kerf_control::{Company, OperatorRequest, Requests, Session};
+use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_journal::{INCOMING_FILE, Journal, Live, MIRROR_FILE, RunOptions};
 use kerf_program::Question;
@@ -28,7 +28,7 @@ struct Onlooker {
 
 impl Onlooker {
     fn look(&self, when: String) {
-        self.seen.borrow_mut().push((when, self.journal.live().unwrap()));
+        self.seen.borrow_mut().push((when, self.journal.registry.live().unwrap()));
     }
 }
 
@@ -92,7 +92,7 @@ fn seen_of(
         ..RunOptions::default()
     };
     options.program.typed = typed.is_some();
-    let company = Company {
+    let context = RunContext {
         sink: &mut (),
         operator: &mut operator,
         requests: &mut pace,
@@ -100,8 +100,8 @@ fn seen_of(
     };
     let mut session = Session::default();
     session.memory.settings.warning_s = 0.0;
-    session.run_on_record(read, options, None, &mut workspace, company).unwrap();
-    assert_eq!(looks().live().unwrap(), Live::default(), "nothing runs any more");
+    session.run_on_record(read, options, None, &mut workspace, context).unwrap();
+    assert_eq!(looks().registry.live().unwrap(), Live::default(), "nothing runs any more");
     all.take()
 }
 
@@ -114,7 +114,7 @@ fn status(program: &str, when: &str) -> u8 {
 fn sbp_ctl_reg_status() {
     assert_eq!(status("MX,5\n", "passing"), 33);
     let idle = Journal::open(tempfile::tempdir().unwrap().path()).unwrap().0;
-    assert_eq!(idle.live().unwrap().status, 0);
+    assert_eq!(idle.registry.live().unwrap().status, 0);
 }
 
 #[test]
@@ -162,13 +162,17 @@ fn sbp_ctl_reg_bit2__at_rest() {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let mut workspace = Workspace::in_memory(MemoryDisk::default());
-        let company =
-            Company { sink: &mut (), operator: &mut (), requests: &mut (), machine: on_record() };
+        let context = RunContext {
+            sink: &mut (),
+            operator: &mut (),
+            requests: &mut (),
+            machine: on_record(),
+        };
         session.run(
             kerf_part::read("typed".into(), line.as_bytes()),
             options,
             &mut workspace,
-            company,
+            context,
         );
         session.look(Live::at_rest).status
     };
@@ -239,7 +243,7 @@ fn other_programs_read_and_write_text_files() {
     seen(&folder, program, false, f64::INFINITY);
     assert!(!folder.path().join(INCOMING_FILE).exists(), "it was taken");
     let (journal, _) = Journal::open(folder.path()).unwrap();
-    assert_eq!(journal.value("$W").unwrap().as_deref(), Some("17"), "the program saw it");
+    assert_eq!(journal.registry.value("$W").unwrap().as_deref(), Some("17"), "the program saw it");
     let text = fs::read_to_string(folder.path().join(MIRROR_FILE)).unwrap();
     assert!(text.starts_with("Status=0\n") && text.contains("\nuValue=17\n"), "{text}");
 }

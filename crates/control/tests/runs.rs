@@ -1,6 +1,6 @@
 //! What a run does where machine, planner and program meet.
 
-use kerf_control::{Company, OperatorRequest, Outcome, Script, Session, TextOptions, run_text};
+use kerf_control::{OperatorRequest, Outcome, RunContext, Script, Session, TextOptions, run_text};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Settings;
@@ -158,7 +158,7 @@ fn an_output_that_follows_motion_comes_back_after_a_hold() {
     ] {
         let mut events = Vec::new();
         let mut pace = Script::new(vec![(2.0, OperatorRequest::Hold)], vec![4.0]);
-        let company = Company {
+        let context = RunContext {
             sink: &mut events,
             operator: &mut (),
             requests: &mut pace,
@@ -168,7 +168,7 @@ fn an_output_that_follows_motion_comes_back_after_a_hold() {
         let program = kerf_sbp::read("a.sbp".into(), text.as_bytes());
         let mut workspace = Workspace::in_memory(MemoryDisk::default());
         let summary =
-            Session::default().run(program, RunOptions::default(), &mut workspace, company);
+            Session::default().run(program, RunOptions::default(), &mut workspace, context);
         assert_eq!(summary.status, Status::Ok);
         let switched = events.iter().filter_map(|event| match event {
             Event::Output { n: 4, on, .. } => Some(*on),

@@ -1,6 +1,6 @@
 //! Settings files: saved, loaded, those that come with Kerf; and the virtual tools, on a machine.
 
-use kerf_control::{Company, Session};
+use kerf_control::{RunContext, Session};
 use kerf_files::{Folders, MACHINES, MemoryDisk};
 use kerf_journal::RunOptions;
 use kerf_program::MoveKind;
@@ -31,13 +31,13 @@ impl Shop {
         options.program.typed = true;
         let program = kerf_sbp::read_typed("typed".into(), &format!("{line}\n"));
         let mut events: Vec<Event> = Vec::new();
-        let company = Company {
+        let context = RunContext {
             sink: &mut events,
             operator: &mut (),
             requests: &mut (),
             machine: kerf_control::simulated(),
         };
-        let summary = self.session.run(program, options, &mut self.workspace, company);
+        let summary = self.session.run(program, options, &mut self.workspace, context);
         (summary, events)
     }
 
@@ -61,7 +61,7 @@ fn sbp_cmd_us() {
     shop.does("UR,mine,0");
     assert_eq!(shop.session.memory.settings, saved, "exactly");
     // The file runs as a part file, too.
-    let source = kerf_workspace::settings_files::names(&shop.workspace);
+    let source = shop.workspace.settings_files();
     assert!(source.contains(&"mine.sbd".to_owned()), "{source:?}");
 }
 
@@ -91,7 +91,7 @@ fn sbp_cmd_ur_machines() {
 #[test]
 fn sbp_cmd_ur() {
     let mut shop = Shop::new(&[("data/settings/own.sbd", "VC,.75\n")]);
-    assert!(kerf_workspace::settings_files::names(&shop.workspace).len() > 4);
+    assert!(shop.workspace.settings_files().len() > 4);
     shop.does("UR,own,0");
     assert!((shop.session.memory.settings.cutter.diameter_mm - 19.05).abs() < 1e-9);
     let (summary, _) = shop.types("UR,none of these,0");
@@ -118,13 +118,13 @@ fn copied(entered: &str, body: kerf_sim::Body, closed: bool, output: &str) -> (S
     let options = RunOptions { touches: vec![touch], ..RunOptions::default() };
     let program = kerf_sbp::read("copy_machine.sbp".into(), text.as_bytes());
     let mut events: Vec<Event> = Vec::new();
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut (),
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    let summary = shop.session.run(program, options, &mut shop.workspace, company);
+    let summary = shop.session.run(program, options, &mut shop.workspace, context);
     assert!(summary.error.is_none(), "{:?}\n{text}", summary.error);
     let written = shop.workspace.text(output).unwrap();
     (shop, written)
@@ -408,13 +408,13 @@ fn sbp_tool_ts() {
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_sbp::read("home.sbp".into(), b"C3\nC2\n");
     let mut events: Vec<Event> = Vec::new();
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut (),
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    let summary = shop.session.run(program, options, &mut shop.workspace, company);
+    let summary = shop.session.run(program, options, &mut shop.workspace, context);
     assert!(summary.error.is_none(), "{:?}", summary.error);
     let set: Vec<_> = events
         .iter()

@@ -1,7 +1,7 @@
 //! Where a run stands, and nudging: what a console asks of a session.
 
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Session, StopAt};
+use kerf_control::{RunContext, Session, StopAt};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Axis;
@@ -29,14 +29,14 @@ fn watch(files: &[(&str, &str)], options: RunOptions, stop_at_s: f64) -> Vec<Str
     let mut workspace =
         Workspace::in_memory(MemoryDisk::new(files.iter().map(|(n, t)| (*n, t.as_bytes()))));
     let mut watcher = Watcher::default();
-    let company = Company {
+    let context = RunContext {
         sink: &mut watcher,
         operator: &mut Answers::default(),
         requests: &mut StopAt(stop_at_s),
         machine: kerf_control::simulated(),
     };
     let program = kerf_sbp::read(files[0].0.into(), files[0].1.as_bytes());
-    Session::default().run(program, options, &mut workspace, company);
+    Session::default().run(program, options, &mut workspace, context);
     let told = watcher.0.iter().map(|standing| {
         let files: Vec<String> =
             standing.files.iter().map(|f| format!("{} {}", f.file, f.line)).collect();
@@ -99,7 +99,7 @@ fn places(session: &Session, axis: Axis) -> (f64, f64) {
 /// A session in which a program ran.
 fn after(session: &mut Session, program: &str) -> Vec<Event> {
     let mut events = Vec::new();
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut Answers::default(),
         requests: &mut (),
@@ -107,7 +107,7 @@ fn after(session: &mut Session, program: &str) -> Vec<Event> {
     };
     let program = kerf_sbp::read("a.sbp".into(), program.as_bytes());
     let mut workspace = Workspace::in_memory(MemoryDisk::default());
-    session.run(program, RunOptions::default(), &mut workspace, company);
+    session.run(program, RunOptions::default(), &mut workspace, context);
     events
 }
 
@@ -152,14 +152,14 @@ fn sbp_file_fs_dialog() {
     workspace.enter(Some("x")).unwrap();
     assert_eq!(kerf_workspace::parts::listing(&workspace).unwrap().files[0].name, "part.sbp");
     let mut events = Vec::new();
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut Answers::default(),
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
     let program = kerf_sbp::read("main.sbp".into(), files[1].1.as_bytes());
-    Session::default().run(program, RunOptions::default(), &mut workspace, company);
+    Session::default().run(program, RunOptions::default(), &mut workspace, context);
     let shown =
         events.iter().any(|e| matches!(e, Event::Message { text, .. } if text.contains("FS,x,")));
     assert!(shown, "{events:?}");
@@ -172,10 +172,10 @@ fn sbp_file_fs_mask() {
         let mut workspace =
             Workspace::in_memory(MemoryDisk::new(names.map(|name| (name, &b""[..]))));
         let (sink, operator) = (&mut Vec::<Event>::new(), &mut Answers::default());
-        let company =
-            Company { sink, operator, requests: &mut (), machine: kerf_control::simulated() };
+        let context =
+            RunContext { sink, operator, requests: &mut (), machine: kerf_control::simulated() };
         let program = kerf_sbp::read("main.sbp".into(), program.as_bytes());
-        Session::default().run(program, RunOptions::default(), &mut workspace, company);
+        Session::default().run(program, RunOptions::default(), &mut workspace, context);
         let files = kerf_workspace::parts::listing(&workspace).unwrap().files;
         files.into_iter().map(|file| file.name).collect::<Vec<_>>()
     };

@@ -1,7 +1,7 @@
 //! Long stacks move while they are read; the operator holds, resumes and overrides.
 
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Script, Session, TextOptions, run_text};
+use kerf_control::{OperatorRequest, RunContext, Script, Session, TextOptions, run_text};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_program::Status;
@@ -38,14 +38,14 @@ fn scripted(
     let program = kerf_sbp::read("long.sbp".into(), text.as_bytes());
     let mut events = Vec::new();
     let mut pace = Script::new(requests, resumes);
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut Answers::default(),
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
     let mut workspace = Workspace::in_memory(MemoryDisk::new([]));
-    let summary = Session::default().run(program, RunOptions::default(), &mut workspace, company);
+    let summary = Session::default().run(program, RunOptions::default(), &mut workspace, context);
     (events, summary)
 }
 

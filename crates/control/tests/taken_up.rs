@@ -7,7 +7,7 @@ use crate::taking_up::{
     run_work, same_rest, stands, uninterrupted, workspace,
 };
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Requests, Script, Session, StopAt};
+use kerf_control::{AtRest, OperatorRequest, Requests, RunContext, Script, Session, StopAt};
 use kerf_journal::{Journal, Press, RunOptions};
 use kerf_machine::lines::Input;
 use kerf_program::{Axes, Axis, Dynamics, MoveKind, Settings};
@@ -81,19 +81,19 @@ fn a_switch_that_was_moved_at_rest_is_on_record() {
     };
     let part = b"IF %(53)=0 THEN GOTO OFF\nMX,1\nMX,5\nMX,9\nEND\nOFF:\nMX,-5\n";
     let start = |session: &mut Session, workspace: &mut Workspace, pace: &mut dyn Requests| {
-        let company = Company {
+        let context = RunContext {
             sink: &mut (),
             operator: &mut (),
             requests: pace,
             machine: kerf_control::simulated(),
         };
         let program = kerf_part::read("a.sbp".into(), part);
-        session.run_on_record(program, RunOptions::default(), None, workspace, company).map(drop)
+        session.run_on_record(program, RunOptions::default(), None, workspace, context).map(drop)
     };
     let (mut session, mut workspace) = open(&folder);
     start(&mut session, &mut workspace, &mut ()).unwrap();
     assert!(session.memory.position[Axis::X] < 0.0, "the switch is open");
-    session.press(Press { number: 3, on: true }, &mut workspace);
+    AtRest(&mut session).press(Press { number: 3, on: true }, &mut workspace);
     drop((session, workspace));
     // Kerf is started anew.
     let (mut session, mut workspace) = open(&folder);

@@ -1,6 +1,6 @@
 //! Programs as traces of signals.
 
-use kerf_control::{Company, Session};
+use kerf_control::{RunContext, Session};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
@@ -22,7 +22,7 @@ fn traced(machine: Configuration, program: &str, inputs: Vec<Change>) -> String 
     session.memory.settings = machine.program.clone();
     let (mut operator, mut pace, mut out) = ((), (), Vec::new());
     let mut sink = VcdSink::new(&mut out, machine);
-    let company = Company {
+    let context = RunContext {
         sink: &mut sink,
         operator: &mut operator,
         requests: &mut pace,
@@ -30,7 +30,7 @@ fn traced(machine: Configuration, program: &str, inputs: Vec<Change>) -> String 
     };
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_part::read("a.sbp".into(), program.as_bytes());
-    session.run(program, options, &mut Workspace::in_memory(MemoryDisk::default()), company);
+    session.run(program, options, &mut Workspace::in_memory(MemoryDisk::default()), context);
     sink.finish().unwrap();
     String::from_utf8(out).unwrap()
 }

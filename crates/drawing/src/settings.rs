@@ -1,25 +1,12 @@
 //! Settings by which the shapes of a group are cut.
 
+pub use kerf_program::job::Height;
 use kerf_program::job::Plunge;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// The most passes of one path: more are a slip of the decimal point.
 const MOST_PASSES: f64 = 10_000.0;
-
-/// Depth of a cut, by what it is measured from (Profiler reference, "Height type").
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Height {
-    /// Through the material: at ZBottom.
-    #[default]
-    Thru,
-    /// So many millimetres above ZSurface; negative is into the material.
-    Mm(f64),
-    /// The height of each point of the shape, measured from ZSurface.
-    #[serde(rename = "3d")]
-    ThreeD,
-}
 
 /// An arc by which the tool comes to a path or leaves it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -2,14 +2,15 @@
 
 use crate::facts::Told;
 use crate::flights::Flights;
+use crate::gap::Gap;
 use crate::lines::{Modal, lines};
 use crate::place::Place;
 use crate::report::Doing;
 use kerf_machine::driver::{
-    Axes, Changed, Driver, Facts, Garbled, Order, Reply, Sent, Signal, Standing, Ticket, Trouble,
-    Wired, is_sound,
+    Axes, Changed, Driver, Facts, Garbled, Hold, Order, Reply, Sent, Signal, Standing, Ticket,
+    Trouble, Wired, is_sound,
 };
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 /// Orders that are made and not known to be: a report comes ten times a second, and a board makes some 600 moves a second
 /// at most on a serial line.
@@ -57,6 +58,8 @@ pub(crate) enum Phase {
     Asked,
     /// It takes orders.
     Ready,
+    /// The line was gone: what it has got is looked for.
+    Gap,
     /// It slows down; then it is reset.
     Stopping,
     /// It was reset and has not greeted yet.
@@ -114,6 +117,12 @@ pub struct Grbl {
     pub(crate) planned_on: u32,
     /// Time when it was told to stop.
     pub(crate) stopped_s: f64,
+    /// The hold that was ordered.
+    pub(crate) hold: Hold,
+    /// The search for what was lost while the line was gone.
+    pub(crate) gap: Gap,
+    /// It has answered a move since it takes orders: its feed holds.
+    pub(crate) has_moved: bool,
     /// Time when something came from it last.
     pub(crate) heard_s: f64,
     /// It has said since its reset that it is there.
@@ -179,6 +188,9 @@ impl Grbl {
             modal: Modal::default(),
             planned_on: 0,
             stopped_s: 0.0,
+            hold: Hold::None,
+            gap: Gap::default(),
+            has_moved: false,
             heard_s: f64::NEG_INFINITY,
             greets: false,
             taken: 0,
@@ -186,6 +198,16 @@ impl Grbl {
             asked_s: f64::NEG_INFINITY,
             replies: Vec::new(),
         }
+    }
+
+    /// Returns its settings as it writes them, by their numbers.
+    pub const fn settings(&self) -> &BTreeMap<u16, String> {
+        self.told.texts()
+    }
+
+    /// Changes a setting, while nothing moves.
+    pub fn writes(&mut self, number: u16, value: &str) {
+        self.say(format!("${number}={value}"));
     }
 
     /// Time in which nobody looked at the line is no time in which an answer did not come.
@@ -228,7 +250,7 @@ impl Grbl {
 
     /// Takes orders from where it stands.
     pub(crate) fn begin(&mut self) {
-        self.phase = Phase::Ready;
+        (self.phase, self.hold, self.has_moved) = (Phase::Ready, Hold::None, false);
         (self.planned, self.modal) = (self.position(), Modal::default());
         if self.trouble.is_none() {
             self.say(MODES);
@@ -258,7 +280,7 @@ impl Grbl {
                 self.doing = Doing::Slowing;
             }
             // It may be at work for somebody who is gone.
-            Phase::Silent | Phase::Asked => {
+            Phase::Silent | Phase::Asked | Phase::Gap => {
                 self.phase = Phase::Stopping;
                 self.out.extend([at_once::HOLD, at_once::ASK]);
                 self.doing = Doing::Slowing;
@@ -349,8 +371,14 @@ impl Driver for Grbl {
     fn signal(&mut self, signal: Signal, now_s: f64) {
         match signal {
             Signal::Ask => self.out.push(at_once::ASK),
-            Signal::Hold => self.out.push(at_once::HOLD),
-            Signal::Resume => self.out.push(at_once::RESUME),
+            Signal::Hold => {
+                self.hold = Hold::Ordered;
+                self.out.push(at_once::HOLD);
+            }
+            Signal::Resume => {
+                self.hold = Hold::None;
+                self.out.push(at_once::RESUME);
+            }
             Signal::Stop => self.stop(now_s),
             Signal::Feed(percent) => self.out.extend(at_once::feed(percent)),
         }
@@ -399,6 +427,10 @@ impl Wired for Grbl {
         if self.phase == Phase::Stopping && silent_s > DEAF_S {
             self.reset();
         }
+        if self.phase == Phase::Gap {
+            self.looks_through_gap(now_s);
+            return std::mem::take(&mut self.out);
+        }
         let mut used: usize = self.pending.iter().map(|line| line.text.len() + 1).sum();
         while let Some(line) = self.queue.front() {
             used += line.text.len() + 1;
@@ -427,7 +459,17 @@ impl Wired for Grbl {
     }
 
     fn waits(&self) -> Option<&'static str> {
-        self.doing.waits()
+        let ours = matches!(self.hold, Hold::Ordered | Hold::Stands);
+        let is_held = matches!(self.doing, Doing::Slowing | Doing::Held);
+        self.doing.waits().filter(|_| !(ours && is_held))
+    }
+
+    fn hold(&self) -> Hold {
+        self.hold
+    }
+
+    fn line_is_back(&mut self, _: f64) {
+        self.begins_gap();
     }
 
     fn changed(&self) -> Option<Changed> {

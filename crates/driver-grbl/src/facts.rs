@@ -43,10 +43,14 @@ pub struct Told {
     /// Modal words that hold in it.
     modes: Vec<String>,
     settings: BTreeMap<u16, f64>,
+    /// The same as it writes them, with those that are no numbers.
+    texts: BTreeMap<u16, String>,
     /// Bytes that its receive buffer holds.
     pub rx: usize,
     /// Moves that its planner holds.
     pub planner: usize,
+    /// It has told how many that are.
+    is_sized: bool,
     /// Room in it as the last report told it.
     room: usize,
 }
@@ -62,8 +66,10 @@ impl Default for Told {
             lacks_probe: false,
             modes: Vec::new(),
             settings: BTreeMap::new(),
+            texts: BTreeMap::new(),
             rx: RX,
             planner: PLANNER,
+            is_sized: false,
             room: 0,
         }
     }
@@ -77,6 +83,14 @@ impl Told {
             self.planner = self.planner.max(room);
         }
         self.planner.saturating_sub(room)
+    }
+
+    /// Learns from a report of a machine that does nothing; tells whether it is known how many moves the planner holds. One
+    /// that does not tell is believed when two reports agree.
+    pub fn learns_planner(&mut self, room: usize) -> bool {
+        let agrees = self.room == room;
+        self.left(room);
+        self.is_sized || agrees
     }
 
     /// Learns from a line in brackets.
@@ -107,7 +121,7 @@ impl Told {
         self.options = parts.next().map(String::from);
         let mut sizes = parts.map(str::parse);
         if let Some(Ok(planner)) = sizes.next() {
-            self.planner = planner;
+            (self.planner, self.is_sized) = (planner, true);
         }
         if let Some(Ok(rx)) = sizes.next() {
             self.rx = rx;
@@ -123,12 +137,36 @@ impl Told {
         };
         let read: Option<(u16, f64)> = read();
         self.settings.extend(read);
+        let text = line.strip_prefix('$').and_then(|rest| rest.split_once('='));
+        let text = text.and_then(|(number, value)| Some((number.parse().ok()?, value.to_owned())));
+        self.texts.extend(text);
         read.is_some()
+    }
+
+    /// Its modes are asked for anew.
+    pub fn forgets_modes(&mut self) {
+        self.modes.clear();
+    }
+
+    /// Returns `true` if it has told its modes.
+    pub const fn has_modes(&self) -> bool {
+        !self.modes.is_empty()
+    }
+
+    /// Returns `true` if no feed holds: nothing has moved since it was reset.
+    pub fn has_no_feed(&self) -> bool {
+        let feed = self.modes.iter().find_map(|mode| mode.strip_prefix('F')?.parse::<f64>().ok());
+        feed == Some(0.0)
     }
 
     /// Returns `true` if it has told its settings.
     pub fn is_known(&self) -> bool {
         !self.settings.is_empty()
+    }
+
+    /// Returns all settings as it writes them.
+    pub const fn texts(&self) -> &BTreeMap<u16, String> {
+        &self.texts
     }
 
     /// Returns a setting.
@@ -243,8 +281,10 @@ impl Told {
             probe: (!self.lacks_probe).then_some(PROBE_INPUT),
             spindle_rpm: self.of(30).unwrap_or(1000.0),
             overrides: true,
+            holds: true,
             stop_switches_off: true,
             repeats: false,
+            leads_s: 0.0,
         }
     }
 }

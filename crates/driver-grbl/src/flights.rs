@@ -10,6 +10,9 @@ use std::collections::VecDeque;
 /// line.
 const SEGMENTS_S: f64 = 0.1;
 
+/// Orders that are done and kept in mind.
+const KEPT: usize = 32;
+
 /// An order under way.
 #[derive(Clone, Copy, Debug)]
 pub struct Flight {
@@ -27,26 +30,58 @@ pub struct Flight {
 
 /// All of them, the oldest first.
 #[derive(Clone, Debug, Default)]
-pub struct Flights(VecDeque<Flight>);
+pub struct Flights {
+    open: VecDeque<Flight>,
+    /// Those that were done last: reports come late now and then, and tell a place on one of them.
+    made: VecDeque<Flight>,
+}
 
 impl Flights {
     /// One more.
     pub fn push(&mut self, sent: Sent, from: Axes, blocks: usize, lines: usize) {
-        self.0.push_back(Flight { sent, from, blocks, lines, cut_s: None });
+        self.open.push_back(Flight { sent, from, blocks, lines, cut_s: None });
     }
 
     /// A line of an order was answered with `ok`; tells whether all of it was.
     pub fn answered(&mut self, ticket: Ticket) -> bool {
-        let flight = self.0.iter_mut().find(|flight| flight.sent.ticket == ticket);
+        let flight = self.open.iter_mut().find(|flight| flight.sent.ticket == ticket);
         flight.is_some_and(|flight| {
             flight.lines = flight.lines.saturating_sub(1);
             flight.lines == 0
         })
     }
 
+    /// Returns `true` if an order is a move.
+    pub fn moves(&self, ticket: Ticket) -> bool {
+        let moves = |flight: &Flight| matches!(flight.sent.order, Order::Move { .. });
+        self.open.iter().any(|flight| flight.sent.ticket == ticket && moves(flight))
+    }
+
+    /// Returns the orders of which lines are not answered.
+    pub fn unanswered(&self) -> impl Iterator<Item = &Flight> {
+        self.open.iter().filter(|flight| flight.lines > 0)
+    }
+
+    /// Returns the last order that was answered, and its end where it is a move.
+    pub fn answered_end(&self) -> Option<(Ticket, Axes)> {
+        let last = self.open.iter().rfind(|flight| flight.lines == 0)?;
+        let end = match last.sent.order {
+            Order::Move { to, .. } | Order::Probe { to, .. } => to,
+            _ => last.from,
+        };
+        Some((last.sent.ticket, end))
+    }
+
+    /// The machine stands: everything up to an order is made.
+    pub fn made(&mut self, last: Ticket, now_s: f64) {
+        for flight in self.open.iter_mut().take_while(|flight| flight.sent.ticket <= last) {
+            (flight.lines, flight.cut_s) = (0, Some(now_s));
+        }
+    }
+
     /// Another line belongs to the newest order, and a move of the planner.
     pub fn extends(&mut self, blocks: usize) {
-        if let Some(flight) = self.0.back_mut() {
+        if let Some(flight) = self.open.back_mut() {
             flight.lines += 1;
             flight.blocks += blocks;
             flight.cut_s = None;
@@ -56,19 +91,19 @@ impl Flights {
     /// Returns the order at whose end the probe changes, if it is under way.
     pub fn probing(&self) -> Option<Sent> {
         let probes = |flight: &&Flight| matches!(flight.sent.order, Order::Probe { .. });
-        self.0.iter().find(probes).map(|flight| flight.sent)
+        self.open.iter().find(probes).map(|flight| flight.sent)
     }
 
     /// Returns `true` if it goes home, or is about to.
     pub fn goes_home(&self) -> bool {
-        self.0.iter().any(|flight| flight.sent.order == Order::Home)
+        self.open.iter().any(|flight| flight.sent.order == Order::Home)
     }
 
     /// The planner has so many moves left; everything before them is out of it.
     pub fn left(&mut self, blocks: usize, now_s: f64) {
         let mut behind: usize =
-            self.0.iter().filter(|flight| flight.lines == 0).map(|flight| flight.blocks).sum();
-        for flight in self.0.iter_mut().take_while(|flight| flight.lines == 0) {
+            self.open.iter().filter(|flight| flight.lines == 0).map(|flight| flight.blocks).sum();
+        for flight in self.open.iter_mut().take_while(|flight| flight.lines == 0) {
             behind -= flight.blocks;
             if behind < blocks {
                 return;
@@ -79,14 +114,18 @@ impl Flights {
 
     /// The machine is held: what is in the row of step segments is not made meanwhile.
     pub fn waits(&mut self, now_s: f64) {
-        self.0
+        self.open
             .iter_mut()
             .filter_map(|flight| flight.cut_s.as_mut())
             .for_each(|cut_s| *cut_s = now_s);
     }
 
-    /// Returns the least distance of a place from the ways of all of them, mm; nothing where one has no way that is known.
+    /// Returns the least distance of a place from the ways of all of them, and of those made last, mm; nothing where none is under
+    /// way, or one has no way that is known.
     pub fn distance_mm(&self, place: Axes) -> Option<f64> {
+        if self.open.is_empty() {
+            return None;
+        }
         let far = |flight: &Flight| match flight.sent.order {
             Order::Move { to, .. } | Order::Probe { to, .. } => {
                 Some(off_way_mm(flight.from, to, place))
@@ -94,28 +133,37 @@ impl Flights {
             Order::Output { .. } | Order::Spindle { .. } => Some(way_mm(flight.from, place)),
             Order::Home | Order::Unlock => None,
         };
-        let all: Option<Vec<f64>> = self.0.iter().map(far).collect();
-        all?.into_iter().reduce(f64::min)
+        let all: Option<Vec<f64>> = self.open.iter().map(far).collect();
+        all?.into_iter().chain(self.made.iter().filter_map(far)).reduce(f64::min)
     }
 
     /// The next one that is done: out of the planner and of the row of segments, or all of them when the
     /// controller stands with nothing left.
     pub fn done(&mut self, stands: bool, now_s: f64) -> Option<Flight> {
-        let first = self.0.front()?;
+        let first = self.open.front()?;
         let over = first.cut_s.is_some_and(|cut_s| now_s - cut_s > SEGMENTS_S);
         let over = over || (stands && first.lines == 0 && first.cut_s.is_some());
         // What is last is over when the machine says that it stands.
-        if over && (stands || self.0.len() > 1) { self.0.pop_front() } else { None }
+        if !(over && (stands || self.open.len() > 1)) {
+            return None;
+        }
+        let done = self.open.pop_front();
+        self.made.extend(done);
+        if self.made.len() > KEPT {
+            self.made.pop_front();
+        }
+        done
     }
 
     /// Returns `true` if all are done.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.open.is_empty()
     }
 
     /// Forgets all.
     pub fn clear(&mut self) {
-        self.0.clear();
+        self.open.clear();
+        self.made.clear();
     }
 }
 

@@ -6,7 +6,7 @@ use crate::lines::straight;
 use crate::place::{millimetres, on_steps};
 use crate::report::{Doing, Report, axes};
 use crate::words;
-use kerf_machine::driver::{Driver, Garbled, Order, Reply, Ticket, Trouble};
+use kerf_machine::driver::{Driver, Garbled, Hold, Order, Reply, Ticket, Trouble};
 
 /// The error of a controller that moves, and tells nothing of itself meanwhile.
 const BUSY: u16 = 8;
@@ -53,7 +53,7 @@ impl Grbl {
                 self.out.push(at_once::ASK);
             }
             Phase::Silent | Phase::Asked => self.ask_all(now_s),
-            Phase::Ready | Phase::Stopping | Phase::Stopped => {
+            Phase::Ready | Phase::Gap | Phase::Stopping | Phase::Stopped => {
                 let _ = self.trouble.get_or_insert(Trouble::Restarted);
                 self.fail();
                 self.phase = Phase::Stopped;
@@ -62,11 +62,15 @@ impl Grbl {
     }
 
     fn answered(&mut self, now_s: f64) {
+        if self.phase == Phase::Gap {
+            return self.answers_in_gap();
+        }
         let Some(line) = self.pending.pop_front() else { return self.replies.push(Err(Garbled)) };
         self.asked_s = now_s;
         if let Some(ticket) = line.ticket
             && self.flights.answered(ticket)
         {
+            self.has_moved |= self.flights.moves(ticket);
             self.replies.push(Ok(Reply::Taken(ticket)));
             self.returns(ticket);
         }
@@ -92,6 +96,9 @@ impl Grbl {
     }
 
     fn refused(&mut self, number: u16) {
+        if self.phase == Phase::Gap {
+            return self.answers_in_gap();
+        }
         let line = self.pending.pop_front();
         let why = words::error(number);
         if self.phase == Phase::Asked {
@@ -107,7 +114,7 @@ impl Grbl {
         }
     }
 
-    fn alarm(&mut self, number: u16) {
+    pub(crate) fn alarm(&mut self, number: u16) {
         let (why, lost) = (words::alarm(number), words::is_lost(number));
         self.trouble = Some(Trouble::Alarm { number, why, lost });
         self.on = 0;
@@ -155,11 +162,13 @@ impl Grbl {
 
     fn report(&mut self, report: &Report, now_s: f64) {
         self.doing = report.doing;
+        self.follows_hold();
         self.place.hear(report, &self.told);
         self.tell_inputs(&report.pins);
         match self.phase {
             Phase::Silent | Phase::Asked => self.learns(report),
             Phase::Ready => self.follows(report, now_s),
+            Phase::Gap => self.reports_in_gap(now_s),
             Phase::Stopping if self.has_stopped(now_s) => self.reset(),
             // A hold that came while its spindle came up is forgotten by then.
             Phase::Stopping if self.runs_on(now_s) => self.out.push(at_once::HOLD),
@@ -169,6 +178,15 @@ impl Grbl {
             Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
         }
         self.replies.push(Ok(Reply::Standing(self.standing())));
+    }
+
+    /// Follows the hold that was ordered: what moves again behind it was had to go on at the controller.
+    const fn follows_hold(&mut self) {
+        self.hold = match (self.hold, self.doing) {
+            (Hold::Ordered, Doing::Held) => Hold::Stands,
+            (Hold::Stands, Doing::Run | Doing::Idle) => Hold::WentOn,
+            (hold, _) => hold,
+        };
     }
 
     fn runs_on(&self, now_s: f64) -> bool {
@@ -186,7 +204,8 @@ impl Grbl {
 
     /// It has told everything; a place of the workpiece without its zero is none.
     fn ready(&mut self, report: &Report) {
-        if self.place.machine().is_none() {
+        let knows_planner = report.free.is_none_or(|room| self.told.learns_planner(room));
+        if self.place.machine().is_none() || !knows_planner {
             return;
         }
         let facts = self.told.facts(report.axes);
@@ -254,7 +273,7 @@ impl Grbl {
     }
 
     /// Returns `true` if every line is sent and answered.
-    fn has_said_all(&self) -> bool {
+    pub fn has_said_all(&self) -> bool {
         self.pending.is_empty() && self.queue.is_empty()
     }
 

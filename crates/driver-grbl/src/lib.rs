@@ -24,10 +24,12 @@ mod driver;
 mod facts;
 pub mod fake;
 mod flights;
+mod gap;
 mod hears;
 mod lines;
 mod place;
 mod report;
+pub mod settings;
 mod words;
 
 pub use driver::Grbl;

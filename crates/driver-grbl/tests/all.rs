@@ -4,5 +4,6 @@
 
 mod conformance;
 mod faults;
+mod gap;
 mod set_up;
 mod wire;

@@ -135,6 +135,7 @@ fn a_controller_that_still_moves_is_stopped_and_then_asked() {
         fake: moving(),
         ahead_s: 5.0,
         cut: false,
+        gone: None,
         stalled: false,
         to_spoil: None,
         chance: 1,

@@ -191,7 +191,9 @@ fn no_fault_of_the_line_or_the_controller_ends_in_a_wrong_place() {
             link.poll(now_s);
         }
         let trouble = link.driver().grbl.trouble().cloned();
-        let silent = link.state() == LinkState::Up && trouble.is_none();
+        // Noise that is `!` holds the machine, as a pendant does.
+        let waits = link.driver().grbl.waits().is_some();
+        let silent = link.state() == LinkState::Up && trouble.is_none() && !waits;
         let fake = &link.driver().fake;
         if silent {
             let (place, way) = (fake.position(), fake.way_mm());

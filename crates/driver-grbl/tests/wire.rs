@@ -14,6 +14,8 @@ pub struct Wire {
     pub ahead_s: f64,
     /// The line is cut.
     pub cut: bool,
+    /// The line is gone; before it was, so many bytes came through to the controller.
+    pub gone: Option<usize>,
     /// Nothing comes through either way for a while, and nothing is lost.
     pub stalled: bool,
     /// The next bytes that the controller hears, or else says, suffer a fault.
@@ -38,6 +40,7 @@ impl Wire {
             fake,
             ahead_s,
             cut: false,
+            gone: None,
             stalled: false,
             to_spoil: None,
             chance: 1,
@@ -60,12 +63,32 @@ impl Wire {
         }
     }
 
+    /// The line is gone behind so many bytes to the controller.
+    pub fn loses(&mut self, passes: usize) {
+        self.gone = Some(passes);
+    }
+
+    /// It is there again.
+    pub fn is_back(&mut self, now_s: f64) {
+        self.gone = None;
+        self.grbl.line_is_back(now_s + self.ahead_s);
+    }
+
     pub fn carry(&mut self, now_s: f64) {
         let now_s = now_s + self.ahead_s;
         if self.stalled {
             return;
         }
+        if self.gone == Some(0) {
+            self.fake.hear(&[], now_s);
+            drop(self.fake.speak(now_s));
+            return;
+        }
         let mut bytes = self.grbl.speak(now_s);
+        if let Some(passes) = &mut self.gone {
+            bytes.truncate(*passes);
+            *passes -= bytes.len();
+        }
         if let Some((from, to)) = self.garbles {
             bytes.iter_mut().filter(|byte| **byte == from).for_each(|byte| *byte = to);
         }
@@ -124,7 +147,7 @@ pub fn to(x: f64, y: f64) -> Order {
 /// Runs until a link has nothing left to do, or is not up any more.
 pub fn run(link: &mut Link<Wire>, from_s: f64, mut look: impl FnMut(&mut Link<Wire>, f64)) -> f64 {
     let mut now_s = from_s;
-    while !link.is_idle() && link.state() == LinkState::Up && now_s < from_s + 600.0 {
+    while !link.is_idle() && link.state() == LinkState::Up && now_s < from_s + 120.0 {
         now_s += 0.005;
         link.poll(now_s);
         look(link, now_s);

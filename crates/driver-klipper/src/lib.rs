@@ -19,7 +19,9 @@
 //! - [`setup`]: what hangs on a board, as its configuration. [`clock`]: the time in the board.
 //! - [`compress`]: steps as few commands. [`queue`]: motion that ends at rest whatever happens to its planner.
 //! - [`board`]: all of that for one board: found, configured, moved, stopped, counted.
+//! - [`desk`]: a board as the owner of a plan deals with it, from another thread.
 //! - [`convoy`]: several boards as one machine, on a [`timeline`] each.
+//! - [`fake`]: a board that is none.
 //! - [`tmc`]: registers of motor drivers on a single wire.
 //!
 //! Three promises hold for whoever drives: no step goes out before the board's latch is armed over it; nothing that
@@ -31,7 +33,9 @@ pub mod board;
 pub mod clock;
 pub mod compress;
 pub mod convoy;
+pub mod desk;
 pub mod dictionary;
+pub mod fake;
 pub mod identify;
 pub mod link;
 pub mod orders;

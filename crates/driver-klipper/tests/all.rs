@@ -5,7 +5,6 @@
 mod bytes;
 mod compress;
 mod convoy;
-mod fake;
 mod line;
 mod measured;
 mod motion;
@@ -13,3 +12,4 @@ mod mutated;
 mod queue;
 mod recorded;
 mod session;
+mod world;

@@ -1,7 +1,7 @@
 //! Steps as commands: every step in its window, few commands, nothing too fast for a driver.
 
-use crate::fake::Dice;
 use kerf_driver_klipper::compress::{Compressor, Limits, Steps, TooFast};
+use kerf_driver_klipper::fake::Dice;
 
 const LIMITS: Limits = Limits { error: 60.0, least: 60, turn: 240 };
 

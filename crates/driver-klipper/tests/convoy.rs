@@ -1,9 +1,9 @@
 //! Two boards as one machine: together in time, stopped together.
 
-use crate::fake::Faults;
-use crate::fake::world::{World, setup};
+use crate::world::{World, setup};
 use kerf_driver_klipper::board::{Ended, Home, News, Options};
 use kerf_driver_klipper::convoy::Convoy;
+use kerf_driver_klipper::fake::Faults;
 use kerf_driver_klipper::queue::{Piece, Step};
 
 /// Two boards whose crystals are 120 ppm apart.

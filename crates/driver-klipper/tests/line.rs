@@ -1,7 +1,7 @@
 //! A host's line to a board that is none: joined, identified, commands run once and in order.
 
-use crate::fake::{Board, Faults, Line};
 use kerf_driver_klipper::dictionary::{Dictionary, Wanted};
+use kerf_driver_klipper::fake::{Board, Faults, Line};
 use kerf_driver_klipper::identify::Identify;
 use kerf_driver_klipper::link::{Heard, Join, Link};
 

@@ -1,9 +1,9 @@
 //! The numbers of docs/how-boards-with-step-queues-are-driven.md: `cargo test -p kerf-driver-klipper measured --
 //! --nocapture`.
 
-use crate::fake::Faults;
-use crate::fake::world::{Motion, World};
+use crate::world::{Motion, World};
 use kerf_driver_klipper::board::Ended;
+use kerf_driver_klipper::fake::Faults;
 
 const TICKS_PER_US: f64 = 12.0;
 

@@ -1,8 +1,8 @@
 //! Motion on a board that is none: made as planned, stopped when it has to be, counted always.
 
-use crate::fake::world::{Feed, Motion, World};
-use crate::fake::{Dice, Faults};
+use crate::world::{Feed, Motion, World};
 use kerf_driver_klipper::board::{Ended, Home, News, NotNow};
+use kerf_driver_klipper::fake::{Dice, Faults};
 
 /// Number of tries; `TRIES` in the environment is how many times as many there are.
 fn tries(usual: u64) -> u64 {
@@ -81,8 +81,7 @@ fn motion_is_made_as_planned_on_a_faulty_line() {
 fn a_board_whose_clock_is_off_is_followed() {
     let mut world = World::ready(3, Faults::default());
     world.fake.drift = 0.0;
-    let mut fast =
-        World::new(4, Faults::default(), crate::fake::world::setup(), Default::default());
+    let mut fast = World::new(4, Faults::default(), crate::world::setup(), Default::default());
     fast.fake.drift = 80e-6;
     fast.wait(|news| matches!(news, News::Ready { .. }));
     fast.pass_for(30.0);
@@ -235,8 +234,7 @@ fn a_stall_makes_the_lead_longer_and_one_too_long_stops_without_a_shutdown() {
 
 #[test]
 fn few_places_in_the_board_are_never_too_few() {
-    let mut world =
-        World::new(8, Faults::default(), crate::fake::world::setup(), Default::default());
+    let mut world = World::new(8, Faults::default(), crate::world::setup(), Default::default());
     world.fake.move_count = 40;
     world.wait(|news| matches!(news, News::Ready { .. }));
     let (why, _) = world.make(&Motion::waves(3000.0, 3.0), &[]);
@@ -289,8 +287,7 @@ fn the_clock_at_which_a_probe_touched_is_told() {
 
 #[test]
 fn motion_before_a_board_is_known_is_refused() {
-    let mut world =
-        World::new(1, Faults::default(), crate::fake::world::setup(), Default::default());
+    let mut world = World::new(1, Faults::default(), crate::world::setup(), Default::default());
     assert_eq!(world.host.start(&[], 0.0), Err(NotNow::Absent));
     world.wait(|news| matches!(news, News::Ready { .. }));
     assert_eq!(world.host.withdraw(), Err(NotNow::Rest));

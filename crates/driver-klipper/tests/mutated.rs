@@ -1,7 +1,7 @@
 //! What boards say, whole and mutated by dice. The fuzz target `board` throws more of it.
 
 use crate::bytes;
-use crate::fake::Dice;
+use kerf_driver_klipper::fake::Dice;
 use std::fs;
 use std::path::Path;
 

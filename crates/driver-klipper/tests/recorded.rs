@@ -1,9 +1,9 @@
 //! Sessions that were recorded of a real board, where they lie beside the checkout: the crate reads and writes the same
 //! bytes, and the board that is none does what the real one did.
 
-use crate::fake::words::Words;
-use crate::fake::{Board, reader};
 use kerf_driver_klipper::dictionary::{Dictionary, Value, Wanted};
+use kerf_driver_klipper::fake::words::Words;
+use kerf_driver_klipper::fake::{Board, reader};
 use kerf_driver_klipper::identify::Identify;
 use kerf_driver_klipper::wire::frame::{Reader, frame};
 use std::collections::BTreeMap;

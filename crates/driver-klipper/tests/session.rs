@@ -1,8 +1,8 @@
 //! Sessions with boards that are none: found, refused, shut down, restarted, gone.
 
-use crate::fake::world::{Motion, World, motor, setup};
-use crate::fake::{Board as Fake, Faults};
+use crate::world::{Motion, World, motor, setup};
 use kerf_driver_klipper::board::{Ended, Fault, News, Options};
+use kerf_driver_klipper::fake::{Board as Fake, Faults};
 use kerf_driver_klipper::setup::{Pin, Setup, SetupError};
 
 fn ready(news: &News) -> bool {

@@ -6,9 +6,10 @@ pub(crate) mod find;
 use crate::{Interpreter, Options, Program, Session, read};
 use kerf_diag::Diagnostic;
 use kerf_program::settings::{LinearUnit, SWITCHES};
+use kerf_program::testing::Bystander;
 use kerf_program::{
-    Answer, Axis, Command, FileMode, FileRequest, Host, HostError, MoveKind, Question, ShellCall,
-    SourceFile, Sourced, Status, Step,
+    Answer, Axis, Command, FileRequest, HostError, MoveKind, Question, SourceFile, Sourced, Status,
+    Step,
 };
 use std::collections::BTreeMap;
 use std::task::Poll;
@@ -25,7 +26,7 @@ pub(crate) struct FakeHost {
     pub(crate) busy: u32,
 }
 
-impl Host for FakeHost {
+impl Bystander for FakeHost {
     fn settle(&mut self) -> Poll<()> {
         if self.busy > 0 {
             self.busy -= 1;
@@ -35,9 +36,6 @@ impl Host for FakeHost {
     }
     fn input(&mut self, number: u8) -> bool {
         self.inputs[usize::from(number)]
-    }
-    fn output(&mut self, _: u8) -> bool {
-        false
     }
     fn ask(&mut self, question: &Question) -> Poll<Answer> {
         self.asked.push(question.clone());
@@ -50,40 +48,6 @@ impl Host for FakeHost {
         let text = self.files.get(&request.name);
         let text = text.ok_or_else(|| HostError::NotFound(request.name.clone()))?;
         Ok(SourceFile { name: request.name.as_str().into(), bytes: text.as_bytes().into() })
-    }
-    fn set_part_folder(&mut self, _: Option<&str>) -> Result<String, HostError> {
-        Ok("/".into())
-    }
-    fn open(&mut self, _: u8, path: &str, _: FileMode) -> Result<String, HostError> {
-        Err(HostError::NotFound(path.into()))
-    }
-    fn write(&mut self, _: u8, _: &str) -> Result<(), HostError> {
-        Ok(())
-    }
-    fn read_line(&mut self, _: u8) -> Result<String, HostError> {
-        Err(HostError::EndOfFile)
-    }
-    fn close(&mut self, _: u8) -> Result<(), HostError> {
-        Ok(())
-    }
-    fn stored(&mut self, _: &str) -> Option<String> {
-        None
-    }
-    fn store(&mut self, _: &str, _: Option<&str>) {}
-    fn shell(&mut self, _: &ShellCall) -> Poll<Result<(), HostError>> {
-        Poll::Ready(Ok(()))
-    }
-    fn machine_position(&mut self) -> [f64; 6] {
-        [0.0; 6]
-    }
-    fn user_path(&mut self) -> String {
-        String::new()
-    }
-    fn app_path(&mut self) -> String {
-        String::new()
-    }
-    fn firmware(&mut self) -> i32 {
-        0
     }
 }
 

@@ -48,8 +48,8 @@ impl Rows<'_> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use super::super::Journal;
     use super::{PIECE, hash};
+    use crate::opening;
 
     /// Bytes that repeat in no piece.
     fn bytes(count: usize) -> Vec<u8> {
@@ -59,13 +59,13 @@ mod tests {
     #[test]
     fn files_of_any_length_come_back() {
         let folder = tempfile::tempdir().unwrap();
-        let (journal, _) = Journal::open(folder.path()).unwrap();
+        let (store, _) = opening::open(folder.path()).unwrap();
         let files = [0, 1, PIECE - 1, PIECE, PIECE + 1, 12 * PIECE + 7].map(bytes);
         for file in &files {
-            journal.write(|rows| rows.keep_content(&hash(file), file)).unwrap();
-            journal.write(|rows| rows.keep_content(&hash(file), file)).unwrap();
+            store.write(|rows| rows.keep_content(&hash(file), file)).unwrap();
+            store.write(|rows| rows.keep_content(&hash(file), file)).unwrap();
         }
-        let back = journal.read(|rows| rows.contents()).unwrap();
+        let back = store.read(|rows| rows.contents()).unwrap();
         assert_eq!(back.len(), files.len());
         assert!(files.iter().all(|file| back.get(&hash(file)) == Some(file)));
     }

@@ -1,8 +1,8 @@
 //! Runs that are over.
 
-use super::rows::Table;
-use super::{Journal, JournalError};
-use crate::Started;
+use super::rows::{self, Rows, Table, json};
+use super::store::Store;
+use super::{JournalError, Started};
 use serde::{Deserialize, Serialize};
 
 /// So many runs are remembered.
@@ -23,21 +23,16 @@ pub struct Past {
     pub status: String,
 }
 
-impl Journal {
-    /// The runs that are over, oldest first.
-    ///
-    /// # Errors
-    /// As the file cannot be read.
-    pub fn history(&self) -> Result<Vec<Past>, JournalError> {
-        let rows = self.read(|rows| rows.all(Table::History))?;
-        let past = |(_, text): (String, String)| serde_json::from_str(&text).ok();
-        Ok(rows.into_iter().filter_map(past).collect())
-    }
+/// The runs that are over, oldest first.
+pub(super) fn all(store: &Store) -> Result<Vec<Past>, JournalError> {
+    let rows = store.read(|rows| rows.all(Table::History))?;
+    let past = |(_, text): (String, String)| serde_json::from_str(&text).ok();
+    Ok(rows.into_iter().filter_map(past).collect())
 }
 
 /// Adds a run to the history, which forgets the oldest.
-pub(super) fn add(rows: &super::Rows<'_>, past: &Past) -> super::rows::Result<()> {
+pub(super) fn add(rows: &Rows<'_>, past: &Past) -> rows::Result<()> {
     let number = rows.last(Table::History)? + 1;
-    rows.put(Table::History, number, &super::json(past)?)?;
+    rows.put(Table::History, number, &json(past)?)?;
     rows.remove_up_to(Table::History, number - MOST)
 }

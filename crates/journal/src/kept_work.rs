@@ -2,15 +2,13 @@
 //! sequence it takes.
 
 use super::contents::hash;
-use super::{CutShort, Journal, JournalError};
-use crate::Work;
-use kerf_machine::{Configuration, file};
+use super::{JournalError, Work};
+use kerf_machine::file;
 use kerf_program::Settings;
 use kerf_program::job::Job;
 use kerf_sbp::Dialect;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Format in which bytes are read back.
@@ -79,20 +77,11 @@ impl<'a> KeptWork<'a> {
     }
 }
 
-impl CutShort {
-    /// Reads back the work that the run carried out.
-    pub(super) fn work(&self, contents: &BTreeMap<String, Vec<u8>>) -> Result<Work, JournalError> {
-        let run = &self.run;
-        let bytes = contents
-            .get(run.hash())
-            .ok_or_else(|| JournalError::Unfit(format!("the text of {} was not kept", run.file)))?;
-        match run.kind {
-            WorkKind::Part(dialect) => {
-                let name = run.file.as_str().into();
-                Ok(kerf_part::read_as(name, bytes.as_slice(), dialect).into())
-            }
-            WorkKind::Job => job(bytes).map_err(JournalError::Unfit),
-        }
+/// Reads back the work of which this is kept.
+pub(super) fn read_back(kind: WorkKind, name: &str, bytes: &[u8]) -> Result<Work, JournalError> {
+    match kind {
+        WorkKind::Part(dialect) => Ok(kerf_part::read_as(name.into(), bytes, dialect).into()),
+        WorkKind::Job => job(bytes).map_err(JournalError::Unfit),
     }
 }
 
@@ -101,19 +90,4 @@ fn job(bytes: &[u8]) -> Result<Work, String> {
     let mut machine = file::read_back(&kept.machine).map_err(|error| error.message)?;
     machine.program = kept.program;
     Ok(Work::Job(Arc::new(kept.job), Arc::new(machine)))
-}
-
-impl Journal {
-    /// The machine of a run that was cut short: a job has its own, part files that of the session.
-    ///
-    /// # Errors
-    /// As the file cannot be read.
-    pub fn machine_of(&self, cut: &CutShort) -> Result<Configuration, JournalError> {
-        match self.work_of(cut)? {
-            Work::Job(_, machine) => Ok((*machine).clone()),
-            Work::Part(_) | Work::Hand(..) => {
-                Ok(Configuration { program: cut.memory().sbp.settings.clone(), ..cut.machine() })
-            }
-        }
-    }
 }

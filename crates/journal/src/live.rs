@@ -1,13 +1,9 @@
 //! State of a machine that runs, as other programs see it: the status byte and the bytes of its switches
 //! (programming handbook, Registry Interface; readings, A-46).
 
-use super::progress::{PROGRESS, Reached};
-use super::rows::Table;
-use super::{Journal, JournalError, OWNER_FILE, mirror};
 use kerf_sim::Machine;
 use kerf_trace::flag;
 use serde::{Deserialize, Serialize};
-use std::fs::{File, TryLockError};
 
 /// Inputs or outputs that a byte of the registry tells; those beyond are in another.
 const IN_A_BYTE: u32 = 8;
@@ -52,51 +48,5 @@ impl Live {
             ("OutPutSwitches", low(self.outputs)),
             ("OutPutSwitchesUpper", high(self.outputs)),
         ]
-    }
-}
-
-impl Reached {
-    /// Returns the state that other programs see.
-    pub(super) fn live(&self) -> Live {
-        let moves = if self.moving { flag::STACK_RUNNING } else { 0 };
-        Live { status: self.live.status | moves, ..self.live }
-    }
-}
-
-impl Journal {
-    /// Reads what the machine does now. A machine that nobody runs does nothing.
-    ///
-    /// # Errors
-    /// As the file cannot be read.
-    pub fn live(&self) -> Result<Live, JournalError> {
-        self.running().map(Option::unwrap_or_default)
-    }
-
-    /// The same; nothing when nobody runs the machine.
-    ///
-    /// # Errors
-    /// As the file cannot be read.
-    pub fn running(&self) -> Result<Option<Live>, JournalError> {
-        if !self.is_owned() {
-            return Ok(None);
-        }
-        let reached = self.read(|rows| rows.text(Table::Fact, PROGRESS))?;
-        let reached: Option<Reached> = self.parsed(PROGRESS, reached)?;
-        Ok(Some(reached.as_ref().map(Reached::live).unwrap_or_default()))
-    }
-
-    /// Tells other programs how a machine stands that nobody runs: a Kerf that was killed has left what was true
-    /// then.
-    ///
-    /// # Errors
-    /// As their file cannot be written.
-    pub fn tell_rest(&self, rest: &Live) -> Result<(), JournalError> {
-        if self.is_owned() { Ok(()) } else { mirror::publish(self, rest) }
-    }
-
-    /// Tells whether a process runs the machine.
-    fn is_owned(&self) -> bool {
-        let file = File::open(self.folder().join(OWNER_FILE));
-        file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
     }
 }

@@ -4,7 +4,8 @@
 //! What a V command changes is written back when the run is over, each value in its place, so that
 //! comments and everything else stay as somebody wrote them.
 
-use crate::{Journal, JournalError, KnownMachine};
+use crate::JournalError;
+use crate::known_machine::KnownMachine;
 use kerf_diag::Diagnostic;
 use kerf_files::{Disk, RealDisk, write_private};
 use kerf_machine::profile::PROFILES;
@@ -22,7 +23,7 @@ pub const MACHINE_FILE: &str = "machine.toml";
 pub struct MachineFile {
     path: PathBuf,
     /// Knows the text that Kerf leaves in it.
-    journal: Option<Journal>,
+    known: Option<KnownMachine>,
 }
 
 /// Reason for which a configuration cannot be read or changed.
@@ -55,7 +56,7 @@ pub enum MachineFileError {
 impl MachineFile {
     /// A file.
     pub fn at(path: impl Into<PathBuf>) -> Self {
-        Self { path: path.into(), journal: None }
+        Self { path: path.into(), known: None }
     }
 
     /// The one of a data folder.
@@ -63,10 +64,9 @@ impl MachineFile {
         Self::at(folder.join(MACHINE_FILE))
     }
 
-    /// The same; this journal knows what Kerf leaves in it, and tells when somebody else leaves another machine there.
-    #[must_use]
-    pub fn known_to(self, journal: &Journal) -> Self {
-        Self { journal: Some(journal.clone()), ..self }
+    /// The same; a journal knows what Kerf leaves in it, and tells when somebody else leaves another machine there.
+    pub(crate) fn known_to(self, known: KnownMachine) -> Self {
+        Self { known: Some(known), ..self }
     }
 
     /// Tells the one of a data folder from others.
@@ -144,9 +144,9 @@ impl MachineFile {
     /// As it cannot be written, or read.
     pub fn write(&self, text: &str) -> Result<(), MachineFileError> {
         self.read(text)?;
-        let known = self.journal.as_ref().map(KnownMachine);
+        let known = self.known.as_ref();
         let before = self.text()?;
-        let expects = known.as_ref().map(|known| known.expects(before.as_deref(), text));
+        let expects = known.map(|known| known.expects(before.as_deref(), text));
         let expected = expects.transpose().map_err(not_known)?.unwrap_or_default();
         let folder = self.path.parent().unwrap_or(Path::new(""));
         let made = RealDisk.make_folder(folder);

@@ -4,9 +4,8 @@
 //! `registry.in` are taken over as if `kerf registry set` had been told them, and the file is taken
 //! away: write it under another name and rename it, so that it is never seen half.
 
+use super::JournalError;
 use super::live::Live;
-use super::{Journal, JournalError};
-use crate::check_value;
 use kerf_files::replace_whole;
 use std::fs;
 use std::io;
@@ -21,14 +20,18 @@ pub const INCOMING_FILE: &str = "registry.in";
 /// More than this is no list of values, bytes.
 const MOST_BYTES: u64 = 1 << 20;
 
-/// Writes what other programs read.
-pub(super) fn publish(journal: &Journal, live: &Live) -> Result<(), JournalError> {
+/// Writes what other programs read: keys and values.
+pub(super) fn publish(
+    folder: &Path,
+    live: &Live,
+    values: &[(String, String)],
+) -> Result<(), JournalError> {
     let mut text: String =
         live.values().iter().map(|(key, value)| format!("{key}={value}\n")).collect();
-    for (key, value) in journal.values()?.into_iter().filter(|(key, _)| !Live::tells(key)) {
+    for (key, value) in values.iter().filter(|(key, _)| !Live::tells(key)) {
         text += &format!("{key}={}\n", value.replace('\n', "\\n"));
     }
-    let there = journal.folder().join(MIRROR_FILE);
+    let there = folder.join(MIRROR_FILE);
     // Who watches it is told of changes only.
     if fs::read_to_string(&there).is_ok_and(|before| before == text) {
         return Ok(());
@@ -36,37 +39,24 @@ pub(super) fn publish(journal: &Journal, live: &Live) -> Result<(), JournalError
     replace_whole(&there, text.as_bytes()).map_err(|error| JournalError::of_disk(&there, &error))
 }
 
-impl Journal {
-    /// Takes over the values that other programs wrote into their file; what is none is left out.
-    ///
-    /// # Errors
-    /// As the journal cannot be written; then the file stays.
-    pub fn take_in(&self) -> Result<(), JournalError> {
-        let file = self.folder().join(INCOMING_FILE);
-        let Some(text) = incoming(&file).map_err(|error| JournalError::of_disk(&file, &error))?
-        else {
-            return Ok(());
-        };
-        for (key, value) in text.lines().filter_map(|line| line.split_once('=')) {
-            let key = key.rsplit(['/', '\\']).next().unwrap_or(key).trim();
-            let value = Some(value.trim()).filter(|value| !value.is_empty());
-            if check_value(key, value).is_ok() {
-                self.set_value(key, value)?;
-            }
+/// Reads what other programs wrote; `None` where they wrote nothing.
+pub(super) fn incoming(folder: &Path) -> Result<Option<String>, JournalError> {
+    let file = folder.join(INCOMING_FILE);
+    match fs::metadata(&file) {
+        Ok(about) if about.is_file() && about.len() <= MOST_BYTES => {
+            let bytes = fs::read(&file).map_err(|error| JournalError::of_disk(&file, &error))?;
+            Ok(Some(String::from_utf8_lossy(&bytes).into_owned()))
         }
-        match fs::remove_file(&file) {
-            // Another thread, or another Kerf, has taken the same lines.
-            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-            done => done.map_err(|error| JournalError::of_disk(&file, &error)),
-        }
+        _ => Ok(None),
     }
 }
 
-fn incoming(file: &Path) -> io::Result<Option<String>> {
-    match fs::metadata(file) {
-        Ok(about) if about.is_file() && about.len() <= MOST_BYTES => {
-            Ok(Some(String::from_utf8_lossy(&fs::read(file)?).into_owned()))
-        }
-        _ => Ok(None),
+/// Takes away what other programs wrote: it was taken over.
+pub(super) fn is_taken(folder: &Path) -> Result<(), JournalError> {
+    let file = folder.join(INCOMING_FILE);
+    match fs::remove_file(&file) {
+        // Another thread, or another Kerf, has taken the same lines.
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        done => done.map_err(|error| JournalError::of_disk(&file, &error)),
     }
 }

@@ -1,80 +1,16 @@
 //! Progress of a run: written while it goes on, so that a kill at any instant loses at most the
 //! motion in flight.
 
-use super::scribe::{Hurry, Scribe, Writer};
-use super::{Journal, Live, Placed};
-use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use super::batch::Batch;
+use super::reached::Reached;
+use super::scribe::{Hurry, Scribe};
+use super::writer::Writer;
+use super::{Registry, contents};
 use std::time::{Duration, Instant};
-
-/// Name of the fact.
-pub(super) const PROGRESS: &str = "progress";
 
 /// Time between two writings where machine time is not the time of the world; a move takes a microsecond then and a
 /// writing twenty.
 pub(crate) const EVERY: Duration = Duration::from_millis(10);
-
-/// Progress of a run.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Reached {
-    /// Moves made since it began.
-    pub made: u64,
-    /// Share of the move behind those that is made, 0 … 1.
-    #[serde(default)]
-    pub within: f64,
-    /// The operator stopped it there and gave it up.
-    #[serde(default)]
-    pub stopped: bool,
-    /// The machine moves: it is near `place`.
-    pub moving: bool,
-    /// Place where it was last.
-    pub place: Placed,
-    /// State that other programs see, but for the machine's motion.
-    #[serde(default)]
-    pub live: Live,
-    /// The part file of the last move.
-    pub file: String,
-    /// Its line.
-    pub line: u32,
-}
-
-/// Changes of the record that are made together.
-#[derive(Debug, Default)]
-pub(super) struct Batch {
-    /// Steps from this number on are no more; those below are newer.
-    pub dropped_from: Option<i64>,
-    /// Steps that the world told: number and text.
-    pub steps: Vec<(i64, Vec<u8>)>,
-    /// Files that steps speak of, by their hashes.
-    pub contents: BTreeMap<String, Vec<u8>>,
-    /// New values, by their keys; nothing removes one.
-    pub values: BTreeMap<String, Option<String>>,
-    /// The progress of the run; `None` where that is on record.
-    pub reached: Option<Reached>,
-}
-
-impl Batch {
-    /// Steps from a number on are no more.
-    fn drop_from(&mut self, from: i64) {
-        self.steps.retain(|(number, _)| *number < from);
-        self.dropped_from = Some(self.dropped_from.map_or(from, |before| before.min(from)));
-    }
-
-    /// Takes a later batch in.
-    pub(super) fn join(&mut self, later: Self) {
-        if let Some(from) = later.dropped_from {
-            self.drop_from(from);
-        }
-        self.steps.extend(later.steps);
-        self.contents.extend(later.contents);
-        self.values.extend(later.values);
-        self.reached = later.reached.or_else(|| self.reached.take());
-    }
-
-    const fn changes_steps(&self) -> bool {
-        !self.steps.is_empty() || self.dropped_from.is_some()
-    }
-}
 
 /// Writes how far a run is.
 #[derive(Debug)]
@@ -104,9 +40,9 @@ enum Hand {
 
 impl Progress {
     /// Of a run whose next step has this number; of one that is not taken up, none.
-    pub(super) fn new(journal: Journal, next_step: Option<i64>) -> Self {
+    pub(super) fn new(registry: Registry, next_step: Option<i64>) -> Self {
         Self {
-            hand: Hand::Own(Writer::new(journal)),
+            hand: Hand::Own(Writer::new(registry)),
             batch: Batch::default(),
             next_step,
             written: None,
@@ -119,7 +55,7 @@ impl Progress {
     /// From now on a thread writes, and nobody waits for the disk while the machine moves.
     pub(super) fn writes_behind(&mut self, hurry: Option<Hurry>) {
         let Hand::Own(writer) = &self.hand else { return };
-        match Scribe::begin(Writer::new(writer.journal.clone()), hurry) {
+        match Scribe::begin(Writer::new(writer.registry.clone()), hurry) {
             Ok(scribe) => self.hand = Hand::Scribe(scribe),
             Err(error) => self.trouble = Some(format!("the thread that writes: {error}")),
         }
@@ -154,7 +90,7 @@ impl Progress {
 
     /// Adds a file that a step speaks of; tells its name.
     pub(crate) fn add_content(&mut self, bytes: &[u8]) -> String {
-        let hash = super::contents::hash(bytes);
+        let hash = contents::hash(bytes);
         if self.next_step.is_some() {
             self.batch.contents.insert(hash.clone(), bytes.to_vec());
         }

@@ -2,10 +2,12 @@
 //! row, what is newer comes from the copy made when the last run was over. The damaged file stays, under
 //! another name.
 
+use super::copy::BACKUP_FILE;
 use super::database::{self, Access};
 use super::rows::{self, Row, Rows, Table, key_text};
 use super::seal::{self, Found as SealFound, Mark, Reached, SEAL_FILE, Seal, Verdict};
-use super::{BACKUP_FILE, JOURNAL_FILE, Journal, JournalError, stated};
+use super::store::{JOURNAL_FILE, Store};
+use super::{JournalError, stated};
 use crate::facts::Fact;
 use kerf_program::Axis;
 use rusqlite::{Connection, OpenFlags};
@@ -73,9 +75,9 @@ const NOT_VERIFIED: &str =
     "locations are not verified: home the machine, zero its axes anew, or confirm them";
 
 /// A journal of which nobody can tell that it is the newest: its seal is gone, or damaged.
-pub(super) fn doubt(journal: &Journal, why: &str) -> Result<Vec<String>, JournalError> {
-    journal.write(not_verified)?;
-    let (seal, file) = (journal.folder.join(SEAL_FILE), journal.folder.join(JOURNAL_FILE));
+pub(super) fn doubt(store: &Store, why: &str) -> Result<Vec<String>, JournalError> {
+    store.write(not_verified)?;
+    let (seal, file) = (store.folder().join(SEAL_FILE), store.folder().join(JOURNAL_FILE));
     let (seal, file) = (seal.display(), file.display());
     Ok(vec![
         format!("{seal} {why}: whether {file} is the newest cannot be told; it was sealed anew"),

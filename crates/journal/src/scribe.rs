@@ -5,9 +5,9 @@
 //!         └────────── settle ◄── all is written, or tried in vain, or somebody wants the machine to stop
 //! ```
 
-use super::progress::{Batch, PROGRESS};
-use super::rows::Table;
-use super::{Journal, JournalError, Live, json, mirror};
+use super::JournalError;
+use super::batch::Batch;
+use super::writer::Writer;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -31,49 +31,6 @@ impl Hurry {
 impl fmt::Debug for Hurry {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Hurry").finish_non_exhaustive()
-    }
-}
-
-/// Writes batches into a journal, and tells other programs what they see.
-#[derive(Debug)]
-pub(super) struct Writer {
-    pub journal: Journal,
-    /// The status that other programs saw last.
-    published: Option<Live>,
-}
-
-impl Writer {
-    pub(super) const fn new(journal: Journal) -> Self {
-        Self { journal, published: None }
-    }
-
-    /// Writes a batch; then other programs see it. What they wrote is taken over.
-    pub(super) fn write(&mut self, batch: &Batch) -> Result<(), JournalError> {
-        self.journal.write(|rows| {
-            if let Some(from) = batch.dropped_from {
-                rows.remove_from(Table::Step, from)?;
-            }
-            let (contents, steps) = (&batch.contents, &batch.steps);
-            contents.iter().try_for_each(|(hash, bytes)| rows.keep_content(hash, bytes))?;
-            let mut values = batch.values.iter();
-            values.try_for_each(|(key, value)| rows.set(Table::Value, key, value.as_deref()))?;
-            steps.iter().try_for_each(|(n, step)| rows.put(Table::Step, n, step))?;
-            match &batch.reached {
-                Some(reached) => rows.put(Table::Fact, PROGRESS, &json(reached)?),
-                None => Ok(()),
-            }
-        })
-    }
-
-    /// Tells other programs what they see, and takes what they wrote.
-    pub(super) fn meet_others(&mut self, batch: &Batch) -> Result<(), JournalError> {
-        let Some(reached) = &batch.reached else { return Ok(()) };
-        let live = reached.live();
-        match self.published.replace(live) {
-            Some(before) if before == live => {}
-            _ => mirror::publish(&self.journal, &live)?,
-        }
-        self.journal.take_in()
     }
 }
 
@@ -196,7 +153,9 @@ fn lock(slate: &Mutex<Slate>) -> MutexGuard<'_, Slate> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::progress::Reached;
+    use crate::Journal;
+    use crate::reached::{PROGRESS, Reached};
+    use crate::rows::Table;
     use std::sync::atomic::{AtomicBool, Ordering};
 
     fn step(number: i64, text: &str) -> (i64, Vec<u8>) {
@@ -209,7 +168,7 @@ mod tests {
     }
 
     fn steps(journal: &Journal) -> Vec<String> {
-        let all = journal.read(|rows| rows.all(Table::Step)).unwrap();
+        let all = journal.store.read(|rows| rows.all(Table::Step)).unwrap();
         all.into_iter().map(|(_, text)| text).collect()
     }
 
@@ -221,8 +180,8 @@ mod tests {
         let stops = Arc::new(AtomicBool::new(true));
         let its = stops.clone();
         let hurry = Hurry::new(move || its.load(Ordering::Relaxed));
-        let scribe = Scribe::begin(Writer::new(journal.clone()), Some(hurry)).unwrap();
-        let disk = journal.opened();
+        let scribe = Scribe::begin(Writer::new(journal.registry.clone()), Some(hurry)).unwrap();
+        let disk = journal.store.opened();
         scribe.post(made(1, vec![step(1, "a"), step(2, "b")]));
         scribe.post(Batch { dropped_from: Some(2), ..Batch::default() });
         scribe.post(made(2, vec![step(2, "c"), step(3, "d")]));
@@ -238,10 +197,10 @@ mod tests {
     fn what_is_posted_last_is_written_before_the_end() {
         let folder = tempfile::tempdir().unwrap();
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        let scribe = Scribe::begin(Writer::new(journal.clone()), None).unwrap();
+        let scribe = Scribe::begin(Writer::new(journal.registry.clone()), None).unwrap();
         (1..=50).for_each(|n| scribe.post(made(n as u64, vec![step(n, "x")])));
         drop(scribe);
-        let text = journal.read(|rows| rows.text(Table::Fact, PROGRESS)).unwrap().unwrap();
+        let text = journal.store.read(|rows| rows.text(Table::Fact, PROGRESS)).unwrap().unwrap();
         let reached: Reached = serde_json::from_str(&text).unwrap();
         assert_eq!((reached.made, steps(&journal).len()), (50, 50));
     }
@@ -250,9 +209,9 @@ mod tests {
     fn what_the_disk_refused_is_written_with_what_comes_next() {
         let folder = tempfile::tempdir().unwrap();
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        let scribe = Scribe::begin(Writer::new(journal.clone()), None).unwrap();
+        let scribe = Scribe::begin(Writer::new(journal.registry.clone()), None).unwrap();
         let query_only = |on| {
-            journal.opened().connection.pragma_update(None, "query_only", on).unwrap();
+            journal.store.opened().connection.pragma_update(None, "query_only", on).unwrap();
         };
         query_only(true);
         scribe.post(made(1, vec![step(1, "a")]));

@@ -10,8 +10,9 @@
 //! write-ahead file is gone, emptied or torn, or somebody put an older file in its place. An older file below a newer
 //! write-ahead file is noticed as well: the seal knows the generation that the file had by itself.
 
-use super::rows::{Result, Rows, Table, Trouble, json};
+use super::rows::{self, Result, Rows, Table, Trouble, json};
 use kerf_files::{private, write_private};
+use rusqlite::Connection;
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher, RandomState};
@@ -129,6 +130,11 @@ impl Mark {
         let parse = |text: String| serde_json::from_str(&text);
         let damaged = |error| Trouble::Damaged(format!("{GENERATION}: {error}"));
         text.map(parse).transpose().map_err(damaged)
+    }
+
+    /// Reads it with the digest of the rows, as both are at one moment.
+    pub(super) fn with_digest(connection: &Connection) -> Result<(Option<Self>, u64)> {
+        rows::at_once(connection, |rows| Ok((Self::of(rows)?, rows::digest(rows.0)?)))
     }
 
     /// A change more was made; the first one is made in this journal.

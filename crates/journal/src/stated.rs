@@ -1,25 +1,16 @@
 //! Words of the machine about itself, in the journal: they are among the facts, where nothing gets that programs and
 //! other software write. Journals of the first version have them among the values.
 
+use super::JournalError;
 use super::database;
 use super::rows::{Result, Rows, Table};
-use super::{Journal, JournalError};
+use super::store::Store;
 use crate::facts::Fact;
 
-impl Journal {
-    /// The machine says of itself that this is so; `None` takes it back.
-    ///
-    /// # Errors
-    /// As the file cannot be written.
-    pub fn state(&self, fact: Fact, text: Option<&str>) -> std::result::Result<(), JournalError> {
-        self.write(|rows| rows.set(Table::Fact, fact.key(), text))
-    }
-
-    /// Takes what the machine says of itself out of the values, where a journal of the first version has it.
-    pub(super) fn part_facts(&self) -> std::result::Result<(), JournalError> {
-        let first = |rows: &Rows<'_>| Ok(table(rows)? == Table::Value);
-        if self.read(first)? { self.write(part) } else { Ok(()) }
-    }
+/// Takes what the machine says of itself out of the values, where a journal of the first version has it.
+pub(super) fn part_facts(store: &Store) -> std::result::Result<(), JournalError> {
+    let first = |rows: &Rows<'_>| Ok(table(rows)? == Table::Value);
+    if store.read(first)? { store.write(part) } else { Ok(()) }
 }
 
 /// The table in which a journal has what the machine says of itself.

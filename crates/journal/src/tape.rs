@@ -13,13 +13,16 @@
 //! Each kind of question is counted. Most are on the tape whenever they were asked; those that are
 //! asked at every move and hardly ever have an answer only when they had ([`Tape::hear_rarely`]).
 
+mod lag;
 mod reached;
 mod reentries;
 
 pub use reentries::Reentered;
 
-use super::progress::{Progress, Reached};
+use super::progress::Progress;
+use super::reached::Reached;
 use crate::switches::Switches;
+use lag::Lag;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
@@ -109,6 +112,8 @@ pub struct Tape {
     switches: [Switches; 2],
     /// Progress of the run.
     reached: Reached,
+    /// What of it is made for sure, where the run tells of moves before they are made.
+    lag: Option<Lag>,
     writing: Option<Progress>,
     /// Nothing is written and the world is not asked: what happens has happened before.
     silent: bool,
@@ -169,6 +174,7 @@ impl Tape {
     /// From here on the world is heard; the machine stands there.
     pub fn wake(&mut self, place: super::Placed) {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
+        self.comes_to_rest();
     }
 
     /// The run is over: nothing of it is written any more, and what was to be written is. Where something on the
@@ -259,6 +265,9 @@ impl Tape {
     pub fn heard<T: Serialize>(&mut self, kind: Kind, call: u64, told: Option<&T>) {
         if let Some(told) = told {
             self.add(kind, call, told);
+            if kind == Kind::Stood {
+                self.comes_to_rest();
+            }
             let last = self.writing.as_ref().and_then(Progress::last_step);
             self.last_request = last.filter(|_| kind == Kind::Request);
         }
@@ -432,7 +441,7 @@ mod tests {
         let (journal, _) = Journal::open(folder.path()).unwrap();
         let step = Step { kind: Kind::Log, call: 1, told: serde_json::Value::Null };
         for (steps, fits) in [(Vec::new(), true), (vec![step], false)] {
-            let progress = Progress::new(journal.clone(), Some(2));
+            let progress = Progress::new(journal.registry.clone(), Some(2));
             let reached = Reached::default();
             let mut tape =
                 Tape::playing(steps, BTreeMap::new(), &reached, progress, Default::default());
@@ -446,14 +455,14 @@ mod tests {
     fn what_is_over_is_on_record_however_long_the_disk_takes() {
         let folder = tempfile::tempdir().unwrap();
         let (journal, _) = Journal::open(folder.path()).unwrap();
-        let mut progress = Progress::new(journal.clone(), Some(1));
+        let mut progress = Progress::new(journal.registry.clone(), Some(1));
         progress.writes_behind(Some(Hurry::new(|| true)));
         let mut tape = Tape::recording(Placed::default(), progress);
         let (holds, held) = std::sync::mpsc::channel();
         let written = AtomicBool::new(false);
         std::thread::scope(|scope| {
             scope.spawn(|| {
-                let _disk = journal.opened();
+                let _disk = journal.store.opened();
                 holds.send(()).unwrap();
                 std::thread::sleep(Duration::from_millis(30));
                 written.store(true, Ordering::Release);

@@ -1,27 +1,17 @@
 //! The run under way: everything needed to run it again up to where it is.
 
-use super::history::{self, Past};
-use super::kept_work::{KeptWork, WorkKind};
-use super::progress::{PROGRESS, Progress, Reached};
-use super::remembered::{remember, remember_homed};
-use super::rows::{self, Rows, Table};
-use super::tape::{Step, Tape};
-use super::{Journal, JournalError, Live, Placed, json, mirror};
+use super::history::Past;
+use super::kept_work::{KeptWork, WorkKind, read_back};
+use super::reached::Reached;
+use super::{JournalError, RunOptions, Shell, Standing, Surroundings, Work};
 use crate::machine_file::MACHINE_FILE;
 use crate::switches::{self, SWITCHES, Switches};
-use crate::{RunOptions, Shell, Standing, Surroundings, Work};
 use kerf_files::Folders;
 use kerf_machine::Configuration;
-use kerf_program::{Settings, Status};
-use kerf_trace::Summary;
+use kerf_program::Settings;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-
-const RUN: &str = "run";
-
-/// Key of the progress of the run under way, while other commands are carried out.
-const REACHED: &str = "reached";
 
 /// Everything that a run was begun from.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -33,7 +23,7 @@ pub struct RunUnderWay {
     /// Hash of its bytes.
     hash: String,
     /// Format of the bytes.
-    pub(super) kind: WorkKind,
+    kind: WorkKind,
     session: kerf_part::Session,
     /// Values that programs had kept.
     pub values: BTreeMap<String, String>,
@@ -123,6 +113,15 @@ impl CutShort {
         kerf_machine::file::read(&name, &self.run.machine).unwrap_or_default()
     }
 
+    /// Reads back the work that the run carried out.
+    pub(super) fn work(&self, contents: &BTreeMap<String, Vec<u8>>) -> Result<Work, JournalError> {
+        let run = &self.run;
+        let bytes = contents
+            .get(run.hash())
+            .ok_or_else(|| JournalError::Unfit(format!("the text of {} was not kept", run.file)))?;
+        read_back(run.kind, &run.file, bytes)
+    }
+
     /// Switches of the simulated machine as they were left when the run began.
     pub fn switches(&self) -> Switches {
         self.run.values.get(SWITCHES).map(|text| switches::read(text)).unwrap_or_default()
@@ -156,131 +155,18 @@ impl RunUnderWay {
             machine: kerf_machine::file::write(standing.machine),
         }
     }
-}
-
-impl Journal {
-    /// A run begins. It is on record before anything moves; typed lines cannot be taken up again.
-    pub fn begin(
-        &self,
-        run: &RunUnderWay,
-        standing: &Standing<'_>,
-        bytes: &[u8],
-    ) -> Result<Tape, JournalError> {
-        let (earlier, takes_up) = (self.cut_short()?, !run.options.program.typed);
-        self.write(|rows| {
-            remember(rows, standing.memory, standing.gcode)?;
-            // After a run that was killed in motion nobody knows homes any more.
-            remember_homed(rows, standing)?;
-            if takes_up {
-                forget(rows, earlier.as_ref())?;
-                rows.keep_content(run.hash(), bytes)?;
-                rows.put(Table::Fact, RUN, &json(run)?)?;
-            } else {
-                keep_reached(rows, earlier.as_ref())?;
-            }
-            rows.set(Table::Fact, PROGRESS, None)
-        })?;
-        Ok(Tape::recording(standing.place(), Progress::new(self.clone(), takes_up.then_some(1))))
+    /// Settings of the machine when it began.
+    pub(super) const fn began_with(&self) -> &Settings {
+        &self.session.sbp.settings
     }
 
-    /// A run is over: what it left is kept. One that was given up can still be taken up.
-    pub fn end(
-        &self,
-        run: &RunUnderWay,
-        standing: &Standing<'_>,
-        summary: &Summary,
-        tape: &Tape,
-        live: &Live,
-    ) -> Result<(), JournalError> {
-        // What options say holds for this run; what the run itself changed stays.
-        let kept = match run.settings {
-            Some(_) => Ok(()),
-            None => self.keep_settings(Some(&run.session.sbp.settings), &standing.memory.settings),
-        };
-        self.write(|rows| {
-            remember(rows, standing.memory, standing.gcode)?;
-            remember_homed(rows, standing)?;
-            if !run.options.program.typed {
-                history::add(rows, &run.past(status_word(summary.status), summary.seconds))?;
-                if let Some(reached) = tape.left_at() {
-                    return rows.put(Table::Fact, PROGRESS, &json(reached)?);
-                }
-                forget(rows, None)?;
-            }
-            rows.set(Table::Fact, PROGRESS, None)
-        })?;
-        mirror::publish(self, live)?;
-        kept
-    }
-
-    /// The run that was cut short; `None` when the last one came to its end.
-    ///
-    /// # Errors
-    /// As the file cannot be read.
-    pub fn cut_short(&self) -> Result<Option<CutShort>, JournalError> {
-        let [run, reached, progress] = self.read(|rows| {
-            let fact = |key| rows.text(Table::Fact, key);
-            Ok([fact(RUN)?, fact(REACHED)?, fact(PROGRESS)?])
-        })?;
-        let Some(run) = self.parsed(RUN, run)? else { return Ok(None) };
-        let reached = self.parsed(REACHED, reached.or(progress))?.unwrap_or_default();
-        Ok(Some(CutShort { run, reached }))
-    }
-
-    /// The work of a run that was cut short.
-    ///
-    /// # Errors
-    /// As the file cannot be read, or its text was not kept.
-    pub fn work_of(&self, cut: &CutShort) -> Result<Work, JournalError> {
-        cut.work(&self.read(|rows| rows.contents())?)
-    }
-
-    /// Returns the work of a run that was cut short, and the tape of what the world told it. The machine is at
-    /// this place now, its switches are so; how far the run is, is told by its own progress again.
-    pub fn take_up(
-        &self,
-        cut: &CutShort,
-        place: Placed,
-        switches: Switches,
-    ) -> Result<(Work, Tape), JournalError> {
-        let run = &cut.run;
-        if let Some(name) = cut.controller() {
-            let why = format!("it ran on {name}, and only runs of the simulated machine are");
-            return Err(JournalError::Unfit(why));
-        }
-        let version = env!("CARGO_PKG_VERSION");
-        if run.version != version {
-            let why = format!("Kerf {} ran it, this is {version}", run.version);
-            return Err(JournalError::Unfit(why));
-        }
-        let (steps, contents, last) = self.read(|rows| {
-            let steps = rows.all(Table::Step)?;
-            Ok((steps, rows.contents()?, rows.last(Table::Step)?))
-        })?;
-        let work = cut.work(&contents)?;
-        let parse = |(_, text): (String, String)| serde_json::from_str::<Step>(&text);
-        let steps: Result<Vec<Step>, _> = steps.into_iter().map(parse).collect();
-        let steps = steps.map_err(|error| JournalError::Unfit(error.to_string()))?;
-        self.write(|rows| {
-            if rows.text(Table::Fact, REACHED)?.is_some() {
-                let reached = Reached { place, moving: false, ..cut.reached.clone() };
-                rows.put(Table::Fact, PROGRESS, &json(&reached)?)?;
-            }
-            rows.set(Table::Fact, REACHED, None)
-        })?;
-        let progress = Progress::new(self.clone(), Some(last + 1));
-        let switches = [switches, cut.switches()];
-        Ok((work, Tape::playing(steps, contents, &cut.reached, progress, switches)))
-    }
-}
-
-impl RunUnderWay {
     /// Hash of what it carries out.
     pub fn hash(&self) -> &str {
         &self.hash
     }
 
-    fn past(&self, status: &str, seconds: f64) -> Past {
+    /// The run as the history keeps it.
+    pub(super) fn past(&self, status: &str, seconds: f64) -> Past {
         Past {
             file: self.file.clone(),
             hash: self.hash.clone(),
@@ -288,34 +174,5 @@ impl RunUnderWay {
             seconds,
             status: status.into(),
         }
-    }
-}
-
-/// Keeps the progress of the run that was cut short: it can still be taken up after what comes now.
-pub(super) fn keep_reached(rows: &Rows<'_>, earlier: Option<&CutShort>) -> rows::Result<()> {
-    match earlier {
-        Some(earlier) => rows.put(Table::Fact, REACHED, &json(&earlier.reached)?),
-        None => Ok(()),
-    }
-}
-
-/// Nothing is under way any more.
-fn forget(rows: &Rows<'_>, cut: Option<&CutShort>) -> rows::Result<()> {
-    if let Some(cut) = cut.filter(|cut| !cut.stopped()) {
-        history::add(rows, &cut.run.past("cut short", 0.0))?;
-    }
-    rows.clear(Table::Step)?;
-    rows.clear(Table::Content)?;
-    rows.set(Table::Fact, RUN, None)?;
-    rows.set(Table::Fact, REACHED, None)
-}
-
-const fn status_word(status: Status) -> &'static str {
-    match status {
-        Status::Ok => "ok",
-        Status::Ended => "ended",
-        Status::Failed => "failed",
-        Status::Stopped => "stopped",
-        Status::Limit => "limit",
     }
 }

@@ -23,7 +23,7 @@ fn main() {
 #[cfg(unix)]
 mod unix {
     use kerf_driver_grbl::fake::Fake;
-    use kerf_serial::pretend::Plug;
+    use kerf_transport::pretend::Plug;
     use std::io::stdin;
     use std::sync::mpsc::{Receiver, TryRecvError, channel};
     use std::time::{Duration, Instant};

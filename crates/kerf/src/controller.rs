@@ -9,35 +9,25 @@ use crate::stop::Stop;
 use anyhow::{Result, anyhow};
 use kerf_control::Session;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{Controller, Line, Socket};
+use kerf_control::controller::{Controller, Socket};
 use kerf_driver_grbl::Grbl;
 use kerf_journal::{RunOptions, Work};
-use kerf_serial::Port;
 use kerf_trace::Sink;
+use kerf_transport::Address;
 use kerf_workspace::Workspace;
-use std::sync::Arc;
-use std::time::Duration;
-
-/// A serial port as the line of a driver.
-struct Wire(Port);
-
-impl Line for Wire {
-    fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, String> {
-        self.0.read(into, wait).map_err(|error| error.to_string())
-    }
-
-    fn write(&mut self, bytes: &[u8]) -> Result<(), String> {
-        self.0.write(bytes).map_err(|error| error.to_string())
-    }
-}
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Returns the place where a controller hangs.
 pub fn socket(name: &DriverName) -> Socket {
-    let DriverName { words, path, baud } = name.clone();
-    let port = path.clone();
+    let DriverName { words, address } = name.clone();
+    let port = address.key();
+    let known: Mutex<Option<Address>> = Mutex::default();
     let opens = Arc::new(move || {
-        let port = Port::open(&path, baud).map_err(|why| why.to_string())?;
-        Ok((Box::new(Grbl::new()) as Box<_>, Box::new(Wire(port)) as Box<_>))
+        // Another board at the same port is not the one that was there.
+        let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+        let line = known.as_ref().unwrap_or(&address).open().map_err(|why| why.to_string())?;
+        let _ = known.get_or_insert_with(|| address.steady());
+        Ok((Box::new(Grbl::new()) as Box<_>, line))
     });
     Socket { name: words, port, opens }
 }

@@ -135,7 +135,7 @@ fn first_shape(words: &str, job: &Job, workspace: &Workspace) -> Result<usize> {
 
 /// The shape at which the last run of a job ended early: it was cut short, or stopped.
 fn stopped_at(job: &Job, workspace: &Workspace) -> Result<Option<usize>> {
-    let cut = workspace.journal().map(|journal| journal.cut_short()).transpose()?.flatten();
+    let cut = workspace.journal().map(|journal| journal.runs.cut_short()).transpose()?.flatten();
     let cut = cut.filter(|cut| cut.is_job() && cut.file() == &*job.name);
     match cut.map(|cut| cut.last_move().1).or_else(|| workspace.last_shape(&job.name)) {
         Some(shape) => Ok(Some((shape as usize).max(1))),

@@ -120,7 +120,7 @@ pub fn of_data_to_change(data: &DataArgs) -> Result<MachineFile> {
         return Ok(file);
     }
     let journal = memory::journal(&folder, false)?;
-    Ok(journal.map_or(file.clone(), |journal| file.known_to(&journal)))
+    Ok(journal.map_or(file.clone(), |journal| journal.settings.knows(file)))
 }
 
 /// There is neither a file nor a machine of a name.

@@ -3,17 +3,16 @@
 
 use crate::exit::Usage;
 use clap::{ArgMatches, Args};
+use kerf_transport::Address;
 use std::fmt;
 use std::path::{Path, PathBuf};
-
-/// The rate of grbl's own build.
-const BAUD: u32 = 115_200;
 
 /// The ending of files that say how a machine is set up.
 const ENDING: &str = "toml";
 
 /// Ways to name a controller.
-const CONTROLLERS: &str = "grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000 with another rate";
+const CONTROLLERS: &str = "grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000 with another rate, grbl:tcp:HOST or \
+     grbl:ws:HOST in the network";
 
 /// One name of a machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,7 +26,7 @@ pub enum MachineName {
 }
 
 impl MachineName {
-    /// Reads `sim`, `grbl:PORT[@BAUD]`, or the name of a configuration.
+    /// Reads `sim`, `grbl:PORT[@BAUD]`, `grbl:tcp:HOST[:PORT]`, `grbl:ws:HOST[:PORT]`, or the name of a configuration.
     ///
     /// # Errors
     /// A driver that does not exist, or one without its port; the text tells how it is named.
@@ -58,15 +57,13 @@ impl fmt::Display for MachineName {
     }
 }
 
-/// A driver and the port at which its controller is.
+/// A driver and the line on which its controller hangs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DriverName {
     /// The whole name, as it was given.
     pub words: String,
-    /// Device of the serial port.
-    pub path: String,
-    /// Rate of the serial port, baud.
-    pub baud: u32,
+    /// The line.
+    pub address: Address,
 }
 
 impl DriverName {
@@ -74,20 +71,11 @@ impl DriverName {
         if driver != "grbl" {
             return Err(format!("there is no driver '{driver}', only grbl: {CONTROLLERS}"));
         }
-        if port.starts_with("tcp:") {
-            return Err(format!("controllers are reached over serial ports only: {CONTROLLERS}"));
-        }
-        let (path, baud) = match port.rsplit_once('@') {
-            Some((path, baud)) => {
-                let wrong = || format!("'{baud}' is no rate in baud, as 115200 is");
-                (path, baud.parse().ok().filter(|baud| *baud > 0).ok_or_else(wrong)?)
-            }
-            None => (port, BAUD),
-        };
-        if path.is_empty() {
-            return Err(format!("grbl needs its port: {CONTROLLERS}"));
-        }
-        Ok(Self { words: words.to_owned(), path: path.to_owned(), baud })
+        let address = Address::read(port).map_err(|why| match &*why {
+            "" => format!("grbl needs its port: {CONTROLLERS}"),
+            _ => why,
+        })?;
+        Ok(Self { words: words.to_owned(), address })
     }
 }
 
@@ -101,7 +89,7 @@ impl fmt::Display for DriverName {
 #[derive(Args, Clone, Debug, Default)]
 pub struct MachineChoice {
     /// The machine: sim, the simulated one; grbl:PORT or grbl:PORT@BAUD, a controller of the grbl family at a serial
-    /// port; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
+    /// port; grbl:tcp:HOST[:PORT] or grbl:ws:HOST[:PORT], one in the network; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
     /// is like may both be given [default: sim, as the data folder has it]
     #[arg(
         id = MACHINE,
@@ -185,12 +173,18 @@ mod tests {
 
     #[test]
     fn controllers_are_named_with_port_and_rate() {
-        let check = |words: &str, path: &str, baud| {
-            let name = DriverName { words: words.into(), path: path.into(), baud };
-            assert_eq!(MachineName::read(words), Ok(MachineName::Controller(name)));
+        let check = |words: &str, address: &str| {
+            let read = MachineName::read(words).unwrap();
+            let MachineName::Controller(name) = &read else { panic!("{words} is a controller") };
+            assert_eq!(
+                (name.address.to_string().as_str(), read.to_string().as_str()),
+                (address, words)
+            );
         };
-        check("grbl:/dev/ttyUSB0", "/dev/ttyUSB0", 115_200);
-        check("grbl:COM3@250000", "COM3", 250_000);
+        check("grbl:/dev/ttyUSB0", "/dev/ttyUSB0@115200");
+        check("grbl:COM3@250000", "COM3@250000");
+        check("grbl:tcp:10.0.0.2", "tcp:10.0.0.2:23");
+        check("grbl:ws:router.local:80", "ws:router.local:80/");
     }
 
     #[test]
@@ -218,7 +212,8 @@ mod tests {
         check("grbl:@9600", "grbl needs its port");
         check("grbl:COM3@fast", "'fast' is no rate");
         check("grbl:COM3@0", "'0' is no rate");
-        check("grbl:tcp:10.0.0.2:23", "serial ports only");
+        check("grbl:tcp:10.0.0.2:x", "'x' is no port of the network");
+        check("grbl:ws:", "grbl:ws:HOST");
         check("linuxcnc:x", "there is no driver 'linuxcnc', only grbl");
         check("", "name a machine: sim");
     }

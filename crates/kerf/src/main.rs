@@ -20,6 +20,7 @@ macro_rules! eprintln {
 }
 
 mod args;
+mod checked;
 mod clock;
 mod coloured;
 mod commands;
@@ -43,6 +44,7 @@ mod out;
 mod outputs;
 mod parse;
 mod picture;
+mod preview_mode;
 mod progress;
 mod remote;
 mod report;
@@ -51,8 +53,11 @@ mod sending;
 mod served;
 mod setup;
 mod sources;
+mod start_up;
 mod stop;
+mod streamed;
 mod summary;
+mod transfer;
 mod visit;
 mod waveforms;
 

@@ -56,7 +56,7 @@ pub fn recall(journal: &Journal, workspace: &mut Workspace, looks: bool) -> Resu
 
 /// Tells what is in doubt since the process before, and what it did not finish; or that it still runs.
 fn tell(journal: &Journal, workspace: &Workspace, whereabouts: Whereabouts) -> Result<()> {
-    let cut = journal.cut_short()?;
+    let cut = journal.runs.cut_short()?;
     let moving = whereabouts == Whereabouts::Moving;
     if (moving || cut.is_some()) && matches!(journal.own(), Err(JournalError::Owned { .. })) {
         eprintln!("kerf: another Kerf runs the machine now");
@@ -77,8 +77,8 @@ fn tell(journal: &Journal, workspace: &Workspace, whereabouts: Whereabouts) -> R
     }
     if let Some(cut) = cut {
         let how = match cut.controller() {
-            None => "kerf run --resume takes it up",
-            Some(_) => "kerf run FILE --from-line N goes on at a line of it",
+            None => "kerf run --resume takes it up".to_owned(),
+            Some(name) => format!("kerf run --resume --machine {name} takes it up"),
         };
         eprintln!("kerf: {}; {how}", cut.told());
     }

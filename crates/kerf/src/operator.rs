@@ -2,7 +2,7 @@
 
 use crate::stop::Stop;
 use anyhow::Result;
-use kerf_control::answers::{Answers, Operator, default_answer, meaning, words};
+use kerf_control::answers::{Answers, Operator, meaning, words};
 use kerf_control::{OperatorRequest, Requests, Script, WorldClock};
 use kerf_journal::Hurry;
 use kerf_machine::Driven;
@@ -102,7 +102,7 @@ impl Keyboard {
     }
 
     fn ask(&self, question: &Question, line: u32) -> Option<String> {
-        let default = words(&default_answer(question));
+        let default = words(&question.default_answer());
         let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
         loop {
             let text = shown(question, line);
@@ -202,6 +202,9 @@ pub struct Terminal {
     clock: Clock,
     script: Script,
     stop: Stop,
+    /// The machine that is asked for what it waits, where it has controls of its own.
+    machine: Option<Driven>,
+    waits: Option<&'static str>,
 }
 
 impl Terminal {
@@ -209,7 +212,37 @@ impl Terminal {
     pub fn new(clock: Clock, script: Script) -> Result<Self> {
         let stop = Stop::listen()?;
         stop.instead_of_suspending()?;
-        Ok(Self { clock, script, stop })
+        Ok(Self { clock, script, stop, machine: None, waits: None })
+    }
+
+    /// The machine that is driven is a controller: time is that of the world, and for what it waits at its own controls is
+    /// told.
+    pub fn follows(&mut self, machine: &Driven) {
+        (self.machine, self.clock) = (Some(machine.clone()), Clock::Real);
+    }
+
+    /// Tells for what the machine waits at its own controls, where that is news.
+    fn tell_waits(&mut self) {
+        let Some(machine) = &self.machine else { return };
+        let Ok(mut machine) = machine.try_borrow_mut() else { return };
+        let waits = machine.waits();
+        if waits != self.waits {
+            let news = waits.map_or("it goes on".into(), |why| format!("waiting: {why}"));
+            eprintln!("kerf: {}: {news}", machine.name());
+            self.waits = waits;
+        }
+    }
+
+    /// Looks at a held machine; tells whether somebody at its own controls has had it go on.
+    fn went_on(&mut self) -> bool {
+        let went_on = self.machine.as_ref().is_some_and(|machine| {
+            machine.try_borrow_mut().is_ok_and(|mut machine| {
+                machine.look();
+                machine.went_on()
+            })
+        });
+        self.tell_waits();
+        went_on
     }
 
     /// Returns `true` if Kerf was asked to stop.
@@ -226,9 +259,9 @@ impl Terminal {
     }
 
     /// Sleeps so long, where a second takes a second; tells whether Kerf was asked to stop.
-    fn is_stopped_within(&self, seconds: f64) -> bool {
+    fn is_stopped_within(&mut self, seconds: f64) -> bool {
         let begin = Instant::now();
-        while self.clock == Clock::Real && !self.is_stopped() {
+        while self.clock == Clock::Real && !self.is_stopped() && !self.went_on() {
             let left_s = seconds - begin.elapsed().as_secs_f64();
             if left_s <= 0.0 {
                 break;
@@ -241,6 +274,7 @@ impl Terminal {
 
 impl Requests for Terminal {
     fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
+        self.tell_waits();
         let stop = self.is_stopped().then_some((from_s, OperatorRequest::Stop));
         stop.or_else(|| self.script.take(from_s, to_s))
     }

@@ -3,7 +3,7 @@
 
 use crate::args::DataArgs;
 use crate::exit::{Exit, Usage};
-use crate::{clock, out, setup};
+use crate::{clock, out, setup, streamed};
 use anyhow::{Result, bail};
 use clap::Args;
 use kerf_files::{Disk, RealDisk};
@@ -77,6 +77,9 @@ impl Outputs {
             None => untouched(file),
         });
         drop(self.keep(ended.collect()));
+        let notes =
+            self.data.iter().flat_map(|data| self.files.iter().map(move |file| (file, data)));
+        notes.for_each(|(file, data)| streamed::forget(file, data));
         done
     }
 
@@ -85,10 +88,9 @@ impl Outputs {
         let (record, place) = (self.record(), place(file));
         let mut of_it = record.lines().filter(|known| known.ends_with(&place));
         let last = of_it.next_back();
-        // A command that began to write it was killed, and it is another file than before.
-        let cut_short =
-            last.is_some_and(|known| known.starts_with(BEGUN) && known != begun(file, Some(stamp)));
-        cut_short || record.lines().any(|known| known == line(file, stamp))
+        let cut_short = || last.is_some_and(|known| known.starts_with(BEGUN));
+        let as_left = || self.data.as_ref().is_some_and(|data| streamed::is_as_left(file, data));
+        record.lines().any(|known| known == line(file, stamp)) || cut_short() && as_left()
     }
 
     fn record(&self) -> String {

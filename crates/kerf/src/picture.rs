@@ -6,8 +6,8 @@ use crate::out;
 use crate::report::Diagnostics;
 use crate::setup::Job;
 use anyhow::{Result, bail};
-use kerf_control::{Company, Repetitions, Session};
-use kerf_diag::Severity;
+use kerf_control::{RunContext, Session};
+use kerf_diag::{Repetitions, Severity};
 use kerf_journal::Work;
 use kerf_preview::{Finding, Options, Scene, Segment, Shape, TableView, ToolPath, Trail};
 use kerf_program::settings::{AxisUnit, MM_PER_INCH};
@@ -74,13 +74,13 @@ impl Picture {
         };
         let mut sink = (Diagnostics::default(), Self::new(title));
         let mut pace = operator.script();
-        let company = Company {
+        let context = RunContext {
             sink: &mut sink,
             operator: &mut job.answers,
             requests: &mut pace,
             machine: kerf_control::simulated(),
         };
-        let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
+        let summary = job.session.run(job.work, job.options, &mut job.workspace, context);
         let mut scene = sink.1.finish(&summary, &job.session);
         if let Some(surface_mm) = surface_mm {
             let frame = &job.session.memory.frame;
@@ -201,7 +201,7 @@ pub fn write(scene: &Scene, format: Format, path: &Path) -> Result<()> {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use kerf_control::Company;
+    use kerf_control::RunContext;
     use kerf_files::MemoryDisk;
     use kerf_journal::RunOptions;
     use kerf_program::Axes;
@@ -215,13 +215,13 @@ mod tests {
         let mut one = |text: &str, options: RunOptions| {
             let program = kerf_sbp::read("part.sbp".into(), text.replace('⏎', "\n").as_bytes());
             let mut sink = Picture::new(Path::new("part.sbp"));
-            let company = Company {
+            let context = RunContext {
                 sink: &mut sink,
                 operator: &mut (),
                 requests: &mut (),
                 machine: kerf_control::simulated(),
             };
-            let summary = session.run(program, options, &mut workspace, company);
+            let summary = session.run(program, options, &mut workspace, context);
             sink.finish(&summary, &session)
         };
         one(before, RunOptions::default());

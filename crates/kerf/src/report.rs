@@ -1,8 +1,7 @@
 //! Reports to a person at a terminal while a program runs.
 
 use crate::sources::FileLines;
-use kerf_control::Repetitions;
-use kerf_diag::{Diagnostic, render_text};
+use kerf_diag::{Diagnostic, Repetitions, render_text};
 use kerf_trace::{Event, Sink, event::AskEvent};
 use std::io::{IsTerminal, Write};
 use std::sync::Arc;

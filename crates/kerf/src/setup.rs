@@ -14,9 +14,9 @@ use crate::visit::Visit;
 use anyhow::{Context, Result, bail};
 use kerf_control::Session;
 use kerf_control::answers::Answers;
-use kerf_control::job_file;
 use kerf_drawing::Drawing;
 use kerf_files::{Folders, RealDisk};
+use kerf_import::job_file;
 use kerf_journal::{RunOptions, Shell, Work, machine_file::told};
 use kerf_machine::Configuration;
 use kerf_part::Program;
@@ -332,6 +332,12 @@ pub fn workspace(parts: &Path, place: &PlaceArgs, preview: bool) -> Result<Works
     let data = data_folder(&place.data)?;
     let parts = place.parts.clone().unwrap_or_else(|| parts.into());
     let custom = place.custom.clone().unwrap_or_else(|| data.join("custom"));
+    if let Some(missing) = place.allow_path.iter().find(|folder| !folder.is_dir()) {
+        bail!(Usage(format!(
+            "{} is no folder: --allow-path names one that is there",
+            missing.display()
+        )));
+    }
     let folders = Folders::new(parts, vec![custom], place.allow_path.clone());
     let stored = stored(&data, place, preview)?;
     let workspace = if preview {

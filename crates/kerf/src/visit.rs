@@ -3,9 +3,9 @@
 
 use crate::clock;
 use anyhow::Result;
-use kerf_control::{Session, command_passing};
+use kerf_control::Session;
 use kerf_journal::Live;
-use kerf_workspace::{Workspace, system_log::Opening, system_log::SystemLog};
+use kerf_workspace::{Workspace, command_passing, system_log::Opening, system_log::SystemLog};
 
 /// A visit.
 #[derive(Clone, Debug)]
@@ -39,9 +39,9 @@ impl Visit {
         workspace.open_system_log(log, &session.memory.settings, draws);
         workspace.asks_for_spindle_anew();
         if let Some(journal) = workspace.journal() {
-            journal.take_in()?;
+            journal.registry.take_in()?;
             command_passing::forget(journal)?;
-            journal.tell_rest(&session.look(Live::at_rest))?;
+            journal.registry.tell_rest(&session.look(Live::at_rest))?;
         }
         Ok(())
     }
@@ -49,7 +49,7 @@ impl Visit {
     /// A command that was passed in since; one that cannot be used is told, logged and left.
     pub fn command(&self, session: &Session, workspace: &mut Workspace) -> Result<Option<String>> {
         let Some(journal) = workspace.journal() else { return Ok(None) };
-        journal.take_in()?;
+        journal.registry.take_in()?;
         match command_passing::take(journal)? {
             Some(Err(why)) => {
                 tell_refused(&why, session, workspace);
@@ -67,12 +67,13 @@ impl Visit {
     /// Kerf closes, and leaves nothing on.
     pub fn ends(&self, session: &Session, workspace: &mut Workspace) {
         // Where the disk refuses, that was told when the run ended.
-        drop(workspace.journal().map(|journal| journal.tell_rest(&Live::default())));
+        drop(workspace.journal().map(|journal| journal.registry.tell_rest(&Live::default())));
         workspace.close_system_log(&session.memory.settings, self.closing);
     }
 }
 
 fn tell_refused(why: &str, session: &Session, workspace: &mut Workspace) {
     eprintln!("kerf: {}: {why}", command_passing::COMMAND);
-    session.log_refused_command(workspace, why);
+    let (settings, draws) = (&session.memory.settings, session.is_in_preview());
+    command_passing::log_refused(workspace, settings, draws, why);
 }

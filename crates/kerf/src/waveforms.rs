@@ -1,12 +1,12 @@
 //! `--vcd` and `--readings`: the signals of a run in a file.
 
+use crate::streamed::Streamed;
 use anyhow::{Context, Result};
 use clap::Args;
 use kerf_control::Session;
 use kerf_journal::Work;
 use kerf_machine::Configuration;
 use kerf_trace::{Event, Sink, vcd::VcdSink};
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ pub struct VcdArgs {
     vcd: Option<PathBuf>,
 }
 
-type Signals = VcdSink<BufWriter<File>>;
+type Signals = VcdSink<BufWriter<Streamed>>;
 
 impl VcdArgs {
     /// The machine whose signals are traced: the one that runs the work.
@@ -34,10 +34,10 @@ impl VcdArgs {
         self.vcd.as_deref()
     }
 
-    /// The sink, where a file is named.
-    pub fn sink(&self, machine: Configuration) -> Result<Option<Signals>> {
+    /// The sink, where a file is named; the data folder keeps the note of it.
+    pub fn sink(&self, machine: Configuration, data: Option<&Path>) -> Result<Option<Signals>> {
         let Some(path) = &self.vcd else { return Ok(None) };
-        let file = File::create(path).with_context(|| self.cannot())?;
+        let file = Streamed::create(path, data).with_context(|| self.cannot())?;
         Ok(Some(VcdSink::new(BufWriter::new(file), machine)))
     }
 
@@ -55,15 +55,15 @@ impl VcdArgs {
 
 /// Writes the readings of the height sensor, a byte each.
 pub struct ReadingBytes {
-    out: File,
+    out: Streamed,
     path: PathBuf,
     failed: Option<io::Error>,
 }
 
 impl ReadingBytes {
-    /// To a file or a device.
-    pub fn to(path: &Path) -> Result<Self> {
-        let out = File::create(path);
+    /// To a file or a device; the data folder keeps the note of it.
+    pub fn to(path: &Path, data: Option<&Path>) -> Result<Self> {
+        let out = Streamed::create(path, data);
         let out = out.with_context(|| format!("cannot write {}", path.display()))?;
         Ok(Self { out, path: path.into(), failed: None })
     }

@@ -94,6 +94,16 @@ fn files_outside_the_part_folder_need_permission() {
     assert_eq!(did.exits(0).end()["bounds"]["max"]["x"], 8);
 }
 
+#[test]
+fn an_allowed_folder_that_is_not_there_is_refused_and_not_made() {
+    let shop = Shop::new(&[("a.sbp", "OPEN \"C:\\new.txt\" FOR OUTPUT AS #1\n")]);
+    for name in ["nowhere", "a.sbp"] {
+        let did = shop.kerf(&format!("run a.sbp --allow-path {name}"));
+        did.exits(2).complains(&format!("{name} is no folder: --allow-path names one"));
+    }
+    assert!(!shop.file("nowhere").exists());
+}
+
 #[cfg(unix)]
 #[test]
 fn a_link_does_not_lead_out_of_the_part_folder() {

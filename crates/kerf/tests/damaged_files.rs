@@ -54,7 +54,7 @@ fn folders() -> (Files, Files) {
     let data = shop.file("data");
     let values = |numbers: std::ops::Range<u32>| {
         let (journal, _) = Journal::open(&data).unwrap();
-        numbers.for_each(|n| journal.set_value(&format!("key{n}"), Some("kept")).unwrap());
+        numbers.for_each(|n| journal.registry.set_value(&format!("key{n}"), Some("kept")).unwrap());
         journal
     };
     let drawn = |clauses: &str| {

@@ -209,7 +209,7 @@ fn killed_job(shop: &Shop, zone: &str) {
     let mut command = shop.command();
     let args = "run many.svg --config repeated.toml --pace real --quiet";
     let mut job = command.args(args.split_whitespace()).env("TZ", zone).spawn().unwrap();
-    let cut = || Journal::look(&shop.file("data")).ok()??.cut_short().ok()?;
+    let cut = || Journal::look(&shop.file("data")).ok()??.runs.cut_short().ok()?;
     let moves = || cut().is_some_and(|cut| cut.moved());
     while !moves() {
         std::thread::sleep(std::time::Duration::from_millis(20));

@@ -56,6 +56,11 @@ fn the_trace_of_a_killed_run_is_kerfs_own() {
     shop::until("the trace", written);
     run.kill().unwrap();
     run.wait().unwrap();
+    let left = std::fs::read(shop.file("t.jsonl")).unwrap();
+    // Who edits it makes it his own, and whoever undoes that gives it back.
+    shop.write("t.jsonl", &[&left, &b"by hand"[..]].concat());
+    shop.kerf("run a.sbp --quiet --trace t.jsonl").exits(2).complains("is there already");
+    shop.write("t.jsonl", &left);
     let next = shop.kerf("run a.sbp --quiet --trace t.jsonl");
     assert!(!next.err().contains("is there already"), "{}", next.err());
     // What somebody else puts there afterwards is his own.

@@ -3,7 +3,7 @@
 
 use crate::shop::console::Console;
 use crate::shop::{Did, Shop, until};
-use kerf_serial::pretend::Cable;
+use kerf_transport::pretend::Cable;
 use std::process::{Child, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};

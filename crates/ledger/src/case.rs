@@ -2,7 +2,7 @@
 
 use crate::Run;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Session, StopAt};
+use kerf_control::{RunContext, Session, StopAt};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
@@ -204,14 +204,14 @@ impl Case {
         let mut events = Vec::new();
         let mut operator = Answers::read(&self.answers.join("\n"));
         let mut pace = StopAt(stop_at_s);
-        let company = Company {
+        let context = RunContext {
             sink: &mut events,
             operator: &mut operator,
             requests: &mut pace,
             machine: kerf_control::simulated(),
         };
         let program = kerf_part::read(self.name.into(), program.as_bytes());
-        self.session.run(program, options, workspace, company);
+        self.session.run(program, options, workspace, context);
         events
     }
 }

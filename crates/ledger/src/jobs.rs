@@ -1,7 +1,7 @@
 //! Jobs on the machine SIM (readings, SIM), and what their traces tell.
 
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Script, Session};
+use kerf_control::{OperatorRequest, RunContext, Script, Session};
 use kerf_drawing::{Editor, script};
 use kerf_files::MemoryDisk;
 use kerf_geom::{Point2, Polyarc};
@@ -223,7 +223,7 @@ impl JobRun {
         let mut workspace = Workspace::in_memory(MemoryDisk::new(std::iter::empty()));
         let mut operator = Answers::read(&self.answers);
         let mut pace = Script::new(self.requests, Vec::new());
-        let company = Company {
+        let context = RunContext {
             sink,
             operator: &mut operator,
             requests: &mut pace,
@@ -237,7 +237,7 @@ impl JobRun {
             Some(errand) => Work::Hand(errand, machine),
             None => Work::Job(Arc::new(self.job), machine),
         };
-        let summary = session.run(work, options, &mut workspace, company);
+        let summary = session.run(work, options, &mut workspace, context);
         (summary, session)
     }
 }

@@ -20,6 +20,7 @@ mod levels;
 mod lift;
 pub mod lines;
 pub mod machine;
+pub mod password;
 pub mod planning;
 pub mod profile;
 pub mod settings;

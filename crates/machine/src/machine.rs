@@ -250,6 +250,20 @@ pub trait Machine {
     /// at which it stands; nothing where it stops by the ramp that is planned for it, or did not tell.
     fn stop(&mut self, going: &Going<'_>) -> Option<f64>;
 
+    /// Slows down on the path and keeps what it has, where it [holds](Facts::holds) by itself. Returns the moment of the plan
+    /// at which it stands; nothing where it does not come to a stand.
+    fn hold(&mut self, _: &Going<'_>) -> Option<f64> {
+        None
+    }
+
+    /// Goes on from a hold, with what it has.
+    fn go_on(&mut self) {}
+
+    /// Returns `true` if somebody at its own controls has had it go on from a hold.
+    fn went_on(&mut self) -> bool {
+        false
+    }
+
     /// Makes cuts at this share of their speed from now on, where it [overrides](Facts::overrides) by itself; for another
     /// the plan is made anew.
     fn feed(&mut self, share: f32);

@@ -47,6 +47,7 @@ mod course;
 mod ease;
 mod fit;
 mod in_force;
+mod leg;
 mod mover;
 mod moves;
 mod optimal;
@@ -70,6 +71,7 @@ mod turns;
 mod window;
 
 pub use in_force::planner;
+pub use leg::{Leg, Rest};
 pub use mover::Mover;
 pub use moves::{Move, Path};
 pub use optimal::{Optimal, OptimalPlanner};

@@ -27,12 +27,12 @@ pub struct Stop {
     pub move_index: usize,
     /// Share of that move's path that has been made, 0 … 1.
     pub share: f64,
-    law: Braked,
+    pub(crate) law: Braked,
 }
 
 /// Motion of the stop.
 #[derive(Clone, Debug, PartialEq)]
-enum Braked {
+pub(crate) enum Braked {
     /// Profiles of the moves from the one in which the stop began to the one in which it stands;
     /// the last only over its share.
     Ramped(Vec<Profile>),

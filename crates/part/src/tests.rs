@@ -1,11 +1,11 @@
 //! Both languages together.
 
 use crate::{Interpreter, Options, Session, read};
+use kerf_program::testing::Bystander;
 use kerf_program::{
-    AXES, Answer, Axes, Command, FileMode, FileRequest, Host, HostError, Interpreter as _,
-    Question, ShellCall, SourceFile, Sourced, Status, Step,
+    Axes, Command, FileMode, FileRequest, HostError, Interpreter as _, SourceFile, Sourced, Status,
+    Step,
 };
-use std::task::Poll;
 
 /// A machine that is always at rest, and some files.
 #[derive(Default)]
@@ -13,57 +13,14 @@ struct Shop {
     files: Vec<(String, String)>,
 }
 
-impl Host for Shop {
-    fn settle(&mut self) -> Poll<()> {
-        Poll::Ready(())
-    }
-    fn input(&mut self, _: u8) -> bool {
-        false
-    }
-    fn output(&mut self, _: u8) -> bool {
-        false
-    }
-    fn ask(&mut self, question: &Question) -> Poll<Answer> {
-        Poll::Ready(Answer::Button(question.buttons[question.default]))
-    }
+impl Bystander for Shop {
     fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
         let found = self.files.iter().find(|(name, _)| *name == request.name);
         let (name, text) = found.ok_or_else(|| HostError::NotFound(request.name.clone()))?;
         Ok(SourceFile { name: name.as_str().into(), bytes: text.as_bytes().into() })
     }
-    fn set_part_folder(&mut self, _: Option<&str>) -> Result<String, HostError> {
-        Ok(String::new())
-    }
     fn open(&mut self, _: u8, path: &str, _: FileMode) -> Result<String, HostError> {
         Ok(path.into())
-    }
-    fn write(&mut self, _: u8, _: &str) -> Result<(), HostError> {
-        Ok(())
-    }
-    fn read_line(&mut self, _: u8) -> Result<String, HostError> {
-        Err(HostError::EndOfFile)
-    }
-    fn close(&mut self, _: u8) -> Result<(), HostError> {
-        Ok(())
-    }
-    fn stored(&mut self, _: &str) -> Option<String> {
-        None
-    }
-    fn store(&mut self, _: &str, _: Option<&str>) {}
-    fn shell(&mut self, _: &ShellCall) -> Poll<Result<(), HostError>> {
-        Poll::Ready(Ok(()))
-    }
-    fn machine_position(&mut self) -> [f64; AXES] {
-        [0.0; AXES]
-    }
-    fn user_path(&mut self) -> String {
-        String::new()
-    }
-    fn app_path(&mut self) -> String {
-        String::new()
-    }
-    fn firmware(&mut self) -> i32 {
-        0
     }
 }
 

@@ -30,6 +30,16 @@ pub struct Question {
     pub until: Option<(u8, bool)>,
 }
 
+impl Question {
+    /// Returns the answer that ENTER alone gives.
+    pub fn default_answer(&self) -> Answer {
+        if self.kind.takes_text() {
+            return Answer::Text(self.prefill.clone());
+        }
+        Answer::Button(self.buttons.get(self.default).copied().unwrap_or(Button::OK))
+    }
+}
+
 /// The kinds of questions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -58,6 +68,13 @@ pub enum QuestionKind {
     Paused,
     /// Before a run: whether the machine is where it is believed to be.
     Location,
+}
+
+impl QuestionKind {
+    /// Returns `true` if the answer is a value, whatever it reads like.
+    pub const fn takes_text(self) -> bool {
+        matches!(self, Self::Input)
+    }
 }
 
 /// A button of a question.

@@ -27,6 +27,7 @@ mod printer;
 pub mod settings;
 mod shift;
 mod smoothing;
+pub mod testing;
 mod tool_change;
 
 pub use asking::{Answers, StepChoice};

@@ -81,7 +81,7 @@ impl Extent<'_> {
         let cut = Cut { setup: self.setup, values: self.values, shape };
         let mut bounds = shape.path.bounds();
         let mut heights = Vec::new();
-        match Depths::of(shape.depth, &shape.z_mm, &self.values.heights) {
+        match shape.depths(&self.values.heights) {
             Ok(Depths::Level(levels)) => {
                 bounds.merge(&self.beside(shape, &levels));
                 heights.extend(levels.first().into_iter().chain(levels.last()).copied());

@@ -80,7 +80,7 @@ impl Cut<'_> {
             Plunge::Ramp { .. } => "ramp",
             Plunge::Helix { .. } => "helix",
         };
-        let depths = Depths::of(self.shape.depth, &self.shape.z_mm, &self.values.heights).ok()?;
+        let depths = self.shape.depths(&self.values.heights).ok()?;
         let Depths::Level(levels) = depths else { return None };
         let straight = if self.setup.machine.plasma.use_sequence {
             Some("the plasma torch starts above the sheet")

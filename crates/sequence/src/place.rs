@@ -142,7 +142,7 @@ impl Progress {
     /// The heights of the path at hand are those of now.
     pub fn refresh_depths(&mut self, job: &Job, heights: &Heights) {
         let shape = self.here.shape(job);
-        let depths = shape.map(|shape| Depths::of(shape.depth, &shape.z_mm, heights));
+        let depths = shape.map(|shape| shape.depths(heights));
         if let Some(Ok(depths)) = depths {
             self.depths = depths;
         }

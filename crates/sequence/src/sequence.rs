@@ -19,7 +19,7 @@ use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::state::Event;
 use kerf_machine::{Configuration, State};
-use kerf_program::job::{Depths, Heights, Job, JobShape};
+use kerf_program::job::{Heights, Job, JobShape};
 use kerf_program::{
     Axes, Axis, AxisSet, Command, HeightLaw, Sourced, Status, Step as Stepped, ToolPathStart,
 };
@@ -184,7 +184,7 @@ impl Sequence {
     pub(crate) fn enter_pass(&mut self, out: &mut Vec<Sourced>) {
         let job = self.setup.job.clone();
         let Some(shape) = self.progress.here.shape(&job) else { return self.leave() };
-        if let Err(low) = Depths::of(shape.depth, &shape.z_mm, &self.values.heights) {
+        if let Err(low) = shape.depths(&self.values.heights) {
             // A pause lifted ZBottom above it.
             return self.fault(&format!("shape {}: {low}", shape.number));
         }
@@ -235,7 +235,7 @@ impl Sequence {
     /// The first shape that would be cut below ZBottom.
     pub(crate) fn too_low_to_cut(&self) -> Option<Diagnostic> {
         self.setup.job.shapes.iter().find_map(|shape| {
-            let low = Depths::of(shape.depth, &shape.z_mm, &self.values.heights).err()?;
+            let low = shape.depths(&self.values.heights).err()?;
             Some(self.outside_limits(shape.number, format!("shape {}: {low}", shape.number)))
         })
     }

@@ -6,7 +6,7 @@ use crate::step::Step;
 use kerf_geom::Vec2;
 use kerf_machine::lines::Input;
 use kerf_machine::settings::height::HeightMode;
-use kerf_program::job::{Depth, Heights, JobShape};
+use kerf_program::job::{self, Heights, JobShape};
 use kerf_program::{Axis, Gauge, HeightLaw, Host};
 use std::sync::Arc;
 
@@ -92,7 +92,7 @@ impl Cut<'_> {
     /// Returns the law by which Z follows the sheet in a shape; only THRU shapes are followed.
     pub fn height_law(&self) -> Option<HeightLaw> {
         let height = &self.setup.machine.height;
-        if !height.on || self.shape.depth != Depth::Thru || self.shape.traversal {
+        if !height.on || self.shape.height != job::Height::Thru || self.shape.traversal {
             return None;
         }
         let steps = self.setup.settings.resolution.steps_per_unit[Axis::Z].abs();

@@ -30,11 +30,14 @@ use crate::protect::Unlocked;
 use crate::reading::Readings;
 use crate::runs::Runs;
 use crate::saving::Saves;
+use crate::setting_changes::SettingChanges;
 use crate::setup::{Builders, Options};
 use crate::texts::Texts;
+use crate::thumbnails::Thumbnails;
 use crate::turn::Turn;
 use kerf_wire::Tone;
 use std::io;
+use std::path::Path;
 use std::sync::atomic::AtomicU32;
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -111,6 +114,9 @@ impl App {
         if let Err(error) = hub.ran.keep_in(&options.data) {
             hub.say(Tone::Warning, format!("when files ran last is not known any more: {error}"));
         }
+        if let Err(error) = hub.history.keep_in(&options.data) {
+            hub.say(Tone::Warning, format!("the history of runs is not known any more: {error}"));
+        }
         let here = options.lan.then(|| Here::of(&options.data)).transpose()?;
         let memory = Memory::default();
         let pool = Arc::new(Pool::begin(memory.clone())?);
@@ -118,7 +124,7 @@ impl App {
         let (pages, turn) = (Arc::new(Pages::default()), Arc::new(Turn::by(clock.clone())));
         let orders = Arc::new(Orders::new(hub.clone(), link.clone(), turn.clone(), orders));
         let driving = Driving::new(hub.clone(), link.clone(), pages.clone(), turn);
-        let settings = Arc::new(lent.settings(&orders, &clock));
+        let settings = Arc::new(lent.settings(&options.data, &orders, &clock));
         let loader = Arc::new(lent.loader(&options, &pool, builders)?);
         let drawing = Arc::new(lent.drawing(&options, &loader, &settings));
         let jobs = Arc::new(lent.jobs(&drawing));
@@ -189,7 +195,7 @@ struct Lent {
 }
 
 impl Lent {
-    fn settings(&self, orders: &Arc<Orders>, clock: &Clock) -> MachineSettings {
+    fn settings(&self, data: &Path, orders: &Arc<Orders>, clock: &Clock) -> MachineSettings {
         MachineSettings {
             hub: self.hub.clone(),
             left: self.left.clone(),
@@ -197,6 +203,7 @@ impl Lent {
             unlocked: Unlocked::by(clock.clone()),
             clock: clock.clone(),
             passwords: Mutex::default(),
+            changes: SettingChanges::new(data),
         }
     }
 
@@ -210,6 +217,7 @@ impl Lent {
         let files = Arc::new(PartFiles { folder, saves, hub: self.hub.clone() });
         let (hub, data) = (self.hub.clone(), options.data.clone());
         Ok(Loader {
+            thumbnails: Thumbnails::in_data(&options.data),
             added: AddedShapes { hub, files: files.clone(), data },
             hub: self.hub.clone(),
             link: self.link.clone(),

@@ -86,6 +86,7 @@ fn options(folder: &TempDir) -> Options {
         start: None,
         begin_with: Vec::new(),
         closes_with_program: false,
+        webhook: None,
         rate: 1.0,
     }
 }

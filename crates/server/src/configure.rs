@@ -9,13 +9,14 @@ use crate::orders::Orders;
 use crate::people::Tries;
 use crate::protect::Unlocked;
 use crate::refusal::problem;
+use crate::setting_changes::SettingChanges;
 use kerf_control::Session;
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::table::{self, Area, Bounds, Setting, Unit};
 use kerf_machine::value::NONE;
 use kerf_machine::{Configuration, Value};
 use kerf_program::{AXES, Axis, AxisSet};
-use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, Why, ZHeights};
+use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, Tone, Why, ZHeights};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
@@ -126,6 +127,8 @@ pub struct MachineSettings {
     pub unlocked: Unlocked,
     /// Wrong passwords, by the device that they came from. It is held while one is tried: one at a time.
     pub passwords: Mutex<Tries<String>>,
+    /// What was changed so far.
+    pub changes: SettingChanges,
 }
 
 impl MachineSettings {
@@ -135,9 +138,17 @@ impl MachineSettings {
     /// There is no such setting, it does not accept the value, it would contradict another, or it cannot be kept.
     pub fn configure(&self, key: &str, value: &str) -> Result<(), Problem> {
         let mut wanted = lock(&self.left).session.configuration();
+        let before = wanted.clone();
         let setting = set(&mut wanted, key, value)?;
         check(&wanted)?;
-        self.keep_on_disk(setting, wanted)
+        let (from, to) = (written(&setting.get(&before)), written(&setting.get(&wanted)));
+        self.keep_on_disk(setting, wanted)?;
+        if from != to && !self.changes.add(key, from, to) {
+            let text =
+                format!("{key} is changed, but not in the history of changes: the disk refuses");
+            self.hub.say(Tone::Warning, text);
+        }
+        Ok(())
     }
 
     /// Has another configuration, of which this setting is new, and comes back when that is on the disk.

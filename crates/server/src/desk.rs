@@ -14,11 +14,11 @@ use crate::reading;
 use crate::reading::Readings;
 use crate::refusal::{Done, problem};
 use crate::saving::Leave;
-use kerf_control::job_file;
 use kerf_drawing::{Drawing, Editor, Operation, script};
-use kerf_formats::{Imported, dxf, rsg, svg};
+use kerf_formats::{Imported, dxf, hpgl, rsg, svg};
 use kerf_gcode::{Writer, Writing};
 use kerf_geom::Point2;
+use kerf_import::job_file;
 use kerf_program::Printer;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Printing, SbpPrinter};
@@ -322,7 +322,13 @@ fn drawing_until(
         "rsg" => rsg::read_until(bytes, given_up),
         "rsm" => rsg::read_with_until(bytes, given_up).0,
         "svg" => svg::read_until(bytes, given_up),
-        _ => return Err(problem(Why::File, "a drawing is .dxf, .svg, .rsg or .rsm")),
+        "plt" | "hpg" | "hpgl" => hpgl::read(bytes),
+        _ => {
+            return Err(problem(
+                Why::File,
+                "a drawing is .dxf, .svg, .rsg, .rsm, .plt, .hpg or .hpgl",
+            ));
+        }
     };
     reading::whole(name, read)
 }

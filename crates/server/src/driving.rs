@@ -116,7 +116,7 @@ impl Driving {
     /// A page has gone: its jog ends, and its turn at driving.
     pub fn gone(&self, client: u32) {
         self.link.release(|held| held.client == client);
-        self.drop_lease(|lease| lease.client == client, "the page that drove has gone");
+        self.drop_lease(|lease| lease.client == client, "the controlling browser disconnected");
     }
 
     /// The same somebody as the one who drives, where that is a page or a script of the same device. What it may do

@@ -4,6 +4,7 @@ use crate::names;
 use kerf_files::{Disk, RealDisk};
 use kerf_wire::{FileInfo, Problem, Why};
 use kerf_workspace::MOST_BYTES;
+use std::collections::VecDeque;
 use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -11,6 +12,10 @@ use std::time::UNIX_EPOCH;
 
 /// Bytes that the head of a file has at most.
 const HEAD: u64 = 16 * 1024;
+
+/// Files that a search looks at and finds, at most.
+const MOST_LOOKED: usize = 50_000;
+const MOST_FOUND: usize = 500;
 
 /// The folder of part files. Names are relative, with `/` between folders.
 #[derive(Clone, Debug)]
@@ -100,6 +105,16 @@ impl PartFolder {
         Ok(changed(&about))
     }
 
+    /// Words that are others as soon as a file is: its name, its length, the time of its last change.
+    ///
+    /// # Errors
+    /// As of [`PartFolder::read`].
+    pub fn stamp(&self, name: &str) -> Result<String, Problem> {
+        let about = fs::metadata(self.find(name)?).map_err(|error| problem(name, &error))?;
+        let changed = about.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+        Ok(format!("{name} {} {:?}", about.len(), changed))
+    }
+
     /// The first lines of a file: as many as a head has at most.
     ///
     /// # Errors
@@ -144,6 +159,38 @@ impl PartFolder {
         Ok(files)
     }
 
+    /// Files of a folder and of those below it that a name is asked for of, the nearest folders first.
+    ///
+    /// # Errors
+    /// As of [`PartFolder::list`].
+    pub fn found(
+        &self,
+        folder: &str,
+        fits: impl Fn(&str) -> bool,
+    ) -> Result<Vec<FileInfo>, Problem> {
+        let mut folders = VecDeque::from([folder.to_owned()]);
+        let (mut found, mut looked) = (Vec::new(), 0);
+        while let Some(folder) = folders.pop_front() {
+            // A folder that nobody may read hides no other one.
+            for file in self
+                .list(&folder)
+                .or_else(|why| if looked == 0 { Err(why) } else { Ok(Vec::new()) })?
+            {
+                looked += 1;
+                match file.folder {
+                    true => folders.push_back(file.name),
+                    false if fits(&file.name) => found.push(file),
+                    false => {}
+                }
+            }
+            if looked > MOST_LOOKED || found.len() > MOST_FOUND {
+                break;
+            }
+        }
+        found.truncate(MOST_FOUND);
+        Ok(found)
+    }
+
     /// The name of a path below the folder; the path itself when it lies elsewhere.
     pub fn name_of(&self, path: &str) -> String {
         let below = Path::new(path).strip_prefix(&self.root);
@@ -168,6 +215,7 @@ fn info(folder: &str, entry: &fs::DirEntry) -> Option<FileInfo> {
         changed: changed(&data),
         header: None,
         part: false,
+        opens: None,
     })
 }
 
@@ -226,6 +274,19 @@ mod tests {
         let names: Vec<_> = parts.list("doors").unwrap().into_iter().map(|f| f.name).collect();
         assert_eq!(names, ["doors/a.sbp", "doors/b.sbp"]);
         assert!(parts.list("").unwrap()[0].folder);
+    }
+
+    #[test]
+    fn files_are_found_in_folders_below() {
+        let (_dir, parts) = folder();
+        parts.write("ab.sbp", b"").unwrap();
+        let found = |folder: &str, word: &str| -> Vec<String> {
+            let found = parts.found(folder, |name| name.contains(word)).unwrap();
+            found.into_iter().map(|file| file.name).collect()
+        };
+        assert_eq!(found("", "a"), ["ab.sbp", "doors/a.sbp"]);
+        assert_eq!(found("doors", "a"), ["doors/a.sbp"]);
+        assert!(parts.found("windows", |_| true).is_err());
     }
 
     #[test]

@@ -17,7 +17,7 @@ const SHOWN: usize = 100;
 pub fn problems(app: &App) -> io::Result<String> {
     let session = lock(&app.left).session.clone();
     let mut workspace = app.loader.preview_workspace()?;
-    let facts = told::named(session.diagnostics(&mut workspace));
+    let facts = told::named(kerf_control::diagnostics(&session, &mut workspace));
     let mut text = app.hub.read(|now| {
         let file = now.opened.as_ref().map_or("none", |opened| &opened.name);
         let job = now.job.as_ref().and_then(|job| job.ended.as_deref()).unwrap_or("none");

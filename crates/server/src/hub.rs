@@ -1,12 +1,14 @@
 //! The snapshot that every page shows, and those who are told when it changes.
 
+use crate::history::History;
 use crate::preview::Typed;
 use crate::problems::ProblemLog;
 use crate::ran::{Ran, now_s};
 use axum::extract::ws::Utf8Bytes;
 use kerf_wire::{
-    Change, Job, LastRun, Message, Mode, Motion, Opened, Snapshot, State, ToPage, Tone,
+    Change, Job, LastRun, Message, Mode, Motion, Opened, RunRecord, Snapshot, State, ToPage, Tone,
 };
+use std::io;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
 use tokio::sync::broadcast;
 
@@ -21,6 +23,8 @@ pub struct Hub {
     problems: OnceLock<ProblemLog>,
     /// Record of how files ran.
     pub ran: Ran,
+    /// History of runs, and what is to be done.
+    pub history: History,
     typed: Mutex<Typed>,
 }
 
@@ -33,6 +37,11 @@ pub struct Told {
 }
 
 impl Told {
+    /// The message.
+    pub const fn message(&self) -> &ToPage {
+        &self.message
+    }
+
     /// The message as it goes over the socket.
     pub fn text(&self) -> Utf8Bytes {
         self.text.get_or_init(|| text(&self.message)).clone()
@@ -47,6 +56,7 @@ impl Hub {
             pages: broadcast::channel(BEHIND).0,
             problems: OnceLock::new(),
             ran: Ran::default(),
+            history: History::default(),
             typed: Mutex::default(),
         }
     }
@@ -153,6 +163,7 @@ impl Hub {
     /// A run is over: it is the last one of its file, and all of it is made where it came to its end. A file that was
     /// called by a typed line is known by now.
     pub fn ended(&self, job: Job) {
+        let mut over = None;
         self.changing(|now| {
             let job = match now.job.clone().filter(|now| now.run == job.run) {
                 Some(Job { hash, seconds, silent, .. }) => Job { hash, seconds, silent, ..job },
@@ -160,10 +171,12 @@ impl Hub {
             };
             let mut changes = Vec::new();
             if let (Some(hash), Some(ended)) = (&job.hash, &job.ended) {
-                let line = now.motion.line;
-                let last = LastRun { ended: ended.clone(), at: now_s(), line };
+                let Motion { line, elapsed: seconds, .. } = now.motion;
+                let last = LastRun { ended: ended.clone(), at: now_s(), line, seconds };
                 self.ran.put(hash, last.clone());
                 let opened = now.opened.clone().filter(|opened| opened.hash == *hash);
+                let file = opened.as_ref().map_or_else(|| job.file.clone(), |it| it.name.clone());
+                over = Some(record(now, file, last.clone()));
                 let ran = opened.map(|opened| Opened { ran: Some(last), ..opened });
                 changes.extend(ran.map(|opened| Change::Opened { opened: Some(opened) }));
             }
@@ -174,15 +187,30 @@ impl Hub {
             changes.push(Change::Job { job: Some(job) });
             changes
         });
+        self.writes_down(over.map_or(Ok(()), |over| self.history.ends(over)));
         if let Err(error) = self.ran.keep() {
             let text = format!("when files ran last is only known until Kerf ends: {error}");
             self.say(Tone::Warning, text);
         }
     }
 
+    /// A file begins to run.
+    pub fn begins(&self, job: &Job) {
+        let run = self.read(|now| record(now, job.file.clone(), LastRun::default()));
+        let run = RunRecord { begun: now_s(), ended: None, ..run };
+        self.writes_down(self.history.begins(run));
+    }
+
+    fn writes_down(&self, written: io::Result<()>) {
+        if let Err(error) = written {
+            let text = format!("the history of runs is only known until Kerf ends: {error}");
+            self.say(Tone::Warning, text);
+        }
+    }
+
     /// A line for the message area.
     pub fn say(&self, tone: Tone, text: impl Into<String>) {
-        let message = Message { tone, text: text.into(), run: 0 };
+        let message = Message { tone, text: text.into(), ..Message::default() };
         self.change(vec![Change::Messages { messages: vec![message] }]);
     }
 
@@ -194,6 +222,23 @@ impl Hub {
 
     fn lock(&self) -> MutexGuard<'_, Arc<Snapshot>> {
         self.snapshot.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The record of a run that is over.
+fn record(
+    now: &Snapshot,
+    file: String,
+    LastRun { ended, at, line, seconds }: LastRun,
+) -> RunRecord {
+    let by = now.lease.as_ref().map(|lease| lease.device.clone()).unwrap_or_default();
+    RunRecord {
+        file,
+        begun: at.saturating_sub(seconds as u64),
+        seconds,
+        ended: Some(ended),
+        line,
+        by,
     }
 }
 

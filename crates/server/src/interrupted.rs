@@ -18,7 +18,7 @@ pub fn hash_of_open(interrupted: &Interrupted, open: Open) -> Option<String> {
 /// The plan of the run that was cut short, from its beginning. Where it is not known what that was, there is none:
 /// the run says itself why it cannot be taken up.
 pub fn plan(journal: &Journal, workspace: &mut Workspace) -> Option<Planned> {
-    let cut = journal.cut_short().ok()??;
+    let cut = journal.runs.cut_short().ok()??;
     let (work, options, session) = Session::begun(journal, &cut, workspace).ok()?;
     Some(preview::plan(work, options, session, workspace))
 }

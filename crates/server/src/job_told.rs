@@ -1,7 +1,7 @@
 //! Tells pages of a job as soon as its file is read, before its preview is there.
 
-use kerf_control::job_file;
 use kerf_formats::Weight;
+use kerf_import::job_file;
 use kerf_wire::{Finding, Level, Opened};
 
 /// An open job with what its file says: how many paths, the comments of its drawing, and what was noticed while

@@ -40,6 +40,7 @@ mod gate;
 mod handconsole;
 mod hands;
 mod help_wanted;
+mod history;
 mod http;
 mod hub;
 mod interrupted;
@@ -69,12 +70,15 @@ mod reading;
 mod refusal;
 mod runs;
 mod saving;
+mod setting_changes;
 mod setup;
 mod shop;
 mod stop;
 mod texts;
+mod thumbnails;
 mod told;
 mod turn;
+mod webhook;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod who_may_what;
@@ -84,6 +88,7 @@ pub use http::{describe, paths};
 pub use kerf_wire::{Role, StartUp};
 pub use people::TOKEN_FILE;
 pub use setup::{Builders, Options, Workshop};
+pub use webhook::Webhook;
 
 use app::{App, Parts};
 use files::PartFolder;
@@ -154,6 +159,9 @@ impl Server {
             drop(app.loader.open_file(&name));
         }
         app.start_up();
+        if let Some(webhook) = app.options.webhook.clone() {
+            runtime.spawn(webhook.follow(Arc::downgrade(&app.hub)));
+        }
         runtime.spawn(driving::watch(Arc::downgrade(&app.driving)));
         let stop_way = StopWay::begin(&app, door, runtime.handle().clone())?;
         runtime.spawn(app.memory.clone().watch(Arc::downgrade(&app.hub)));

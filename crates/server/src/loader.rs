@@ -11,16 +11,17 @@ use crate::machine::{Left, Link};
 use crate::open::{Open, hash_of, job_hash};
 use crate::part_files::PartFiles;
 use crate::pool::{KERF, Lane, Pool};
+use crate::preview::Basis;
 use crate::preview::{self, Charts, Preview};
 use crate::refusal::problem;
 use crate::setup::Builders;
 use crate::shop;
-use kerf_control::Begun;
+use crate::thumbnails::Thumbnails;
 use kerf_journal::Journal;
 use kerf_sim::Change as InputChange;
 use kerf_wire::preview::Timing;
 use kerf_wire::{
-    Change, FileKind, FileParameters, Finding, JobChoice, Opened, PreviewState, Problem, Why,
+    Change, FileKind, FileParameters, Finding, JobChoice, Opened, PreviewState, Problem, Tone, Why,
 };
 use kerf_workspace::Workspace;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -41,6 +42,8 @@ pub struct Loader {
     pub charts: Charts,
     /// Shapes that are not saved.
     pub added: AddedShapes,
+    /// Small pictures of files that were previewed.
+    pub thumbnails: Thumbnails,
     /// Number of the next preview.
     pub previews: AtomicU32,
 }
@@ -218,7 +221,21 @@ impl Loader {
             Ok(Some(preview)) => Ok(Arc::new(preview)),
             Err(why) => Err(why),
         };
-        self.previewed(&open, state);
+        self.previewed(&open, state.clone());
+        if let Ok(preview) = state {
+            self.keep_thumbnail(&open, &preview);
+        }
+    }
+
+    /// Keeps a small picture of a file that is run as it is.
+    fn keep_thumbnail(&self, open: &Open, preview: &Preview) {
+        let usual = open.parameters == FileParameters::default();
+        let Some(path) = preview.paths.last().filter(|_| usual && !preview.failed) else { return };
+        let kept = self.thumbnails.keep(&self.files.folder, &open.name, &preview::thumbnail(path));
+        if let Err(error) = kept {
+            let text = format!("the small picture of {} is not kept: {error}", open.name);
+            self.hub.say(Tone::Warning, text);
+        }
     }
 
     /// The timing chart of the open file, with changes of the inputs; without any it is kept.
@@ -234,14 +251,14 @@ impl Loader {
         let open =
             Some(self.open.lock().clone()).filter(|open| open.key == key).ok_or_else(other)?;
         let session = lock(&self.left).session.clone();
-        let begun = inputs.is_empty().then(|| Begun::of(&session));
+        let basis = inputs.is_empty().then(|| Basis::of(&session));
         let workspace = self.preview_workspace();
         let mut workspace = workspace.map_err(|error| problem(Why::File, error.to_string()))?;
         let (work, parameters) = (self.work(&open)?, shop::parameters(&open.parameters));
         let made = preview::timing(work, parameters, inputs, session, &mut workspace, given_up);
         let made = Arc::new(made.ok_or_else(other)?);
-        if let Some(begun) = begun {
-            preview.keep_timing(begun, made.clone());
+        if let Some(basis) = basis {
+            preview.keep_timing(basis, made.clone());
         }
         Ok(made)
     }
@@ -330,6 +347,7 @@ fn with_preview(opened: Opened, open: &Open, preview: &Preview, parts: &PartFold
     Opened {
         preview: PreviewState::Ready { key: open.key.clone() },
         seconds: preview.info.seconds,
+        samples: preview.samples.clone(),
         findings: read.chain(preview.findings.iter().map(named)).collect(),
         broken: preview.failed,
         ..opened

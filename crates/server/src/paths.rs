@@ -5,7 +5,7 @@ use crate::desk::{Desk, DrawingDesk, job};
 use crate::machine::Left;
 use kerf_drawing::{ArrayLevel, Drawing, Group, Height, Lead, Shape};
 use kerf_geom::Vec2;
-use kerf_program::job::{Depth, Depths, Heights};
+use kerf_program::job::{Depths, Heights};
 use kerf_toolpath::{CutPath, Pass, Shaping, shaped, too_near};
 use kerf_wire::{
     ArrayState, Block, Change, CutHeight, CutPass, CutShape, DrawingState, GroupState, ShapeList,
@@ -172,7 +172,7 @@ fn levels(height: Height, pass_mm: Option<f64>, heights: &Heights) -> Vec<f64> {
     let depths = match height {
         Height::Thru => return vec![heights.bottom_mm],
         Height::ThreeD => return Vec::new(),
-        Height::Mm(depth_mm) => Depths::of(Depth::Mm { depth_mm, pass_mm }, &[], &free),
+        Height::Mm(_) => Depths::of(height, pass_mm, &[], &free),
     };
     if let Ok(Depths::Level(levels)) = depths { levels } else { Vec::new() }
 }

@@ -4,7 +4,7 @@ use crate::clock::Clock;
 use crate::configure::{MachineSettings, PASSWORD};
 use crate::locks::lock;
 use crate::refusal::problem;
-use kerf_control::password;
+use kerf_machine::password;
 use kerf_machine::{Value, table};
 use kerf_wire::{Problem, Tone, Who, Why};
 use std::collections::BTreeMap;

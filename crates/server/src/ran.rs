@@ -80,7 +80,8 @@ mod tests {
     #[test]
     fn runs_are_known_after_a_restart() {
         let data = tempfile::tempdir().unwrap();
-        let (ran, last) = (Ran::default(), LastRun { ended: "ok".into(), at: 3, line: 2 });
+        let (ran, last) =
+            (Ran::default(), LastRun { ended: "ok".into(), at: 3, line: 2, seconds: 1.5 });
         ran.keep_in(data.path()).unwrap();
         ran.put("a", last.clone());
         ran.keep().unwrap();

@@ -18,7 +18,8 @@ use crate::part_files::PartFiles;
 use crate::preview::Preview;
 use crate::refusal::{not_open, problem};
 use crate::shop;
-use kerf_control::{answers, job_file};
+use kerf_control::answers;
+use kerf_import::job_file;
 use kerf_wire::{
     Act, Asked, Change, FileKind, FileParameters, Finding, Level, Overrides, Problem, State, Tone,
     Why,

@@ -137,6 +137,7 @@ impl Saves {
                     changed,
                     header: None,
                     part: true,
+                    opens: None,
                 });
             }
         }

@@ -1,5 +1,6 @@
 //! Equipment of the server: the machine, its folders, how pages may reach it.
 
+use crate::webhook::Webhook;
 use kerf_control::Session;
 use kerf_control::controller::{Controller, Told};
 use kerf_journal::Started;
@@ -32,6 +33,8 @@ pub struct Options {
     pub begin_with: Vec<String>,
     /// EXIT SHOPBOT in a part file ends the server, not only the run.
     pub closes_with_program: bool,
+    /// Told when somebody is needed and how runs end.
+    pub webhook: Option<Webhook>,
     /// Seconds of machine time in a second; 1 unless a test is in a hurry.
     pub rate: f64,
 }

@@ -5,8 +5,8 @@
 use crate::support;
 use crate::support::hand::{Hand, sample, shop};
 use crate::support::{Page, Shop, Wanted, at, start};
-use kerf_serial::Port;
-use kerf_serial::pretend::{Cable, Plug};
+use kerf_transport::Port;
+use kerf_transport::pretend::{Cable, Plug};
 use serde_json::json;
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};

@@ -410,20 +410,20 @@ fn trace(tenths: u8) -> Vec<kerf_trace::Event> {
     let mut machine = kerf_machine::profile::profile("sim").unwrap().configuration().unwrap();
     machine.misc.runtime_drawing = tenths;
     let (job, _) = kerf_toolpath::read(rsm("line 0,0 100,0; line 700,0 600,0").as_bytes());
-    let work = kerf_control::job_file::work(&job, "job.rsm".into(), machine);
+    let work = kerf_import::job_file::work(&job, "job.rsm".into(), machine);
     let folders = kerf_files::Folders::new(".".into(), Vec::new(), Vec::new());
     let stored = kerf_workspace::stored::Stored::in_memory(Default::default());
     let disk = kerf_files::RealDisk;
     let mut workspace = kerf_workspace::Workspace::preview(disk, folders, &stored, ".".into());
     let mut sink = Trace::default();
-    let company = kerf_control::Company {
+    let context = kerf_control::RunContext {
         sink: &mut sink,
         operator: &mut (),
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
     let options = kerf_journal::RunOptions::default();
-    kerf_control::Session::default().run(work, options, &mut workspace, company);
+    kerf_control::Session::default().run(work, options, &mut workspace, context);
     sink.0
 }
 

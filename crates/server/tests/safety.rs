@@ -156,6 +156,7 @@ fn other_machines_need_leave() {
         drawing_only: false,
         open: None,
         closes_with_program: false,
+        webhook: None,
         rate: 1.0,
         start: None,
         begin_with: Vec::new(),

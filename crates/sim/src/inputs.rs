@@ -259,6 +259,11 @@ impl Inputs {
         }
     }
 
+    /// Returns the moment of the last change that is told and has not happened yet.
+    pub(crate) fn told_s(&self) -> Option<f64> {
+        self.script.get(self.done..)?.last().map(|change| change.at_s)
+    }
+
     /// Nothing is known any more of what was told from a moment on.
     pub(crate) fn forget(&mut self, from_s: f64) {
         let place = self.script.partition_point(|change| change.at_s < from_s).max(self.done);

@@ -1,17 +1,8 @@
-//! The depth of each pass of a group, and the way down to it.
+//! The way down to the path of a group.
 
-use kerf_drawing::{GroupSettings, Height};
+use kerf_drawing::GroupSettings;
 use kerf_program::job::Plunge;
-pub use kerf_program::job::{Depth, Depths, Heights, LowError};
-
-/// Returns the depth to which the shapes of a group are cut.
-pub const fn depth(settings: &GroupSettings) -> Depth {
-    match settings.height {
-        Height::Thru => Depth::Thru,
-        Height::ThreeD => Depth::ThreeD,
-        Height::Mm(depth_mm) => Depth::Mm { depth_mm, pass_mm: settings.pass_mm },
-    }
-}
+pub use kerf_program::job::{Depths, Heights, LowError};
 
 /// The way down of a path of a group. Its helices lie on the side of the leads: right, unless the offset is
 /// negative. They are no larger than the path has room for; without any it is a ramp as steep.
@@ -36,10 +27,10 @@ pub(crate) fn plunge(settings: &GroupSettings, room_mm: Option<f64>) -> Plunge {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
+    use kerf_drawing::Height;
 
     fn depths(height: Height, pass_mm: Option<f64>, bottom_mm: f64) -> Result<Depths, LowError> {
-        let settings = GroupSettings { height, pass_mm, ..Default::default() };
-        Depths::of(super::depth(&settings), &[], &Heights { bottom_mm, ..Default::default() })
+        Depths::of(height, pass_mm, &[], &Heights { bottom_mm, ..Default::default() })
     }
 
     fn check(height: Height, pass_mm: Option<f64>, expected: &[f64]) {
@@ -91,7 +82,7 @@ mod tests {
 
     #[test]
     fn heights_of_points_below_z_bottom_are_refused() {
-        let along = |z_mm: &[f64]| Depths::of(Depth::ThreeD, z_mm, &Heights::default());
+        let along = |z_mm: &[f64]| Depths::of(Height::ThreeD, None, z_mm, &Heights::default());
         assert_eq!(along(&[0.0, 5.0, -10.0]), Ok(Depths::Along(-20.0)));
         assert_eq!(along(&[]), Ok(Depths::Along(-20.0)));
         let told = along(&[0.0, -10.5]).unwrap_err().to_string();

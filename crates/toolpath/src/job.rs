@@ -1,6 +1,6 @@
 //! A job: everything that is cut, in order.
 
-use crate::depth::{Depths, Heights, depth, plunge};
+use crate::depth::{Depths, Heights, plunge};
 use crate::shape_paths::Pass;
 use crate::warning::Warning;
 use kerf_drawing::{Drawing, Group, Height, Shape};
@@ -91,7 +91,7 @@ impl Job {
     pub fn depths(&self, path: &CutPath, heights: &Heights) -> Result<Depths, Warning> {
         let settings = self.drawing.settings(path.shape.group);
         let z_mm = path.shape.z_mm.as_deref().unwrap_or_default();
-        Depths::of(depth(settings), z_mm, heights).map_err(|error| Warning {
+        Depths::of(settings.height, settings.pass_mm, z_mm, heights).map_err(|error| Warning {
             at: path.shape.path.start(),
             ..Warning::new(path.from, error.to_string())
         })

@@ -1,12 +1,12 @@
 //! A whole job lifted: paths with heights of their own lie higher or lower (Profiler reference, "Hand Console",
 //! function 300).
 
-use kerf_program::job::{Depth, Job, JobShape};
+use kerf_program::job::{Height, Job, JobShape};
 
 /// The lowest place of the paths that are cut at heights of their own, millimetres above ZSurface; nothing
 /// without such a path.
 pub fn lowest_mm(job: &Job) -> Option<f64> {
-    let own = job.shapes.iter().filter(|shape| shape.depth == Depth::ThreeD);
+    let own = job.shapes.iter().filter(|shape| shape.height == Height::ThreeD);
     own.flat_map(|shape| (1..=shape.path.vertices.len()).map(|n| shape.height_mm(n)))
         .reduce(f64::min)
 }
@@ -16,8 +16,8 @@ pub fn lifted(job: Job, by_mm: f64) -> Job {
     if by_mm == 0.0 {
         return job;
     }
-    let shapes = job.shapes.iter().map(|shape| match shape.depth {
-        Depth::ThreeD => shape_lifted(shape, by_mm),
+    let shapes = job.shapes.iter().map(|shape| match shape.height {
+        Height::ThreeD => shape_lifted(shape, by_mm),
         _ => shape.clone(),
     });
     Job { shapes: shapes.collect(), ..job }
@@ -33,15 +33,15 @@ mod tests {
     use super::*;
     use kerf_geom::{Point2, Polyarc};
 
-    fn shape(depth: Depth, z_mm: &[f64]) -> JobShape {
+    fn shape(height: Height, z_mm: &[f64]) -> JobShape {
         let places = (0..3).map(|x| Point2::new(f64::from(x), 0.0));
         let path = Polyarc::lines(places, false);
-        JobShape { depth, z_mm: z_mm.into(), ..JobShape::through(1, path) }
+        JobShape { height, z_mm: z_mm.into(), ..JobShape::through(1, path) }
     }
 
     #[test]
     fn only_paths_with_heights_of_their_own_are_lifted() {
-        let shapes = [shape(Depth::ThreeD, &[0.0, -4.0, -2.5]), shape(Depth::Thru, &[-9.0; 3])];
+        let shapes = [shape(Height::ThreeD, &[0.0, -4.0, -2.5]), shape(Height::Thru, &[-9.0; 3])];
         let job = Job { shapes: shapes.into(), ..Job::default() };
         assert_eq!(lowest_mm(&job), Some(-4.0));
         let up = lifted(job.clone(), 1.5);
@@ -52,7 +52,7 @@ mod tests {
 
     #[test]
     fn heights_that_are_not_told_are_those_of_the_surface() {
-        let job = Job { shapes: [shape(Depth::ThreeD, &[3.0])].into(), ..Job::default() };
+        let job = Job { shapes: [shape(Height::ThreeD, &[3.0])].into(), ..Job::default() };
         assert_eq!(lowest_mm(&job), Some(0.0));
         assert_eq!(*lifted(job, -1.0).shapes[0].z_mm, [2.0, -1.0, -1.0]);
         assert_eq!(lowest_mm(&Job::default()), None);

@@ -1,6 +1,6 @@
 //! A job in the words that machines understand.
 
-use crate::depth::{depth, plunge};
+use crate::depth::plunge;
 use crate::job::{CutPath, Job};
 use crate::shape_paths::Pass;
 use kerf_drawing::GroupSettings;
@@ -30,7 +30,8 @@ fn shape(path: &CutPath, settings: &GroupSettings) -> job::JobShape {
         number: u32::try_from(path.from).unwrap_or(u32::MAX),
         path: Arc::new(shape.path.clone()),
         z_mm: z_mm.into(),
-        depth: depth(settings),
+        height: settings.height,
+        pass_mm: settings.pass_mm,
         plunge: plunge(settings, path.room_mm),
         tool: settings.tool,
         cut: settings.cut,

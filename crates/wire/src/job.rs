@@ -23,6 +23,8 @@ pub struct FileInfo {
     pub header: Option<String>,
     /// It is a part file: one that the mask of the part folder lets through, or G-code.
     pub part: bool,
+    /// The sort of file as which it is opened; nothing for a folder, a log, and whatever else is none.
+    pub opens: Option<FileKind>,
 }
 
 /// Parameters with which a part file is run: those of FP.
@@ -122,6 +124,8 @@ pub struct Opened {
     pub seconds: f64,
     /// Mistakes in it, and whatever else is worth knowing.
     pub findings: Vec<Finding>,
+    /// What it asked while it was previewed, and the sample answers that it got.
+    pub samples: Vec<SampleAnswer>,
     /// It has mistakes that keep it from running: the first errors of the findings.
     pub broken: bool,
     /// Its last run since Kerf began, as the file is now; nothing where it has not run.
@@ -130,8 +134,24 @@ pub struct Opened {
     pub cleared: bool,
 }
 
-/// The last run of a file, when it is over.
+/// A question that a program asked while it was previewed, with its sample answer.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct SampleAnswer {
+    /// The line that asks.
+    pub line: u32,
+    /// The text of the question.
+    pub text: String,
+    /// The words on its buttons; none where a value is entered.
+    pub buttons: Vec<String>,
+    /// The answer that it got: empty where a value counts as 0.
+    pub answer: String,
+    /// The file of answers beside the program says so.
+    pub given: bool,
+}
+
+/// The last run of a file, when it is over.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct LastRun {
     /// Word for its end, as [`Job`] has it.
@@ -141,6 +161,9 @@ pub struct LastRun {
     pub at: u64,
     /// The line of the last move; the path of a job.
     pub line: u32,
+    /// Time that it took, seconds of whoever waited; 0 where it is not known.
+    #[serde(default)]
+    pub seconds: f64,
 }
 
 /// State of a preview.
@@ -318,6 +341,8 @@ pub struct Message {
     pub text: String,
     /// The run it belongs to; 0 when to none.
     pub run: u32,
+    /// The place in a file that it is about, with the line that stands there; nothing where it is about none.
+    pub place: Option<Call>,
 }
 
 /// The operator's overrides.

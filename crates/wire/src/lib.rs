@@ -25,6 +25,7 @@ mod digitized;
 mod drawing;
 mod file;
 mod hand_console;
+mod history;
 mod job;
 mod job_view;
 mod language;
@@ -49,9 +50,10 @@ pub use drawing::{
 };
 pub use file::{FileAbout, FileVersion, TextDraft};
 pub use hand_console::HandConsole;
+pub use history::{RunRecord, ToDo};
 pub use job::{
     Asked, Call, FileInfo, FileParameters, Folder, InForce, Interrupted, Job, LastRun, Message,
-    Opened, Overrides, Pause, PreviewState, Recorder, RunSummary, Sound, Tone,
+    Opened, Overrides, Pause, PreviewState, Recorder, RunSummary, SampleAnswer, Sound, Tone,
 };
 pub use job_view::{FileKind, JobChoice, JobPath, JobView};
 pub use language::{
@@ -65,7 +67,7 @@ pub use machine::{
 pub use operation::{OperationEntry, OperationPart, OperationValue, OperationVariant};
 pub use people::{Client, Lease, Role, Who};
 pub use reply::{Problem, Reply, Why};
-pub use setting::{SettingArea, SettingEntry, SettingKind};
+pub use setting::{SettingArea, SettingChange, SettingEntry, SettingKind};
 pub use setup::{Setup, ZHeights};
 pub use snapshot::{Snapshot, StartUp};
 pub use typescript::typescript;

@@ -75,6 +75,8 @@ pub struct Motion {
     pub progress: f64,
     /// Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster.
     pub remaining: f64,
+    /// Time of the run so far, seconds of whoever waits: with the planned time of what was made before it was taken up.
+    pub elapsed: f64,
 }
 
 /// A place in every frame: mm or degrees, X Y Z A B C.

@@ -16,6 +16,21 @@ pub struct SettingArea {
     pub settings: Vec<SettingEntry>,
 }
 
+/// A change of a setting that holds.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct SettingChange {
+    /// Seconds since 1970, UTC.
+    #[ts(type = "number")]
+    pub at: u64,
+    /// The setting: `homing.x.fast_mm_s`.
+    pub key: String,
+    /// Its value before, as it is written.
+    pub from: String,
+    /// Its value since, as it is written.
+    pub to: String,
+}
+
 /// A setting of the machine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]

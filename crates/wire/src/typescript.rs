@@ -3,8 +3,8 @@
 use crate::preview::{PreviewInfo, Timing};
 use crate::{
     Checked, CommandEntry, Completion, FileAbout, FileInfo, FileVersion, Hint, Hover, JobView,
-    Lamp, OperationEntry, PortBit, Request, SettingArea, ShapeList, TextDraft, ToPage, ToolPaths,
-    Values,
+    Lamp, OperationEntry, PortBit, Request, RunRecord, SettingArea, SettingChange, ShapeList,
+    TextDraft, ToDo, ToPage, ToolPaths, Values,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -101,7 +101,10 @@ pub fn typescript() -> String {
     declared.visit::<FileInfo>();
     declared.visit::<FileAbout>();
     declared.visit::<FileVersion>();
+    declared.visit::<RunRecord>();
+    declared.visit::<ToDo>();
     declared.visit::<TextDraft>();
+    declared.visit::<SettingChange>();
     declared.visit::<Values>();
     declared.visit::<SettingArea>();
     declared.visit::<Lamp>();

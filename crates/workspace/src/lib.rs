@@ -8,9 +8,15 @@
 //!
 //! What a run hears of all this is on its tape, so that the run can be taken up.
 
+pub mod command_passing;
 mod fonts;
+mod host;
+pub mod part_log;
 pub mod parts;
-pub mod settings_files;
+mod program_file;
+mod session_log;
+mod settings_files;
+mod shell;
 pub mod sounds;
 pub mod stored;
 pub mod system_log;
@@ -18,5 +24,6 @@ mod values;
 pub mod virtual_tools;
 mod workspace;
 
+pub use program_file::MOST_BYTES;
 pub use values::{CONFIRM, confirm, unconfirmed, unverified};
-pub use workspace::{Firmware, MOST_BYTES, Workspace};
+pub use workspace::{Firmware, Workspace};

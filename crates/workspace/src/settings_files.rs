@@ -1,49 +1,49 @@
 //! The folder of settings files: part files (.sbd) that set a machine (US, UR). Those that come with
 //! Kerf are there unless somebody has one of the same name.
 
-use crate::Workspace;
 use kerf_files::MACHINES;
 use kerf_program::{HostError, SourceFile};
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 
 /// Its name in the data folder.
-const FOLDER: &str = "settings";
+pub(crate) const FOLDER: &str = "settings";
 
 /// End of the names of settings files.
 const EXTENSION: &str = ".sbd";
 
-/// Names of the settings files there are.
-pub fn names(workspace: &Workspace) -> Vec<String> {
-    let own = workspace.names_in_data(FOLDER);
+/// Names of the settings files there are, where these lie in the folder.
+pub(crate) fn names(own: Vec<String>) -> Vec<String> {
     let own = own.into_iter().filter(|name| name.to_ascii_lowercase().ends_with(EXTENSION));
     let shipped = MACHINES.iter().map(|file| file.name.to_owned());
     let all: BTreeSet<String> = own.chain(shipped).collect();
     all.into_iter().collect()
 }
 
-/// Keeps a settings file; returns where.
-pub fn keep(workspace: &mut Workspace, name: &str, text: &str) -> Result<String, HostError> {
-    let name = plain(name)?;
-    let place = format!("{FOLDER}/{name}");
-    workspace.put_data(&place, text).map_err(HostError::Refused)?;
-    Ok(PathBuf::from(workspace.app_path()).join(place).display().to_string())
+/// A settings file that was looked for.
+pub(crate) enum Found {
+    /// Somebody's own: its name in the data folder.
+    Own(String),
+    /// One that comes with Kerf.
+    Shipped(SourceFile),
 }
 
-/// A settings file: somebody's own, else one that comes with Kerf.
-pub fn source(workspace: &mut Workspace, name: &str) -> Result<SourceFile, HostError> {
+/// Looks for a settings file: somebody's own, else one that comes with Kerf.
+pub(crate) fn find(own: Vec<String>, name: &str) -> Result<Found, HostError> {
     let name = plain(name)?;
-    let same = |known: &String| known.eq_ignore_ascii_case(&name);
-    if let Some(own) = workspace.names_in_data(FOLDER).into_iter().find(same) {
-        return workspace.data_source(&format!("{FOLDER}/{own}"));
+    if let Some(own) = own.iter().find(|known| known.eq_ignore_ascii_case(&name)) {
+        return Ok(Found::Own(format!("{FOLDER}/{own}")));
     }
-    let shipped = MACHINES.iter().find(|file| file.name.eq_ignore_ascii_case(&name));
-    let missing = || {
-        let text = format!("there are no settings {name}; {}", names(workspace).join(", "));
-        HostError::NotFound(text)
+    let Some(file) = MACHINES.iter().find(|file| file.name.eq_ignore_ascii_case(&name)) else {
+        let text = format!("there are no settings {name}; {}", names(own).join(", "));
+        return Err(HostError::NotFound(text));
     };
-    let file = shipped.ok_or_else(missing)?;
-    Ok(SourceFile { name: file.name.into(), bytes: file.text.as_bytes().into() })
+    let bytes = file.text.as_bytes().into();
+    Ok(Found::Shipped(SourceFile { name: file.name.into(), bytes }))
+}
+
+/// The name in the data folder under which a settings file is kept.
+pub(crate) fn place(name: &str) -> Result<String, HostError> {
+    Ok(format!("{FOLDER}/{}", plain(name)?))
 }
 
 /// A name without folders, with its extension.

@@ -1,7 +1,6 @@
 //! Values that survive the end of the program: what SetUsrVal, `$name` and the external control
 //! keep under a key; and, read in the same way, what the machine says of itself.
 
-use crate::values::LAST_SHAPE;
 use kerf_journal::{
     Journal, JournalError,
     facts::{Fact, is_fact},
@@ -11,6 +10,9 @@ use std::collections::BTreeMap;
 
 /// The value that holds where a preview has come to.
 pub const PREVIEW: &str = "PreviewPlace";
+
+/// The value that says which job ended early last, and at which of its shapes.
+pub(crate) const LAST_SHAPE: &str = "LastShape";
 
 /// Keys that Kerf writes for itself; those of folders have no value of their own.
 const OWN: [&str; 9] = [
@@ -47,14 +49,14 @@ impl Stored {
     /// # Errors
     /// As it cannot be read.
     pub fn of(journal: Journal) -> Result<Self, JournalError> {
-        let values = journal.values()?.into_iter().collect();
+        let values = journal.registry.values()?.into_iter().collect();
         Ok(Self { values, journal: Some(journal), apart: &[], trouble: None })
     }
 
     /// Knows the values as they are in the journal now.
     pub fn renew(&mut self) -> Result<(), JournalError> {
         if let Some(journal) = &self.journal {
-            let (values, apart) = (journal.values()?, self.apart);
+            let (values, apart) = (journal.registry.values()?, self.apart);
             self.values.retain(|key, _| apart.contains(&key.as_str()));
             let kept = values.into_iter().filter(|(key, _)| !apart.contains(&key.as_str()));
             self.values.extend(kept);
@@ -96,7 +98,7 @@ impl Stored {
     /// Returns the value that somebody else gave a key, if anybody did.
     pub fn news(&self, key: &str) -> Option<Option<String>> {
         let journal = self.journal.as_ref().filter(|_| !self.is_apart(key))?;
-        let now = journal.look_up(key).ok()?;
+        let now = journal.registry.look_up(key).ok()?;
         (now.as_deref() != self.get(key)).then_some(now)
     }
 
@@ -120,8 +122,8 @@ impl Stored {
     pub fn keep(&mut self, key: &str) {
         let journal = self.journal.as_ref().filter(|_| !self.is_apart(key));
         let kept = journal.map(|journal| match Fact::of(key) {
-            Some(fact) => journal.state(fact, self.get(key)),
-            None => journal.set_value(key, self.get(key)),
+            Some(fact) => journal.registry.state(fact, self.get(key)),
+            None => journal.registry.set_value(key, self.get(key)),
         });
         if let Some(Err(error)) = kept {
             self.trouble = Some(error.to_string());

@@ -13,16 +13,14 @@
 //! software passed in was refused. The last item is a check
 //! number of the line before it, so that a line that was changed is noticed.
 
-use crate::Workspace;
 use kerf_journal::Started;
-use kerf_program::{HostError, Settings};
 use std::time::Instant;
 
 /// Name of the file in the data folder.
 pub const SYSTEM_LOG: &str = "SbSys.log";
 
 /// Keys of values that end each line; empty where nobody set them.
-const OWNER: [&str; 6] = ["Serial", "Operator", "Sys1", "Sys2", "Sys3", "Sys4"];
+pub(crate) const OWNER: [&str; 6] = ["Serial", "Operator", "Sys1", "Sys2", "Sys3", "Sys4"];
 
 /// Seven digits.
 const CHECK_NUMBERS: u32 = 10_000_000;
@@ -51,93 +49,22 @@ impl SystemLog {
     }
 
     /// The line of a session that begins, or goes on in another mode.
-    fn mode(&self, draws: bool) -> String {
+    pub(crate) fn mode(&self, draws: bool) -> String {
         let start = if self.opening.file { "StartFile" } else { "NFP" };
         format!("{start},{},{}", mode_word(draws), self.opening.words.join(","))
     }
 
-    fn close(&self, kind: &str) -> String {
+    /// The line of a session that is over.
+    pub(crate) fn close(&self, kind: &str) -> String {
         format!("{kind},Total Time,{}", clock(self.began.elapsed().as_secs_f64()))
     }
-}
 
-impl Workspace {
-    /// The session begins: so does the log of it, where one is wanted (VD).
-    pub fn open_system_log(&mut self, log: SystemLog, settings: &Settings, draws: bool) {
-        let line = log.mode(draws);
-        self.system_log = Some(log);
-        self.log(settings, &line);
-    }
-
-    /// Deletes what was logged so far, and begins a new log.
-    pub fn begin_system_log_anew(
-        &mut self,
-        settings: &Settings,
-        draws: bool,
-    ) -> Result<(), HostError> {
-        self.put_data(SYSTEM_LOG, "").map_err(HostError::Refused)?;
-        self.log_mode(settings, draws);
-        Ok(())
-    }
-
-    /// The session is over.
-    pub fn close_system_log(&mut self, settings: &Settings, kind: &str) {
-        if let Some(log) = self.system_log.take() {
-            let line = log.close(kind);
-            self.system_log = Some(log);
-            self.log(settings, &line);
-            self.system_log = None;
-        }
-    }
-
-    /// From here on the machine only draws, or moves again.
-    pub fn log_mode(&mut self, settings: &Settings, draws: bool) {
-        if let Some(line) = self.system_log.as_ref().map(|log| log.mode(draws)) {
-            self.log(settings, &line);
-        }
-    }
-
-    /// A part file was run, or refused, and took so many seconds of machine time; an error ended it at
-    /// a line.
-    pub fn log_file(
-        &mut self,
-        settings: &Settings,
-        file: &str,
-        draws: bool,
-        seconds: f64,
-        error: Option<u32>,
-    ) {
-        // Typed lines and what comes with Kerf are no files of the user.
-        if !self.is_file(file) {
-            return;
-        }
-        let path = self.full_path(file);
-        let path = if path.contains(',') { format!("\"{path}\"") } else { path };
-        let remark = error.map_or_else(String::new, |line| format!("error in line {line}"));
-        self.log_with(
-            settings,
-            &format!("{path},{},{}", mode_word(draws), clock(seconds)),
-            &remark,
-        );
-    }
-
-    fn log(&mut self, settings: &Settings, head: &str) {
-        self.log_with(settings, head, "");
-    }
-
-    /// Adds time, date and the tail. A log that cannot be written stops nothing.
-    pub fn log_with(&mut self, settings: &Settings, head: &str, remark: &str) {
-        let Some(log) = self.system_log.as_ref().filter(|_| settings.display.system_log) else {
-            return;
-        };
-        let Started { time, date } = (log.now)();
-        let owner = OWNER.map(|key| self.stored.get(key).unwrap_or_default().replace(',', " "));
+    /// A line with time, date and the tail, of which the owner's values are a part.
+    pub(crate) fn line(&self, head: &str, remark: &str, owner: [String; OWNER.len()]) -> String {
+        let Started { time, date } = (self.now)();
         let version = env!("CARGO_PKG_VERSION");
         let line = format!("{head},{time},{date},{remark},sim,kerf-{version},{},", owner.join(","));
-        let line = format!("{line}{}\n", check_number(&line));
-        if let Err(error) = self.add_to_data(SYSTEM_LOG, &line) {
-            self.stored.tell_trouble(format!("{SYSTEM_LOG}: {error}"));
-        }
+        format!("{line}{}\n", check_number(&line))
     }
 }
 

@@ -1,15 +1,13 @@
 //! Values that the machine itself keeps: which locations are in doubt, the spindle's question, where a job ended.
 
 use crate::Workspace;
+use crate::stored::LAST_SHAPE;
 use kerf_journal::facts::Fact;
 use kerf_program::{Axis, AxisSet};
 use kerf_sbp::{POSITION_LOST, SPINDLE_STATUS};
 
 /// The value that says of which axes the location is to be confirmed before anything is cut: letters.
 pub const CONFIRM: &str = Fact::ConfirmLocation.key();
-
-/// The value that says which job ended early last, and at which of its shapes.
-pub const LAST_SHAPE: &str = "LastShape";
 
 impl Workspace {
     /// The machine is a fresh simulated one, not that of the data folder: what is in doubt of either does not

@@ -1,20 +1,19 @@
 //! Everything of a run that lies on a disk: part files, custom cuts, files that programs read and
 //! write, stored values, external programs.
 
+use crate::program_file::{cannot, program_file};
+use crate::settings_files::{self, Found};
+use crate::shell;
+use crate::sounds;
 use crate::stored::Stored;
 use crate::system_log::SystemLog;
-use crate::{settings_files, sounds};
-use kerf_files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch, Shipped, custom_name};
+use kerf_files::{Disk, Folders, MemoryDisk, OpenFiles, Purpose, Scratch};
 use kerf_journal::{Journal, Kind, Shell, Surroundings, Tape};
 use kerf_program::{FileMode, FileRequest, Folder, HostError, ShellCall, SourceFile};
 use kerf_sbp::{PART_FILE, RECORDED, RECORDING};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 use std::sync::Arc;
-
-/// Files larger than this are no part files, bytes.
-pub const MOST_BYTES: usize = 1 << 29;
 
 /// Which files lists show at first: part files, settings files, custom cuts.
 const MASK: &str = "*.sb?";
@@ -112,8 +111,8 @@ impl Workspace {
     pub fn install_firmware(&mut self) -> Result<String, HostError> {
         let none = "no firmware on the simulated machine";
         let Some(load) = &mut self.firmware else { return Err(HostError::Refused(none.into())) };
-        let (shell, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
-        load(&mut |line| run_to_its_end(shell, &folder, line))
+        let (allowed, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
+        load(&mut |line| shell::run_to_its_end(allowed, &folder, line))
     }
 
     /// Files in memory only.
@@ -247,6 +246,21 @@ impl Workspace {
         self.disk.names(&self.data.join(folder)).unwrap_or_default()
     }
 
+    /// Names of the settings files there are.
+    pub fn settings_files(&self) -> Vec<String> {
+        settings_files::names(self.names_in_data(settings_files::FOLDER))
+    }
+
+    /// Keeps a settings file; returns where.
+    ///
+    /// # Errors
+    /// Its name is none, or the disk does not take it.
+    pub fn keep_settings_file(&mut self, name: &str, text: &str) -> Result<String, HostError> {
+        let place = settings_files::place(name)?;
+        self.put_data(&place, text).map_err(HostError::Refused)?;
+        Ok(PathBuf::from(self.app_path()).join(place).display().to_string())
+    }
+
     /// A program file of the data folder.
     pub fn data_source(&mut self, name: &str) -> Result<SourceFile, HostError> {
         let (disk, path) = (&*self.disk, self.data.join(name));
@@ -375,12 +389,30 @@ impl Workspace {
     /// # Errors
     /// There is none, or it cannot be read.
     pub fn source(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
-        if request.folder == Folder::Settings {
-            return settings_files::source(self, &request.name);
+        match request.folder {
+            Folder::Settings => self.settings_file(&request.name),
+            Folder::Media => self.sound(&request.name),
+            Folder::Parts | Folder::Custom => self.program_file(request),
         }
-        if request.folder == Folder::Media {
-            return sounds::sound(self, &request.name);
+    }
+
+    fn settings_file(&mut self, name: &str) -> Result<SourceFile, HostError> {
+        match settings_files::find(self.names_in_data(settings_files::FOLDER), name)? {
+            Found::Own(name) => self.data_source(&name),
+            Found::Shipped(file) => Ok(file),
         }
+    }
+
+    fn sound(&mut self, name: &str) -> Result<SourceFile, HostError> {
+        let part = FileRequest { folder: Folder::Parts, name: name.into() };
+        if let Ok(found) = self.program_file(&part) {
+            return Ok(found);
+        }
+        let found = sounds::find(self.names_in_data(sounds::MEDIA), name);
+        self.data_source(&found.ok_or_else(|| HostError::NotFound(name.into()))?)
+    }
+
+    fn program_file(&mut self, request: &FileRequest) -> Result<SourceFile, HostError> {
         let (disk, folders) = (&*self.disk, &self.folders);
         let (name, bytes) =
             self.tape.hear_file(Kind::Source, || program_file(disk, folders, request))?;
@@ -456,9 +488,9 @@ impl Workspace {
     /// # Errors
     /// None may be started, or it cannot be.
     pub fn shell(&mut self, call: &ShellCall) -> Result<(), HostError> {
-        let (shell, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
+        let (allowed, folder) = (self.shell, self.disk.real_path(self.folders.parts()));
         let told = [("KERF_URL", self.url.clone()), ("KERF_DATA", Some(self.app_path()))];
-        self.tape.change(Kind::Shell, || start(shell, &folder, call, told))
+        self.tape.change(Kind::Shell, || shell::start(allowed, &folder, call, told))
     }
 
     /// Folder of the user's data.
@@ -472,93 +504,10 @@ impl Workspace {
     }
 }
 
-/// Fails unless external programs are started.
-fn start_allowed(shell: Shell) -> Result<(), HostError> {
-    let what = "external programs are disabled; --allow-shell lets a run start them";
-    if shell == Shell::Started { Ok(()) } else { Err(HostError::Disabled(what.into())) }
-}
-
-/// Starts an external program.
-fn start(
-    shell: Shell,
-    folder: &Path,
-    call: &ShellCall,
-    told: [(&str, Option<String>); 2],
-) -> Result<(), HostError> {
-    if shell == Shell::Skipped {
-        return Ok(());
-    }
-    start_allowed(shell)?;
-    let mut command = shell_command(&call.line);
-    command.current_dir(folder).stdin(Stdio::null());
-    command.envs(told.into_iter().filter_map(|(name, value)| Some((name, value?))));
-    let started = if call.wait { command.status().map(drop) } else { command.spawn().map(drop) };
-    started.map_err(|e| HostError::Refused(format!("cannot start '{}': {e}", call.line)))
-}
-
-/// Starts an external program and waits until it has done what it should.
-fn run_to_its_end(shell: Shell, folder: &Path, line: &str) -> Result<(), HostError> {
-    start_allowed(shell)?;
-    let ended = shell_command(line).current_dir(folder).stdin(Stdio::null()).status();
-    let failed = |why: String| Err(HostError::Refused(format!("'{line}' {why}")));
-    match ended {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => failed(format!("failed: {status}")),
-        Err(error) => failed(format!("cannot be started: {error}")),
-    }
-}
-
-/// A file that a program runs: from the folders, else one that comes with Kerf.
-fn program_file(
-    disk: &dyn Disk,
-    folders: &Folders,
-    request: &FileRequest,
-) -> Result<(String, Vec<u8>), HostError> {
-    let path = match folders.find(disk, request.folder, &request.name, Purpose::Read) {
-        Ok(path) => path,
-        Err(error @ HostError::NotFound(_)) => return shipped(request).ok_or(error),
-        Err(error) => return Err(error),
-    };
-    let bytes = disk.read(&path).map_err(|e| cannot("read", &path, &e))?;
-    if bytes.len() > MOST_BYTES {
-        return Err(HostError::Refused(format!("{} is too large", path.display())));
-    }
-    Ok((path.display().to_string(), bytes))
-}
-
 impl std::fmt::Debug for Workspace {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Workspace").field("folders", &self.folders).finish_non_exhaustive()
     }
-}
-
-/// A custom cut that comes with the program.
-fn shipped(request: &FileRequest) -> Option<(String, Vec<u8>)> {
-    let name = match request.folder {
-        Folder::Custom => Some(request.name.as_str()),
-        Folder::Parts | Folder::Settings | Folder::Media => None,
-    };
-    let name = name.map(str::to_owned).or_else(|| custom_name(&request.name))?;
-    let file = Shipped::find(&name)?;
-    Some((file.name.into(), file.text.into()))
-}
-
-fn cannot(what: &str, path: &Path, error: &std::io::Error) -> HostError {
-    HostError::Refused(format!("cannot {what} {}: {error}", path.display()))
-}
-
-#[cfg(windows)]
-fn shell_command(line: &str) -> Command {
-    let mut command = Command::new("cmd");
-    command.arg("/C").arg(line);
-    command
-}
-
-#[cfg(not(windows))]
-fn shell_command(line: &str) -> Command {
-    let mut command = Command::new("sh");
-    command.arg("-c").arg(line);
-    command
 }
 
 /// The line at which the last run in a log ended early.

@@ -4,7 +4,7 @@
 //! for the direction of dependencies and the purity of the lower crates, [`tidy`] for everything a
 //! reader would trip over, [`conformance`] for the score against the ledgers of the manuals, [`pages`] for
 //! generated pages, [`structure`] for circles of files. They run as ordinary tests (`crates/xtask/tests/repository.rs`), so `cargo test` is enough to
-//! find out, and as `cargo xtask check` when only the rules are wanted.
+//! find out, and as `cargo xtask check` when only the rules are wanted. [`run_tests`] runs the tests of the workspace side by side.
 //!
 //! Generated pages are written by the same code that checks them.
 
@@ -12,6 +12,7 @@ mod book;
 pub mod conformance;
 pub mod deps;
 pub mod pages;
+pub mod run_tests;
 pub mod structure;
 pub mod tidy;
 mod tree;

@@ -2,13 +2,14 @@
 
 use anyhow::{Result, bail};
 use std::process::ExitCode;
-use xtask::{Finding, Tree, conformance, deps, pages, structure, tidy};
+use xtask::{Finding, Tree, conformance, deps, pages, run_tests, structure, tidy};
 
 const USAGE: &str = "usage: cargo xtask COMMAND
   check              all rules below
   deps               direction of dependencies, purity of the lower crates
   tidy               file sizes, links, examples, the list of dependencies
   structure          circles of files, types with methods in many files: lists them all
+  test               builds and runs every test program, as many side by side as there are processors
   conformance check  docs/conformance.toml against the ledgers and the tests
   conformance mark   sets the rows whose tests exist to done
   conformance page   writes docs/conformance.md
@@ -41,6 +42,7 @@ fn run(words: &[&str]) -> Result<Vec<Finding>> {
             eprint!("{}", structure::listing(&tree)?);
             structure::check(&tree)?
         }
+        ["test"] => run_tests::run()?,
         ["conformance", "check"] => conformance::check(&tree)?,
         ["conformance", "mark"] => written(conformance::mark(&tree)?),
         ["conformance", "page"] => written(pages::write(&tree, conformance::PAGE)?),

@@ -1,39 +1,17 @@
 //! A controller that a session drives from run to run: attached, held to the place that is on record, left again.
 
-use super::{Connection, Lacks, Line};
+use super::{Connection, Lacks, Socket};
 use crate::answers::Operator;
 use crate::session::DrivenBy;
-use crate::{Company, Session};
+use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work, facts::Fact};
-use kerf_machine::driver::{Changed, Wired};
+use kerf_machine::driver::Changed;
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
-use std::fmt;
 use std::rc::Rc;
-use std::sync::Arc;
-
-/// A driver that knows nothing yet, with the line it speaks through.
-pub type Ends = (Box<dyn Wired>, Box<dyn Line>);
-
-/// The place where a controller hangs.
-#[derive(Clone)]
-pub struct Socket {
-    /// Its name, as people give it: `grbl:/dev/ttyUSB0`.
-    pub name: String,
-    /// The port alone, by which it is known again whatever its rate.
-    pub port: String,
-    /// Opens the port.
-    pub opens: Arc<dyn Fn() -> Result<Ends, String> + Send + Sync>,
-}
-
-impl fmt::Debug for Socket {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.name)
-    }
-}
 
 /// Steps that come before anything else.
 #[derive(Clone, Copy, Debug, Default)]
@@ -59,6 +37,8 @@ pub struct Told {
 #[derive(Clone)]
 pub struct Controller {
     socket: Socket,
+    /// It has kept count of its place since it was driven last.
+    counts: bool,
     connection: Rc<RefCell<Connection>>,
 }
 
@@ -93,6 +73,7 @@ impl Controller {
         let (driver, line) = (socket.opens)()?;
         let open = if abandoned { Connection::open_stopped } else { Connection::open };
         let mut connection = open(&socket.name, driver, line)?;
+        connection.opens_again(socket.opens.clone());
         let mut told = Told::default();
         let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
         told.notes.push(format!("{}: {}, axes {axes}", socket.name, connection.facts().name));
@@ -114,21 +95,23 @@ impl Controller {
         // Outputs and switches of the simulated machine are none of this one's.
         session.machine = None;
         session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes });
-        let controller = Self { socket, connection: Rc::new(RefCell::new(connection)) };
+        let connection = Rc::new(RefCell::new(connection));
+        let mut controller = Self { socket, counts: true, connection };
         controller.finds_place(first, abandoned, session, workspace, &mut told);
         Ok((controller, told))
     }
 
     /// Holds the place that the controller tells against the one on record.
     fn finds_place(
-        &self,
+        &mut self,
         first: First,
         abandoned: bool,
         session: &mut Session,
         workspace: &mut Workspace,
         told: &mut Told,
     ) {
-        let mut connection = self.connection.borrow_mut();
+        let connection = self.connection.clone();
+        let mut connection = connection.borrow_mut();
         let (stands, axes) = (connection.stands(), AxisSet::first(connection.facts().axes));
         if connection.facts().homes {
             told.notes.extend(takes_place(&connection, session, stands));
@@ -140,9 +123,13 @@ impl Controller {
         }
         match (self.left_at(stands, workspace), abandoned) {
             (Some(place), false) => told.notes.extend(takes_place(&connection, session, place)),
-            (None, false) => told.notes.push(self.believed(session.memory.position)),
+            (None, false) => {
+                self.counts = false;
+                told.notes.push(self.believed(session.memory.position));
+            }
             (_, true) => {
                 let counted = self.counted_on(stands, workspace);
+                self.counts = counted.is_some();
                 session.memory.position = counted.unwrap_or(session.memory.position);
                 told.warnings.push(self.abandoned(session.memory.position));
                 workspace.doubts_location(axes);
@@ -168,14 +155,21 @@ impl Controller {
             workspace,
             || false,
         )?;
+        // Whoever has hold of the connection has the new one from now on.
         let (again, told) = attached;
-        *self = again;
+        self.connection.swap(&again.connection);
+        self.counts = again.counts;
         Ok(told)
     }
 
     /// The machine, for a run.
     pub fn driven(&self) -> Driven {
         self.connection.clone()
+    }
+
+    /// Returns `true` if it has kept count of its place since it was driven last, or was homed: a run can be taken up there.
+    pub const fn knows_place(&self) -> bool {
+        self.counts
     }
 
     /// Its name, as people give it.
@@ -300,9 +294,13 @@ impl Controller {
         }
         let mut options = RunOptions { started: None, ..options.clone() };
         options.program.preview = true;
-        let company =
-            Company { sink: &mut lacks, operator, requests: &mut (), machine: crate::simulated() };
-        drop(session.clone().run(again, options, workspace, company));
+        let context = RunContext {
+            sink: &mut lacks,
+            operator,
+            requests: &mut (),
+            machine: crate::simulated(),
+        };
+        drop(session.clone().run(again, options, workspace, context));
         lacks.found()
     }
 

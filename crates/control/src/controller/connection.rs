@@ -1,23 +1,18 @@
 //! The connection to a controller: a driver, the line it hangs on, and the clock of the world.
 
+use super::driven::LEAD_S;
 use super::lacks::no_output;
+use super::lost::Lost;
 use super::row::Row;
+use super::socket::Opens;
 use kerf_machine::driver::{
-    Changed, Driver, Facts, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
+    Changed, Driver, Facts, Hold, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
 };
 use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
+use kerf_transport::{Line, LineError};
 use std::collections::{BTreeSet, VecDeque};
 use std::time::{Duration, Instant};
-
-/// Line that a driver hangs on. Errors are told to people as they are.
-pub trait Line {
-    /// The bytes that came, waiting for the first of them at most so long; 0 when none did.
-    fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, String>;
-
-    /// Sends all bytes.
-    fn write(&mut self, bytes: &[u8]) -> Result<(), String>;
-}
 
 /// Time that one look at the line takes when nothing comes.
 pub(super) const NAP: Duration = Duration::from_millis(4);
@@ -47,12 +42,12 @@ const LOOK_S: f64 = 0.02;
 struct Closed;
 
 impl Line for Closed {
-    fn read(&mut self, _: &mut [u8], _: Duration) -> Result<usize, String> {
-        self.write(&[]).map(|()| 0)
+    fn read(&mut self, _: &mut [u8], _: Duration) -> Result<usize, LineError> {
+        Err(LineError::Closed)
     }
 
-    fn write(&mut self, _: &[u8]) -> Result<(), String> {
-        Err("the port of the controller is closed".into())
+    fn write(&mut self, _: &[u8]) -> Result<(), LineError> {
+        Err(LineError::Closed)
     }
 }
 
@@ -96,6 +91,9 @@ pub struct Connection {
     pub(super) owed: Option<Changed>,
     /// The line itself is gone.
     pub(super) dead: bool,
+    /// Opens the line once more, where it was lost on the way.
+    pub(super) opens: Option<Opens>,
+    pub(super) lost: Option<Lost>,
     /// The run is over, and what it leaves on is meant to be.
     pub(super) closed: bool,
 }
@@ -148,6 +146,8 @@ impl Connection {
             failure: None,
             owed: None,
             dead: false,
+            opens: None,
+            lost: None,
             closed: false,
         }
     }
@@ -160,7 +160,7 @@ impl Connection {
                 return Err(format!("{}: {trouble}", self.name));
             }
             if let Some(facts) = self.link.driver().facts().cloned() {
-                self.facts = facts;
+                self.facts = Facts { leads_s: LEAD_S, ..facts };
                 self.owed = self.link.driver().changed();
                 self.link.restart(self.now_s());
                 return Ok(self);
@@ -265,9 +265,14 @@ impl Connection {
         self.offset = place.minus(self.stands());
     }
 
+    /// Closes its port.
+    pub(super) fn closes_line(&mut self) {
+        self.line = Box::new(Closed);
+    }
+
     /// Closes its port: whoever opens it anew has another connection.
     pub fn let_go(&mut self) {
-        self.line = Box::new(Closed);
+        self.closes_line();
         (self.open, self.ordered, self.dead) = (0, 0, true);
     }
 
@@ -289,7 +294,9 @@ impl Connection {
         let done = does();
         match opens().and_then(|(driver, line)| Self::open(&self.name, driver, line)) {
             Ok(connection) => {
+                let opens = self.opens.take();
                 *self = connection;
+                self.opens = opens;
                 self.owed = owed.or(self.owed);
             }
             Err(why) => {
@@ -315,7 +322,7 @@ impl Connection {
 
     /// Moves bytes both ways.
     fn carry(&mut self, wait: Duration) {
-        if self.dead {
+        if self.dead || self.lost.is_some() && !self.is_back(wait) {
             return;
         }
         let now_s = self.now_s();
@@ -327,10 +334,7 @@ impl Connection {
                 let now_s = self.now_s();
                 self.link.driver().hear(&bytes[..count], now_s);
             }
-            Err(why) => {
-                self.dead = true;
-                self.fail(why, "look at its cable and its power", None, true);
-            }
+            Err(why) => self.line_is_lost(why.to_string()),
         }
     }
 
@@ -343,6 +347,10 @@ impl Connection {
             self.link.driver().signal(Signal::Ask, now_s);
         }
         self.carry(wait);
+        if self.lost.is_some() {
+            // Nobody can answer.
+            return;
+        }
         let told = self.link.poll(self.now_s());
         for told in told {
             match told {
@@ -400,7 +408,12 @@ impl Connection {
             _ => "nothing moves any more; outputs are off",
         };
         let at = at.or_else(|| self.row.at(self.done + 1));
-        self.fail(format!("{}: {trouble}", self.name), hint, at, false);
+        let mut why = format!("{}: {trouble}", self.name);
+        if let (Trouble::Gap { .. }, Some(place)) = (trouble, self.place()) {
+            let [x, y, z, ..] = place.0;
+            why += &format!("; the machine stands at {x:.3}, {y:.3}, {z:.3}");
+        }
+        self.fail(why, hint, at, false);
     }
 
     pub(super) fn fail(
@@ -454,6 +467,30 @@ impl Connection {
         // Its reset has set the override back.
         if self.feed != 1.0 {
             self.feed(self.feed);
+        }
+    }
+
+    /// Signals something that is done at once.
+    pub(super) fn signal(&mut self, signal: Signal) {
+        let now_s = self.now_s();
+        self.link.driver().signal(signal, now_s);
+    }
+
+    /// Slows down on the path until it stands, and keeps everything.
+    pub(super) fn comes_to_hold(&mut self) {
+        let until_s = self.now_s() + STOPPING_S;
+        self.signal(Signal::Hold);
+        while self.failure.is_none() && self.link.driver().hold() == Hold::Ordered {
+            let now_s = self.now_s();
+            if now_s - self.asked_s > STANDS_S {
+                self.asked_s = now_s;
+                self.signal(Signal::Ask);
+            }
+            self.tend(NAP);
+            if now_s > until_s {
+                let why = format!("{} does not say that it is held", self.name);
+                self.fail(why, "press its emergency stop and look at it", None, true);
+            }
         }
     }
 

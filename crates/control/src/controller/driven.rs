@@ -3,9 +3,10 @@
 use super::Connection;
 use super::connection::NAP;
 use super::lacks::{lacked, needs, out_of_reach, wired};
+use super::merged::together;
 use super::row::{Chord, Handed, Row};
 use super::ways::{chords, speed_mm_s};
-use kerf_machine::driver::{Driver, Facts, Order, Signal};
+use kerf_machine::driver::{Facts, Hold, Order, Signal};
 use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
 use kerf_motion::{Move, Path};
 use kerf_program::{Axes, MoveKind, OutputReason};
@@ -13,7 +14,7 @@ use std::time::{Duration, Instant};
 
 /// The last moves of a piece of plan that does not end at a stand are not waited for, as long as this,
 /// seconds: the next piece is planned meanwhile, and the machine does not stop between them.
-const LEAD_S: f64 = 0.5;
+pub(super) const LEAD_S: f64 = 0.5;
 
 /// The line of flood coolant.
 const FLOOD: u8 = 2;
@@ -49,8 +50,15 @@ impl Connection {
         self.open < AHEAD && self.failure.is_none()
     }
 
-    /// Hands a move over, after the outputs that should be on. One that ends at a change of the probe is alone.
-    fn hand(&mut self, made: &Move, watches: &[Watch]) {
+    /// Hands the next move over, after the outputs that should be on; short ones on one line together. One that ends at a
+    /// change of the probe is alone.
+    fn hand(&mut self, moves: &[Move], watches: &[Watch]) {
+        let Some(made) = moves.first() else { return };
+        let count =
+            if watches.is_empty() { together(moves, self.facts.arc_tolerance_mm) } else { 1 };
+        if count > 1 && self.contact.is_none() && self.probing.is_none() {
+            return self.hand_together(&moves[..count]);
+        }
         let probes = self.probes(made, watches);
         if self.contact.is_some() || self.probing.is_some() || probes.is_some() && self.open > 0 {
             return;
@@ -76,6 +84,23 @@ impl Connection {
             handed.chords.push(Chord { ticket, share, to });
         }
         self.row.push(handed);
+    }
+
+    /// Hands moves over as one straight one.
+    fn hand_together(&mut self, moves: &[Move]) {
+        let [first, .., last] = moves else { return };
+        self.switch_outputs();
+        let mut speed_mm_s = speed_mm_s(first, &[(1.0, first.to)]);
+        if first.kind == MoveKind::Jog {
+            speed_mm_s /= f64::from(self.feed);
+        }
+        self.looks_often = false;
+        let order = Order::Move { to: last.to.minus(self.offset), speed_mm_s };
+        let Some(ticket) = self.order(order) else { return };
+        for mv in moves {
+            let chords = vec![Chord { ticket, share: 1.0, to: mv.to }];
+            self.row.push(Handed { at: mv.at, from: mv.from, chords });
+        }
     }
 
     /// The input at whose change the controller itself ends a move: its probe, where the move is straight, nothing else
@@ -124,6 +149,13 @@ impl Connection {
             self.order(Order::Output { line, on });
         }
         self.ordered = self.wanted;
+    }
+
+    /// Makes the end of the piece of plan before, which is told already; not where somebody holds it at its own controls.
+    fn makes_piece_before(&mut self) {
+        while self.done < self.row.before && self.is_busy() && self.waits().is_none() {
+            self.tend(NAP);
+        }
     }
 
     /// The moment that is reached of a move, as far as it is known.
@@ -215,7 +247,7 @@ impl Machine for Connection {
         let moves = going.plan.moves();
         while self.has_room() && self.row.next() < moves.len().min(going.until) {
             let next = self.row.next();
-            self.hand(&moves[next], going.watches);
+            self.hand(&moves[next..moves.len().min(going.until)], going.watches);
             if self.row.next() == next {
                 break;
             }
@@ -253,26 +285,41 @@ impl Machine for Connection {
             self.row = Row::default();
             return Some(going.t0_s + going.plan.time_at_share(index, share));
         }
-        // The end of the piece before is made: what it belongs to is told already.
-        while self.done < self.row.before && self.is_busy() {
-            self.tend(NAP);
-        }
-        let done = self.done;
+        self.makes_piece_before();
+        let (done, whole) = (self.done, self.done >= self.row.before);
         if self.failure.is_none() {
             self.stop_at_once();
         }
         let place = self.place()?;
+        if !whole {
+            // Somebody holds it at its own controls, before the end of what is told already.
+            self.give_up();
+        }
         let (index, share) = self.row.locate(done, place).unwrap_or((going.index, 0.0));
         self.row = Row::default();
         Some(going.t0_s + going.plan.time_at_share(index, share))
     }
 
+    fn hold(&mut self, going: &Going<'_>) -> Option<f64> {
+        self.makes_piece_before();
+        self.comes_to_hold();
+        let place = self.place().filter(|_| self.failure.is_none())?;
+        let (index, share) = self.row.locate(self.done, place).unwrap_or((going.index, 0.0));
+        Some(going.t0_s + going.plan.time_at_share(index, share))
+    }
+
+    fn go_on(&mut self) {
+        self.signal(Signal::Resume);
+    }
+
+    fn went_on(&mut self) -> bool {
+        self.link.driver().hold() == Hold::WentOn
+    }
+
     fn feed(&mut self, share: f32) {
         if self.facts.overrides {
             self.feed = share;
-            self.link
-                .driver()
-                .signal(Signal::Feed(percent(share)), self.since.elapsed().as_secs_f64());
+            self.signal(Signal::Feed(percent(share)));
         }
     }
 
@@ -283,6 +330,9 @@ impl Machine for Connection {
     }
 
     fn waits(&mut self) -> Option<&'static str> {
+        if self.lost.is_some() {
+            return Some("its line is gone: it is opened again when it is back");
+        }
         self.link.driver().waits()
     }
 

@@ -21,9 +21,14 @@ mod attached;
 mod connection;
 mod driven;
 mod lacks;
+mod lost;
+mod merged;
+pub mod queued;
 mod row;
+mod socket;
 mod ways;
 
-pub use attached::{Controller, Ends, First, Socket, Told};
-pub use connection::{Connection, Line};
+pub use attached::{Controller, First, Told};
+pub use connection::Connection;
 pub use lacks::Lacks;
+pub use socket::{Ends, Opens, Socket};

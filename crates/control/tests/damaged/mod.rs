@@ -16,7 +16,7 @@ fn template() -> &'static [Vec<u8>; 4] {
     MADE.get_or_init(|| {
         let folder = tempfile::tempdir().expect("a folder");
         let (journal, _) = Journal::open(folder.path()).expect("a journal");
-        let keep = |n: usize| journal.set_value(&format!("key{n}"), Some("kept"));
+        let keep = |n: usize| journal.registry.set_value(&format!("key{n}"), Some("kept"));
         (0..VALUES / 2).try_for_each(keep).expect("values");
         journal.back_up().and_then(|()| journal.rest()).expect("a copy");
         (VALUES / 2..VALUES).try_for_each(keep).expect("values");
@@ -70,17 +70,17 @@ fn holds(file: &Path) -> bool {
 fn opens(folder: &Path) -> Result<(), String> {
     drop(
         Journal::look(folder)
-            .and_then(|journal| journal.map_or(Ok(()), |it| it.values().map(drop))),
+            .and_then(|journal| journal.map_or(Ok(()), |it| it.registry.values().map(drop))),
     );
     // A folder in which nothing of a journal is left is that of a new machine.
     let is_new = FILES.iter().all(|name| !holds(&folder.join(name)));
     let (journal, told) = Journal::open(folder).map_err(|error| error.to_string())?;
-    let values = journal.values().map_err(|error| error.to_string())?;
+    let values = journal.registry.values().map_err(|error| error.to_string())?;
     let kept = values.iter().filter(|(_, value)| value == "kept").count();
     assert!(kept == VALUES || !told.is_empty() || is_new, "lost without a word: {kept}");
-    journal.remembered(kerf_control::settings_text::read).map_err(|error| error.to_string())?;
-    journal.cut_short().map_err(|error| error.to_string())?;
-    journal.history().map_err(|error| error.to_string())?;
+    journal.memory.read(kerf_control::settings_text::read).map_err(|error| error.to_string())?;
+    journal.runs.cut_short().map_err(|error| error.to_string())?;
+    journal.runs.history().map_err(|error| error.to_string())?;
     drop(journal.own().map_err(|error| error.to_string())?);
     Ok(())
 }

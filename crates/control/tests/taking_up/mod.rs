@@ -3,7 +3,7 @@
 #![allow(dead_code)]
 
 use kerf_control::answers::{Answers, Operator};
-use kerf_control::{Company, OperatorRequest, Requests, Session};
+use kerf_control::{AtRest, OperatorRequest, Requests, RunContext, Session};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_geom::{Point2, Polyarc};
 use kerf_journal::{Journal, Press, RunOptions, Started, Work};
@@ -168,12 +168,12 @@ pub fn run_work(
     let status = run_in(
         folder,
         work,
-        Company { sink: &mut events, operator, requests: pace, machine: on_record() },
+        RunContext { sink: &mut events, operator, requests: pace, machine: on_record() },
     );
     (events, status)
 }
 
-pub fn run_in(folder: &TempDir, work: impl Into<Work>, company: Company<'_>) -> Option<Status> {
+pub fn run_in(folder: &TempDir, work: impl Into<Work>, context: RunContext<'_>) -> Option<Status> {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let mut workspace = workspace(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut workspace).unwrap();
@@ -181,7 +181,7 @@ pub fn run_in(folder: &TempDir, work: impl Into<Work>, company: Company<'_>) -> 
     let started = Started { time: "14:03:05".into(), date: "2026-11-21".into() };
     let options = RunOptions { started: Some(started), ..RunOptions::default() };
     let went = catch_unwind(AssertUnwindSafe(|| {
-        session.run_on_record(work, options, None, &mut workspace, company).unwrap()
+        session.run_on_record(work, options, None, &mut workspace, context).unwrap()
     }));
     went.ok().map(|summary| summary.status)
 }
@@ -197,13 +197,13 @@ pub fn resume_with(
     operator: &mut dyn Operator,
 ) -> (Vec<Event>, Option<Status>) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
-    let cut = journal.cut_short().unwrap().expect("a run to take up");
+    let cut = journal.runs.cut_short().unwrap().expect("a run to take up");
     let mut workspace = workspace(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut workspace).unwrap();
     let mut events = Vec::new();
-    let company = Company { sink: &mut events, operator, requests: pace, machine: on_record() };
+    let context = RunContext { sink: &mut events, operator, requests: pace, machine: on_record() };
     let went =
-        catch_unwind(AssertUnwindSafe(|| session.resume(&cut, &mut workspace, company).unwrap()));
+        catch_unwind(AssertUnwindSafe(|| session.resume(&cut, &mut workspace, context).unwrap()));
     (events, went.ok().map(|summary| summary.status))
 }
 
@@ -300,7 +300,7 @@ pub fn press(folder: &TempDir, number: u8, on: bool) {
     let (journal, _) = Journal::open(folder.path()).unwrap();
     let mut workspace = workspace(&journal, folder);
     let (mut session, _) = Session::recall(&journal, &mut workspace).unwrap();
-    session.press(Press { number, on }, &mut workspace);
+    AtRest(&mut session).press(Press { number, on }, &mut workspace);
 }
 
 /// Where the machine stands.

@@ -4,7 +4,7 @@
 
 use super::clear;
 use super::words::{WordError, Words, number, numbers, pair};
-use super::{Change, How, Operation};
+use super::{Change, How, Operation, form};
 use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order};
 use kerf_geom::{Point2, Vec2, Vertex};
 use kerf_program::job::Plunge;
@@ -23,12 +23,14 @@ pub struct Entry {
 
 pub(super) type Read = Result<Operation, WordError>;
 
+#[track_caller]
 const fn entry(
     name: &'static str,
     form: &'static str,
     doc: &'static str,
     read: fn(&mut Words) -> Read,
 ) -> Entry {
+    form::check(form);
     Entry { name, form, doc, read }
 }
 

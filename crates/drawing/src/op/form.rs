@@ -150,21 +150,92 @@ fn value_of(text: &str) -> Value {
 }
 
 fn plain(name: &str) -> Value {
-    match name {
-        "X,Y" | "W,H" => Value::Pair,
-        "X,Y,B" => Value::Vertex,
-        "X,Y,Z" => Value::Triple,
-        "R,A" => Value::Arc,
-        "RxC" => Value::Grid,
-        "SHAPE" => Value::Shape,
-        "SHAPES" => Value::Shapes,
-        "COLOUR" => Value::Group,
-        "COLOURS" => Value::Groups,
-        "WORDS" => Value::Text,
-        "FILE" => Value::File,
-        "RADIUS" | "LENGTH" | "DISTANCE" | "MM" | "D" | "Z" => Value::Length(name.into()),
-        _ => Value::Number(name.into()),
+    match kind(name.as_bytes()) {
+        Some(Kind::Pair) => Value::Pair,
+        Some(Kind::Vertex) => Value::Vertex,
+        Some(Kind::Triple) => Value::Triple,
+        Some(Kind::Arc) => Value::Arc,
+        Some(Kind::Grid) => Value::Grid,
+        Some(Kind::Shape) => Value::Shape,
+        Some(Kind::Shapes) => Value::Shapes,
+        Some(Kind::Group) => Value::Group,
+        Some(Kind::Groups) => Value::Groups,
+        Some(Kind::File) => Value::File,
+        Some(Kind::Length) => Value::Length(name.into()),
+        Some(Kind::Number) => Value::Number(name.into()),
+        Some(Kind::Text) | None => Value::Text,
     }
+}
+
+/// Kind of a value, by its name in a form.
+#[derive(Clone, Copy)]
+enum Kind {
+    Pair,
+    Vertex,
+    Triple,
+    Length,
+    Number,
+    Arc,
+    Grid,
+    Shape,
+    Shapes,
+    Group,
+    Groups,
+    File,
+    Text,
+}
+
+/// The kind of the value that a form calls by a name; `None` for a name that is not known.
+const fn kind(name: &[u8]) -> Option<Kind> {
+    Some(match name {
+        b"X,Y" | b"W,H" => Kind::Pair,
+        b"X,Y,B" => Kind::Vertex,
+        b"X,Y,Z" => Kind::Triple,
+        b"RADIUS" | b"LENGTH" | b"DISTANCE" | b"MM" | b"D" | b"Z" => Kind::Length,
+        b"ANGLE" | b"FACTOR" | b"B" | b"N" | b"S" | b"MM/S" | b"MM/S2" => Kind::Number,
+        b"R,A" => Kind::Arc,
+        b"RxC" => Kind::Grid,
+        b"SHAPE" => Kind::Shape,
+        b"SHAPES" => Kind::Shapes,
+        b"COLOUR" => Kind::Group,
+        b"COLOURS" => Kind::Groups,
+        b"FILE" => Kind::File,
+        b"WORDS" | b"ramp,A" | b"helix,R,A" => Kind::Text,
+        _ => return None,
+    })
+}
+
+/// Refuses, while Kerf is built, a form with a name of a value that [`kind`] does not know. A sheet that took it for a
+/// plain number would read the inches that somebody enters as millimetres.
+///
+/// # Panics
+/// The form has such a name; the compiler tells file, line and column of the entry.
+#[track_caller]
+pub(super) const fn check(form: &str) {
+    assert!(
+        !has_unknown(form.as_bytes()),
+        "a form calls a value by a name that `kind` in op/form.rs does not know"
+    );
+}
+
+/// Tells whether a form has a word with capitals that is no known name.
+const fn has_unknown(mut rest: &[u8]) -> bool {
+    while !rest.is_empty() {
+        let (mut length, mut is_value) = (0, false);
+        while length < rest.len() && !matches!(rest[length], b' ' | b'[' | b']' | b'|' | b'=') {
+            is_value |= rest[length].is_ascii_uppercase();
+            length += 1;
+        }
+        let (word, behind) = rest.split_at(length);
+        if is_value && kind(word).is_none() {
+            return true;
+        }
+        rest = match behind {
+            [_, behind @ ..] => behind,
+            [] => behind,
+        };
+    }
+    false
 }
 
 #[cfg(test)]
@@ -240,5 +311,17 @@ mod tests {
         let pass = Value::Words(vec!["off".into()], Some(Box::new(Value::Length("MM".into()))));
         check("[pass=MM|off]", &[("pass=", Some(pass), true)]);
         assert!(parts("SHAPE X,Y …")[1].repeats);
+    }
+
+    #[test]
+    fn a_value_of_an_unknown_name_is_refused() {
+        let check = |form: &str, unknown: bool| {
+            assert_eq!(has_unknown(form.as_bytes()), unknown, "{form}");
+        };
+        check("slot WIDTH", true);
+        check("slot [width=WIDTH|off] X,Y", true);
+        check("slot X,Y MMM", true);
+        check("slot [width=MM|off] X,Y \u{2026} N", false);
+        check("", false);
     }
 }

@@ -94,6 +94,8 @@ pub struct Fake {
     pub overflowed: usize,
     /// Lines that it read, for tests.
     pub lines: Vec<String>,
+    /// Places that it came by with its spindle on, a thousandth of a second apart.
+    pub cut: Vec<Axes>,
 }
 
 impl Default for Fake {
@@ -172,6 +174,7 @@ impl Fake {
             pins: String::new(),
             overflowed: 0,
             lines: Vec::new(),
+            cut: Vec::new(),
         };
         fake.start();
         fake
@@ -317,6 +320,9 @@ impl Fake {
             self.clock_s += STEP_S;
             self.motion.step(STEP_S);
             self.carry();
+            if self.spindle().is_some() && self.motion.speed_mm_s > 0.0 {
+                self.cut.push(self.motion.position);
+            }
             self.lowest_mm = self.lowest_mm.min(self.motion.position.0[2]);
             self.probe();
             if self.homed_s.is_some_and(|at_s| self.state == State::Homing && self.clock_s >= at_s)
@@ -351,6 +357,7 @@ impl Fake {
     /// Somebody presses its reset, or its power fails: it begins anew, and counts from where it stands as zero.
     pub fn begins_anew(&mut self) {
         self.halt();
+        self.feed_mm_min = 0.0;
         self.motion.put(Axes::default());
         (self.planned, self.motion.held, self.state) = (Axes::default(), false, State::Ready);
         self.incoming.clear();
@@ -396,6 +403,7 @@ impl Fake {
 
     fn reset(&mut self) {
         self.override_feed(0x90);
+        self.feed_mm_min = 0.0;
         let too_early = self.motion.speed_mm_s > 0.0 || self.state == State::Homing;
         self.halt();
         self.motion.held = false;
@@ -452,7 +460,7 @@ impl Fake {
         match command {
             "I" | "$" if !self.motion.is_empty() => self.tell("error:8"),
             "G" => {
-                self.tell("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]");
+                self.tell(&self.modes());
                 self.tell("ok");
             }
             "$" => {

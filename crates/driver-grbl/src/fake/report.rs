@@ -35,6 +35,16 @@ impl Fake {
         self.tell(&(line + ">"));
     }
 
+    /// The modes that hold, as `$G` tells them.
+    pub(super) fn modes(&self) -> String {
+        let motion = if self.straight { "G1" } else { "G0" };
+        let way = if self.relative { "G91" } else { "G90" };
+        let spindle = if self.spindle { "M3" } else { "M5" };
+        let coolant = ["M9", "M8", "M7", "M7 M8"][usize::from(self.coolant & 3)];
+        let (feed, rpm) = (self.feed_mm_min, self.spindle_rpm);
+        format!("[GC:{motion} G54 G17 G21 {way} G94 {spindle} {coolant} T0 F{feed:.0} S{rpm:.0}]")
+    }
+
     fn doing(&self) -> String {
         if let Some(said) = &self.says {
             return said.clone();

@@ -1,9 +1,9 @@
 //! What a board tells of its inputs: switches, rows of inputs, voltages, registers of motor drivers.
 
-use super::motion::NotNow;
-use super::news::News;
+use super::channel::{Channel, Told};
+use super::latch::Latches;
+use super::news::{News, NotNow};
 use super::questions::About;
-use super::session::{Session, Told};
 use crate::dictionary::{Message, Value};
 use crate::orders::{Order, OrderError};
 use crate::setup::Object;
@@ -29,47 +29,59 @@ pub struct Buttons {
     taken: u8,
 }
 
-impl Session {
-    pub fn look_at_buttons(&mut self, clock: u64) -> Result<(), OrderError> {
-        if self.setup.buttons.is_empty() {
+impl Buttons {
+    /// The board looks at the row from now on.
+    pub fn look(&self, channel: &mut Channel, clock: u64) -> Result<(), OrderError> {
+        if channel.setup.buttons.is_empty() {
             return Ok(());
         }
-        let oid = self.setup.oid(Object::Buttons);
-        let first = clock + (FIRST_S * self.frequency) as u64;
-        let rest = (LOOK_S * self.frequency) as u32;
-        self.send(Order::QueryButtons, [oid, first as u32, rest, AGAIN, 0])
+        let oid = channel.oid(Object::Buttons);
+        let first = clock + (FIRST_S * channel.frequency) as u64;
+        let rest = (LOOK_S * channel.frequency) as u32;
+        channel.send(Order::QueryButtons, [oid, first as u32, rest, AGAIN, 0])
     }
 
     /// Reads changes of a row of inputs; those that were told before are left out.
-    pub fn told_buttons(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) -> Told {
+    pub fn told(
+        &mut self,
+        channel: &mut Channel,
+        message: &Message<'_>,
+        news: &mut VecDeque<News>,
+    ) -> Told {
         let told = message.number("ack_count").unwrap_or_default() as u8;
         let states = message.bytes("state").unwrap_or_default();
-        let known = usize::from(self.buttons.taken.wrapping_sub(told));
+        let known = usize::from(self.taken.wrapping_sub(told));
         let Some(fresh) = states.get(known..).filter(|fresh| !fresh.is_empty()) else {
             return Ok(());
         };
-        let inverted = self.setup.buttons.iter().enumerate().filter(|(_, pin)| pin.inverted);
+        let inverted = channel.setup.buttons.iter().enumerate().filter(|(_, pin)| pin.inverted);
         let mask = inverted.fold(0, |mask, (n, _)| mask | 1_u8 << n);
         news.extend(fresh.iter().map(|state| News::Buttons(state ^ mask)));
-        self.buttons.taken = self.buttons.taken.wrapping_add(fresh.len() as u8);
-        Ok(self.send(Order::AckButtons, [self.setup.oid(Object::Buttons), fresh.len() as u32])?)
+        self.taken = self.taken.wrapping_add(fresh.len() as u8);
+        Ok(channel.send(Order::AckButtons, [channel.oid(Object::Buttons), fresh.len() as u32])?)
     }
+}
 
+impl Channel {
     pub fn ask_switch(&mut self, switch: usize) -> Result<(), OrderError> {
-        let oid = self.setup.oid(Object::Switch(switch));
+        let oid = self.oid(Object::Switch(switch));
         self.ask(About::Switch(switch), Order::EndstopState, [oid])
     }
 
-    pub fn told_switch(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) {
+    pub fn told_switch(
+        &mut self,
+        latches: &Latches,
+        message: &Message<'_>,
+        news: &mut VecDeque<News>,
+    ) {
         let number = |field| message.number(field).unwrap_or_default();
         let switches = &self.setup.switches;
-        let found =
-            (0..switches.len()).find(|n| self.setup.oid(Object::Switch(*n)) == number("oid"));
+        let found = (0..switches.len()).find(|n| self.oid(Object::Switch(*n)) == number("oid"));
         let Some(switch) = found.filter(|n| self.questions.answered(About::Switch(*n))) else {
             return;
         };
-        let home = self.latches.homes.iter().find(|home| home.switch == switch);
-        if let Some(home) = home.filter(|_| self.latches.touched().contains(&switch)) {
+        let home = latches.homes.iter().find(|home| home.switch == switch);
+        if let Some(home) = home.filter(|_| latches.touched().contains(&switch)) {
             let rest = (home.look_s * self.frequency).round().max(1.0) as u64;
             let next = self.clock.as_ref().map(|clock| clock.unwrapped(number("next_clock")));
             let clock = next.unwrap_or_default().saturating_sub(rest);
@@ -83,7 +95,7 @@ impl Session {
         let Some((clock, _)) = self.now(now_s) else { return Err(NotNow::Busy) };
         let ticks = |time_s: f64| (time_s * self.frequency) as u32;
         let first = (clock + u64::from(ticks(FIRST_S))) as u32;
-        let oid = self.setup.oid(Object::Voltage(voltage));
+        let oid = self.oid(Object::Voltage(voltage));
         let (sample, rest) = (ticks(SAMPLE_S), ticks(every_s));
         let numbers = [oid, first, sample, SAMPLES, rest, REPORT, 0, 0xffff, 0];
         Ok(self.send(Order::QueryAnalog, numbers)?)
@@ -92,7 +104,7 @@ impl Session {
     pub fn told_voltage(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) {
         let oid = message.number("oid");
         let mut voltages = 0..self.setup.voltages.len();
-        let found = voltages.find(|n| Some(self.setup.oid(Object::Voltage(*n))) == oid);
+        let found = voltages.find(|n| Some(self.oid(Object::Voltage(*n))) == oid);
         let Some(voltage) = found else { return };
         let full = self.dictionary.constant("ADC_MAX").unwrap_or(4095.0) * f64::from(SAMPLES);
         let sums = message.bytes("values").unwrap_or_default().chunks_exact(2);
@@ -125,7 +137,7 @@ impl Session {
     pub fn told_register(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) {
         let oid = message.number("oid");
         let mut wires = 0..self.setup.drivers.len();
-        let found = wires.find(|n| Some(self.setup.oid(Object::Driver(*n))) == oid);
+        let found = wires.find(|n| Some(self.oid(Object::Driver(*n))) == oid);
         let asked = |register: &u8| {
             self.questions.has(|about| about == About::Register(found.unwrap_or(0), *register))
         };
@@ -136,7 +148,7 @@ impl Session {
     }
 
     fn bits(&self, driver: usize, bits: Vec<u8>, read: u32) -> Result<Vec<u8>, OrderError> {
-        let oid = self.setup.oid(Object::Driver(driver));
+        let oid = self.oid(Object::Driver(driver));
         let values = [Value::Number(oid), Value::Bytes(bits), Value::Number(read)];
         self.orders.write_values(Order::DriverUart, &values)
     }

@@ -3,9 +3,9 @@
 //! A latch that is armed triggers by itself when its deadline passes. The host pushes the deadline along while motion
 //! goes on; a host that is dead does not, and the board stops its motors to the tick.
 
+use super::channel::{ARMED, Channel};
 use super::news::Ended;
 use super::questions::About;
-use super::session::{ARMED, Session, Told};
 use crate::dictionary::Message;
 use crate::orders::{Order, OrderError};
 use crate::setup::Object;
@@ -101,104 +101,106 @@ impl Latches {
             |(n, _): &(usize, &Home)| self.triggered.get(n + 1) == Some(&Some(reason::TOUCH));
         self.homes.iter().enumerate().filter(touched).map(|(_, home)| home.switch).collect()
     }
-}
 
-impl Session {
     /// Arms the latches for motion that begins at a clock.
     pub fn arm(
         &mut self,
+        channel: &mut Channel,
         homes: &[Home],
         clock: u64,
         starts: u64,
         now_s: f64,
     ) -> Result<(), OrderError> {
-        self.latches.homes = homes.to_vec();
-        self.latches.let_expire(false);
-        let first = clock + (FIRST_S * self.frequency) as u64;
-        let report = (self.options.deadline_s / 2.0 * self.frequency) as u32;
+        self.homes = homes.to_vec();
+        self.let_expire(false);
+        let first = clock + (FIRST_S * channel.frequency) as u64;
+        let report = (channel.options.deadline_s / 2.0 * channel.frequency) as u32;
         for latch in 0..=homes.len() {
-            let oid = self.setup.oid(Object::Latch(latch));
-            self.send(Order::TrsyncStart, [oid, first as u32, report, reason::DEADLINE])?;
+            let oid = channel.oid(Object::Latch(latch));
+            channel.send(Order::TrsyncStart, [oid, first as u32, report, reason::DEADLINE])?;
         }
         for latch in 0..=homes.len() {
-            let oid = self.setup.oid(Object::Latch(latch));
-            for motor in self.held(latch) {
-                self.send(Order::StopOnTrigger, [self.setup.oid(Object::Motor(motor)), oid])?;
+            let oid = channel.oid(Object::Latch(latch));
+            for motor in self.held(channel, latch) {
+                channel.send(Order::StopOnTrigger, [channel.oid(Object::Motor(motor)), oid])?;
             }
-            let timeout = self.orders.write(Order::TrsyncTimeout, [oid, first as u32])?;
-            self.push(timeout, (latch == homes.len()).then_some(ARMED))?;
-            if let Some(triggered) = self.latches.triggered.get_mut(latch) {
+            let timeout = channel.orders.write(Order::TrsyncTimeout, [oid, first as u32])?;
+            channel.push(timeout, (latch == homes.len()).then_some(ARMED))?;
+            if let Some(triggered) = self.triggered.get_mut(latch) {
                 *triggered = None;
             }
         }
-        homes.iter().enumerate().try_for_each(|(n, home)| self.watch(n + 1, home, starts))?;
-        self.latches.again_s = now_s + self.options.deadline_s;
+        homes.iter().enumerate().try_for_each(|(n, home)| watch(channel, n + 1, home, starts))?;
+        self.again_s = now_s + channel.options.deadline_s;
         Ok(())
     }
 
     /// Pushes the deadlines along.
-    pub fn push_along(&mut self, clock: u64, now_s: f64) -> Result<(), OrderError> {
-        if now_s < self.latches.again_s || self.latches.expires {
+    pub fn push_along(
+        &mut self,
+        channel: &mut Channel,
+        clock: u64,
+        now_s: f64,
+    ) -> Result<(), OrderError> {
+        if now_s < self.again_s || self.expires {
             return Ok(());
         }
-        self.latches.again_s = now_s + self.options.deadline_s / AGAIN;
-        let deadline = clock + (self.options.deadline_s * self.frequency) as u64;
-        for latch in self.latches.armed() {
-            let oid = self.setup.oid(Object::Latch(latch));
-            self.hurry(Order::TrsyncTimeout, [oid, deadline as u32])?;
+        self.again_s = now_s + channel.options.deadline_s / AGAIN;
+        let deadline = clock + (channel.options.deadline_s * channel.frequency) as u64;
+        for latch in self.armed() {
+            let oid = channel.oid(Object::Latch(latch));
+            channel.hurry(Order::TrsyncTimeout, [oid, deadline as u32])?;
         }
         Ok(())
     }
 
     /// Triggers the latches, each until it is told that it did.
-    pub fn trigger(&mut self) -> Result<(), OrderError> {
-        self.latches.again_s = f64::INFINITY;
-        for latch in 0..=self.latches.homes.len() {
-            let oid = self.setup.oid(Object::Latch(latch));
-            self.hurry(Order::TrsyncTrigger, [oid, reason::HOST])?;
-            self.ask(About::Latch(latch), Order::TrsyncTrigger, [oid, reason::HOST])?;
+    pub fn trigger(&mut self, channel: &mut Channel) -> Result<(), OrderError> {
+        self.again_s = f64::INFINITY;
+        for latch in 0..=self.homes.len() {
+            let oid = channel.oid(Object::Latch(latch));
+            channel.hurry(Order::TrsyncTrigger, [oid, reason::HOST])?;
+            channel.ask(About::Latch(latch), Order::TrsyncTrigger, [oid, reason::HOST])?;
         }
-        let switches: Vec<usize> = self.latches.homes.iter().map(|home| home.switch).collect();
-        switches.into_iter().try_for_each(|switch| self.stop_looking(switch))
+        let switches: Vec<usize> = self.homes.iter().map(|home| home.switch).collect();
+        switches.into_iter().try_for_each(|switch| stop_looking(channel, switch))
     }
 
-    pub fn told_latch(&mut self, message: &Message<'_>) -> Told {
+    /// Reads the state of a latch; tells the end of motion where all that have to stop have stopped.
+    pub fn told(&mut self, channel: &mut Channel, message: &Message<'_>) -> Option<Ended> {
         let number = |field| message.number(field).unwrap_or_default();
-        let found =
-            (0..self.latches.count()).find(|n| self.setup.oid(Object::Latch(*n)) == number("oid"));
-        let Some(latch) = found.filter(|_| number("can_trigger") == 0) else { return Ok(()) };
-        if self.latches.triggered.get(latch) == Some(&None) {
-            self.latches.triggered[latch] = Some(number("trigger_reason"));
+        let found = (0..self.count()).find(|n| channel.oid(Object::Latch(*n)) == number("oid"));
+        let latch = found.filter(|_| number("can_trigger") == 0)?;
+        if self.triggered.get(latch) == Some(&None) {
+            self.triggered[latch] = Some(number("trigger_reason"));
         }
-        self.questions.answered(About::Latch(latch));
-        match self.latches.over() {
-            Some(why) => Ok(self.stopped(why)?),
-            None => Ok(()),
-        }
-    }
-
-    pub fn stop_looking(&mut self, switch: usize) -> Result<(), OrderError> {
-        self.send(Order::EndstopHome, [self.setup.oid(Object::Switch(switch)), 0, 0, 0, 0, 0, 0, 0])
+        channel.questions.answered(About::Latch(latch));
+        self.over()
     }
 
     /// Motors that a latch stops.
-    fn held(&self, latch: usize) -> Vec<usize> {
-        let homes = &self.latches.homes;
+    fn held(&self, channel: &Channel, latch: usize) -> Vec<usize> {
+        let homes = &self.homes;
         let homed = |motor: &usize| homes.iter().any(|home| home.motors.contains(motor));
         match latch.checked_sub(1).and_then(|n| homes.get(n)) {
             Some(home) => home.motors.clone(),
-            None => (0..self.setup.motors.len()).filter(|motor| !homed(motor)).collect(),
+            None => (0..channel.setup.motors.len()).filter(|motor| !homed(motor)).collect(),
         }
     }
+}
 
-    fn watch(&mut self, latch: usize, home: &Home, starts: u64) -> Result<(), OrderError> {
-        let ticks = |time_s: f64| (time_s * self.frequency).round().max(1.0) as u32;
-        let inverted = self.setup.switches.get(home.switch).is_some_and(|pin| pin.inverted);
-        let level = u32::from(inverted == home.opens);
-        let [oid, trsync] =
-            [Object::Switch(home.switch), Object::Latch(latch)].map(|o| self.setup.oid(o));
-        let (sample, rest) = (ticks(SAMPLE_S), ticks(home.look_s));
-        let looks = [oid, starts as u32, sample, SAMPLES, rest, level, trsync, reason::TOUCH];
-        self.send(Order::EndstopHome, looks)
-    }
+/// A switch is looked at no more.
+pub fn stop_looking(channel: &mut Channel, switch: usize) -> Result<(), OrderError> {
+    channel.send(Order::EndstopHome, [channel.oid(Object::Switch(switch)), 0, 0, 0, 0, 0, 0, 0])
+}
+
+/// A switch is looked at from a clock on, and triggers its latch.
+fn watch(channel: &mut Channel, latch: usize, home: &Home, starts: u64) -> Result<(), OrderError> {
+    let ticks = |time_s: f64| (time_s * channel.frequency).round().max(1.0) as u32;
+    let inverted = channel.setup.switches.get(home.switch).is_some_and(|pin| pin.inverted);
+    let level = u32::from(inverted == home.opens);
+    let [oid, trsync] = [Object::Switch(home.switch), Object::Latch(latch)].map(|o| channel.oid(o));
+    let (sample, rest) = (ticks(SAMPLE_S), ticks(home.look_s));
+    let looks = [oid, starts as u32, sample, SAMPLES, rest, level, trsync, reason::TOUCH];
+    channel.send(Order::EndstopHome, looks)
 }

@@ -1,14 +1,11 @@
-//! The way from a board whose words are known to one that can be moved.
+//! The way from a board whose words are known to one that can be moved: its configuration, and a board at rest.
 
-use super::news::{Fault, News};
-use super::questions::About;
-use super::session::{Session, Told};
+use super::channel::{Channel, Told};
+use super::latch::stop_looking;
 use crate::compress::Limits;
-use crate::dictionary::Message;
 use crate::orders::Order;
 use crate::queue::Queue;
-use crate::setup::{Object, Pulsed, Switched};
-use std::collections::VecDeque;
+use crate::setup::{Configured, Object, Pulsed, Switched};
 
 /// Least number of ticks between two steps of a motor that boards are asked for, whatever the setup says.
 const LEAST: u32 = 3;
@@ -26,97 +23,52 @@ pub enum Learning {
     Ready,
 }
 
-impl Session {
-    /// Reads the state of the configuration.
-    pub fn told_config(&mut self, message: &Message<'_>) -> Told {
-        let number = |field| message.number(field).unwrap_or_default();
-        if number("is_shutdown") != 0 {
-            // A command that is refused tells the reason.
-            return Ok(self.ask(About::Position(0), Order::Position, [0])?);
-        }
-        let crc = self.configured.crc;
-        match (number("is_config") != 0, number("crc") == crc, self.learning) {
-            (true, true, _) => self.configured(number("move_count") as usize),
-            (true, false, _) => Err(Fault::Foreign(number("crc"))),
-            (false, _, Learning::Asked) => self.configure(),
-            (false, ..) => Err(Fault::Configuration),
-        }
+/// Sends a configuration.
+pub fn configure(channel: &mut Channel, configured: &Configured) -> Told {
+    for command in configured.commands.clone() {
+        channel.push(command, None)?;
     }
+    Ok(channel.send(Order::Finalize, [configured.crc])?)
+}
 
-    /// Tells that the board is ready, once its clock and its counts are known.
-    pub fn learn(&mut self, now_s: f64, news: &mut VecDeque<News>) -> Told {
-        let counting = self.questions.has(|about| matches!(about, About::Position(_)));
-        let known = self.now(now_s);
-        if self.learning != Learning::Counts || counting {
-            return Ok(());
-        }
-        let Some((clock, _)) = known else { return Ok(()) };
-        self.learning = Learning::Ready;
-        self.look_at_buttons(clock)?;
-        let version = self.dictionary.version().to_owned();
-        news.push_back(News::Ready { version, counts: self.counts.clone() });
-        Ok(())
+/// Stops what a former session may have left.
+pub fn put_at_rest(channel: &mut Channel) -> Told {
+    let switches = channel.setup.switches.len();
+    let latches: Vec<u32> = (0..=switches).map(|n| channel.oid(Object::Latch(n))).collect();
+    // Starting a latch takes the motors from it that a former session left there.
+    latches.iter().try_for_each(|oid| channel.send(Order::TrsyncStart, [*oid, 0, 0, 0]))?;
+    let all = channel.oid(Object::Latch(0));
+    for motor in 0..channel.setup.motors.len() {
+        channel.send(Order::StopOnTrigger, [channel.oid(Object::Motor(motor)), all])?;
     }
+    latches.iter().try_for_each(|oid| channel.send(Order::TrsyncTrigger, [*oid, 0]))?;
+    Ok((0..switches).try_for_each(|switch| stop_looking(channel, switch))?)
+}
 
-    fn configure(&mut self) -> Told {
-        for command in self.configured.commands.clone() {
-            self.push(command, None)?;
-        }
-        self.send(Order::Finalize, [self.configured.crc])?;
-        self.learning = Learning::Configured;
-        Ok(self.ask(About::Config, Order::Config, [])?)
-    }
+/// An empty queue for the motors and outputs of a board with so many places.
+pub fn queue(channel: &Channel, places: usize) -> Queue {
+    Queue::new(limits(channel), &watches(channel), places)
+}
 
-    /// The board has this machine's configuration: it is put at rest, whatever a former session left.
-    fn configured(&mut self, places: usize) -> Told {
-        if self.learning == Learning::Asked {
-            self.put_at_rest()?;
+fn limits(channel: &Channel) -> Vec<Limits> {
+    let ticks = |time_s: f64| (time_s * channel.frequency).ceil() as u32;
+    let limits = channel.setup.motors.iter().map(|motor| {
+        let pulse = if motor.both_edges { 0.0 } else { motor.pulse_s };
+        Limits {
+            error: channel.options.error_s * channel.frequency,
+            least: ticks(motor.least_s.max(2.0 * pulse)).max(LEAST),
+            turn: ticks(motor.turn_s + pulse).max(LEAST),
         }
-        self.learning = Learning::Counts;
-        self.queue = Queue::new(self.limits(), &self.watches(), places);
-        for motor in 0..self.setup.motors.len() {
-            let oid = self.setup.oid(Object::Motor(motor));
-            self.ask(About::Position(motor), Order::Position, [oid])?;
-        }
-        Ok(())
-    }
+    });
+    limits.collect()
+}
 
-    fn put_at_rest(&mut self) -> Told {
-        let latches: Vec<u32> =
-            (0..self.latches.count()).map(|n| self.setup.oid(Object::Latch(n))).collect();
-        // Starting a latch takes the motors from it that a former session left there.
-        latches.iter().try_for_each(|oid| self.send(Order::TrsyncStart, [*oid, 0, 0, 0]))?;
-        let all = self.setup.oid(Object::Latch(0));
-        for motor in 0..self.setup.motors.len() {
-            self.send(Order::StopOnTrigger, [self.setup.oid(Object::Motor(motor)), all])?;
-        }
-        latches.iter().try_for_each(|oid| self.send(Order::TrsyncTrigger, [*oid, 0]))?;
-        for switch in 0..self.setup.switches.len() {
-            self.stop_looking(switch)?;
-        }
-        Ok(())
-    }
-
-    fn limits(&self) -> Vec<Limits> {
-        let ticks = |time_s: f64| (time_s * self.frequency).ceil() as u32;
-        let limits = self.setup.motors.iter().map(|motor| {
-            let pulse = if motor.both_edges { 0.0 } else { motor.pulse_s };
-            Limits {
-                error: self.options.error_s * self.frequency,
-                least: ticks(motor.least_s.max(2.0 * pulse)).max(LEAST),
-                turn: ticks(motor.turn_s + pulse).max(LEAST),
-            }
-        });
-        limits.collect()
-    }
-
-    /// The watch of each output, ticks, and its value when off.
-    fn watches(&self) -> Vec<(u64, u32)> {
-        let ticks = |watch_s: &Option<f64>| (watch_s.unwrap_or(0.0) * self.frequency) as u64;
-        let switched = |output: &Switched| (ticks(&output.watch_s), u32::from(output.pin.inverted));
-        let off = |output: &Pulsed| if output.pin.inverted { self.pwm_max() } else { 0 };
-        let pulsed = |output: &Pulsed| (ticks(&output.watch_s), off(output));
-        let outputs = self.setup.outputs.iter().map(switched);
-        outputs.chain(self.setup.pulsed.iter().map(pulsed)).collect()
-    }
+/// The watch of each output, ticks, and its value when off.
+fn watches(channel: &Channel) -> Vec<(u64, u32)> {
+    let ticks = |watch_s: &Option<f64>| channel.ticks(watch_s.unwrap_or(0.0));
+    let switched = |output: &Switched| (ticks(&output.watch_s), u32::from(output.pin.inverted));
+    let off = |output: &Pulsed| if output.pin.inverted { channel.pwm_max() } else { 0 };
+    let pulsed = |output: &Pulsed| (ticks(&output.watch_s), off(output));
+    let outputs = channel.setup.outputs.iter().map(switched);
+    outputs.chain(channel.setup.pulsed.iter().map(pulsed)).collect()
 }

@@ -7,43 +7,28 @@
 //!                 shutdown, restart, silence: told from each state, and nothing moves by itself
 //! ```
 
+mod acts;
+mod channel;
 mod inputs;
 mod latch;
 mod learn;
 mod motion;
 mod news;
+mod options;
 mod questions;
 mod session;
 
 pub use latch::Home;
-pub use motion::{NotNow, Start};
-pub use news::{Ended, Fault, News};
+pub use news::{Ended, Fault, News, NotNow, Start};
+pub use options::Options;
 
 use crate::clock::Clock;
 use crate::identify::Identify;
 use crate::link::{Join, Link, Outgoing};
 use crate::queue::{Piece, Refused};
 use crate::setup::Setup;
-use motion::Motion;
 use session::Session;
 use std::collections::VecDeque;
-
-/// Choices for a session.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Bits a second of a serial line; none over USB.
-    pub baud: Option<u32>,
-    /// Time without word from the host after which the board stops all motors by itself, seconds.
-    pub deadline_s: f64,
-    /// Farthest that a step is from its planned moment, seconds.
-    pub error_s: f64,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { baud: None, deadline_s: 0.1, error_s: 5e-6 }
-    }
-}
 
 /// The state of a session.
 enum Phase {
@@ -149,38 +134,34 @@ impl Board {
 
     /// Nothing moves, and motion could begin.
     pub fn is_at_rest(&self) -> bool {
-        self.shown()
-            .is_some_and(|open| open.is_ready() && open.motion == Motion::Rest && !open.shutdown)
+        self.shown().is_some_and(Session::is_at_rest)
     }
 
     /// Motion goes on, or is about to.
     pub fn is_moving(&self) -> bool {
-        self.shown().is_some_and(|open| matches!(open.motion, Motion::Arming | Motion::Moving))
+        self.shown().is_some_and(|open| open.motion.moves())
     }
 
     /// Motion was broken off: by the host, a switch, a deadline, a shutdown, or the end of the session.
     pub fn is_stopping(&self) -> bool {
-        self.shown().is_none_or(|open| match open.motion {
-            Motion::Ending(why) | Motion::Reading(why) => why != Ended::Rested,
-            _ => open.shutdown,
-        })
+        self.shown().is_none_or(Session::is_stopping)
     }
 
     /// Deadlines are pushed along no more, because another board of the machine is lost, or again.
     pub fn let_expire(&mut self, expires: bool) {
         if let Phase::Open(open) = &mut self.phase {
-            open.latches.let_expire(expires);
+            open.motion.latches.let_expire(expires);
         }
     }
 
     /// Seconds for which the board has not been heard.
     pub fn unheard_s(&self, now_s: f64) -> f64 {
-        self.shown().map_or(f64::INFINITY, |open| now_s - open.link.heard_s())
+        self.shown().map_or(f64::INFINITY, |open| now_s - open.channel.link.heard_s())
     }
 
     /// The board's clock, once it is known.
     pub fn line(&self) -> Option<&Clock> {
-        self.shown()?.clock.as_ref().filter(|clock| clock.is_known())
+        self.shown()?.channel.clock.as_ref().filter(|clock| clock.is_known())
     }
 
     /// Takes a piece of motion behind those that it has.
@@ -211,7 +192,14 @@ impl Board {
     ///
     /// The board is not there.
     pub fn stop(&mut self) -> Result<(), NotNow> {
-        self.open()?.stop(Ended::Asked).map_err(NotNow::Order)
+        self.open()?.stop().map_err(NotNow::Order)
+    }
+
+    /// Motion that is over is ended and counted, and latches are disarmed without waiting for more of it.
+    pub fn let_rest(&mut self) {
+        if let Phase::Open(open) = &mut self.phase {
+            open.motion.lingers = false;
+        }
     }
 
     /// Shuts the board down: motors stand, outputs go off.
@@ -243,13 +231,18 @@ impl Board {
         self.open()?.set_output(output, share, now_s)
     }
 
+    /// Value of an output as the board takes it, for a share from 0 (off) to 1; nothing before the board is known.
+    pub fn output_value(&self, output: usize, share: f64) -> Option<u32> {
+        self.shown().map(|open| open.channel.output_value(output, share))
+    }
+
     /// Asks for the state of a switch.
     ///
     /// # Errors
     ///
     /// The board is not there.
     pub fn ask_switch(&mut self, switch: usize) -> Result<(), NotNow> {
-        self.open()?.ask_switch(switch).map_err(NotNow::Order)
+        self.open()?.way().ask_switch(switch).map_err(NotNow::Order)
     }
 
     /// Asks for a register of a motor driver.
@@ -258,7 +251,7 @@ impl Board {
     ///
     /// The board is not there, or has no such wire.
     pub fn ask_register(&mut self, driver: usize, address: u8, register: u8) -> Result<(), NotNow> {
-        self.open()?.ask_register(driver, address, register).map_err(NotNow::Order)
+        self.open()?.way().ask_register(driver, address, register).map_err(NotNow::Order)
     }
 
     /// Writes a register of a motor driver. Nothing tells that it came: ask for it.
@@ -273,7 +266,7 @@ impl Board {
         register: u8,
         value: u32,
     ) -> Result<(), NotNow> {
-        self.open()?.write_register(driver, address, register, value).map_err(NotNow::Order)
+        self.open()?.way().write_register(driver, address, register, value).map_err(NotNow::Order)
     }
 
     /// Measures a voltage again and again, every so many seconds.
@@ -282,17 +275,17 @@ impl Board {
     ///
     /// The board is not ready.
     pub fn measure(&mut self, voltage: usize, every_s: f64, now_s: f64) -> Result<(), NotNow> {
-        self.open()?.measure(voltage, every_s, now_s)
+        self.open()?.way().measure(voltage, every_s, now_s)
     }
 
     /// Clock of the board at a moment, and the farthest that it may be off, ticks; nothing before it is known.
     pub fn clock(&self, now_s: f64) -> Option<(u64, u64)> {
-        self.shown()?.now(now_s)
+        self.shown()?.channel.now(now_s)
     }
 
     /// Count of a motor at a clock that is not long past, if it made all that it was told.
     pub fn count_at(&self, motor: usize, clock: u64) -> Option<i64> {
-        self.shown()?.count_at(motor, clock)
+        self.shown()?.motion.queue.count_at(motor, clock)
     }
 
     /// Longest stall of the host that was seen, and the lead that follows from it, seconds.

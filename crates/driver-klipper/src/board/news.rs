@@ -21,6 +21,35 @@ pub enum Ended {
     Shutdown,
 }
 
+/// The reason for which something cannot be done now.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NotNow {
+    /// There is no board.
+    #[error("no board is connected")]
+    Absent,
+    /// It is not known well enough yet, or it moves.
+    #[error("the board is busy: wait until it stands")]
+    Busy,
+    /// Nothing moves.
+    #[error("nothing moves")]
+    Rest,
+    /// It is shut down.
+    #[error("the board is shut down: clear that first")]
+    Shutdown,
+    /// It cannot be told.
+    #[error(transparent)]
+    Order(#[from] OrderError),
+}
+
+/// The beginning of motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// Clock at which the first piece begins.
+    pub clock: u64,
+    /// Ticks a second, as measured: times of a plan become clocks by it.
+    pub ticks_per_s: f64,
+}
+
 /// News of a board.
 #[derive(Clone, Debug, PartialEq)]
 pub enum News {

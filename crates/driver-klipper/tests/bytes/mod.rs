@@ -1,10 +1,10 @@
 //! Bytes as what a board says. The test of this crate and the fuzz target share it: nothing panics, nothing grows
 //! without end, and whatever was said, nothing moves by itself.
 
-use crate::fake::world::{Motion, World, setup};
-use crate::fake::{Faults, reader};
+use crate::world::{Motion, World, setup};
 use kerf_driver_klipper::board::{Board, News, Options};
 use kerf_driver_klipper::dictionary::Dictionary;
+use kerf_driver_klipper::fake::{Faults, reader};
 
 /// Longest input that is looked at.
 const LONGEST: usize = 4096;

@@ -1,7 +1,7 @@
 //! What the operator is asked, and when the machine has caught up.
 
 use super::stop::Stop;
-use kerf_program::{Answer, Host, Question};
+use kerf_program::{Answer, Answers, Host, Question};
 use serde::{Deserialize, Serialize};
 use std::task::Poll;
 
@@ -12,9 +12,7 @@ use std::task::Poll;
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Asking {
     /// Answers given in the present block.
-    answers: Vec<Answer>,
-    /// Number of them that the present attempt has taken.
-    taken: usize,
+    answers: Answers,
     /// Everything given so far has been carried out.
     pub(super) settled: bool,
     /// All that came before the present block has been carried out. What the block itself gives before
@@ -24,7 +22,7 @@ pub(super) struct Asking {
 
 impl Default for Asking {
     fn default() -> Self {
-        Self { answers: Vec::new(), taken: 0, settled: true, at_rest: false }
+        Self { answers: Answers::default(), settled: true, at_rest: false }
     }
 }
 
@@ -45,14 +43,16 @@ impl Asking {
 
     /// Asks the operator, unless an earlier attempt of the block did.
     pub(super) fn ask(&mut self, host: &mut dyn Host, question: &Question) -> Result<Answer, Stop> {
-        if let Some(answer) = self.answers.get(self.taken).cloned() {
-            self.taken += 1;
-            return Ok(answer);
+        let mut answers = std::mem::take(&mut self.answers);
+        let answer = answers.next(|| match self.ask_at_once(host, question) {
+            Ok(answer) => Poll::Ready(answer),
+            Err(_) => Poll::Pending,
+        });
+        self.answers = answers;
+        match answer {
+            Poll::Ready(answer) => Ok(answer),
+            Poll::Pending => Err(Stop::Waiting),
         }
-        let answer = self.ask_at_once(host, question)?;
-        self.answers.push(answer.clone());
-        self.taken += 1;
-        Ok(answer)
     }
 
     /// Asks the operator outside a block: the answer is not kept for another attempt.
@@ -70,18 +70,18 @@ impl Asking {
 
     /// A block begins that may ask; the machine stands.
     pub(super) const fn begin(&mut self) {
-        self.taken = 0;
+        self.answers.begin_again();
         self.at_rest = true;
     }
 
     /// The block ended, or is attempted again later; returns the answers given in it.
-    pub(super) fn end(&mut self) -> Vec<Answer> {
+    pub(super) fn end(&mut self) -> Answers {
         self.at_rest = false;
         std::mem::take(&mut self.answers)
     }
 
     /// Keeps the answers for the next attempt of the block.
-    pub(super) fn keep(&mut self, answers: Vec<Answer>) {
+    pub(super) fn keep(&mut self, answers: Answers) {
         self.answers = answers;
     }
 }

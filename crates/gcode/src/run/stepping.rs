@@ -20,7 +20,7 @@ use crate::syntax::codes::{
 use crate::syntax::gathered::Gathered;
 use crate::syntax::tree::{Block, Node, Program};
 use kerf_diag::Code;
-use kerf_program::{Answer, Button, GoTo, Question, QuestionKind, Status};
+use kerf_program::{GoTo, Question, Status, StepChoice};
 
 /// The modes that lines set up for those behind them. Zeros (G10, G92), tools, spindle, outputs
 /// and cutter compensation are not among them: they do something.
@@ -59,25 +59,13 @@ pub(super) fn steps_over(c: &mut Context<'_>, program: &Program, node: Node) -> 
 
 fn ask_step(c: &mut Context<'_>, program: &Program) -> Result<(), Stop> {
     let last = c.host.last_line(&program.name);
-    let question = Question {
-        kind: QuestionKind::Step,
-        text: program.line_text(c.at.line).trim().into(),
-        title: program.name.to_string(),
-        buttons: vec![Button::Step, Button::Run, Button::Quit],
-        default: 0,
-        prefill: last.map_or_else(String::new, |line| line.to_string()),
-        icon: 0,
-        until: None,
-    };
-    match c.ask_at_once(&question)? {
-        Answer::Button(Button::Step) => c.core.progress.stepping.granted = true,
-        Answer::Button(Button::Run) => c.core.progress.stepping.asks = false,
-        Answer::Button(_) => return Err(Stop::Finished(Status::Stopped)),
-        Answer::Text(words) => {
-            if let Some(to) = GoTo::read(&words, last) {
-                go_to(c, to)?;
-            }
-        }
+    let question = Question::of_step(&program.name, program.line_text(c.at.line), last);
+    match StepChoice::of(&c.ask_at_once(&question)?, last) {
+        StepChoice::Once => c.core.progress.stepping.granted = true,
+        StepChoice::RunOn => c.core.progress.stepping.asks = false,
+        StepChoice::Quit => return Err(Stop::Finished(Status::Stopped)),
+        StepChoice::GoTo(to) => go_to(c, to)?,
+        StepChoice::Again => {}
     }
     Ok(())
 }
@@ -94,13 +82,10 @@ fn go_to(c: &mut Context<'_>, to: GoTo) -> Result<(), Stop> {
         let message = format!("line {} lies in a subroutine", to.line);
         return Err(fail(Code::BadFlow, message, "begin at a line that calls it"));
     }
-    let index = to.line - 1;
-    c.core.progress.stepping.skip_to = to.settings.then_some(index);
-    match (to.settings, c.core.calls.open.last_mut()) {
-        (false, Some(call)) => call.next = index,
-        (true, Some(call)) if index < call.next => call.next = 0,
-        _ => {}
-    }
+    let call = c.core.calls.open.last_mut();
+    let (next, skip_to) = to.way_from(call.as_ref().map_or(0, |call| call.next));
+    call.into_iter().for_each(|call| call.next = next);
+    c.core.progress.stepping.skip_to = skip_to;
     Ok(())
 }
 

@@ -1,7 +1,9 @@
 //! Progress of a run, and the place where it was given up.
 
 use super::Tape;
-use crate::progress::{Progress, Reached};
+use super::lag::Lag;
+use crate::progress::Progress;
+use crate::reached::Reached;
 use crate::{Hurry, Placed};
 
 impl Tape {
@@ -16,16 +18,49 @@ impl Tape {
         if reached.file != file {
             file.clone_into(&mut reached.file);
         }
+        let made = self.reached.made;
+        if let Some(lag) = &mut self.lag {
+            lag.tells((made, 0.0));
+        }
+        let sure = self.sure();
         if !self.silent
             && let Some(progress) = &mut self.writing
         {
-            progress.pass(&self.reached);
+            progress.pass(sure.as_ref().unwrap_or(&self.reached));
         }
+    }
+
+    /// The run tells of moves so long before they are made, seconds: what is on record lags behind by as much.
+    pub fn lags(&mut self, leads_s: f64) {
+        self.lag = Some(Lag::new(leads_s, (self.reached.made, self.reached.within)));
+    }
+
+    /// Machine time has come to a moment of a move.
+    pub fn comes_to(&mut self, now_s: f64) {
+        if let Some(lag) = &mut self.lag {
+            lag.comes_to(now_s);
+        }
+    }
+
+    /// The machine stands: what was told is made.
+    pub(super) fn comes_to_rest(&mut self) {
+        if let Some(lag) = &mut self.lag {
+            lag.stands((self.reached.made, self.reached.within));
+        }
+    }
+
+    /// Returns the progress that is sure, where the run tells of moves before they are made.
+    fn sure(&self) -> Option<Reached> {
+        let (made, within) = self.lag.as_ref()?.sure();
+        Some(Reached { made, within, ..self.reached.clone() })
     }
 
     /// So much of the move under way is made; the machine is there.
     pub fn makes(&mut self, share: f64, place: Placed) {
         (self.reached.within, self.reached.place) = (share, place);
+        if let Some(lag) = &mut self.lag {
+            lag.tells((self.reached.made, share));
+        }
         self.write();
     }
 
@@ -49,6 +84,7 @@ impl Tape {
         let reached = &mut self.reached;
         (reached.stopped, reached.moving, reached.place) = (true, false, place);
         (reached.made, reached.within) = stood.unwrap_or((reached.made, 0.0));
+        self.comes_to_rest();
         self.write();
         self.settle();
         // What is told from here on belongs to giving up, and is not played when it is taken up.
@@ -76,12 +112,16 @@ impl Tape {
     /// The machine sets off from a place, or stands there.
     pub fn moves(&mut self, moving: bool, place: Placed) {
         (self.reached.moving, self.reached.place) = (moving, place);
+        if !moving {
+            self.comes_to_rest();
+        }
         if self.silent {
             return;
         }
+        let sure = self.sure();
         match &mut self.writing {
-            Some(progress) if moving => progress.set_off(&self.reached),
-            Some(progress) => progress.pass(&self.reached),
+            Some(progress) if moving => progress.set_off(sure.as_ref().unwrap_or(&self.reached)),
+            Some(progress) => progress.pass(sure.as_ref().unwrap_or(&self.reached)),
             None => {}
         }
     }
@@ -112,10 +152,11 @@ impl Tape {
 
     /// Everything up to here has to be in the file, now or soon.
     pub fn write(&mut self) {
+        let sure = self.sure();
         if !self.silent
             && let Some(progress) = &mut self.writing
         {
-            progress.write(&self.reached);
+            progress.write(sure.as_ref().unwrap_or(&self.reached));
         }
     }
 

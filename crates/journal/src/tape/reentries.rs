@@ -80,7 +80,9 @@ impl Tape {
 
     /// The run is taken up, by a machine that stands at a place. Gives how much of the next move is made.
     pub fn reenter(&mut self, place: Placed) -> Reentered {
-        let within = self.within_before;
+        // What was told behind what is sure has brought the run to another move, which is made from its beginning.
+        let is_there = self.lag.is_none() || self.reached.made == self.made_before;
+        let within = if is_there { self.within_before } else { 0.0 };
         let [left, before] = std::mem::take(&mut self.switches);
         let moved = left.iter().filter(|switch| !before.contains(switch)).copied().collect();
         let told = Reentered { place, within, told: self.told, moved, left };

@@ -13,7 +13,7 @@ use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
-use kerf_control::{Company, OperatorRequest, Script, Session};
+use kerf_control::{OperatorRequest, RunContext, Script, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
@@ -185,14 +185,18 @@ impl Shop {
         let machine = controller.as_ref().map_or_else(|| terminal.simulated(), Controller::driven);
         let stop = Stop::listen()?;
         let mut steps = Steps { machine: self.machine.clone(), edge: None };
-        let company =
-            Company { sink: &mut steps, operator: &mut operator, requests: &mut terminal, machine };
+        let context = RunContext {
+            sink: &mut steps,
+            operator: &mut operator,
+            requests: &mut terminal,
+            machine,
+        };
         let (settings, workspace) =
             (Some(self.session.memory.settings.clone()), &mut self.workspace);
         let name = controller.as_ref().map(|it| it.name().to_owned());
         let options = RunOptions { controller: name, ..RunOptions::default() };
         controller.iter().for_each(|controller| controller.begins(workspace));
-        let summary = self.session.run_on_record(work, options, settings, workspace, company)?;
+        let summary = self.session.run_on_record(work, options, settings, workspace, context)?;
         if let Some(controller) = &controller {
             controller.ends(summary.status == Status::Ok, workspace, || stop.is_wanted());
             controller.detach(workspace);

@@ -56,8 +56,9 @@ impl CardArgs {
         let journal = self.journal(true)?;
         let (mut ports, mut moved) = (Ports::default(), Vec::new());
         if let Some(journal) = &journal {
-            ports = journal.value(KEY)?.as_deref().and_then(Ports::read).unwrap_or_default();
-            moved = journal.switches()?;
+            ports =
+                journal.registry.value(KEY)?.as_deref().and_then(Ports::read).unwrap_or_default();
+            moved = journal.registry.switches()?;
         }
         let machine = self.machine()?;
         let untouched = Machine::default().equipped(&machine, AxisSet::EMPTY);
@@ -80,7 +81,7 @@ impl CardArgs {
         let mut ports = self.kept()?;
         let answer = change(&mut ports, journal.as_ref())?;
         if let Some(journal) = &journal {
-            journal.set_value(KEY, Some(&ports.write()))?;
+            journal.registry.set_value(KEY, Some(&ports.write()))?;
         }
         Ok((ports, answer))
     }
@@ -104,7 +105,7 @@ impl CardArgs {
             let number = line_of_pin(bit);
             ports.set_input(bit, machine.io.line_reads(number, on));
             // Whatever runs next finds the switch where it was left.
-            journal.map_or(Ok(()), |journal| journal.move_switch(Press { number, on }))?;
+            journal.map_or(Ok(()), |journal| journal.registry.move_switch(Press { number, on }))?;
             Ok(())
         })?;
         Ok(ports)

@@ -1,14 +1,14 @@
 //! `kerf check`: what is wrong or doubtful in part files.
 
 use crate::args::{Format, RunArgs};
+use crate::checked::Checked;
 use crate::drawings::DamagedFile;
 use crate::exit::{Exit, Usage};
 use crate::report::colour;
 use crate::sources::FileLines;
-use crate::{given, out, setup};
+use crate::{checked, given, out, setup};
 use anyhow::Result;
 use clap::Args;
-use kerf_control::Checked;
 use kerf_diag::{Code, Diagnostic, Place, Severity, render_text};
 use kerf_trace::{Event, Summary, json};
 use std::io;
@@ -76,8 +76,7 @@ fn check(file: &Path, args: &RunArgs) -> Result<Option<Checked>> {
         }
     };
     let (work, options) = (job.work, job.options);
-    let found =
-        kerf_control::check(&job.session, work, options, &mut job.workspace, &mut job.answers);
+    let found = checked::check(&job.session, work, options, &mut job.workspace, &mut job.answers);
     Ok(Some(found))
 }
 

@@ -7,15 +7,15 @@ use crate::report::Diagnostics;
 use crate::{date, drawings, given, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
-use kerf_control::Desk;
-use kerf_control::answers::Answers;
-use kerf_control::drawn::{self, Drawn};
+use kerf_control::answers::{Answers, Operator as _, meaning};
 use kerf_convert::{Conversion, Language, Passage, Source};
 use kerf_gcode::Dialect;
 use kerf_gcode::{Writer, Writing};
 use kerf_geom::Vec2;
+use kerf_import::Desk;
+use kerf_import::drawn::{self, Drawn};
 use kerf_program::settings::LinearUnit;
-use kerf_program::{Printer, Settings};
+use kerf_program::{Answer, Printer, Question, Settings};
 use kerf_sbp::{Printing, SbpPrinter, Variables};
 use std::path::{Path, PathBuf};
 
@@ -173,7 +173,9 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
         kerf_convert::convert(&source, &conversion, &mut |follow| {
             let mut answers = answers.clone();
             match setup::workspace(parts, &args.run.place, true) {
-                Ok(mut workspace) => follow(&mut Desk::new(&mut workspace, &mut answers)),
+                Ok(mut workspace) => follow(&mut Desk::new(&mut workspace, &mut |question| {
+                    answered(&mut answers, question)
+                })),
                 Err(_) => Passage::default(),
             }
         })
@@ -277,4 +279,10 @@ fn title(args: &ConvertArgs, to: Language, settings: &Settings) -> String {
         env!("CARGO_PKG_VERSION"),
         date::today()
     )
+}
+
+/// The answer of a script to a question; what the box does not have counts as none.
+fn answered(answers: &mut Answers, question: &Question) -> Option<Answer> {
+    let words = answers.answer(question, 0)?;
+    meaning(question, &words)
 }

@@ -7,7 +7,7 @@ use crate::report::Diagnostics;
 use crate::{out, setup};
 use anyhow::{Result, bail};
 use clap::Args;
-use kerf_control::Company;
+use kerf_control::RunContext;
 use kerf_journal::Work;
 use kerf_preview::heights::{HeightPlot, Reading};
 use kerf_program::{Axis, MoveKind};
@@ -174,13 +174,13 @@ pub fn run(args: &HeightsArgs) -> Result<Exit> {
     let (machine, speed) = (machine.clone(), machine.program.smoothing.cut_speed_mm_s);
     let mut sink = (Diagnostics::default(), Readings::new(sheet));
     let mut pace = args.run.operator.script();
-    let company = Company {
+    let context = RunContext {
         sink: &mut sink,
         operator: &mut job.answers,
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, context);
     let readings = sink.1;
     if readings.readings.is_empty() {
         bail!(

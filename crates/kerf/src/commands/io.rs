@@ -141,7 +141,7 @@ fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs, beside: Beside) -> Re
 
 /// The change as signals, where a file for them is named.
 fn traced(args: &IoArgs, vcd: &VcdArgs, is_output: bool, name: &str, on: bool) -> Result<()> {
-    let mut signals = vcd.sink(args.card.machine()?)?;
+    let mut signals = vcd.sink(args.card.machine()?, None)?;
     let changed = match is_output {
         true => Output::of_name(name).map(|line| Event::Output {
             n: line.number(),

@@ -26,7 +26,8 @@ impl KeptValues {
         match self.remote()? {
             Some(server) => server.values(),
             None => {
-                let values = self.looks()?.map(|it| it.values()).transpose()?.unwrap_or_default();
+                let values =
+                    self.looks()?.map(|it| it.registry.values()).transpose()?.unwrap_or_default();
                 Ok(values.into_iter().collect())
             }
         }
@@ -39,9 +40,9 @@ impl KeptValues {
             return Ok(server.values()?.into_iter().find(|(name, _)| name == key).map(|it| it.1));
         }
         let journal = self.looks()?;
-        let live = journal.as_ref().map(|it| it.live()).transpose()?.unwrap_or_default();
+        let live = journal.as_ref().map(|it| it.registry.live()).transpose()?.unwrap_or_default();
         let live = live.values().into_iter().find(|(name, _)| *name == key);
-        let kept = journal.map(|it| it.value(key)).transpose()?.flatten();
+        let kept = journal.map(|it| it.registry.value(key)).transpose()?.flatten();
         match live.map(|(_, value)| value.to_string()).or(kept) {
             None => self.usual(key),
             value => Ok(value),
@@ -56,7 +57,7 @@ impl KeptValues {
             return server.set_value(key, value);
         }
         if let Some(journal) = memory::journal(&self.folder()?, false)? {
-            journal.set_value(key, value)?;
+            journal.registry.set_value(key, value)?;
         }
         Ok(())
     }

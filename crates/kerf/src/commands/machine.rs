@@ -2,10 +2,11 @@
 
 use super::which::Which;
 use crate::args::DataArgs;
+use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, Beside, Height, MoveArgs};
-use crate::commands::protect;
+use crate::commands::{protect, prove};
 use crate::exit::{Exit, Usage};
-use crate::machine_name::MachineName;
+use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
@@ -103,6 +104,24 @@ enum Action {
     },
     /// Prints where the axes are, and which are homed
     Pos,
+    /// Looks for controllers at all serial ports and in the network, in three seconds, and shows their firmware
+    Connect {
+        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]
+        more: Vec<String>,
+    },
+    /// Runs the list that every machine has to hold against the board that --machine names, and writes a report: on the
+    /// bench, without a tool; X moves 50 mm, the spindle turns
+    Prove {
+        /// The report
+        #[arg(long, value_name = "FILE", default_value = "prove.md")]
+        report: PathBuf,
+    },
+    /// Lists the settings ($$) of the controller that --machine names, with names, units and bounds; changes them, keeps
+    /// them in a file, compares them
+    Settings {
+        #[command(subcommand)]
+        action: Option<SettingsAction>,
+    },
     /// Prints the job origin, or sets it
     Origin {
         /// `here`, where the tool is, or X,Y: millimetres from home
@@ -154,10 +173,21 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
+        Action::Connect { more } => return board::connect(more),
+        Action::Prove { report } => return prove::prove(controller(&args.which)?, report),
+        Action::Settings { action } => {
+            return board::settings(controller(&args.which)?, action.as_ref());
+        }
         Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
     Ok(Exit::Good)
+}
+
+/// Returns the controller that is named.
+fn controller(which: &Which) -> Result<&DriverName> {
+    let named = which.machine.controller();
+    named.ok_or_else(|| Usage("name the controller: --machine grbl:PORT".into()).into())
 }
 
 /// The machines that have a name, a line each: the simulated one, saved ones, ready-made ones.

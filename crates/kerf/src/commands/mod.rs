@@ -1,5 +1,6 @@
 //! The subcommands, one file each.
 
+mod board;
 mod by_hand;
 mod card;
 mod check;
@@ -17,6 +18,7 @@ mod parts;
 mod plot;
 mod preview;
 mod protect;
+mod prove;
 mod receive;
 mod registry;
 mod run;

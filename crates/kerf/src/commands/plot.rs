@@ -8,7 +8,7 @@ use crate::report::Diagnostics;
 use crate::{out, parse, setup};
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
-use kerf_control::Company;
+use kerf_control::RunContext;
 use kerf_preview::plot::{Plot, Sides};
 use kerf_program::Axis;
 use std::path::{Path, PathBuf};
@@ -93,13 +93,13 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
     let curves = Curves::new(title, axes.unwrap_or_default(), window, settings);
     let mut sink = (Diagnostics::default(), curves);
     let mut pace = args.run.operator.script();
-    let company = Company {
+    let context = RunContext {
         sink: &mut sink,
         operator: &mut job.answers,
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, context);
     write(&sink.1.plot, format, args)?;
     Ok(summary.status.into())
 }

@@ -3,8 +3,8 @@
 use crate::exit::Usage;
 use crate::out;
 use anyhow::{Result, bail};
-use kerf_control::password;
 use kerf_journal::machine_file::MachineFile;
+use kerf_machine::password;
 use kerf_machine::{Configuration, Value, file, table};
 use std::io::{self, BufRead, IsTerminal};
 

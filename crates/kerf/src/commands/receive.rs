@@ -10,9 +10,9 @@ use anyhow::{Result, bail};
 use clap::Args;
 use kerf_files::versions::Versions;
 use kerf_journal::Journal;
-use kerf_serial::Port;
 use kerf_server::Server;
 use kerf_trace::flag;
+use kerf_transport::Port;
 use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -102,7 +102,7 @@ impl Watch {
         if journal.is_none() {
             *journal = Journal::look(&self.folder).ok().flatten();
         }
-        let live = journal.as_ref().and_then(|journal| journal.live().ok());
+        let live = journal.as_ref().and_then(|journal| journal.registry.live().ok());
         let moves = live.is_some_and(|live| live.status & flag::STACK_RUNNING != 0);
         self.seen.set(Some((Instant::now(), moves)));
         moves

@@ -19,11 +19,13 @@ use crate::out;
 use crate::outputs::Outputs;
 use crate::parse;
 use crate::picture::{self, Format, Picture};
+use crate::preview_mode;
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
 use crate::setup::{self, Job as Prepared};
 use crate::sources::FileLines;
 use crate::stop::Stop;
+use crate::streamed::Streamed;
 use crate::summary;
 use crate::visit::Visit;
 use crate::waveforms::{ReadingBytes, VcdArgs};
@@ -32,7 +34,7 @@ use behind::closes;
 use clap::Args;
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
-use kerf_control::{Company, Session};
+use kerf_control::{RunContext, Session};
 use kerf_journal::{JournalError, Whereabouts, Work};
 use kerf_machine::{Configuration, table};
 use kerf_program::job::Job;
@@ -40,7 +42,6 @@ use kerf_trace::{Summary, json::JsonLines};
 use kerf_workspace::Workspace;
 use on_server::{REACHES_SERVERS, remotely};
 use options::{PaceName, STANDARD_OUTPUT};
-use std::fs::File;
 use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -77,7 +78,7 @@ pub struct RunCommand {
     run: RunArgs,
 }
 
-/// Options that are heeded when a run is taken up; on a controller nothing is taken up, which is told by itself.
+/// Options that are heeded when a run is taken up.
 const TAKES_UP: Heeded = Heeded {
     options: &[
         "resume",
@@ -174,13 +175,6 @@ fn in_force(job: &Job, machine: &Configuration) -> String {
 
 /// Takes up the run that was cut short.
 fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
-    if run.place.machine.controller().is_some() {
-        bail!(Usage(
-            "a run on a controller is not taken up with --resume: home it or set its location, and begin at \
-             a line of the file with --from-line"
-                .into()
-        ));
-    }
     if let Some(name) = run.place.machine.configuration() {
         bail!(Usage(format!(
             "a run is taken up on the machine on which it was begun: leave --machine {} out",
@@ -190,7 +184,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     let mut workspace = setup::workspace(Path::new(""), &run.place, false)?;
     let nothing = || JournalError::NothingToResume { folder: workspace.app_path().into() };
     let journal = workspace.journal().cloned().ok_or_else(nothing)?;
-    let cut = journal.cut_short()?.ok_or_else(nothing)?;
+    let cut = journal.runs.cut_short()?.ok_or_else(nothing)?;
     let (mut session, whereabouts) = Session::recall(&journal, &mut workspace)?;
     if !args.quiet {
         eprintln!("kerf: {}", cut.told());
@@ -202,7 +196,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         );
     }
     let answers = setup::answers(run)?;
-    let machine = journal.machine_of(&cut)?;
+    let machine = journal.runs.machine_of(&cut)?;
     let show = Show {
         name: cut.file().into(),
         lines: 0,
@@ -211,13 +205,40 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
         machine,
         editor: editor(&workspace),
     };
+    let controller = controller_of(args, run, &mut session, &mut workspace)?;
     let visit = Visit::default();
     visit.begins(&session, &mut workspace)?;
-    let exit = attended(args, run, show, answers, None, |company| {
-        let (summary, unkept) = over(session.resume(&cut, &mut workspace, company))?;
+    let stop = Stop::listen()?;
+    let exit = attended(args, run, show, answers, controller.as_ref(), |context| {
+        let (summary, unkept) = over(session.resume(&cut, &mut workspace, context))?;
+        if let Some(controller) = &controller {
+            let well = summary.status == kerf_sbp::Status::Ok;
+            controller.ends(well, &mut workspace, || stop.is_wanted());
+            controller.detach(&mut workspace);
+        }
         Ok((summary, &session, unkept))
     })?;
     closes(exit, &visit, (&mut session, &mut workspace), args, run)
+}
+
+/// The controller on which a run is taken up, ready at a place that is known.
+fn controller_of(
+    args: &MachineArgs,
+    run: &RunArgs,
+    session: &mut Session,
+    workspace: &mut Workspace,
+) -> Result<Option<Controller>> {
+    let Some(name) = run.place.machine.controller() else { return Ok(None) };
+    let ready = controller::ready(name, args.first, args.quiet(), session, workspace)?;
+    if !ready.knows_place() {
+        ready.detach(workspace);
+        bail!(
+            "{name} has not kept count of where it stands: a run is taken up at the very place, and nobody knows it. Home \
+             the controller (--home) where it can be, or set its location and begin at a line with --from-line"
+        );
+    }
+    ready.begins(workspace);
+    Ok(Some(ready))
 }
 
 /// Runs a job on the machine and keeps what stays.
@@ -270,11 +291,11 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     let takes = takes.filter(|_| kept && own);
     let (mut moved, typed) = (false, options.program.typed);
     let stop = Stop::listen()?;
-    let exit = attended(args, run, show, answers, controller.as_ref(), |company| {
+    let exit = attended(args, run, show, answers, controller.as_ref(), |context| {
         let workspace = &mut workspace;
         let (summary, unkept) = over(match kept {
-            true => session.run_on_record(work, options, replaced, workspace, company),
-            false => Ok(session.run(work, options, workspace, company)),
+            true => session.run_on_record(work, options, replaced, workspace, context),
+            false => Ok(session.run(work, options, workspace, context)),
         })?;
         moved = summary.tally.moves > 0;
         if let Some(controller) = &controller {
@@ -297,7 +318,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
 
 /// Preview mode holds for what is typed next, and whoever types knows.
 fn tell_preview(session: &Session, workspace: &mut Workspace, quiet: bool) {
-    session.keep_preview(workspace);
+    preview_mode::keep(session, workspace);
     if session.is_in_preview() && !quiet {
         eprintln!("kerf: in preview: what is sent is only drawn, until `kerf send SM`");
     }
@@ -338,14 +359,16 @@ fn attended<'a>(
     show: Show,
     answers: Answers,
     controller: Option<&Controller>,
-    runs: impl FnOnce(Company<'_>) -> Result<(Summary, &'a Session, Option<JournalError>)>,
+    runs: impl FnOnce(RunContext<'_>) -> Result<(Summary, &'a Session, Option<JournalError>)>,
 ) -> Result<Exit> {
     let format = args.picture.as_deref().map(Format::of).transpose()?;
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(show.lines));
-    let trace = args.trace.as_deref().map(trace).transpose()?;
-    let signals = args.vcd.sink(show.machine)?;
-    let readings = args.readings.as_deref().map(ReadingBytes::to).transpose()?;
+    let data = setup::data_folder(&run.place.data).ok();
+    let data = data.as_deref();
+    let trace = args.trace.as_deref().map(|path| trace(path, data)).transpose()?;
+    let signals = args.vcd.sink(show.machine, data)?;
+    let readings = args.readings.as_deref().map(|path| ReadingBytes::to(path, data)).transpose()?;
     let talk = (!args.traces_out()).then_some(show.talk);
     let mut told = (
         (talk, (trace, (signals, readings))),
@@ -357,9 +380,16 @@ fn attended<'a>(
     let mut terminal = Terminal::new(clock, run.operator.script())?;
     let mut person_at_it = Person::new(answers, person, &terminal).with_editor(show.editor);
     let machine = controller.map_or_else(|| terminal.simulated(), Controller::driven);
-    let company =
-        Company { sink: &mut told, operator: &mut person_at_it, requests: &mut terminal, machine };
-    let (summary, session, unkept) = runs(company)?;
+    if controller.is_some() {
+        terminal.follows(&machine);
+    }
+    let context = RunContext {
+        sink: &mut told,
+        operator: &mut person_at_it,
+        requests: &mut terminal,
+        machine,
+    };
+    let (summary, session, unkept) = runs(context)?;
     let ((_, (trace, (signals, readings))), (_, (picture, progress))) = told;
     readings.map_or(Ok(()), ReadingBytes::finish)?;
     args.vcd.finish(signals)?;
@@ -389,12 +419,12 @@ fn over(ran: Result<Summary, JournalError>) -> Result<(Summary, Option<JournalEr
     }
 }
 
-/// A file that takes the trace of a run.
-fn trace(path: &Path) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
+/// A file that takes the trace of a run; the data folder keeps the note of it.
+fn trace(path: &Path, data: Option<&Path>) -> Result<JsonLines<LineWriter<Box<dyn Write>>>> {
     let cannot = |e: io::Error| Usage(format!("cannot write {}: {e}", path.display()));
     let to: Box<dyn Write> = match path == Path::new(STANDARD_OUTPUT) {
         true => Box::new(io::stdout()),
-        false => Box::new(File::create(path).map_err(cannot)?),
+        false => Box::new(Streamed::create(path, data).map_err(cannot)?),
     };
     Ok(JsonLines::new(LineWriter::new(to)))
 }

@@ -7,12 +7,12 @@ use crate::exit::{Exit, Usage};
 use crate::machine_file;
 use crate::report::Talk;
 use crate::setup;
+use crate::start_up::{CloseMethod, OpenMethod, Port, StartUp};
 use crate::summary;
 use crate::visit::Visit;
 use anyhow::Result;
 use clap::Args;
-use kerf_control::Company;
-use kerf_control::start_up::{CloseMethod, OpenMethod, Port, StartUp};
+use kerf_control::RunContext;
 use std::io::{self, IsTerminal, Write};
 use std::iter::once;
 use std::net::SocketAddr;
@@ -112,13 +112,13 @@ fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
     run.place.start = run.place.start.or(Some(Start::Kept));
     let log = logged(args, line, true)?;
     let mut job = setup::job(Path::new(&line.file), &run, true)?;
-    let company = Company {
+    let context = RunContext {
         sink: &mut (),
         operator: &mut job.answers,
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, context);
     if !args.machine.quiet() {
         summary::tell(&summary);
     }

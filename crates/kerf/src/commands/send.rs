@@ -7,16 +7,17 @@ use crate::exit::{Exit, Usage};
 use crate::given;
 use crate::heeded::Heeded;
 use crate::outputs::Outputs;
+use crate::preview_mode;
 use crate::remote::{OWN_MACHINE, Remote};
 use crate::report::Talk;
 use crate::sending::{Sent, Shown, To, ended, send_over_line, send_over_network};
 use crate::setup;
 use crate::stop::Stop;
 use crate::summary::told_by_server;
+use crate::transfer::Sender;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
-use kerf_control::transfer::Sender;
-use kerf_serial::Port;
+use kerf_transport::Port;
 use kerf_workspace::Workspace;
 use std::path::Path;
 
@@ -136,7 +137,7 @@ fn typed(
     }
     job.options.program.typed = true;
     if job.kept {
-        job.session.go_on_in_preview(&job.workspace);
+        preview_mode::go_on(&mut job.session, &job.workspace);
     }
     on_machine(job, machine, run, Talk::all())
 }

@@ -8,16 +8,16 @@ use crate::exit::{Exit, Usage};
 use crate::machine_file::{self, Named};
 use crate::memory;
 use crate::served::Served;
+use crate::start_up::{OpenMethod, StartUp};
 use crate::stop::Stop;
 use crate::visit::Visit;
 use crate::{given, out, setup};
 use anyhow::{Context, Error, Result, anyhow, bail};
 use clap::Args;
 use kerf_control::controller::{Controller, First};
-use kerf_control::start_up::{OpenMethod, StartUp};
 use kerf_files::versions::Versions;
 use kerf_journal::machine_file::MachineFile;
-use kerf_server::{Builders, Options, Server, Workshop};
+use kerf_server::{Builders, Options, Server, Webhook, Workshop};
 use kerf_workspace::Workspace;
 use std::io::{self, ErrorKind};
 use std::net::{SocketAddr, TcpListener};
@@ -55,6 +55,10 @@ pub struct ServeArgs {
     /// EXIT SHOPBOT in a part file ends Kerf, not only the run
     #[arg(long)]
     exit_with_program: bool,
+    /// Sends a message to this address when somebody is needed, and when a run is done or has failed: JSON with
+    /// event, file and text
+    #[arg(long, value_name = "URL", value_parser = Webhook::read)]
+    webhook: Option<Webhook>,
     /// Seconds of machine time in a second, for tests
     #[arg(long, hide = true, default_value_t = 1.0)]
     rate: f64,
@@ -89,6 +93,7 @@ impl ServeArgs {
             drawing_only: false,
             receive: false,
             exit_with_program: false,
+            webhook: None,
             rate,
             first: controller::First::NONE,
             place: PlaceArgs { parts, ..place.clone() },
@@ -246,6 +251,7 @@ fn options(args: &ServeArgs) -> Result<Options> {
         drawing_only: args.drawing_only,
         open,
         closes_with_program: args.exit_with_program,
+        webhook: args.webhook.clone(),
         rate: args.rate,
     })
 }
@@ -279,7 +285,7 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
     let named = name.map(|name| machine_file::named(name, &args.place.data)).transpose()?;
     // A file that is named leads, and takes what is changed here.
     if let (Some(journal), Some(Named::File(file))) = (workspace.journal(), &named) {
-        journal.use_machine_file(MachineFile::at(file));
+        journal.settings.use_file(MachineFile::at(file));
     }
     let (mut session, kept) = setup::session(&args.place, false, &mut workspace)?;
     if named.is_some() {

@@ -59,7 +59,7 @@ pub fn run(args: SettingsArgs) -> Result<Exit> {
         Action::Show(Lined { place }) => show(&place),
         Action::List(Lined { place }) => {
             let workspace = setup::workspace(Path::new(""), &place, true)?;
-            out::print(&(kerf_workspace::settings_files::names(&workspace).join("\n") + "\n"));
+            out::print(&(workspace.settings_files().join("\n") + "\n"));
             Ok(Exit::Good)
         }
         Action::Save(named) => typed(|name| format!("US,{name}"), named),

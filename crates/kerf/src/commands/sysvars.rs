@@ -39,7 +39,7 @@ pub fn all(place: &PlaceArgs, units: Option<LinearUnit>) -> Result<Vec<(SystemVa
         settings.use_linear_unit(unit);
     }
     session.memory.settings = settings;
-    Ok(session.system_variables(&mut workspace))
+    Ok(kerf_control::system_variables(&session, &mut workspace))
 }
 
 /// A line of the list.

@@ -7,7 +7,7 @@ use crate::report::Diagnostics;
 use crate::{out, setup};
 use anyhow::{Result, bail};
 use clap::Args;
-use kerf_control::Company;
+use kerf_control::RunContext;
 use kerf_preview::timing::{Course, Timing, corners};
 use kerf_trace::timing::Lines;
 use std::path::PathBuf;
@@ -74,13 +74,13 @@ pub fn run(args: &TimingArgs) -> Result<Exit> {
     let mut job = setup::job(&args.file, &args.run, true)?;
     let mut sink = (Diagnostics::default(), Lines::default());
     let mut pace = args.run.operator.script();
-    let company = Company {
+    let context = RunContext {
         sink: &mut sink,
         operator: &mut job.answers,
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, context);
     let name = || args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let title = args.title.clone().unwrap_or_else(name);
     let timing = sink.1.timing(title);

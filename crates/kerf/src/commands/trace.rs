@@ -6,7 +6,7 @@ use crate::waveforms::VcdArgs;
 use crate::{out, setup};
 use anyhow::{Context, Result};
 use clap::Args;
-use kerf_control::Company;
+use kerf_control::RunContext;
 use kerf_trace::json::JsonLines;
 use std::io::{self, BufWriter};
 use std::path::PathBuf;
@@ -34,15 +34,15 @@ pub fn run(args: &TraceArgs) -> Result<Exit> {
     job.options.tell_variables = args.vars;
     let machine = VcdArgs::machine(&job.work, &job.session);
     let lines = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));
-    let mut sink = (lines, args.vcd.sink(machine)?);
+    let mut sink = (lines, args.vcd.sink(machine, None)?);
     let mut pace = args.run.operator.script();
-    let company = Company {
+    let context = RunContext {
         sink: &mut sink,
         operator: &mut job.answers,
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
-    let summary = job.session.run(job.work, job.options, &mut job.workspace, company);
+    let summary = job.session.run(job.work, job.options, &mut job.workspace, context);
     let (lines, signals) = sink;
     args.vcd.finish(signals)?;
     out::unless_gone(lines.finish()).context("cannot write the trace")?;

@@ -2,11 +2,11 @@
 
 use crate::report::Diagnostics;
 use anyhow::{Result, bail};
-use kerf_control::Desk;
 use kerf_convert::{Conversion, Language, Passage, Source};
 use kerf_files::{Folders, RealDisk};
 use kerf_formats::{Finding, Imported, Weight, motion};
 use kerf_gcode::Dialect;
+use kerf_import::Desk;
 use kerf_program::Axes;
 use kerf_program::settings::{LinearUnit, Settings};
 use kerf_workspace::{Workspace, stored::Stored};
@@ -84,7 +84,7 @@ fn follow(file: &Path, bytes: &[u8], from: Language, unit: LinearUnit) -> Passag
         let folders = Folders::new(parts.into(), Vec::new(), Vec::new());
         let mut workspace =
             Workspace::preview(RealDisk, folders, &Stored::default(), PathBuf::new());
-        follow(&mut Desk::new(&mut workspace, &mut ()))
+        follow(&mut Desk::new(&mut workspace, &mut |_| None))
     };
     kerf_convert::path(&source, &how, &mut desk, Axes::default())
 }

@@ -1,8 +1,8 @@
 //! Over the network: to the part folder of a running `kerf serve`.
 
 use super::Shown;
+use crate::transfer::{Progress, State};
 use anyhow::{Context, Result};
-use kerf_control::transfer::{Progress, State};
 use serde_json::Value;
 use std::io::{Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};

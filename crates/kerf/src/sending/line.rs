@@ -1,10 +1,10 @@
 //! Over a serial line.
 
 use super::Shown;
+use crate::transfer::{Receiver, Sender, State};
 use anyhow::Result;
-use kerf_control::transfer::{Receiver, Sender, State};
 use kerf_files::{Disk, RealDisk, versions::Versions};
-use kerf_serial::Port;
+use kerf_transport::Port;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 

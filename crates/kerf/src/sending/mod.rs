@@ -9,8 +9,8 @@ pub use line::{Folder, receive_over_line, send_over_line};
 pub use shown::Shown;
 
 use crate::exit::{Exit, Usage};
+use crate::transfer::State;
 use anyhow::{Result, bail};
-use kerf_control::transfer::State;
 use kerf_machine::Configuration;
 
 /// Target of a file that is sent, or source of one that comes.

@@ -1,6 +1,6 @@
 //! The progress of a transfer, for people who watch it.
 
-use kerf_control::transfer::{Progress, State};
+use crate::transfer::{Progress, State};
 use std::io::{self, IsTerminal, Write};
 use std::time::{Duration, Instant};
 

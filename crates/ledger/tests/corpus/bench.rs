@@ -3,7 +3,7 @@
 use crate::corpus::row::Row;
 use crate::corpus::tree::Tree;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Session};
+use kerf_control::{RunContext, Session};
 use kerf_files::RealDisk;
 use kerf_journal::{RunOptions, Shell};
 use kerf_sbp::Status;
@@ -83,14 +83,14 @@ fn one(
 ) -> Ended {
     let mut events: Vec<Event> = Vec::new();
     let mut operator = Answers::read(&row.answers);
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut operator,
         requests: &mut (),
         machine: kerf_control::simulated(),
     };
     let program = kerf_part::read_as(name.into(), bytes, row.dialect);
-    let summary = session.run(program, options, workspace, company);
+    let summary = session.run(program, options, workspace, context);
     let (code, line, message) = summary
         .error
         .map(|e| (e.code.to_string(), e.place.line, e.message.clone()))

@@ -3,7 +3,7 @@
 use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::height::HeightMode;
-use kerf_program::job::{Depth, JobShape};
+use kerf_program::job::{Height, JobShape};
 use kerf_sim::Sheet;
 use kerf_trace::Event;
 
@@ -71,17 +71,17 @@ fn pro_height_prop_y() {
 
 #[test]
 fn pro_height_thru_only() {
-    let deep = |depth: Depth| {
+    let deep = |height: Height| {
         let run = over(rising(0.03)).job(|job| {
             let mut shapes = job.shapes.to_vec();
-            shapes[0].depth = depth;
+            shapes[0].height = height;
             job.shapes = shapes.into();
         });
         readings(&run.run()).len()
     };
-    assert!(deep(Depth::Thru) > 100);
-    assert_eq!(deep(Depth::Mm { depth_mm: -3.0, pass_mm: None }), 0);
-    assert_eq!(deep(Depth::ThreeD), 0);
+    assert!(deep(Height::Thru) > 100);
+    assert_eq!(deep(Height::Mm(-3.0)), 0);
+    assert_eq!(deep(Height::ThreeD), 0);
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn pro_zpos_surface_hc() {
 fn pro_height_local_engrave() {
     let run = over(rising(0.03)).job(|job| {
         let mut second = line(2, (100.0, 0.0), (100.0, 10.0));
-        second.depth = Depth::Mm { depth_mm: 3.0, pass_mm: None };
+        second.height = Height::Mm(3.0);
         job.shapes = [job.shapes[0].clone(), second].into();
     });
     let moves = run.run().moves();
@@ -209,16 +209,16 @@ fn pro_height_surf_track() {
         let begins = heights(&trace)[1];
         assert!((begins[1] - first_mm).abs() < 0.1, "told before the first reading: {begins:?}");
     }
-    let deep = |depth: Depth| {
+    let deep = |height: Height| {
         let run = over(rising(0.03)).job(|job| {
             let mut shapes = job.shapes.to_vec();
-            shapes[0].depth = depth;
+            shapes[0].height = height;
             job.shapes = shapes.into();
         });
         heights(&run.run())
     };
-    for depth in [Depth::Mm { depth_mm: -3.0, pass_mm: None }, Depth::ThreeD] {
-        assert!(deep(depth).iter().all(|told| *told == [-10.0, -20.0, -30.0]));
+    for height in [Height::Mm(-3.0), Height::ThreeD] {
+        assert!(deep(height).iter().all(|told| *told == [-10.0, -20.0, -30.0]));
     }
 }
 

@@ -7,7 +7,7 @@ use kerf_control::OperatorRequest;
 use kerf_journal::{RunOptions, Started, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
-use kerf_program::job::{Depth, Job, Plunge};
+use kerf_program::job::{Height, Job, Plunge};
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
 use kerf_sim::{Change, Sheet};
 use std::fmt;
@@ -169,7 +169,7 @@ impl Case {
     pub fn slopes(&self, number: u32) -> bool {
         let What::Job(job, machine) = &self.what else { return true };
         let shape = job.shapes.iter().find(|shape| shape.number == number);
-        let followed = machine.height.on && shape.is_some_and(|shape| shape.depth == Depth::Thru);
+        let followed = machine.height.on && shape.is_some_and(|shape| shape.height == Height::Thru);
         !machine.plasma.use_sequence && !followed
     }
 

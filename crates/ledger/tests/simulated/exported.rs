@@ -3,7 +3,7 @@
 use crate::simulated::dice::Dice;
 use crate::simulated::jobs;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, Script, Session};
+use kerf_control::{RunContext, Script, Session};
 use kerf_files::MemoryDisk;
 use kerf_geom::Point2;
 use kerf_journal::RunOptions;
@@ -43,14 +43,14 @@ fn run(text: String, machine: &Configuration) -> (Vec<Event>, Summary) {
     session.machine_is = Arc::new(machine.clone());
     let mut workspace = Workspace::in_memory(MemoryDisk::new(std::iter::empty()));
     let (mut operator, mut requests) = (Answers::default(), Script::new(Vec::new(), Vec::new()));
-    let company = Company {
+    let context = RunContext {
         sink: &mut events,
         operator: &mut operator,
         requests: &mut requests,
         machine: kerf_control::simulated(),
     };
     let program = kerf_part::read("job.sbp".into(), text.into_bytes());
-    let summary = session.run(program, RunOptions::default(), &mut workspace, company);
+    let summary = session.run(program, RunOptions::default(), &mut workspace, context);
     (events, summary)
 }
 

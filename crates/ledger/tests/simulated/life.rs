@@ -6,7 +6,7 @@ use crate::simulated::path::{Done, is_flat, laid};
 use crate::simulated::programs::SUB;
 use crate::simulated::watch::{Doom, Killed, Seen, Watch};
 use kerf_control::answers::Operator;
-use kerf_control::{Company, OperatorRequest, Requests, Session};
+use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_files::{Folders, RealDisk};
 use kerf_journal::{Journal, RunOptions, Whereabouts, Work};
 use kerf_machine::{Driven, Errand, Going};
@@ -217,8 +217,8 @@ impl<'a> Life<'a> {
         let data = self.folder.path().join("data");
         let (journal, told) = Journal::open(&data).unwrap();
         assert!(told.is_empty(), "the journal was damaged: {told:?}");
-        let cut = journal.cut_short().unwrap();
-        if cut.is_none() && !journal.history().unwrap().is_empty() {
+        let cut = journal.runs.cut_short().unwrap();
+        if cut.is_none() && !journal.runs.history().unwrap().is_empty() {
             return None;
         }
         let folders = Folders::new(self.folder.path().into(), Vec::new(), Vec::new());
@@ -250,18 +250,18 @@ impl<'a> Life<'a> {
         let (doom, gives_up) = (&self.doom, &self.gives_up);
         let mut helpful = Helpful { doom, asked: 0, gives_up, gave_up: false };
         let ran = catch_unwind(AssertUnwindSafe(|| {
-            let company = Company {
+            let context = RunContext {
                 sink: &mut (&mut watch, &mut onlooker),
                 operator: &mut helpful,
                 requests: &mut person,
                 machine: on_record(),
             };
             match &cut {
-                Some(cut) => session.resume(cut, &mut workspace, company).unwrap(),
+                Some(cut) => session.resume(cut, &mut workspace, context).unwrap(),
                 None => {
                     let (work, options) = (self.case.work(), self.case.options(self.takes_s));
                     let kept = Some(kept);
-                    session.run_on_record(work, options, kept, &mut workspace, company).unwrap()
+                    session.run_on_record(work, options, kept, &mut workspace, context).unwrap()
                 }
             }
         }));
@@ -277,7 +277,7 @@ impl<'a> Life<'a> {
         let to = session.memory.position;
         let gave_up = helpful.asked > PATIENCE;
         let took_up = cut.is_some();
-        let put_off = helpful.gave_up && journal.cut_short().unwrap().is_some();
+        let put_off = helpful.gave_up && journal.runs.cut_short().unwrap().is_some();
         // What was given up before it moved is over.
         let begun = summary.as_ref().is_none_or(|it| it.tally.moves > 0);
         let over_early = helpful.gave_up && !begun && !took_up;
@@ -339,13 +339,13 @@ impl<'a> Life<'a> {
         let mut options = RunOptions::default();
         options.program.typed = true;
         let lines = kerf_sbp::read_typed("command".into(), "UD\nPAUSE 0.1\nSetUsrVal, 7\n");
-        let company = Company {
+        let context = RunContext {
             sink: &mut (),
             operator: &mut (),
             requests: &mut (),
             machine: kerf_control::simulated(),
         };
-        session.run_on_record(lines, options, None, workspace, company).unwrap();
+        session.run_on_record(lines, options, None, workspace, context).unwrap();
     }
 
     /// Somebody moves the tool before the run is taken up.
@@ -366,9 +366,9 @@ impl<'a> Life<'a> {
             What::Job(_, machine) => Arc::new((**machine).clone()),
         };
         let errand = Errand::To { place: way.0.map(Some), relative: true, flat: true };
-        let company = Company { sink: &mut (), operator: &mut (), requests, machine };
+        let context = RunContext { sink: &mut (), operator: &mut (), requests, machine };
         let work = Work::Hand(errand, machine_is);
-        session.run_on_record(work, RunOptions::default(), None, workspace, company).unwrap();
+        session.run_on_record(work, RunOptions::default(), None, workspace, context).unwrap();
     }
 
     /// A place on the table near one.

@@ -171,10 +171,28 @@ pub struct Facts {
     pub spindle_rpm: f64,
     /// It changes the speed of moves that it has (feed override).
     pub overrides: bool,
+    /// It stops on its path and goes on from there, with its outputs as they are (feed hold).
+    pub holds: bool,
     /// Its stop switches every output off.
     pub stop_switches_off: bool,
     /// It does the same once more when the same is made again: what its inputs tell needs no place on record.
     pub repeats: bool,
+    /// A run may tell of a move so long before it is made, seconds.
+    pub leads_s: f64,
+}
+
+/// A hold that was ordered ([`Signal::Hold`]).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Hold {
+    /// There is none, or it is over by [`Signal::Resume`].
+    #[default]
+    None,
+    /// It slows down.
+    Ordered,
+    /// It stands.
+    Stands,
+    /// Somebody at its own controls has had it go on.
+    WentOn,
 }
 
 /// A setting of a controller that was changed to drive it, and is put back afterwards.
@@ -227,6 +245,12 @@ pub enum Trouble {
         /// In words.
         why: &'static str,
     },
+    /// The line was gone, and nobody knows how far the controller has come with what was sent; it knows its place.
+    #[error("the line was gone for a while, and {why}")]
+    Gap {
+        /// The reason why the work cannot go on.
+        why: &'static str,
+    },
     /// It began anew while it was at work: its place may be wrong.
     #[error("it was reset while it was at work")]
     Restarted,
@@ -248,10 +272,20 @@ pub trait Wired: Driver {
         None
     }
 
-    /// Returns for what it waits at its own controls, in words: it goes on when somebody there wants it to.
+    /// Returns for what it waits at its own controls, in words: it goes on when somebody there wants it to. A hold that was
+    /// ordered is none.
     fn waits(&self) -> Option<&'static str> {
         None
     }
+
+    /// Returns the state of a hold that was ordered.
+    fn hold(&self) -> Hold {
+        Hold::None
+    }
+
+    /// The line was gone and is there again. Finds out what the controller has got of what was sent, before anything else is
+    /// sent; what was lost for good becomes its [trouble](Wired::trouble).
+    fn line_is_back(&mut self, _now_s: f64) {}
 
     /// Returns the setting that was changed in it, for whoever keeps it in mind until it is put back.
     fn changed(&self) -> Option<Changed> {

@@ -4,7 +4,7 @@
 
 use super::{read, write};
 use crate::Configuration;
-use crate::table;
+use crate::table::{self, Bounds, Setting};
 use crate::value::Value;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -42,21 +42,62 @@ fn a_written_file_reads_back_the_same() {
     assert_eq!(read(&file(), &write(&fresh)), Ok(fresh));
 }
 
-/// Another value than the default that the bounds allow.
-fn other(value: &Value) -> Value {
+/// Values other than the default, one of which the bounds allow.
+fn others(setting: &Setting, value: &Value) -> Vec<Value> {
     match value {
-        Value::Flag(flag) => Value::Flag(!flag),
-        Value::Number(n) if *n >= 1.0 => Value::Number(n - 0.0),
-        Value::List(values) => Value::List(values.iter().map(other).collect()),
-        it => it.clone(),
+        Value::Flag(flag) => vec![Value::Flag(!flag)],
+        Value::Number(n) => {
+            let listed = if let Bounds::OneOf(all) = setting.bounds { all } else { &[] };
+            let near = [n + 1.0, n - 1.0, n / 2.0];
+            near.iter().chain(listed).filter(|it| *it != n).map(|it| Value::Number(*it)).collect()
+        }
+        Value::Text(text) => {
+            let words = setting.words();
+            let words = words.into_iter().filter(|word| word != text);
+            let words =
+                words.chain(["another", "in", "backwards"]).map(|it| Value::Text(it.into()));
+            [1.0, 50.0].map(Value::Number).into_iter().chain(words).collect()
+        }
+        Value::List(values) => {
+            let Some((last, before)) = values.split_last() else {
+                return [Value::Number(1.0), Value::Text("x".into())]
+                    .map(|it| Value::List(vec![it]))
+                    .into();
+            };
+            let with = |it: Value| Value::List([before, &[it]].concat());
+            let reversed = Value::List(values.iter().rev().cloned().collect());
+            others(setting, last).into_iter().map(with).chain([reversed]).collect()
+        }
     }
+}
+
+/// Settings that tell how a machine is, and take nothing else.
+const FIXED: [&str; 4] = ["motors.x", "motors.y", "motors.z", "options.console_baud"];
+
+#[test]
+fn every_setting_takes_another_value_and_shows_it() {
+    let fresh = Configuration::default();
+    let shows = |setting: &Setting, value: &Value| {
+        let mut c = fresh.clone();
+        let taken = setting.set(&mut c, value).is_ok();
+        // One number stands for a list of which the rest has usual values.
+        let whole = setting.get(&c) == *value || setting.default().is_none();
+        taken && whole && table::changed(&fresh, &c).any(|it| it.key == setting.key)
+    };
+    let is_fixed = |setting: &&Setting| {
+        let others = others(setting, &setting.default());
+        !others.iter().any(|value| shows(setting, value))
+    };
+    let fixed: Vec<_> = table::settings().filter(is_fixed).map(|setting| setting.key).collect();
+    assert_eq!(fixed, FIXED);
 }
 
 #[test]
 fn every_setting_takes_its_default_and_refuses_a_date() {
     for setting in table::settings() {
         let mut c = Configuration::default();
-        setting.set(&mut c, &other(&setting.default())).unwrap();
+        setting.set(&mut c, &setting.default()).unwrap();
+        assert_eq!(c, Configuration::default(), "{}", setting.key);
         assert!(
             setting.set(&mut c, &Value::Text("1979-05-27 of old".into())).is_err()
                 || matches!(setting.default(), Value::Text(_) | Value::List(_)),

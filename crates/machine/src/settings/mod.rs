@@ -1,6 +1,7 @@
 //! The settings of a machine, an area a file.
 
 pub mod axes;
+pub mod board;
 pub mod delays;
 pub mod estop;
 pub mod height;
@@ -66,6 +67,8 @@ pub struct Configuration {
     pub job: job::JobSettings,
     /// Options of the program beside the machine.
     pub options: options::Options,
+    /// Pins of a board with step queues.
+    pub board: board::Board,
     /// Switches, start place and delays of the simulated machine.
     pub simulated: simulated::Simulated,
 }

@@ -3,6 +3,7 @@
 //! The configuration file, its reader, `kerf machine` and every form are made from it. Keys are
 //! dotted: what stands before the last dot is the section of the file.
 
+mod board;
 mod bounds;
 mod machine;
 mod plain;
@@ -19,7 +20,7 @@ use crate::settings::Configuration;
 
 /// Every area, in the order in which files are written and read.
 pub const AREAS: &[&[Area]] =
-    &[program::AREAS, values::AREAS, machine::AREAS, tools::AREAS, switches::AREAS];
+    &[program::AREAS, values::AREAS, machine::AREAS, tools::AREAS, switches::AREAS, board::AREAS];
 
 /// Every area.
 pub fn areas() -> impl Iterator<Item = &'static Area> {

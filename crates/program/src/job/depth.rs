@@ -3,20 +3,17 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Depth at which a shape is cut.
+/// Depth of a cut, by what it is measured from (Profiler reference, "Height type").
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub enum Depth {
+#[serde(rename_all = "lowercase")]
+pub enum Height {
     /// Through the material: at ZBottom.
     #[default]
     Thru,
-    /// At a height above ZSurface, negative below it.
-    Mm {
-        /// The height, millimetres.
-        depth_mm: f64,
-        /// Depth of one pass, millimetres; all at once without it.
-        pass_mm: Option<f64>,
-    },
-    /// At the heights of its points.
+    /// So many millimetres above ZSurface; negative is into the material.
+    Mm(f64),
+    /// The height of each point of the shape, measured from ZSurface.
+    #[serde(rename = "3d")]
     ThreeD,
 }
 
@@ -61,15 +58,21 @@ impl Depths {
     /// The passes of a shape. Multi-pass divides a depth below the surface into equal steps with a
     /// last one that is smaller; above the surface there is one pass (readings, Depths).
     ///
-    /// `z_mm` are the heights of the shape's points above the surface; flat ones have none.
+    /// `pass_mm` is the depth of one pass, all at once without it; `z_mm` are the heights of the shape's points above
+    /// the surface, flat ones have none.
     ///
     /// # Errors
     /// A pass or a point lies below ZBottom.
-    pub fn of(depth: Depth, z_mm: &[f64], heights: &Heights) -> Result<Self, LowError> {
+    pub fn of(
+        height: Height,
+        pass_mm: Option<f64>,
+        z_mm: &[f64],
+        heights: &Heights,
+    ) -> Result<Self, LowError> {
         let Heights { surface_mm, bottom_mm, .. } = *heights;
-        let levels = match depth {
-            Depth::Thru => vec![bottom_mm],
-            Depth::ThreeD => {
+        let levels = match height {
+            Height::Thru => vec![bottom_mm],
+            Height::ThreeD => {
                 let lowest = surface_mm + z_mm.iter().copied().fold(0.0, f64::min);
                 // Heights that were moved onto ZBottom are rounded.
                 if lowest < bottom_mm - ROUNDED_MM {
@@ -77,9 +80,7 @@ impl Depths {
                 }
                 return Ok(Self::Along(surface_mm));
             }
-            Depth::Mm { depth_mm, pass_mm } => {
-                steps(depth_mm, pass_mm).map(|z| surface_mm + z).collect()
-            }
+            Height::Mm(depth_mm) => steps(depth_mm, pass_mm).map(|z| surface_mm + z).collect(),
         };
         match levels.iter().find(|z| **z < bottom_mm) {
             Some(z) => Err(LowError { z_mm: *z, bottom_mm }),

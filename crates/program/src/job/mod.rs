@@ -9,7 +9,7 @@ mod depth;
 mod in_force;
 mod plunge;
 
-pub use depth::{Depth, Depths, Heights, LowError};
+pub use depth::{Depths, Height, Heights, LowError};
 pub use in_force::InForce;
 pub use plunge::{Plunge, Slope, TooFlat, helix_circle};
 
@@ -24,10 +24,12 @@ pub struct JobShape {
     pub number: u32,
     /// The path, millimetres from the job's origin.
     pub path: Arc<Polyarc>,
-    /// Height above ZSurface at each vertex, for [`Depth::ThreeD`]; fewer mean 0.
+    /// Height above ZSurface at each vertex, for [`Height::ThreeD`]; fewer mean 0.
     pub z_mm: Arc<[f64]>,
     /// Depth of the cut.
-    pub depth: Depth,
+    pub height: Height,
+    /// Depth of one pass, millimetres; all at once without it. Only with [`Height::Mm`].
+    pub pass_mm: Option<f64>,
     /// Way in which the tool goes down.
     pub plunge: Plunge,
     /// The tool control output, 1 … 3: on while the tool is down.
@@ -94,7 +96,8 @@ impl JobShape {
             number,
             path: Arc::new(path),
             z_mm: Arc::default(),
-            depth: Depth::Thru,
+            height: Height::Thru,
+            pass_mm: None,
             plunge: Plunge::Straight,
             tool: 1,
             cut: 1,
@@ -113,6 +116,14 @@ impl JobShape {
     /// Returns the place where it ends.
     pub fn end(&self) -> Point2 {
         if self.path.closed { self.start() } else { self.path.end().unwrap_or_default() }
+    }
+
+    /// The heights at which it is cut.
+    ///
+    /// # Errors
+    /// A pass or a point lies below ZBottom.
+    pub fn depths(&self, heights: &Heights) -> Result<Depths, LowError> {
+        Depths::of(self.height, self.pass_mm, &self.z_mm, heights)
     }
 
     /// Height above ZSurface at the end of so many segments.

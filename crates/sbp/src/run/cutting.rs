@@ -4,7 +4,6 @@ use super::Context;
 use super::state::Origin;
 use kerf_cut::{Cut, Step, Tabber};
 use kerf_geom::Vec2;
-use kerf_program::settings::Tabs;
 use kerf_program::{Arc, Axes, Axis, Command, Feed, Line, MoveKind};
 
 /// Returns the context that the geometry of a cut needs; places are working millimetres.
@@ -28,8 +27,8 @@ pub(crate) fn carry_out(c: &mut Context<'_>, cut: Cut, feature_tab: bool) {
     without_tabs(c, &cut.steps[..pass.start]);
     let own = c.core.cutting.tabs.is_none();
     if own {
-        let tabs = Tabs { count: None, start_mm: None, ..c.settings().tabs };
-        c.core.cutting.tabs = Some(Tabber::new(&tabs, c.settings().cutter.safe_z_mm));
+        let settings = c.settings();
+        c.core.cutting.tabs = Some(Tabber::for_cut(&settings.tabs, settings.cutter.safe_z_mm));
     }
     give_steps(c, &cut.steps[pass.clone()]);
     if own {

@@ -14,7 +14,7 @@ use crate::locks::lock;
 use crate::people::Grip;
 use crate::priority::Yields;
 use kerf_handconsole::{Key, Screen};
-use kerf_serial::{Port, SerialError};
+use kerf_transport::{LineError, Port};
 use kerf_wire::{Change, HandConsole, Role, Tone, Who};
 use std::sync::{Arc, Weak};
 use std::thread;
@@ -67,7 +67,7 @@ fn keep_open(app: &Weak<App>) {
 }
 
 /// Tells why there is no link; people read it once.
-fn warn(app: &App, why: &SerialError) {
+fn warn(app: &App, why: &LineError) {
     let why = why.to_string();
     if app.hub.read(|now| now.hand_console.link != why) {
         app.hub.say(Tone::Warning, format!("hand console: {why}"));
@@ -125,7 +125,7 @@ impl Link {
         lost.iter().for_each(|why| warn(&app, why));
     }
 
-    fn listen(&mut self, app: &App) -> Result<(), SerialError> {
+    fn listen(&mut self, app: &App) -> Result<(), LineError> {
         let mut bytes = [0; 64];
         let count = self.port.read(&mut bytes, LOOK)?;
         // Noise on the line is no key.
@@ -155,7 +155,7 @@ impl Link {
     }
 
     /// Sends the screen where it is another, as soon as the line is free.
-    fn draw(&mut self, app: &App) -> Result<(), SerialError> {
+    fn draw(&mut self, app: &App) -> Result<(), LineError> {
         if Instant::now() < self.busy_until {
             return Ok(());
         }

@@ -6,6 +6,7 @@ use super::{Refused, aside, soon};
 use crate::app::App;
 use crate::digested::hash;
 use crate::files::PartFolder;
+use crate::kind;
 use crate::refusal::problem;
 use crate::saving::{self, Leave};
 use axum::body::Bytes;
@@ -29,6 +30,8 @@ pub struct Folder {
     mask: Option<String>,
     /// Lists the bin in place of a folder.
     bin: Option<String>,
+    /// Lists files of the folder and of those below it whose names hold this, or fit it where it has `*` or `?`.
+    find: Option<String>,
 }
 
 /// Lists a folder.
@@ -40,7 +43,10 @@ pub async fn list(
         if query.bin.is_some() {
             return app.files.saves.bin(&app.files.folder);
         }
-        let mut files = app.files.folder.list(&query.folder)?;
+        let mut files = match &query.find {
+            Some(word) => app.files.folder.found(&query.folder, |name| is_found(word, name))?,
+            None => app.files.folder.list(&query.folder)?,
+        };
         let parts = app.hub.read(|now| now.folder.mask.clone());
         files
             .iter_mut()
@@ -54,11 +60,21 @@ pub async fn list(
     Ok(Json(soon(list).await?))
 }
 
+/// Returns `true` if a file is looked for by a part of its name, or by a mask.
+fn is_found(word: &str, name: &str) -> bool {
+    let name = file_name(name);
+    match word.contains(['*', '?']) {
+        true => parts::fits(word, name),
+        false => name.to_lowercase().contains(&word.to_lowercase()),
+    }
+}
+
 /// Enters whether it is a part file, by the mask of part files, and what its head tells.
 fn look(folder: &PartFolder, file: &mut FileInfo, mask: &str) {
     let name = file_name(&file.name);
     let gcode = kerf_sbp::is_gcode_name(name);
     file.part = gcode || parts::fits(mask, name);
+    file.opens = kind::opens(name, mask);
     if file.part && !gcode {
         let head = folder.head(&file.name).unwrap_or_default();
         file.header = kerf_sbp::Header::read(&head).map(|header| header.text);
@@ -93,6 +109,8 @@ pub struct Look {
     versions: Option<String>,
     /// The bytes of one of those.
     version: Option<u32>,
+    /// Asks for a small picture of its tool path.
+    thumb: Option<String>,
 }
 
 /// A file as it is, what it is, or what it was.
@@ -107,6 +125,10 @@ pub async fn read(
         }
         if look.versions.is_some() {
             return Ok(Json(app.files.saves.versions(&app.files.folder, &name)?).into_response());
+        }
+        if look.thumb.is_some() {
+            let picture = app.loader.thumbnails.of(&app.files.folder, &name);
+            return Ok(([(header::CONTENT_TYPE, "image/svg+xml")], picture).into_response());
         }
         let bytes = match look.version {
             Some(number) => app.files.saves.version(&app.files.folder, &name, number)?,

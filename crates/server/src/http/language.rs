@@ -8,14 +8,16 @@ use crate::machine::{bits, told_input};
 use crate::refusal::problem;
 use crate::{configure, told};
 use axum::Json;
-use axum::extract::State;
+use axum::extract::{Query, State};
+use axum::response::{IntoResponse, Response};
 use kerf_machine::lines::Input;
 use kerf_program::settings::LINES;
 use kerf_wire::{
-    Checked, CommandEntry, Completion, Hover, Lamp, NamedValue, PortBit, Problem, SettingArea,
-    SystemValue, Values, Why,
+    Checked, CommandEntry, Completion, Hover, Lamp, NamedValue, PortBit, Problem, SystemValue,
+    Values, Why,
 };
 use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A text that is being edited.
@@ -102,10 +104,12 @@ fn read_values(app: &App) -> Result<Values, Problem> {
     let session = lock(&app.left).session.clone();
     let workspace = app.loader.preview_workspace();
     let mut workspace = workspace.map_err(|error| problem(Why::Server, error.to_string()))?;
-    let system = session.system_variables(&mut workspace).into_iter().map(|(variable, value)| {
-        let (name, unit) = (variable.name.into(), variable.unit.into());
-        SystemValue { number: variable.number, name, unit, value: value.display() }
-    });
+    let system = kerf_control::system_variables(&session, &mut workspace).into_iter().map(
+        |(variable, value)| {
+            let (name, unit) = (variable.name.into(), variable.unit.into());
+            SystemValue { number: variable.number, name, unit, value: value.display() }
+        },
+    );
     let memory = &session.memory;
     let variables = memory.variables.list().into_iter();
     let variables = variables
@@ -114,7 +118,7 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         system: system.collect(),
         variables: variables.collect(),
         settings: kerf_sbp::table::settings_lines(&memory.settings),
-        diagnostics: told::named(session.diagnostics(&mut workspace)),
+        diagnostics: told::named(kerf_control::diagnostics(&session, &mut workspace)),
         folder: app.hub.read(|now| now.folder.clone()),
         part_file: app
             .files
@@ -125,9 +129,22 @@ fn read_values(app: &App) -> Result<Values, Problem> {
     })
 }
 
-/// The configuration of the machine, as a form.
-pub async fn settings(State(app): State<Arc<App>>) -> Json<Vec<SettingArea>> {
-    Json(configure::form(&lock(&app.left).session.configuration()))
+/// The configuration of the machine, as a form; with `?changes` its last changes, the newest first.
+pub async fn settings(
+    State(app): State<Arc<App>>,
+    Query(asked): Query<HashMap<String, String>>,
+) -> Result<Response, Refused> {
+    if asked.contains_key("changes") {
+        let read = move || {
+            let changes = app.settings.changes.list();
+            changes.map_err(|error| {
+                problem(Why::Server, format!("the changes cannot be read: {error}"))
+            })
+        };
+        return Ok(Json(aside(read).await?).into_response());
+    }
+    let form = configure::form(&lock(&app.left).session.configuration());
+    Ok(Json(form).into_response())
 }
 
 /// Every bit of the ports of the card.

@@ -12,9 +12,9 @@ use crate::orders::Orders;
 use crate::refusal::problem;
 use axum::extract::{Path, State};
 use axum::{Extension, Json};
-use kerf_control::command_passing;
 use kerf_journal::{Live, check_value};
 use kerf_wire::{Act, NamedValue, Problem, Why};
+use kerf_workspace::command_passing;
 use std::sync::Arc;
 
 /// Longest value, bytes.
@@ -57,7 +57,7 @@ pub async fn set(
             app.loader.journal().ok_or_else(|| problem(Why::State, "nothing is kept here"))?;
         let value = Some(value.trim_end()).filter(|value| !value.is_empty());
         check_value(key, value).map_err(|why| problem(Why::Malformed, why))?;
-        journal.set_value(key, value).map_err(server)
+        journal.registry.set_value(key, value).map_err(server)
     };
     Ok(Json(soon(set).await?))
 }
@@ -85,9 +85,9 @@ fn pass_in(app: &Arc<App>, asker: &Asker, command: &str) -> Result<(), Problem> 
 fn values(app: &App) -> Result<Vec<NamedValue>, Problem> {
     let Some(journal) = app.loader.journal() else { return Ok(Vec::new()) };
     let rest = || lock(&app.left).session.look(Live::at_rest);
-    let live = journal.running().map_err(server)?.unwrap_or_else(rest);
+    let live = journal.registry.running().map_err(server)?.unwrap_or_else(rest);
     let live = live.values().map(|(name, value)| (name.to_owned(), value.to_string()));
-    let kept = journal.values().map_err(server)?;
+    let kept = journal.registry.values().map_err(server)?;
     let mut unset = unset(app).to_vec();
     unset.retain(|(key, _)| !kept.iter().any(|(name, _)| name == key));
     Ok(crate::told::named(live.into_iter().chain(unset).chain(kept)))

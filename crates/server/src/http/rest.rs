@@ -12,11 +12,13 @@ use crate::pool::Lane;
 use crate::refusal::problem;
 use crate::stop::{Halt, heard};
 use axum::body::to_bytes;
+use axum::extract::rejection::JsonRejection;
 use axum::extract::{FromRequest, Path, Request, State};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use kerf_wire::{
-    Act, JobView, OperationEntry, Problem, Reply, Role, ShapeList, Snapshot, ToolPaths, Who, Why,
+    Act, JobView, OperationEntry, Problem, Reply, Role, RunRecord, ShapeList, Snapshot, ToDo,
+    ToolPaths, Who, Why,
 };
 use serde_json::Value;
 use std::sync::Arc;
@@ -25,6 +27,29 @@ use std::time::Duration;
 /// Returns the snapshot that every page shows.
 pub async fn state(State(app): State<Arc<App>>) -> Json<Arc<Snapshot>> {
     Json(app.hub.now())
+}
+
+/// Returns the runs of files, the newest first.
+pub async fn history(State(app): State<Arc<App>>) -> Json<Vec<RunRecord>> {
+    Json(app.hub.history.runs())
+}
+
+/// Returns what is to be done.
+pub async fn todo(State(app): State<Arc<App>>) -> Json<Vec<ToDo>> {
+    Json(app.hub.history.todo())
+}
+
+/// Something else is to be done: pages read it as they read lists of files.
+pub async fn put_todo(
+    State(app): State<Arc<App>>,
+    Extension(caller): Extension<Caller>,
+    list: Result<Json<Vec<ToDo>>, JsonRejection>,
+) -> Result<Json<()>, Refused> {
+    demand(&caller, Role::Operator)?;
+    let Json(list) = list.map_err(|error| problem(Why::Malformed, error.body_text()))?;
+    app.hub.history.put_todo(list)?;
+    app.files.changed();
+    Ok(Json(()))
 }
 
 /// Does an act: its name is in the path, the rest of it in the body.

@@ -15,7 +15,8 @@ use axum::routing::{MethodRouter, any, delete, get, post};
 use kerf_wire::preview::{PreviewInfo, Timing};
 use kerf_wire::{
     Act, Checked, CommandEntry, Completion, FileInfo, Hover, JobView, Lamp, NamedValue,
-    OperationEntry, PortBit, Reply, SettingArea, ShapeList, Snapshot, TextDraft, ToolPaths, Values,
+    OperationEntry, PortBit, Reply, RunRecord, SettingArea, ShapeList, Snapshot, TextDraft, ToDo,
+    ToolPaths, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -59,6 +60,8 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/preview/{key}/timing", get(preview::timing)),
         ("/api/preview/{key}/{level}/{piece}", get(preview::piece)),
         ("/api/typed/{key}/{from}", get(preview::typed)),
+        ("/api/history", get(rest::history)),
+        ("/api/todo", get(rest::todo).put(rest::put_todo)),
         ("/api/job", get(rest::job)),
         ("/api/job/start", post(rest::start)),
         ("/api/drawing/shapes", get(rest::shapes)),
@@ -130,13 +133,14 @@ fn routes() -> Vec<Route> {
         },
         looks(
             "/api/files",
-            "What a folder of the part folder holds: ?folder=NAME, and ?mask=*.sb?; with ?bin the files that were deleted",
+            "What a folder of the part folder holds: ?folder=NAME, and ?mask=*.sb?; with ?find=WORD also the \
+             folders below; with ?bin the files that were deleted",
             Some(list),
         ),
         looks(
             "/api/files/{name}",
             "A file of the part folder; with ?about what it is, with ?versions what it was before the last \
-             saves, with ?version=NUMBER one of those",
+             saves, with ?version=NUMBER one of those; with ?thumb a small picture of its tool path, SVG",
             None,
         ),
         Route {
@@ -193,6 +197,15 @@ fn routes() -> Vec<Route> {
             "The path of what was typed, from a segment on, binary",
             None,
         ),
+        looks("/api/history", "Runs of files, the newest first", Some(schema::<Vec<RunRecord>>)),
+        looks("/api/todo", "Files that are to be run, and how often", Some(schema::<Vec<ToDo>>)),
+        Route {
+            path: "/api/todo",
+            method: "put",
+            doc: "Puts another list in the place of that one",
+            body: Some(schema::<Vec<ToDo>>),
+            answer: None,
+        },
         looks("/api/job", "The paths of the open job, and how it is cut", Some(schema::<JobView>)),
         Route {
             path: "/api/job/start",
@@ -210,7 +223,7 @@ fn routes() -> Vec<Route> {
         looks("/api/problems", "What somebody who helps has to know, as text", None),
         looks(
             "/api/settings",
-            "The configuration of the machine, to be changed with the act set",
+            "The configuration of the machine, to be changed with the act set; with ?changes its last changes",
             Some(schema::<Vec<SettingArea>>),
         ),
         looks(

@@ -7,6 +7,7 @@ use super::typing::Typing;
 use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
+use kerf_diag::{Diagnostic, Place};
 use kerf_machine::Configuration;
 use kerf_program::{At, Axes, MoveKind};
 use kerf_sim::Machine;
@@ -66,6 +67,8 @@ pub struct Board {
     pub feed: f64,
     /// Seconds of machine time in a second of whoever waits.
     rate: f64,
+    /// Planned time of what was made before the run was taken up, seconds.
+    before_s: f64,
 }
 
 impl Board {
@@ -108,6 +111,7 @@ impl Board {
             typing: None,
             feed: 1.0,
             rate,
+            before_s: 0.0,
         }
     }
 
@@ -156,8 +160,9 @@ impl Board {
         }
         let progress = self.course.progress();
         let remaining = self.course.remaining_s(self.feed) / self.rate;
-        self.motion =
-            Motion { at, speed_mm_s, t: t_s, cutting, progress, remaining, ..self.motion };
+        let elapsed = (self.before_s + t_s) / self.rate;
+        let motion = Motion { at, speed_mm_s, t: t_s, cutting, progress, remaining, ..self.motion };
+        self.motion = Motion { elapsed, ..motion };
     }
 
     /// The move that is made is one of this file.
@@ -210,6 +215,7 @@ impl Board {
     /// A move was made before the run was cut short that is taken up.
     pub fn made_before(&mut self, made: &Made<'_>) {
         self.made(made);
+        self.before_s = self.course.made_s();
         self.stands_in(made.span.made.at.line);
     }
 
@@ -257,7 +263,16 @@ impl Board {
     pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
         // Pages know files by their names below the part folder.
         let text = self.parts.named_in(&text.into());
-        self.messages.push(Message { tone, text, run: self.run });
+        self.messages.push(Message { tone, text, run: self.run, place: None });
+    }
+
+    /// A finding of the run, with its place for whoever goes to see it.
+    pub fn finds(&mut self, found: &Diagnostic) {
+        self.say(told::tone(found), told::sentence(found));
+        let Place { file, line, .. } = &found.place;
+        if let Some(message) = self.messages.last_mut().filter(|_| *line > 0) {
+            message.place = Some(Call { file: self.parts.name_of(file), line: *line });
+        }
     }
 
     /// A comment of the program: the text of a pause that comes next.

@@ -6,11 +6,12 @@ use crate::gate::{self, Way};
 use crate::handconsole::Happening;
 use crate::setup::Workshop;
 use crate::told;
-use kerf_control::command_passing;
+use kerf_control::AtRest;
 use kerf_journal::{CutShort, Journal, JournalError};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
 use kerf_wire::{Change, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone, Who};
+use kerf_workspace::command_passing;
 use std::path::Path;
 use std::sync::mpsc::Sender;
 
@@ -25,7 +26,7 @@ impl Owner {
         let stops = self.link.stops();
         let arrived = self.looked.replace(stops).unwrap_or(stops);
         let journal = self.workshop.workspace.journal()?;
-        let taken = journal.take_in().and_then(|()| command_passing::take(journal));
+        let taken = journal.registry.take_in().and_then(|()| command_passing::take(journal));
         let told = match taken {
             Ok(None) => return None,
             Ok(Some(Ok(line))) => match self.may_run(Way::PassedIn, arrived) {
@@ -49,9 +50,10 @@ impl Owner {
         let stops = self.link.stops();
         let journal = self.workshop.workspace.journal();
         let nothing = |journal: &Journal| {
-            journal
+            let registry = &journal.registry;
+            registry
                 .take_in()
-                .and_then(|()| journal.value(command_passing::COMMAND))
+                .and_then(|()| registry.value(command_passing::COMMAND))
                 .is_ok_and(|it| it.is_none())
         };
         if journal.is_some_and(nothing) {
@@ -62,7 +64,8 @@ impl Owner {
     /// Enters in the system log that a command was refused.
     pub(super) fn log_refused(&mut self, told: &str) {
         let Workshop { session, workspace, .. } = &mut self.workshop;
-        session.log_refused_command(workspace, told);
+        let (settings, draws) = (&session.memory.settings, session.is_in_preview());
+        command_passing::log_refused(workspace, settings, draws, told);
     }
 
     /// Another Kerf may have had the machine: it stands elsewhere, and whoever armed it here looks first.
@@ -119,7 +122,7 @@ impl Owner {
     pub(super) fn move_switches(&mut self) -> bool {
         let presses = std::mem::take(&mut self.link.lock().presses);
         for press in &presses {
-            self.workshop.session.press(*press, &mut self.workshop.workspace);
+            AtRest(&mut self.workshop.session).press(*press, &mut self.workshop.workspace);
         }
         if !presses.is_empty() {
             self.settle(Machine::clone);
@@ -136,7 +139,7 @@ impl Owner {
         });
         let driven = self.driven();
         let Workshop { session, workspace, .. } = &mut self.workshop;
-        if stopped && session.stop_at_rest(workspace, &driven) {
+        if stopped && AtRest(session).stop(workspace, &driven) {
             self.settle(Machine::clone);
             self.hub.say(Tone::Note, "outputs are off: the machine was stopped or disarmed");
         }
@@ -201,7 +204,7 @@ impl Owner {
     /// The run that can be taken up, where runs are on record.
     pub(super) fn cut_short(&self) -> Result<Option<CutShort>, JournalError> {
         let journal = self.workshop.workspace.journal().filter(|_| self.workshop.kept);
-        journal.map_or(Ok(None), Journal::cut_short)
+        journal.map_or(Ok(None), |journal| journal.runs.cut_short())
     }
 
     /// The same as pages show it. A journal that cannot be read was told when it was opened.
@@ -266,7 +269,7 @@ mod tests {
     use crate::files::PartFolder;
     use crate::hub::Hub;
     use crate::machine::{Link, Order, Screen};
-    use kerf_control::{Company, Session};
+    use kerf_control::{RunContext, Session};
     use kerf_files::{Folders, RealDisk};
     use kerf_journal::{Press, RunOptions};
     use kerf_wire::Snapshot;
@@ -331,7 +334,7 @@ mod tests {
         let armed = |armed| Change::Machine { machine: Machine { armed, ..Machine::default() } };
         hub.change(vec![armed(true)]);
         let Workshop { session, workspace, .. } = &mut owner.workshop;
-        let company = Company {
+        let context = RunContext {
             sink: &mut (),
             operator: &mut (),
             requests: &mut (),
@@ -340,7 +343,7 @@ mod tests {
         let program = kerf_sbp::read_typed("on".into(), "SO,7,1\n");
         let mut options = RunOptions::default();
         options.program.typed = true;
-        session.run(program, options, workspace, company);
+        session.run(program, options, workspace, context);
         owner.settle(Machine::clone);
         let is_on = || hub.read(|now| now.io.outputs[6].on);
         assert!(is_on());

@@ -4,6 +4,7 @@
 use super::owner::Owner;
 use crate::setup::Workshop;
 use crate::told;
+use kerf_control::AtRest;
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Controller, Told};
 use kerf_diag::{Code, Diagnostic, Place};
@@ -55,7 +56,7 @@ impl Owner {
         if let Some(place) = moved {
             *believed = place;
         }
-        inputs.into_iter().for_each(|input| session.senses(input));
+        inputs.into_iter().for_each(|input| AtRest(&mut *session).senses(input));
         match fault {
             Some(why) if !lost => self.rest(State::Alarm, Some(why)),
             _ if changed => self.settle(Machine::clone),

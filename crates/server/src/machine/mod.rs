@@ -10,7 +10,6 @@
 mod arrived;
 mod board;
 mod chores;
-mod company;
 mod driven;
 mod left;
 pub mod link;
@@ -19,6 +18,7 @@ mod owner;
 mod planned;
 mod ports;
 mod reach;
+mod run_context;
 mod typing;
 
 pub use arrived::Stops;

@@ -2,19 +2,19 @@
 
 use super::arrived::Stops;
 use super::board::Board;
-use super::company::{Clock, PageRequests, Pages, Shared, Teller};
 use super::left::Left;
 use super::link::Link;
 use super::order::Order;
 use super::planned::Planned;
+use super::run_context::{Clock, PageRequests, Pages, Shared, Teller};
 use super::typing::{Screen, Typing};
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
-use kerf_control::Company;
 use kerf_control::controller::Controller;
+use kerf_control::{AtRest, RunContext};
 use kerf_journal::{Journal, JournalError, Live, RunOptions, Work};
 use kerf_machine::{Configuration, Errand, Keypad, hand};
 use kerf_program::{AXES, Axis};
@@ -200,8 +200,8 @@ impl Owner {
         };
         let file = self.parts.name_of(cut.file());
         let job = self.tell_begun(Job { file, hash, ..Job::default() }, &planned);
-        let driven = self.accompanied(planned, None, |workshop, company| {
-            workshop.session.resume(&cut, &mut workshop.workspace, company)
+        let driven = self.in_context(planned, None, |workshop, context| {
+            workshop.session.resume(&cut, &mut workshop.workspace, context)
         });
         self.tell_ended(job, driven);
     }
@@ -210,6 +210,7 @@ impl Owner {
         self.run += 1;
         let job = Job { run: self.run, seconds: planned.seconds(), ..job };
         if job.command.is_none() {
+            self.hub.begins(&job);
             self.hub.cleared(false);
             self.hub.moves_on();
         }
@@ -243,21 +244,21 @@ impl Owner {
         if let Some(refused) = self.refuses(&work, &options) {
             return Ok(refused);
         }
-        self.accompanied(planned, typing, |workshop, company| {
+        self.in_context(planned, typing, |workshop, context| {
             let Workshop { session, workspace, kept, .. } = workshop;
             match kept {
-                true => session.run_on_record(work, options, None, workspace, company),
-                false => Ok(session.run(work, options, workspace, company)),
+                true => session.run_on_record(work, options, None, workspace, context),
+                false => Ok(session.run(work, options, workspace, context)),
             }
         })
     }
 
     /// Something runs, told to pages; whoever sits at them answers its questions.
-    fn accompanied(
+    fn in_context(
         &mut self,
         planned: Planned,
         typing: Option<Typing>,
-        runs: impl FnOnce(&mut Workshop, Company<'_>) -> Result<Summary, JournalError>,
+        runs: impl FnOnce(&mut Workshop, RunContext<'_>) -> Result<Summary, JournalError>,
     ) -> Result<Summary, JournalError> {
         let machine = self.workshop.session.configuration();
         let mut board =
@@ -270,19 +271,23 @@ impl Owner {
             link: self.link.clone(),
             parts: self.parts.clone(),
         };
-        let mut requests = PageRequests::new(shared.clone(), self.rate);
         let simulated = || Simulated::driven(Clock::new(shared.clone(), self.rate));
         let controller = self.workshop.controller.clone();
         let machine = controller.as_ref().map_or_else(simulated, Controller::driven);
-        let mut pages = Pages::new(shared.clone(), self.asked);
+        let mut requests = PageRequests::new(shared.clone(), machine.clone(), self.rate);
+        let mut pages = Pages::new(shared.clone(), machine.clone(), self.asked);
         let mut teller = Teller::new(shared);
-        let company =
-            Company { sink: &mut teller, operator: &mut pages, requests: &mut requests, machine };
+        let context = RunContext {
+            sink: &mut teller,
+            operator: &mut pages,
+            requests: &mut requests,
+            machine,
+        };
         self.link.arrived().runs(true);
         if let Some(controller) = &controller {
             controller.begins(&mut self.workshop.workspace);
         }
-        let summary = runs(&mut self.workshop, company);
+        let summary = runs(&mut self.workshop, context);
         if let Some(controller) = &controller {
             let well = summary.as_ref().is_ok_and(|summary| summary.status == Status::Ok);
             let link = self.link.clone();
@@ -424,7 +429,7 @@ impl Owner {
     fn switch(&mut self, number: u8, on: bool) {
         self.catch_up();
         let driven = self.driven();
-        self.workshop.session.switch_at_rest(number, on, &driven);
+        AtRest(&mut self.workshop.session).switch(number, on, &driven);
         self.rest(State::Idle, None);
     }
 
@@ -451,7 +456,7 @@ impl Owner {
     fn tell_others(&self, rest: &Live) {
         let Workshop { workspace, kept, .. } = &self.workshop;
         // Where the disk refuses, that was told when the run ended; pages know better all the same.
-        drop(workspace.journal().filter(|_| *kept).map(|journal| journal.tell_rest(rest)));
+        drop(workspace.journal().filter(|_| *kept).map(|journal| journal.registry.tell_rest(rest)));
     }
 
     /// Nothing happens: what other threads and programs have changed is put into the one file.

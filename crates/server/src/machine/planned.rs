@@ -163,13 +163,18 @@ impl Course {
         self.left_s.map_or(0.0, |left_s| self.present_s(&self.planned.times) - left_s)
     }
 
+    /// Planned time of the moves that were made, seconds.
+    pub fn made_s(&self) -> f64 {
+        behind(&self.planned.times, self.made)
+    }
+
     /// The share of the planned time that is over.
     pub fn progress(&self) -> f64 {
         let total_s = self.planned.seconds();
         if total_s <= 0.0 {
             return 0.0;
         }
-        (behind(&self.planned.times, self.made) + self.within_s()) / total_s
+        (self.made_s() + self.within_s()) / total_s
     }
 
     /// Planned time that is left when cuts run at this share of the speed asked for, seconds.

@@ -3,8 +3,9 @@
 use super::pen::Pen;
 use super::rotary::is_rotary;
 use crate::machine::Planning;
-use kerf_control::{Repetitions, Session};
+use kerf_control::Session;
 use kerf_diag::Diagnostic;
+use kerf_diag::Repetitions;
 use kerf_program::Axis;
 use kerf_trace::{Event, Made, Sink};
 

@@ -7,16 +7,21 @@
 //!
 //! The timing chart is another run of the same kind, made when somebody asks for it.
 
+mod basis;
 mod charts;
 mod collect;
 mod path;
 mod pen;
 mod rotary;
+mod samples;
+mod thumbnail;
 mod timing;
 mod typed;
 
+pub use basis::Basis;
 pub use charts::{Answer, Asked, Chart, Charts};
 pub use path::Path;
+pub use thumbnail::thumbnail;
 pub use timing::timing;
 pub use typed::Typed;
 
@@ -24,9 +29,8 @@ use crate::job_told;
 use crate::locks::lock;
 use crate::machine::Planned;
 use collect::Collector;
-use kerf_control::Begun;
 use kerf_control::answers::Answers;
-use kerf_control::{Company, OperatorRequest, Requests, Session};
+use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::Configuration;
 use kerf_program::settings::Mode;
@@ -34,9 +38,10 @@ use kerf_program::{Axis, Frame, Settings};
 use kerf_sbp::{FileParameters, Status};
 use kerf_sequence::straddling;
 use kerf_trace::{Sink, Summary};
-use kerf_wire::Finding;
 use kerf_wire::preview::{Detail, PreviewInfo, Timing, ToolPathInfo};
+use kerf_wire::{Finding, SampleAnswer};
 use kerf_workspace::Workspace;
+use samples::Samples;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -61,6 +66,8 @@ pub struct Preview {
     pub planned: Planned,
     /// The findings.
     pub findings: Vec<Finding>,
+    /// What the program asked, and what was answered.
+    pub samples: Vec<SampleAnswer>,
     /// It has mistakes that keep it from running at all.
     pub failed: bool,
     /// The settings and frame that it was made with.
@@ -70,7 +77,7 @@ pub struct Preview {
     /// Other program files that it called, as they were.
     pub called: Called,
     /// The timing chart without inputs that was made last, and what its run began with.
-    timing: Mutex<Option<(Begun, Arc<Timing>)>>,
+    timing: Mutex<Option<(Basis, Arc<Timing>)>>,
 }
 
 /// A path on a cylinder.
@@ -95,13 +102,13 @@ impl Preview {
     /// The timing chart without inputs, if it was made and its run would begin with the same now.
     pub fn timing(&self, session: &Session) -> Option<Arc<Timing>> {
         let made = lock(&self.timing);
-        let (_, timing) = made.as_ref().filter(|(begun, _)| *begun == Begun::of(session))?;
+        let (_, timing) = made.as_ref().filter(|(basis, _)| *basis == Basis::of(session))?;
         Some(timing.clone())
     }
 
     /// Keeps the timing chart without inputs.
-    pub fn keep_timing(&self, begun: Begun, timing: Arc<Timing>) {
-        *lock(&self.timing) = Some((begun, timing));
+    pub fn keep_timing(&self, basis: Basis, timing: Arc<Timing>) {
+        *lock(&self.timing) = Some((basis, timing));
     }
 }
 
@@ -131,13 +138,13 @@ pub fn make(
     let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
     let mut sink = Collector::of(&session);
-    let (summary, cutter_mm) =
+    let (summary, cutter_mm, samples) =
         silently(work, options(parameters), session, workspace, given_up, &mut sink)?;
     let failed = failed || is_job && summary.status == Status::Failed;
     let called = workspace.take_called();
     let mut made = finish(sink, &summary, start, cutter_mm, is_job);
     made.findings.extend(not_cut);
-    Some(Preview { failed, machine, called, ..made })
+    Some(Preview { samples, failed, machine, called, ..made })
 }
 
 /// The paths of a job that lie on both jigs, told before it is started: its preview waits for none.
@@ -173,7 +180,8 @@ fn options(parameters: FileParameters) -> RunOptions {
 }
 
 /// Runs on a copy of a session, with the answers beside its file, else by default; nothing when it was given up.
-/// With it comes the diameter of the cutter at its end: the program may have said which it cuts with.
+/// With it comes the diameter of the cutter at its end, as the program may have said which it cuts with, and what was
+/// asked.
 fn silently(
     work: Work,
     options: RunOptions,
@@ -181,20 +189,20 @@ fn silently(
     workspace: &mut Workspace,
     given_up: &AtomicBool,
     sink: &mut dyn Sink,
-) -> Option<(Summary, f64)> {
+) -> Option<(Summary, f64, Vec<SampleAnswer>)> {
     // In preview mode moves take no time: the picture tells how long they take when they are cut.
     session.memory.settings.mode = Mode::Move;
     let beside = workspace.answers_beside(&work.name());
-    let mut answers = Answers::read(&beside.unwrap_or_default());
-    let company = Company {
+    let mut samples = Samples::of(Answers::read(&beside.unwrap_or_default()));
+    let context = RunContext {
         sink,
-        operator: &mut answers,
+        operator: &mut samples,
         requests: &mut Until(given_up),
         machine: kerf_control::simulated(),
     };
-    let summary = session.run(work, options, workspace, company);
-    (!given_up.load(Ordering::Relaxed))
-        .then_some((summary, session.memory.settings.cutter.diameter_mm))
+    let summary = session.run(work, options, workspace, context);
+    let cutter_mm = session.memory.settings.cutter.diameter_mm;
+    (!given_up.load(Ordering::Relaxed)).then_some((summary, cutter_mm, samples.asked))
 }
 
 /// A job that waits for no door, no jig and no second Start: its preview shows what is cut. With it comes the
@@ -226,6 +234,7 @@ fn finish(
         rolled,
         planned: sink.plan.finish(is_job),
         findings: sink.findings.iter().map(kerf_language::finding).collect(),
+        samples: Vec::new(),
         failed: false,
         start,
         machine: None,

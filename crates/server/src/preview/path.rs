@@ -103,6 +103,13 @@ impl Path {
         self.bytes(from, (from + PIECE).min(self.len()))
     }
 
+    /// Its segments: where each begins and ends, machine frame, and its kind.
+    pub fn places(&self) -> impl Iterator<Item = ([f64; 3], [f64; 3], u8)> {
+        let place = |v: [f32; 3]| std::array::from_fn(|i| f64::from(v[i]) + self.origin[i]);
+        let ends = self.vertices.windows(2).map(move |ends| (place(ends[0]), place(ends[1])));
+        ends.zip(&self.segments).map(|((from, to), segment)| (from, to, segment.kind))
+    }
+
     /// Leaves out all but its last segments.
     pub fn keep_last(&mut self, segments: usize) {
         let gone = self.len().saturating_sub(segments);

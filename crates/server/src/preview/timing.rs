@@ -29,7 +29,7 @@ pub fn timing(
     let options = RunOptions { inputs, ..options(parameters) };
     let lines = Lines::bounded(TIMING_POINTS).until(given_up.clone());
     let mut lines = lines.beginning(&session.found_by(&work, &options));
-    let (summary, _) = silently(work, options, session, workspace, given_up, &mut lines)?;
+    let (summary, ..) = silently(work, options, session, workspace, given_up, &mut lines)?;
     Some(charted(lines, &summary))
 }
 

@@ -42,6 +42,7 @@ fn begin() -> Asked {
         start: None,
         begin_with: Vec::new(),
         closes_with_program: false,
+        webhook: None,
         rate: RATE,
     };
     let server = Server::start(options, builders(parts)).expect("a server");

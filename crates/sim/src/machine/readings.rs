@@ -39,6 +39,11 @@ impl Machine {
         self.inputs.changed_since(from_s, &self.settings.io)
     }
 
+    /// Returns the moment up to which is known what the inputs do: now, or that of the last change that was told.
+    pub fn told_s(&self) -> f64 {
+        self.inputs.told_s().map_or(self.clock_s, |told_s| told_s.max(self.clock_s))
+    }
+
     /// The first change that was told, up to a time, that stops motion, or a program that waits.
     pub fn halted(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
         self.halted_by(

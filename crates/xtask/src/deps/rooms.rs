@@ -60,7 +60,7 @@ pub const ROOMS: &[Room] = &[
     at(4.0, Half::Machine, "kerf-preview"),
     at(5.0, Half::Machine, "kerf-sim"),
     // Bytes in and out; it knows nothing of who speaks.
-    at(6.0, Half::Edge, "kerf-serial"),
+    at(6.0, Half::Edge, "kerf-transport"),
     // Files that programs name, and where they may be.
     at(6.0, Half::Edge, "kerf-files"),
     // What a run tells; it knows nothing of runs.
@@ -69,6 +69,8 @@ pub const ROOMS: &[Room] = &[
     at(6.2, Half::Edge, "kerf-journal"),
     // Everything on disk that a program may reach; what it hears of it is on record.
     at(6.3, Half::Edge, "kerf-workspace"),
+    // Files of other kinds, made ready for the machine; no run.
+    at(6.4, Half::Edge, "kerf-import"),
     at(6.5, Half::Edge, "kerf-control"),
     at(7.0, Half::Edge, "kerf-wire"),
     // Between `wire` and whoever serves editors.

@@ -11,10 +11,11 @@ use crate::setup;
 use crate::stop::Stop;
 use crate::visit::Visit;
 use anyhow::Result;
-use kerf_control::{Session, command_passing};
+use kerf_control::Session;
 use kerf_journal::Work;
 use kerf_sbp::FileParameters;
 use kerf_workspace::Workspace;
+use kerf_workspace::command_passing;
 
 /// Carries out what other software passed in while the file ran, and closes.
 pub fn closes(
@@ -65,9 +66,9 @@ fn passed_in(
     };
     let vcd = VcdArgs::default();
     let again = MachineArgs { trace: None, picture: None, readings: None, vcd, ..args.clone() };
-    attended(&again, run, show, setup::answers(run)?, None, |company| {
+    attended(&again, run, show, setup::answers(run)?, None, |context| {
         let (summary, unkept) =
-            over(session.run_on_record(work, options, None, workspace, company))?;
+            over(session.run_on_record(work, options, None, workspace, context))?;
         Ok((summary, session, unkept))
     })
 }

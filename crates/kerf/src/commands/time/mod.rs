@@ -11,7 +11,7 @@ use crate::setup::{self, Job};
 use anyhow::{Result, bail};
 use clap::Args;
 use controller::ControllerArgs;
-use kerf_control::Company;
+use kerf_control::RunContext;
 use kerf_motion::controllers::Controller;
 use kerf_program::RampModel;
 use kerf_trace::{Sink, Summary, Tally, ToolPathTime, json};
@@ -100,14 +100,14 @@ fn run_elsewhere(args: &TimeArgs) -> Result<Exit> {
 
 fn follow(job: &mut Job, sink: &mut dyn Sink, args: &TimeArgs) -> Summary {
     let mut pace = args.run.operator.script();
-    let company = Company {
+    let context = RunContext {
         sink,
         operator: &mut job.answers,
         requests: &mut pace,
         machine: kerf_control::simulated(),
     };
     let (work, options) = (std::mem::take(&mut job.work), job.options.clone());
-    job.session.run(work, options, &mut job.workspace, company)
+    job.session.run(work, options, &mut job.workspace, context)
 }
 
 fn tell(times: &Times<'_>, args: &TimeArgs) {

@@ -1,0 +1,34 @@
+/** Notifications of the browser: somebody is needed, a run is done or has failed. */
+
+import type { Snapshot } from "../wire/messages";
+
+const key = "kerf.notify";
+
+/** Whether this browser shows them. */
+export const notifies = (): boolean =>
+  localStorage.getItem(key) === "yes" &&
+  typeof Notification !== "undefined" &&
+  Notification.permission === "granted";
+
+/** Asks the person to allow them; tells whether that was done. */
+export async function beginNotifying(): Promise<boolean> {
+  if (typeof Notification === "undefined") return false;
+  const allowed = (await Notification.requestPermission()) === "granted";
+  localStorage.setItem(key, allowed ? "yes" : "no");
+  return allowed;
+}
+
+export const endNotifying = (): void => localStorage.setItem(key, "no");
+
+type Told = Pick<Snapshot, "job" | "asked">;
+
+/** What is new between two moments, in a sentence; nothing where it is nothing to call somebody for. */
+export function newsOf(before: Told, { job, asked }: Told): string | undefined {
+  if (!job || job.command !== null || job.file === "") return undefined;
+  if (asked && asked.number !== before.asked?.number) return `${job.file} needs you: ${asked.text}`;
+  const over = before.job?.run === job.run && before.job.ended !== null;
+  if (job.ended === null || over) return undefined;
+  return job.ended === "ok" || job.ended === "ended"
+    ? `${job.file} is done`
+    : `${job.file} failed: ${job.ended}`;
+}

@@ -1,0 +1,91 @@
+import { useState } from "react";
+import { useSnapshot } from "../app/context";
+import { Button } from "../ui/Button";
+import { Panel } from "../ui/Panel";
+import type { Shape } from "./geometry/shape";
+import type { Scene } from "./scene";
+import type { Desk } from "./useDesk";
+
+/** Shapes that are listed at once. */
+const inSight = 100;
+
+/** The shapes in the order of cutting, to be walked through, selected and erased without seeing the picture. */
+export function ShapePanel({ desk, scene }: { desk: Desk; scene: Scene }) {
+  const units = useSnapshot("units");
+  const [isOpen, setOpen] = useState(false);
+  const [most, setMost] = useState(inSight);
+  const { shapes, selected } = scene;
+  if (shapes.length === 0) return null;
+  const [mm, unit] = [units?.mm ?? 1, units?.linear ?? "mm"];
+  return (
+    <Panel
+      title="Shapes"
+      aside={
+        <Button size="small" look="quiet" aria-expanded={isOpen} onPress={() => setOpen(!isOpen)}>
+          {isOpen ? "Hide" : `List ${shapes.length}`}
+        </Button>
+      }
+    >
+      {isOpen && (
+        <>
+          <ul className="shape-list" aria-label="Shapes in the order of cutting">
+            {shapes.slice(0, most).map((shape) => (
+              <li key={shape.number}>
+                <button
+                  type="button"
+                  aria-pressed={selected.has(shape.number)}
+                  onClick={() =>
+                    desk.send(
+                      `select ${selected.has(shape.number) ? "remove" : "add"} ${shape.number}`,
+                    )
+                  }
+                  onKeyDown={(event) => {
+                    if (event.key !== "Delete") return;
+                    event.preventDefault();
+                    desk.send(`select ${shape.number}; erase`);
+                  }}
+                >
+                  <span
+                    className="swatch"
+                    style={{ background: `var(--draw-group-${shape.group})` }}
+                  />
+                  {wordsOf(shape, mm, unit)}
+                </button>
+              </li>
+            ))}
+          </ul>
+          {shapes.length > most && (
+            <Button size="small" onPress={() => setMost(most + inSight)}>
+              More of {shapes.length}
+            </Button>
+          )}
+          <div className="shape-actions">
+            <Button
+              size="small"
+              refused={selected.size === 0 ? "Nothing is selected." : undefined}
+              onPress={() => desk.send("erase")}
+            >
+              Erase the selection
+            </Button>
+            <Button size="small" onPress={() => desk.send("select none")}>
+              Select none
+            </Button>
+          </div>
+        </>
+      )}
+    </Panel>
+  );
+}
+
+/** A shape in a line: number, kind, layer, size, place. */
+function wordsOf(
+  { number, closed, group, box, vertices }: Shape,
+  mm: number,
+  unit: string,
+): string {
+  const text = (value: number) => String(Number((value / mm).toFixed(3)));
+  const at = `at ${text(box.min.x)}, ${text(box.min.y)} ${unit}`;
+  if (vertices.length === 1) return `${number}: point, ${group}, ${at}`;
+  const size = `${text(box.max.x - box.min.x)} × ${text(box.max.y - box.min.y)}`;
+  return `${number}: ${closed ? "closed" : "open"}, ${group}, ${size} ${at}`;
+}

@@ -1,0 +1,33 @@
+import { useEffect, useState } from "react";
+import { getText } from "../link/http";
+
+/** Characters that are shown: nobody reads more of it in a sheet. */
+const most = 40_000;
+
+interface FileTextProps {
+  /** Where its content is fetched. */
+  address: string;
+  label: string;
+}
+
+/** The text of a file, to be looked at. */
+export function FileText({ address, label }: FileTextProps) {
+  const [text, setText] = useState("Reading…");
+  useEffect(() => {
+    const abort = new AbortController();
+    getText(address, abort.signal).then(
+      (all) => setText(shortened(all)),
+      (error: Error) => abort.signal.aborted || setText(error.message),
+    );
+    return () => abort.abort();
+  }, [address]);
+  return (
+    <section className="file-text" aria-label={label}>
+      {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what is longer than its box is scrolled by keys */}
+      <pre tabIndex={0}>{text}</pre>
+    </section>
+  );
+}
+
+const shortened = (text: string): string =>
+  text.length > most ? `${text.slice(0, most)}\n… and ${text.length - most} characters more` : text;

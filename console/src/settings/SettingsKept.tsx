@@ -1,0 +1,156 @@
+import { useEffect, useState } from "react";
+import { useHands, useSnapshot } from "../app/context";
+import { downloadText } from "../link/download";
+import { getJson } from "../link/http";
+import { Button } from "../ui/Button";
+import { Panel } from "../ui/Panel";
+import { Sheet } from "../ui/Sheet";
+import type { SettingArea, SettingChange } from "../wire/messages";
+import { fullName } from "./names";
+import { useSet } from "./SettingValue";
+import { fileOf, type Loaded, readFile, type Wanted } from "./settingsFile";
+
+/** Saves all settings as a file and loads them again; tells what was changed, and takes it back. */
+export function SettingsKept({ areas }: { areas: readonly SettingArea[] }) {
+  const machine = useSnapshot("machine")?.name ?? "";
+  const { screen } = useHands();
+  const [loaded, setLoaded] = useState<Loaded | null>(null);
+  const read = async (file: File | undefined) => {
+    if (!file) return;
+    const found = readFile(await file.text(), areas);
+    if (found.wanted.length > 0 || found.unknown.length > 0) setLoaded(found);
+    else screen.tell(`${file.name}: every setting is as in this file already.`);
+  };
+  const save = () => downloadText("machine-settings.txt", fileOf(areas, machine));
+  return (
+    <Panel title="Backup">
+      <p className="settings-words">
+        All settings of the machine as a text file, to be kept, compared, or brought to another
+        machine.
+      </p>
+      <div className="settings-kept">
+        <Button onPress={save}>Save settings</Button>
+        <label className="button">
+          Load settings…
+          <input
+            type="file"
+            className="hidden-text"
+            accept=".txt"
+            onChange={(event) => {
+              void read(event.target.files?.[0]);
+              event.target.value = "";
+            }}
+          />
+        </label>
+      </div>
+      <Changes />
+      {loaded && <LoadSheet loaded={loaded} onClose={() => setLoaded(null)} />}
+    </Panel>
+  );
+}
+
+/** Asks before settings are loaded: each with its value before and after. */
+function LoadSheet({ loaded, onClose }: { loaded: Loaded; onClose: () => void }) {
+  const load = useLoad();
+  const { wanted, unknown } = loaded;
+  const foot = (
+    <>
+      <Button onPress={onClose}>Cancel</Button>
+      <Button
+        look="primary"
+        refused={wanted.length === 0 ? "Nothing in this file is another value." : undefined}
+        onPress={() => {
+          onClose();
+          void load(wanted);
+        }}
+      >
+        {wanted.length === 1 ? "Change 1 setting" : `Change ${wanted.length} settings`}
+      </Button>
+    </>
+  );
+  return (
+    <Sheet title="Load settings?" onClose={onClose} foot={foot}>
+      <ul className="settings-changes">
+        {wanted.map(({ key, from, to }) => (
+          <li key={key}>
+            <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
+          </li>
+        ))}
+        {unknown.map((line) => (
+          <li key={line} className="settings-unknown">
+            This machine has no such setting, it is left out: {line}
+          </li>
+        ))}
+      </ul>
+    </Sheet>
+  );
+}
+
+const ChangeText = ({ from, to }: { from: string; to: string }) => (
+  <span>
+    {from || "nothing"} → {to || "nothing"}
+  </span>
+);
+
+/** Changes settings one by one; what contradicts another first is tried again when that is changed. */
+function useLoad() {
+  const set = useSet();
+  const { screen } = useHands();
+  return async (wanted: readonly Wanted[]) => {
+    let left = wanted;
+    while (left.length > 0) {
+      const refused: Wanted[] = [];
+      for (const one of left) if (!(await set(one.key, one.to))) refused.push(one);
+      if (refused.length === left.length) break;
+      left = refused;
+    }
+    const done = wanted.length - left.length;
+    const names = left.map(({ key }) => fullName(key)).join("; ");
+    screen.tell(left.length === 0 ? `${done} settings are loaded.` : `Not loaded: ${names}.`);
+  };
+}
+
+/** How many changes are in sight at first. */
+const fewChanges = 5;
+
+function Changes() {
+  const count = useSnapshot("settings");
+  const set = useSet();
+  const [changes, setChanges] = useState<readonly SettingChange[]>([]);
+  const [all, setAll] = useState(false);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: read anew when settings changed
+  useEffect(() => {
+    getJson<SettingChange[]>("/api/settings?changes").then(setChanges, () => setChanges([]));
+  }, [count]);
+  const shown = all ? changes : changes.slice(0, fewChanges);
+  return (
+    <section aria-label="Changes of settings">
+      <h3 className="settings-head">Changes</h3>
+      {changes.length === 0 && <p className="settings-words">Nothing was changed so far.</p>}
+      <ol className="settings-changes">
+        {shown.map(({ at, key, from, to }, n) => (
+          // biome-ignore lint/suspicious/noArrayIndexKey: the same setting may change twice in a second
+          <li key={n}>
+            <time dateTime={new Date(at * 1000).toISOString()}>
+              {new Date(at * 1000).toLocaleString()}
+            </time>{" "}
+            <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
+            <Button
+              size="small"
+              look="quiet"
+              aria-label={`Take back: ${fullName(key)}, ${from}`}
+              onPress={() => void set(key, from)}
+            >
+              Take back
+            </Button>
+          </li>
+        ))}
+      </ol>
+      {!all && changes.length > fewChanges && (
+        <Button size="small" onPress={() => setAll(true)}>
+          All {changes.length} changes
+        </Button>
+      )}
+    </section>
+  );
+}

@@ -1,0 +1,22 @@
+import { useContext } from "react";
+import { HandsContext } from "../app/context";
+import { places } from "../help/places";
+
+/** Opens the place of the book that tells of a panel; nothing where the book does not. */
+export function PanelHelp({ title, heading }: { title: string; heading: string }) {
+  const screen = useContext(HandsContext)?.screen;
+  const place = places[title];
+  if (!screen || place === undefined) return null;
+  return (
+    <button
+      type="button"
+      className="panel-help"
+      aria-label="What is this?"
+      aria-describedby={heading}
+      title="Opens the book here"
+      onClick={() => screen.explain(`book/${place}`)}
+    >
+      ?
+    </button>
+  );
+}

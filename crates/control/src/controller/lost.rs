@@ -1,0 +1,65 @@
+//! A line that is lost on the way: a cable that was pulled, a network that is down. It is opened once more for a while.
+
+use super::Connection;
+use super::socket::Opens;
+use std::thread::sleep;
+use std::time::Duration;
+
+/// A line that is not there again after this is lost for good, seconds.
+const GONE_S: f64 = 10.0;
+
+/// It is opened so often, seconds.
+const OPEN_S: f64 = 0.25;
+
+/// The loss of a line.
+#[derive(Clone, Debug)]
+pub(super) struct Lost {
+    since_s: f64,
+    tried_s: f64,
+    why: String,
+}
+
+impl Connection {
+    /// From now on a line that is lost is opened once more.
+    pub fn opens_again(&mut self, opens: Opens) {
+        self.opens = Some(opens);
+    }
+
+    /// The line is gone: for good, where nobody can open it.
+    pub(super) fn line_is_lost(&mut self, why: String) {
+        let now_s = self.now_s();
+        self.lost = Some(Lost { since_s: now_s, tried_s: now_s, why });
+        // Whoever holds a port keeps it from coming back under its name.
+        self.closes_line();
+        if self.opens.is_none() {
+            self.is_lost_for_good();
+        }
+    }
+
+    /// Opens a lost line; returns `true` if it is there again.
+    pub(super) fn is_back(&mut self, wait: Duration) -> bool {
+        let now_s = self.now_s();
+        let (Some(lost), Some(opens)) = (&mut self.lost, &self.opens) else { return false };
+        if now_s - lost.since_s > GONE_S {
+            self.is_lost_for_good();
+            return false;
+        }
+        if now_s - lost.tried_s < OPEN_S {
+            sleep(wait);
+            return false;
+        }
+        let opened = opens();
+        lost.tried_s = self.since.elapsed().as_secs_f64();
+        let Ok((_, line)) = opened else { return false };
+        (self.line, self.lost) = (line, None);
+        let now_s = self.now_s();
+        self.link.driver().line_is_back(now_s);
+        true
+    }
+
+    fn is_lost_for_good(&mut self) {
+        let why = self.lost.take().map_or_else(String::new, |lost| lost.why);
+        self.dead = true;
+        self.fail(why, "look at its cable and its power", None, true);
+    }
+}

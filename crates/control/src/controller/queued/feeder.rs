@@ -1,0 +1,229 @@
+//! Plans that are made, cut into pieces of steps, each with the tail that brings the machine to rest.
+//!
+//! Times are seconds of machine time; clocks are ticks of the board.
+
+use kerf_driver_klipper::queue::{Piece, Step};
+use kerf_machine::Going;
+use kerf_motion::{Leg, Rest, Stepper};
+use kerf_program::{Axes, Axis};
+use std::collections::VecDeque;
+
+/// Length of a piece, seconds.
+const PIECE_S: f64 = 0.04;
+/// Times closer than this are the same, seconds: the rounding of a sum.
+const SAME_S: f64 = 1e-9;
+
+/// Clocks of machine time while a board is in motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// A moment of machine time, and the clock then.
+    pub from: (f64, f64),
+    /// Ticks a second.
+    pub rate: f64,
+}
+
+impl Scale {
+    /// Clock at a moment.
+    pub fn at(&self, t_s: f64) -> f64 {
+        self.from.1 + (t_s - self.from.0) * self.rate
+    }
+}
+
+/// A plan at its moment of machine time.
+#[derive(Clone, Debug)]
+struct Followed {
+    t0_s: f64,
+    leg: Leg,
+}
+
+impl Followed {
+    fn span_s(&self) -> [f64; 2] {
+        self.leg.span_s().map(|t_s| self.t0_s + t_s)
+    }
+}
+
+/// The way from plans to pieces.
+#[derive(Clone, Debug)]
+pub struct Feeder {
+    /// Plans of which something is not handed over, in order.
+    followed: VecDeque<Followed>,
+    /// Another piece of plan follows those that are there.
+    follows: bool,
+    /// The plan that was taken last is known by its moves and its end.
+    last: (usize, f64),
+    stepper: Stepper,
+    /// Axes of the motors.
+    motors: Vec<Axis>,
+    /// The moment up to which motion was handed over.
+    pub handed_s: f64,
+    /// Nothing is handed over before this moment: something else comes before the move that begins there.
+    limit_s: f64,
+    /// The machine stands there, as it was handed over.
+    pub rests: bool,
+    /// What follows has to be known first: the way to rest would lead beyond the plan.
+    pub starves: bool,
+}
+
+impl Feeder {
+    /// Motors that turn these axes, with so many steps for a millimetre or a degree.
+    pub fn new(motors: Vec<Axis>, per_unit: Axes) -> Self {
+        Self {
+            followed: VecDeque::new(),
+            follows: true,
+            last: (0, 0.0),
+            stepper: Stepper::new(per_unit, Axes::default()),
+            motors,
+            handed_s: f64::NEG_INFINITY,
+            limit_s: f64::INFINITY,
+            rests: true,
+            starves: false,
+        }
+    }
+
+    /// Steps made by the motors of an axis, as they were handed over.
+    pub fn made(&self, axis: Axis) -> i64 {
+        self.stepper.made()[axis.index()]
+    }
+
+    /// Another piece of plan is followed from now on.
+    pub const fn begin_plan(&mut self) {
+        self.follows = true;
+    }
+
+    /// Nothing of what is not handed over is made.
+    pub fn forget(&mut self) {
+        self.followed.clear();
+        (self.follows, self.rests, self.starves) = (true, true, false);
+    }
+
+    /// The machine makes this plan: a new one, or the one that it makes has changed from here on. Tells the axes that are
+    /// elsewhere than their motors brought them, because somebody said so.
+    pub fn follow(&mut self, going: &Going<'_>) -> Vec<usize> {
+        let plan = going.plan;
+        let known_by = (plan.moves().len(), going.t0_s + plan.duration_s());
+        let begin_s = |index| going.t0_s + plan.span_s(index).0;
+        self.limit_s =
+            if going.until < plan.moves().len() { begin_s(going.until) } else { f64::INFINITY };
+        let follows = std::mem::take(&mut self.follows);
+        if !follows && self.last == known_by {
+            return Vec::new();
+        }
+        (self.last, self.starves) = (known_by, false);
+        if !follows {
+            self.followed.pop_back();
+        }
+        if known_by.1 <= self.handed_s + SAME_S {
+            return Vec::new();
+        }
+        let leg = Leg::new(plan.clone());
+        let mut anew = Vec::new();
+        if self.rests && self.followed.is_empty() {
+            anew = self.stepper.stands(leg.at(leg.span_s()[0]));
+        }
+        self.followed.push_back(Followed { t0_s: going.t0_s, leg });
+        anew
+    }
+
+    /// The moment at which the next piece begins, where there is one.
+    pub fn begins_s(&self) -> Option<f64> {
+        let [begin_s, _] = self.followed.front()?.span_s();
+        Some(if self.rests { begin_s.max(self.handed_s) } else { self.handed_s })
+    }
+
+    /// Cuts the next piece off, which begins at a moment and a clock; nothing where more has to be known or done first.
+    pub fn piece(&mut self, scale: &Scale, starts: u64) -> Option<Piece> {
+        let from_s = self.begins_s()?;
+        let front = self.followed.front()?;
+        let [_, end_s] = front.span_s();
+        let to_s = (from_s + PIECE_S).min(end_s).min(self.limit_s);
+        let is_whole = to_s >= end_s;
+        if to_s <= from_s + SAME_S && !is_whole {
+            return None;
+        }
+        let stands = is_whole && front.leg.rests();
+        let rests = if stands { Vec::new() } else { self.rests_from(to_s).unwrap_or_default() };
+        if !stands && rests.is_empty() {
+            self.starves = true;
+            return None;
+        }
+        let ends = (scale.at(to_s).ceil() as u64).max(starts);
+        let t0_s = front.t0_s;
+        let made = front.leg.steps(&mut self.stepper, [from_s - t0_s, to_s - t0_s]);
+        let steps = self.of_motors(&made, t0_s, scale, [starts, ends]);
+        let (tail, at_rest) = self.tail(&rests, scale, ends);
+        (self.handed_s, self.rests, self.starves) = (to_s, stands, false);
+        if is_whole {
+            self.followed.pop_front();
+        }
+        Some(Piece { steps, changes: Vec::new(), ends, tail, rests: at_rest })
+    }
+
+    /// The ways to rest from a moment on, one behind the other: as planned to the end of what cannot brake in time, then
+    /// braking in what follows. Nothing where what is known ends before.
+    fn rests_from(&self, from_s: f64) -> Option<Vec<(f64, Way)>> {
+        let (mut ways, mut from_s) = (Vec::new(), from_s);
+        for followed in &self.followed {
+            let t0_s = followed.t0_s;
+            let rest = followed.leg.rest(from_s - t0_s)?;
+            if rest.stands {
+                ways.push((t0_s, Way::Brakes(from_s - t0_s, Box::new(rest))));
+                return Some(ways);
+            }
+            let [_, end_s] = followed.span_s();
+            ways.push((t0_s, Way::Planned(followed.leg.clone(), [from_s - t0_s, end_s - t0_s])));
+            from_s = end_s;
+        }
+        None
+    }
+
+    /// Steps of the ways to rest, and the clock at which the machine stands.
+    fn tail(&self, ways: &[(f64, Way)], scale: &Scale, ends: u64) -> (Vec<Vec<Step>>, u64) {
+        let mut stepper = self.stepper.clone();
+        let mut all = vec![Vec::new(); self.motors.len()];
+        let mut at_rest = ends;
+        for (t0_s, way) in ways {
+            let (made, end_s) = way.steps(&mut stepper);
+            at_rest = at_rest.max(scale.at(t0_s + end_s).ceil() as u64);
+            let steps = self.of_motors(&made, *t0_s, scale, [ends, at_rest]);
+            all.iter_mut().zip(steps).for_each(|(all, steps)| all.extend(steps));
+        }
+        (if ways.is_empty() { Vec::new() } else { all }, at_rest)
+    }
+
+    /// Steps of axes as steps of motors, each within clocks.
+    fn of_motors(
+        &self,
+        made: &[kerf_motion::Step],
+        t0_s: f64,
+        scale: &Scale,
+        [starts, ends]: [u64; 2],
+    ) -> Vec<Vec<Step>> {
+        let of = |axis: &Axis| {
+            let own = made.iter().filter(|step| step.axis == axis.index());
+            own.map(|step| Step {
+                clock: scale.at(t0_s + step.t_s).clamp(starts as f64, ends as f64),
+                forward: step.forward,
+            })
+            .collect()
+        };
+        self.motors.iter().map(of).collect()
+    }
+}
+
+/// A part of the way to rest.
+enum Way {
+    /// As it is planned, between times of the plan.
+    Planned(Leg, [f64; 2]),
+    /// Braking, from a time of the plan on.
+    Brakes(f64, Box<Rest>),
+}
+
+impl Way {
+    /// The steps of it, and the time of the plan at its end.
+    fn steps(&self, stepper: &mut Stepper) -> (Vec<kerf_motion::Step>, f64) {
+        match self {
+            Self::Planned(leg, span_s) => (leg.steps(stepper, *span_s), span_s[1]),
+            Self::Brakes(from_s, rest) => (rest.steps(stepper, *from_s), rest.end_s),
+        }
+    }
+}

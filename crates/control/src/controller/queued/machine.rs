@@ -1,0 +1,467 @@
+//! A board with step queues as a machine that a run drives.
+
+use super::berth::Berth;
+use super::feeder::{Feeder, Scale};
+use super::outputs::Outputs;
+use super::wiring::Wiring;
+use crate::controller::connection::NAP;
+use crate::controller::lacks::out_of_reach;
+use kerf_driver_klipper::board::{Ended, Fault as Over, News as Told, Start};
+use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
+use kerf_machine::driver::Facts;
+use kerf_machine::{Actuator, Fault, Going, Machine, News};
+use kerf_motion::Move;
+use kerf_program::{At, Axes, Axis};
+use std::collections::VecDeque;
+use std::time::Duration;
+
+/// Time that a piece needs from one thread to the other, seconds.
+const HANDING_S: f64 = 0.02;
+/// Time behind the last step after which it has surely been made, seconds.
+const SETTLED_S: f64 = 0.005;
+/// A board that was told to stop is waited for at most so long, seconds.
+const STOPPING_S: f64 = 3.0;
+/// A moment that is reached but for the rounding of a sum, seconds.
+const SAME_S: f64 = 1e-9;
+
+/// Counts are waited for at most so long before a fault is told, seconds.
+const COUNTING_S: f64 = 1.0;
+/// Time before its end at which a move that is handed over counts, while it is made, seconds.
+const NEARLY_S: f64 = 1e-6;
+
+/// The state of motion, as far as it is known here.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum State {
+    /// Latches are not armed.
+    Rest,
+    /// They are asked for.
+    Starting,
+    /// Pieces go out, by this scale; the board has motion up to a clock.
+    Moving(Scale, u64),
+}
+
+/// A board with step queues.
+pub struct Queued {
+    name: String,
+    facts: Facts,
+    wiring: Wiring,
+    per_unit: Axes,
+    berth: Box<dyn Berth>,
+    progress: Progress,
+    feeder: Feeder,
+    state: State,
+    outputs: Outputs,
+    /// Changes of outputs that come with the next piece.
+    changes: Vec<(usize, f64)>,
+    inputs: VecDeque<(u8, bool)>,
+    /// States of the inputs, a bit each.
+    pressed: u8,
+    /// Counts of the motors as they were told last, and what they are where its axis stands at 0.
+    counts: Vec<i64>,
+    zeros: Vec<i64>,
+    /// Where it stands, when that is not where the plan leads.
+    elsewhere: Option<Axes>,
+    /// It has come to rest by itself, on the path, because nothing followed in time.
+    late: bool,
+    /// The line of the move at hand.
+    at: Option<At>,
+    /// While nothing moves: the moment of machine time that was told last, and when.
+    stood: Option<(f64, f64)>,
+    /// Nothing more is done.
+    fault: Option<Fault>,
+    /// It is told from this moment on, or once it is known where the machine stands.
+    tells_s: f64,
+}
+
+impl Queued {
+    /// A board that is ready, with the name that people use, the version of its program, the counts of its motors, and
+    /// steps for a millimetre or a degree.
+    pub fn new(
+        name: &str,
+        version: &str,
+        (wiring, per_unit): (Wiring, Axes),
+        counts: Vec<i64>,
+        berth: Box<dyn Berth>,
+    ) -> Self {
+        let motors: Vec<Axis> = wiring.motors.iter().map(|motor| motor.axis).collect();
+        let mut queued = Self {
+            name: name.to_owned(),
+            facts: facts(version, &wiring),
+            feeder: Feeder::new(motors, per_unit),
+            wiring,
+            per_unit,
+            berth,
+            progress: Progress::default(),
+            state: State::Rest,
+            outputs: Outputs::default(),
+            changes: Vec::new(),
+            inputs: VecDeque::new(),
+            pressed: 0,
+            zeros: vec![0; counts.len()],
+            counts,
+            elsewhere: None,
+            late: false,
+            at: None,
+            stood: None,
+            fault: None,
+            tells_s: f64::INFINITY,
+        };
+        queued.count_anew();
+        if let Some(enable) = queued.wiring.enable {
+            queued.berth.request(Request::Output { output: enable, share: 1.0 });
+        }
+        queued
+    }
+
+    /// The counts of the motors stand for the place that the plan leads to.
+    fn count_anew(&mut self) {
+        let made = self.wiring.motors.iter().map(|motor| self.feeder.made(motor.axis));
+        self.zeros = self.counts.iter().zip(made).map(|(count, made)| count - made).collect();
+    }
+
+    /// Place of the axes by the counts of the motors.
+    pub fn counted(&self) -> Axes {
+        let mut place = Axes::default();
+        let motors = self.wiring.motors.iter().zip(self.counts.iter().zip(&self.zeros));
+        for (motor, (count, zero)) in motors {
+            place[motor.axis] = (count - zero) as f64 / self.per_unit[motor.axis];
+        }
+        place
+    }
+
+    /// Ticks of a time, seconds.
+    fn ticks(&self, time_s: f64) -> u64 {
+        match self.state {
+            State::Moving(scale, _) => (time_s * scale.rate) as u64,
+            _ => 0,
+        }
+    }
+
+    /// Looks what became of requests, waiting for a moment at most.
+    fn tend(&mut self, wait: Duration) {
+        let (progress, answers) = self.berth.look(wait);
+        self.progress = progress;
+        for answer in answers {
+            match answer {
+                Answer::Started(Start { clock, ticks_per_s }) => {
+                    let begin_s = self.feeder.begins_s().unwrap_or(self.feeder.handed_s);
+                    let scale = Scale { from: (begin_s, clock as f64), rate: ticks_per_s };
+                    self.state = State::Moving(scale, clock);
+                }
+                Answer::Refused(why) => self.fail(why, "nothing moves any more", false),
+                Answer::News(told) => self.told(told),
+            }
+        }
+    }
+
+    fn told(&mut self, told: Told) {
+        match told {
+            Told::Ended { why, counts } => {
+                self.counts = counts;
+                self.ended(why);
+            }
+            Told::Buttons(states) => {
+                let changed = self.pressed ^ states;
+                let numbers = self.wiring.inputs.iter().enumerate();
+                let moved = numbers.filter(|(bit, _)| changed & (1 << bit) != 0);
+                self.inputs.extend(moved.map(|(bit, number)| (*number, states & (1 << bit) != 0)));
+                self.pressed = states;
+            }
+            Told::Shutdown(reason) => {
+                let why = format!("the board has shut down: {reason}");
+                let hint = "its motors stand and its outputs are off; look why, then connect again";
+                self.fail(why, hint, false);
+                self.berth.request(Request::Recover);
+            }
+            Told::Fault(fault) => {
+                let silent = matches!(fault, Over::Silent | Over::NoBoard | Over::Unanswered(_));
+                self.fail(fault.to_string(), "its place may be lost: home it first", silent);
+            }
+            Told::Ready { .. } | Told::Touched { .. } | Told::Switch { .. } => {}
+            Told::Voltage { .. } | Told::Register { .. } => {}
+        }
+    }
+
+    /// Motion is over: its counts are known.
+    fn ended(&mut self, why: Ended) {
+        let planned = why == Ended::Rested && self.feeder.rests;
+        self.late = why == Ended::Rested && !planned;
+        self.state = State::Rest;
+        if !planned {
+            let place = self.counted();
+            self.elsewhere = Some(place);
+            let untold = self.fault.as_mut().filter(|_| self.progress.at_s < self.tells_s);
+            if let Some(fault) = untold {
+                fault.stands = Some(place);
+                self.tells_s = f64::NEG_INFINITY;
+            }
+        }
+        match why {
+            Ended::Rested | Ended::Asked | Ended::Shutdown => {}
+            Ended::Touched => self.fail("a switch stopped the machine".into(), "", false),
+            Ended::Deadline | Ended::Late => {
+                let why = "the computer was too late with its steps: the board has stopped at once";
+                let hint = "its counts are known, but a heavy machine may have slipped: home it";
+                self.fail(why.into(), hint, false);
+            }
+        }
+    }
+
+    fn fail(&mut self, why: String, hint: &'static str, silent: bool) {
+        if self.fault.is_some() {
+            return;
+        }
+        let stands = (self.state == State::Rest).then(|| self.counted());
+        let message = format!("{}: {why}", self.name);
+        self.tells_s = if stands.is_some() || silent {
+            f64::NEG_INFINITY
+        } else {
+            self.progress.at_s + COUNTING_S
+        };
+        self.fault = Some(Fault { message, hint, at: self.at, silent, stands });
+        self.drop_all();
+    }
+
+    /// Motion is dropped, outputs go off.
+    fn drop_all(&mut self) {
+        self.berth.request(Request::Stop);
+        self.switch_off();
+        self.feeder.forget();
+    }
+
+    fn switch_off(&mut self) {
+        self.changes.clear();
+        for (output, share) in self.outputs.off(&self.wiring) {
+            self.berth.request(Request::Output { output, share });
+        }
+    }
+
+    /// Hands pieces over as far ahead as the board's lead asks for; tells whether there was one.
+    fn hand_on(&mut self) -> bool {
+        let before = self.feeder.handed_s;
+        match self.state {
+            State::Rest if self.feeder.begins_s().is_some() && self.progress.rests => {
+                self.berth.request(Request::Start(Vec::new()));
+                self.state = State::Starting;
+            }
+            State::Moving(..) => while self.hand_over().is_some() {},
+            _ => {}
+        }
+        self.feeder.handed_s > before
+    }
+
+    /// Hands one piece over, where there is one and it is time for it.
+    fn hand_over(&mut self) -> Option<()> {
+        let State::Moving(scale, starts) = self.state else { return None };
+        let (now, off) = self.progress.clock?;
+        let [_, full_s] = self.progress.lead_s;
+        let begin_s = self.feeder.begins_s()?;
+        let earliest = now + off + self.ticks(0.5 * full_s + HANDING_S);
+        let late = self.feeder.rests && scale.at(begin_s) < earliest as f64;
+        let from = (begin_s, earliest.max(starts) as f64);
+        let scale = if late { Scale { from, ..scale } } else { scale };
+        let clock = (scale.at(begin_s) as u64).max(starts);
+        if clock > now + self.ticks(full_s + HANDING_S) || self.fault.is_some() {
+            return None;
+        }
+        let piece = self.feeder.piece(&scale, starts)?;
+        let clock = clock.min(piece.ends);
+        let set = |(output, share)| Set { output, share, clock };
+        let sets = self.changes.drain(..).map(set).collect();
+        self.state = State::Moving(scale, piece.ends);
+        self.berth.request(Request::Offer(piece, sets));
+        Some(())
+    }
+
+    /// The moment of a move that is reached: what was handed over is made, whatever comes. Where the plan ends at a stand
+    /// nobody goes on before the machine is there.
+    fn reached_s(&self, going: &Going<'_>) -> f64 {
+        let (begin_s, end_s) = going.plan.span_s(going.index);
+        let [begin_s, end_s] = [begin_s, end_s].map(|s| going.t0_s + s);
+        let handed_s = self.feeder.handed_s;
+        let is_handed = self.feeder.starves || handed_s >= end_s - SAME_S;
+        let is_last = going.index + 1 == going.plan.moves().len();
+        let waits = is_last && self.feeder.rests && !self.is_made();
+        if is_handed && !waits {
+            return f64::INFINITY;
+        }
+        handed_s.clamp(begin_s, (end_s - NEARLY_S).max(begin_s))
+    }
+
+    /// Everything that was handed over is made, as far as the board's clock tells.
+    fn is_made(&self) -> bool {
+        let State::Moving(_, ends) = self.state else { return self.state == State::Rest };
+        let settled = ends + self.ticks(SETTLED_S);
+        self.feeder.rests && self.progress.clock.is_some_and(|(now, _)| now > settled)
+    }
+
+    /// Switches what waits for the next move, which does not come.
+    fn switch_now(&mut self) {
+        for (output, share) in std::mem::take(&mut self.changes) {
+            self.berth.request(Request::Output { output, share });
+        }
+    }
+
+    /// Waits until something holds or the time is over.
+    fn wait_until(&mut self, holds: impl Fn(&Self) -> bool) -> bool {
+        let until_s = self.progress.at_s + STOPPING_S;
+        while !holds(self) {
+            if self.progress.at_s > until_s {
+                return false;
+            }
+            self.tend(NAP);
+        }
+        true
+    }
+
+    /// The run is over: what it left is made, or dropped where it did not end well.
+    pub fn close(&mut self, well: bool, mut is_stopped: impl FnMut() -> bool) {
+        while well && self.settle() && !is_stopped() {}
+        if !well || self.fault.is_some() || !self.is_made() {
+            self.drop_all();
+        }
+        self.berth.request(Request::LetRest);
+        self.wait_until(|it| it.state == State::Rest);
+    }
+}
+
+fn facts(version: &str, wiring: &Wiring) -> Facts {
+    let bit = |number: u8| 1_u32.checked_shl(u32::from(number).wrapping_sub(1)).unwrap_or(0);
+    let outputs = wiring.outputs.iter().fold(0, |bits, (number, _)| bits | bit(*number));
+    Facts {
+        name: version.to_owned(),
+        axes: wiring.motors.iter().map(|motor| motor.axis.index() + 1).max().unwrap_or(0),
+        outputs: outputs | wiring.spindle.map_or(0, |_| 1),
+        spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),
+        ..Facts::default()
+    }
+}
+
+impl Machine for Queued {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
+    fn is_real(&self) -> bool {
+        true
+    }
+
+    fn refuses(&self, mv: &Move) -> Option<String> {
+        let axes = self.wiring.axes();
+        let stays = |axis: &Axis| axes.contains(*axis) || mv.from[*axis] == mv.to[*axis];
+        let lacks = Axis::ALL.into_iter().find(|axis| !stays(axis));
+        let lacks = lacks.map(|axis| format!("has no motor of axis {}", axis.letter()));
+        let why = lacks.or_else(|| out_of_reach(&self.facts, mv.from, mv.to, Axes::default()))?;
+        Some(format!("{} {why}", self.name))
+    }
+
+    fn begin(&mut self) {
+        self.stood = None;
+    }
+
+    fn begin_plan(&mut self) {
+        self.feeder.begin_plan();
+    }
+
+    fn set(&mut self, actuator: &Actuator) {
+        match self.outputs.set(actuator, &self.wiring, &self.facts) {
+            Ok(changes) => self.changes.extend(changes),
+            Err(why) => self.fail(why, "", false),
+        }
+        if self.is_made() {
+            self.switch_now();
+        }
+    }
+
+    fn advance(&mut self, going: &Going<'_>, from_s: f64, _: f64) -> News {
+        (self.stood, self.at) = (None, going.made().map(|made| made.at));
+        if self.fault.is_some() {
+            self.tend(NAP);
+            return News { reached_s: from_s, input: None };
+        }
+        if self.late {
+            let why = "the computer was late: the machine has slowed down on the path and stands";
+            self.fail(why.into(), "its place is known: begin again at this line", false);
+            return News { reached_s: from_s, input: None };
+        }
+        self.elsewhere = None;
+        if !self.feeder.follow(going).is_empty() {
+            self.count_anew();
+        }
+        let wait = if self.hand_on() { Duration::ZERO } else { NAP };
+        self.tend(wait);
+        News { reached_s: self.reached_s(going), input: self.inputs.pop_front() }
+    }
+
+    fn stand(&mut self, from_s: f64, until_s: f64) -> News {
+        let before = self.stood.filter(|(told_s, _)| *told_s == from_s);
+        let (_, since_s) = before.unwrap_or((from_s, self.progress.at_s));
+        self.switch_now();
+        if until_s > from_s {
+            self.tend(NAP);
+        }
+        let reached_s = (from_s + self.progress.at_s - since_s).min(until_s);
+        self.stood = Some((reached_s, self.progress.at_s));
+        News { reached_s, input: self.inputs.pop_front() }
+    }
+
+    fn look(&mut self) {
+        self.tend(Duration::ZERO);
+    }
+
+    fn settle(&mut self) -> bool {
+        if self.fault.is_some() {
+            self.tend(NAP);
+            return self.fault().is_none();
+        }
+        if !self.is_made() {
+            self.tend(NAP);
+        }
+        let made = self.is_made();
+        if made {
+            self.switch_now();
+        }
+        if made && std::mem::take(&mut self.late) {
+            // Nothing of the plan follows: it was stopped.
+            self.feeder.forget();
+        }
+        !made && self.fault().is_none()
+    }
+
+    fn home(&mut self) {}
+
+    fn halt(&mut self) {
+        self.drop_all();
+        self.berth.request(Request::LetRest);
+        if !self.wait_until(|it| it.state == State::Rest) {
+            self.fail(
+                "it does not say that it has stopped".into(),
+                "press its emergency stop",
+                true,
+            );
+        }
+    }
+
+    fn place(&mut self) -> Option<Axes> {
+        self.elsewhere
+    }
+
+    fn stop(&mut self, _: &Going<'_>) -> Option<f64> {
+        None
+    }
+
+    fn feed(&mut self, _: f32) {}
+
+    fn give_up(&mut self) {
+        let why = "it was stopped before it had made its last moves";
+        self.fail(why.into(), "look why it was held", false);
+    }
+
+    fn fault(&self) -> Option<&Fault> {
+        self.fault.as_ref().filter(|_| self.progress.at_s >= self.tells_s)
+    }
+}

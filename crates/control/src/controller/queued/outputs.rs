@@ -1,0 +1,85 @@
+//! What is switched on a board: actuators of a run as outputs with their shares.
+
+use super::wiring::Wiring;
+use crate::controller::lacks::{lacked, no_output, wired};
+use kerf_machine::Actuator;
+use kerf_machine::driver::Facts;
+use kerf_program::{OutputReason, Turn};
+
+/// Number of the spindle's output.
+const SPINDLE: u8 = 1;
+/// Number of the output of flood coolant.
+const FLOOD: u8 = 2;
+/// Number of the output of mist coolant.
+const MIST: u8 = 3;
+
+/// Outputs of a board as they are wanted.
+#[derive(Clone, Debug, Default)]
+pub struct Outputs {
+    /// The spindle turns.
+    turns: bool,
+    /// Its speed, revolutions a minute; the highest where nobody said.
+    rpm: Option<f64>,
+}
+
+impl Outputs {
+    /// Returns the outputs that change, each with its share from 0 (off) to 1.
+    ///
+    /// # Errors
+    /// The board lacks what is asked for, in words.
+    pub fn set(
+        &mut self,
+        actuator: &Actuator,
+        wiring: &Wiring,
+        facts: &Facts,
+    ) -> Result<Vec<(usize, f64)>, String> {
+        match *actuator {
+            Actuator::Output { number, on, why } if why != OutputReason::Trigger => {
+                let Some(line) = wired(number) else { return Ok(Vec::new()) };
+                if facts.outputs & (1 << (line - 1)) == 0 {
+                    let needs = on && why != OutputReason::Motion;
+                    return if needs { Err(no_output(facts, number)) } else { Ok(Vec::new()) };
+                }
+                Ok(self.switch(line, on, wiring))
+            }
+            Actuator::Spindle { rpm } => {
+                self.rpm = Some(rpm);
+                Ok(self.spins(wiring).into_iter().collect())
+            }
+            Actuator::Coolant { mist, flood } => {
+                let all = [self.switch(FLOOD, flood, wiring), self.switch(MIST, mist, wiring)];
+                Ok(all.concat())
+            }
+            Actuator::Turn(Turn::Clockwise) => Ok(Vec::new()),
+            other => match lacked(&other) {
+                Some(what) => Err(format!("has no {what}")),
+                None => Ok(Vec::new()),
+            },
+        }
+    }
+
+    /// All outputs that go off at a stop.
+    pub fn off(&mut self, wiring: &Wiring) -> Vec<(usize, f64)> {
+        self.turns = false;
+        let switched = wiring.outputs.iter().map(|(_, place)| (*place, 0.0));
+        switched.chain(wiring.spindle.map(|(place, _)| (place, 0.0))).collect()
+    }
+
+    fn switch(&mut self, line: u8, on: bool, wiring: &Wiring) -> Vec<(usize, f64)> {
+        let place = wiring.outputs.iter().find(|(number, _)| *number == line);
+        let mut changes: Vec<_> =
+            place.map(|(_, place)| (*place, f64::from(u8::from(on)))).into_iter().collect();
+        if line == SPINDLE {
+            self.turns = on;
+            changes.extend(self.spins(wiring));
+        }
+        changes
+    }
+
+    /// The share of the spindle's speed.
+    fn spins(&self, wiring: &Wiring) -> Option<(usize, f64)> {
+        let (place, most) = wiring.spindle?;
+        let share = self.rpm.map_or(1.0, |rpm| (rpm / most).clamp(0.0, 1.0));
+        Some((place, if self.turns { share } else { 0.0 }))
+    }
+}

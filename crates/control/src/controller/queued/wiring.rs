@@ -1,0 +1,211 @@
+//! The machine's file as the setup of a board: which pin does what, which motor turns which axis.
+
+use kerf_driver_klipper::setup::{Motor, Pin, Pull, Pulsed, Setup, Switched};
+use kerf_machine::Configuration;
+use kerf_machine::settings::motors::{Direction, Motor as Name};
+use kerf_program::{Axis, AxisSet};
+
+/// A motor of the board with the axis that it turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Turns {
+    /// Its axis.
+    pub axis: Axis,
+    /// Its home switch among the switches, where it has one.
+    pub home: Option<usize>,
+}
+
+/// A board and what hangs on it, by the names that the machine has for it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Wiring {
+    /// The board's setup.
+    pub setup: Setup,
+    /// Axes of its motors, in the order of the setup.
+    pub motors: Vec<Turns>,
+    /// Outputs that go on and off: number of part files, place in the setup.
+    pub outputs: Vec<(u8, usize)>,
+    /// Output that gives the motors their current.
+    pub enable: Option<usize>,
+    /// Output of the spindle's speed, and revolutions a minute at a share of all the time.
+    pub spindle: Option<(usize, f64)>,
+    /// Numbers of the inputs that are looked at all the time, in the order of the setup.
+    pub inputs: Vec<u8>,
+}
+
+impl Wiring {
+    /// The wiring that a configuration tells of.
+    ///
+    /// # Errors
+    /// No motor has pins, or a setting cannot be read; in words.
+    pub fn of(machine: &Configuration) -> Result<Self, String> {
+        let mut wiring = Self::default();
+        for name in Name::ALL {
+            wiring.motor(machine, name)?;
+        }
+        if wiring.motors.is_empty() {
+            return Err("the machine's file names no pins of motors: board.x = \"gpio0 gpio1\", \
+                        step and direction, and so on (kerf explain board)"
+                .into());
+        }
+        wiring.outputs(machine)?;
+        for (number, pin) in numbered("board.inputs", &machine.board.inputs)? {
+            wiring.inputs.push(number);
+            wiring.setup.buttons.push(pin);
+        }
+        Ok(wiring)
+    }
+
+    /// Axes that have a motor.
+    pub fn axes(&self) -> AxisSet {
+        self.motors.iter().fold(AxisSet::EMPTY, |axes, motor| axes.with(motor.axis))
+    }
+
+    fn motor(&mut self, machine: &Configuration, name: Name) -> Result<(), String> {
+        let (board, index) = (&machine.board, name.index());
+        let pins = &board.motors[index];
+        if pins.trim().is_empty() {
+            return Ok(());
+        }
+        let key = ["board.x", "board.y", "board.z", "board.w", "board.q", "board.r"][index];
+        let Some(axis) = machine.motors.axis_of(name) else {
+            return Err(format!("{key}: no axis is turned by that motor (motors.x2, motors.a, …)"));
+        };
+        let [step, mut dir] = pair(key, pins)?;
+        dir.inverted ^= machine.motors.direction[axis.index()] == Direction::Backwards;
+        let second = self.motors.iter().any(|motor| motor.axis == axis);
+        let home = self.home(machine, axis, second)?;
+        self.motors.push(Turns { axis, home });
+        self.setup.motors.push(Motor {
+            step,
+            dir,
+            pulse_s: board.pulse_us * 1e-6,
+            turn_s: board.turn_us * 1e-6,
+            both_edges: board.both_edges,
+            least_s: 1.0 / board.steps_s,
+        });
+        Ok(())
+    }
+
+    /// The home switch of a motor: its own, or that of the axis.
+    fn home(
+        &mut self,
+        machine: &Configuration,
+        axis: Axis,
+        second: bool,
+    ) -> Result<Option<usize>, String> {
+        let board = &machine.board;
+        let own =
+            board.second_homes.get(axis.index()).filter(|pin| second && !pin.trim().is_empty());
+        let text = own.unwrap_or(&board.homes[axis.index()]);
+        if text.trim().is_empty() || !machine.homing.of(axis).fitted {
+            return Ok(None);
+        }
+        let pin = pin("board.home_…", text.trim())?;
+        let known = self.setup.switches.iter().position(|other| other.name == pin.name);
+        Ok(Some(known.unwrap_or_else(|| {
+            self.setup.switches.push(pin);
+            self.setup.switches.len() - 1
+        })))
+    }
+
+    fn outputs(&mut self, machine: &Configuration) -> Result<(), String> {
+        let board = &machine.board;
+        let watch_s = Some(board.watch_s);
+        for (number, pin) in numbered("board.outputs", &board.outputs)? {
+            self.outputs.push((number, self.setup.outputs.len()));
+            self.setup.outputs.push(Switched { pin, watch_s });
+        }
+        if !board.enable.trim().is_empty() {
+            self.enable = Some(self.setup.outputs.len());
+            let pin = pin("board.enable", board.enable.trim())?;
+            // Motors that lose their current lose their place: they keep it while the host is silent.
+            self.setup.outputs.push(Switched { pin, watch_s: None });
+        }
+        if !board.spindle.trim().is_empty() {
+            self.spindle = Some((self.setup.outputs.len(), board.spindle_rpm));
+            let pin = pin("board.spindle", board.spindle.trim())?;
+            self.setup.pulsed.push(Pulsed { pin, cycle_s: 1.0 / board.spindle_hz, watch_s });
+        }
+        Ok(())
+    }
+}
+
+/// Two pins behind each other.
+fn pair(key: &str, text: &str) -> Result<[Pin; 2], String> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    match words[..] {
+        [step, dir] => Ok([pin(key, step)?, pin(key, dir)?]),
+        _ => Err(format!("{key} = \"{text}\": name two pins, step and direction: \"gpio0 gpio1\"")),
+    }
+}
+
+/// Numbers with their pins, with commas between.
+fn numbered(key: &str, text: &str) -> Result<Vec<(u8, Pin)>, String> {
+    let entries = text.split(',').map(str::trim).filter(|entry| !entry.is_empty());
+    let read = |entry: &str| {
+        let wrong = || format!("{key}: \"{entry}\" is no number with its pin, as 1 gpio20 is");
+        let (number, name) = entry.split_once(char::is_whitespace).ok_or_else(wrong)?;
+        Ok((number.parse().map_err(|_| wrong())?, pin(key, name.trim())?))
+    };
+    entries.map(read).collect()
+}
+
+/// A pin with its signs.
+fn pin(key: &str, text: &str) -> Result<Pin, String> {
+    let name = text.trim_start_matches(['!', '^', '~']);
+    let signs = &text[..text.len() - name.len()];
+    if name.is_empty() || name.contains(char::is_whitespace) {
+        return Err(format!("{key}: \"{text}\" is no pin, as gpio17, PA3 or ^!gpio10 are"));
+    }
+    let pull = match (signs.contains('^'), signs.contains('~')) {
+        (true, _) => Pull::Up,
+        (_, true) => Pull::Down,
+        _ => Pull::None,
+    };
+    Ok(Pin { name: name.to_owned(), inverted: signs.contains('!'), pull })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    fn check(lines: &str, expected: Result<usize, &str>) {
+        let machine = kerf_machine::file::read(&"m.toml".into(), lines).unwrap();
+        match (Wiring::of(&machine), expected) {
+            (Ok(wiring), Ok(motors)) => assert_eq!(wiring.motors.len(), motors),
+            (Err(why), Err(part)) => assert!(why.contains(part), "{why}"),
+            (found, _) => panic!("{lines}: {found:?}"),
+        }
+    }
+
+    #[test]
+    fn pins_are_read_and_mistakes_are_told() {
+        check("[board]\nx = \"gpio0 gpio1\"\ny = \"gpio2 !gpio3\"", Ok(2));
+        check("[motors]\ny2 = \"w\"\n[board]\ny = \"a b\"\nw = \"c d\"", Ok(2));
+        check("", Err("names no pins of motors"));
+        check("[board]\nx = \"gpio0\"", Err("name two pins"));
+        check("[board]\nw = \"c d\"", Err("no axis is turned"));
+        check("[board]\nx = \"a b\"\noutputs = \"one gpio2\"", Err("no number with its pin"));
+        check("[board]\nx = \"a b\"\noutputs = \"1 !\"", Err("no pin"));
+    }
+
+    #[test]
+    fn signs_before_a_pin_turn_it_round_and_pull_it() {
+        let told = pin("k", "^!gpio7").unwrap();
+        assert_eq!((&*told.name, told.inverted, told.pull), ("gpio7", true, Pull::Up));
+        assert_eq!(pin("k", "~PA3").unwrap().pull, Pull::Down);
+    }
+
+    #[test]
+    fn two_motors_of_an_axis_have_a_switch_each_where_there_are_two() {
+        let lines = "[motors]\ny2 = \"w\"\n[homing]\ny = { fitted = true, end = \"low\" }\n\
+                     [board]\ny = \"a b\"\nw = \"c d\"\nhome_y = \"^e\"";
+        let wiring = |more: &str| {
+            let text = format!("{lines}{more}");
+            Wiring::of(&kerf_machine::file::read(&"m.toml".into(), &text).unwrap()).unwrap()
+        };
+        let homes = |wiring: Wiring| wiring.motors.iter().map(|m| m.home).collect::<Vec<_>>();
+        assert_eq!(homes(wiring("")), [Some(0), Some(0)]);
+        assert_eq!(homes(wiring("\nhome_y2 = \"^f\"")), [Some(0), Some(1)]);
+    }
+}

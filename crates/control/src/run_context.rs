@@ -1,0 +1,31 @@
+//! The participants that a run is lent, beside its program and its workspace.
+
+use crate::Requests;
+use crate::answers::Operator;
+use kerf_machine::Driven;
+use kerf_trace::Sink;
+
+/// Participants of a run beside program and machine.
+pub struct RunContext<'a> {
+    /// Takes the events.
+    pub sink: &'a mut dyn Sink,
+    /// Answers questions.
+    pub operator: &'a mut dyn Operator,
+    /// What the operator asks for meanwhile.
+    pub requests: &'a mut dyn Requests,
+    /// The machine that makes what is planned.
+    pub machine: Driven,
+}
+
+impl RunContext<'_> {
+    /// The same context for something that comes first.
+    pub fn again(&mut self) -> RunContext<'_> {
+        let Self { sink, operator, requests, machine } = self;
+        RunContext {
+            sink: &mut **sink,
+            operator: &mut **operator,
+            requests: &mut **requests,
+            machine: machine.clone(),
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! A board with step queues as a machine, in time that is none: the list that every machine has to hold.
+
+use kerf_control::controller::queued::{Berth, Queued, Wiring};
+use kerf_driver_klipper::board::{Board, News, Options};
+use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
+use kerf_driver_klipper::fake::{Board as Fake, Faults, Line};
+use kerf_machine::conformance::{Bench, CASES, Case, Outcome, Seen};
+use kerf_machine::{Configuration, Machine};
+use kerf_program::{Axes, Axis};
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::time::Duration;
+
+/// Grain of time that is none, seconds.
+const GRAIN_S: f64 = 0.001;
+/// A case that takes longer does not come to its end, seconds.
+const PATIENCE_S: f64 = 60.0;
+
+/// The machine's file of the tests.
+const FILE: &str = "[steps]\nper_unit = [100, 100, 200, 100, 100, 100]\n[board]\nx = \"gpio0 gpio1\"\n\
+    y = \"gpio2 gpio3\"\nz = \"gpio4 gpio5\"\noutputs = \"1 gpio20\"\nspindle = \"gpio21\"\ninputs = \"3 gpio22\"\n\
+    both_edges = true\npulse_us = 0.1";
+
+pub fn machine() -> Configuration {
+    kerf_machine::file::read(&"board.toml".into(), FILE).unwrap()
+}
+
+/// A host, two ways of a line, and a board that is none.
+pub struct World {
+    pub fake: Fake,
+    pub desk: Desk,
+    pub there: Line,
+    pub back: Line,
+    pub now_s: f64,
+    /// The host does nothing up to a moment.
+    pub stalls_until_s: f64,
+    heard: Vec<Answer>,
+}
+
+impl World {
+    pub fn new(seed: u64, faults: Faults, wiring: &Wiring) -> Self {
+        let line = |n| Line::new(seed * 2 + n, faults, 0.0007);
+        let mut fake = Fake::of_seed(seed);
+        fake.records = false;
+        let options = Options { linger_s: 1.0, ..Options::default() };
+        let desk = Desk::new(Board::new(wiring.setup.clone(), options, 0.0));
+        let (there, back) = (line(0), line(1));
+        Self { fake, desk, there, back, now_s: 0.0, stalls_until_s: 0.0, heard: Vec::new() }
+    }
+
+    pub fn pass(&mut self) {
+        self.now_s += GRAIN_S;
+        let clock = self.fake.clock_at(self.now_s);
+        self.fake.run_to(clock);
+        let come = self.there.take(self.now_s);
+        self.fake.feed(&come);
+        let said = self.fake.take();
+        self.back.put(&said, self.now_s);
+        if self.now_s < self.stalls_until_s {
+            return;
+        }
+        let heard = self.back.take(self.now_s);
+        if !heard.is_empty() {
+            self.desk.board().receive(&heard, self.now_s);
+        }
+        let out = self.desk.board().transmit(self.now_s);
+        self.there.put(&out.bytes, self.now_s);
+        self.heard.extend(self.desk.answers());
+    }
+
+    fn ready(&mut self) -> (String, Vec<i64>) {
+        for _ in 0..20_000 {
+            self.pass();
+            let heard = std::mem::take(&mut self.heard);
+            let ready = heard.into_iter().find_map(|answer| match answer {
+                Answer::News(News::Ready { version, counts }) => Some((version, counts)),
+                _ => None,
+            });
+            if let Some(ready) = ready {
+                return ready;
+            }
+        }
+        panic!("the board is not ready");
+    }
+}
+
+/// The world as the machine reaches it.
+struct Virtual(Rc<RefCell<World>>);
+
+impl Berth for Virtual {
+    fn request(&mut self, request: Request) {
+        let world = &mut *self.0.borrow_mut();
+        world.desk.take(request, world.now_s);
+    }
+
+    fn look(&mut self, wait: Duration) -> (Progress, Vec<Answer>) {
+        let world = &mut *self.0.borrow_mut();
+        let until_s = world.now_s + wait.as_secs_f64();
+        while world.now_s < until_s || world.now_s < world.stalls_until_s {
+            world.pass();
+        }
+        world.heard.extend(world.desk.answers());
+        (world.desk.progress(world.now_s), std::mem::take(&mut world.heard))
+    }
+}
+
+/// A machine of a world.
+pub struct Shop {
+    pub world: Rc<RefCell<World>>,
+    pub queued: Queued,
+    begin_s: f64,
+}
+
+impl Shop {
+    /// The line is good until the board is known.
+    pub fn new(seed: u64, faults: Faults) -> Self {
+        let machine = machine();
+        let wiring = Wiring::of(&machine).unwrap();
+        let mut world = World::new(seed, Faults::default(), &wiring);
+        let (version, counts) = world.ready();
+        (world.there.faults, world.back.faults) = (faults, faults);
+        let begin_s = world.now_s;
+        let world = Rc::new(RefCell::new(world));
+        let per_unit = machine.program.resolution.steps_per_unit;
+        let berth = Box::new(Virtual(world.clone()));
+        let queued = Queued::new("board", &version, (wiring, per_unit), counts, berth);
+        Self { world, queued, begin_s }
+    }
+}
+
+impl Bench for Shop {
+    fn machine(&mut self) -> &mut dyn Machine {
+        &mut self.queued
+    }
+
+    fn waits(&mut self) -> bool {
+        self.world.borrow_mut().pass();
+        self.world.borrow().now_s < self.begin_s + PATIENCE_S
+    }
+
+    fn seen(&mut self) -> Option<Seen> {
+        let world = self.world.borrow();
+        let x_mm = world.fake.steppers[&0].position as f64 / 100.0;
+        let mut place = Axes::default();
+        place[Axis::X] = x_mm;
+        let turns = world.fake.outputs.values().any(|output| output.value > 0);
+        Some(Seen { place, turns })
+    }
+
+    fn breaks(&mut self) -> bool {
+        self.world.borrow_mut().fake.shut("ADC out of range");
+        true
+    }
+}
+
+fn outcome(seed: u64, faults: Faults, case: &Case) -> Result<Outcome, String> {
+    case.run(&mut Shop::new(seed, faults))
+}
+
+#[test]
+fn a_board_on_a_good_line_holds_what_every_machine_has_to_hold() {
+    for case in CASES {
+        assert_eq!(outcome(1, Faults::default(), case), Ok(Outcome::Held), "{}", case.name);
+    }
+}
+
+#[test]
+fn a_board_on_a_bad_line_does_what_it_is_asked_for_or_tells_that_it_does_not() {
+    for share in [0.01, 0.05, 0.3] {
+        for seed in 0..4 {
+            for case in CASES {
+                let told = outcome(seed, Faults::all(share / 6.0), case);
+                assert!(told.is_ok(), "{}, seed {seed}, {share}: {told:?}", case.name);
+            }
+        }
+    }
+}

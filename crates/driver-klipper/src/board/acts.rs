@@ -1,0 +1,98 @@
+//! Requests of a session's owner.
+
+use super::channel::Channel;
+use super::latch::Home;
+use super::motion::State;
+use super::news::{Ended, NotNow, Start};
+use super::session::Session;
+use crate::orders::{Order, OrderError};
+use crate::queue::{Change, Piece, Refused};
+
+/// Shortest time between the wish to move and the first step, seconds.
+const FIRST_S: f64 = 0.25;
+
+impl Session {
+    pub fn start(&mut self, homes: &[Home], now_s: f64) -> Result<Start, NotNow> {
+        let Some((now, _)) = self.channel.now(now_s) else { return Err(NotNow::Busy) };
+        let starts = now + self.channel.ticks(self.motion.lead.full_s().max(FIRST_S));
+        self.start_at(homes, starts, now_s)
+    }
+
+    /// Motion begins at a clock that is far enough ahead.
+    pub fn start_at(&mut self, homes: &[Home], starts: u64, now_s: f64) -> Result<Start, NotNow> {
+        if self.shutdown {
+            return Err(NotNow::Shutdown);
+        }
+        let known = self.channel.now(now_s).filter(|_| self.is_at_rest());
+        let Some((now, _)) = known else { return Err(NotNow::Busy) };
+        Ok(self.motion.start_at(&mut self.channel, homes, [now, starts], now_s)?)
+    }
+
+    pub fn offer(&mut self, piece: &Piece) -> Result<(), Refused> {
+        if self.motion.moves() { self.motion.queue.offer(piece) } else { Err(Refused::Stopping) }
+    }
+
+    pub fn withdraw(&mut self) -> Result<u64, NotNow> {
+        if self.motion.moves() && !self.motion.queue.is_stopping() {
+            Ok(self.motion.queue.withdraw())
+        } else {
+            Err(NotNow::Rest)
+        }
+    }
+
+    /// Drops all motion at once.
+    pub fn stop(&mut self) -> Result<(), OrderError> {
+        self.motion.stop(&mut self.channel, Ended::Asked)
+    }
+
+    pub fn emergency_stop(&mut self) -> Result<(), OrderError> {
+        self.channel.link.forget();
+        self.channel.hurry(Order::EmergencyStop, [])
+    }
+
+    /// Clears a shutdown, and reads the counts.
+    pub fn recover(&mut self) -> Result<(), NotNow> {
+        if !self.shutdown {
+            return Err(NotNow::Rest);
+        }
+        self.channel.send(Order::ClearShutdown, [])?;
+        self.shutdown = false;
+        Ok(self.motion.read_counts(&mut self.channel, Ended::Shutdown)?)
+    }
+
+    pub fn set_output(&mut self, output: usize, share: f64, now_s: f64) -> Result<(), NotNow> {
+        let (now, off) = self.when_ready(now_s)?;
+        let value = self.channel.output_value(output, share);
+        self.motion.queue.set(Change { output, clock: now + off, value });
+        Ok(())
+    }
+
+    /// Clock of a board that is ready and not shut down, and the farthest that it may be off.
+    fn when_ready(&self, now_s: f64) -> Result<(u64, u64), NotNow> {
+        let ready = self.channel.now(now_s).filter(|_| self.is_ready() && !self.shutdown);
+        ready.ok_or(NotNow::Busy)
+    }
+
+    /// Nothing moves, and motion could begin.
+    pub fn is_at_rest(&self) -> bool {
+        self.is_ready() && self.motion.state == State::Rest && !self.shutdown
+    }
+
+    /// Motion was broken off.
+    pub fn is_stopping(&self) -> bool {
+        match self.motion.state {
+            State::Ending(why) | State::Reading(why) => why != Ended::Rested,
+            _ => self.shutdown,
+        }
+    }
+
+    /// Longest stall of the host that was seen, and the lead, seconds.
+    pub fn lead_s(&self) -> [f64; 2] {
+        [self.motion.lead.stall_s(), self.motion.lead.full_s()]
+    }
+
+    /// The way to the board, for questions.
+    pub const fn way(&mut self) -> &mut Channel {
+        &mut self.channel
+    }
+}

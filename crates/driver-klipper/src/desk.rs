@@ -1,0 +1,137 @@
+//! A board as the owner of a plan deals with it: requests go in, answers and a look at its progress come out.
+//!
+//! The desk is what the thread of the link owns; the owner of the plan may be on another one.
+
+use crate::board::{Board, Home, News, Start};
+use crate::queue::{Change, Piece};
+
+/// An output that changes at a clock, from 0 (off) to 1, counted as in the setup: those that go on and off, then those
+/// with a share of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Set {
+    /// Its place among the outputs.
+    pub output: usize,
+    /// Its share of the time, or of its state.
+    pub share: f64,
+    /// Clock.
+    pub clock: u64,
+}
+
+/// A request to a board.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// Motion begins, from rest. Switches of these stop their motors.
+    Start(Vec<Home>),
+    /// A piece of motion behind those that it has, with the outputs that change in it, in order of time.
+    Offer(Piece, Vec<Set>),
+    /// An output changes now, counted as in the setup: those that go on and off, then those with a share of time.
+    Output {
+        /// Its place among the outputs.
+        output: usize,
+        /// From 0 (off) to 1.
+        share: f64,
+    },
+    /// All motors stop at once, without a ramp.
+    Stop,
+    /// Motion that is over is ended and counted, and not waited on for more.
+    LetRest,
+    /// The state of a switch is asked for.
+    Switch(usize),
+    /// A shutdown is cleared.
+    Recover,
+}
+
+/// An answer of a board.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// Motion begins there.
+    Started(Start),
+    /// A request was not taken: the reason in words.
+    Refused(String),
+    /// News of the board.
+    News(News),
+}
+
+/// Progress of a board.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// Moment at which it was looked at, seconds on the clock of the link.
+    pub at_s: f64,
+    /// Clock of the board then, and the farthest that it may be off, ticks; nothing before it is known.
+    pub clock: Option<(u64, u64)>,
+    /// Motion goes on, or is about to.
+    pub moves: bool,
+    /// Motion could begin.
+    pub rests: bool,
+    /// Longest stall of the host, and the lead that follows from it, seconds.
+    pub lead_s: [f64; 2],
+}
+
+/// A board with the requests of its owner.
+pub struct Desk {
+    board: Board,
+    answers: Vec<Answer>,
+}
+
+impl Desk {
+    /// A desk for a board.
+    pub const fn new(board: Board) -> Self {
+        Self { board, answers: Vec::new() }
+    }
+
+    /// The board, for whoever moves its bytes.
+    pub const fn board(&mut self) -> &mut Board {
+        &mut self.board
+    }
+
+    /// Takes a request.
+    pub fn take(&mut self, request: Request, now_s: f64) {
+        let board = &mut self.board;
+        let taken = match request {
+            Request::Start(homes) => board.start(&homes, now_s).map(|start| {
+                self.answers.push(Answer::Started(start));
+            }),
+            Request::Offer(mut piece, sets) => {
+                let change = |set: &Set| {
+                    let value = board.output_value(set.output, set.share)?;
+                    Some(Change { output: set.output, clock: set.clock, value })
+                };
+                piece.changes.extend(sets.iter().filter_map(change));
+                if let Err(why) = board.offer(&piece) {
+                    self.answers.push(Answer::Refused(why.to_string()));
+                }
+                Ok(())
+            }
+            Request::Output { output, share } => board.set_output(output, share, now_s),
+            Request::Stop => board.stop(),
+            Request::LetRest => {
+                board.let_rest();
+                Ok(())
+            }
+            Request::Switch(switch) => board.ask_switch(switch),
+            Request::Recover => board.recover(),
+        };
+        if let Err(why) = taken {
+            self.answers.push(Answer::Refused(why.to_string()));
+        }
+    }
+
+    /// Returns what was answered and heard since it was asked last, in order.
+    pub fn answers(&mut self) -> Vec<Answer> {
+        while let Some(news) = self.board.news() {
+            self.answers.push(Answer::News(news));
+        }
+        std::mem::take(&mut self.answers)
+    }
+
+    /// Returns how far the board is.
+    pub fn progress(&self, now_s: f64) -> Progress {
+        Progress {
+            at_s: now_s,
+            clock: self.board.clock(now_s),
+            moves: self.board.is_moving(),
+            rests: self.board.is_at_rest(),
+            lead_s: self.board.lead_s().unwrap_or_default(),
+        }
+    }
+}

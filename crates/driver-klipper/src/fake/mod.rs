@@ -1,0 +1,39 @@
+//! A board that is none, after the protocol's description. It shares no code with the crate: it has its own reader of
+//! frames, its own numbers, and a dictionary of its own whose numbers differ from seed to seed.
+//!
+//! It stands in the library so that tests of the command and an example can use it.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+pub mod board;
+pub mod events;
+pub mod line;
+pub mod output;
+pub mod reader;
+pub mod stepper;
+pub mod switch;
+pub mod words;
+
+pub use board::Board;
+pub use line::{Faults, Line};
+
+/// Numbers without order, the same for the same seed (SplitMix64).
+#[derive(Clone, Debug)]
+pub struct Dice(pub u64);
+
+impl Dice {
+    pub fn roll(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ z >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ z >> 31
+    }
+
+    pub fn below(&mut self, n: u64) -> u64 {
+        self.roll() % n.max(1)
+    }
+
+    pub fn share(&mut self) -> f64 {
+        (self.roll() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}

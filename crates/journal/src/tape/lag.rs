@@ -1,0 +1,75 @@
+//! Progress of a run that tells of moves before they are made: what is on record was made for sure.
+
+use std::collections::VecDeque;
+
+/// Moves made, and the share of the next.
+type Share = (u64, f64);
+
+/// What was told lately, and what of it is sure.
+#[derive(Debug)]
+pub(super) struct Lag {
+    /// A run tells of a move so long before it is made at most, seconds.
+    leads_s: f64,
+    now_s: f64,
+    sure: Share,
+    /// What was told since, with the moment of machine time.
+    told: VecDeque<(f64, Share)>,
+}
+
+impl Lag {
+    pub const fn new(leads_s: f64, sure: Share) -> Self {
+        Self { leads_s, now_s: 0.0, sure, told: VecDeque::new() }
+    }
+
+    /// Machine time has come to a moment.
+    pub fn comes_to(&mut self, now_s: f64) {
+        self.now_s = now_s;
+        while let Some((told_s, share)) = self.told.front().copied() {
+            if told_s + self.leads_s > now_s {
+                break;
+            }
+            self.sure = share;
+            self.told.pop_front();
+        }
+    }
+
+    /// So much is told to be made.
+    pub fn tells(&mut self, share: Share) {
+        self.told.push_back((self.now_s, share));
+    }
+
+    /// The machine stands: what was told is made.
+    pub fn stands(&mut self, share: Share) {
+        self.told.clear();
+        self.sure = share;
+    }
+
+    /// What is made for sure.
+    pub const fn sure(&self) -> Share {
+        self.sure
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_told_lately_is_not_sure() {
+        let mut lag = Lag::new(0.5, (3, 0.0));
+        for (at_s, share) in [(0.1, (3, 0.4)), (0.2, (3, 0.8)), (0.3, (4, 0.0)), (0.4, (4, 0.5))] {
+            lag.comes_to(at_s);
+            lag.tells(share);
+        }
+        let mut sure = |at_s| {
+            lag.comes_to(at_s);
+            lag.sure()
+        };
+        assert_eq!(
+            [sure(0.59), sure(0.61), sure(0.81), sure(0.85)],
+            [(3, 0.0), (3, 0.4), (4, 0.0), (4, 0.0)]
+        );
+        lag.stands((5, 0.0));
+        assert_eq!(lag.sure(), (5, 0.0));
+    }
+}

@@ -1,0 +1,311 @@
+//! Boards: found at ports and in the network, their settings, and whether they hold what Kerf expects of a controller.
+
+use crate::exit::{Exit, Usage};
+use crate::machine_name::{DriverName, MachineName};
+use crate::out;
+use anyhow::{Context, Result, anyhow, bail};
+use clap::Subcommand;
+use kerf_driver_grbl::Grbl;
+use kerf_driver_grbl::settings::setting;
+use kerf_machine::driver::Wired;
+use kerf_transport::{Address, Line, ports};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread::spawn;
+use std::time::{Duration, Instant};
+
+/// Whoever has not told who it is after this is no controller.
+const FOUND: Duration = Duration::from_millis(2900);
+
+/// One look at a line.
+const NAP: Duration = Duration::from_millis(5);
+
+/// A board answers what it is told within this.
+const ANSWERED: Duration = Duration::from_secs(3);
+
+/// Names under which boards are in a network.
+const IN_NETWORKS: [&str; 4] =
+    ["tcp:fluidnc.local", "tcp:fluidnc", "tcp:grblhal.local", "tcp:grblhal"];
+
+/// Settings by their numbers, as the board writes them.
+type Settings = BTreeMap<u16, String>;
+
+#[derive(Clone, Debug, Subcommand)]
+pub enum SettingsAction {
+    /// Changes one
+    Set {
+        /// Its number, as 110
+        number: u16,
+        /// The value
+        #[arg(allow_hyphen_values = true)]
+        value: String,
+    },
+    /// Writes all of them into a file
+    Backup {
+        /// The file
+        file: PathBuf,
+    },
+    /// Changes those that differ from the ones in a file
+    Restore {
+        /// The file, as a backup wrote it
+        file: PathBuf,
+    },
+    /// Lists those that differ from the ones in a file, or on another board
+    Compare {
+        /// A file, or a machine as --machine names it
+        with: String,
+    },
+}
+
+/// A board on its line, spoken to directly.
+struct Board {
+    grbl: Grbl,
+    line: Box<dyn Line>,
+    since: Instant,
+}
+
+impl Board {
+    /// Opens the line and waits until the board has told who it is.
+    fn open(address: &Address, within: Duration) -> Result<Self> {
+        let line = address.open()?;
+        let mut board = Self { grbl: Grbl::new(), line, since: Instant::now() };
+        while board.grbl.facts().is_none() {
+            if let Some(trouble) = board.grbl.trouble() {
+                bail!("{address}: {trouble}");
+            }
+            if board.since.elapsed() > within {
+                bail!("{address} does not answer: is it a controller, and is this its rate?");
+            }
+            board.carry()?;
+        }
+        Ok(board)
+    }
+
+    fn now_s(&self) -> f64 {
+        self.since.elapsed().as_secs_f64()
+    }
+
+    /// Moves bytes both ways.
+    fn carry(&mut self) -> Result<()> {
+        let bytes = self.grbl.speak(self.now_s());
+        if !bytes.is_empty() {
+            self.line.write(&bytes)?;
+        }
+        let mut came = [0; 1024];
+        let count = self.line.read(&mut came, NAP)?;
+        let now_s = self.now_s();
+        self.grbl.hear(&came[..count], now_s);
+        Ok(())
+    }
+
+    /// Puts back what was changed to speak to it.
+    fn leave(mut self) -> Result<()> {
+        let until = Instant::now() + ANSWERED;
+        while let Some(changed) = self.grbl.changed()
+            && !self.grbl.puts_back(changed)
+            && Instant::now() < until
+        {
+            self.carry()?;
+        }
+        Ok(())
+    }
+
+    fn name(&self) -> String {
+        self.grbl.facts().map(|facts| facts.name.clone()).unwrap_or_default()
+    }
+
+    /// Returns its settings; what was changed to speak to it is as it was.
+    fn settings(&self) -> Settings {
+        let mut settings = self.grbl.settings().clone();
+        if let Some(changed) = self.grbl.changed() {
+            settings.insert(changed.number, changed.was.to_string());
+        }
+        settings
+    }
+
+    /// Changes a setting.
+    fn set(&mut self, number: u16, value: &str) -> Result<()> {
+        self.grbl.writes(number, value);
+        let until = Instant::now() + ANSWERED;
+        while !self.grbl.has_said_all() {
+            if Instant::now() > until {
+                bail!("${number}={value} is not answered");
+            }
+            self.carry()?;
+        }
+        match self.grbl.trouble() {
+            Some(trouble) => Err(anyhow!("${number}={value}: {trouble}")),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Looks for boards at all serial ports and under the names that they have in networks, side by side; prints each with its
+/// firmware.
+pub fn connect(more: &[String]) -> Result<Exit> {
+    let mut addresses = Vec::new();
+    for words in more {
+        addresses.push(Address::read(words).map_err(|why| Usage(format!("{words}: {why}")))?);
+    }
+    let serial = ports().into_iter().map(|path| Address::Serial { path, baud: Address::BAUD });
+    let named = IN_NETWORKS.iter().filter_map(|words| Address::read(words).ok());
+    addresses.extend(serial.chain(named));
+    let found = found(addresses);
+    if found.is_empty() {
+        eprintln!(
+            "kerf: no controller was found; name where one is: kerf machine connect tcp:192.168.1.20"
+        );
+        return Ok(Exit::Failed);
+    }
+    let lines: String = found.iter().map(|(at, name)| format!("grbl:{at:<30} {name}\n")).collect();
+    out::print(&lines);
+    Ok(Exit::Good)
+}
+
+/// Returns who answers in time, with the names of their firmware, in the order of the addresses.
+fn found(addresses: Vec<Address>) -> Vec<(String, String)> {
+    let (tells, told) = channel();
+    for (place, address) in addresses.into_iter().enumerate() {
+        let tells = tells.clone();
+        spawn(move || {
+            let Ok(board) = Board::open(&address, FOUND) else { return };
+            let axes: String =
+                "XYZABC".chars().take(board.grbl.facts().map_or(0, |it| it.axes)).collect();
+            // Nobody listens any more where the time is over.
+            drop(tells.send((place, address.key(), format!("{}, axes {axes}", board.name()))));
+            drop(board.leave());
+        });
+    }
+    drop(tells);
+    gathered(&told)
+}
+
+fn gathered(told: &Receiver<(usize, String, String)>) -> Vec<(String, String)> {
+    let until = Instant::now() + FOUND;
+    let mut found = BTreeMap::new();
+    while let Ok((place, at, name)) =
+        told.recv_timeout(until.saturating_duration_since(Instant::now()))
+    {
+        found.insert(place, (at, name));
+    }
+    found.into_values().collect()
+}
+
+/// Prints the settings of a board, or does something with them.
+pub fn settings(name: &DriverName, action: Option<&SettingsAction>) -> Result<Exit> {
+    let mut board = Board::open(&name.address, Duration::from_secs(8))?;
+    let done = does(&mut board, action);
+    let left = board.leave();
+    let exit = done?;
+    left?;
+    Ok(exit)
+}
+
+fn does(board: &mut Board, action: Option<&SettingsAction>) -> Result<Exit> {
+    match action {
+        None => out::print(&listed(&board.settings())),
+        Some(SettingsAction::Set { number, value }) => {
+            if let Some(why) = setting(*number).and_then(|it| it.refuses(value)) {
+                bail!(Usage(why));
+            }
+            board.set(*number, value)?;
+        }
+        Some(SettingsAction::Backup { file }) => {
+            std::fs::write(file, backup(&board.name(), &board.settings()))
+                .with_context(|| format!("cannot write {}", file.display()))?;
+        }
+        Some(SettingsAction::Restore { file }) => restore(board, &read(file)?)?,
+        Some(SettingsAction::Compare { with }) => {
+            let others = match MachineName::read(with) {
+                Ok(MachineName::Controller(name)) => {
+                    let other = Board::open(&name.address, Duration::from_secs(8))?;
+                    let settings = other.settings();
+                    other.leave()?;
+                    settings
+                }
+                _ => read(Path::new(with))?,
+            };
+            let differing = compared(&board.settings(), &others);
+            out::print(&differing);
+            return Ok(if differing.is_empty() { Exit::Good } else { Exit::Failed });
+        }
+    }
+    Ok(Exit::Good)
+}
+
+/// A line a setting, with its name, unit and bounds.
+fn listed(settings: &Settings) -> String {
+    let line = |(number, value): (&u16, &String)| {
+        let Some(it) = setting(*number) else { return format!("${number}={value}\n") };
+        let bounds = match it.bounds {
+            (least, most) if most.is_infinite() => format!("{least} or more"),
+            (least, most) => format!("{least} to {most}"),
+        };
+        let value = format!("${number}={value} {}", it.unit);
+        format!("{:<24} {} [{bounds}]\n", value.trim_end(), it.name)
+    };
+    settings.iter().map(line).collect()
+}
+
+fn backup(board: &str, settings: &Settings) -> String {
+    let lines: String =
+        settings.iter().map(|(number, value)| format!("${number}={value}\n")).collect();
+    format!("; {board}\n{lines}")
+}
+
+/// Reads a backup: a setting a line, what begins with a semicolon is none.
+fn read(file: &Path) -> Result<Settings> {
+    let text =
+        std::fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
+    let mut settings = Settings::new();
+    for (n, line) in text.lines().map(str::trim).enumerate() {
+        if line.is_empty() || line.starts_with(';') {
+            continue;
+        }
+        let pair = line.strip_prefix('$').and_then(|rest| rest.split_once('='));
+        let read = pair.and_then(|(number, value)| Some((number.parse().ok()?, value.to_owned())));
+        let (number, value) = read.ok_or_else(|| {
+            anyhow!("{}:{}: '{line}' is no setting as $110=5000", file.display(), n + 1)
+        })?;
+        settings.insert(number, value);
+    }
+    Ok(settings)
+}
+
+/// Changes what differs, and tells each.
+fn restore(board: &mut Board, wanted: &Settings) -> Result<()> {
+    let has = board.settings();
+    for (number, value) in wanted {
+        match has.get(number) {
+            Some(is) if same(is, value) => {}
+            None => eprintln!("kerf: the board has no ${number}: left out"),
+            Some(is) => {
+                board.set(*number, value)?;
+                out::print(&format!("${number}={value}, was {is}\n"));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn same(a: &str, b: &str) -> bool {
+    a == b || matches!((a.parse::<f64>(), b.parse::<f64>()), (Ok(a), Ok(b)) if a == b)
+}
+
+/// A line a setting that is another.
+fn compared(here: &Settings, there: &Settings) -> String {
+    let mut numbers: Vec<&u16> = here.keys().chain(there.keys()).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    let line = |number: &&u16| {
+        let (a, b) = (here.get(number), there.get(number));
+        if matches!((a, b), (Some(a), Some(b)) if same(a, b)) {
+            return None;
+        }
+        let shown = |value: Option<&String>| value.map_or("-", |value| value.as_str()).to_owned();
+        let name = setting(**number).map_or("", |it| it.name);
+        Some(format!("${number:<5} {:<14} {:<14} {name}\n", shown(a), shown(b)))
+    };
+    numbers.iter().filter_map(line).collect()
+}

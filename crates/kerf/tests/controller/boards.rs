@@ -1,0 +1,51 @@
+//! Boards: found, their settings kept and compared, the list that every machine has to hold.
+
+use crate::bench::Bench;
+use crate::shop::Shop;
+use std::time::{Duration, Instant};
+
+#[test]
+fn a_controller_is_found_with_its_firmware() {
+    let (shop, bench) = (Shop::new(&[]), Bench::tcp());
+    let begin = Instant::now();
+    let found = shop.kerf(&format!("machine connect {} tcp:127.0.0.1:9", bench.port));
+    assert!(begin.elapsed() < Duration::from_secs(20), "a busy computer is no measure of 3 s");
+    found.exits(0).says(&format!("grbl:{}", bench.port)).says("grbl 1.1h.20190825, axes XYZ");
+    assert!(!found.out().contains(":9"), "{}", found.out());
+}
+
+#[test]
+fn settings_of_a_board_are_listed_changed_kept_and_compared() {
+    let (shop, bench, other) = (Shop::new(&[]), Bench::tcp(), Bench::tcp());
+    other.look(|fake| fake.hear(b"$120=250\n", 0.0));
+    let board =
+        |words: &str| shop.kerf(&format!("machine settings {words} --machine grbl:{}", bench.port));
+    let listed = board("");
+    listed
+        .exits(0)
+        .says("$110=6000.000 mm/min")
+        .says("X greatest speed [0 or more]")
+        .says("$13=0.000");
+    listed.says("$10=1 ");
+    board("set 13 5").exits(2).complains("$13 is from 0 to 1");
+    board("backup kept.txt").exits(0);
+    board("set 110 5000").exits(0);
+    assert_eq!(bench.look(|fake| fake.is_set_to(110)), 5000.0);
+    board("compare kept.txt").exits(1).says("$110").says("5000").says("6000");
+    board(&format!("compare grbl:{}", other.port)).exits(1).says("$120").says("250");
+    board("restore kept.txt").exits(0).says("$110=6000");
+    board("compare kept.txt").exits(0);
+    assert_eq!(bench.look(|fake| (fake.is_set_to(110), fake.is_set_to(10))), (6000.0, 1.0));
+    shop.kerf("machine settings").exits(2).complains("--machine grbl:PORT");
+}
+
+#[test]
+fn a_board_proves_that_it_holds_the_list() {
+    let (shop, bench) = (Shop::new(&[]), Bench::tcp());
+    let proved = shop.kerf(&format!("machine prove --report r.md --machine grbl:{}", bench.port));
+    proved.exits(0).says("a plan is made whole, and no moment behind its end is reached: held");
+    let report = shop.read("r.md");
+    assert!(report.contains("# grbl 1.1h.20190825 on grbl:tcp:"), "{report}");
+    assert_eq!(report.matches("| held |").count(), 7, "{report}");
+    assert_eq!(bench.look(|fake| fake.spindle()), None);
+}

@@ -1,0 +1,110 @@
+//! A piece of plan as a machine makes it that executes plans itself, with the way to rest from any moment of it.
+//!
+//! ```text
+//!  speed │ ──────────────────────╮
+//!        │     ╲                  ╲  the plan
+//!        │      ╲ rest from t      ╲
+//!        └──────┴───────────────────┴──► time
+//!               t
+//! ```
+
+use crate::chain::{Clocked, plain_clock};
+use crate::plan::{Law, Plan};
+use crate::steps::{Step, Stepper};
+use crate::stop::Braked;
+use kerf_program::Axes;
+
+/// A speed this close to that of a ramp's end is a stand, as a share of it.
+const STAND: f64 = 1.001;
+/// A speed below this is none, mm/s.
+const STILL_MM_S: f64 = 1e-6;
+
+/// A piece of plan that is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Leg(Plan);
+
+/// The way to rest: where every axis is, from the moment at which it begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rest {
+    law: RestLaw,
+    /// The moment at which the machine stands, seconds of the plan.
+    pub end_s: f64,
+    /// It stands there; otherwise the plan that is known ends before.
+    pub stands: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum RestLaw {
+    Ramped(Plan),
+    Clocked(Box<Clocked>),
+}
+
+impl Leg {
+    /// A piece of plan.
+    pub fn new(plan: Plan) -> Self {
+        Self(plan.by(plain_clock()))
+    }
+
+    /// Place of every axis at a time of the plan, seconds.
+    pub fn at(&self, t_s: f64) -> Axes {
+        self.0.at(t_s).position
+    }
+
+    /// The steps of the motors from one time of the plan to another, in order of time.
+    pub fn steps(&self, stepper: &mut Stepper, [from_s, to_s]: [f64; 2]) -> Vec<Step> {
+        stepper.follow(from_s, to_s, |t_s| self.at(t_s))
+    }
+
+    /// The times at which it begins and ends, seconds of the plan.
+    pub fn span_s(&self) -> [f64; 2] {
+        [self.0.span_s(0).0, self.0.duration_s()]
+    }
+
+    /// The time at which a move of it begins, seconds of the plan.
+    pub fn begins_s(&self, index: usize) -> f64 {
+        self.0.span_s(index).0
+    }
+
+    /// Returns `true` if the machine stands at its end.
+    pub fn rests(&self) -> bool {
+        stands(&self.0)
+    }
+
+    /// The way to rest from a time of the plan on, as steeply as accelerations allow; nothing for a plan without moves.
+    pub fn rest(&self, t_s: f64) -> Option<Rest> {
+        let stop = self.0.brake(t_s).or_else(|| self.0.stop(t_s, true))?;
+        let end_s = stop.end_s;
+        if let Braked::Clocked(slowed) = stop.law {
+            let v = crate::splice::speed(&slowed.at(end_s));
+            return Some(Rest { law: RestLaw::Clocked(slowed), end_s, stands: v < STILL_MM_S });
+        }
+        let (made, _) = self.0.clone().cut(&stop);
+        Some(Rest { stands: stands(&made), law: RestLaw::Ramped(made), end_s })
+    }
+}
+
+impl Rest {
+    /// Place of every axis at a time of the plan, seconds.
+    pub fn at(&self, t_s: f64) -> Axes {
+        match &self.law {
+            RestLaw::Ramped(plan) => plan.at(t_s).position,
+            RestLaw::Clocked(law) => law.at(t_s).position,
+        }
+    }
+
+    /// The steps of the motors from a time of the plan to where it stands, in order of time.
+    pub fn steps(&self, stepper: &mut Stepper, from_s: f64) -> Vec<Step> {
+        stepper.follow(from_s, self.end_s, |t_s| self.at(t_s))
+    }
+}
+
+/// A plan ends at a stand: at rest, or at the speed of a ramp's end.
+fn stands(plan: &Plan) -> bool {
+    match &plan.law {
+        Law::Ramped(_) => {
+            let last = plan.moves().len().checked_sub(1).and_then(|last| plan.span(last));
+            last.is_none_or(|last| last.v_exit <= STAND * last.made.ramp_mm_s)
+        }
+        _ => plan.ends_at_rest(),
+    }
+}

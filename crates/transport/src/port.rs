@@ -1,0 +1,83 @@
+//! A port: opened by its path, bytes in, bytes out.
+
+use crate::LineError;
+use crate::line::STUCK;
+use serialport::{ClearBuffer, SerialPort};
+use std::io::{ErrorKind, Read, Write};
+use std::time::Duration;
+
+/// Bytes handed to the system at a time, so that it never has to wait for room in the middle.
+const MOUTHFUL: usize = 64;
+
+/// Returns the names of the serial ports that there are.
+pub fn ports() -> Vec<String> {
+    let found = serialport::available_ports().unwrap_or_default();
+    let mut names: Vec<String> = found.into_iter().map(|port| port.port_name).collect();
+    names.sort();
+    names
+}
+
+/// An open serial port: 8 data bits, no parity, 1 stop bit, no flow control.
+pub struct Port {
+    path: String,
+    line: Box<dyn SerialPort>,
+}
+
+impl Port {
+    /// Opens a port at a rate in baud. Nobody else can open it meanwhile; what came before is dropped.
+    pub fn open(path: &str, baud: u32) -> Result<Self, LineError> {
+        let line = serialport::new(path, baud).timeout(STUCK).open();
+        let line = line.map_err(|error| LineError::opening(path, baud, &error))?;
+        let cleared = line.clear(ClearBuffer::Input);
+        cleared.map_err(|error| LineError::opening(path, baud, &error))?;
+        Ok(Self::of(path, line))
+    }
+
+    /// A port that is open already.
+    pub(crate) fn of(path: &str, line: Box<dyn SerialPort>) -> Self {
+        Self { path: path.to_owned(), line }
+    }
+
+    /// Returns the path by which it was opened.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The bytes that came, waiting for the first of them at most `wait`; 0 when none did.
+    pub fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, LineError> {
+        let outcome = self.line.set_timeout(wait).map_err(std::io::Error::from);
+        match outcome.and_then(|()| self.line.read(into)) {
+            Ok(0) if !into.is_empty() => {
+                Err(LineError::using(&self.path, &ErrorKind::UnexpectedEof.into()))
+            }
+            Ok(count) => Ok(count),
+            Err(error) if is_nothing(error.kind()) => Ok(0),
+            Err(error) => Err(LineError::using(&self.path, &error)),
+        }
+    }
+
+    /// Writes all bytes; they may be still on their way when it returns.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), LineError> {
+        let outcome = self.line.set_timeout(STUCK).map_err(std::io::Error::from);
+        let written = outcome.and_then(|()| {
+            bytes.chunks(MOUTHFUL).try_for_each(|mouthful| self.line.write_all(mouthful))
+        });
+        written.map_err(|error| LineError::using(&self.path, &error))
+    }
+
+    /// The rate in baud.
+    pub fn baud(&self) -> Result<u32, LineError> {
+        self.line.baud_rate().map_err(|error| LineError::using(&self.path, &error.into()))
+    }
+}
+
+/// Tells whether a line has nothing to say, and is no worse for it.
+pub(crate) fn is_nothing(kind: ErrorKind) -> bool {
+    matches!(kind, ErrorKind::TimedOut | ErrorKind::WouldBlock | ErrorKind::Interrupted)
+}
+
+impl std::fmt::Debug for Port {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Port").field("path", &self.path).finish_non_exhaustive()
+    }
+}

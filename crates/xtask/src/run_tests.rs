@@ -1,0 +1,195 @@
+//! Runs every test program of the workspace.
+//!
+//! Cargo runs test programs one after another, and most of the longer ones wait for a machine half of their time. Here
+//! as many as there are processors run side by side, the largest first; each tells its result when it has ended. The
+//! programs that measure time run afterwards, by themselves.
+
+use crate::Finding;
+use anyhow::{Context, Result, bail};
+use serde_json::Value;
+use std::collections::VecDeque;
+use std::io::{Write, stdout};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+use std::sync::{Mutex, mpsc};
+use std::thread;
+
+/// Programs that measure time, and the number of their tests that may run at once: a controller is waited for most of
+/// the time, a bound on STOP is measured by itself.
+const BY_THEMSELVES: [(&str, usize); 3] =
+    [("controller", 8), ("jog_link", 1), ("stop_under_load", 1)];
+
+/// One test program.
+#[derive(Clone, Debug)]
+struct Program {
+    /// Name of its target: `all`, or the crate's own for the tests beside the code.
+    target: String,
+    path: PathBuf,
+    /// Folder of its crate, in which it runs.
+    folder: PathBuf,
+    bytes: u64,
+    /// Tests at once; nothing for one per processor.
+    threads: Option<usize>,
+}
+
+/// Builds and runs all test programs and the examples in documentation; returns what failed.
+///
+/// # Errors
+///
+/// Cargo or a program cannot be started, or the workspace does not compile.
+pub fn run() -> Result<Vec<Finding>> {
+    let mut programs = built()?;
+    programs.sort_by_key(|program| std::cmp::Reverse(program.bytes));
+    let (alone, beside): (Vec<_>, Vec<_>) =
+        programs.into_iter().partition(|program| program.threads.is_some());
+    let mut failed = side_by_side(beside)?;
+    for program in alone {
+        failed.extend(tell(&program, &output(&program)?)?);
+    }
+    let documented = Command::new(cargo())
+        .args(["test", "--workspace", "--locked", "--no-fail-fast", "--doc"])
+        .status();
+    if !documented.context("cargo does not start")?.success() {
+        failed.push(Finding::file("crates", "an example in documentation fails"));
+    }
+    Ok(failed)
+}
+
+fn cargo() -> String {
+    std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
+}
+
+fn built() -> Result<Vec<Program>> {
+    let made = Command::new(cargo())
+        .args([
+            "test",
+            "--workspace",
+            "--locked",
+            "--no-run",
+            "--message-format=json-render-diagnostics",
+        ])
+        .stderr(Stdio::inherit())
+        .output()
+        .context("cargo does not start")?;
+    if !made.status.success() {
+        bail!("the workspace does not compile");
+    }
+    String::from_utf8_lossy(&made.stdout)
+        .lines()
+        .filter_map(|line| program(line).transpose())
+        .collect()
+}
+
+/// Reads a message of cargo, where it tells of a test program.
+fn program(line: &str) -> Result<Option<Program>> {
+    let message: Value = serde_json::from_str(line).context("a message of cargo")?;
+    let text = |of: &Value| of.as_str().map(str::to_owned);
+    let tested = message["profile"]["test"] == true;
+    let (Some(path), Some(manifest), Some(target)) = (
+        text(&message["executable"]),
+        text(&message["manifest_path"]),
+        text(&message["target"]["name"]),
+    ) else {
+        return Ok(None);
+    };
+    if !tested {
+        return Ok(None);
+    }
+    let path = PathBuf::from(path);
+    let bytes = path.metadata().with_context(|| format!("{} is not there", path.display()))?.len();
+    let folder = PathBuf::from(manifest).parent().context("a crate without a folder")?.to_owned();
+    let threads =
+        BY_THEMSELVES.iter().find(|(name, _)| *name == target).map(|(_, threads)| *threads);
+    Ok(Some(Program { target, path, folder, bytes, threads }))
+}
+
+fn side_by_side(programs: Vec<Program>) -> Result<Vec<Finding>> {
+    let waiting = Mutex::new(VecDeque::from(programs));
+    let next = || waiting.lock().ok().and_then(|mut waiting| waiting.pop_front());
+    let workers = thread::available_parallelism().map_or(2, usize::from);
+    let (ended, told) = mpsc::channel();
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            let ended = ended.clone();
+            scope.spawn(move || {
+                while let Some(program) = next() {
+                    let output = output(&program);
+                    if ended.send((program, output)).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(ended);
+        let mut failed = Vec::new();
+        for (program, output) in told {
+            failed.extend(tell(&program, &output?)?);
+        }
+        Ok(failed)
+    })
+}
+
+fn output(program: &Program) -> Result<Output> {
+    let mut command = Command::new(&program.path);
+    command
+        .arg("--show-output")
+        .current_dir(&program.folder)
+        .env("CARGO_MANIFEST_DIR", &program.folder);
+    if let Some(threads) = program.threads {
+        command.env("RUST_TEST_THREADS", threads.to_string());
+    }
+    command.output().with_context(|| format!("{} does not start", program.path.display()))
+}
+
+/// Prints what a program told; returns a finding where it failed.
+fn tell(program: &Program, output: &Output) -> Result<Option<Finding>> {
+    let name = format!("{} of {}", program.target, program.folder.display());
+    let mut out = stdout().lock();
+    writeln!(out, "     Running {name}")?;
+    out.write_all(&output.stdout)?;
+    out.write_all(&output.stderr)?;
+    let finding = || {
+        Finding::file(
+            program.folder.to_string_lossy(),
+            format!("a test of `{}` fails", program.target),
+        )
+    };
+    Ok((!output.status.success()).then(finding))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_of_another_kind_is_no_program() -> Result<()> {
+        let check = |line: &str| -> Result<()> {
+            assert!(program(line)?.is_none(), "{line}");
+            Ok(())
+        };
+        check(r#"{"reason":"build-finished","success":true}"#)?;
+        check(
+            r#"{"reason":"compiler-artifact","executable":null,"profile":{"test":true},"target":{"name":"a"}}"#,
+        )?;
+        check(
+            r#"{"executable":"/x","manifest_path":"/a/Cargo.toml","profile":{"test":false},"target":{"name":"kerf"}}"#,
+        )
+    }
+
+    #[test]
+    fn a_program_that_measures_time_runs_by_itself() -> Result<()> {
+        let check = |target: &str, threads: Option<usize>| -> Result<()> {
+            let here = std::env::current_exe()?;
+            let line = serde_json::json!({
+                "executable": here, "manifest_path": "/a/b/Cargo.toml",
+                "profile": { "test": true }, "target": { "name": target },
+            });
+            let found = program(&line.to_string())?.context("a program")?;
+            assert_eq!((found.threads, found.folder), (threads, PathBuf::from("/a/b")), "{target}");
+            Ok(())
+        };
+        check("all", None)?;
+        check("stop_under_load", Some(1))?;
+        check("controller", Some(8))
+    }
+}
