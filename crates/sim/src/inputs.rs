@@ -264,9 +264,9 @@ impl Inputs {
         self.script.get(self.done..)?.last().map(|change| change.at_s)
     }
 
-    /// Nothing is known any more of what was told from a moment on.
+    /// Nothing is known any more of what was told behind a moment.
     pub(crate) fn forget(&mut self, from_s: f64) {
-        let place = self.script.partition_point(|change| change.at_s < from_s).max(self.done);
+        let place = self.script.partition_point(|change| change.at_s <= from_s).max(self.done);
         self.script.truncate(place);
     }
 
