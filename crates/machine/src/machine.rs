@@ -164,7 +164,7 @@ pub trait Machine {
     fn use_settings(&mut self, _settings: &Arc<Settings>) {}
 
     /// Learns the plan that is followed next, or by which the rest of the one under way is made, before any of its moves
-    /// is handed over. A machine that [repeats](Facts::repeats) tells once more what it told behind the beginning.
+    /// is handed over. A machine that [repeats](Facts::repeats) tells once more what it told from the beginning on.
     fn follows(&mut self, _ahead: &Ahead<'_>) {}
 
     /// Another piece of plan is followed from now on; what it has of the one before it makes first.

@@ -264,9 +264,9 @@ impl Inputs {
         self.script.get(self.done..)?.last().map(|change| change.at_s)
     }
 
-    /// Nothing is known any more of what was told behind a moment.
+    /// Nothing is known any more of what was told from a moment on.
     pub(crate) fn forget(&mut self, from_s: f64) {
-        let place = self.script.partition_point(|change| change.at_s <= from_s).max(self.done);
+        let place = self.script.partition_point(|change| change.at_s < from_s).max(self.done);
         self.script.truncate(place);
     }
 
@@ -297,6 +297,17 @@ impl Inputs {
             *contact = Some(change.on);
         }
         Some(change)
+    }
+
+    /// Has everything happen that came before a moment, and what somebody has done by hand until then.
+    pub(crate) fn come_to(&mut self, t_s: f64) {
+        let by_hand = |inputs: &Self, change: Change| {
+            let moved = index(change.input).and_then(|i| inputs.by_hand.get(i)).copied().flatten();
+            change.at_s <= t_s && !inputs.is_foreseen_first() && moved.is_some()
+        };
+        while self.next().is_some_and(|it| it.at_s < t_s || by_hand(self, it)) {
+            self.happen(t_s);
+        }
     }
 
     /// Returns `true` if the contact of an input is known to be so.

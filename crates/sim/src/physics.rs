@@ -124,11 +124,11 @@ impl Physics {
         self.carriages.astray()
     }
 
-    /// Motion will follow this plan: what the sensors will tell is worked out. What was told behind the beginning is told
-    /// once more.
+    /// Motion will follow this plan: what the sensors will tell is worked out. What was told from the beginning on is
+    /// told once more, but for what somebody has done by hand until then.
     pub(crate) fn foresee(&mut self, ahead: &Ahead<'_>) {
         let from_s = ahead.from_s;
-        while self.inputs.step(from_s, &self.settings.io).is_some() {}
+        self.inputs.come_to(from_s);
         let lent = Lent { inputs: &self.inputs, modes: &self.settings.io };
         let ticks = self.head.foreseen_ticks(lent, ahead);
         let mut all: Vec<Change> = self.foreseen_switches(ahead);
