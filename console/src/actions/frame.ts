@@ -23,7 +23,7 @@ export function frameLines(info: PreviewInfo, units: Units): string | undefined 
   );
 }
 
-/** Why the tool may not go round at the height where it is; nothing when it may. */
+/** The reason for which the tool may not go round at its height; nothing when it may. */
 export function tooLow(zMm: number, info: PreviewInfo): string | undefined {
   const top = Math.max(0, (info.bounds?.[1][2] ?? 0) - info.zero[2]);
   return zMm >= top + clearMm

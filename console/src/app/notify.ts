@@ -4,7 +4,7 @@ import type { Snapshot } from "../wire/messages";
 
 const key = "kerf.notify";
 
-/** Whether this browser shows them. */
+/** True if this browser shows them. */
 export const notifies = (): boolean =>
   localStorage.getItem(key) === "yes" &&
   typeof Notification !== "undefined" &&
@@ -22,7 +22,7 @@ export const endNotifying = (): void => localStorage.setItem(key, "no");
 
 type Told = Pick<Snapshot, "job" | "asked">;
 
-/** What is new between two moments, in a sentence; nothing where it is nothing to call somebody for. */
+/** Tells in a sentence the change for which somebody is called; nothing where there is none. */
 export function newsOf(before: Told, { job, asked }: Told): string | undefined {
   if (!job || job.command !== null || job.file === "") return undefined;
   if (asked && asked.number !== before.asked?.number) return `${job.file} needs you: ${asked.text}`;

@@ -8,7 +8,7 @@ import { Field } from "../ui/Field";
 import { cards } from "./cards";
 import { pictureOf, type Sample, samples, sampleText } from "./samples";
 
-/** What newcomers ask, with short answers, and jobs to try. */
+/** Questions of newcomers with short answers, and jobs to try. */
 export function HowDoI() {
   const { screen } = useHands();
   const [wanted, setWanted] = useState("");
@@ -29,7 +29,7 @@ export function HowDoI() {
             <Button
               size="small"
               look="quiet"
-              aria-label={`The book: ${question}`}
+              aria-label={`More in the book: ${question}`}
               onPress={() => screen.explain(`book/${place}`)}
             >
               More in the book

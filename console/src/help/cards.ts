@@ -1,4 +1,4 @@
-/** What newcomers ask, each with the steps of an answer and the place of the book that tells more. */
+/** Questions of newcomers, each with the steps of an answer and the place of the book that tells more. */
 
 export interface Card {
   readonly question: string;

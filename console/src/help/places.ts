@@ -1,4 +1,4 @@
-/** Where the book tells of a panel or a sheet, by its title: the page, and the heading on it. */
+/** The place of the book that tells of a panel or a sheet, by its title: the page, and the heading on it. */
 export const places: Readonly<Record<string, string>> = {
   Location: "frames",
   "Location in table base": "frames#table-base",

@@ -5,7 +5,7 @@ import { getText } from "../link/http";
 const most = 40_000;
 
 interface FileTextProps {
-  /** Where its content is fetched. */
+  /** The address of its content. */
   address: string;
   label: string;
 }

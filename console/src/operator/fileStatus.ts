@@ -85,7 +85,7 @@ export function fileStatus(told: Told, now = new Date()): FileStatus {
     : plain("ready, never run");
 }
 
-/** Where the tool is: `, line 14`, `, path 3`; nothing where no line says. */
+/** The place of the tool in words: `, line 14`, `, path 3`; nothing where no line tells it. */
 function toolText(told: Told): string {
   const { opened, job } = told;
   const tool = toolLine(told);
@@ -146,7 +146,7 @@ export interface RunProgress {
   readonly words: "left" | "planned";
   /** Nothing where no plan says. */
   readonly seconds: number | undefined;
-  /** What the seconds behind it are, and how many: of the run under way, or of the last one of this file. */
+  /** The time of the run under way, or of the last one of this file: `so far 0:14`, `took 1:15`. */
   readonly spent: string | undefined;
 }
 
@@ -168,7 +168,7 @@ export function progressOf(told: Told): RunProgress {
   return atRest(told, name);
 }
 
-/** How far the file that is open was made last. */
+/** The share of the open file that was made last. */
 function atRest(told: Told, name: string): RunProgress {
   const { opened, motion } = told;
   // A preview that ended at an error is no plan of the whole file.

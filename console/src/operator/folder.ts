@@ -1,4 +1,4 @@
-/** What the file picker shows: one folder, or what was looked for in all of them. */
+/** The list of the file picker: one folder, or the files found in all of them. */
 
 import type { FileInfo } from "../wire/messages";
 

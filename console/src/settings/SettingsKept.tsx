@@ -110,7 +110,7 @@ function useLoad() {
   };
 }
 
-/** How many changes are in sight at first. */
+/** Number of changes that are in sight at first. */
 const fewChanges = 5;
 
 function Changes() {

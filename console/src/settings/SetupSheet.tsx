@@ -18,7 +18,7 @@ interface Step {
   readonly keys: readonly string[];
 }
 
-/** What has to be known of a machine before it cuts, in this order. */
+/** The steps of setting up a machine, in order. */
 const steps: readonly Step[] = [
   {
     title: "Units",

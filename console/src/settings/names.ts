@@ -17,7 +17,7 @@ export function shortName(key: string): string {
   return large(rest.length > 0 ? rest.join(", ") : first);
 }
 
-/** What people call things that settings call otherwise: the beginning of keys, and words for them. */
+/** Words that people look for, by the beginning of the keys that they mean. */
 const alsoCalled: readonly (readonly [string, string])[] = [
   ["units", "inch inches metric imperial millimetre"],
   ["axes", "number of axes rotary 4th"],

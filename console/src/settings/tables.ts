@@ -25,7 +25,7 @@ export interface Topic {
   readonly title: string;
   readonly manual: string;
   readonly tables: readonly Table[];
-  /** What has one value. */
+  /** Settings with one value. */
   readonly single: readonly SettingEntry[];
 }
 
@@ -49,7 +49,7 @@ export const partsOf = (value: string): string[] =>
     .split(",")
     .map((part) => part.trim());
 
-/** Where a setting stands in a table; nothing where it stands alone. */
+/** The row and the column of a setting; nothing where it stands in no table. */
 function placeOf(entry: SettingEntry): Place | undefined {
   const parts = entry.key.split(".");
   const n = parts.findIndex((part) => axisColumns.includes(part.toUpperCase()));

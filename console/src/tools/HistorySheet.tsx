@@ -14,7 +14,7 @@ import { useKept } from "./useKept";
 /** Rows that are drawn. */
 const most = 300;
 
-/** When which file ran, how long, how that ended and who drove; and how many parts came of it. */
+/** The runs: file, time, duration, end and driver; and the number of parts that each file gave. */
 export function HistorySheet({ onClose }: { onClose: () => void }) {
   const runs = useKept<RunRecord>("/api/history");
   return (
@@ -35,7 +35,7 @@ const choices = [
   { value: "yes", words: "Notify" },
 ] as const;
 
-/** Whether this browser shows notifications. */
+/** Switches the notifications of this browser. */
 function NotifyChoice() {
   const { screen } = useHands();
   const [on, setOn] = useState(notifies);

@@ -10,7 +10,7 @@ import { Sheet } from "../ui/Sheet";
 import type { FileInfo, Opened, SampleAnswer } from "../wire/messages";
 import { answersOf, answersText } from "./samples";
 
-/** What the open program asks, with the answers that its preview gets. They are kept beside the file. */
+/** The questions of the open program, with the answers that its preview gets. They are kept beside the file. */
 export function SamplesSheet({ onClose }: { onClose: () => void }) {
   const opened = useSnapshot("opened");
   if (!opened || opened.samples.length === 0) {

@@ -8,7 +8,7 @@ export interface Macro {
   readonly lines: string;
 }
 
-/** What a new browser has, as examples. */
+/** Examples that a new browser begins with. */
 const usual: readonly Macro[] = [{ name: "Park", lines: "SA\nJZ,{height=1}\nJ2,{x=0},{y=0}" }];
 
 export function readMacros(): readonly Macro[] {

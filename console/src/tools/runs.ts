@@ -22,7 +22,7 @@ export interface Made {
   readonly all: number;
 }
 
-/** How often each file came to its end, the one that ran last first. */
+/** Counts the whole runs of each file, the one that ran last first. */
 export function partsMade(runs: readonly RunRecord[], now = new Date()): Made[] {
   const midnight = new Date(now.getFullYear(), now.getMonth(), now.getDate()).getTime() / 1000;
   const made = new Map<string, Made>();

@@ -1019,7 +1019,7 @@ preview: PreviewState,
 seconds: number,
 /** Mistakes in it, and whatever else is worth knowing. */
 findings: Array<Finding>,
-/** What it asked while it was previewed, and the sample answers that it got. */
+/** The questions that it asked while it was previewed, with the sample answers that it got. */
 samples: Array<SampleAnswer>,
 /** It has mistakes that keep it from running: the first errors of the findings. */
 broken: boolean,

@@ -46,5 +46,7 @@ it("a job to try is opened with one press from its picture", async () => {
   await page.getByRole("link", { name: "Help" }).click();
   await page.getByLabel("Search the questions").fill("pocket");
   await expect.poll(() => page.locator(".how-cards > li").count()).toBe(1);
-  expect(workshop.mistakes).toEqual([]);
+  // The page asks whether the file is there already.
+  const others = workshop.mistakes.filter((told) => !/404 .*\/api\/files\/coaster/.test(told));
+  expect(others).toEqual([]);
 });

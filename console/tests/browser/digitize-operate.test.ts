@@ -6,6 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import type { Snapshot } from "../../src/wire/messages";
 import { arm, kerf, openWorkshop, script, stands, stateOf, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -200,8 +201,9 @@ it("pro_digitize_d12__on_the_operators_screen: a shape in 3D is cut as deep as e
   await until(async () => (await stateOf(workshop)).drawing?.shapes === 1, "the shape");
   await page.getByRole("link", { name: "Draw" }).click();
   await page.getByRole("button", { name: "Machine", exact: true }).click();
-  await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "planned");
-  expect((await stateOf(workshop)).opened?.name).not.toBe("slot.sbp");
+  const planned = ({ opened }: Snapshot) =>
+    opened?.name !== "slot.sbp" && opened?.preview.state === "ready";
+  await until(async () => planned(await stateOf(workshop)), "planned");
   const { opened } = await stateOf(workshop);
   const key = opened?.preview.state === "ready" ? opened.preview.key : "";
   const answer = await fetch(`${workshop.address}/api/preview/${key}`);

@@ -37,7 +37,7 @@ it("sbp_con_easy: every button shows the command that does the same, and does it
     "Move toolSK",
     "Zero X YZ2",
     "Zero ZZZ",
-    "HomeJH",
+    "Work zeroJH",
     "Choose fileFP",
     "Cut partFP",
     "PreviewSP",

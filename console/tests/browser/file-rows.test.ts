@@ -130,7 +130,7 @@ it("sbp_file_fp_headerinfo: a mark in the sheet of FP tells what the head of the
 
 it("sbp_file_fs_dialog: a folder that was chosen in the dialog stays, and UV shows it", async () => {
   await page.keyboard.press("Control+o");
-  await page.getByRole("option", { name: /▸ x/ }).click();
+  await page.getByRole("option", { name: /^x\b/ }).click();
   await page.getByRole("option", { name: "in.sbp" }).click();
   await page.getByRole("dialog", { name: /^FP/ }).getByRole("button", { name: "Cut" }).click();
   await ended("FP,in.sbp");

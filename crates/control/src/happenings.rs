@@ -1,4 +1,4 @@
-//! What the machine logged, as a run tells it and as the machine that makes it is told.
+//! Passes on what the machine logged: to those who follow the run, and to the machine that makes it.
 
 use crate::heights;
 use crate::world::World;

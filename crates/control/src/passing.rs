@@ -253,6 +253,7 @@ impl<I: Interpreter> Station<'_, I> {
         let drive = &mut self.drive;
         let stands_s = self.world.workspace.tape.hear_rarely(Kind::Stood, || drive.hold(going));
         let Some(t) = stands_s else { return Some(turn) };
+        self.world.shows(going, t, self.feed);
         self.world.tell(&Event::Hold { t });
         self.tell_standing(flag::PAUSED);
         if self.resumes(t).is_none() {

@@ -11,7 +11,7 @@ pub struct RunContext<'a> {
     pub sink: &'a mut dyn Sink,
     /// Answers questions.
     pub operator: &'a mut dyn Operator,
-    /// What the operator asks for meanwhile.
+    /// Requests of the operator.
     pub requests: &'a mut dyn Requests,
     /// The machine that makes what is planned.
     pub machine: Driven,

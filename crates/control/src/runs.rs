@@ -261,7 +261,7 @@ impl Session {
         summary
     }
 
-    /// Which axes are homed now, however homing ended.
+    /// Takes over the axes that are homed, however homing ended.
     fn learn_homes(&mut self, found: Found) -> RunEnd {
         self.homed = self.homed.without(found.lost).union(found.done);
         found.over.unwrap_or(RunEnd::of(Status::Ok))

@@ -32,7 +32,7 @@ pub(crate) struct Kept {
     pub turned: Turning,
 }
 
-/// What stops a run, and how it goes on: the state of the machine, and the place to come back to.
+/// Stops of a run and the way on: the state of the machine, and the place to come back to.
 pub(crate) struct Stops<'a, I> {
     pub station: Station<'a, I>,
     /// State of the machine. A job, or a move by hand, knows more of it.

@@ -161,6 +161,12 @@ impl<'a> World<'a> {
         drive.pass(from_s, to_s, &doing, self.sink)
     }
 
+    /// Shows the machine where it stands on its way.
+    pub fn shows(&mut self, going: &Going<'_>, at_s: f64, feed: f32) {
+        let doing = Doing { machine: &self.machine, going: Some(*going), feed, files: &self.files };
+        self.sink.under_way(&doing, at_s, at_s);
+    }
+
     /// Tells that a move is made, and by which plan.
     pub fn tell_made(&mut self, made: &Made<'_>) {
         if self.silent {

@@ -14,6 +14,7 @@ mod journal;
 mod machine_file;
 mod no_switch;
 mod queued;
+mod references;
 mod registry;
 mod runs;
 mod settings_files;

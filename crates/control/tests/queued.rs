@@ -1,6 +1,6 @@
 //! A board with step queues as a machine, in time that is none: the list that every machine has to hold.
 
-use kerf_control::controller::queued::{Berth, Queued, Wiring};
+use kerf_control::controller::queued::{Berth, ERROR_S, Queued, Wiring};
 use kerf_driver_klipper::board::{Board, News, Options};
 use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
 use kerf_driver_klipper::fake::{Board as Fake, Faults, Line};
@@ -42,7 +42,7 @@ impl World {
         let line = |n| Line::new(seed * 2 + n, faults, 0.0007);
         let mut fake = Fake::of_seed(seed);
         fake.records = false;
-        let options = Options { linger_s: 1.0, ..Options::default() };
+        let options = Options { linger_s: 1.0, error_s: ERROR_S, ..Options::default() };
         let desk = Desk::new(Board::new(wiring.setup.clone(), options, 0.0));
         let (there, back) = (line(0), line(1));
         Self { fake, desk, there, back, now_s: 0.0, stalls_until_s: 0.0, heard: Vec::new() }

@@ -38,7 +38,7 @@ pub(crate) struct Gap {
     /// Since when it stands, and when it was asked last.
     idle_s: Option<f64>,
     looked_s: f64,
-    /// When it was asked for its modes, and how many lines it has answered since.
+    /// The moment at which it was asked for its modes, and the number of lines that it has answered since.
     asked_s: Option<f64>,
     answers: usize,
 }

@@ -78,7 +78,7 @@ fn a_place_that_several_moves_end_at_is_no_answer() {
     assert!(trouble.contains("where several of the moves"), "{trouble}");
 }
 
-/// What was reset while nobody looked counts from zero, and has forgotten its feed.
+/// A controller that was reset while nobody looked counts from zero, and has forgotten its feed.
 #[test]
 fn a_controller_that_was_reset_behind_a_gap_is_found_out() {
     for greets in [false, true] {

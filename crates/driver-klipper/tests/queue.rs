@@ -69,6 +69,18 @@ fn the_tail_goes_out_when_nothing_follows_and_nothing_follows_it() {
 }
 
 #[test]
+fn whoever_may_be_silent_for_longer_has_motion_sent_earlier() {
+    let check = |deadline_s: f64, least_s: f64| {
+        let lead = Lead::new(FREQUENCY).of_deadline(deadline_s);
+        assert_eq!(lead.least(), (least_s * FREQUENCY) as u64, "{deadline_s}");
+    };
+    check(0.03, 0.05);
+    check(0.1, 0.05);
+    check(2.0, 1.0);
+    check(5.0, 1.0);
+}
+
+#[test]
 fn what_was_not_sent_can_be_taken_back() {
     let lead = Lead::new(FREQUENCY);
     let mut queue = queue();

@@ -53,6 +53,19 @@ fn a_latch_of_a_former_session_is_put_at_rest() {
 }
 
 #[test]
+fn a_host_that_may_be_silent_for_long_moves_the_board_beyond_the_first_deadline() {
+    let options = Options { deadline_s: 0.8, ..Options::default() };
+    let mut world = World::new(5, Faults::default(), setup(), options);
+    world.wait(ready);
+    let motion = Motion::straight(500.0, 2.0);
+    let mut feed = world.begin(&motion, &[]);
+    while world.feed(&motion, &mut feed) {
+        world.pass();
+    }
+    assert_eq!(world.wait_end(), (Ended::Rested, vec![500, 0, 0]));
+}
+
+#[test]
 fn steps_that_were_lost_are_told() {
     let mut world = World::ready(2, Faults::default());
     let motion = Motion::straight(500.0, 1.0);
@@ -102,6 +115,20 @@ fn a_board_that_is_shut_down_already_tells_why() {
     world.fake.shut("ADC out of range");
     let told = second(&mut world, setup());
     assert_eq!(told, News::Fault(Fault::ShutDown("ADC out of range".to_owned())));
+}
+
+#[test]
+fn a_shutdown_is_cleared_where_somebody_has_looked_why() {
+    let mut world = World::ready(5, Faults::default());
+    world.make(&Motion::straight(500.0, 1.0), &[]);
+    world.fake.shut("ADC out of range");
+    let options = Options { clears: true, ..Options::default() };
+    world.host = kerf_driver_klipper::board::Board::new(setup(), options, world.now_s);
+    world.news.clear();
+    let told = world.wait(|news| ready(news) || matches!(news, News::Fault(_)));
+    let News::Ready { counts, .. } = told else { panic!("{told:?}") };
+    assert_eq!(counts[0], 500);
+    assert_eq!(world.make(&Motion::straight(500.0, 1.0), &[]).0, Ended::Rested);
 }
 
 #[test]

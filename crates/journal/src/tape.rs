@@ -112,7 +112,7 @@ pub struct Tape {
     switches: [Switches; 2],
     /// Progress of the run.
     reached: Reached,
-    /// What of it is made for sure, where the run tells of moves before they are made.
+    /// The part of it that is made for sure, where the run tells of moves before they are made.
     lag: Option<Lag>,
     writing: Option<Progress>,
     /// Nothing is written and the world is not asked: what happens has happened before.

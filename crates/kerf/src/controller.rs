@@ -9,7 +9,7 @@ use crate::stop::Stop;
 use anyhow::{Result, anyhow};
 use kerf_control::Session;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{Controller, Socket};
+use kerf_control::controller::{Controller, Place, Socket, queued};
 use kerf_driver_grbl::Grbl;
 use kerf_journal::{RunOptions, Work};
 use kerf_trace::Sink;
@@ -18,7 +18,18 @@ use kerf_workspace::Workspace;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Returns the place where a controller hangs.
-pub fn socket(name: &DriverName) -> Socket {
+pub fn socket(name: &DriverName) -> Place {
+    if name.is_board() { Place::Queued(board(name)) } else { Place::Followed(followed(name)) }
+}
+
+fn board(name: &DriverName) -> queued::Socket {
+    let DriverName { words, address } = name.clone();
+    let port = address.key();
+    let opens = Arc::new(move || address.open().map_err(|why| why.to_string()));
+    queued::Socket { name: words, port, opens }
+}
+
+fn followed(name: &DriverName) -> Socket {
     let DriverName { words, address } = name.clone();
     let port = address.key();
     let known: Mutex<Option<Address>> = Mutex::default();

@@ -7,12 +7,21 @@ use kerf_transport::Address;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+/// The driver of boards with step queues.
+const KLIPPER: &str = "klipper";
+
+/// Their rate on a serial line where none is given; over USB it has no meaning.
+const BOARD_BAUD: u32 = 250_000;
+
 /// The ending of files that say how a machine is set up.
 const ENDING: &str = "toml";
 
 /// Ways to name a controller.
 const CONTROLLERS: &str = "grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000 with another rate, grbl:tcp:HOST or \
      grbl:ws:HOST in the network";
+
+/// The way to name a board with step queues.
+const BOARDS: &str = "klipper:/dev/ttyACM0, or klipper:/dev/ttyUSB0@250000 on a serial line";
 
 /// One name of a machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,6 +50,7 @@ impl MachineName {
             }
             None if words == "sim" => Ok(Self::Sim),
             None if words == "grbl" => Err(format!("grbl needs its port: {CONTROLLERS}")),
+            None if words == KLIPPER => Err(format!("klipper needs its port: {BOARDS}")),
             None if words.is_empty() => Err(format!("name a machine: sim, or {CONTROLLERS}")),
             _ => configured(),
         }
@@ -67,14 +77,25 @@ pub struct DriverName {
 }
 
 impl DriverName {
+    /// Returns `true` for a board with step queues, which is told each step.
+    pub fn is_board(&self) -> bool {
+        self.words.starts_with(KLIPPER)
+    }
+
     fn read(words: &str, driver: &str, port: &str) -> Result<Self, String> {
-        if driver != "grbl" {
-            return Err(format!("there is no driver '{driver}', only grbl: {CONTROLLERS}"));
+        if !["grbl", KLIPPER].contains(&driver) {
+            return Err(format!(
+                "there is no driver '{driver}', only grbl and klipper: {CONTROLLERS}"
+            ));
         }
-        let address = Address::read(port).map_err(|why| match &*why {
-            "" => format!("grbl needs its port: {CONTROLLERS}"),
-            _ => why,
-        })?;
+        let serial = !port.is_empty() && !port.contains('@') && !port.contains(':');
+        let at_rate = (driver == KLIPPER && serial).then(|| format!("{port}@{BOARD_BAUD}"));
+        let address =
+            Address::read(at_rate.as_deref().unwrap_or(port)).map_err(|why| match &*why {
+                "" if driver == KLIPPER => format!("klipper needs its port: {BOARDS}"),
+                "" => format!("grbl needs its port: {CONTROLLERS}"),
+                _ => why,
+            })?;
         Ok(Self { words: words.to_owned(), address })
     }
 }
@@ -89,7 +110,8 @@ impl fmt::Display for DriverName {
 #[derive(Args, Clone, Debug, Default)]
 pub struct MachineChoice {
     /// The machine: sim, the simulated one; grbl:PORT or grbl:PORT@BAUD, a controller of the grbl family at a serial
-    /// port; grbl:tcp:HOST[:PORT] or grbl:ws:HOST[:PORT], one in the network; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
+    /// port; grbl:tcp:HOST[:PORT] or grbl:ws:HOST[:PORT], one in the network; klipper:PORT, a board with step queues;
+    /// or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
     /// is like may both be given [default: sim, as the data folder has it]
     #[arg(
         id = MACHINE,
@@ -184,6 +206,8 @@ mod tests {
         check("grbl:/dev/ttyUSB0", "/dev/ttyUSB0@115200");
         check("grbl:COM3@250000", "COM3@250000");
         check("grbl:tcp:10.0.0.2", "tcp:10.0.0.2:23");
+        check("klipper:/dev/ttyACM0", "/dev/ttyACM0@250000");
+        check("klipper:/dev/ttyUSB0@500000", "/dev/ttyUSB0@500000");
         check("grbl:ws:router.local:80", "ws:router.local:80/");
     }
 
@@ -209,12 +233,13 @@ mod tests {
         };
         check("grbl", "grbl:/dev/ttyUSB0");
         check("grbl:", "grbl:/dev/ttyUSB0");
+        check("klipper:", "klipper:/dev/ttyACM0");
         check("grbl:@9600", "grbl needs its port");
         check("grbl:COM3@fast", "'fast' is no rate");
         check("grbl:COM3@0", "'0' is no rate");
         check("grbl:tcp:10.0.0.2:x", "'x' is no port of the network");
         check("grbl:ws:", "grbl:ws:HOST");
-        check("linuxcnc:x", "there is no driver 'linuxcnc', only grbl");
+        check("linuxcnc:x", "there is no driver 'linuxcnc', only grbl and klipper");
         check("", "name a machine: sim");
     }
 }

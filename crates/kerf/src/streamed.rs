@@ -19,7 +19,7 @@ pub struct Streamed {
     written: State,
 }
 
-/// What was written: its length and its check number.
+/// Length and check number of what was written.
 #[derive(Clone, Debug, Default)]
 struct State {
     bytes: u64,

@@ -18,6 +18,9 @@ use kerf_program::Axes;
 const STAND: f64 = 1.001;
 /// A speed below this is none, mm/s.
 const STILL_MM_S: f64 = 1e-6;
+/// So long before a stand a machine is slower than this, seconds and mm/s: a plan that is left in motion ends faster.
+const NEARLY_S: f64 = 1e-5;
+const SLOW_MM_S: f64 = 0.2;
 
 /// A piece of plan that is made.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +56,11 @@ impl Leg {
     /// The steps of the motors from one time of the plan to another, in order of time.
     pub fn steps(&self, stepper: &mut Stepper, [from_s, to_s]: [f64; 2]) -> Vec<Step> {
         stepper.follow(from_s, to_s, |t_s| self.at(t_s))
+    }
+
+    /// The same, some µs off: see [`Stepper::sketch`].
+    pub fn sketch(&self, stepper: &mut Stepper, [from_s, to_s]: [f64; 2]) -> Vec<Step> {
+        stepper.sketch(from_s, to_s, |t_s| self.at(t_s))
     }
 
     /// The times at which it begins and ends, seconds of the plan.
@@ -92,9 +100,9 @@ impl Rest {
         }
     }
 
-    /// The steps of the motors from a time of the plan to where it stands, in order of time.
+    /// The steps of the motors from a time of the plan to where it stands, in order of time, some µs off.
     pub fn steps(&self, stepper: &mut Stepper, from_s: f64) -> Vec<Step> {
-        stepper.follow(from_s, self.end_s, |t_s| self.at(t_s))
+        stepper.sketch(from_s, self.end_s, |t_s| self.at(t_s))
     }
 }
 
@@ -105,6 +113,6 @@ fn stands(plan: &Plan) -> bool {
             let last = plan.moves().len().checked_sub(1).and_then(|last| plan.span(last));
             last.is_none_or(|last| last.v_exit <= STAND * last.made.ramp_mm_s)
         }
-        _ => plan.ends_at_rest(),
+        _ => crate::splice::speed(&plan.at(plan.duration_s() - NEARLY_S)) < SLOW_MM_S,
     }
 }

@@ -127,7 +127,7 @@ pub struct MachineSettings {
     pub unlocked: Unlocked,
     /// Wrong passwords, by the device that they came from. It is held while one is tried: one at a time.
     pub passwords: Mutex<Tries<String>>,
-    /// What was changed so far.
+    /// The changes made so far.
     pub changes: SettingChanges,
 }
 

@@ -95,7 +95,7 @@ impl History {
         lock(&self.kept).runs.iter().rev().cloned().collect()
     }
 
-    /// What is to be done, in order.
+    /// Returns the jobs to do, in order.
     pub fn todo(&self) -> Vec<ToDo> {
         lock(&self.kept).todo.clone()
     }

@@ -15,8 +15,7 @@ pub fn kind_of(name: &str) -> FileKind {
 
 /// Returns the sort of file as which one is opened, nothing for one that is none, by the mask of part files.
 pub fn opens(name: &str, mask: &str) -> Option<FileKind> {
-    let is_part =
-        kerf_sbp::is_gcode_name(name) || parts::fits("*.sb?", name) || parts::fits(mask, name);
+    let is_part = kerf_sbp::is_gcode_name(name) || parts::fits(mask, name);
     match kind_of(name) {
         FileKind::Program => (is_part && extension(name) != "log").then_some(FileKind::Program),
         kind => Some(kind),
@@ -38,6 +37,7 @@ mod tests {
             ("a.sbp", "*.sb?", Some(FileKind::Program)),
             ("a.nc", "*.sb?", Some(FileKind::Program)),
             ("a.cut", "*.cut", Some(FileKind::Program)),
+            ("a.sbp", "*.cut", None),
             ("a.PLT", "*.sb?", Some(FileKind::Drawing)),
             ("a.rsm", "*.sb?", Some(FileKind::Job)),
             ("a.log", "*.*", None),

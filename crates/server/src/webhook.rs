@@ -14,7 +14,7 @@ use tokio::time::timeout;
 /// Longest time for one message.
 const LONGEST: Duration = Duration::from_secs(10);
 
-/// Where the messages go: `http://HOST[:PORT]/PATH`.
+/// Address of the messages: `http://HOST[:PORT]/PATH`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Webhook {
     host: String,
@@ -107,13 +107,13 @@ impl Webhook {
 struct News {
     /// `needs you`, `done` or `failed`.
     event: &'static str,
-    /// What ran.
+    /// The file that ran.
     file: String,
     /// The same in a sentence.
     text: String,
 }
 
-/// What was told last.
+/// The state that was told last.
 #[derive(Debug, PartialEq, Eq)]
 struct Told {
     asked: Option<u32>,

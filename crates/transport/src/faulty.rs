@@ -143,7 +143,7 @@ mod tests {
         }
     }
 
-    /// What comes back of the ten digits.
+    /// Returns what comes back of the ten digits.
     fn back(faults: &[Fault]) -> Result<Vec<u8>, LineError> {
         let mut line = Faulty::new(Echo::default(), faults);
         line.write(b"0123456789")?;

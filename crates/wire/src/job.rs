@@ -124,7 +124,7 @@ pub struct Opened {
     pub seconds: f64,
     /// Mistakes in it, and whatever else is worth knowing.
     pub findings: Vec<Finding>,
-    /// What it asked while it was previewed, and the sample answers that it got.
+    /// The questions that it asked while it was previewed, with the sample answers that it got.
     pub samples: Vec<SampleAnswer>,
     /// It has mistakes that keep it from running: the first errors of the findings.
     pub broken: bool,

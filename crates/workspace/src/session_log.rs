@@ -1,4 +1,4 @@
-//! What a session writes into the system log.
+//! The lines that a session writes into the system log.
 
 use crate::Workspace;
 use crate::system_log::{OWNER, SYSTEM_LOG, SystemLog, clock, mode_word};

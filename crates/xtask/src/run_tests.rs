@@ -17,7 +17,7 @@ use std::thread;
 /// Programs that measure time, and the number of their tests that may run at once: a controller is waited for most of
 /// the time, a bound on STOP is measured by itself.
 const BY_THEMSELVES: [(&str, usize); 3] =
-    [("controller", 8), ("jog_link", 1), ("stop_under_load", 1)];
+    [("controller", 4), ("jog_link", 1), ("stop_under_load", 1)];
 
 /// One test program.
 #[derive(Clone, Debug)]
@@ -190,6 +190,6 @@ mod tests {
         };
         check("all", None)?;
         check("stop_under_load", Some(1))?;
-        check("controller", Some(8))
+        check("controller", Some(4))
     }
 }

@@ -83,7 +83,7 @@ export interface Found extends Part {
   readonly around: string;
 }
 
-/** How many parts are shown. */
+/** Largest number of parts that are shown. */
 const mostFound = 20;
 
 /** Parts that hold every word; those whose heading does stand first. */

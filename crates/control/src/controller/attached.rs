@@ -1,9 +1,10 @@
 //! A controller that a session drives from run to run: attached, held to the place that is on record, left again.
 
+use super::either::dry_run;
 use super::{Connection, Lacks, Socket};
+use crate::Session;
 use crate::answers::Operator;
 use crate::session::DrivenBy;
-use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work, facts::Fact};
 use kerf_machine::driver::Changed;
@@ -280,28 +281,10 @@ impl Controller {
         workspace: &mut Workspace,
         operator: &mut dyn Operator,
     ) -> Vec<Diagnostic> {
-        let again = match work {
-            Work::Part(program) => Work::Part(program.clone()),
-            Work::Job(job, machine) => Work::Job(job.clone(), machine.clone()),
-            Work::Hand(..) => return Vec::new(),
-        };
         let connection = self.connection.borrow();
-        let mut lacks = Lacks::new(connection.name(), connection.facts(), connection.offset());
-        if let Work::Job(_, machine) = &again
-            && (machine.plasma.use_sequence || machine.laser.use_laser)
-        {
-            lacks.burns();
-        }
-        let mut options = RunOptions { started: None, ..options.clone() };
-        options.program.preview = true;
-        let context = RunContext {
-            sink: &mut lacks,
-            operator,
-            requests: &mut (),
-            machine: crate::simulated(),
-        };
-        drop(session.clone().run(again, options, workspace, context));
-        lacks.found()
+        let lacks = Lacks::new(connection.name(), connection.facts(), connection.offset());
+        drop(connection);
+        dry_run(lacks, work, (session, options), workspace, operator)
     }
 
     /// Returns the loader of the controller's firmware (UI): it runs the command of the settings while the port is closed.

@@ -6,7 +6,7 @@ use kerf_motion::{Move, Path};
 /// So many moves at most are one order.
 const MOST: usize = 64;
 
-/// What takes longer together is not merged, seconds: how far the run is, is known no closer.
+/// Longest time of moves that are sent as one, seconds: the progress of the run is known no closer.
 const LONGEST_S: f64 = 0.1;
 
 /// Speeds that differ by less than this share are the same.

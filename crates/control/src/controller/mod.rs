@@ -20,6 +20,7 @@
 mod attached;
 mod connection;
 mod driven;
+mod either;
 mod lacks;
 mod lost;
 mod merged;
@@ -28,7 +29,8 @@ mod row;
 mod socket;
 mod ways;
 
-pub use attached::{Controller, First, Told};
+pub use attached::{First, Told};
 pub use connection::Connection;
+pub use either::{Controller, Place};
 pub use lacks::Lacks;
 pub use socket::{Ends, Opens, Socket};

@@ -131,7 +131,8 @@ impl Latches {
             }
         }
         homes.iter().enumerate().try_for_each(|(n, home)| watch(channel, n + 1, home, starts))?;
-        self.again_s = now_s + channel.options.deadline_s;
+        // Before the first deadline, however long the later ones are.
+        self.again_s = now_s + channel.options.deadline_s.min(FIRST_S / AGAIN);
         Ok(())
     }
 

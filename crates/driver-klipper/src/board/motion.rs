@@ -48,7 +48,7 @@ impl Motion {
             state: State::Rest,
             latches: Latches::new(channel.setup.switches.len() + 1),
             queue: Queue::new(Vec::new(), &[], 0),
-            lead: Lead::new(channel.frequency),
+            lead: Lead::new(channel.frequency).of_deadline(channel.options.deadline_s),
             counts: vec![0; channel.setup.motors.len()],
             lingers: true,
         }

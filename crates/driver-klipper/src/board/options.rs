@@ -12,10 +12,12 @@ pub struct Options {
     /// Time behind the last step for which latches stay armed, seconds: motion that follows by then begins without arming
     /// them anew.
     pub linger_s: f64,
+    /// A shutdown from before the session is cleared: somebody has looked why.
+    pub clears: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { baud: None, deadline_s: 0.1, error_s: 5e-6, linger_s: 0.0 }
+        Self { baud: None, deadline_s: 0.1, error_s: 5e-6, linger_s: 0.0, clears: false }
     }
 }

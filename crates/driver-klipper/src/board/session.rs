@@ -136,6 +136,17 @@ impl Session {
         Ok(())
     }
 
+    /// Clears a shutdown from before the session, once and where that is wanted.
+    fn clear_at_first(&mut self, reason: String) -> Told {
+        let channel = &mut self.channel;
+        if !std::mem::take(&mut channel.options.clears) {
+            return Err(Fault::ShutDown(reason));
+        }
+        channel.questions.clear();
+        channel.send(Order::ClearShutdown, [])?;
+        Ok(channel.ask(About::Config, Order::Config, [])?)
+    }
+
     /// Reads the state of the configuration.
     fn told_config(&mut self, message: &Message<'_>) -> Told {
         let number = |field| message.number(field).unwrap_or_default();
@@ -184,7 +195,7 @@ impl Session {
     /// The board has shut down: all that it had is dropped.
     fn shut_down(&mut self, reason: String, news: &mut VecDeque<News>) -> Told {
         if self.learning != Learning::Ready {
-            return Err(Fault::ShutDown(reason));
+            return self.clear_at_first(reason);
         }
         if std::mem::replace(&mut self.shutdown, true) {
             return Ok(());

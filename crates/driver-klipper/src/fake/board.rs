@@ -1,7 +1,8 @@
 //! The board: its clock, its objects, its states, and what it does with commands.
 
 use super::events::{Event, Events};
-use super::output::{Analog, Buttons, Output};
+use super::input::{Analog, Buttons};
+use super::output::{Awaits, Output};
 use super::reader::{Piece, Reader};
 use super::stepper::Stepper;
 use super::switch::{Endstop, Trsync};
@@ -151,7 +152,7 @@ impl Board {
             Event::Expire(oid) => self.expire(oid),
             Event::Look(oid) => self.look(oid),
             Event::Output(oid) => self.output(oid),
-            Event::Watch(oid) => self.watch(oid),
+            Event::Watch(oid) => self.shut(self.outputs[&oid].missed()),
             Event::Buttons(oid) => self.look_at_buttons(oid),
             Event::Analog(oid) => self.sample(oid),
             Event::Answer(oid) => {
@@ -300,13 +301,18 @@ impl Board {
             "config_stepper" => self.config_stepper(said),
             "config_trsync" => _ = self.trsyncs.insert(said.n("oid") as u8, Trsync::default()),
             "config_endstop" => self.config_endstop(said),
-            "config_digital_out" => self.config_output(said, false),
-            "config_pwm_out" => self.config_output(said, true),
-            "config_analog_in" => self.config_analog(said),
+            "config_digital_out" => self.add_output(said, false),
+            "config_pwm_out" => self.add_output(said, true),
+            "config_analog_in" => {
+                self.analogs.insert(said.n("oid") as u8, Analog::new(said));
+            }
             "config_buttons" | "config_tmcuart" | "set_digital_out_pwm_cycle" => {}
-            "buttons_add" => self.add_button(said),
+            "buttons_add" => self.buttons.entry(said.n("oid") as u8).or_default().add(said),
             "buttons_query" => self.query_buttons(said),
-            "buttons_ack" => self.ack_buttons(said),
+            "buttons_ack" => {
+                let buttons = self.buttons.get_mut(&(said.n("oid") as u8));
+                buttons.into_iter().for_each(|it| it.acknowledge(said));
+            }
             "query_analog_in" => self.query_analog(said),
             "set_next_step_dir" => self.set_next_dir(said),
             "reset_step_clock" => self.reset_step_clock(said),
@@ -361,6 +367,110 @@ impl Board {
         match self.steppers.get(&(oid as u8)).map(|stepper| stepper.position) {
             Some(position) => self.say("stepper_position", &[("oid", oid), ("pos", position)]),
             None => self.shut("Invalid oid type"),
+        }
+    }
+
+    fn add_output(&mut self, said: &Said, pwm: bool) {
+        self.outputs.insert(said.n("oid") as u8, Output::new(said, pwm));
+    }
+
+    fn queue_output(&mut self, said: &Said, field: &str) {
+        let oid = said.n("oid") as u8;
+        let clock = self.at(said.clock("clock"));
+        let Some(output) = self.outputs.get_mut(&oid) else { return self.shut("Invalid oid type") };
+        let first = !output.is_queued();
+        output.push(clock, said.clock(field));
+        self.places += 1;
+        self.most_places = self.most_places.max(self.places);
+        if self.places > self.move_count {
+            return self.shut("Move queue overflow");
+        }
+        if first {
+            self.events.drop(Event::Watch(oid));
+            self.set_timer(said.clock("clock"), Event::Output(oid));
+        }
+    }
+
+    fn update_output(&mut self, said: &Said) {
+        let oid = said.n("oid") as u8;
+        let Some(output) = self.outputs.get(&oid) else { return self.shut("Invalid oid type") };
+        if output.is_queued() {
+            return self.shut("update_digital_out not valid with active queue");
+        }
+        self.events.drop(Event::Watch(oid));
+        self.put(oid, said.clock("value"));
+    }
+
+    fn output(&mut self, oid: u8) {
+        if let Some(value) = self.outputs.get_mut(&oid).unwrap().pop() {
+            self.places -= 1;
+            self.put(oid, value);
+        }
+    }
+
+    fn put(&mut self, oid: u8, value: u32) {
+        let output = self.outputs.get_mut(&oid).unwrap();
+        let (pin, awaits) = (output.pin, output.put(value, self.now));
+        self.edge(pin, value != 0);
+        match awaits {
+            Err(reason) => self.shut(reason),
+            Ok(Awaits::Change(clock)) => self.events.set(clock, Event::Output(oid)),
+            Ok(Awaits::Watch(clock)) => self.events.set(clock, Event::Watch(oid)),
+            Ok(Awaits::Nothing) => {}
+        }
+    }
+
+    fn outputs_off(&mut self) {
+        let now = self.now;
+        let off = |output: &mut Output| output.off(now).map(|level| (output.pin, level));
+        let off: Vec<_> = self.outputs.values_mut().filter_map(off).collect();
+        off.into_iter().for_each(|(pin, level)| self.edge(pin, level));
+    }
+
+    fn query_buttons(&mut self, said: &Said) {
+        let oid = said.n("oid") as u8;
+        let buttons = self.buttons.entry(oid).or_default();
+        buttons.query(said);
+        if buttons.rest_ticks > 0 {
+            self.set_timer(said.clock("clock"), Event::Buttons(oid));
+        }
+    }
+
+    fn look_at_buttons(&mut self, oid: u8) {
+        let pins = self.buttons[&oid].pins.clone();
+        let levels = pins.iter().enumerate().map(|(n, pin)| u8::from(self.level(*pin)) << n).sum();
+        let buttons = self.buttons.get_mut(&oid).unwrap();
+        let tells = buttons.look(levels);
+        let (count, told) = (buttons.acknowledged, buttons.told.clone());
+        self.events.set(self.now + buttons.rest_ticks, Event::Buttons(oid));
+        if tells {
+            let fields = [("oid", i64::from(oid)), ("ack_count", i64::from(count))];
+            self.say_bytes("buttons_state", &fields, &told);
+        }
+    }
+
+    fn query_analog(&mut self, said: &Said) {
+        let oid = said.n("oid") as u8;
+        self.events.drop(Event::Analog(oid));
+        let analog = self.analogs.entry(oid).or_default();
+        analog.query(said);
+        if analog.samples > 0 {
+            self.set_timer(said.clock("clock"), Event::Analog(oid));
+        }
+    }
+
+    fn sample(&mut self, oid: u8) {
+        let analog = self.analogs.get_mut(&oid).unwrap();
+        let struck = analog.sample(self.voltages.get(&analog.pin).copied().unwrap_or(2048));
+        let next = self.now + analog.rest_ticks;
+        let report = analog.report();
+        self.events.set(next, Event::Analog(oid));
+        if let Some(values) = report {
+            let fields = [("oid", i64::from(oid)), ("next_clock", i64::from(next as u32))];
+            self.say_bytes("analog_in_state", &fields, &values);
+        }
+        if struck && !self.is_shutdown() {
+            self.shut("ADC out of range");
         }
     }
 }

@@ -6,6 +6,7 @@
 
 pub mod board;
 pub mod events;
+pub mod input;
 pub mod line;
 pub mod output;
 pub mod reader;
@@ -15,6 +16,26 @@ pub mod words;
 
 pub use board::Board;
 pub use line::{Faults, Line};
+
+/// Time of a board that shares its processor with others: where it is kept waiting its clock does too, so that it is late
+/// for nothing, as no real one is.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pace {
+    real_s: f64,
+    own_s: f64,
+}
+
+impl Pace {
+    /// The longest turn, seconds.
+    const TURN_S: f64 = 0.002;
+
+    /// Returns the board's time at a moment of the world, seconds.
+    pub fn at(&mut self, real_s: f64) -> f64 {
+        self.own_s += (real_s - self.real_s).clamp(0.0, Self::TURN_S);
+        self.real_s = real_s;
+        self.own_s
+    }
+}
 
 /// Numbers without order, the same for the same seed (SplitMix64).
 #[derive(Clone, Debug)]

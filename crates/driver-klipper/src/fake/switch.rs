@@ -1,4 +1,4 @@
-//! What stops steppers: the latch, and the switch that looks at a pin.
+//! The latch that stops steppers, and the switch that looks at a pin.
 
 use super::board::Board;
 use super::events::Event;

@@ -5,14 +5,14 @@ use std::collections::VecDeque;
 /// Moves made, and the share of the next.
 type Share = (u64, f64);
 
-/// What was told lately, and what of it is sure.
+/// The shares that were told lately, and the one that is sure.
 #[derive(Debug)]
 pub(super) struct Lag {
     /// A run tells of a move so long before it is made at most, seconds.
     leads_s: f64,
     now_s: f64,
     sure: Share,
-    /// What was told since, with the moment of machine time.
+    /// The shares told since, each with its moment of machine time.
     told: VecDeque<(f64, Share)>,
 }
 
@@ -44,7 +44,7 @@ impl Lag {
         self.sure = share;
     }
 
-    /// What is made for sure.
+    /// Returns the share that is made for sure.
     pub const fn sure(&self) -> Share {
         self.sure
     }

@@ -5,7 +5,7 @@ use crate::exit::Exit;
 use crate::machine_name::DriverName;
 use crate::out;
 use anyhow::{Context, Result, anyhow, bail};
-use kerf_control::controller::Connection;
+use kerf_control::controller::{Connection, Place};
 use kerf_machine::Machine;
 use kerf_machine::conformance::{Bench, CASES, Outcome, Seen};
 use kerf_machine::driver::Facts;
@@ -53,7 +53,9 @@ impl Bench for OnBench {
 impl OnBench {
     /// A board that stands, at what is called zero from here on.
     fn open(name: &DriverName) -> Result<Self> {
-        let socket = controller::socket(name);
+        let Place::Followed(socket) = controller::socket(name) else {
+            bail!("{name}: Kerf has no proof for boards with step queues yet, only for grbl");
+        };
         let (driver, line) = (socket.opens)().map_err(|why| anyhow!(why))?;
         let opened = Connection::open(&socket.name, driver, line);
         let mut connection = opened.map_err(|why| anyhow!(why))?;

@@ -9,6 +9,7 @@ use std::net::{TcpListener, TcpStream};
 use std::os::unix::fs::symlink;
 use std::path::PathBuf;
 use std::process::{Child, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread::{JoinHandle, sleep, spawn};
 use std::time::{Duration, Instant};
@@ -32,9 +33,10 @@ impl Bench {
         Self::of(Fake::new(settings))
     }
 
+    /// One on a serial port of a name of its own: the number of a pseudo terminal that is gone goes to another one.
     pub fn of(fake: Fake) -> Self {
-        let plug = Plug::new().unwrap();
-        Self::at(plug.path().to_owned(), Box::new(plug), fake)
+        static MADE: AtomicUsize = AtomicUsize::new(0);
+        Self::cabled(&MADE.fetch_add(1, Ordering::Relaxed).to_string(), fake)
     }
 
     /// One that listens at a port of the network.
@@ -65,9 +67,13 @@ impl Bench {
 
     /// One on a serial port whose cable can be pulled: the port keeps its name.
     pub fn plugged_at(name: &str) -> Self {
+        Self::cabled(name, Fake::default())
+    }
+
+    fn cabled(name: &str, fake: Fake) -> Self {
         let path = std::env::temp_dir().join(format!("kerf-{}-{name}", std::process::id()));
         let cable = Cable { path: path.clone(), plug: None };
-        Self::at(path.to_str().unwrap().to_owned(), Box::new(cable.plugged()), Fake::default())
+        Self::at(path.to_str().unwrap().to_owned(), Box::new(cable.plugged()), fake)
     }
 
     /// Pulls the cable, or takes the network down.

@@ -11,6 +11,7 @@ mod merged;
 mod network;
 #[path = "../shop/mod.rs"]
 mod shop;
+mod step_board;
 mod taken_up;
 
 use bench::Bench;
@@ -104,11 +105,12 @@ fn a_stop_on_a_grbl_ends_where_the_controller_stands() {
     let made = events(&shop, "move");
     assert!(close(made[0]["to"]["x"].as_f64().unwrap() * 25.4, stood), "{made:?} {stood}");
     // The simulated machine does not go on with it.
-    let stopped = "square.sbp was stopped behind line 3 on grbl:/dev/";
+    let stopped = format!("square.sbp was stopped behind line 3 on grbl:{}", bench.port);
     let again = shop.kerf("run --resume");
-    again.exits(1).complains(stopped).complains("it ran on grbl:/dev/");
+    again.exits(1).complains(&stopped).complains(&format!("it ran on grbl:{}", bench.port));
     let back = bench.run(&shop, "run back.sbp");
-    back.exits(0).complains(stopped).complains("--resume --machine grbl:/dev/");
+    let way = format!("--resume --machine grbl:{}", bench.port);
+    back.exits(0).complains(&stopped).complains(&way);
     assert!(bench.x_mm().abs() < 0.01, "the location was kept: {}", bench.x_mm());
 }
 

@@ -35,6 +35,8 @@ pub struct Board {
     pub both_edges: bool,
     /// Steps a second that a motor makes at most.
     pub steps_s: f64,
+    /// Time without word from its host after which the board stops all motors, seconds.
+    pub deadline_s: f64,
     /// Time for which an output stays on when its host falls silent, seconds.
     pub watch_s: f64,
 }
@@ -55,6 +57,7 @@ impl Default for Board {
             turn_us: 20.0,
             both_edges: false,
             steps_s: 200_000.0,
+            deadline_s: 0.1,
             watch_s: 0.5,
         }
     }

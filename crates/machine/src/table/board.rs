@@ -204,6 +204,14 @@ const BOARD: &[Setting] = &[
     ),
     row!(
         c,
+        "board.deadline_s",
+        c.board.deadline_s,
+        Seconds,
+        Range(0.03, 5.0),
+        "Time without word from its host after which the board stops all motors by itself."
+    ),
+    row!(
+        c,
         "board.watch_s",
         c.board.watch_s,
         Seconds,

@@ -319,6 +319,13 @@ impl Board {
         self.watched = Some(watched);
     }
 
+    /// The machine is held: it stands where it was seen last.
+    pub fn stands_still(&mut self) {
+        self.motion.speed_mm_s = 0.0;
+        self.motion.at = self.seen.unwrap_or(self.motion.at);
+        self.tell();
+    }
+
     /// Tells, unless that was done a moment ago, or somebody else tells something just now: the machine waits for
     /// nobody.
     pub fn tell_sometimes(&mut self) {

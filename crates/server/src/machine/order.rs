@@ -63,7 +63,7 @@ pub enum Order {
     },
     /// Do an errand.
     Hand {
-        /// Which.
+        /// The errand.
         errand: Errand,
         /// The machine, and where on it the job lies.
         machine: Box<Configuration>,

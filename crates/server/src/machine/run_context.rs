@@ -186,6 +186,7 @@ impl Requests for PageRequests {
     /// Stands until somebody resumes, or stops, which ends the run.
     fn resumes(&mut self, held_s: f64) -> Option<f64> {
         let begin = Instant::now();
+        self.shared.board.borrow_mut().stands_still();
         self.shared.state(State::Held);
         let mut wanted = self.shared.link.lock();
         loop {

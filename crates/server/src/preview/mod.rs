@@ -66,7 +66,7 @@ pub struct Preview {
     pub planned: Planned,
     /// The findings.
     pub findings: Vec<Finding>,
-    /// What the program asked, and what was answered.
+    /// Questions of the program, with their answers.
     pub samples: Vec<SampleAnswer>,
     /// It has mistakes that keep it from running at all.
     pub failed: bool,

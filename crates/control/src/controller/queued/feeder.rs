@@ -52,6 +52,7 @@ pub struct Feeder {
     /// The plan that was taken last is known by its moves and its end.
     last: (usize, f64),
     stepper: Stepper,
+    per_unit: Axes,
     /// Axes of the motors.
     motors: Vec<Axis>,
     /// The moment up to which motion was handed over.
@@ -60,7 +61,7 @@ pub struct Feeder {
     limit_s: f64,
     /// The machine stands there, as it was handed over.
     pub rests: bool,
-    /// What follows has to be known first: the way to rest would lead beyond the plan.
+    /// The plan that follows has to be known first: the way to rest would lead beyond this one.
     pub starves: bool,
 }
 
@@ -72,6 +73,7 @@ impl Feeder {
             follows: true,
             last: (0, 0.0),
             stepper: Stepper::new(per_unit, Axes::default()),
+            per_unit,
             motors,
             handed_s: f64::NEG_INFINITY,
             limit_s: f64::INFINITY,
@@ -83,6 +85,11 @@ impl Feeder {
     /// Steps made by the motors of an axis, as they were handed over.
     pub fn made(&self, axis: Axis) -> i64 {
         self.stepper.made()[axis.index()]
+    }
+
+    /// The machine stands there.
+    pub fn is_at(&mut self, place: Axes) {
+        self.stepper = Stepper::new(self.per_unit, place);
     }
 
     /// Another piece of plan is followed from now on.
@@ -222,7 +229,7 @@ impl Way {
     /// The steps of it, and the time of the plan at its end.
     fn steps(&self, stepper: &mut Stepper) -> (Vec<kerf_motion::Step>, f64) {
         match self {
-            Self::Planned(leg, span_s) => (leg.steps(stepper, *span_s), span_s[1]),
+            Self::Planned(leg, span_s) => (leg.sketch(stepper, *span_s), span_s[1]),
             Self::Brakes(from_s, rest) => (rest.steps(stepper, *from_s), rest.end_s),
         }
     }

@@ -11,12 +11,20 @@ use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
 use kerf_machine::driver::Facts;
 use kerf_machine::{Actuator, Fault, Going, Machine, News};
 use kerf_motion::Move;
-use kerf_program::{At, Axes, Axis};
+use kerf_program::{At, Axes, Axis, AxisSet};
 use std::collections::VecDeque;
 use std::time::Duration;
 
 /// Time that a piece needs from one thread to the other, seconds.
 const HANDING_S: f64 = 0.02;
+/// Longest time between two looks of the run that is taken for granted at first, seconds.
+const STALL_S: f64 = 0.05;
+/// Times the longest one that is provided for.
+const SAFETY: f64 = 2.0;
+/// Longest one that is, seconds.
+const LONGEST_S: f64 = 0.4;
+/// Share of it that is forgotten in a second.
+const FORGOTTEN: f64 = 0.02;
 /// Time behind the last step after which it has surely been made, seconds.
 const SETTLED_S: f64 = 0.005;
 /// A board that was told to stop is waited for at most so long, seconds.
@@ -59,12 +67,14 @@ pub struct Queued {
     /// Counts of the motors as they were told last, and what they are where its axis stands at 0.
     counts: Vec<i64>,
     zeros: Vec<i64>,
-    /// Where it stands, when that is not where the plan leads.
+    /// Place where it stands, when that is not the end of the plan.
     elsewhere: Option<Axes>,
     /// It has come to rest by itself, on the path, because nothing followed in time.
     late: bool,
     /// The line of the move at hand.
     at: Option<At>,
+    /// Longest time for which the run did not look, slowly forgotten, seconds.
+    stall_s: f64,
     /// While nothing moves: the moment of machine time that was told last, and when.
     stood: Option<(f64, f64)>,
     /// Nothing more is done.
@@ -102,6 +112,7 @@ impl Queued {
             elsewhere: None,
             late: false,
             at: None,
+            stall_s: STALL_S,
             stood: None,
             fault: None,
             tells_s: f64::INFINITY,
@@ -129,6 +140,46 @@ impl Queued {
         place
     }
 
+    /// Places of the axes as the counts of their motors have them, whatever the machine calls them.
+    pub fn by_counts(&self) -> Axes {
+        let mut place = Axes::default();
+        for (motor, count) in self.wiring.motors.iter().zip(&self.counts) {
+            place[motor.axis] = *count as f64 / self.per_unit[motor.axis];
+        }
+        place
+    }
+
+    /// The machine is where it stands: from here on places are counted so.
+    pub fn is_at(&mut self, place: Axes) {
+        self.feeder.is_at(place);
+        self.count_anew();
+        self.elsewhere = None;
+    }
+
+    /// Axes that have a motor.
+    pub fn axes(&self) -> AxisSet {
+        self.wiring.axes()
+    }
+
+    /// Inputs that changed and were not told, in order: by number, and whether active.
+    pub fn take_inputs(&mut self) -> Vec<(u8, bool)> {
+        self.inputs.drain(..).collect()
+    }
+
+    /// Closes its port: whoever opens it anew has another board.
+    pub fn let_go(&mut self) {
+        self.berth = Box::new(Gone);
+        self.fail("its port is closed".into(), "", true);
+    }
+
+    /// Clock of the board at a moment of machine time, while it is in motion.
+    pub fn clock_at(&self, t_s: f64) -> Option<f64> {
+        match self.state {
+            State::Moving(scale, _) => Some(scale.at(t_s)),
+            _ => None,
+        }
+    }
+
     /// Ticks of a time, seconds.
     fn ticks(&self, time_s: f64) -> u64 {
         match self.state {
@@ -137,10 +188,25 @@ impl Queued {
         }
     }
 
+    /// The run has not looked for a time: it may do so again.
+    fn looked(&mut self, progress: Progress, wait: Duration) -> Progress {
+        let gap_s = progress.at_s - self.progress.at_s;
+        let stalled_s = (gap_s - wait.as_secs_f64()).min(LONGEST_S);
+        let forgotten = 1.0 - FORGOTTEN * gap_s.min(1.0);
+        self.stall_s =
+            (self.stall_s * forgotten).max(if self.state == State::Rest { 0.0 } else { stalled_s });
+        progress
+    }
+
+    /// Time by which pieces are handed over before they begin, seconds.
+    fn ahead_s(&self) -> f64 {
+        self.progress.lead_s[1] + HANDING_S + SAFETY * self.stall_s
+    }
+
     /// Looks what became of requests, waiting for a moment at most.
     fn tend(&mut self, wait: Duration) {
         let (progress, answers) = self.berth.look(wait);
-        self.progress = progress;
+        self.progress = self.looked(progress, wait);
         for answer in answers {
             match answer {
                 Answer::Started(Start { clock, ticks_per_s }) => {
@@ -261,7 +327,7 @@ impl Queued {
         let from = (begin_s, earliest.max(starts) as f64);
         let scale = if late { Scale { from, ..scale } } else { scale };
         let clock = (scale.at(begin_s) as u64).max(starts);
-        if clock > now + self.ticks(full_s + HANDING_S) || self.fault.is_some() {
+        if clock > now + self.ticks(self.ahead_s()) || self.fault.is_some() {
             return None;
         }
         let piece = self.feeder.piece(&scale, starts)?;
@@ -322,6 +388,24 @@ impl Queued {
         }
         self.berth.request(Request::LetRest);
         self.wait_until(|it| it.state == State::Rest);
+    }
+}
+
+impl Drop for Queued {
+    fn drop(&mut self) {
+        // An output that is left on would have the board shut down by itself.
+        self.drop_all();
+    }
+}
+
+/// A board that somebody else has.
+struct Gone;
+
+impl Berth for Gone {
+    fn request(&mut self, _: Request) {}
+
+    fn look(&mut self, _: Duration) -> (Progress, Vec<Answer>) {
+        (Progress::default(), Vec::new())
     }
 }
 

@@ -7,15 +7,22 @@
 //!     └── reached, inputs, fault ─┴──◄── Progress, Answers ────────────────────┘
 //! ```
 //!
-//! What was handed to a board is made: so the run goes ahead of the machine by the board's lead, some 0.15 s, and what it
+//! Motion that was handed to a board is made: so the run goes ahead of the machine by the board's lead, some 0.15 s, and what it
 //! changes (a stop, another feed) it changes from there on.
 
+mod attached;
 mod berth;
 mod feeder;
 mod machine;
 mod outputs;
+mod thread;
 mod wiring;
 
+/// Farthest that a step is from its planned moment, seconds.
+pub const ERROR_S: f64 = 2e-6;
+
+pub use attached::{Attached, Socket};
 pub use berth::Berth;
 pub use machine::Queued;
+pub use thread::OpensLine;
 pub use wiring::Wiring;

@@ -1,4 +1,4 @@
-//! What is switched on a board: actuators of a run as outputs with their shares.
+//! Outputs of a board: actuators of a run, each with its share.
 
 use super::wiring::Wiring;
 use crate::controller::lacks::{lacked, no_output, wired};

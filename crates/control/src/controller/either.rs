@@ -1,0 +1,198 @@
+//! A controller of either kind: one that plans for itself and is followed, or a board that is told each step.
+
+use super::Socket;
+use super::attached::{self, First, Told};
+use super::lacks::Lacks;
+use super::queued;
+use crate::answers::Operator;
+use crate::{RunContext, Session};
+use kerf_diag::Diagnostic;
+use kerf_journal::{RunOptions, Work};
+use kerf_machine::{Driven, Machine};
+use kerf_program::Axes;
+use kerf_workspace::{Firmware, Workspace};
+
+/// The place where a controller hangs.
+#[derive(Clone, Debug)]
+pub enum Place {
+    /// A controller that plans for itself.
+    Followed(Socket),
+    /// A board with step queues.
+    Queued(queued::Socket),
+}
+
+/// A controller that is attached.
+#[derive(Clone)]
+pub enum Controller {
+    /// One that plans for itself.
+    Followed(attached::Controller),
+    /// A board with step queues.
+    Queued(queued::Attached),
+}
+
+impl Controller {
+    /// Opens the port, waits until the controller has told who it is, and has the session stand where it stands.
+    ///
+    /// # Errors
+    /// Nobody answers, something that is no such controller, or one that takes no orders.
+    pub fn attach(
+        place: Place,
+        first: First,
+        session: &mut Session,
+        workspace: &mut Workspace,
+        is_stopped: impl Fn() -> bool,
+    ) -> Result<(Self, Told), String> {
+        match place {
+            Place::Followed(socket) => {
+                attached::Controller::attach(socket, first, session, workspace, is_stopped)
+                    .map(|(controller, told)| (Self::Followed(controller), told))
+            }
+            Place::Queued(socket) => queued::Attached::attach(socket, first, session, workspace)
+                .map(|(attached, told)| (Self::Queued(attached), told)),
+        }
+    }
+
+    /// Opens the port once more, after the controller was lost or had an alarm.
+    ///
+    /// # Errors
+    /// As [`Controller::attach`].
+    pub fn attach_again(
+        &mut self,
+        session: &mut Session,
+        workspace: &mut Workspace,
+    ) -> Result<Told, String> {
+        match self {
+            Self::Followed(controller) => controller.attach_again(session, workspace),
+            Self::Queued(attached) => attached.attach_again(session, workspace),
+        }
+    }
+
+    /// The machine, for a run.
+    pub fn driven(&self) -> Driven {
+        match self {
+            Self::Followed(controller) => controller.driven(),
+            Self::Queued(attached) => attached.driven(),
+        }
+    }
+
+    /// Returns `true` if it has kept count of its place since it was driven last: a run can be taken up there.
+    pub const fn knows_place(&self) -> bool {
+        match self {
+            Self::Followed(controller) => controller.knows_place(),
+            Self::Queued(attached) => attached.knows_place(),
+        }
+    }
+
+    /// Its name, as people give it.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Followed(controller) => controller.name(),
+            Self::Queued(attached) => attached.name(),
+        }
+    }
+
+    /// Looks at it while nothing runs: inputs that changed, by number and whether active, and the place where it stands,
+    /// machine frame.
+    pub fn attend(&self) -> (Vec<(u8, bool)>, Option<Axes>) {
+        match self {
+            Self::Followed(controller) => controller.attend(),
+            Self::Queued(attached) => attached.attend(),
+        }
+    }
+
+    /// Tells why it takes no orders but to go home, in words.
+    pub fn locked(&self) -> Option<String> {
+        match self {
+            Self::Followed(controller) => controller.locked(),
+            Self::Queued(_) => None,
+        }
+    }
+
+    /// Returns the reason for which it does nothing more, in words.
+    pub fn fault(&self) -> Option<String> {
+        match self {
+            Self::Followed(controller) => controller.fault(),
+            Self::Queued(attached) => attached.fault(),
+        }
+    }
+
+    /// It is driven from now on. That is on record until it is left.
+    pub fn begins(&self, workspace: &mut Workspace) {
+        match self {
+            Self::Followed(controller) => controller.begins(workspace),
+            Self::Queued(attached) => attached.begins(workspace),
+        }
+    }
+
+    /// The run is over; when it did not end well, everything is stopped and switched off. Keeps where it was left.
+    pub fn ends(&self, well: bool, workspace: &mut Workspace, is_stopped: impl FnMut() -> bool) {
+        match self {
+            Self::Followed(controller) => controller.ends(well, workspace, is_stopped),
+            Self::Queued(attached) => attached.ends(well, workspace, is_stopped),
+        }
+    }
+
+    /// It is driven no more: what was changed in it is put back.
+    pub fn detach(&self, workspace: &mut Workspace) {
+        match self {
+            Self::Followed(controller) => controller.detach(workspace),
+            Self::Queued(_) => {}
+        }
+    }
+
+    /// Looks at a dry run for what the controller does not have, before anything moves: errors, and what it leaves out.
+    pub fn lacks(
+        &self,
+        work: &Work,
+        session: &Session,
+        options: &RunOptions,
+        workspace: &mut Workspace,
+        operator: &mut dyn Operator,
+    ) -> Vec<Diagnostic> {
+        match self {
+            Self::Followed(controller) => {
+                controller.lacks(work, session, options, workspace, operator)
+            }
+            Self::Queued(attached) => {
+                let queued = attached.queued().borrow();
+                let lacks = Lacks::new(queued.name(), queued.facts(), Axes::default());
+                drop(queued);
+                dry_run(lacks, work, (session, options), workspace, operator)
+            }
+        }
+    }
+
+    /// Returns the loader of the controller's firmware (UI).
+    pub fn firmware(&self, command: &str) -> Firmware {
+        match self {
+            Self::Followed(controller) => controller.firmware(command),
+            Self::Queued(attached) => attached.firmware(),
+        }
+    }
+}
+
+/// Looks at a dry run of the work for what a controller lacks.
+pub(super) fn dry_run(
+    mut lacks: Lacks,
+    work: &Work,
+    (session, options): (&Session, &RunOptions),
+    workspace: &mut Workspace,
+    operator: &mut dyn Operator,
+) -> Vec<Diagnostic> {
+    let again = match work {
+        Work::Part(program) => Work::Part(program.clone()),
+        Work::Job(job, machine) => Work::Job(job.clone(), machine.clone()),
+        Work::Hand(..) => return Vec::new(),
+    };
+    if let Work::Job(_, machine) = &again
+        && (machine.plasma.use_sequence || machine.laser.use_laser)
+    {
+        lacks.burns();
+    }
+    let mut options = RunOptions { started: None, ..options.clone() };
+    options.program.preview = true;
+    let context =
+        RunContext { sink: &mut lacks, operator, requests: &mut (), machine: crate::simulated() };
+    drop(session.clone().run(again, options, workspace, context));
+    lacks.found()
+}

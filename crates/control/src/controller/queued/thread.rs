@@ -1,0 +1,202 @@
+//! The thread of a board's link: nothing is on it but the line, the board and its queue.
+//!
+//! ```text
+//!  Queued ── requests ──► │ thread: read, take requests, write, look at the queue │ ── bytes ──► board
+//!         ◄── answers, progress ──
+//! ```
+//!
+//! It ends with whoever has made it: motion is stopped first.
+
+use super::berth::Berth;
+use kerf_driver_klipper::board::Board;
+use kerf_driver_klipper::board::{Fault, News, Options};
+use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
+use kerf_driver_klipper::setup::Setup;
+use kerf_transport::Line;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{Builder, JoinHandle};
+use std::time::{Duration, Instant};
+
+/// Opens the line of a board, on the thread that keeps it.
+pub type OpensLine = Arc<dyn Fn() -> Result<Box<dyn Line>, String> + Send + Sync>;
+
+/// The longest time for which the line is waited for, so that a request is taken.
+const GLANCE: Duration = Duration::from_millis(1);
+/// A board that has not told who it is by then is none.
+const GREETING: Duration = Duration::from_secs(12);
+/// The last words of a host have this time to come to the board.
+const PARTING: Duration = Duration::from_millis(500);
+/// They need at least so long: an output changes a moment after it was told.
+const FAREWELL: Duration = Duration::from_millis(80);
+/// Time behind the last step for which motion is waited on for more, seconds.
+const LINGER_S: f64 = 1.0;
+
+/// The near end of the thread.
+pub struct Threaded {
+    requests: Option<Sender<Request>>,
+    answers: Receiver<Answer>,
+    progress: Arc<Mutex<Progress>>,
+    since: Instant,
+    thread: Option<JoinHandle<()>>,
+}
+
+/// A board that has told who it is: the version of its program, and the counts of its motors.
+pub struct Greeted {
+    /// The board.
+    pub berth: Threaded,
+    /// Version of the program in it.
+    pub version: String,
+    /// Steps of its motors.
+    pub counts: Vec<i64>,
+}
+
+impl Threaded {
+    /// Opens a line and waits until the board on it is ready.
+    ///
+    /// # Errors
+    /// Nobody answers, or a board that the setup does not fit; in words.
+    pub fn open(setup: Setup, options: Options, opens: OpensLine) -> Result<Greeted, String> {
+        let (requests, taken) = channel();
+        let (told, answers) = channel();
+        let progress = Arc::new(Mutex::new(Progress::default()));
+        let since = Instant::now();
+        let options = Options { linger_s: LINGER_S, error_s: super::ERROR_S, ..options };
+        let mut tender = Tender {
+            desk: Desk::new(Board::new(setup, options, 0.0)),
+            requests: taken,
+            answers: told,
+            progress: progress.clone(),
+            since,
+        };
+        let run = move || tender.run(&opens);
+        let thread = Builder::new().name("board".into()).spawn(run).map_err(|it| it.to_string())?;
+        let (requests, thread) = (Some(requests), Some(thread));
+        Self { requests, answers, progress, since, thread }.greeted()
+    }
+
+    fn greeted(self) -> Result<Greeted, String> {
+        let until = Instant::now() + GREETING;
+        loop {
+            match self.answers.recv_timeout(until.saturating_duration_since(Instant::now())) {
+                Ok(Answer::News(News::Ready { version, counts })) => {
+                    return Ok(Greeted { berth: self, version, counts });
+                }
+                Ok(Answer::News(News::Fault(fault))) => return Err(fault.to_string()),
+                Ok(Answer::Refused(why)) => return Err(why),
+                Ok(_) => {}
+                Err(_) => return Err(Fault::NoBoard.to_string()),
+            }
+        }
+    }
+}
+
+impl Berth for Threaded {
+    fn request(&mut self, request: Request) {
+        if let Some(requests) = &self.requests {
+            // A thread that is over has told why.
+            let _ = requests.send(request);
+        }
+    }
+
+    fn look(&mut self, wait: Duration) -> (Progress, Vec<Answer>) {
+        let first = match wait.is_zero() {
+            true => self.answers.try_recv().ok(),
+            false => match self.answers.recv_timeout(wait) {
+                Err(RecvTimeoutError::Disconnected) => {
+                    std::thread::sleep(wait);
+                    None
+                }
+                answer => answer.ok(),
+            },
+        };
+        let answers = first.into_iter().chain(self.answers.try_iter()).collect();
+        let progress = *self.progress.lock().unwrap_or_else(PoisonError::into_inner);
+        // The clock of machine time goes on whatever the thread does.
+        (Progress { at_s: self.since.elapsed().as_secs_f64(), ..progress }, answers)
+    }
+}
+
+impl Drop for Threaded {
+    fn drop(&mut self) {
+        self.requests = None;
+        if let Some(thread) = self.thread.take() {
+            // One that panicked is over as well, and the board stops by itself.
+            let _ = thread.join();
+        }
+    }
+}
+
+/// The far end, on the thread.
+struct Tender {
+    desk: Desk,
+    requests: Receiver<Request>,
+    answers: Sender<Answer>,
+    progress: Arc<Mutex<Progress>>,
+    since: Instant,
+}
+
+impl Tender {
+    fn run(&mut self, opens: &OpensLine) {
+        let ended = opens().and_then(|mut line| {
+            while self.turn(&mut *line)? {}
+            self.part(&mut *line)
+        });
+        if let Err(why) = ended {
+            let _ = self.answers.send(Answer::Refused(why));
+        }
+    }
+
+    fn now_s(&self) -> f64 {
+        self.since.elapsed().as_secs_f64()
+    }
+
+    /// One look at everything; tells whether somebody still wants it.
+    fn turn(&mut self, line: &mut dyn Line) -> Result<bool, String> {
+        let wanted = loop {
+            match self.requests.try_recv() {
+                Ok(request) => self.desk.take(request, self.now_s()),
+                Err(TryRecvError::Empty) => break true,
+                Err(TryRecvError::Disconnected) => break false,
+            }
+        };
+        self.carry(line)?;
+        Ok(wanted)
+    }
+
+    /// Moves bytes both ways.
+    fn carry(&mut self, line: &mut dyn Line) -> Result<(), String> {
+        let now_s = self.now_s();
+        let out = self.desk.board().transmit(now_s);
+        if !out.bytes.is_empty() {
+            line.write(&out.bytes).map_err(|why| why.to_string())?;
+        }
+        let now_s = self.now_s();
+        let due_s = (self.desk.board().due_s() - now_s).clamp(0.0, GLANCE.as_secs_f64());
+        let mut bytes = [0; 1024];
+        let read = line.read(&mut bytes, Duration::from_secs_f64(due_s));
+        let count = read.map_err(|why| why.to_string())?;
+        if count > 0 {
+            let now_s = self.now_s();
+            self.desk.board().receive(&bytes[..count], now_s);
+        }
+        let progress = self.desk.progress(self.now_s());
+        *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = progress;
+        for answer in self.desk.answers() {
+            let _ = self.answers.send(answer);
+        }
+        Ok(())
+    }
+
+    /// Nobody wants it any more: what moves is stopped.
+    fn part(&mut self, line: &mut dyn Line) -> Result<(), String> {
+        let until = Instant::now() + PARTING;
+        self.desk.take(Request::Stop, self.now_s());
+        let least = Instant::now() + FAREWELL;
+        while (self.desk.board().is_stopping() || Instant::now() < least) && Instant::now() < until
+        {
+            self.carry(line)?;
+        }
+        Ok(())
+    }
+}

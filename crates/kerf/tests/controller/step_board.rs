@@ -1,0 +1,146 @@
+//! `kerf run --machine klipper:PORT`: runs on a board with step queues that is none, on a pseudo terminal.
+
+use crate::shop::{Did, Shop};
+use kerf_driver_klipper::fake::Board;
+use kerf_transport::pretend::Plug;
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
+use std::process::Stdio;
+use std::sync::{Arc, Mutex};
+use std::thread::{JoinHandle, sleep, spawn};
+use std::time::{Duration, Instant};
+
+/// A machine of three motors, a spindle and an input; patient with a computer that does much else.
+const MACHINE: &str = "units = \"mm\"\n[steps]\nper_unit = [100, 100, 200, 100, 100, 100]\n[board]\nx = \"gpio0 gpio1\"\n\
+    y = \"gpio2 gpio3\"\nz = \"gpio4 gpio5\"\noutputs = \"1 gpio20\"\nspindle = \"gpio21\"\nboth_edges = true\n\
+    pulse_us = 0.1\ndeadline_s = 2\nwatch_s = 3\n";
+
+const SQUARE: &str =
+    "TR,12000\nSO,1,1\nMS,50,10\nJZ,5\nMZ,-2\nMX,25\nMY,25\nMX,0\nMY,0\nSO,1,0\nJZ,5\n";
+
+/// One that lasts longer than the board is silent for.
+const LONG: &str = "TR,12000\nSO,1,1\nMS,50,10\nMX,200\nMY,100\nMX,0\nMY,0\nSO,1,0\n";
+
+/// A board on a port; unplugged when it is dropped.
+struct Bench {
+    board: Arc<Mutex<Board>>,
+    port: String,
+    plugged: Arc<Mutex<bool>>,
+    player: Option<JoinHandle<()>>,
+}
+
+impl Bench {
+    fn new() -> Self {
+        let plug = Plug::new().unwrap();
+        let mut board = Board::of_seed(1);
+        board.records = false;
+        let (board, plugged) = (Arc::new(Mutex::new(board)), Arc::new(Mutex::new(true)));
+        let port = plug.path().to_owned();
+        let (played, until) = (board.clone(), plugged.clone());
+        let player = Some(spawn(move || play(plug, &played, &until)));
+        Self { board, port, plugged, player }
+    }
+
+    fn look<T>(&self, at: impl FnOnce(&mut Board) -> T) -> T {
+        at(&mut self.board.lock().unwrap())
+    }
+
+    fn counts(&self) -> Vec<i64> {
+        self.look(|board| board.steppers.values().map(|it| it.position).collect())
+    }
+
+    fn args(&self, words: &str) -> String {
+        format!(
+            "{words} --machine klipper:{} --machine board.toml --trace t.jsonl --force",
+            self.port
+        )
+    }
+
+    fn run(&self, shop: &Shop, words: &str) -> Did {
+        shop.kerf(&self.args(words))
+    }
+}
+
+impl Drop for Bench {
+    fn drop(&mut self) {
+        *self.plugged.lock().unwrap() = false;
+        if let Some(player) = self.player.take() {
+            player.join().unwrap();
+        }
+    }
+}
+
+fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
+    let (since, mut bytes) = (Instant::now(), [0; 256]);
+    while *plugged.lock().unwrap() {
+        let count = plug.read(&mut bytes, Duration::from_millis(1)).unwrap();
+        let out = {
+            let mut board = board.lock().unwrap();
+            let clock = board.clock_at(since.elapsed().as_secs_f64());
+            board.run_to(clock);
+            board.feed(&bytes[..count]);
+            board.take()
+        };
+        plug.write(&out).unwrap();
+    }
+}
+
+fn shop() -> Shop {
+    Shop::new(&[("square.sbp", SQUARE), ("long.sbp", LONG), ("board.toml", MACHINE)])
+}
+
+#[test]
+fn a_part_file_is_made_to_the_step_and_its_place_is_known_afterwards() {
+    let (shop, bench) = (shop(), Bench::new());
+    bench
+        .run(&shop, "run square.sbp")
+        .exits(0)
+        .complains("fake-1, motors: 3")
+        .says("ran to its end");
+    assert_eq!(bench.counts(), [0, 0, 1000]);
+    let (reason, off) = bench.look(|board| {
+        (board.reason().map(str::to_owned), board.outputs.values().all(|it| it.value == 0))
+    });
+    assert_eq!((reason, off), (None, true));
+    let turned =
+        bench.look(|board| board.outputs.values().any(|it| it.made.iter().any(|m| m.1 > 1)));
+    assert!(turned, "the spindle had a speed");
+    let travelled: usize =
+        bench.look(|board| board.steppers.values().map(|it| it.made.len()).sum());
+    assert_eq!(travelled, 4 * 2500 + 1000 + 1400 + 1400, "each step of the plan and no other");
+}
+
+#[test]
+fn what_a_board_lacks_is_told_before_anything_moves() {
+    let (shop, bench) = (shop(), Bench::new());
+    shop.write("lacks.sbp", b"SO,3,1\nMX,5\n");
+    bench.run(&shop, "run lacks.sbp").exits(1).complains("has no output 3, but 1 (spindle)");
+    shop.write("board.toml", b"units = \"mm\"\n");
+    bench.run(&shop, "run square.sbp").exits(1).complains("names no pins of motors");
+    shop.write("board.toml", b"[board]\nx = \"gpio0 gpio99\"\n");
+    bench.run(&shop, "run square.sbp").exits(1).complains("gpio99");
+    bench.run(&shop, "run square.sbp --home").exits(1).complains("is not homed by Kerf yet");
+    assert_eq!(bench.counts(), [0; 3], "nothing has moved");
+}
+
+#[test]
+fn a_host_that_is_killed_leaves_motors_and_spindle_off_and_the_place_known() {
+    let (shop, bench) = (shop(), Bench::new());
+    let mut command = shop.command();
+    command.args(bench.args("run long.sbp").split_whitespace());
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    crate::shop::until("it moves", || bench.counts().first().is_some_and(|x| *x > 500));
+    kill(Pid::from_raw(child.id() as i32), Signal::SIGKILL).unwrap();
+    child.wait().unwrap();
+    crate::shop::until("the board notices", || bench.look(|board| board.reason().is_some()));
+    let counts = bench.counts();
+    sleep(Duration::from_millis(300));
+    assert_eq!(counts, bench.counts(), "nothing moves any more");
+    assert!(bench.look(|board| board.outputs.values().all(|it| it.value == 0)));
+    bench.run(&shop, "run square.sbp").exits(1).complains("the board is shut down");
+    shop.write("stay.sbp", b"'\n");
+    let place =
+        format!("stands at {:.3}, {:.3}", counts[0] as f64 / 100.0, counts[1] as f64 / 100.0);
+    bench.run(&shop, "run stay.sbp --unlock").complains(&place);
+}
