@@ -36,7 +36,7 @@ impl<I: Interpreter> Station<'_, I> {
         planner.push(made);
         let mut driven = None;
         while let Some(mut plan) = planner.finish() {
-            self.follows(&plan, t0_s);
+            self.world.tracked().follows(&plan, t0_s);
             let mut index = 0;
             while index < plan.moves().len() {
                 let until = plan.moves().len();
@@ -54,7 +54,7 @@ impl<I: Interpreter> Station<'_, I> {
                 let (at_s, ramped) =
                     stood_s.map_or((at_s, ramped), |stood_s| ((stood_s - t0_s).max(0.0), false));
                 let Some((ramp_down, _)) = planner.stop(plan, at_s, ramped) else { break };
-                self.replans(&ramp_down, t0_s, t_s);
+                self.world.tracked().replans(&ramp_down, t0_s, t_s);
                 plan = ramp_down;
             }
             if driven.is_some() {

@@ -7,7 +7,7 @@
 //! ```
 
 use crate::requests::{OperatorRequest, Requests};
-use kerf_machine::{Ahead, Driven, Fault, Going, News};
+use kerf_machine::{Driven, Fault, Going, News};
 use kerf_motion::Move;
 use kerf_program::Axes;
 use kerf_program::settings::IoModes;
@@ -157,7 +157,8 @@ impl<'a> Drive<'a> {
 
     /// Takes the first request from one moment to another; one that was kept comes first.
     fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
-        let kept = self.kept.pop_front_if(|(at_s, _)| *at_s <= to_s);
+        let is_due = self.kept.front().is_some_and(|(at_s, _)| *at_s <= to_s);
+        let kept = if is_due { self.kept.pop_front() } else { None };
         let kept = kept.map(|(at_s, request)| (at_s.max(from_s), request));
         kept.or_else(|| self.requests.take(from_s, to_s))
     }
@@ -201,17 +202,6 @@ impl<'a> Drive<'a> {
             self.fault = self.machine.borrow().fault().cloned();
         }
         self.fault.is_some()
-    }
-
-    /// Another plan, or another piece of it, is about to be followed.
-    pub fn follows(&mut self, ahead: &Ahead<'_>) {
-        self.replans(ahead);
-        self.machine.borrow_mut().begin_plan();
-    }
-
-    /// What is left of the plan is made by another.
-    pub fn replans(&mut self, ahead: &Ahead<'_>) {
-        self.machine.borrow_mut().follows(ahead);
     }
 
     /// The machine is to stop on its way. One that slows down by itself tells the moment of the plan at which it stands,

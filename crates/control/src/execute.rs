@@ -104,7 +104,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let t0_s = self.stops.station.stack.running.as_ref()?.t0_s;
         let watched = self.stops.station.watched(t0_s);
         let watches = pins(&watched, t0_s, &self.stops.station.world.machine.settings().io);
-        self.stops.station.follows(&plan, t0_s);
+        self.stops.station.world.tracked().follows(&plan, t0_s);
         let mut turned: Option<(Stop, Turn, Axes)> = None;
         let mut index = 0;
         while index < plan.moves().len() {
@@ -149,7 +149,7 @@ impl<I: Interpreter> Runner<'_, I> {
                         if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
                             self.stops.station.drop_outputs(t_s, index);
                         }
-                        self.stops.station.replans(&made, t0_s, t_s);
+                        self.stops.station.world.tracked().replans(&made, t0_s, t_s);
                         (plan, turned) = (made, Some((stop, turn, began)));
                         continue;
                     }

@@ -32,7 +32,6 @@ pub mod controller;
 mod diagnostics;
 mod drive;
 mod execute;
-mod following;
 mod hand_words;
 mod happenings;
 mod heights;

@@ -3,7 +3,7 @@
 use crate::OperatorRequest;
 use crate::drive::Heard;
 use crate::station::Station;
-use crate::turn::{Slows, Turn};
+use crate::turn::{Slows, Turn, link_lost};
 use kerf_journal::{Kind, Placed, Turn as Teller};
 use kerf_machine::Going;
 use kerf_machine::state::RELEASE_S;
@@ -18,6 +18,9 @@ const RECORDED_EVERY_S: f64 = 0.02;
 /// A machine that cuts the power of its motors does it so long after the emergency stop, seconds
 /// (command reference, alpha tools).
 const POWER_S: f64 = 5.0;
+
+/// A way to let time pass that heeds the operator: also what he asked for before, or only what he asks for now.
+pub(crate) type Ask<S> = fn(&mut S, f64, f64, Option<Going<'_>>) -> Option<(f64, Heard)>;
 
 impl<I: Interpreter> Station<'_, I> {
     /// Lets machine time pass. What was made before it is on record; while the machine moves, soon. A switch that the
@@ -52,7 +55,47 @@ impl<I: Interpreter> Station<'_, I> {
         }
     }
 
-    /// The same; inputs that change meanwhile are noted, and only the operator ends it.
+    /// Lets time pass up to a moment, unless an input that stops the machine or the operator comes before. The moment of
+    /// the input may be over.
+    pub(crate) fn meet(
+        &mut self,
+        end_s: f64,
+        watched: &[Watched],
+        going: Option<Going<'_>>,
+        ask: Ask<Self>,
+    ) -> Option<(f64, Turn)> {
+        let now_s = self.world.now();
+        // What was told on the way to a moment that the operator interrupted still stops the machine.
+        let mut looked_s = self.world.machine.told_s();
+        loop {
+            let machine = &self.world.machine;
+            let halt = match going {
+                Some(_) => machine.halted(looked_s, watched),
+                None => machine.halted_at_rest(looked_s, watched),
+            };
+            let level_s = next_level_s(watched, looked_s, end_s);
+            let until_s = halt.map_or(level_s.unwrap_or(end_s), |halt| halt.t_s);
+            match ask(self, now_s, until_s.max(now_s), going) {
+                Some((t_s, Heard::Input { number, on })) => {
+                    self.world.tracked().learn(number, on, t_s);
+                    looked_s = looked_s.max(t_s);
+                }
+                Some((t_s, Heard::Operator(request))) => {
+                    return Some((t_s, Turn::Operator(request)));
+                }
+                None if self.drive.fault().is_some() => {
+                    return Some((now_s, Turn::Input(link_lost(now_s))));
+                }
+                None => match (halt, level_s) {
+                    (Some(halt), _) => return Some((halt.t_s, Turn::Input(halt))),
+                    (None, Some(level_s)) => looked_s = level_s,
+                    (None, None) => return None,
+                },
+            }
+        }
+    }
+
+    /// Lets time pass; inputs that change meanwhile are noted, and only the operator ends it.
     fn pass_learning(
         &mut self,
         from_s: f64,
@@ -349,4 +392,10 @@ impl<I: Interpreter> Station<'_, I> {
                 .then_some((halt.t_s, halt.cause))
         })
     }
+}
+
+/// Returns the next moment, up to another, from which on a state that is watched stops the machine.
+fn next_level_s(watched: &[Watched], from_s: f64, end_s: f64) -> Option<f64> {
+    let levels = watched.iter().filter_map(|watch| watch.level_from_s);
+    levels.filter(|s| *s > from_s && *s <= end_s).min_by(f64::total_cmp)
 }

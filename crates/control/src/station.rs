@@ -95,8 +95,8 @@ impl<I: Interpreter> Station<'_, I> {
         self.trail.moves(span.made.at);
         let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
         let alone = self.world.machine.alone();
-        let lift =
-            self.move_made(Going { plan, index, t0_s, until: index + 1, part: 1.0, watches: &[] });
+        let going = Going { plan, index, t0_s, until: index + 1, part: 1.0, watches: &[] };
+        let lift = self.world.tracked().move_made(&going);
         let made = carried(span.made, &lift);
         if self.world.tells_motion() {
             let event = self.move_event(&made, begin_s, end_s);

@@ -3,9 +3,10 @@
 //! A run believes what it was told. A machine that is pretended moves its switches by itself, or where somebody does so
 //! in its stead; the machine tells it in the moment in which it happens.
 
-use kerf_machine::{Driven, News};
+use kerf_machine::{Ahead, Driven, Going, News};
+use kerf_motion::Plan;
 use kerf_program::{Axes, Axis, HeightLaw};
-use kerf_sim::{Change, Machine, Physics, WasOn, contact};
+use kerf_sim::{Change, Lift, Machine, Physics, WasOn, contact};
 
 /// The machine of a run, and what is believed of it.
 pub(crate) struct Tracked<'a> {
@@ -23,6 +24,44 @@ impl Tracked<'_> {
         if let Some(own) = &mut self.own {
             own.press(change);
         }
+    }
+
+    /// A plan, or another piece of it, is about to be followed.
+    pub fn follows(&mut self, plan: &Plan, t0_s: f64) {
+        if !self.machine.draws() {
+            self.learns_plan(plan, t0_s);
+            self.driven.borrow_mut().begin_plan();
+        }
+    }
+
+    /// What is left of a plan at a moment is made by another.
+    pub fn replans(&mut self, plan: &Plan, t0_s: f64, at_s: f64) {
+        if !self.machine.draws() {
+            self.learns_plan(plan, t0_s);
+            self.learn_until(at_s);
+        }
+    }
+
+    /// A machine that repeats tells what it told of the move under way by the plan that is followed now.
+    fn learns_plan(&mut self, plan: &Plan, t0_s: f64) {
+        let mut driven = self.driven.borrow_mut();
+        driven.follows(&Ahead { plan, t0_s, from_s: self.machine.clock_s() });
+        if driven.facts().repeats {
+            self.machine.forget();
+        }
+    }
+
+    /// A move of a plan is made: everything that happened on the way is known. Returns how far height control carried Z.
+    pub fn move_made(&mut self, going: &Going<'_>) -> Lift {
+        let Some(span) = going.plan.span(going.index) else { return Lift::default() };
+        let carried = if self.machine.draws() {
+            self.machine.not_carried()
+        } else {
+            self.learn_until(going.t0_s + span.t1_s);
+            self.driven.borrow_mut().made(going)
+        };
+        self.machine.make(going.t0_s, going.plan, &span, &carried);
+        carried.lift
     }
 
     /// Learns everything that changed up to a moment that is over.
