@@ -150,11 +150,6 @@ impl<'a> Drive<'a> {
         self.machine.borrow().facts().repeats
     }
 
-    /// Moves the switch of an input of a machine that is pretended; returns `false` where it is not.
-    pub fn press(&mut self, number: u8, on: bool, at_s: f64) -> bool {
-        self.machine.borrow_mut().press(number, on, at_s)
-    }
-
     /// Takes the first request from one moment to another; one that was kept comes first.
     fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
         let is_due = self.kept.front().is_some_and(|(at_s, _)| *at_s <= to_s);

@@ -13,7 +13,7 @@ use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Button, Command, Feed, Interpreter, Line, MoveKind, Question,
     Settings, Status,
 };
-use kerf_sim::{Machine, Watched};
+use kerf_sim::Watched;
 use kerf_trace::Event;
 
 /// Homes axes that have a switch, and tells how far the last home was off.
@@ -76,7 +76,7 @@ fn misses_switch<I: Interpreter>(
     axis: Option<Axis>,
 ) -> RunEnd {
     let place = Place::line(stops.station.world.file(At::default()), 0);
-    let input = axis.and_then(Machine::home_line).map_or("none", Input::name);
+    let input = axis.and_then(Input::home_of).map_or("none", Input::name);
     let hint = format!(
         "nothing moves on; look at the switch on input {input} (homing), and at the length of the axis (axis.length)"
     );
@@ -196,7 +196,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         there[axis] = to;
         let line = Line { kind: MoveKind::Jog, to: there, feed: Feed::Path(speed.abs()) };
         let made = Mover::new(from, &self.settings).line(At::default(), &line)?;
-        let switch = until.zip(Machine::home_line(axis)).map(|(on, line)| line.number_when(on));
+        let switch = until.zip(Input::home_of(axis)).map(|(on, line)| line.number_when(on));
         match self.stops.station.drive(made, &self.settings, switch.as_slice()) {
             Driven::Edge(place) => Some(place[axis]),
             Driven::There => None,

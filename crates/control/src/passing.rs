@@ -9,7 +9,7 @@ use kerf_machine::Going;
 use kerf_machine::state::RELEASE_S;
 use kerf_motion::Move;
 use kerf_program::Interpreter;
-use kerf_sim::{HaltCause, Watched};
+use kerf_sim::{Change, HaltCause, Watched};
 use kerf_trace::{Event, flag};
 
 /// Interval at which it is written down how far a move has come, seconds.
@@ -233,7 +233,7 @@ impl<I: Interpreter> Station<'_, I> {
     /// changes. Returns `false` where nobody moves switches but the machine.
     pub(crate) fn press(&mut self, input: u8, on: bool, at_s: f64) -> bool {
         let at_s = at_s.max(self.world.now().next_up());
-        self.drive.press(input, on, at_s)
+        self.world.hands.press(Change { input, on, at_s })
     }
 
     /// From here on cuts run at this share of the speed asked for.

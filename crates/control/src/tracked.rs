@@ -6,14 +6,14 @@
 use kerf_machine::{Ahead, Driven, Going, News};
 use kerf_motion::Plan;
 use kerf_program::{Axes, Axis, HeightLaw};
-use kerf_sim::{Change, Lift, Machine, Physics, WasOn, contact};
+use kerf_sim::{Change, Hands, Lift, Machine, WasOn, contact};
 
 /// The machine of a run, and what is believed of it.
 pub(crate) struct Tracked<'a> {
     pub machine: &'a mut Machine,
     pub driven: &'a Driven,
-    /// What was not lent to the machine: it keeps what was told.
-    pub own: Option<&'a mut Physics>,
+    /// The hands at the machine.
+    pub hands: &'a Hands,
 }
 
 impl Tracked<'_> {
@@ -21,9 +21,7 @@ impl Tracked<'_> {
     pub fn learn(&mut self, input: u8, on: bool, at_s: f64) {
         let change = Change { input, on, at_s };
         self.machine.learn(change);
-        if let Some(own) = &mut self.own {
-            own.press(change);
-        }
+        self.hands.keep(change);
     }
 
     /// A plan, or another piece of it, is about to be followed.
@@ -77,7 +75,7 @@ impl Tracked<'_> {
     /// Somebody moves the switch of an input now: whoever asks for it knows it at once.
     pub fn press(&mut self, input: u8, on: bool) {
         let now_s = self.machine.clock_s();
-        if !self.driven.borrow_mut().press(input, on, now_s) {
+        if !self.hands.press(Change { input, on, at_s: now_s }) {
             self.learn(input, on, now_s);
         }
         self.advance(now_s);
@@ -92,17 +90,16 @@ impl Tracked<'_> {
     /// Returns when an input reads a state: now, or later, where that is known. `None` where nobody knows.
     pub fn when(&self, input: u8, on: bool) -> Option<f64> {
         let told = self.machine.when_input(input, on);
-        told.or_else(|| self.driven.borrow().changes_s(input, on, self.machine.clock_s()))
+        told.or_else(|| self.hands.changes_s(input, on, self.machine.clock_s()))
     }
 
     /// Returns when an input changes to a state the next time, where that is known.
     pub fn when_pressed(&self, input: u8, on: bool) -> Option<f64> {
-        let driven = self.driven.borrow();
-        let now_s = self.machine.clock_s();
+        let (hands, now_s) = (self.hands, self.machine.clock_s());
         let is_on = self.machine.input(input) == on;
-        let rests_s = if is_on { driven.changes_s(input, !on, now_s)? } else { now_s };
+        let rests_s = if is_on { hands.changes_s(input, !on, now_s)? } else { now_s };
         let told = if is_on { None } else { self.machine.when_input(input, on) };
-        told.or_else(|| driven.changes_s(input, on, rests_s))
+        told.or_else(|| hands.changes_s(input, on, rests_s))
     }
 
     /// The warning passes, and motion begins.
@@ -143,11 +140,5 @@ impl Tracked<'_> {
     pub fn zero(&mut self, axis: Axis) {
         self.driven.borrow_mut().zero(axis, self.machine.position()[axis]);
         self.machine.zero(axis);
-    }
-
-    /// An axis was pushed by hand, so far.
-    pub fn pushed(&mut self, axis: Axis, by: f64) {
-        let believed = self.machine.position();
-        self.driven.borrow_mut().pushed(axis, by, &believed);
     }
 }

@@ -16,7 +16,7 @@ use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Command, FileCall, Frame, OutputReason, Question,
     SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
-use kerf_sim::{Machine, Physics};
+use kerf_sim::{Hands, Machine, Opened, Simulation};
 use kerf_trace::event::{Event, Partial, Place};
 use kerf_trace::{Doing, Made, OpenFile, Sink, Standing, Tally, flag};
 use kerf_workspace::{Workspace, confirm, unconfirmed};
@@ -31,8 +31,8 @@ pub(crate) struct World<'a> {
     pub machine: Machine,
     /// The machine that makes what is planned.
     pub driven: Driven,
-    /// What was not lent to that machine, which has its own.
-    own: Option<Box<Physics>>,
+    /// The hands at it.
+    pub hands: Hands,
     pub tally: Tally,
     pub workspace: &'a mut Workspace,
     sink: &'a mut dyn Sink,
@@ -81,17 +81,20 @@ pub(crate) struct World<'a> {
 
 impl<'a> World<'a> {
     pub fn new(
-        mut machine: Machine,
+        simulation: Simulation,
         workspace: &'a mut Workspace,
         sink: &'a mut dyn Sink,
         operator: &'a mut dyn Operator,
-        driven: Driven,
+        opened: Opened,
     ) -> Self {
-        let (own, settings) = (machine.lend(&driven), machine.settings().clone());
+        let Simulation { model: machine, physics } = simulation;
+        let Opened { machine: driven, hands } = opened;
+        hands.put(physics);
+        let settings = machine.settings().clone();
         Self {
             machine,
             driven,
-            own,
+            hands,
             tally: Tally::default(),
             workspace,
             sink,
@@ -121,16 +124,13 @@ impl<'a> World<'a> {
     }
 
     /// Returns the machine as the run leaves it.
-    pub fn into_machine(self) -> Machine {
-        let mut machine = self.machine;
-        machine.take_back(&self.driven, self.own);
-        machine
+    pub fn into_simulation(self) -> Simulation {
+        Simulation { model: self.machine, physics: self.hands.take() }
     }
 
     /// The machine, and what is believed of it.
     pub fn tracked(&mut self) -> Tracked<'_> {
-        let own = self.own.as_deref_mut();
-        Tracked { machine: &mut self.machine, driven: &self.driven, own }
+        Tracked { machine: &mut self.machine, driven: &self.driven, hands: &self.hands }
     }
 
     /// Has the machine set something, in its place between two moves. What is told again was set before, and what is

@@ -20,7 +20,6 @@ use crate::homing::Which;
 use crate::lift::Carried;
 use kerf_motion::{Move, Plan, State};
 use kerf_program::{At, Axes, Axis, HeightLaw, OutputReason, Settings, Turn};
-use std::any::Any;
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -187,17 +186,6 @@ pub trait Machine {
         News { reached_s: until_s, input: None }
     }
 
-    /// Returns the moment from another on, seconds of machine time, at which an input will read a state anew, where it is
-    /// known beforehand.
-    fn changes_s(&self, _input: u8, _on: bool, _from_s: f64) -> Option<f64> {
-        None
-    }
-
-    /// Moves the switch of an input at a moment, by its contact; returns `false` where nobody but the machine itself can.
-    fn press(&mut self, _input: u8, _closed: bool, _at_s: f64) -> bool {
-        false
-    }
-
     /// A move of the plan is made: returns the way of its height control beside the plan.
     fn made(&mut self, _going: &Going<'_>) -> Carried {
         Carried::default()
@@ -222,14 +210,6 @@ pub trait Machine {
 
     /// The place of an axis is its zero from now on.
     fn zero(&mut self, _axis: Axis, _place: f64) {}
-
-    /// An axis without power was pushed by hand, so far, away from where it is believed to be.
-    fn pushed(&mut self, _axis: Axis, _by: f64, _believed: &Axes) {}
-
-    /// Returns what is pretended of it, for whoever has set it up and knows the type.
-    fn pretended(&mut self) -> Option<&mut dyn Any> {
-        None
-    }
 
     /// Looks at it in passing, without waiting. An input that changes is told by the next call that tells news.
     fn look(&mut self);

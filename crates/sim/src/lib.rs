@@ -20,6 +20,7 @@ mod flips;
 mod follower;
 mod halt;
 mod hand;
+mod hands;
 mod head;
 mod heater;
 mod independent;
@@ -36,11 +37,13 @@ pub mod pulses;
 mod scene;
 mod sheet;
 mod simulated;
+mod simulation;
 mod trigger;
 pub mod vcd;
 
 pub use halt::{Halt, HaltCause, Watched};
 pub use hand::Push;
+pub use hands::{Hands, Opened};
 pub use inputs::{
     CABLE, Change, Duty, Inputs, STALL, STOP_INPUT, contact, duty, input_number, pin,
 };
@@ -49,7 +52,8 @@ pub use limits::Violation;
 pub use log::{Happening, Log, What};
 pub use machine::{Machine, WasOn};
 pub use outputs::Outputs;
-pub use physics::Physics;
+pub use physics::{Physics, untouched};
 pub use scene::{Body, Touch};
 pub use sheet::Sheet;
 pub use simulated::{Clock, Simulated};
+pub use simulation::Simulation;

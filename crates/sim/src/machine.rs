@@ -16,12 +16,9 @@ use crate::limits::Overridden;
 use crate::log::{Log, What};
 use crate::motors::Motors;
 use crate::outputs::Outputs;
-use crate::physics::Physics;
-use crate::scene::Touch;
-use crate::sheet::Sheet;
 use crate::trigger;
 use kerf_machine::homing::soft_bounds;
-use kerf_machine::{Carried, Configuration, Driven, Lift, Reading};
+use kerf_machine::{Carried, Configuration, Lift, Reading};
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::Mode;
 use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, OutputReason, Settings};
@@ -66,8 +63,6 @@ pub struct Machine {
     /// Commands are only drawn (SP): where the machine really stands.
     drawing_from: Option<Axes>,
     log: Log,
-    /// What its switches and sensors feel; nothing while a run has lent it to a machine.
-    physics: Option<Box<Physics>>,
 }
 
 impl Default for Machine {
@@ -81,8 +76,6 @@ impl Machine {
     pub fn new(position: Axes, frame: Frame, settings: Arc<Settings>, inputs: Inputs) -> Self {
         let mut motors = Motors::default();
         motors.say(position);
-        let physics = Physics::new(settings.clone(), inputs);
-        let inputs = physics.known();
         Self {
             clock_s: 0.0,
             position,
@@ -108,52 +101,30 @@ impl Machine {
             overridden: Overridden::default(),
             drawing_from: None,
             log: Log::default(),
-            physics: Some(Box::new(physics)),
         }
     }
 
-    /// Has what its switches feel change, and learns what they read then.
-    fn around(&mut self, change: impl FnOnce(&mut Physics)) {
-        if let Some(physics) = &mut self.physics {
-            change(physics);
-            self.inputs = physics.known();
-        }
-    }
-
-    /// Lends what its switches and sensors feel to the machine of a run, which tells it from then on. Returns it where
-    /// that machine has its own.
-    pub fn lend(&mut self, driven: &Driven) -> Option<Box<Physics>> {
-        self.physics.take()?.lend(driven)
-    }
-
-    /// Has it back after the run; `own` was not lent.
-    pub fn take_back(&mut self, driven: &Driven, own: Option<Box<Physics>>) {
-        self.physics = own.or_else(|| Some(Box::new(Physics::taken_from(driven)?)));
+    /// The inputs as they are told to be from now on.
+    pub fn knows(&mut self, inputs: Inputs) {
+        self.inputs = inputs;
     }
 
     /// The machine after a run, ready for the next, which counts time from 0: what turns keeps
     /// turning, what is on stays on, motors keep their count.
     #[must_use]
-    pub fn again(
-        mut self,
-        position: Axes,
-        frame: Frame,
-        settings: Arc<Settings>,
-        inputs: Inputs,
-    ) -> Self {
+    pub fn again(mut self, position: Axes, frame: Frame, settings: Arc<Settings>) -> Self {
         for spin in &mut self.spins {
             spin.set_back(self.clock_s);
         }
         self.heater.set_back(self.clock_s);
         self.clock_s = 0.0;
         (self.position, self.frame) = (position, frame);
-        (self.drawing_from, self.settings) = (None, settings.clone());
-        self.around(|physics| physics.again(settings, inputs));
+        (self.drawing_from, self.settings) = (None, settings);
         self.motors.say(self.true_position());
         self
     }
 
-    /// The same machine, whose run goes on from a moment: what its script of inputs did until then is told.
+    /// The same machine, whose run goes on from a moment.
     #[must_use]
     pub fn begun_at(mut self, t_s: f64) -> Self {
         if t_s <= 0.0 {
@@ -163,7 +134,6 @@ impl Machine {
             spin.set_back(-t_s);
         }
         self.heater.set_back(-t_s);
-        self.around(|physics| physics.begin_at(t_s));
         self.clock_s = t_s;
         self
     }
@@ -182,47 +152,11 @@ impl Machine {
         &mut self.log
     }
 
-    /// The same machine with the switches, motors and lengths of a configuration; the lengths bound these
-    /// axes. What is known of where its axes truly are stays, where it has as many motors as before.
+    /// The same machine, whose lengths bound these axes.
     #[must_use]
-    pub fn equipped(mut self, machine: &Configuration, bounded: AxisSet) -> Self {
-        let believed = self.position;
-        self.around(|physics| physics.equip(machine, believed));
+    pub fn bounded(mut self, machine: &Configuration, axes: AxisSet) -> Self {
         self.bounds =
-            Axis::ALL.map(|axis| soft_bounds(machine, axis).filter(|_| bounded.contains(axis)));
-        self
-    }
-
-    /// The same machine, whose carriages are off by so much.
-    #[must_use]
-    pub fn with_truth(mut self, truth: &[Vec<f64>]) -> Self {
-        let believed = self.position;
-        self.around(|physics| physics.set_truth(truth, believed));
-        self
-    }
-
-    /// The same machine with a sheet on its table, or without.
-    #[must_use]
-    pub fn with_sheet(mut self, sheet: Option<Sheet>) -> Self {
-        self.around(|physics| physics.put_sheet(sheet));
-        self
-    }
-
-    /// The same machine with things on its table that switches feel.
-    #[must_use]
-    pub fn with_touches(mut self, touches: &[Touch]) -> Self {
-        let at = self.true_position();
-        self.around(|physics| physics.put_touches(touches, &at));
-        self
-    }
-
-    /// The same machine, whose switches somebody has left like this.
-    #[must_use]
-    pub fn with_switches(mut self, switches: &[(u8, bool)]) -> Self {
-        for (input, on) in switches {
-            self.press(Change { input: *input, on: *on, at_s: self.clock_s });
-        }
-        self.log.take().for_each(drop);
+            Axis::ALL.map(|axis| soft_bounds(machine, axis).filter(|_| axes.contains(axis)));
         self
     }
 
@@ -336,9 +270,6 @@ impl Machine {
 
     /// Lets the clock run to a time; inputs change on the way.
     pub fn advance(&mut self, to_s: f64) {
-        while let Some(change) = self.physics.as_mut().and_then(|it| it.tell(to_s)) {
-            self.inputs.learn(change);
-        }
         while let Some(change) = self.inputs.step(to_s, &self.settings.io) {
             let on = self.inputs.reads(change.input, &self.settings.io);
             let t_s = change.at_s.max(self.clock_s);
@@ -438,17 +369,6 @@ impl Machine {
         if laser::active(&height, &self.settings.io) {
             self.pwm(laser::CHANNEL, height.low_percent);
         }
-    }
-
-    /// Somebody moves the switch of an input, now or at a moment of the motion under way; it stays
-    /// there, also for the next run.
-    pub fn press(&mut self, change: Change) {
-        let at_s = change.at_s.max(self.clock_s);
-        match &mut self.physics {
-            Some(physics) => physics.press(Change { at_s, ..change }),
-            None => self.inputs.learn(Change { at_s, ..change }),
-        }
-        self.advance(self.clock_s);
     }
 
     /// The machine tells that the contact of an input changed at a moment of the motion under way.

@@ -11,7 +11,7 @@ use crate::scene::{self, Touch};
 use crate::sheet::Sheet;
 use kerf_machine::homing::Which;
 use kerf_machine::lines::Input;
-use kerf_machine::{Ahead, Carried, Configuration, Driven, Going};
+use kerf_machine::{Ahead, Carried, Configuration, Going};
 use kerf_program::{Axes, Axis, HeightLaw, Settings};
 use std::sync::Arc;
 
@@ -28,20 +28,15 @@ pub struct Physics {
     head: Head,
     /// Bodies on the table, and the inputs that change where the tool is inside of them.
     touches: Arc<[Touch]>,
+    /// End of the plan that was followed last, seconds of machine time.
+    plan_ends_s: Option<f64>,
 }
 
 impl Physics {
-    /// A machine of these inputs, with nothing around.
-    pub(crate) fn new(settings: Arc<Settings>, inputs: Inputs) -> Self {
-        let mut new = Self { settings, ..Self::default() };
-        new.begin(inputs);
-        new
-    }
-
     /// What its inputs will do begins anew.
     fn begin(&mut self, inputs: Inputs) {
         self.ahead = inputs.clone();
-        self.inputs = inputs;
+        (self.inputs, self.plan_ends_s) = (inputs, None);
     }
 
     /// The same for the next run, which counts time from 0.
@@ -128,6 +123,7 @@ impl Physics {
     /// told once more, but for what somebody has done by hand until then.
     pub(crate) fn foresee(&mut self, ahead: &Ahead<'_>) {
         let from_s = ahead.from_s;
+        self.plan_ends_s = Some(ahead.t0_s + ahead.plan.duration_s());
         self.inputs.come_to(from_s);
         let lent = Lent { inputs: &self.inputs, modes: &self.settings.io };
         let ticks = self.head.foreseen_ticks(lent, ahead);
@@ -166,12 +162,16 @@ impl Physics {
         self.ahead.next().map(|change| change.at_s)
     }
 
-    /// Tells the next change up to a moment: the contact, of a pin its level.
+    /// Tells the next change up to a moment: the contact, of a pin its level. What changed behind the end of the plan is
+    /// not told again by the next one.
     pub(crate) fn tell(&mut self, until_s: f64) -> Option<Change> {
         loop {
             let felt = self.ahead.is_foreseen_first();
             let known = self.ahead.next().is_some_and(|change| self.ahead.is_known(&change));
             let change = self.ahead.happen(until_s)?;
+            if self.plan_ends_s.is_none_or(|end_s| change.at_s > end_s) {
+                self.inputs = self.ahead.clone();
+            }
             if !(felt && known) {
                 return Some(change);
             }
@@ -184,7 +184,7 @@ impl Physics {
     }
 
     /// Somebody moves the switch of an input at a moment that is not over yet; it stays there, also for the next run.
-    pub fn press(&mut self, change: Change) {
+    pub(crate) fn press(&mut self, change: Change) {
         self.both(|inputs| inputs.press(change));
     }
 
@@ -245,22 +245,11 @@ impl Physics {
     pub(crate) fn pushed(&mut self, axis: Axis, by: f64, believed: Axes) {
         self.carriages.pushed(axis, by, believed);
     }
+}
 
-    /// Puts it into a machine that is pretended, for a run; gives it back where the machine has its own.
-    pub(crate) fn lend(self: Box<Self>, driven: &Driven) -> Option<Box<Self>> {
-        let mut driven = driven.borrow_mut();
-        match driven.pretended().and_then(|it| it.downcast_mut::<Self>()) {
-            Some(pretended) => {
-                *pretended = *self;
-                None
-            }
-            None => Some(self),
-        }
-    }
-
-    /// Takes it out of such a machine after the run.
-    pub(crate) fn taken_from(driven: &Driven) -> Option<Self> {
-        let mut driven = driven.borrow_mut();
-        driven.pretended().and_then(|it| it.downcast_mut::<Self>()).map(std::mem::take)
-    }
+/// Returns what inputs read on a simulated machine that nobody has touched, by their numbers.
+pub fn untouched(machine: &Configuration) -> impl Fn(u8) -> bool {
+    let mut physics = Physics::default();
+    physics.equip(machine, Axes::default());
+    move |number| physics.inputs.reads(number, &physics.settings.io)
 }

@@ -1,12 +1,10 @@
 //! All that a machine tells: places and limits, what its inputs read, when they change, and which of them stop motion.
 
 use super::Machine;
-use crate::carriages::line_of;
 use crate::halt::{self, Halt, Heeds, Watched};
 use crate::inputs::CABLE;
 use crate::limits::{self, Violation};
 use crate::outputs::Outputs;
-use kerf_machine::lines::Input;
 use kerf_motion::Move;
 use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, Settings};
 use std::collections::BTreeSet;
@@ -27,11 +25,6 @@ impl Machine {
     /// Returns when an input reads a state: now, or at a later moment of which was told. `None` where nobody told.
     pub fn when_input(&self, number: u8, on: bool) -> Option<f64> {
         self.inputs.when(number, on, self.clock_s, &self.settings.io)
-    }
-
-    /// Switches that somebody moved by hand, and where they were left.
-    pub fn switches(&self) -> Vec<(u8, bool)> {
-        self.physics.as_ref().map(|physics| physics.moved_by_hand()).unwrap_or_default()
     }
 
     /// Inputs that changed from a moment on, up to now, and what they read.
@@ -173,16 +166,6 @@ impl Machine {
     /// simulation knows, mm or degrees.
     pub const fn astray(&self) -> Axes {
         self.hand.astray
-    }
-
-    /// Returns how far each motor's carriage is from where the controller believes it: what only the simulation knows.
-    pub fn truth(&self) -> Vec<Vec<f64>> {
-        self.physics.as_ref().map(|physics| physics.truth()).unwrap_or_default()
-    }
-
-    /// The input of an axis' home switch.
-    pub fn home_line(axis: Axis) -> Option<Input> {
-        line_of(axis)
     }
 
     /// The motor of an axis that moves while the others stand; `None` for all.
