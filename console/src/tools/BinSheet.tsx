@@ -2,14 +2,18 @@ import { useEffect, useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
 import { fileAddress, forgetFile, getJson, restoreFile } from "../link/http";
 import { sizeText, timeText } from "../operator/fileWords";
+import { answersOf } from "../operator/folder";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo, FileVersion } from "../wire/messages";
 
-/** Brings a file back as it was when it was deleted. */
-async function bringBack(name: string): Promise<void> {
-  const [last] = await getJson<FileVersion[]>(`${fileAddress(name)}?versions`);
-  if (last) await restoreFile(name, last.number);
+/** Brings a file back as it was when it was deleted, and the sample answers that lay beside it. */
+async function bringBack(name: string, bin: readonly FileInfo[]): Promise<void> {
+  for (const one of [name, answersOf(name)]) {
+    if (!bin.some((file) => file.name === one)) continue;
+    const [last] = await getJson<FileVersion[]>(`${fileAddress(one)}?versions`);
+    if (last) await restoreFile(one, last.number);
+  }
 }
 
 /** Files that were deleted, the way back for each, and the way to be rid of them. */
@@ -56,7 +60,7 @@ export function BinSheet({ onClose }: { onClose: () => void }) {
             <Button
               size="small"
               aria-label={`Bring back ${name}`}
-              onPress={() => void does(bringBack(name))}
+              onPress={() => void does(bringBack(name, bin))}
             >
               Bring back
             </Button>
