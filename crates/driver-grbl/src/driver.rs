@@ -104,6 +104,8 @@ pub struct Grbl {
     pub(crate) planned_on: u32,
     /// Time when it was told to stop.
     pub(crate) stopped_s: f64,
+    /// When it was reset last, once that is sent.
+    reset_s: Option<f64>,
     /// The hold that was ordered.
     pub(crate) hold: Hold,
     /// The search for what was lost while the line was gone.
@@ -176,6 +178,7 @@ impl Grbl {
             turned: (100, 100),
             planned_on: 0,
             stopped_s: 0.0,
+            reset_s: None,
             hold: Hold::None,
             gap: Gap::default(),
             has_moved: false,
@@ -216,7 +219,8 @@ impl Grbl {
         let slept_s = now_s - self.seen_s;
         self.seen_s = now_s;
         if slept_s > ASLEEP_S && slept_s.is_finite() {
-            for moment_s in [&mut self.asked_s, &mut self.stopped_s, &mut self.heard_s] {
+            let moments = [&mut self.asked_s, &mut self.stopped_s, &mut self.heard_s];
+            for moment_s in moments.into_iter().chain(&mut self.reset_s) {
                 *moment_s += slept_s;
             }
         }
@@ -265,7 +269,7 @@ impl Grbl {
     }
 
     pub(crate) fn reset(&mut self) {
-        (self.phase, self.greets) = (Phase::Resetting, false);
+        (self.phase, self.greets, self.reset_s) = (Phase::Resetting, false, None);
         self.out.push(at_once::RESET);
     }
 
@@ -458,6 +462,13 @@ impl Wired for Grbl {
         let silent_s = now_s - self.stopped_s.max(self.heard_s);
         if self.phase == Phase::Stopping && silent_s > DEAF_S {
             self.reset();
+        }
+        if self.phase == Phase::Resetting && !self.greets {
+            let sent_s = *self.reset_s.get_or_insert(now_s);
+            // The reset did not come through: its spindle still turns.
+            if now_s - sent_s > DEAF_S {
+                self.reset();
+            }
         }
         if self.phase == Phase::Gap {
             self.looks_through_gap(now_s);
