@@ -1334,7 +1334,9 @@ key: string,
 /** Its value before, as it is written. */
 from: string,
 /** Its value since, as it is written. */
-to: string, };
+to: string,
+/** Name of the device of whoever changed it; empty for a page on the machine itself. */
+by: string, };
 
 /** A setting of the machine. */
 export type SettingEntry = {

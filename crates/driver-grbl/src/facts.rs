@@ -283,6 +283,7 @@ impl Told {
             overrides: true,
             holds: true,
             stop_switches_off: true,
+            repeats: false,
             leads_s: 0.0,
         }
     }

@@ -7,7 +7,7 @@ use kerf_control::{OperatorRequest, Requests, Script, WorldClock};
 use kerf_journal::Hurry;
 use kerf_machine::Driven;
 use kerf_program::{Question, QuestionKind};
-use kerf_sim::Simulated;
+use kerf_sim::{Opened, Simulated};
 use std::cell::Cell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -251,10 +251,10 @@ impl Terminal {
     }
 
     /// Returns the simulated machine in the time that was asked for.
-    pub fn simulated(&self) -> Driven {
+    pub fn simulated(&self) -> Opened {
         match self.clock {
             Clock::Fast => kerf_control::simulated(),
-            Clock::Real => Simulated::driven(RealTime(WorldClock::new(1.0))),
+            Clock::Real => Simulated::opened(RealTime(WorldClock::new(1.0))),
         }
     }
 

@@ -1,7 +1,6 @@
-//! The changes of settings, kept in the data folder: when, which, from what to what.
+//! The changes of settings, kept in the data folder: when, which, from what to what, by whom.
 
 use crate::locks::lock;
-use crate::ran::now_s;
 use kerf_wire::SettingChange;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -29,10 +28,9 @@ impl SettingChanges {
     }
 
     /// Adds a change that holds. Returns `false` where the disk refuses.
-    pub fn add(&self, key: &str, from: String, to: String) -> bool {
-        let change = SettingChange { at: now_s(), key: key.into(), from, to };
+    pub fn add(&self, change: &SettingChange) -> bool {
         let _turn = lock(&self.turn);
-        self.append(&change).is_ok()
+        self.append(change).is_ok()
     }
 
     fn append(&self, change: &SettingChange) -> io::Result<()> {

@@ -29,6 +29,9 @@ pub struct SettingChange {
     pub from: String,
     /// Its value since, as it is written.
     pub to: String,
+    /// Name of the device of whoever changed it; empty for a page on the machine itself.
+    #[serde(default)]
+    pub by: String,
 }
 
 /// A setting of the machine.

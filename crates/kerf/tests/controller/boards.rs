@@ -2,6 +2,7 @@
 
 use crate::bench::Bench;
 use crate::shop::Shop;
+use kerf_machine::conformance::CASES;
 use std::time::{Duration, Instant};
 
 #[test]
@@ -46,6 +47,6 @@ fn a_board_proves_that_it_holds_the_list() {
     proved.exits(0).says("a plan is made whole, and no moment behind its end is reached: held");
     let report = shop.read("r.md");
     assert!(report.contains("# grbl 1.1h.20190825 on grbl:tcp:"), "{report}");
-    assert_eq!(report.matches("| held |").count(), 7, "{report}");
+    assert_eq!(report.matches("| held |").count(), CASES.len(), "{report}");
     assert_eq!(bench.look(|fake| fake.spindle()), None);
 }

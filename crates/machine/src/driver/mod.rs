@@ -175,6 +175,8 @@ pub struct Facts {
     pub holds: bool,
     /// Its stop switches every output off.
     pub stop_switches_off: bool,
+    /// It does the same once more when the same is made again: what its inputs tell needs no place on record.
+    pub repeats: bool,
     /// A run may tell of a move so long before it is made, seconds.
     pub leads_s: f64,
 }
