@@ -9,7 +9,7 @@ use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
 use kerf_program::{CutChoice, Printer, decimal};
 use kerf_sequence::Speeds;
-use kerf_toolpath::{Job, Relief, print_relief};
+use kerf_toolpath::{DrawnJob, Relief, print_relief};
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -136,7 +136,7 @@ fn drawing(bytes: &[u8], kind: &str) -> Imported {
     }
 }
 
-fn job(read: Imported, how: &Drawn) -> Result<(Job, Vec<Finding>), DrawnError> {
+fn job(read: Imported, how: &Drawn) -> Result<(DrawnJob, Vec<Finding>), DrawnError> {
     let Imported { drawing, mut findings, layers, .. } = read;
     if drawing.shapes.is_empty() {
         let told = findings.iter().map(|finding| finding.text.as_str()).collect::<Vec<_>>();

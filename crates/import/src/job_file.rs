@@ -8,7 +8,7 @@ use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::Printer;
 use kerf_program::job::{Heights, JobShape};
 use kerf_sequence::Speeds;
-use kerf_toolpath::{Damaged, Job, NoRoom, too_deep};
+use kerf_toolpath::{Damaged, DrawnJob, NoRoom, too_deep};
 use std::sync::Arc;
 
 /// The extension of jobs.
@@ -37,7 +37,7 @@ pub struct Choice {
 ///
 /// # Errors
 /// The file is damaged: what is left of it is not cut.
-pub fn read(bytes: &[u8], smoothing: f64) -> Result<(Job, Vec<Finding>), Damaged> {
+pub fn read(bytes: &[u8], smoothing: f64) -> Result<(DrawnJob, Vec<Finding>), Damaged> {
     let (job, read) = kerf_toolpath::read_whole(bytes)?;
     let mut findings = read.findings;
     if let Some(made) = job.smoothing.filter(|made| *made != smoothing) {
@@ -52,11 +52,12 @@ pub fn read(bytes: &[u8], smoothing: f64) -> Result<(Job, Vec<Finding>), Damaged
 
 /// A job as it runs on a machine, under a name. People know its paths by their place in cutting order, as
 /// `kerf draw --list` numbers them.
-pub fn work(job: &Job, name: Arc<str>, machine: Configuration) -> Work {
-    let mut neutral = job.neutral(name);
-    let shapes = neutral.shapes.iter().zip(1..);
-    neutral.shapes = shapes.map(|(shape, number)| JobShape { number, ..shape.clone() }).collect();
-    Work::Job(Arc::new(neutral), Arc::new(machine))
+pub fn work(job: &DrawnJob, name: Arc<str>, machine: Configuration) -> Work {
+    let mut machine_job = job.machine_job(name);
+    let shapes = machine_job.shapes.iter().zip(1..);
+    machine_job.shapes =
+        shapes.map(|(shape, number)| JobShape { number, ..shape.clone() }).collect();
+    Work::Job(Arc::new(machine_job), Arc::new(machine))
 }
 
 /// Writes a job as a part program, as a machine cuts it; what is noticed on the way is returned.
@@ -64,7 +65,7 @@ pub fn work(job: &Job, name: Arc<str>, machine: Configuration) -> Work {
 /// # Errors
 /// Paths that would go below ZBottom, a sentence each.
 pub fn print(
-    job: &Job,
+    job: &DrawnJob,
     machine: &Configuration,
     speeds: Speeds,
     printer: &mut dyn Printer,
@@ -75,7 +76,7 @@ pub fn print(
         return Err(wrong.iter().map(ToString::to_string).collect());
     }
     job.drawing.comments().iter().for_each(|line| printer.comment(line));
-    match kerf_sequence::print(&job.neutral(Arc::default()), machine, speeds, printer) {
+    match kerf_sequence::print(&job.machine_job(Arc::default()), machine, speeds, printer) {
         Ok(noticed) => Ok(noticed.into_iter().map(|noticed| noticed.message).collect()),
         Err(low) => Err(vec![low.message]),
     }

@@ -59,7 +59,7 @@ pub fn drawn(clauses: &str) -> Job {
     assert_eq!(warnings, []);
     // By way of its file, as it is run.
     let (read, _) = kerf_toolpath::read(kerf_toolpath::write(&job).as_bytes());
-    read.neutral("job.rsm".into())
+    read.machine_job("job.rsm".into())
 }
 
 /// A job to be run, or a move by hand.

@@ -23,7 +23,7 @@ use kerf_program::Printer;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::{Printing, SbpPrinter};
 use kerf_sequence::Speeds;
-use kerf_toolpath::{Job, JobError, Shaping, shaped_job_until};
+use kerf_toolpath::{DrawnJob, JobError, Shaping, shaped_job_until};
 use kerf_wire::{Change, Op, Problem, Why};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -46,7 +46,7 @@ pub struct Desk {
     /// The hash of its file as it was opened or saved: that one may be written over.
     pub(crate) kept: Option<String>,
     /// The job whose paths are drawn on, where a job was opened.
-    pub(crate) job: Option<Job>,
+    pub(crate) job: Option<DrawnJob>,
     open: bool,
     pub(crate) notes: Vec<String>,
     /// Place to which the head goes when the job is done, from its origin.
@@ -73,7 +73,7 @@ pub struct DrawingDesk {
 /// A drawing that was read to be opened.
 struct Read {
     /// The job, where the file holds one.
-    job: Option<Job>,
+    job: Option<DrawnJob>,
     imported: Imported,
     /// The hash of the file, where the drawing is all that it holds.
     kept: Option<String>,
@@ -228,7 +228,7 @@ impl DrawingDesk {
             Some(_) => (desk.edited_job()?, Vec::new()),
             None => job(&desk.editor.drawing, Left::shaping(&self.left), awaited)?,
         };
-        let job = Job { finish: desk.finish, ..job };
+        let job = DrawnJob { finish: desk.finish, ..job };
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));
         // In the unit that the machine is set to: a part file of the other one refuses to run.
         let inches = self.hub.read(|now| now.units.linear == LinearUnit::Inch.symbol());
@@ -270,10 +270,10 @@ impl Desk {
     }
 
     /// The job that was opened, with the paths as they were drawn.
-    fn edited_job(&self) -> Result<Job, Problem> {
+    fn edited_job(&self) -> Result<DrawnJob, Problem> {
         let text = "tool paths are made by Machine; as .rsm those are saved that were opened";
         let job = self.job.clone().ok_or_else(|| problem(Why::File, text))?;
-        Ok(Job { finish: self.finish, ..job.edited(&self.editor.drawing) })
+        Ok(DrawnJob { finish: self.finish, ..job.edited(&self.editor.drawing) })
     }
 
     fn finish_at(&mut self, [x, y]: [f64; 2]) -> Done {
@@ -347,7 +347,7 @@ pub(crate) fn job(
     drawing: &Drawing,
     shaping: Shaping,
     awaited: &Awaited,
-) -> Result<(Job, Vec<String>), Problem> {
+) -> Result<(DrawnJob, Vec<String>), Problem> {
     let made = shaped_job_until(drawing, shaping, &|| awaited.is_given_up());
     let (job, warnings) = made.map_err(|error| {
         let why = if error == JobError::GivenUp { Why::State } else { Why::Mistake };

@@ -6,7 +6,7 @@ use crate::open::Open;
 use crate::refusal::problem;
 use kerf_drawing::{Operation, Shape};
 use kerf_import::job_file;
-use kerf_toolpath::Job;
+use kerf_toolpath::DrawnJob;
 use kerf_wire::{FileKind, Problem, Why};
 use std::sync::Arc;
 
@@ -71,7 +71,7 @@ impl Jobs {
         let name = name.ok_or_else(|| problem(Why::File, "there is no name for a new job"))?;
         let [origin, _] = self.loader.lies(&Open::default());
         let (bytes, _) =
-            with_shape(Job { origin: Some(origin), start: 1, ..Job::default() }, shape);
+            with_shape(DrawnJob { origin: Some(origin), start: 1, ..DrawnJob::default() }, shape);
         self.files.folder.write(&name, &bytes)?;
         self.files.changed();
         self.loader.open_file(&name)?;
@@ -95,7 +95,7 @@ impl Jobs {
 }
 
 /// A job with a path more, in the bytes of its file, and how many paths it has.
-fn with_shape(job: Job, shape: Arc<Shape>) -> (Arc<[u8]>, usize) {
+fn with_shape(job: DrawnJob, shape: Arc<Shape>) -> (Arc<[u8]>, usize) {
     let mut drawing = job.as_drawing();
     drawing.shapes.push(shape);
     let count = drawing.shapes.len();

@@ -21,7 +21,7 @@ use kerf_machine::Configuration;
 use kerf_program::Axis;
 use kerf_program::job::JobShape;
 use kerf_sequence::Sequence;
-use kerf_toolpath::Job;
+use kerf_toolpath::DrawnJob;
 use kerf_wire::{FileKind, JobChoice, JobPath, JobView, Problem, ShapePath, State, Why};
 use std::sync::{Arc, Mutex};
 
@@ -79,7 +79,7 @@ impl Jobs {
             return Err(problem(Why::State, "the job lies where its file says"));
         };
         let choice = JobChoice { origin: None, ..open.choice };
-        self.write_job(open, choice, |job| Job { origin: Some(Point2::new(x, y)), ..job })
+        self.write_job(open, choice, |job| DrawnJob { origin: Some(Point2::new(x, y)), ..job })
     }
 
     /// Writes where the open job lies, where it ends and with which path it begins into its file. Its paths stay
@@ -94,7 +94,7 @@ impl Jobs {
         let choice = JobChoice { origin: None, finish: None, start: None, ..open.choice };
         self.write_job(open, choice, |job| {
             let start = chosen.map_or(job.start, |start| start as usize);
-            Job { origin, finish, start, ..job }
+            DrawnJob { origin, finish, start, ..job }
         })
     }
 
@@ -103,7 +103,7 @@ impl Jobs {
         &self,
         mut open: Open,
         choice: JobChoice,
-        change: impl FnOnce(Job) -> Job,
+        change: impl FnOnce(DrawnJob) -> DrawnJob,
     ) -> Result<(), Problem> {
         let present = self.files.folder.read(&open.name)?;
         if !open.is_of(&present) {
@@ -142,7 +142,7 @@ impl Jobs {
             return Err(problem(Why::Mistake, "nothing is drawn that could be cut"));
         }
         awaited.goes_on()?;
-        let text = kerf_toolpath::write(&Job { finish, ..made });
+        let text = kerf_toolpath::write(&DrawnJob { finish, ..made });
         awaited.goes_on()?;
         self.files.saves.make(&self.files.folder, &name, text.as_bytes(), anew)?;
         self.files.changed();

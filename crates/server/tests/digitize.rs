@@ -3,7 +3,7 @@
 use crate::support::hand::Hand;
 use crate::support::{Shop, Wanted, at, kept, rsm, start};
 use kerf_drawing::Group;
-use kerf_toolpath::Job;
+use kerf_toolpath::DrawnJob;
 use serde_json::json;
 
 /// SIM, so much faster than the world, with the job origin at (300,200).
@@ -36,7 +36,7 @@ fn record(hand: &mut Hand, places: &[[f64; 2]]) {
 
 const TRIANGLE: [[f64; 2]; 3] = [[0.0, 0.0], [100.0, 0.0], [0.0, 80.0]];
 
-fn job_in(shop: &Shop, name: &str) -> Job {
+fn job_in(shop: &Shop, name: &str) -> DrawnJob {
     kerf_toolpath::read(&std::fs::read(shop.part(name)).unwrap()).0
 }
 

@@ -114,7 +114,7 @@ mod tests {
             editor.apply(&op).unwrap();
         }
         let (job, _) = job(&editor.drawing).unwrap();
-        let beside = beside(&job.neutral("".into()), by_mm).unwrap();
+        let beside = beside(&job.machine_job("".into()), by_mm).unwrap();
         beside.shapes.iter().map(|shape| shape.path.clone()).collect()
     }
 

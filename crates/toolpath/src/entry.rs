@@ -9,7 +9,7 @@
 
 use crate::depth::{Depths, Heights, plunge};
 use crate::gouge::{Contours, Tool};
-use crate::job::{CutPath, Job};
+use crate::job::{CutPath, DrawnJob};
 use crate::neighbours;
 use crate::shape_paths::{Pass, ShapePath};
 use crate::warning::Warning;
@@ -95,7 +95,7 @@ pub(crate) fn straight_down(number: usize, settings: &GroupSettings, warnings: &
 
 /// Tells the shapes that are entered steeper than their group asks for, as they would go round too often; each
 /// once, however often arrays repeat it.
-pub fn too_flat(job: &Job, heights: &Heights) -> Vec<Warning> {
+pub fn too_flat(job: &DrawnJob, heights: &Heights) -> Vec<Warning> {
     let mut told = BTreeSet::new();
     let of = |path: &CutPath| {
         let settings = job.drawing.settings(path.shape.group);

@@ -1,4 +1,4 @@
-//! A job: everything that is cut, in order.
+//! A job as it is drawn and edited: everything that is cut, in order.
 
 use crate::depth::{Depths, Heights, plunge};
 use crate::shape_paths::Pass;
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// One path of a job.
+/// One path of a drawn job: a shape of the drawing's groups, which hold its settings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutPath {
     /// The path with its group; in the black group with THRU nothing else is needed to cut it.
@@ -24,9 +24,9 @@ pub struct CutPath {
     pub room_mm: Option<f64>,
 }
 
-/// Paths to cut, and how they are cut.
+/// A job as it is drawn and edited: paths to cut, and the groups that say how they are cut. RSM files hold it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Job {
+pub struct DrawnJob {
     /// The paths, in cutting order, arrays laid out.
     pub paths: Vec<CutPath>,
     /// The drawing that it was made from, without its shapes: settings of the groups, comments.
@@ -54,13 +54,13 @@ pub(crate) struct Origin {
 
 /// Tells the shapes that would be cut below ZBottom, each once, however often arrays repeat it: the job is
 /// refused where it is to run.
-pub fn too_deep(job: &Job, heights: &Heights) -> Vec<Warning> {
+pub fn too_deep(job: &DrawnJob, heights: &Heights) -> Vec<Warning> {
     let mut told = BTreeSet::new();
     let wrong = job.paths.iter().filter_map(|path| job.depths(path, heights).err());
     wrong.filter(|warning| told.insert(warning.shape)).collect()
 }
 
-impl Job {
+impl DrawnJob {
     /// The paths as shapes of a drawing, to be changed by hand.
     pub fn as_drawing(&self) -> Drawing {
         self.drawing.with_shapes(self.paths.iter().map(|path| path.shape.clone()).collect())

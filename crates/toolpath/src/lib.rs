@@ -3,12 +3,13 @@
 //! ```text
 //!  Drawing ─ shape by shape ─► smooth ─► offset ─► tag ─► lead-in, lead-out ─► passes    (Profiler reference,
 //!                │                                                              "Tool path")
-//!                └─ arrays: every path again in each block, in cutting order ─► Job ─► RSM
+//!                └─ arrays: every path again in each block, in cutting order ─► DrawnJob ─► RSM
 //! ```
 //!
-//! A [`Job`] is what is cut: paths in order, each with what it comes from, and the [`Warning`]s that
-//! arose. Nothing is left out silently: a shape without a path is told with its number. [`Job::neutral`]
-//! gives a job to those who cut it or write it as a part program.
+//! A [`DrawnJob`] is what is cut: paths in order, each with what it comes from, and the [`Warning`]s that
+//! arose. Nothing is left out silently: a shape without a path is told with its number. It keeps the groups
+//! of the drawing and can be edited as one; [`DrawnJob::machine_job`] gives the [`Job`](kerf_program::job::Job)
+//! that a machine cuts and that printers write, in which each path has its own settings.
 //!
 //! Millimetres; positive offsets lie to the right of travel, as in [`kerf_geom::offset()`].
 
@@ -25,9 +26,9 @@ mod gouge;
 mod job;
 mod lead;
 mod lift;
+mod machine_job;
 mod making;
 mod neighbours;
-mod neutral;
 mod order;
 mod overlap;
 mod relief;
@@ -42,7 +43,7 @@ pub use beside::{NoRoom, beside};
 pub use depth::{Depths, Heights, LowError};
 pub use entry::too_flat;
 pub use filter::{filtered, too_near};
-pub use job::{CutPath, Job, too_deep};
+pub use job::{CutPath, DrawnJob, too_deep};
 pub use lead::{Side, lead_in, lead_out};
 pub use lift::{lifted, lowest_mm};
 pub use making::{

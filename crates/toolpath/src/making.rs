@@ -4,7 +4,7 @@ use crate::bridge::Bridges;
 use crate::entry::{self, Surroundings};
 use crate::filter::filtered;
 use crate::gouge::{self, Contours};
-use crate::job::{CutPath, Job};
+use crate::job::{CutPath, DrawnJob};
 use crate::neighbours;
 use crate::order::cutting_order;
 use crate::overlap;
@@ -53,7 +53,7 @@ pub enum JobError {
 ///
 /// # Errors
 /// Arrays that make more than [`MOST_PATHS`], or whose copies lie on each other.
-pub fn job(drawing: &Drawing) -> Result<(Job, Vec<Warning>), JobError> {
+pub fn job(drawing: &Drawing) -> Result<(DrawnJob, Vec<Warning>), JobError> {
     smoothed_job(drawing, Smoothing::default().factor)
 }
 
@@ -62,7 +62,7 @@ pub fn job(drawing: &Drawing) -> Result<(Job, Vec<Warning>), JobError> {
 ///
 /// # Errors
 /// As [`job`].
-pub fn smoothed_job(drawing: &Drawing, factor: f64) -> Result<(Job, Vec<Warning>), JobError> {
+pub fn smoothed_job(drawing: &Drawing, factor: f64) -> Result<(DrawnJob, Vec<Warning>), JobError> {
     shaped_job(drawing, Shaping { factor, ..Shaping::default() })
 }
 
@@ -85,7 +85,10 @@ impl Default for Shaping {
 ///
 /// # Errors
 /// As [`job`].
-pub fn shaped_job(drawing: &Drawing, shaping: Shaping) -> Result<(Job, Vec<Warning>), JobError> {
+pub fn shaped_job(
+    drawing: &Drawing,
+    shaping: Shaping,
+) -> Result<(DrawnJob, Vec<Warning>), JobError> {
     shaped_job_until(drawing, shaping, &|| false)
 }
 
@@ -97,7 +100,7 @@ pub fn shaped_job_until(
     drawing: &Drawing,
     shaping: Shaping,
     given_up: &dyn Fn() -> bool,
-) -> Result<(Job, Vec<Warning>), JobError> {
+) -> Result<(DrawnJob, Vec<Warning>), JobError> {
     let mut warnings = Vec::new();
     let block = block(drawing, shaping, given_up, &mut warnings)?;
     let warnings = warnings.into_iter().map(|told: Warning| told.placed(&drawing.shapes)).collect();
@@ -108,12 +111,12 @@ pub fn shaped_job_until(
     let places = drawing.arrays.placements(size);
     let laid_out = places.flat_map(|by| block.iter().map(move |path| moved(path, by)));
     let plain = drawing.with_shapes(Vec::new());
-    let job = Job {
+    let job = DrawnJob {
         paths: laid_out.collect(),
         drawing: plain,
         start: 1,
         smoothing: Some(shaping.factor),
-        ..Job::default()
+        ..DrawnJob::default()
     };
     Ok((job, warnings))
 }

@@ -3,7 +3,7 @@
 //! Like an RSG it is plain DXF Release 12 with comments. The paths stand in it as they are cut, arrays
 //! laid out; the comments hold where the job lies on the table and what each path comes from.
 
-use crate::job::{CutPath, Job, Origin};
+use crate::job::{CutPath, DrawnJob, Origin};
 use kerf_drawing::{Arrays, Drawing};
 use kerf_formats::Imported;
 use kerf_formats::rsg::{self, Own};
@@ -47,14 +47,14 @@ fn meant(place: Point2, set: bool) -> Option<Point2> {
 }
 
 /// A job as RSM.
-pub fn write(job: &Job) -> String {
+pub fn write(job: &DrawnJob) -> String {
     let shapes = job.paths.iter().map(|path| path.shape.clone()).collect();
     let mut drawing = job.drawing.with_shapes(shapes);
     drawing.arrays = Arrays::default();
     let origin =
         |path: &CutPath| Origin { from: path.from, pass: path.pass, room_mm: path.room_mm };
     let paths = job.paths.iter().map(origin).collect();
-    let Job { origin, finish, start, smoothing, edited, .. } = *job;
+    let DrawnJob { origin, finish, start, smoothing, edited, .. } = *job;
     let sum = Some(sum(&drawing));
     let head = Head {
         origin: origin.unwrap_or_default(),
@@ -80,7 +80,7 @@ pub struct Damaged(String);
 ///
 /// # Errors
 /// Kerf wrote it, and it is not what it was.
-pub fn read_whole(bytes: &[u8]) -> Result<(Job, Imported), Damaged> {
+pub fn read_whole(bytes: &[u8]) -> Result<(DrawnJob, Imported), Damaged> {
     match read_with_damage(bytes, &|| false) {
         (job, read, None) => Ok((job, read)),
         (.., Some(why)) => Err(Damaged(why)),
@@ -88,17 +88,20 @@ pub fn read_whole(bytes: &[u8]) -> Result<(Job, Imported), Damaged> {
 }
 
 /// The same, and of a damaged one what is left of it.
-pub fn read(bytes: &[u8]) -> (Job, Imported) {
+pub fn read(bytes: &[u8]) -> (DrawnJob, Imported) {
     read_until(bytes, &|| false)
 }
 
 /// The same, until it is given up: then nothing is read, and what was read says so.
-pub fn read_until(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Job, Imported) {
+pub fn read_until(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (DrawnJob, Imported) {
     let (job, read, _) = read_with_damage(bytes, given_up);
     (job, read)
 }
 
-fn read_with_damage(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Job, Imported, Option<String>) {
+fn read_with_damage(
+    bytes: &[u8],
+    given_up: &dyn Fn() -> bool,
+) -> (DrawnJob, Imported, Option<String>) {
     let (mut read, own) = rsg::read_with_until(bytes, given_up);
     let (head, damage) = head(own, &read.drawing);
     let shapes = std::mem::take(&mut read.drawing.shapes);
@@ -114,7 +117,7 @@ fn read_with_damage(bytes: &[u8], given_up: &dyn Fn() -> bool) -> (Job, Imported
     let Head { start, smoothing, edited, .. } = head;
     let drawing = read.drawing.clone();
     let start = start.max(1);
-    (Job { paths, drawing, origin, finish, start, smoothing, edited }, read, damage)
+    (DrawnJob { paths, drawing, origin, finish, start, smoothing, edited }, read, damage)
 }
 
 /// Reads what a file with these shapes says of its job, and finds what is wrong with that.
@@ -159,7 +162,7 @@ mod tests {
     use crate::smoothed_job;
     use kerf_drawing::{Editor, script};
 
-    fn job() -> Job {
+    fn job() -> DrawnJob {
         let text = "rect 50,50 150,150; line 0,0 10,1; circle 5,5 2; select 2; group red; select 3; pause on; \
                     set black height=-2 tool=2 cut=2 speed=1000; set red offset=1; array block 2x1 gap 10,20";
         let mut editor = Editor::default();
@@ -203,7 +206,7 @@ mod tests {
     #[test]
     fn an_origin_of_zero_is_another_thing_than_none() {
         let back = |origin, finish| {
-            let text = write(&Job { origin, finish, ..job() });
+            let text = write(&DrawnJob { origin, finish, ..job() });
             let (read, _) = read_whole(text.as_bytes()).unwrap();
             ((read.origin, read.finish), text)
         };

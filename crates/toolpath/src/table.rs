@@ -1,6 +1,6 @@
 //! Checks that a job stays on the table.
 
-use crate::job::Job;
+use crate::job::DrawnJob;
 use crate::warning::Warning;
 use kerf_geom::Bounds2;
 use std::collections::BTreeSet;
@@ -10,7 +10,7 @@ const ALLOWED_MM: f64 = 1e-6;
 
 /// Warns of shapes whose paths leave a table, given in the coordinates of the job: the centre of the tool
 /// would leave it. Each shape is told once, however often arrays repeat it.
-pub fn off_table(job: &Job, table: &Bounds2) -> Vec<Warning> {
+pub fn off_table(job: &DrawnJob, table: &Bounds2) -> Vec<Warning> {
     let room = table.grown(ALLOWED_MM);
     let mut told = BTreeSet::new();
     let outside = job.paths.iter().filter_map(|path| {

@@ -1,7 +1,7 @@
 //! A beginner's first part: what would be scrap by an order, a tag or a pocket is cut otherwise, or told.
 
 use kerf_drawing::{Drawing, Editor, script};
-use kerf_toolpath::{Job, job, read, write};
+use kerf_toolpath::{DrawnJob, job, read, write};
 
 fn drawn(text: &str) -> Drawing {
     let mut editor = Editor::default();
@@ -11,7 +11,7 @@ fn drawn(text: &str) -> Drawing {
     editor.drawing
 }
 
-fn order(job: &Job) -> Vec<usize> {
+fn order(job: &DrawnJob) -> Vec<usize> {
     job.paths.iter().map(|path| path.from).collect()
 }
 

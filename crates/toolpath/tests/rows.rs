@@ -2,7 +2,7 @@
 
 use kerf_drawing::{Drawing, Editor, Group, Shape, script};
 use kerf_geom::{Point2, Polyarc};
-use kerf_toolpath::{CutPath, Job, Pass, Warning, job, read, write};
+use kerf_toolpath::{CutPath, DrawnJob, Pass, Warning, job, read, write};
 
 const SQ100: &str = "line 0,0 100,0 100,100 0,100 close";
 const CLOCKWISE: &str = "line 0,0 0,100 100,100 100,0 close";
@@ -15,7 +15,7 @@ fn drawing(text: &str) -> Drawing {
     editor.drawing
 }
 
-fn made(text: &str) -> (Job, Vec<Warning>) {
+fn made(text: &str) -> (DrawnJob, Vec<Warning>) {
     job(&drawing(text)).unwrap()
 }
 

@@ -89,7 +89,7 @@ fn check_helix(words: &str, expected: &[&str], plunge: Plunge) {
     for job in [job, written] {
         let paths = job.paths.iter().enumerate();
         let (first, _) = paths.min_by_key(|(place, path)| (path.from, *place)).unwrap();
-        assert_eq!(job.neutral("a job".into()).shapes[first].plunge, plunge, "{words}");
+        assert_eq!(job.machine_job("a job".into()).shapes[first].plunge, plunge, "{words}");
     }
 }
 
@@ -190,7 +190,7 @@ fn a_helix_in_a_pocket_stays_in_it() {
     let told = "shape 2 at 3,30: its helix of 4 mm would cut into shape 1: it goes down along its path instead";
     let (job, warnings) = job(&drawn(&pocket(" climb", 4.0))).unwrap();
     assert!(warnings.iter().any(|warning| warning.to_string() == told), "{warnings:?}");
-    assert_eq!(job.neutral("a job".into()).shapes[0].plunge, RAMP);
+    assert_eq!(job.machine_job("a job".into()).shapes[0].plunge, RAMP);
 }
 
 /// Whatever is asked, a tool on its way down comes no nearer to a contour than on its path.

@@ -18,7 +18,7 @@ use kerf_program::settings::LinearUnit;
 use kerf_program::{Printer, Written};
 use kerf_sbp::{Printing, SbpPrinter};
 use kerf_sequence::Speeds;
-use kerf_toolpath::{Damaged, Job, Shaping, Warning};
+use kerf_toolpath::{Damaged, DrawnJob, Shaping, Warning};
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -146,7 +146,7 @@ fn group_by_layer(file: &Path, read: &mut Imported) {
 
 /// The job in a file: the one of an RSM, or the one that is made of a drawing, shaped like that. What is
 /// noticed is told.
-pub fn job(file: &Path, shaping: Shaping) -> Result<Job> {
+pub fn job(file: &Path, shaping: Shaping) -> Result<DrawnJob> {
     let (job, warnings) = job_with_warnings(file, shaping, None)?;
     for warning in &warnings {
         eprintln!("{}: warning: {warning}", file.display());
@@ -159,7 +159,7 @@ pub fn job_with_warnings(
     file: &Path,
     shaping: Shaping,
     units: Option<LinearUnit>,
-) -> Result<(Job, Vec<Warning>)> {
+) -> Result<(DrawnJob, Vec<Warning>)> {
     if extension(file) == "rsm" {
         let (job, findings) =
             job_file::read(&given::bytes(file)?, shaping.factor).map_err(of_file(file))?;
@@ -183,7 +183,7 @@ fn of_file(file: &Path) -> impl Fn(Damaged) -> DamagedFile {
 }
 
 /// A job as a part program of OpenSBP, millimetres, as a machine cuts it.
-pub fn part_program(file: &Path, job: &Job, machine: &Configuration) -> Result<Written> {
+pub fn part_program(file: &Path, job: &DrawnJob, machine: &Configuration) -> Result<Written> {
     let printing = Printing {
         unit: LinearUnit::Mm,
         title: Some(format!("Made from {}", name(file))),
@@ -193,7 +193,7 @@ pub fn part_program(file: &Path, job: &Job, machine: &Configuration) -> Result<W
 }
 
 /// A job as G-code, as a machine cuts it.
-pub fn gcode_program(file: &Path, job: &Job, machine: &Configuration) -> Result<Written> {
+pub fn gcode_program(file: &Path, job: &DrawnJob, machine: &Configuration) -> Result<Written> {
     let writing =
         Writing { title: Some(format!("Made from {}", name(file))), ..Writing::default() };
     print(file, job, machine, Box::new(Writer::new(&writing)))
@@ -201,7 +201,7 @@ pub fn gcode_program(file: &Path, job: &Job, machine: &Configuration) -> Result<
 
 fn print(
     file: &Path,
-    job: &Job,
+    job: &DrawnJob,
     machine: &Configuration,
     mut printer: Box<dyn Printer + '_>,
 ) -> Result<Written> {
@@ -217,7 +217,7 @@ fn name(file: &Path) -> String {
 }
 
 /// Writes the paths of a job that were changed by hand.
-pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
+pub fn write_edited(job: DrawnJob, drawing: &Drawing, file: &Path) -> Result<()> {
     eprintln!(
         "{}: caution: tool paths were changed by hand; making them anew from the drawing loses that",
         file.display()
@@ -226,7 +226,7 @@ pub fn write_edited(job: Job, drawing: &Drawing, file: &Path) -> Result<()> {
 }
 
 /// The job in a file, to be changed by hand.
-pub fn job_to_edit(file: &Path) -> Result<Job> {
+pub fn job_to_edit(file: &Path) -> Result<DrawnJob> {
     let (job, read) = kerf_toolpath::read_whole(&given::bytes(file)?).map_err(of_file(file))?;
     tell(file, &read);
     Ok(job)

@@ -133,7 +133,7 @@ fn the_jobs_of_the_examples_and_their_part_programs_are_one() {
     for model in [None, Some(RampModel::Profiler), Some(RampModel::Optimal)] {
         let mut machine = Configuration::default();
         machine.program.ramp_model = model;
-        assert!(check(&format!("{model:?}"), job.neutral("job.rsm".into()), &machine));
+        assert!(check(&format!("{model:?}"), job.machine_job("job.rsm".into()), &machine));
     }
 }
 

@@ -17,7 +17,7 @@ use kerf_geom::{Point2, Polyarc, Vec2};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// One path of a job and how it is cut.
+/// One path of a job with all settings by which it is cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JobShape {
     /// Number of the shape of the drawing it comes from, counted from 1: what a person knows it by.

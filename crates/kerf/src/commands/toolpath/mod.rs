@@ -17,7 +17,7 @@ use kerf_machine::Configuration;
 use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::Written;
 use kerf_sbp::Status;
-use kerf_toolpath::{Heights, Job, Warning, off_table, too_deep, too_flat, write};
+use kerf_toolpath::{DrawnJob, Heights, Warning, off_table, too_deep, too_flat, write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -179,13 +179,13 @@ impl Kind {
 }
 
 /// Returns the work that a dry run follows: the part program when one is written, else the job as `kerf run` runs it.
-fn work(args: &ToolpathArgs, kind: Kind, job: &Job, machine: Configuration) -> Result<Work> {
+fn work(args: &ToolpathArgs, kind: Kind, job: &DrawnJob, machine: Configuration) -> Result<Work> {
     let name = args.drawing.display().to_string();
     if kind == Kind::Program {
         let text = drawings::part_program(&args.drawing, job, &machine)?.text;
         return Ok(kerf_part::read(name.into(), text.into_bytes()).into());
     }
-    Ok(Work::Job(Arc::new(job.neutral(name.into())), Arc::new(machine)))
+    Ok(Work::Job(Arc::new(job.machine_job(name.into())), Arc::new(machine)))
 }
 
 impl ToolpathArgs {
@@ -195,7 +195,7 @@ impl ToolpathArgs {
     }
 
     /// The job where it is cut, and where it begins.
-    fn placed(&self, mut job: Job) -> Result<Job> {
+    fn placed(&self, mut job: DrawnJob) -> Result<DrawnJob> {
         let point = |[x, y]: [f64; 2]| Point2::new(x, y);
         job.origin = self.origin.map(point).or(job.origin);
         job.finish = self.finish.map(point).or(job.finish);
@@ -213,7 +213,7 @@ fn keep(
     args: &ToolpathArgs,
     output: &Path,
     kind: Kind,
-    job: &Job,
+    job: &DrawnJob,
     machine: &Configuration,
 ) -> Result<()> {
     if !args.force && args.drawing != output && drawings::is_edited(output) {

@@ -3,7 +3,7 @@
 use crate::args::Format;
 use crate::out;
 use kerf_drawing::Group;
-use kerf_toolpath::{Job, Pass, Warning};
+use kerf_toolpath::{DrawnJob, Pass, Warning};
 use kerf_trace::{Summary, Tally, json};
 use serde::Serialize;
 
@@ -34,7 +34,7 @@ struct OfGroup {
 }
 
 /// Prints the report.
-pub fn tell(job: &Job, summary: &Summary, warnings: &[Warning], format: Format) {
+pub fn tell(job: &DrawnJob, summary: &Summary, warnings: &[Warning], format: Format) {
     let tally = &summary.tally;
     let groups: Vec<OfGroup> = job
         .lengths()
@@ -59,7 +59,7 @@ pub fn tell(job: &Job, summary: &Summary, warnings: &[Warning], format: Format) 
 }
 
 /// A group that has paths.
-fn of_group(job: &Job, tally: &Tally, group: Group, length_mm: f64) -> Option<OfGroup> {
+fn of_group(job: &DrawnJob, tally: &Tally, group: Group, length_mm: f64) -> Option<OfGroup> {
     let cuts = job.paths.iter().filter(|path| path.shape.group == group);
     let paths = cuts.filter(|path| path.pass != Pass::Traversal).count();
     // A job comes back to a group as often as the sequence does.

@@ -225,7 +225,7 @@ fn pro_digitize_three_d() {
     console.press("Enter Func 8 Enter");
     assert_eq!(console.shapes[0].z_mm, Some(vec![0.0, -3.0]));
     // As it stands in the file.
-    let job = kerf_toolpath::Job::default()
+    let job = kerf_toolpath::DrawnJob::default()
         .edited(&kerf_drawing::Drawing::of([(*console.shapes[0]).clone()]));
     let (read, _) = kerf_toolpath::read(kerf_toolpath::write(&job).as_bytes());
     assert_eq!(read.paths[0].shape.z_mm, Some(vec![0.0, -3.0]));
@@ -241,10 +241,10 @@ fn pro_digitize_smooth() {
     }
     console.press("Func 9 Enter");
     let drawing = kerf_drawing::Drawing::of([(*console.shapes[0]).clone()]);
-    let job = kerf_toolpath::Job { start: 1, ..Default::default() }.edited(&drawing);
+    let job = kerf_toolpath::DrawnJob { start: 1, ..Default::default() }.edited(&drawing);
     let mut cuts = |factor: f64| -> f64 {
         console.machine.program.smoothing.factor = factor;
-        let trace = console.run(job.neutral("digitized.rsm".into()));
+        let trace = console.run(job.machine_job("digitized.rsm".into()));
         let cut = |event: &Event| match event {
             Event::Move(made)
                 if made.from.z == made.to.z && made.kind == kerf_program::MoveKind::Cut =>

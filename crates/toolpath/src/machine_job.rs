@@ -1,15 +1,15 @@
 //! A job in the words that machines understand.
 
 use crate::depth::plunge;
-use crate::job::{CutPath, Job};
+use crate::job::{CutPath, DrawnJob};
 use crate::shape_paths::Pass;
 use kerf_drawing::GroupSettings;
 use kerf_program::job;
 use std::sync::Arc;
 
-impl Job {
+impl DrawnJob {
     /// The same job without its drawing, under a name.
-    pub fn neutral(&self, name: Arc<str>) -> job::Job {
+    pub fn machine_job(&self, name: Arc<str>) -> job::Job {
         let shape = |path: &CutPath| shape(path, self.drawing.settings(path.shape.group));
         job::Job {
             name,
