@@ -5,15 +5,15 @@ use crate::run_end::Break;
 use crate::runner::Runner;
 use crate::stack::Running;
 use crate::station::Station;
-use crate::turn::{Slows, Turn};
+use crate::turn::Turn;
 use crate::{OperatorRequest, reentry, table_limits};
 use kerf_diag::Code;
 use kerf_machine::lines::Input;
 use kerf_machine::{Going, Watch};
+use kerf_model::{Halt, HaltCause, Watched, pin};
 use kerf_motion::{Plan, Stop, planner};
 use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Halted as Stood, Interpreter, StoppedBy};
-use kerf_sim::{Halt, HaltCause, Watched, pin};
 use kerf_trace::event::Event;
 
 impl<I: Interpreter> Runner<'_, I> {
@@ -30,7 +30,7 @@ impl<I: Interpreter> Runner<'_, I> {
         table_limits::heed_limit(&mut self.stops)?;
         let t0_s = self.set_off()?;
         let waiting = std::mem::take(&mut self.stops.station.stack.waiting);
-        let planner = planner(self.stops.station.world.machine.settings());
+        let planner = planner(self.stops.station.world.model.settings());
         self.stops.station.stack.running = Some(Running { planner, waiting, t0_s });
         Ok(())
     }
@@ -103,7 +103,7 @@ impl<I: Interpreter> Runner<'_, I> {
     fn follow_plan(&mut self, mut plan: Plan) -> Option<(Stop, Turn, Axes)> {
         let t0_s = self.stops.station.stack.running.as_ref()?.t0_s;
         let watched = self.stops.station.watched(t0_s);
-        let watches = pins(&watched, t0_s, &self.stops.station.world.machine.settings().io);
+        let watches = pins(&watched, t0_s, &self.stops.station.world.model.settings().io);
         self.stops.station.world.tracked().follows(&plan, t0_s);
         let mut turned: Option<(Stop, Turn, Axes)> = None;
         let mut index = 0;
@@ -119,7 +119,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 Some((stop, turn, _)) => {
                     let (until, part) = (plan.moves().len(), stop.part(index));
                     let going = Going { plan: &plan, index, t0_s, until, part, watches: &[] };
-                    self.stops.station.slow_down(Slows::for_turn(turn), end_s, going);
+                    self.stops.station.slow_down(*turn, end_s, going);
                 }
                 None => {
                     let until = index.saturating_add(self.stops.station.stack.before_mark());
@@ -274,10 +274,8 @@ impl<I: Interpreter> Runner<'_, I> {
             if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
                 self.stops.station.drop_outputs(self.stops.station.world.now(), index);
             }
-            let (number, stands) = (
-                self.stops.station.stack.next_number(),
-                self.stops.station.world.machine.position(),
-            );
+            let (number, stands) =
+                (self.stops.station.stack.next_number(), self.stops.station.world.model.position());
             let at = Stood { motion: number, began: stands, stands };
             self.answer_halt(turn, number, &at)?;
             let at = self.stops.station.last_move;
