@@ -7,6 +7,7 @@
 //! ```
 
 use crate::requests::{OperatorRequest, Requests};
+use kerf_machine::driver::Override;
 use kerf_machine::{Driven, Fault, Going, News};
 use kerf_model::contact;
 use kerf_motion::Move;
@@ -55,6 +56,9 @@ impl<'a> Drive<'a> {
     pub fn new(machine: Driven, requests: &'a mut dyn Requests, now_s: f64) -> Self {
         machine.borrow_mut().begin();
         machine.borrow_mut().feed(1.0);
+        for turned in [Override::Rapid(100), Override::Spindle(100)] {
+            machine.borrow_mut().turn(turned);
+        }
         let (kept, braked, fault, looked) = (VecDeque::new(), false, None, None);
         Self { machine, requests, kept, reached_s: now_s, braked, fault, looked }
     }
@@ -113,6 +117,9 @@ impl<'a> Drive<'a> {
     ) -> Result<Option<(f64, Heard)>, Fails> {
         let mut now_s = from_s;
         loop {
+            if let Some(turned) = self.requests.turned(now_s) {
+                self.machine.borrow_mut().turn(turned);
+            }
             let News { reached_s, input } = {
                 let mut machine = self.machine.borrow_mut();
                 match &doing.going {

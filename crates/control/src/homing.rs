@@ -62,6 +62,12 @@ fn home_by_itself<I: Interpreter>(stops: &mut Stops<'_, I>) -> Found {
         (Some(driven), _) => found.over = Some(stops.station.interrupted(&driven)),
         (None, None) => {
             let failed = stops.station.drive.fault().cloned().map(|fault| stops.fails(&fault));
+            let place = stops.station.world.driven.borrow_mut().place();
+            if let (None, Some(place)) = (&failed, place) {
+                // It was stopped on its way.
+                stops.station.world.model.put(place);
+                stops.station.mover.set_position(place);
+            }
             let stopped = RunEnd::of(Status::Stopped);
             found.over = Some(failed.unwrap_or(stopped));
         }

@@ -15,7 +15,7 @@
 //!
 //! Every machine passes the list in [`conformance`](crate::conformance).
 
-use crate::driver::Facts;
+use crate::driver::{Facts, Override};
 use crate::homing::Which;
 use crate::lift::Carried;
 use kerf_motion::{Move, Plan, State};
@@ -247,6 +247,9 @@ pub trait Machine {
     /// Makes cuts at this share of their speed from now on, where it [overrides](Facts::overrides) by itself; for another
     /// the plan is made anew.
     fn feed(&mut self, share: f32);
+
+    /// Takes what else the operator turns, where it [overrides that](Facts::overrides_more) by itself.
+    fn turn(&mut self, _: Override) {}
 
     /// The operator has waited for it in vain: it does nothing more.
     fn give_up(&mut self);

@@ -2,6 +2,7 @@
 
 use crate::bench::Bench;
 use crate::shop::Shop;
+use kerf_driver_grbl::fake::{Board, Fake};
 use kerf_machine::conformance::CASES;
 use std::time::{Duration, Instant};
 
@@ -38,6 +39,14 @@ fn settings_of_a_board_are_listed_changed_kept_and_compared() {
     board("compare kept.txt").exits(0);
     assert_eq!(bench.look(|fake| (fake.is_set_to(110), fake.is_set_to(10))), (6000.0, 1.0));
     shop.kerf("machine settings").exits(2).complains("--machine grbl:PORT");
+}
+
+#[test]
+fn settings_are_named_as_the_board_names_them() {
+    let (shop, bench) = (Shop::new(&[]), Bench::of(Fake::of(Board::hal(0), &[])));
+    let listed = shop.kerf(&format!("machine settings --machine grbl:{}", bench.port));
+    listed.exits(0).says("$110=6000.000 mm/min     X: Quickest way [1 to 9000]");
+    listed.says("$111=6000.000 mm/min     Y greatest speed [0 or more]");
 }
 
 #[test]

@@ -213,10 +213,11 @@ impl Owner {
             self.hub.cleared(false);
             self.hub.moves_on();
         }
-        self.hub.change(vec![
-            Change::Job { job: Some(job.clone()) },
-            Change::Overrides { overrides: Overrides::default() },
-        ]);
+        let more = self.driven().borrow().facts().overrides_more.then_some(100);
+        let overrides =
+            Overrides { rapid_percent: more, spindle_percent: more, ..Overrides::default() };
+        self.hub
+            .change(vec![Change::Job { job: Some(job.clone()) }, Change::Overrides { overrides }]);
         job
     }
 
