@@ -5,7 +5,7 @@
 use kerf_control::{TextOptions, run_text};
 use kerf_journal::RunOptions;
 use kerf_trace::{Event, json};
-use kerf_sim::Change;
+use kerf_model::Change;
 use libfuzzer_sys::fuzz_target;
 
 /// Lines that are run at most.

@@ -5,8 +5,8 @@ use crate::hand_words::KEY;
 use crate::world::World;
 use kerf_journal::{Kind, Press};
 use kerf_machine::settings::pendant::Pendant;
+use kerf_model::{Duty, duty};
 use kerf_program::{Answer, At, Button, Question, QuestionKind};
-use kerf_sim::{Duty, duty};
 use kerf_trace::event::{AskEvent, Event};
 
 /// Words that a job that waits is told besides its buttons: an example of each.
@@ -28,7 +28,7 @@ impl World<'_> {
     /// # Errors
     /// The operator stops instead, or the script answers with a button that the box does not have.
     pub fn ask_now(&mut self, question: &Question, at: At) -> Result<Answer, Unanswered> {
-        self.machine.warning_off();
+        self.model.warning_off();
         self.tell_log();
         let given = self.hear_answer(question, at)?;
         let scripted = given.is_some();
@@ -42,8 +42,8 @@ impl World<'_> {
         if question.kind == QuestionKind::Limit && answer == Answer::Button(Button::Continue) {
             // Going on beyond the table says nothing of the switches, and one switch nothing of the others.
             match self.limit.take() {
-                Some(input) => self.machine.override_switch(input),
-                None => self.machine.override_table(),
+                Some(input) => self.model.override_switch(input),
+                None => self.model.override_table(),
             }
         }
         Ok(answer)
@@ -96,7 +96,7 @@ impl World<'_> {
             self.tell_log();
             self.heed_switch();
             let ok = Button::OK.word();
-            let waits = question.until.is_some_and(|(n, on)| self.machine.input(n) == on);
+            let waits = question.until.is_some_and(|(n, on)| self.model.input(n) == on);
             let said = if waits { Some(ok) } else { self.said_by_key(question, input) };
             if said == Some(ok) {
                 self.answered();
@@ -135,7 +135,7 @@ impl World<'_> {
 
     /// The keys that work while this question is open. An input that stops the machine is none of them.
     pub fn keys(&self, question: QuestionKind) -> Option<Pendant> {
-        let settings = self.machine.settings();
+        let settings = self.model.settings();
         let works = question == QuestionKind::Keypad && settings.display.has_pendant();
         let free = |input: u8| if duty(input, &settings.io) == Duty::Free { input } else { 0 };
         let Pendant { axes, fast, close } = self.machine_is.pendant;
@@ -145,7 +145,7 @@ impl World<'_> {
 
     /// Returns what a key of the pendant says to a question, when it was just pressed.
     pub fn said_by_key(&self, question: &Question, input: u8) -> Option<&'static str> {
-        let keys = self.keys(question.kind).filter(|_| self.machine.input(input))?;
+        let keys = self.keys(question.kind).filter(|_| self.model.input(input))?;
         let known = keys.inputs().any(|key| key == input);
         known.then(|| if input == keys.close { Button::OK.word() } else { KEY })
     }
@@ -160,8 +160,8 @@ impl World<'_> {
 
     /// A switch was moved while somebody is asked: what turns stops when it is a stop.
     pub fn heed_switch(&mut self) {
-        let stops = self.machine.stop_input().is_some() || self.is_pressed();
-        if stops && self.machine.turns() {
+        let stops = self.model.stop_input().is_some() || self.is_pressed();
+        if stops && self.model.turns() {
             self.stop_turning();
             self.tell_log();
         }

@@ -4,9 +4,9 @@ use crate::happenings::actuator;
 use crate::session::Session;
 use kerf_journal::Press;
 use kerf_machine::Driven;
+use kerf_model::{Model, contact};
 use kerf_program::OutputReason;
 use kerf_sbp::SPINDLE_STATUS;
-use kerf_sim::{Machine, contact};
 use kerf_workspace::Workspace;
 
 /// The machine of a session that stands.
@@ -33,7 +33,7 @@ impl AtRest<'_> {
     /// Somebody stops the machine, which stands: what a stop switches off goes off, unless the machine is set to
     /// leave it on. Whether anything did.
     pub fn stop(&mut self, workspace: &mut Workspace, driven: &Driven) -> bool {
-        let is_on = |machine: &Machine| machine.turns() || machine.outputs().is_any_on();
+        let is_on = |machine: &Model| machine.turns() || machine.outputs().is_any_on();
         if self.0.machine_is.misc.outputs_stay_on
             || !self.0.machine.as_ref().is_some_and(|it| is_on(&it.model))
         {
@@ -62,7 +62,7 @@ impl AtRest<'_> {
 }
 
 /// Has the machine that is driven set what was switched; tells how much happened.
-fn set_all(machine: &mut Machine, driven: &Driven) -> usize {
+fn set_all(machine: &mut Model, driven: &Driven) -> usize {
     let happened = machine.log().take();
     happened
         .inspect(|it| actuator(&it.what).iter().for_each(|set| driven.borrow_mut().set(set)))

@@ -6,15 +6,15 @@ use crate::OperatorRequest;
 use crate::hand_words::Jog;
 use crate::run_end::RunEnd;
 use crate::station::Station;
-use crate::turn::{Slows, Turn};
+use crate::turn::Turn;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
 use kerf_machine::hand::keypad_settings;
 use kerf_machine::homing::{bounds_by_hand, words_of_end};
 use kerf_machine::lines::Input;
+use kerf_model::{HaltCause, Watched};
 use kerf_motion::{Move, Mover, planner};
-use kerf_program::{AXES, At, Axes, Axis, Feed, Interpreter, Line, MoveKind, Settings, Status};
-use kerf_sim::{HaltCause, Watched};
+use kerf_program::{At, Axes, Axis, Feed, Interpreter, Line, MoveKind, Settings, Status};
 use kerf_trace::Event;
 
 impl<I: Interpreter> Station<'_, I> {
@@ -34,7 +34,7 @@ impl<I: Interpreter> Station<'_, I> {
         let t0_s = self.world.now();
         let mut planner = planner(settings);
         planner.push(made);
-        let mut driven = None;
+        let mut turned: Option<(Turn, Axes)> = None;
         while let Some(mut plan) = planner.finish() {
             self.world.tracked().follows(&plan, t0_s);
             let mut index = 0;
@@ -42,30 +42,31 @@ impl<I: Interpreter> Station<'_, I> {
                 let until = plan.moves().len();
                 // No share of it is one of a move of the program, which is taken up at its own.
                 let going = Going { plan: &plan, index, t0_s, until, part: 0.0, watches: &[] };
-                let until = self.driven_until(&watched, going, driven);
-                let Some((t_s, why, ramped)) = until else {
+                let until = self.driven_until(&watched, going, turned.map(|(turn, _)| turn));
+                let Some((t_s, turn)) = until else {
                     self.make_one(&plan, index, t0_s, true);
                     index += 1;
                     continue;
                 };
                 let stood_s = self.brake(&going);
                 let at_s = (t_s - t0_s).max(0.0);
-                driven = Some(why.at(plan.at(at_s).position));
+                turned = Some((turn, plan.at(at_s).position));
+                let ramps = (at_s, turn.is_ramped());
                 let (at_s, ramped) =
-                    stood_s.map_or((at_s, ramped), |stood_s| ((stood_s - t0_s).max(0.0), false));
+                    stood_s.map_or(ramps, |stood_s| ((stood_s - t0_s).max(0.0), false));
                 let Some((ramp_down, _)) = planner.stop(plan, at_s, ramped) else { break };
                 self.world.tracked().replans(&ramp_down, t0_s, t_s);
                 plan = ramp_down;
             }
-            if driven.is_some() {
+            if turned.is_some() {
                 break;
             }
         }
         self.stand();
-        if driven.is_some() {
+        if turned.is_some() {
             self.learn_switched_off();
         }
-        driven.unwrap_or(Driven::There)
+        turned.map_or(Driven::There, |(turn, place)| Driven::by(turn, watched.len(), place))
     }
 
     /// Lets time pass to the end of a move, unless something stops the machine before. What stops already
@@ -74,13 +75,11 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         watched: &[Watched],
         going: Going<'_>,
-        driven: Option<Driven>,
-    ) -> Option<(f64, Driven, bool)> {
+        slows_for: Option<Turn>,
+    ) -> Option<(f64, Turn)> {
         let end_s = going.t0_s + going.plan.span_s(going.index).1;
-        if let Some(driven) = driven {
-            let by_stop = driven == Driven::OperatorRequest(OperatorRequest::Stop);
-            let asks = matches!(driven, Driven::StopInput(_));
-            self.slow_down(Slows { by_stop, asks }, end_s, going);
+        if let Some(turn) = slows_for {
+            self.slow_down(turn, end_s, going);
             return None;
         }
         loop {
@@ -88,12 +87,7 @@ impl<I: Interpreter> Station<'_, I> {
                 (t_s, Turn::Operator(request @ OperatorRequest::Feed(_))) => {
                     self.postpone((t_s, request));
                 }
-                (t_s, Turn::Operator(request)) => {
-                    return Some((t_s, Driven::OperatorRequest(request), true));
-                }
-                (t_s, Turn::Input(halt)) => {
-                    return Some((t_s, Driven::by(halt.cause, watched.len()), halt.ramped));
-                }
+                turned => return Some(turned),
             }
         }
     }
@@ -109,11 +103,8 @@ impl<I: Interpreter> Station<'_, I> {
     /// The same before a motion beside the program.
     fn warn_by_hand(&mut self, watched: &[Watched]) -> Option<Driven> {
         let turn = self.warn(watched)?;
-        let here = self.world.machine.position();
-        Some(match turn {
-            Turn::Operator(request) => Driven::OperatorRequest(request),
-            Turn::Input(halt) => Driven::by(halt.cause, watched.len()).at(here),
-        })
+        let here = self.world.model.position();
+        Some(Driven::by(turn, watched.len(), here))
     }
 
     /// Moves until the way is made, a bound is reached, a limit switch stops it, or somebody lets go.
@@ -125,10 +116,10 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// The same until one of these switches changes; tells whether one did.
     pub(crate) fn jog_until(&mut self, jog: Jog, switches: &[Watched]) -> bool {
-        let here = self.world.machine.position();
+        let here = self.world.model.position();
         let (to, end) = self.within_bounds(here, jog.by);
         let line = Line { kind: MoveKind::Jog, to, feed: Feed::Axis };
-        if self.world.machine.draws() {
+        if self.world.model.draws() {
             return false;
         }
         if let Some(driven) = self.forbidden() {
@@ -136,11 +127,11 @@ impl<I: Interpreter> Station<'_, I> {
             return false;
         }
         self.world.moved_by_hand();
-        let settings = keypad_settings(self.world.machine.settings(), jog.speed);
+        let settings = keypad_settings(self.world.model.settings(), jog.speed);
         let made = Mover::new(here, &settings).line(self.last_move, &line);
         let driven = made.map_or(Driven::There, |made| self.drive(made, &settings, switches));
         self.tell_driven(&driven, end);
-        self.mover.set_position(self.world.machine.position());
+        self.mover.set_position(self.world.model.position());
         matches!(driven, Driven::Edge(_))
     }
 
@@ -181,7 +172,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Returns the stop that forbids a movement by hand before it begins.
     pub(crate) fn forbidden(&self) -> Option<Driven> {
-        let stop = self.world.machine.stop_input().map(Driven::StopInput);
+        let stop = self.world.model.stop_input().map(Driven::StopInput);
         stop.or_else(|| self.world.is_pressed().then_some(Driven::EmergencyStop))
     }
 
@@ -205,7 +196,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Returns the lowest and the highest place to which an axis may be moved by hand, machine frame.
     pub(crate) fn room_by_hand(&self, axis: Axis) -> (f64, f64) {
-        let (low, high) = self.world.machine.room(axis);
+        let (low, high) = self.world.model.room(axis);
         let homed = self.world.homed.contains(axis);
         let (lowest, highest) = bounds_by_hand(&self.world.machine_is, axis, homed);
         (low.max(lowest), high.min(highest))
@@ -254,23 +245,20 @@ pub(crate) enum Driven {
 }
 
 impl Driven {
-    /// Translates the cause of a halt; the last of so many watched inputs is the emergency stop, the others are sought.
-    pub(crate) const fn by(cause: HaltCause, watched: usize) -> Self {
-        match cause {
-            HaltCause::Watch(n) if n + 1 < watched => Self::Edge(Axes([0.0; AXES])),
+    /// Translates the cause of a stop at a place; the last of so many watched inputs is the emergency stop, the others are
+    /// sought.
+    const fn by(turn: Turn, watched: usize, place: Axes) -> Self {
+        let halt = match turn {
+            Turn::Operator(request) => return Self::OperatorRequest(request),
+            Turn::Input(halt) => halt,
+        };
+        match halt.cause {
+            HaltCause::Watch(n) if n + 1 < watched => Self::Edge(place),
             HaltCause::Watch(_) => Self::EmergencyStop,
             HaltCause::Limit(n) => Self::Limit(n),
             HaltCause::Stop(n) => Self::StopInput(n),
             HaltCause::LinkLost => Self::LinkLost,
             HaltCause::Stall => Self::Stalled,
-        }
-    }
-
-    /// With the place at which it happened.
-    pub(crate) const fn at(self, place: Axes) -> Self {
-        match self {
-            Self::Edge(_) => Self::Edge(place),
-            other => other,
         }
     }
 }

@@ -9,10 +9,10 @@
 use crate::requests::{OperatorRequest, Requests};
 use kerf_machine::driver::Override;
 use kerf_machine::{Driven, Fault, Going, News};
+use kerf_model::contact;
 use kerf_motion::Move;
 use kerf_program::Axes;
 use kerf_program::settings::IoModes;
-use kerf_sim::contact;
 use kerf_trace::{Doing, Sink};
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};

@@ -1,19 +1,17 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
+use crate::follow::{Left, follow_plan};
 use crate::reentry::taken;
 use crate::run_end::Break;
 use crate::runner::Runner;
 use crate::stack::Running;
-use crate::station::Station;
-use crate::turn::{Slows, Turn};
+use crate::turn::Turn;
 use crate::{OperatorRequest, reentry, table_limits};
 use kerf_diag::Code;
 use kerf_machine::lines::Input;
-use kerf_machine::{Going, Watch};
-use kerf_motion::{Plan, Stop, planner};
-use kerf_program::settings::IoModes;
-use kerf_program::{Axes, Halted as Stood, Interpreter, StoppedBy};
-use kerf_sim::{Halt, HaltCause, Watched, pin};
+use kerf_model::{Halt, HaltCause};
+use kerf_motion::{Plan, planner};
+use kerf_program::{Halted as Stood, Interpreter, StoppedBy};
 use kerf_trace::event::Event;
 
 impl<I: Interpreter> Runner<'_, I> {
@@ -29,9 +27,10 @@ impl<I: Interpreter> Runner<'_, I> {
         }
         table_limits::heed_limit(&mut self.stops)?;
         let t0_s = self.set_off()?;
-        let waiting = std::mem::take(&mut self.stops.station.stack.waiting);
-        let planner = planner(self.stops.station.world.machine.settings());
-        self.stops.station.stack.running = Some(Running { planner, waiting, t0_s });
+        let station = &mut self.stops.station;
+        let waiting = std::mem::take(&mut station.stack.waiting);
+        let planner = planner(station.world.model.settings());
+        station.stack.running = Some(Running { planner, waiting, t0_s });
         Ok(())
     }
 
@@ -50,24 +49,24 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Makes a piece of plan; what is left of the stack goes on after it, unless something halts it.
     fn run_piece(&mut self, piece: Plan) -> Result<(), Break> {
-        let turned = self.follow_plan(piece);
-        let number = match &turned {
-            Some((stop, ..)) if stop.share < 1.0 => self.stops.station.stack.next_number(),
+        let left = follow_plan(&mut self.stops.station, piece);
+        let number = match &left {
+            Some(Left { stop, .. }) if stop.share < 1.0 => self.stops.station.stack.next_number(),
             _ => self.stops.station.stack.last_number,
         };
-        match turned {
+        match left {
             None => {
                 if let Some(number) = number {
                     self.stops.station.interpreter.carried_out(number);
                 }
                 Ok(())
             }
-            Some((stop, Turn::Operator(OperatorRequest::Feed(share)), _)) => {
+            Some(Left { stop, why: Turn::Operator(OperatorRequest::Feed(share)), .. }) => {
                 self.stops.station.override_feed(share);
                 self.go_on_at(|t0_s| t0_s + stop.end_s);
                 Ok(())
             }
-            Some((stop, why, began)) => {
+            Some(Left { stop, why, began }) => {
                 self.stops.station.stand();
                 self.stops.station.learn_switched_off();
                 self.stops.station.world.workspace.tape.stood(stop.share);
@@ -95,90 +94,6 @@ impl<I: Interpreter> Runner<'_, I> {
     fn go_on_at(&mut self, moment: impl FnOnce(f64) -> f64) {
         if let Some(running) = &mut self.stops.station.stack.running {
             running.t0_s = moment(running.t0_s);
-        }
-    }
-
-    /// Follows a piece of plan, move by move, to its end or to where it is left for another.
-    /// With it goes where the machine was when it was left.
-    fn follow_plan(&mut self, mut plan: Plan) -> Option<(Stop, Turn, Axes)> {
-        let t0_s = self.stops.station.stack.running.as_ref()?.t0_s;
-        let watched = self.stops.station.watched(t0_s);
-        let watches = pins(&watched, t0_s, &self.stops.station.world.machine.settings().io);
-        self.stops.station.world.tracked().follows(&plan, t0_s);
-        let mut turned: Option<(Stop, Turn, Axes)> = None;
-        let mut index = 0;
-        while index < plan.moves().len() {
-            if turned.is_none() && self.stops.station.is_taken_up() {
-                self.stops.station.stand_back(&plan.moves()[index..]);
-                return None;
-            }
-            self.stops.station.carry_out_marks();
-            let (begin_s, end_s) = plan.span_s(index);
-            let [_, end_s] = self.stops.station.moments(t0_s, [begin_s, end_s]);
-            match &turned {
-                Some((stop, turn, _)) => {
-                    let (until, part) = (plan.moves().len(), stop.part(index));
-                    let going = Going { plan: &plan, index, t0_s, until, part, watches: &[] };
-                    self.stops.station.slow_down(Slows::for_turn(turn), end_s, going);
-                }
-                None => {
-                    let until = index.saturating_add(self.stops.station.stack.before_mark());
-                    let (part, watches) = (1.0, &*watches);
-                    let going = Going { plan: &plan, index, t0_s, until, part, watches };
-                    let ask = Station::ask_pace;
-                    let met = self.stops.station.meet(end_s, &watched, Some(going), ask);
-                    if let Some((t_s, turn)) = met {
-                        if let Turn::Operator(OperatorRequest::Feed(share)) = turn
-                            && self.stops.station.drive.overrides()
-                        {
-                            self.stops.station.override_feed(share);
-                            continue;
-                        }
-                        if self.stops.station.overtakes(turn) {
-                            self.stops.station.stand_back(&plan.moves()[index..]);
-                            return None;
-                        }
-                        let Some(turn) = self.stops.station.hold_on_path(turn, &going) else {
-                            continue;
-                        };
-                        let began = plan.at((t_s - t0_s).max(0.0)).position;
-                        let stops = !matches!(turn, Turn::Operator(OperatorRequest::Feed(_)));
-                        let stood_s = if stops { self.stops.station.brake(&going) } else { None };
-                        let at_s = (stood_s.unwrap_or(t_s) - t0_s).max(0.0);
-                        let (made, stop) = self.replan(plan, at_s, turn, stood_s.is_none())?;
-                        if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
-                            self.stops.station.drop_outputs(t_s, index);
-                        }
-                        self.stops.station.world.tracked().replans(&made, t0_s, t_s);
-                        (plan, turned) = (made, Some((stop, turn, began)));
-                        continue;
-                    }
-                }
-            }
-            self.stops.station.make_one(&plan, index, t0_s, false);
-            if turned.as_ref().is_none_or(|(stop, ..)| index < stop.whole()) {
-                self.stops.station.stack.made_one(&plan.moves()[index]);
-            }
-            index += 1;
-        }
-        turned
-    }
-
-    /// The piece as it is made when it is left, and where that is; with a ramp, unless the machine has
-    /// slowed down by itself.
-    fn replan(&mut self, piece: Plan, t_s: f64, turn: Turn, ramps: bool) -> Option<(Plan, Stop)> {
-        let planner = &mut self.stops.station.stack.running.as_mut()?.planner;
-        match turn {
-            Turn::Input(halt) => planner.stop(piece, t_s, halt.ramped && ramps),
-            Turn::Operator(
-                OperatorRequest::Stop
-                | OperatorRequest::Hold
-                | OperatorRequest::End
-                | OperatorRequest::GiveUp,
-            ) => planner.stop(piece, t_s, ramps),
-            Turn::Operator(OperatorRequest::Feed(share)) => planner.feed(piece, t_s, share),
-            // A switch stops nothing by itself.
-            Turn::Operator(OperatorRequest::Input { .. }) => None,
         }
     }
 
@@ -257,39 +172,28 @@ impl<I: Interpreter> Runner<'_, I> {
     /// starts.
     fn set_off(&mut self) -> Result<f64, Break> {
         loop {
-            self.stops.station.world.workspace.tape.moves(true, self.stops.station.world.placed());
-            if self.stops.station.is_open_for_take_up() {
-                return Ok(self.stops.station.world.now());
+            let station = &mut self.stops.station;
+            let (placed, now_s) = (station.world.placed(), station.world.now());
+            station.world.workspace.tape.moves(true, placed);
+            if station.is_open_for_take_up() {
+                return Ok(now_s);
             }
-            let watched = self.stops.station.watched(self.stops.station.world.now());
-            let Some(turn) = self.stops.station.warn(&watched) else {
-                return Ok(self.stops.station.world.now());
-            };
-            if self.stops.station.overtakes(turn) {
+            let watched = station.watched(now_s);
+            let Some(turn) = station.warn(&watched) else { return Ok(station.world.now()) };
+            if station.overtakes(turn) {
                 // The machine is elsewhere: it is brought back before the first move.
-                return Ok(self.stops.station.world.now());
+                return Ok(station.world.now());
             }
-            self.stops.station.stand();
-            self.stops.station.world.workspace.tape.stood(1.0);
+            station.stand();
+            station.world.workspace.tape.stood(1.0);
             if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
-                self.stops.station.drop_outputs(self.stops.station.world.now(), index);
+                station.drop_outputs(station.world.now(), index);
             }
-            let (number, stands) = (
-                self.stops.station.stack.next_number(),
-                self.stops.station.world.machine.position(),
-            );
+            let (number, stands) = (station.stack.next_number(), station.world.model.position());
             let at = Stood { motion: number, began: stands, stands };
             self.answer_halt(turn, number, &at)?;
             let at = self.stops.station.last_move;
             table_limits::may_move(&mut self.stops, at)?;
         }
     }
-}
-
-/// Inputs at whose change the machine stands at once, as their pins are reported; what slows down along a ramp needs no
-/// exact place.
-fn pins(watched: &[Watched], t0_s: f64, io: &IoModes) -> Vec<Watch> {
-    let at_once = watched.iter().filter(|watch| !watch.ramped);
-    let heeded = at_once.filter(|watch| watch.level_from_s.is_none_or(|from_s| from_s <= t0_s));
-    heeded.map(|w| Watch { input: w.input, active: pin(w.input, w.on, io) }).collect()
 }

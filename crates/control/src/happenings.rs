@@ -5,31 +5,31 @@ use crate::world::World;
 use kerf_machine::Actuator;
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::laser::Laser;
+use kerf_model::{Happening, What};
 use kerf_program::job::Heights;
 use kerf_program::settings::SWITCHES;
 use kerf_program::{Axis, Independent, SPINDLE_OUTPUT};
 use kerf_sbp::SPINDLE_STATUS;
-use kerf_sim::{Happening, What};
 use kerf_trace::event::Event;
 
 impl World<'_> {
     /// Tells what the machine logged.
     pub fn tell_log(&mut self) {
-        if self.machine.log().is_empty() {
+        if self.model.log().is_empty() {
             return;
         }
         let bits = |is_on: &dyn Fn(u8) -> bool| {
             (1..=SWITCHES as u8).filter(|n| is_on(*n)).fold(0, |bits, n| bits | 1 << (n - 1))
         };
-        let inputs = bits(&|n| self.machine.input(n));
-        let outputs = bits(&|n| self.machine.outputs().is_on(n));
+        let inputs = bits(&|n| self.model.input(n));
+        let outputs = bits(&|n| self.model.outputs().is_on(n));
         self.workspace.tape.switches(inputs, outputs);
-        let happenings: Vec<Happening> = self.machine.log().take().collect();
+        let happenings: Vec<Happening> = self.model.log().take().collect();
         for happening in happenings {
             match happening.what {
                 What::LaserFrequency(hz) => self.laser_hz = Some(hz),
                 What::Output { number: SPINDLE_OUTPUT, .. } => self.spindle_switched = true,
-                What::Pushed { axis, by } => self.hands.push(axis, by, self.machine.position()),
+                What::Pushed { axis, by } => self.hands.push(axis, by, self.model.position()),
                 _ => {}
             }
             if let Some(actuator) = actuator(&happening.what) {
@@ -103,8 +103,8 @@ impl World<'_> {
 
     /// Stops what turns and moves by itself, and keeps it.
     pub fn stop_turning(&mut self) {
-        let alone = self.machine.moving_alone();
-        let spindles = self.machine.stop_spindles();
+        let alone = self.model.moving_alone();
+        let spindles = self.model.stop_spindles();
         self.stopped.add(spindles, alone);
         self.workspace.set_value(SPINDLE_STATUS, Some("0"));
     }
@@ -112,7 +112,7 @@ impl World<'_> {
     /// Returns `true` if the emergency stop of jobs is pressed.
     pub fn is_pressed(&self) -> bool {
         let active = self.machine_is.estop.active;
-        !self.machine.draws() && self.machine.input(Input::EmergencyStop.number()) == active
+        !self.model.draws() && self.model.input(Input::EmergencyStop.number()) == active
     }
 }
 

@@ -17,10 +17,10 @@ use crate::stopped_spindles::Turning;
 use crate::stopping::Stops;
 use kerf_diag::Code;
 use kerf_machine::state::{Event as Stopped, StopSettings};
+use kerf_model::HaltCause;
 use kerf_program::{
     Answer, At, Axes, AxisSet, Button, Interpreter, MoveKind, Question, QuestionKind, Status,
 };
-use kerf_sim::HaltCause;
 use kerf_trace::{Event, flag};
 
 /// A hold leaves the tool where it is.
@@ -133,9 +133,9 @@ impl<I: Interpreter> Stops<'_, I> {
 
     /// A stop input that came while the machine slowed down stops what turns as well.
     fn stopped_meanwhile(&mut self) -> Result<(), RunEnd> {
-        match self.station.world.machine.stop_input() {
+        match self.station.world.model.stop_input() {
             Some(n) if self.station.cuts_power(n) => Err(self.power_is_cut()),
-            Some(_) if self.station.world.machine.turns() => {
+            Some(_) if self.station.world.model.turns() => {
                 self.stop_spindles();
                 self.station.world.tell_log();
                 Ok(())
@@ -196,12 +196,12 @@ impl<I: Interpreter> Stops<'_, I> {
     pub(crate) fn nudge(&mut self, nudge: Nudge) -> Axes {
         let Nudge { axis, distance } = nudge;
         let nudge = Nudge { axis, distance: distance * self.station.world.scale(axis) };
-        let position = self.station.world.machine.position();
+        let position = self.station.world.model.position();
         let (settings, mut frame) =
-            (self.station.world.machine.settings(), *self.station.world.machine.frame());
+            (self.station.world.model.settings(), *self.station.world.model.frame());
         let refused = if self.station.interpreter.takes_stops() {
             Some((Code::NotSupported, "a job is not nudged: move its origin".to_owned()))
-        } else if self.station.world.machine.draws() {
+        } else if self.station.world.model.draws() {
             Some((Code::NotSupported, "nothing is nudged while commands are only drawn".to_owned()))
         } else {
             let within = nudge.check(settings, &frame, position);
@@ -214,7 +214,7 @@ impl<I: Interpreter> Stops<'_, I> {
             return Axes::default();
         }
         frame.working_zero = frame.working_zero.plus(nudge.way());
-        self.station.world.machine.use_frame(frame, AxisSet::EMPTY);
+        self.station.world.model.use_frame(frame, AxisSet::EMPTY);
         self.station.world.tracked().begin_motion();
         self.station.world.tell_log();
         self.go(MoveKind::Jog, position.plus(nudge.way()));
@@ -305,7 +305,7 @@ impl<I: Interpreter> Stops<'_, I> {
     /// A stop input that was pressed while somebody was asked has to be released before anything goes on. Who gives
     /// the run up instead can take it up.
     fn released_after_question(&mut self) -> Result<(), RunEnd> {
-        let Some(n) = self.station.world.machine.stop_input() else { return Ok(()) };
+        let Some(n) = self.station.world.model.stop_input() else { return Ok(()) };
         if self.station.cuts_power(n) {
             return Err(self.power_is_cut());
         }

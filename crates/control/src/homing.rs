@@ -8,12 +8,12 @@ use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::homing::{self, Axle, Homed, NotFound, Rig, Sought, Which};
 use kerf_machine::lines::Input;
 use kerf_machine::planning::hand_settings;
+use kerf_model::Watched;
 use kerf_motion::Mover;
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Button, Command, Feed, Interpreter, Line, MoveKind, Question,
     Settings, Status,
 };
-use kerf_sim::Watched;
 use kerf_trace::Event;
 
 /// Homes axes that have a switch, and tells how far the last home was off.
@@ -30,7 +30,7 @@ pub(crate) fn home<I: Interpreter>(stops: &mut Stops<'_, I>, axes: AxisSet) -> F
     let ended = homing::home(&machine, &mut rig, axes, &mut homed);
     let (over, at, mut found) = (rig.over.take(), rig.axis, rig.found);
     stops.station.world.tracked().move_alone(None);
-    stops.station.mover.set_position(stops.station.world.machine.position());
+    stops.station.mover.set_position(stops.station.world.model.position());
     match &ended {
         Ok(()) => found.done = found.zeroed,
         // A switch that does not come is not where it was believed to be.
@@ -53,7 +53,7 @@ fn home_by_itself<I: Interpreter>(stops: &mut Stops<'_, I>) -> Found {
     let home = if forbidden.is_none() { stops.station.drive.home() } else { None };
     match (forbidden, home) {
         (_, Some(place)) => {
-            stops.station.world.machine.put(place);
+            stops.station.world.model.put(place);
             stops.station.mover.set_position(place);
             found = Found { done: axes, zeroed: axes, ..Found::default() };
             let text = "the controller has homed its axes".into();
@@ -65,7 +65,7 @@ fn home_by_itself<I: Interpreter>(stops: &mut Stops<'_, I>) -> Found {
             let place = stops.station.world.driven.borrow_mut().place();
             if let (None, Some(place)) = (&failed, place) {
                 // It was stopped on its way.
-                stops.station.world.machine.put(place);
+                stops.station.world.model.put(place);
                 stops.station.mover.set_position(place);
             }
             let stopped = RunEnd::of(Status::Stopped);
@@ -120,7 +120,7 @@ pub(crate) fn find_home<I: Interpreter>(
     before: AxisSet,
 ) -> Found {
     let found = home(stops, axes);
-    let mut frame = *stops.station.world.machine.frame();
+    let mut frame = *stops.station.world.model.frame();
     for axis in found.zeroed.without(before).iter() {
         frame.working_zero[axis] -= found.shift[axis];
         frame.base_zero[axis] -= found.shift[axis];
@@ -181,7 +181,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
     }
 
     fn place(&self) -> f64 {
-        self.stops.station.world.machine.position()[self.axis()]
+        self.stops.station.world.model.position()[self.axis()]
     }
 
     /// Moves the axis, until a switch reads a state; tells where that was.
@@ -193,7 +193,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
             self.over = Some(self.stops.station.interrupted(&driven));
             return None;
         }
-        let (axis, from) = (self.axis(), self.stops.station.world.machine.position());
+        let (axis, from) = (self.axis(), self.stops.station.world.model.position());
         self.stops.station.world.tracked().move_alone(match which {
             Which::All => None,
             Which::One(motor) => Some((axis, motor)),

@@ -19,11 +19,11 @@ impl Host for World<'_> {
     }
 
     fn input(&mut self, number: u8) -> bool {
-        self.machine.input(number)
+        self.model.input(number)
     }
 
     fn output(&mut self, number: u8) -> bool {
-        self.machine.outputs().is_on(number)
+        self.model.outputs().is_on(number)
     }
 
     fn ask(&mut self, question: &Question) -> Poll<Answer> {
@@ -41,12 +41,12 @@ impl Host for World<'_> {
     }
 
     fn convert(&mut self, request: &ConversionRequest) -> Result<FileConversion, HostError> {
-        let settings = self.machine.settings().clone();
+        let settings = self.model.settings().clone();
         kerf_import::convert(self.workspace, &settings, request)
     }
 
     fn machine_position(&mut self) -> [f64; AXES] {
-        self.machine.true_position().0
+        self.model.true_position().0
     }
 
     fn keep_problem_log(&mut self, text: &str) -> Result<(), HostError> {
@@ -60,17 +60,17 @@ impl Host for World<'_> {
         if self.previews {
             return Ok(());
         }
-        let settings = self.machine.settings().clone();
-        self.workspace.begin_system_log_anew(&settings, self.machine.draws())
+        let settings = self.model.settings().clone();
+        self.workspace.begin_system_log_anew(&settings, self.model.draws())
     }
 
     fn tool(&mut self, call: &ToolCall) -> Result<Vec<String>, HostError> {
-        let metric = self.machine.settings().linear_unit == LinearUnit::Mm;
+        let metric = self.model.settings().linear_unit == LinearUnit::Mm;
         kerf_workspace::virtual_tools::start(self.workspace, call, metric)
     }
 
     fn is_connected(&mut self) -> bool {
-        self.machine.is_connected()
+        self.model.is_connected()
     }
 
     fn install_firmware(&mut self) -> Result<String, HostError> {

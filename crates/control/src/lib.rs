@@ -32,6 +32,7 @@ pub mod controller;
 mod diagnostics;
 mod drive;
 mod execute;
+mod follow;
 mod hand_words;
 mod happenings;
 mod heights;

@@ -22,7 +22,7 @@ const fn goes_on(answer: &Answer) -> bool {
 /// The tool is moved while a program waits; where it comes back to is kept. What ends the run meanwhile is told
 /// by [`Stops::heeded`].
 pub(crate) fn set_aside<I: Interpreter>(stops: &mut Stops<'_, I>, aside: Aside) {
-    if stops.station.world.machine.draws() {
+    if stops.station.world.model.draws() {
         return;
     }
     let ahead = stops.station.mover.position();
@@ -68,5 +68,5 @@ pub(crate) fn back_in_the_cut<I: Interpreter>(stops: &mut Stops<'_, I>) -> Resul
 /// The way back is no lower than Safe-Z, nor than where the tool is.
 fn come_back_over<I: Interpreter>(stops: &mut Stops<'_, I>) {
     let safe_mm = stops.station.lift_mm().unwrap_or(f64::NEG_INFINITY);
-    stops.kept.lifted_mm = safe_mm.max(stops.station.world.machine.position()[Axis::Z]);
+    stops.kept.lifted_mm = safe_mm.max(stops.station.world.model.position()[Axis::Z]);
 }

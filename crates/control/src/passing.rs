@@ -3,13 +3,13 @@
 use crate::OperatorRequest;
 use crate::drive::Heard;
 use crate::station::Station;
-use crate::turn::{Slows, Turn, link_lost};
+use crate::turn::{Turn, link_lost};
 use kerf_journal::{Kind, Placed, Turn as Teller};
 use kerf_machine::Going;
 use kerf_machine::state::RELEASE_S;
+use kerf_model::{Change, HaltCause, Watched};
 use kerf_motion::Move;
 use kerf_program::Interpreter;
-use kerf_sim::{Change, HaltCause, Watched};
 use kerf_trace::{Event, flag};
 
 /// Interval at which it is written down how far a move has come, seconds.
@@ -66,9 +66,9 @@ impl<I: Interpreter> Station<'_, I> {
     ) -> Option<(f64, Turn)> {
         let now_s = self.world.now();
         // What was told on the way to a moment that the operator interrupted still stops the machine.
-        let mut looked_s = self.world.machine.told_s();
+        let mut looked_s = self.world.model.told_s();
         loop {
-            let machine = &self.world.machine;
+            let machine = &self.world.model;
             let halt = match going {
                 Some(_) => machine.halted(looked_s, watched),
                 None => machine.halted_at_rest(looked_s, watched),
@@ -121,8 +121,8 @@ impl<I: Interpreter> Station<'_, I> {
                 self.world.workspace.tape.write();
                 Some((t_s, Heard::Operator(request)))
             }
-            Teller::Told(None) if self.world.machine.draws() => None,
-            Teller::Told(None) => self.drive.repeat(to_s, &self.world.machine.settings().io),
+            Teller::Told(None) if self.world.model.draws() => None,
+            Teller::Told(None) => self.drive.repeat(to_s, &self.world.model.settings().io),
             Teller::Live => world(self, false),
             Teller::Open(call) => {
                 let heard = world(self, true);
@@ -260,7 +260,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Lets time pass while the machine slows down, to the end of a part of its way: it stands no sooner, whatever is told
     /// meanwhile. What the operator wants comes next; a switch that is moved is so at once.
-    pub(crate) fn slow_down(&mut self, slows: Slows, end_s: f64, going: Going<'_>) {
+    pub(crate) fn slow_down(&mut self, why: Turn, end_s: f64, going: Going<'_>) {
         let mut from_s = self.world.now();
         let mut before = None;
         while let Some(told) = self.pass_learning(from_s, end_s, Some(going)) {
@@ -269,9 +269,9 @@ impl<I: Interpreter> Station<'_, I> {
             let repeats = before.replace(told) == Some(told);
             match request {
                 OperatorRequest::End => {}
-                OperatorRequest::Stop if slows.by_stop => {}
+                OperatorRequest::Stop if why.is_stop() => {}
                 _ if repeats => self.world.workspace.tape.unhear_request(),
-                OperatorRequest::Stop | OperatorRequest::Hold if slows.asks => {
+                OperatorRequest::Stop | OperatorRequest::Hold if why.asks() => {
                     self.forgo();
                     self.world.workspace.tape.asks_again();
                 }
@@ -330,7 +330,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Lets the warning pass. What stops the machine meanwhile is told.
     pub(crate) fn warn(&mut self, watched: &[Watched]) -> Option<Turn> {
-        let until_s = self.world.machine.warn();
+        let until_s = self.world.model.warn();
         self.world.tell_log();
         while self.world.now() < until_s {
             let turn = self.meet(until_s, watched, None, Self::pass);
@@ -352,14 +352,14 @@ impl<I: Interpreter> Station<'_, I> {
     /// The machine stands.
     pub(crate) fn stand(&mut self) {
         self.drive.stands();
-        self.world.machine.rest();
+        self.world.model.rest();
         self.world.tell_log();
         self.world.workspace.tape.moves(false, self.world.placed());
     }
 
     /// Tells whether a stop input forbids what the operator wants; he is told, and asked again in a moment.
     pub(crate) fn is_forbidden(&mut self) -> bool {
-        let Some(active) = self.world.machine.stop_input() else { return false };
+        let Some(active) = self.world.model.stop_input() else { return false };
         let t = self.world.now();
         let text = format!("stop input {active} is active: nothing moves before it is released");
         self.world.tell(&Event::Message { text: text.into(), t });
@@ -377,17 +377,17 @@ impl<I: Interpreter> Station<'_, I> {
         self.world.tell_log();
         self.pass_learning(t, t + POWER_S, None).into_iter().for_each(drop);
         self.stand_until(t + POWER_S);
-        self.world.machine.motors_off();
+        self.world.model.motors_off();
     }
 
     /// The first stop of a machine that is held until a moment, and when it came.
     pub(crate) fn stops_held(&mut self, until_s: f64) -> Option<(f64, HaltCause)> {
-        let active = self.world.machine.stop_input();
+        let active = self.world.model.stop_input();
         let active = active.map(|n| (self.world.now(), HaltCause::Stop(n)));
         active.or_else(|| {
             let watched = self.watched_at_rest();
             self.world.tracked().learn_until(until_s);
-            let halt = self.world.machine.halted_at_rest(until_s, watched.as_slice())?;
+            let halt = self.world.model.halted_at_rest(until_s, watched.as_slice())?;
             matches!(halt.cause, HaltCause::Stop(_) | HaltCause::Watch(_))
                 .then_some((halt.t_s, halt.cause))
         })

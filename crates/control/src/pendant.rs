@@ -6,15 +6,15 @@
 use crate::hand_words::Jog;
 use crate::station::Station;
 use kerf_machine::hand::FAR;
+use kerf_model::Watched;
 use kerf_program::{AXES, Answer, At, Axes, Axis, Button, Interpreter, QuestionKind};
-use kerf_sim::Watched;
 
 /// Moves for as long as keys are held, another way as soon as others are. Tells whether a key closes
 /// the keypad.
 pub(crate) fn follow_pendant<I: Interpreter>(station: &mut Station<'_, I>) -> bool {
     let Some(keys) = station.world.keys(QuestionKind::Keypad) else { return false };
     let closes = loop {
-        let machine = &station.world.machine;
+        let machine = &station.world.model;
         let pressed = |input: u8| machine.input(input);
         let way = keys.way(pressed);
         if pressed(keys.close) || way == [0.0; AXES] {
@@ -29,13 +29,13 @@ pub(crate) fn follow_pendant<I: Interpreter>(station: &mut Station<'_, I>) -> bo
             break false;
         }
     };
-    station.interpreter.moved(station.world.machine.position());
+    station.interpreter.moved(station.world.model.position());
     closes
 }
 
 /// The share of the jog speed at which cuts are made.
 fn slow_share<I: Interpreter>(station: &Station<'_, I>, way: [f64; AXES]) -> f64 {
-    let speeds = &station.world.machine.settings().speeds;
+    let speeds = &station.world.model.settings().speeds;
     let share = |axis| speeds.cut.of(axis) / speeds.jog.of(axis);
     let moves = Axis::ALL.into_iter().filter(|axis| way[axis.index()] != 0.0);
     moves.map(share).fold(1.0, f64::min)

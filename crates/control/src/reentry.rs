@@ -14,10 +14,10 @@
 use crate::run_end::{Break, RunEnd};
 use crate::stopping::Stops;
 use kerf_machine::lines::Output;
+use kerf_model::WasOn;
 use kerf_program::{
     Axes, Axis, Button, Interpreter, MoveKind, OutputReason, Question, QuestionKind, StoppedBy,
 };
-use kerf_sim::WasOn;
 use kerf_trace::Event;
 use std::sync::Arc;
 
@@ -48,7 +48,7 @@ pub(crate) fn take_up<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), Br
 
 /// The program finds its way back from where the machine stands.
 fn hand_over<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<Break, RunEnd> {
-    let began = stops.station.world.machine.position();
+    let began = stops.station.world.model.position();
     let motion = stops.station.stack.next_number();
     // What was on comes on by the program's own way back.
     drop(stops.station.world.tracked().restart(from));
@@ -56,7 +56,7 @@ fn hand_over<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<Bre
     let at = kerf_program::Halted { motion, began, stands: from };
     let outputs = stops.station.interpreter.comes_on(&at);
     whether_ready(stops, &WasOn { outputs, pwm_percent: 0.0 }).0?;
-    let stands = stops.station.world.machine.position();
+    let stands = stops.station.world.model.position();
     stops.station.world.tell(&Event::Resume { t: stops.station.world.now() });
     let at = kerf_program::Halted { stands, ..at };
     Ok(taken(stops, StoppedBy::PowerCut, &at))
@@ -84,14 +84,14 @@ fn skip<I: Interpreter>(stops: &mut Stops<'_, I>, share: f64) {
     let waiting = &mut stops.station.stack.waiting;
     let Some(first) = (share > 0.0).then(|| waiting.pop_front()).flatten() else { return };
     let (made, rest) = first.split(share.min(LAST_SHARE));
-    stops.station.world.tally.made(&made, 0.0, stops.station.world.machine.frame());
+    stops.station.world.tally.made(&made, 0.0, stops.station.world.model.frame());
     waiting.push_front(rest);
-    stops.station.world.machine.put(rest.from);
+    stops.station.world.model.put(rest.from);
 }
 
 fn go_back<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<(), RunEnd> {
     let ahead = stops.station.mover.position();
-    let to = stops.station.world.machine.position();
+    let to = stops.station.world.model.position();
     let was_on = stops.station.world.tracked().restart(from);
     tell_taken_up(stops);
     may_go_back(stops)?;
@@ -117,7 +117,7 @@ fn go_back<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<(), R
 /// Nothing moves before every stop is released.
 fn may_go_back<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
     stops.heed_emergency()?;
-    let released = match stops.station.world.machine.stop_input() {
+    let released = match stops.station.world.model.stop_input() {
         Some(n) if stops.station.cuts_power(n) => Err(stops.power_is_cut()),
         Some(n) => stops.stopped_again(n),
         None => Ok(()),
@@ -131,10 +131,10 @@ fn may_go_back<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
 /// Outputs come on again, and have the time that the machine gives a spindle to come to speed.
 fn switch_on<I: Interpreter>(stops: &mut Stops<'_, I>, was_on: &WasOn) {
     for number in &was_on.outputs {
-        stops.station.world.machine.output(*number, true, OutputReason::Program);
+        stops.station.world.model.output(*number, true, OutputReason::Program);
     }
     if was_on.pwm_percent > 0.0 {
-        stops.station.world.machine.pwm(1, was_on.pwm_percent);
+        stops.station.world.model.pwm(1, was_on.pwm_percent);
     }
     stops.station.world.tell_log();
     if was_on.turns() {
@@ -159,7 +159,7 @@ fn tell_taken_up<I: Interpreter>(stops: &mut Stops<'_, I>) {
 /// RunEnd the place, no lower than the tool is now.
 fn approach<I: Interpreter>(stops: &mut Stops<'_, I>, to: Axes) {
     let mut over = to;
-    over[Axis::Z] = to[Axis::Z].max(stops.station.world.machine.position()[Axis::Z]);
+    over[Axis::Z] = to[Axis::Z].max(stops.station.world.model.position()[Axis::Z]);
     stops.go(MoveKind::Jog, over);
 }
 
@@ -171,7 +171,7 @@ pub(crate) fn taken<I: Interpreter>(
 ) -> Break {
     stops.station.drive.heard();
     stops.station.world.tracked().land();
-    let stands = stops.station.world.machine.position();
+    let stands = stops.station.world.model.position();
     stops.station.world.limit = match by {
         StoppedBy::Limit(input) => Some(input),
         _ => None,

@@ -3,10 +3,10 @@
 use crate::run_end::RunEnd;
 use crate::world::World;
 use kerf_geom::Bounds3;
+use kerf_model::Model;
 use kerf_part::Interpreter;
 use kerf_program::Axis;
 use kerf_sbp::Value;
-use kerf_sim::Machine;
 use kerf_trace::Summary;
 use kerf_trace::event::{BoundsEvent, Corner, EndEvent, Partial, VarValue};
 use std::collections::BTreeMap;
@@ -29,7 +29,7 @@ pub(crate) fn summary(
 
 pub(crate) fn end_event(
     summary: &Summary,
-    machine: &Machine,
+    machine: &Model,
     vars: Option<BTreeMap<String, VarValue>>,
 ) -> EndEvent {
     let mm = summary.unit.mm();
@@ -50,7 +50,7 @@ pub(crate) fn end_event(
     }
 }
 
-fn astray(machine: &Machine) -> Partial {
+fn astray(machine: &Model) -> Partial {
     let user = machine.settings().to_user(machine.astray());
     let axes = Axis::ALL.into_iter().filter(|axis| user[*axis] != 0.0);
     axes.map(|axis| (axis.letter().to_ascii_lowercase(), user[axis])).collect()

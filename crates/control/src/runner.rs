@@ -66,9 +66,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         world.tracked().learn_until(now_s);
         let may_begin = if typed { Ok(()) } else { table_limits::may_begin(&mut self.stops) };
         if typed {
-            self.stops.station.world.machine.begin_lines();
+            self.stops.station.world.model.begin_lines();
         } else if may_begin.is_ok() {
-            self.stops.station.world.machine.begin_file();
+            self.stops.station.world.model.begin_file();
         }
         self.stops.station.world.tell_log();
         self.stops.on(Stopped::Start, StopSettings::OPENSBP, "");
@@ -80,9 +80,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         self.stops.station.world.driven.borrow_mut().land();
         // Typed lines are no file, unless they ran one.
         if typed && self.stops.station.world.files_known() <= self.stops.station.world.typed_files {
-            self.stops.station.world.machine.end_lines();
+            self.stops.station.world.model.end_lines();
         } else {
-            self.stops.station.world.machine.end_file();
+            self.stops.station.world.model.end_file();
         }
         self.stops.station.world.tell_log();
         self.stops.station.world.spindle_rests();
@@ -260,7 +260,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             self.flush()?;
             let station = &mut self.stops.station;
             station.world.tracked().land();
-            station.mover.set_position(station.world.machine.position());
+            station.mover.set_position(station.world.model.position());
         }
         let station = &mut self.stops.station;
         if let Some(nudged) = station.nudged {
@@ -327,7 +327,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// Returns `true` if the stack takes no more moves.
     fn is_full(&self) -> bool {
-        let limit = self.stops.station.world.machine.settings().stack_limit;
+        let limit = self.stops.station.world.model.settings().stack_limit;
         limit.is_some_and(|limit| self.stops.station.stack.len() >= u64::from(limit))
     }
 
@@ -336,9 +336,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     fn reload(&mut self, next: &mut Move, number: u64) -> Result<(), Break> {
         self.flush_before(|by| next.shift(by))?;
         let Station { world, mover, .. } = &mut self.stops.station;
-        let Some(safe_mm) = world.machine.settings().cutter.safe_z_mm else { return Ok(()) };
+        let Some(safe_mm) = world.model.settings().cutter.safe_z_mm else { return Ok(()) };
         let mut up = next.from;
-        up[Axis::Z] = world.machine.frame().working_zero[Axis::Z] + safe_mm;
+        up[Axis::Z] = world.model.frame().working_zero[Axis::Z] + safe_mm;
         let after = mover.position();
         mover.set_position(next.from);
         for (kind, to) in [(MoveKind::Jog, up), (MoveKind::Cut, next.from)] {
@@ -376,7 +376,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         let Station { world, mover, .. } = &mut self.stops.station;
         world.perform(command);
         // A preview begins and ends elsewhere than the last move.
-        mover.set_position(world.machine.position());
+        mover.set_position(world.model.position());
         Ok(())
     }
 
@@ -385,13 +385,13 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         let Command::Line(line) = command else { return false };
         let from = self.stops.station.mover.position();
         let stays = |axis: Axis| line.to[axis] == from[axis];
-        self.stops.station.world.machine.settings().torch_on() && stays(Axis::X) && stays(Axis::Y)
+        self.stops.station.world.model.settings().torch_on() && stays(Axis::X) && stays(Axis::Y)
     }
 
     /// Tells whether motion goes on through a command. It does not when a preview begins or ends.
     fn joins(&self, command: &Command) -> bool {
         match command {
-            Command::Settings(new) => new.mode == self.stops.station.world.machine.settings().mode,
+            Command::Settings(new) => new.mode == self.stops.station.world.model.settings().mode,
             other => !other.ends_stack(),
         }
     }
@@ -433,11 +433,11 @@ impl<'a, I: Interpreter> Runner<'a, I> {
     ) -> Result<(), Break> {
         let Station { interpreter, world, .. } = &mut self.stops.station;
         world.tracked().land();
-        let position = world.machine.position();
+        let position = world.model.position();
         let Some(watch) = interpreter.watches().get(index).cloned() else { return Ok(()) };
         interpreter.fired(at);
         interpreter.interrupt(&watch, at.motion, position);
-        let changed = world.machine.changed_since(self.changed_s);
+        let changed = world.model.changed_since(self.changed_s);
         let fires = |w: &Watch| w.level_after_s.is_none() && changed.contains(&(w.input, w.on));
         for other in interpreter.watches().into_iter().filter(fires) {
             interpreter.interrupt(&other, None, position);

@@ -199,8 +199,8 @@ impl Session {
         runner.stops.station.stay_where_it_stands();
         let Station { interpreter, mut world, last_move, .. } = runner.stops.station;
         let summary = summary(&interpreter, &mut world, over);
-        world.tell(&Event::End(end_event(&summary, &world.machine, None)));
-        self.memory.position = world.machine.position();
+        world.tell(&Event::End(end_event(&summary, &world.model, None)));
+        self.memory.position = world.model.position();
         self.machine = Some(world.into_simulation());
         if on_record {
             let well = matches!(summary.status, Status::Ok | Status::Ended);
@@ -254,9 +254,8 @@ impl Session {
         };
         let Station { interpreter, mut world, .. } = runner.stops.station;
         let summary = summary(&interpreter, &mut world, over);
-        world.tell(&Event::End(end_event(&summary, &world.machine, None)));
-        (self.memory.position, self.memory.frame) =
-            (world.machine.position(), *world.machine.frame());
+        world.tell(&Event::End(end_event(&summary, &world.model, None)));
+        (self.memory.position, self.memory.frame) = (world.model.position(), *world.model.frame());
         self.machine = Some(world.into_simulation());
         summary
     }
@@ -362,10 +361,10 @@ fn conclude(
     let closes = interpreter.closes();
     let summary = Summary { closes, ..summary(&interpreter, &mut world, over) };
     let variables = variables.then(|| variables_told(&interpreter));
-    let end = end_event(&summary, &world.machine, variables);
+    let end = end_event(&summary, &world.model, variables);
     world.tell(&Event::End(end));
-    let position = world.machine.position();
-    let independent = world.machine.spinning();
+    let position = world.model.position();
+    let independent = world.model.spinning();
     let mut memory = interpreter.into_session();
     (memory.sbp.position, memory.sbp.independent) = (position, independent);
     (summary, memory, world.into_simulation())

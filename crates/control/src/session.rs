@@ -4,9 +4,10 @@ use crate::nudge::{Nudge, Outside};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::Configuration;
 use kerf_machine::homing::bounds_by_hand;
+use kerf_model::{Change, Inputs, Model};
 use kerf_program::{AXES, Axis, AxisSet, Frame, Interpreter as _};
 use kerf_sequence::Sequence;
-use kerf_sim::{Change, Inputs, Machine, Simulation};
+use kerf_sim::Simulation;
 use std::sync::Arc;
 
 /// A controller, as far as a session has to know it.
@@ -97,7 +98,7 @@ impl Session {
     }
 
     /// Looks at the simulated machine as it stands.
-    pub fn look<T>(&self, look: impl FnOnce(&Machine) -> T) -> T {
+    pub fn look<T>(&self, look: impl FnOnce(&Model) -> T) -> T {
         look(&self.machine(Vec::new()).model)
     }
 
@@ -112,7 +113,7 @@ impl Session {
     }
 
     /// The simulated machine as a run finds it.
-    pub fn found_by(&self, work: &Work, options: &RunOptions) -> Machine {
+    pub fn found_by(&self, work: &Work, options: &RunOptions) -> Model {
         let (mut found, inputs) = (self.clone(), options.inputs.clone());
         if let Work::Job(job, machine) = work {
             let sequence = Sequence::new(job.clone(), machine.clone(), self.memory.position);

@@ -12,10 +12,11 @@ use crate::{OperatorRequest, Requests};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::Placed;
 use kerf_machine::Going;
+use kerf_machine::Lift;
 use kerf_machine::lines::Input;
+use kerf_model::Watched;
 use kerf_motion::{Move, Mover, Path, Plan};
 use kerf_program::{At, Axes, Axis, Halted, Interpreter, Sourced, Status};
-use kerf_sim::{Lift, Watched};
 use kerf_trace::Made;
 use kerf_trace::event::{ArcEvent, Centre, Event, MoveEvent};
 use std::collections::VecDeque;
@@ -49,7 +50,7 @@ pub(crate) struct Station<'a, I> {
 impl<'a, I: Interpreter> Station<'a, I> {
     /// A program that has not begun, at a machine that stands.
     pub fn new(interpreter: I, world: World<'a>, requests: &'a mut dyn Requests) -> Self {
-        let mover = Mover::new(world.machine.position(), interpreter.settings());
+        let mover = Mover::new(world.model.position(), interpreter.settings());
         let drive = Drive::new(world.driven.clone(), requests, world.now());
         Self {
             interpreter,
@@ -94,7 +95,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.last_move = span.made.at;
         self.trail.moves(span.made.at);
         let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
-        let alone = self.world.machine.alone();
+        let alone = self.world.model.alone();
         let going = Going { plan, index, t0_s, until: index + 1, part: 1.0, watches: &[] };
         let lift = self.world.tracked().move_made(&going);
         let made = carried(span.made, &lift);
@@ -103,7 +104,7 @@ impl<I: Interpreter> Station<'_, I> {
             self.world.tell(&event);
         }
         self.world.tell_made(&Made { plan, span: &span, t0_s, alone, lift: &lift, beside });
-        let frame = *self.world.machine.frame();
+        let frame = *self.world.model.frame();
         self.world.tally.made(&made, end_s - begin_s, &frame);
         self.world.tally.carried(&made, &lift, &frame);
         self.world.tell_log();
@@ -137,7 +138,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Returns machine time at begin and end of a part of a plan from `t0_s`. What is only drawn takes no time.
     pub(crate) fn moments(&self, t0_s: f64, span_s: [f64; 2]) -> [f64; 2] {
-        if self.world.machine.draws() { [self.world.now(); 2] } else { span_s.map(|s| t0_s + s) }
+        if self.world.model.draws() { [self.world.now(); 2] } else { span_s.map(|s| t0_s + s) }
     }
 
     /// Learns that nothing turns any more behind a stop that switches outputs off. It comes on again, with the time to come to
@@ -152,7 +153,7 @@ impl<I: Interpreter> Station<'_, I> {
     /// Outputs that do not wait until the machine stands.
     pub(crate) fn drop_outputs(&mut self, t_s: f64, index: usize) {
         if let Some(watch) = self.interpreter.watches().get(index) {
-            self.world.machine.drop_outputs(t_s, &watch.drops);
+            self.world.model.drop_outputs(t_s, &watch.drops);
         }
     }
 
@@ -192,12 +193,12 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Tells whether a stop input is the emergency stop of a machine that cuts its power with it.
     pub(crate) fn cuts_power(&self, input: u8) -> bool {
-        input == kerf_sim::STOP_INPUT && self.world.machine_is.estop.cuts_power
+        input == kerf_model::STOP_INPUT && self.world.machine_is.estop.cuts_power
     }
 
     /// Returns the message about a stop input; an open enclosure says so itself.
     pub(crate) fn stop_input_message(&self, message: String) -> String {
-        let open = self.world.machine.open_enclosure().is_some();
+        let open = self.world.model.open_enclosure().is_some();
         if open { ENCLOSURE_OPEN.into() } else { message }
     }
 
@@ -220,7 +221,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Nothing moves without a controller.
     pub(crate) fn not_connected(&self, at: At) -> RunEnd {
-        let settings = self.world.machine.settings();
+        let settings = self.world.model.settings();
         let connection = settings.driver.connection(&settings.controller);
         let message = format!("the machine is not connected ({connection}): nothing moves");
         let place = Place::line(self.world.file(at), at.line);
@@ -236,7 +237,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Returns where the machine stands, with nothing left to make.
     pub(crate) fn stood(&self) -> Halted {
-        let position = self.world.machine.position();
+        let position = self.world.model.position();
         Halted { motion: None, began: position, stands: position }
     }
 
@@ -331,7 +332,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Puts the machine in doubt: whoever cuts next is asked whether it is where it is believed to be.
     pub(crate) fn doubt(&mut self) {
-        let doubted = self.world.machine.doubt();
+        let doubted = self.world.model.doubt();
         self.world.workspace.doubts_location(doubted);
     }
 
@@ -342,7 +343,7 @@ impl<I: Interpreter> Station<'_, I> {
             left.extend(running.withdraw());
         }
         if let Some(first) = left.first_mut() {
-            first.from = self.world.machine.position();
+            first.from = self.world.model.position();
         }
         self.stack.waiting = left.into_iter().collect();
         self.stand();
@@ -382,8 +383,8 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Returns the height to which the tool is lifted, machine frame.
     pub(crate) fn lift_mm(&self) -> Option<f64> {
-        let safe_mm = self.world.machine.settings().cutter.safe_z_mm?;
-        Some(self.world.machine.frame().working_zero[Axis::Z] + safe_mm)
+        let safe_mm = self.world.model.settings().cutter.safe_z_mm?;
+        Some(self.world.model.frame().working_zero[Axis::Z] + safe_mm)
     }
 }
 

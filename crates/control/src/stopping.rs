@@ -76,16 +76,16 @@ impl<I: Interpreter> Stops<'_, I> {
     pub(crate) fn carry_out(&mut self, effect: Effect) {
         match effect {
             // The planner has done the slowing down.
-            Effect::SlowDown | Effect::Halt => self.station.world.machine.stopped(),
+            Effect::SlowDown | Effect::Halt => self.station.world.model.stopped(),
             Effect::KeepPlace => self.keep_place(),
             Effect::SpindleOff => self.stop_spindles(),
             Effect::Raise => {
                 self.lift();
                 // The way back is as high although something ended the lift early.
                 let lifted_mm = self.station.lift_mm().unwrap_or(f64::NEG_INFINITY);
-                self.kept.lifted_mm = lifted_mm.max(self.station.world.machine.position()[Axis::Z]);
+                self.kept.lifted_mm = lifted_mm.max(self.station.world.model.position()[Axis::Z]);
             }
-            Effect::AllOff => self.station.world.machine.outputs_off(),
+            Effect::AllOff => self.station.world.model.outputs_off(),
             Effect::MotorsOff => self.station.cut_power(),
             Effect::Doubt => self.station.doubt(),
             Effect::ComeBack => self.come_back(),
@@ -129,7 +129,7 @@ impl<I: Interpreter> Stops<'_, I> {
     fn keep_place(&mut self) {
         self.station.tell_standing(flag::STOPPED);
         self.station.world.tracked().land();
-        let stood = self.station.world.machine.position();
+        let stood = self.station.world.model.position();
         let ahead = self.station.mover.position();
         self.kept = Kept { stood, ahead, lifted_mm: stood[Axis::Z], ..Kept::default() };
     }
@@ -151,10 +151,10 @@ impl<I: Interpreter> Stops<'_, I> {
     /// down. What was planned follows the workpiece.
     fn come_back(&mut self) {
         let Kept { stood, ahead, lifted_mm, nudged, turned } = std::mem::take(&mut self.kept);
-        let moved = self.station.world.machine.position() != stood.plus(nudged);
-        self.station.world.machine.resumed();
+        let moved = self.station.world.model.position() != stood.plus(nudged);
+        self.station.world.model.resumed();
         if moved {
-            let until_s = self.station.world.machine.warn();
+            let until_s = self.station.world.model.warn();
             self.station.world.tell_log();
             self.ends = self.stand_heeding(until_s).err();
         }
@@ -178,10 +178,10 @@ impl<I: Interpreter> Stops<'_, I> {
     /// Spindles turn again, and have the time that the machine gives them to come to speed.
     pub(crate) fn turn_again(&mut self, Turning { spindles, alone }: Turning) {
         for (axis, motion) in alone {
-            self.station.world.machine.independent(axis, motion);
+            self.station.world.model.independent(axis, motion);
         }
         for number in &spindles {
-            self.station.world.machine.output(*number, true, OutputReason::Mode);
+            self.station.world.model.output(*number, true, OutputReason::Mode);
         }
         if !spindles.is_empty() {
             self.station.world.workspace.set_value(SPINDLE_STATUS, Some("1"));
@@ -193,7 +193,7 @@ impl<I: Interpreter> Stops<'_, I> {
     pub(crate) fn come_to_speed(&mut self) {
         self.station.world.tell_log();
         let seconds = self.station.world.machine_is.delays.router_start_s;
-        if seconds > 0.0 && !self.station.world.machine.draws() && self.ends.is_none() {
+        if seconds > 0.0 && !self.station.world.model.draws() && self.ends.is_none() {
             let t = self.station.world.now();
             self.station.world.tell(&Event::Wait { seconds, t });
             self.ends = self.stand_heeding(t + seconds).err();
@@ -237,7 +237,7 @@ impl<I: Interpreter> Stops<'_, I> {
     /// A motor has stalled: nobody knows how many steps are lost.
     pub(crate) fn has_stalled(&mut self) -> RunEnd {
         let message = "a motor has stalled";
-        self.station.world.machine.stalled();
+        self.station.world.model.stalled();
         self.on(Stopped::Stall, StopSettings::OPENSBP, message);
         self.station.over(
             Status::Failed,
@@ -260,7 +260,7 @@ impl<I: Interpreter> Stops<'_, I> {
     pub(crate) fn fails(&mut self, failure: &Fault) -> RunEnd {
         self.station.drive.stands();
         if let Some(stands) = failure.stands {
-            self.station.world.machine.put(stands);
+            self.station.world.model.put(stands);
             self.station.mover.set_position(stands);
         }
         self.on(Stopped::LinkLost, StopSettings::OPENSBP, &failure.message);
@@ -272,7 +272,7 @@ impl<I: Interpreter> Stops<'_, I> {
     /// The emergency stop ends a part file as soon as it is pressed; where the power went then, it is what it
     /// is when the tool goes back.
     pub(crate) fn heed_emergency(&mut self) -> Result<(), RunEnd> {
-        match self.station.world.machine.stop_input() {
+        match self.station.world.model.stop_input() {
             Some(n) if self.station.cuts_power(n) && !self.station.is_open_for_take_up() => {
                 Err(self.power_is_cut())
             }

@@ -7,9 +7,9 @@ use crate::stopping::Stops;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::LimitPolicy;
 use kerf_machine::lines::Output;
+use kerf_model::Violation;
 use kerf_motion::{Move, Queue};
 use kerf_program::{At, Command, Independent, Interpreter, Status, StoppedBy, Turn};
-use kerf_sim::Violation;
 
 /// Tells whether an output turns a spindle: those of part files, or that of jobs.
 const fn turns(output: u8) -> bool {
@@ -36,7 +36,7 @@ pub(crate) fn check<I: Interpreter>(stops: &mut Stops<'_, I>, moves: &Queue) -> 
 /// on the way. By hand the tool may be moved away from it.
 pub(crate) fn heed_limit<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), Break> {
     let by_hand = stops.station.world.typed_files > 0 || stops.station.is_open_for_take_up();
-    let Some(input) = stops.station.world.machine.limit_input().filter(|_| !by_hand) else {
+    let Some(input) = stops.station.world.model.limit_input().filter(|_| !by_hand) else {
         return Ok(());
     };
     if stops.station.interpreter.takes_stops() {
@@ -54,13 +54,13 @@ pub(crate) fn may_move<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> Resu
     if stops.station.is_open_for_take_up() {
         return Ok(());
     }
-    if !stops.station.world.machine.is_connected() {
+    if !stops.station.world.model.is_connected() {
         return Err(stops.station.not_connected(at));
     }
     if stops.station.is_ended_by_press() {
         return Err(ended_by_press(stops, at));
     }
-    let Some(input) = stops.station.world.machine.stop_input() else { return Ok(()) };
+    let Some(input) = stops.station.world.model.stop_input() else { return Ok(()) };
     if stops.station.world.tally.moves > 0 && stops.station.cuts_power(input) {
         return Err(stops.power_is_cut());
     }
@@ -85,16 +85,15 @@ fn ended_by_press<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> RunEnd {
 
 /// A file whose outputs come on when it starts does not start while a stop is active.
 pub(crate) fn may_begin<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
-    stops.station.world.machine.begin_lines();
-    if !stops.station.world.machine.switches_on_at_start()
-        || stops.station.interpreter.takes_stops()
+    stops.station.world.model.begin_lines();
+    if !stops.station.world.model.switches_on_at_start() || stops.station.interpreter.takes_stops()
     {
         return Ok(());
     }
     if stops.station.is_ended_by_press() {
         return Err(ended_by_press(stops, At::default()));
     }
-    let input = stops.station.world.machine.stop_input();
+    let input = stops.station.world.model.stop_input();
     input.map_or(Ok(()), |input| Err(forbids(stops, input, At::default())))
 }
 
@@ -114,16 +113,16 @@ pub(crate) fn leaves_table<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move
         list_violation(stops, made);
         return false;
     }
-    stops.station.world.machine.first_outside(std::slice::from_ref(made)).is_some()
+    stops.station.world.model.first_outside(std::slice::from_ref(made)).is_some()
 }
 
 /// Nothing is asked about what is only drawn.
 fn lists_limits<I: Interpreter>(stops: &Stops<'_, I>) -> bool {
-    stops.limits == LimitPolicy::List || stops.station.world.machine.draws()
+    stops.limits == LimitPolicy::List || stops.station.world.model.draws()
 }
 
 fn list_violation<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move) {
-    if let Some(violation) = stops.station.world.machine.first_outside(std::slice::from_ref(made)) {
+    if let Some(violation) = stops.station.world.model.first_outside(std::slice::from_ref(made)) {
         let message = limit_message(stops, &violation);
         let place = Place::line(stops.station.world.file(made.at), made.at.line);
         let diagnostic = Diagnostic::new(Code::OutsideLimits, place, message);
@@ -132,7 +131,7 @@ fn list_violation<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move) {
 }
 
 fn first_outside<I: Interpreter>(stops: &Stops<'_, I>, moves: &Queue) -> Option<(At, Violation)> {
-    let machine = &stops.station.world.machine;
+    let machine = &stops.station.world.model;
     moves.iter().find_map(|made| Some((made.at, machine.first_outside(&[made])?)))
 }
 
@@ -164,6 +163,6 @@ pub(crate) fn may_turn<I: Interpreter>(
         _ => false,
     };
     let stopped =
-        stops.station.world.machine.stop_input().is_some() || stops.station.world.is_pressed();
+        stops.station.world.model.stop_input().is_some() || stops.station.world.is_pressed();
     if starts && stopped { may_move(stops, at) } else { Ok(()) }
 }

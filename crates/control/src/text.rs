@@ -6,10 +6,10 @@ use crate::run_context::RunContext;
 use crate::session::Session;
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
+use kerf_model::Change;
 use kerf_program::Settings;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
-use kerf_sim::Change;
 use kerf_trace::{Event, Summary};
 use kerf_workspace::Workspace;
 

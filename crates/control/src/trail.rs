@@ -64,7 +64,7 @@ pub(crate) fn write_system_log<I: Interpreter>(station: &mut Station<'_, I>, ove
     let Some(file) = station.interpreter.file_name(station.trail.depth as u32) else { return };
     let failed = over.diagnostic.as_deref().filter(|_| over.status == Status::Failed);
     let line = failed.map(|error| ended_at(station, &file, Some(error)));
-    let machine = &station.world.machine;
+    let machine = &station.world.model;
     let (draws, settings) = (machine.draws() || station.world.previews, machine.settings().clone());
     let seconds = station.world.now();
     station.world.workspace.log_file(&settings, &file, draws, seconds, line);
@@ -80,7 +80,7 @@ pub(crate) fn write_log<I: Interpreter>(
     let Some(file) = station.interpreter.file_name(depth) else { return };
     let (call, error) = (station.interpreter.file_call(depth), over.diagnostic.as_deref());
     let ended = part_log::why(over.status, error).map(|why| (ended_at(station, &file, error), why));
-    let (draws, seconds) = (station.world.machine.draws(), station.world.now());
+    let (draws, seconds) = (station.world.model.draws(), station.world.now());
     let entry = log.entry(&file, draws, seconds, call, ended);
     if let Err(error) = station.world.workspace.add_to_log(&file, &entry) {
         let message = format!("the log of {file} cannot be written: {error}");

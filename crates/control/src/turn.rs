@@ -1,7 +1,7 @@
 //! Causes of a change of plan on the way.
 
 use crate::OperatorRequest;
-use kerf_sim::{Halt, HaltCause};
+use kerf_model::{Halt, HaltCause};
 
 /// Cause of a change of plan on the way.
 #[derive(Clone, Copy, Debug)]
@@ -12,21 +12,23 @@ pub(crate) enum Turn {
     Operator(OperatorRequest),
 }
 
-/// The cause for which a machine slows down, as far as what is told meanwhile depends on it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Slows {
-    /// STOP, which may be told until the machine stands.
-    pub by_stop: bool,
-    /// A stop input, which asks by itself when the machine stands.
-    pub asks: bool,
-}
-
-impl Slows {
-    pub const fn for_turn(turn: &Turn) -> Self {
-        Self {
-            by_stop: matches!(turn, Turn::Operator(OperatorRequest::Stop)),
-            asks: matches!(turn, Turn::Input(Halt { cause: HaltCause::Stop(_), .. })),
+impl Turn {
+    /// Returns `true` if motion slows along its ramp first.
+    pub const fn is_ramped(&self) -> bool {
+        match self {
+            Self::Input(halt) => halt.ramped,
+            Self::Operator(_) => true,
         }
+    }
+
+    /// Returns `true` for STOP, which may be told until the machine stands.
+    pub const fn is_stop(&self) -> bool {
+        matches!(self, Self::Operator(OperatorRequest::Stop))
+    }
+
+    /// Returns `true` for a stop input, which asks by itself when the machine stands.
+    pub const fn asks(&self) -> bool {
+        matches!(self, Self::Input(Halt { cause: HaltCause::Stop(_), .. }))
     }
 }
 

@@ -9,8 +9,8 @@ use crate::station::Station;
 use crate::turn::Turn;
 use crate::{OperatorRequest, answers, lift_aside, pendant, reentry};
 use kerf_machine::Word;
+use kerf_model::{Halt, HaltCause};
 use kerf_program::{Answer, At, Button, Interpreter, QuestionKind, StoppedBy};
-use kerf_sim::{Halt, HaltCause};
 use kerf_trace::{Event, flag};
 
 /// Kind of a wait.
@@ -100,7 +100,7 @@ impl<I: Interpreter> Runner<'_, I> {
     }
 
     pub(crate) fn wait(&mut self, seconds: f64) -> Result<(), Break> {
-        if self.stops.station.world.machine.draws() {
+        if self.stops.station.world.model.draws() {
             return Ok(());
         }
         let t = self.stops.station.world.now();
@@ -251,7 +251,7 @@ impl<I: Interpreter> Runner<'_, I> {
                         self.stops
                             .station
                             .interpreter
-                            .moved(self.stops.station.world.machine.position());
+                            .moved(self.stops.station.world.model.position());
                     }
                     None if question.kind == QuestionKind::Keypad => {}
                     None => return Ok(Some(answer)),

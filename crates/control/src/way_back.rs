@@ -12,8 +12,8 @@ use crate::stopping::Stops;
 use crate::turn::Turn;
 use kerf_diag::Code;
 use kerf_machine::state::State;
+use kerf_model::HaltCause;
 use kerf_program::{Axes, Axis, Feed, Interpreter, Line, MoveKind, Status};
-use kerf_sim::HaltCause;
 use kerf_trace::Event;
 
 /// Outcome of a move that was stopped on the way.
@@ -33,13 +33,13 @@ impl<I: Interpreter> Stops<'_, I> {
             // Whoever stopped it on the way may have nudged the workpiece.
             let to = to.plus(self.station.nudged.unwrap_or_default().minus(nudged));
             if self.station.is_open_for_take_up() {
-                return self.station.world.machine.put(to);
+                return self.station.world.model.put(to);
             }
-            self.station.mover.set_position(self.station.world.machine.position());
+            self.station.mover.set_position(self.station.world.model.position());
             let line = Line { kind, to, feed: Feed::Axis };
             let Some(made) = self.station.mover.line(self.station.last_move, &line) else { return };
-            let settings = self.station.world.machine.settings().clone();
-            let driven = match self.station.world.machine.stop_input() {
+            let settings = self.station.world.model.settings().clone();
+            let driven = match self.station.world.model.stop_input() {
                 _ if self.station.is_ended_by_press() => Driven::EmergencyStop,
                 Some(n) => Driven::StopInput(n),
                 None => self.station.drive(made, &settings, &[]),
@@ -139,7 +139,7 @@ impl<I: Interpreter> Stops<'_, I> {
     /// Goes back to a place, from wherever the operator moved the machine: over it at a height, or
     /// higher, then down.
     pub(crate) fn go_back_to(&mut self, stood: Axes, lifted_mm: f64) {
-        let mut above = self.station.world.machine.position();
+        let mut above = self.station.world.model.position();
         above[Axis::Z] = above[Axis::Z].max(lifted_mm);
         let mut over = stood;
         over[Axis::Z] = above[Axis::Z];
@@ -152,7 +152,7 @@ impl<I: Interpreter> Stops<'_, I> {
 
     /// Lifts the tool to safe Z when it is lower (command reference, stopping).
     pub(crate) fn lift(&mut self) {
-        let mut to = self.station.world.machine.position();
+        let mut to = self.station.world.model.position();
         let Some(safe_mm) = self.station.lift_mm() else { return };
         if to[Axis::Z] < safe_mm {
             to[Axis::Z] = safe_mm;

@@ -11,12 +11,13 @@ use crate::tracked::Tracked;
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_journal::Placed;
 use kerf_machine::{Actuator, Configuration, Driven, Going};
+use kerf_model::Model;
 use kerf_program::job::InForce;
 use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Command, FileCall, Frame, OutputReason, Question,
     SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
-use kerf_sim::{Hands, Machine, Opened, Simulation};
+use kerf_sim::{Hands, Opened, Simulation};
 use kerf_trace::event::{Event, Partial, Place};
 use kerf_trace::{Doing, Made, OpenFile, Sink, Standing, Tally, flag};
 use kerf_workspace::{Workspace, confirm, unconfirmed};
@@ -28,7 +29,8 @@ use std::sync::Arc;
 const LONGEST_LINE: usize = 1_000_000;
 
 pub(crate) struct World<'a> {
-    pub machine: Machine,
+    /// What is believed of the machine.
+    pub model: Model,
     /// The machine that makes what is planned.
     pub driven: Driven,
     /// The hands at it.
@@ -87,12 +89,12 @@ impl<'a> World<'a> {
         operator: &'a mut dyn Operator,
         opened: Opened,
     ) -> Self {
-        let Simulation { model: machine, physics } = simulation;
+        let Simulation { model, physics } = simulation;
         let Opened { machine: driven, hands } = opened;
         hands.put(physics);
-        let settings = machine.settings().clone();
+        let settings = model.settings().clone();
         Self {
-            machine,
+            model,
             driven,
             hands,
             tally: Tally::default(),
@@ -125,18 +127,18 @@ impl<'a> World<'a> {
 
     /// Returns the machine as the run leaves it.
     pub fn into_simulation(self) -> Simulation {
-        Simulation { model: self.machine, physics: self.hands.take() }
+        Simulation { model: self.model, physics: self.hands.take() }
     }
 
     /// The machine, and what is believed of it.
     pub fn tracked(&mut self) -> Tracked<'_> {
-        Tracked { machine: &mut self.machine, driven: &self.driven, hands: &self.hands }
+        Tracked { model: &mut self.model, driven: &self.driven, hands: &self.hands }
     }
 
     /// Has the machine set something, in its place between two moves. What is told again was set before, and what is
     /// only drawn sets nothing.
     pub fn set(&self, actuator: &Actuator) {
-        if !self.silent && !self.machine.draws() {
+        if !self.silent && !self.model.draws() {
             self.driven.borrow_mut().set(actuator);
         }
     }
@@ -157,13 +159,13 @@ impl<'a> World<'a> {
         going: Option<Going<'_>>,
         feed: f32,
     ) -> Option<(f64, Heard)> {
-        let doing = Doing { machine: &self.machine, going, feed, files: &self.files };
+        let doing = Doing { machine: &self.model, going, feed, files: &self.files };
         drive.pass(from_s, to_s, &doing, self.sink)
     }
 
     /// Shows the machine where it stands on its way.
     pub fn shows(&mut self, going: &Going<'_>, at_s: f64, feed: f32) {
-        let doing = Doing { machine: &self.machine, going: Some(*going), feed, files: &self.files };
+        let doing = Doing { machine: &self.model, going: Some(*going), feed, files: &self.files };
         self.sink.under_way(&doing, at_s, at_s);
     }
 
@@ -184,7 +186,7 @@ impl<'a> World<'a> {
         files: &dyn Fn() -> Vec<(At, Option<FileCall>)>,
         variables: &dyn Fn() -> Vec<(String, String)>,
     ) {
-        let preview = if self.previews || self.machine.draws() { flag::PREVIEW } else { 0 };
+        let preview = if self.previews || self.model.draws() { flag::PREVIEW } else { 0 };
         let files = files();
         // A file that was read to its end still moves.
         if !files.is_empty() {
@@ -234,13 +236,13 @@ impl<'a> World<'a> {
 
     /// Returns the place of the machine, and the zero points that stay.
     pub fn placed(&self) -> Placed {
-        let frame = self.stays.unwrap_or(*self.machine.frame());
-        Placed { position: self.machine.position(), frame }
+        let frame = self.stays.unwrap_or(*self.model.frame());
+        Placed { position: self.model.position(), frame }
     }
 
     /// Machine time, seconds.
     pub fn now(&self) -> f64 {
-        self.machine.clock_s()
+        self.model.clock_s()
     }
 
     /// Returns the number of files that have names.
@@ -265,7 +267,7 @@ impl<'a> World<'a> {
 
     /// A machine position as a working location in the user's units.
     pub fn place(&self, machine: Axes) -> Place {
-        self.settings.to_user(self.machine.frame().working(machine)).into()
+        self.settings.to_user(self.model.frame().working(machine)).into()
     }
 
     /// The user's unit.
@@ -276,8 +278,7 @@ impl<'a> World<'a> {
     /// A spindle that was switched in a run and is off at its end counts as active no longer: whoever
     /// starts it next is asked again.
     pub fn spindle_rests(&mut self) {
-        if self.spindle_switched && !self.previews && !self.machine.outputs().is_on(SPINDLE_OUTPUT)
-        {
+        if self.spindle_switched && !self.previews && !self.model.outputs().is_on(SPINDLE_OUTPUT) {
             self.workspace.set_value(SPINDLE_STATUS, Some("0"));
         }
     }
@@ -289,13 +290,13 @@ impl<'a> World<'a> {
             Command::Settings(settings) => self.use_settings(settings),
             Command::Location { frame, working, base } => self.locate(frame, working, base),
             Command::Output { number, on } => {
-                self.machine.output(number, on, OutputReason::Program);
+                self.model.output(number, on, OutputReason::Program);
             }
-            Command::Pwm { channel, percent } => self.machine.pwm(channel, percent),
-            Command::Spindle { number, rpm } => self.machine.spindle(number, rpm),
-            Command::Independent { axis, motion } => self.machine.independent(axis, motion),
-            Command::MotorsOff => self.machine.motors_off(),
-            Command::WarningOff => self.machine.warning_off(),
+            Command::Pwm { channel, percent } => self.model.pwm(channel, percent),
+            Command::Spindle { number, rpm } => self.model.spindle(number, rpm),
+            Command::Independent { axis, motion } => self.model.independent(axis, motion),
+            Command::MotorsOff => self.model.motors_off(),
+            Command::WarningOff => self.model.warning_off(),
             Command::Print { text, newline } => self.print(&text, newline),
             Command::Message { text } => self.tell(&Event::Message { text, t }),
             Command::Diagnostic(diagnostic) => self.tell_diagnostic(*diagnostic),
@@ -311,8 +312,8 @@ impl<'a> World<'a> {
             }
             Command::ClearPreview => self.tell(&Event::Clear { t }),
             Command::State { name, why } => self.tell(&Event::State { state: name, why, t }),
-            Command::Beam(beam) => self.machine.beam(beam),
-            Command::LaserFrequency { hz } => self.machine.laser_frequency(hz),
+            Command::Beam(beam) => self.model.beam(beam),
+            Command::LaserFrequency { hz } => self.model.laser_frequency(hz),
             Command::Heights(heights) => {
                 self.heights.hold(heights);
                 self.tell(&heights::event(heights, t));
@@ -343,21 +344,21 @@ impl<'a> World<'a> {
     }
 
     fn use_settings(&mut self, settings: Arc<Settings>) {
-        let (before, drew) = (self.units(), self.machine.draws());
+        let (before, drew) = (self.units(), self.model.draws());
         // VD tells its values even where they are those that hold.
         if *settings == *self.settings || settings.display != self.settings.display {
             self.sink.displays(settings.display.comments);
         }
         self.settings = settings.clone();
         self.driven.borrow_mut().use_settings(&settings);
-        self.machine.use_settings(settings);
+        self.model.use_settings(settings);
         self.tell_log();
         let (units, t) = (self.units(), self.now());
         if units != before {
             self.tell(&Event::Units { units, t });
         }
-        if self.machine.draws() != drew {
-            let (settings, draws) = (self.settings.clone(), self.machine.draws());
+        if self.model.draws() != drew {
+            let (settings, draws) = (self.settings.clone(), self.model.draws());
             self.workspace.log_mode(&settings, draws);
             let mode = if drew { "move" } else { "preview" };
             self.tell(&Event::Mode { mode, t });
@@ -367,11 +368,11 @@ impl<'a> World<'a> {
     fn locate(&mut self, frame: Frame, working: AxisSet, base: AxisSet) {
         let mut set = working;
         base.iter().for_each(|axis| set.insert(axis));
-        self.machine.use_frame(frame, set);
-        if !self.machine.draws() && !unconfirmed(self.workspace).is_empty() {
+        self.model.use_frame(frame, set);
+        if !self.model.draws() && !unconfirmed(self.workspace).is_empty() {
             confirm(self.workspace, set);
         }
-        let place = self.machine.position();
+        let place = self.model.position();
         let set = self.partial(frame.working(place), working);
         let base = self.partial(frame.base(place), base);
         self.tell(&Event::Location { set, base, t: self.now() });
@@ -379,7 +380,7 @@ impl<'a> World<'a> {
 
     /// Tells the table base coordinates of axes after a nudge.
     pub fn tell_base(&mut self, axes: AxisSet) {
-        let base = self.machine.frame().base(self.machine.position());
+        let base = self.model.frame().base(self.model.position());
         let base = self.partial(base, axes);
         self.tell(&Event::Location { set: Partial::new(), base, t: self.now() });
     }

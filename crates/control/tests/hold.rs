@@ -7,9 +7,9 @@ use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_machine::settings::estop::EmergencyStop;
+use kerf_model::{CABLE, Change};
 use kerf_program::{Axis, AxisSet};
 use kerf_sbp::{POSITION_LOST, Status};
-use kerf_sim::{CABLE, Change};
 use kerf_trace::{Event, Summary, event::Place};
 use kerf_workspace::Workspace;
 

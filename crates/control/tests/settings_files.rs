@@ -403,7 +403,7 @@ fn sbp_tool_ts() {
     shop.does("TS, machine=Big one, plate_input=1, plate_thickness=.25, x_input=5, x_offset=1, y_offset=2");
     // A machine that stands somewhere finds its zeros by the files that read what was recorded.
     shop.does("M3,3,4,1");
-    let change = |input, at_s, on| kerf_sim::Change { input, at_s, on };
+    let change = |input, at_s, on| kerf_model::Change { input, at_s, on };
     let inputs = vec![change(5, 2.0, true), change(3, 6.0, true), change(1, 16.0, true)];
     let options = RunOptions { inputs, ..RunOptions::default() };
     let program = kerf_sbp::read("home.sbp".into(), b"C3\nC2\n");

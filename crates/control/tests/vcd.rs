@@ -6,7 +6,7 @@ use kerf_journal::RunOptions;
 use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
 use kerf_machine::settings::motors::FreeMotor;
-use kerf_sim::Change;
+use kerf_model::Change;
 use kerf_trace::vcd::VcdSink;
 use kerf_workspace::Workspace;
 

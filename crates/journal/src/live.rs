@@ -1,7 +1,7 @@
 //! State of a machine that runs, as other programs see it: the status byte and the bytes of its switches
 //! (programming handbook, Registry Interface; readings, A-46).
 
-use kerf_sim::Machine;
+use kerf_model::Model;
 use kerf_trace::flag;
 use serde::{Deserialize, Serialize};
 
@@ -21,7 +21,7 @@ pub struct Live {
 
 impl Live {
     /// Of a machine that stands.
-    pub fn at_rest(machine: &Machine) -> Self {
+    pub fn at_rest(machine: &Model) -> Self {
         let sum = |is_on: &dyn Fn(u8) -> bool| {
             (1..=u16::BITS as u8)
                 .filter(|number| is_on(*number))

@@ -1,7 +1,8 @@
 //! Options of a run.
 
 use crate::{Before, Started};
-use kerf_sim::{Change, Push, Sheet, Touch};
+use kerf_model::{Change, Push};
+use kerf_sim::{Sheet, Touch};
 use serde::{Deserialize, Serialize};
 
 /// Options with which a program is run.

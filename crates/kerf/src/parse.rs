@@ -1,10 +1,11 @@
 //! Values of options.
 
+use kerf_model::{Change, Push};
 use kerf_program::GoTo;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, RampModel};
 use kerf_sbp::{Dialect, Value};
-use kerf_sim::{Change, Push, Sheet};
+use kerf_sim::Sheet;
 use std::any::TypeId;
 
 /// A command whose options take `-1` where their value is a number, or several: whether it may be below 0 the
@@ -112,7 +113,7 @@ pub fn input(text: &str) -> Result<Change, String> {
 
 /// An input, by its number or its name.
 pub fn input_number(text: &str) -> Result<u8, String> {
-    kerf_sim::input_number(text)
+    kerf_model::input_number(text)
 }
 
 /// `AXIS@T=BY`, in units of the axis.
@@ -258,7 +259,7 @@ mod tests {
         assert_eq!(input("3@2.5=1"), Ok(Change { input: 3, at_s: 2.5, on: true }));
         assert_eq!(input("12@0=0"), Ok(Change { input: 12, at_s: 0.0, on: false }));
         assert_eq!(input("arc@1.62=1"), Ok(Change { input: 18, at_s: 1.62, on: true }));
-        assert_eq!(input("cable@3=0").map(|change| change.input), Ok(kerf_sim::CABLE));
+        assert_eq!(input("cable@3=0").map(|change| change.input), Ok(kerf_model::CABLE));
         for wrong in ["", "3", "3@1", "3=1", "0@1=1", "13@1=1", "3@-1=1", "3@nan=1", "3@1=2"] {
             assert!(input(wrong).is_err(), "{wrong}");
         }

@@ -9,7 +9,8 @@
 //! ```
 
 use crate::parse;
-use kerf_sim::{Body, Change, Touch};
+use kerf_model::Change;
+use kerf_sim::{Body, Touch};
 
 /// Millimetres in an inch.
 const INCH_MM: f64 = 25.4;

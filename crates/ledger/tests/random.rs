@@ -3,7 +3,7 @@
 
 use kerf_control::{TextOptions, run_text};
 use kerf_journal::RunOptions;
-use kerf_sim::Change;
+use kerf_model::Change;
 use kerf_trace::{Event, json};
 use proptest::prelude::*;
 use proptest::strategy::Union;

@@ -18,7 +18,7 @@ use crate::setup::Builders;
 use crate::shop;
 use crate::thumbnails::Thumbnails;
 use kerf_journal::Journal;
-use kerf_sim::Change as InputChange;
+use kerf_model::Change as InputChange;
 use kerf_wire::preview::Timing;
 use kerf_wire::{
     Change, FileKind, FileParameters, Finding, JobChoice, Opened, PreviewState, Problem, Tone, Why,

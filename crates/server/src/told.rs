@@ -7,10 +7,10 @@ use kerf_digitize::{Digitizer, Dimension, Kind};
 use kerf_journal::JournalError;
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
+use kerf_model::Model;
 use kerf_program::settings::{AxisUnit, Distance, IoModes, LinearUnit, PerGroup};
 use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
-use kerf_sim::Machine;
 use kerf_trace::Summary;
 use kerf_wire::{
     AxisUnits, Digitized, DigitizedPoint, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Positions,
@@ -112,7 +112,7 @@ pub fn speeds(settings: &Settings) -> Speeds {
 }
 
 /// Inputs and outputs as they are at a moment of what the machine does, after others.
-pub fn io(machine: &Machine, t_s: f64, is: &Configuration, before: &Io) -> Io {
+pub fn io(machine: &Model, t_s: f64, is: &Configuration, before: &Io) -> Io {
     let reads = machine.inputs_at(t_s);
     let output = |number| {
         let (on, label) = (machine.outputs().is_on(number), String::new());
@@ -140,11 +140,11 @@ pub fn forbidden(
 }
 
 /// An input with what it reads, whichever of the lines it is.
-pub fn input(machine: &Machine, reads: impl Fn(u8) -> bool, number: u8) -> Lamp {
-    let duty = match kerf_sim::duty(number, &machine.settings().io) {
-        kerf_sim::Duty::Free => Duty::Standard,
-        kerf_sim::Duty::Limit => Duty::Limit,
-        kerf_sim::Duty::Stop | kerf_sim::Duty::Cable | kerf_sim::Duty::Stall => Duty::Stop,
+pub fn input(machine: &Model, reads: impl Fn(u8) -> bool, number: u8) -> Lamp {
+    let duty = match kerf_model::duty(number, &machine.settings().io) {
+        kerf_model::Duty::Free => Duty::Standard,
+        kerf_model::Duty::Limit => Duty::Limit,
+        kerf_model::Duty::Stop | kerf_model::Duty::Cable | kerf_model::Duty::Stall => Duty::Stop,
     };
     let label = Input::of_number(number).map_or("", |line| line.name());
     Lamp { number, on: reads(number), label: label.into(), duty }

@@ -1,8 +1,8 @@
 //! Hands at a simulated machine while a run drives it: they do what no program and no controller does.
 
-use crate::inputs::Change;
 use crate::physics::Physics;
 use kerf_machine::Driven;
+use kerf_model::Change;
 use kerf_program::{Axes, Axis};
 use std::cell::RefCell;
 use std::rc::Rc;

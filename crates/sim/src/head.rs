@@ -1,11 +1,11 @@
 //! Height control on the simulated machine: Z beside the plan, and what the sensors of the head tell.
 
-use crate::flips::flips;
 use crate::follower::{self, Follower, Sensed, TICK_S};
-use crate::inputs::{Change, Inputs};
 use crate::sheet::Sheet;
 use kerf_machine::lines::Input;
 use kerf_machine::{Ahead, Carried, Lift, Reading};
+use kerf_model::flips;
+use kerf_model::{Change, Inputs};
 use kerf_motion::{Plan, Span, State};
 use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Axis, Gauge, HeightLaw, MoveKind};

@@ -4,14 +4,14 @@
 //! the way; each change is told when its moment has come, and not sooner.
 
 use crate::carriages::Carriages;
-use crate::flips::flips;
 use crate::head::{Head, Lent};
-use crate::inputs::{Change, Inputs};
 use crate::scene::{self, Touch};
 use crate::sheet::Sheet;
 use kerf_machine::homing::Which;
 use kerf_machine::lines::Input;
 use kerf_machine::{Ahead, Carried, Configuration, Going};
+use kerf_model::flips;
+use kerf_model::{Change, Inputs};
 use kerf_program::{Axes, Axis, HeightLaw, Settings};
 use std::sync::Arc;
 

@@ -1,11 +1,11 @@
 //! The simulated machine as a run drives it: it makes a plan in its own time.
 
 use crate::hands::{Hands, Opened};
-use crate::inputs::{Change, triggers};
 use crate::physics::Physics;
 use kerf_machine::driver::Facts;
 use kerf_machine::homing::Which;
 use kerf_machine::{Actuator, Ahead, Carried, Fault, Going, Machine, News};
+use kerf_model::{Change, triggers};
 use kerf_motion::Move;
 use kerf_program::{AXES, Axes, Axis, HeightLaw, Settings};
 use std::cell::RefCell;

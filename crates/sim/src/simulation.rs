@@ -1,12 +1,12 @@
 //! A simulated machine between two runs: what is believed of it, and what there is around it.
 
-use crate::hand::Push;
-use crate::inputs::{Change, Inputs};
-use crate::machine::Machine;
 use crate::physics::Physics;
 use crate::scene::Touch;
 use crate::sheet::Sheet;
 use kerf_machine::Configuration;
+use kerf_model::Model;
+use kerf_model::Push;
+use kerf_model::{Change, Inputs};
 use kerf_program::{Axes, AxisSet, Frame, Settings};
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug, Default)]
 pub struct Simulation {
     /// What is believed of it.
-    pub model: Machine,
+    pub model: Model,
     /// What its switches and sensors feel. A run hands it to the machine that it drives.
     pub physics: Physics,
 }

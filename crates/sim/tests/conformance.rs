@@ -2,7 +2,8 @@
 
 use kerf_machine::Machine;
 use kerf_machine::conformance::{Bench, CASES, Outcome, Seen};
-use kerf_sim::{Change, Clock, Simulated};
+use kerf_model::Change;
+use kerf_sim::{Clock, Simulated};
 
 /// A clock of which a little passes at a time, seconds.
 struct Slow(f64);

@@ -2,9 +2,10 @@
 
 use crate::{Event, Standing};
 use kerf_machine::Going;
+use kerf_machine::Lift;
+use kerf_model::Model;
 use kerf_motion::{Plan, Span};
 use kerf_program::{At, Axes, Axis};
-use kerf_sim::{Lift, Machine};
 use std::sync::Arc;
 
 /// A move that is made, with the plan that says how.
@@ -37,7 +38,7 @@ impl Made<'_> {
 #[derive(Clone, Copy, Debug)]
 pub struct Doing<'a> {
     /// The machine as it is before.
-    pub machine: &'a Machine,
+    pub machine: &'a Model,
     /// The move that it makes; `None` while it stands.
     pub going: Option<Going<'a>>,
     /// The share of the speed asked for at which the plan has cuts run.

@@ -1,9 +1,9 @@
 //! Counting what a run does: lengths, bounds, times by kind and by tool path.
 
 use kerf_geom::Bounds3;
+use kerf_machine::Lift;
 use kerf_motion::{Move, Path};
 use kerf_program::{Axes, Axis, Frame, MoveKind, ToolPathStart};
-use kerf_sim::Lift;
 use serde::Serialize;
 use std::sync::Arc;
 

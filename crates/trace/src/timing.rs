@@ -11,9 +11,9 @@ use crate::event::Partial;
 use crate::{Event, Made, Sink};
 use kept::Kept;
 use kerf_machine::lines::{Input, Output};
+use kerf_model::Model;
 use kerf_preview::timing::{Course, Timing, Track};
 use kerf_program::settings::LINES;
-use kerf_sim::Machine;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -80,7 +80,7 @@ impl Lines {
     /// The lines of a run that begins on a machine: what is on before is on from the beginning, and courses are
     /// working locations; those of a job are the machine's.
     #[must_use]
-    pub fn beginning(mut self, machine: &Machine) -> Self {
+    pub fn beginning(mut self, machine: &Model) -> Self {
         self.zero = Some(Zero::new(machine.position(), machine.frame()));
         for n in 1..=LINES as u8 {
             if machine.outputs().is_on(n) {

@@ -11,7 +11,7 @@ use kerf_journal::{Journal, Press};
 use kerf_machine::Configuration;
 use kerf_machine::lines::line_of_pin;
 use kerf_machine::wiring::{self, Bit, INPUT_BITS, OUTPUT_BITS};
-use kerf_sim::ports::Ports;
+use kerf_model::ports::Ports;
 
 /// Under which key the ports are kept.
 const KEY: &str = "IoPorts";

@@ -5,7 +5,7 @@ use super::{LOOK, Remote};
 use anyhow::{Result, bail};
 use kerf_machine::lines::line_of_pin;
 use kerf_machine::wiring::Bit;
-use kerf_sim::ports::Ports;
+use kerf_model::ports::Ports;
 use serde_json::json;
 use std::thread::sleep;
 

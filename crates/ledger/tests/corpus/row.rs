@@ -1,7 +1,7 @@
 //! The lines of `files.txt`: what a file needs, and what has to come of it.
 
+use kerf_model::Change;
 use kerf_sbp::{Dialect, Value};
-use kerf_sim::Change;
 
 /// The list.
 const FILES: &str = include_str!("files.txt");

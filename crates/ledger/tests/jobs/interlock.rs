@@ -4,8 +4,8 @@
 use kerf_ledger::jobs::{JobRun, JobTrace, job, square, t1};
 use kerf_machine::lines::Input;
 use kerf_machine::{Configuration, Errand};
+use kerf_model::STOP_INPUT;
 use kerf_program::{AXES, Axis, AxisSet, Status};
-use kerf_sim::STOP_INPUT;
 
 fn axes(letters: &str) -> AxisSet {
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)

@@ -1,7 +1,7 @@
 //! Outputs and spindles.
 
 use kerf_ledger::{run, sbp};
-use kerf_sim::STALL;
+use kerf_model::STALL;
 
 #[test]
 fn sbp_out_so() {

@@ -1,7 +1,7 @@
 //! Setting modes.
 
 use kerf_ledger::{at, run, sbp};
-use kerf_sim::CABLE;
+use kerf_model::CABLE;
 
 #[test]
 fn sbp_cmd_sa() {

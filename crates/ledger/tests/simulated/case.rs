@@ -7,9 +7,10 @@ use kerf_control::OperatorRequest;
 use kerf_journal::{RunOptions, Started, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
+use kerf_model::Change;
 use kerf_program::job::{Height, Job, Plunge};
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
-use kerf_sim::{Change, Sheet};
+use kerf_sim::Sheet;
 use std::fmt;
 use std::sync::Arc;
 

@@ -155,7 +155,7 @@ pub async fn ports(State(app): State<Arc<App>>) -> Json<Vec<PortBit>> {
 /// Every input of the simulated machine: those of the control box, and the lines of the ports.
 pub async fn inputs(State(app): State<Arc<App>>) -> Json<Vec<Lamp>> {
     let session = lock(&app.left).session.clone();
-    let lamps = |machine: &kerf_sim::Machine| -> Vec<Lamp> {
+    let lamps = |machine: &kerf_model::Model| -> Vec<Lamp> {
         (1..=LINES as u8).map(|number| told::input(machine, |n| machine.input(n), number)).collect()
     };
     let mut lamps = session.look(lamps);

@@ -9,7 +9,7 @@ use axum::Json;
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use kerf_sim::Change;
+use kerf_model::Change;
 use kerf_wire::Why;
 use kerf_wire::preview::{PreviewInfo, Timing};
 use serde::Deserialize;

@@ -9,8 +9,8 @@ use crate::hub::Hub;
 use crate::told;
 use kerf_diag::{Diagnostic, Place};
 use kerf_machine::Configuration;
+use kerf_model::Model;
 use kerf_program::{At, Axes, MoveKind};
-use kerf_sim::Machine;
 use kerf_trace::{Doing, Made, OpenFile};
 use kerf_wire::{
     Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Snapshot, Sound,
@@ -181,7 +181,7 @@ impl Board {
         ports::stand(&mut self.io.ports);
     }
 
-    fn look_at(&mut self, machine: &Machine, t_s: f64) {
+    fn look_at(&mut self, machine: &Model, t_s: f64) {
         let settings = machine.settings();
         let rpm = self.speeds.rpm;
         let speeds = Speeds { rpm, ..told::speeds(settings) };

@@ -4,9 +4,9 @@ use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::motors::{Direction, Motor};
 use kerf_machine::wiring::{Bit, INPUT_BITS, OUTPUT_BITS, Port};
+use kerf_model::Model;
+use kerf_model::ports::motor_bits;
 use kerf_program::{Axes, Axis};
-use kerf_sim::Machine;
-use kerf_sim::ports::motor_bits;
 use kerf_wire::{Io, PortBit, Ports};
 
 const fn index(port: Port) -> usize {
@@ -22,7 +22,7 @@ const fn put(byte: &mut u8, bit: &Bit, on: bool) {
 }
 
 /// The ports of a machine that stands, with what its inputs read. Directions stay as they were before.
-pub fn ports(machine: &Machine, reads: impl Fn(u8) -> bool, before: &Ports) -> Ports {
+pub fn ports(machine: &Model, reads: impl Fn(u8) -> bool, before: &Ports) -> Ports {
     let mut ports = Ports::default();
     for bit in INPUT_BITS {
         let on = Input::of_name(bit.name).is_some_and(|line| reads(line.number()));

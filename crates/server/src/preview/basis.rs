@@ -2,8 +2,8 @@
 
 use kerf_control::Session;
 use kerf_machine::Configuration;
+use kerf_model::Outputs;
 use kerf_program::{Axis, AxisSet, Independent};
-use kerf_sim::Outputs;
 use std::sync::Arc;
 
 /// Everything of a session that a run of the simulated machine depends on.
@@ -22,7 +22,7 @@ impl Basis {
     /// As a session is now.
     pub fn of(session: &Session) -> Self {
         let Session { memory, gcode, machine_is, homed, .. } = session.clone();
-        let look = |machine: &kerf_sim::Machine| (*machine.outputs(), machine.moving_alone());
+        let look = |machine: &kerf_model::Model| (*machine.outputs(), machine.moving_alone());
         let ((outputs, alone), switches) = (session.look(look), session.switches());
         Self { memory, gcode, machine_is, homed, outputs, switches, alone }
     }

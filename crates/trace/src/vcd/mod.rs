@@ -1,7 +1,9 @@
 //! A run as a trace of signals: steps and directions, ports and switches, positions in steps, pulse
 //! widths (`--vcd`).
 
+mod pulses;
 mod signals;
+mod waveforms;
 
 use crate::{Event, Made, Sink};
 use kerf_machine::Configuration;
@@ -10,10 +12,10 @@ use kerf_machine::settings::laser::Laser;
 use kerf_machine::wiring::INPUT_BITS;
 use kerf_motion::{Step, Stepper};
 use kerf_program::Axis;
-use kerf_sim::pulses::{Line, Pulses};
-use kerf_sim::vcd::Vcd;
+use pulses::{Line, Pulses};
 use signals::Signals;
 use std::io::{self, Write};
+use waveforms::Vcd;
 
 /// Writes the trace of a run.
 pub struct VcdSink<W> {

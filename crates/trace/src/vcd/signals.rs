@@ -1,10 +1,10 @@
 //! The signals of a trace, and where each of them stands in it.
 
+use super::waveforms::{Id, Kind, Vcd};
 use kerf_machine::settings::motors::MOTORS;
 use kerf_machine::wiring::{Bit, INPUT_BITS, OUTPUT_BITS};
 use kerf_program::settings::SWITCHES;
 use kerf_program::{AXES, Axis};
-use kerf_sim::vcd::{Id, Kind, Vcd};
 
 /// Bits of a port.
 const PORT_BITS: usize = 8;

@@ -58,6 +58,8 @@ pub const ROOMS: &[Room] = &[
     // Beside `part` in what it is, an interpreter; above the machine, whose table of states it goes by.
     at(4.5, Half::Machine, "kerf-sequence"),
     at(4.0, Half::Machine, "kerf-preview"),
+    // What is believed of a machine; the simulated one stands above it, like every other.
+    at(4.5, Half::Machine, "kerf-model"),
     at(5.0, Half::Machine, "kerf-sim"),
     // Bytes in and out; it knows nothing of who speaks.
     at(6.0, Half::Edge, "kerf-transport"),

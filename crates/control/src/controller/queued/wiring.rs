@@ -80,7 +80,7 @@ impl Wiring {
         let switch = self.switch(pin.clone());
         let turned = self.setup.switches[switch].inverted != pin.inverted;
         let stops = machine.program.io.stop_inputs().any(|stop| stop == number);
-        let stops = stops.then(|| kerf_sim::pin(number, true, &machine.program.io));
+        let stops = stops.then(|| kerf_model::pin(number, true, &machine.program.io));
         let emergency = (number == Input::EmergencyStop.number()).then_some(machine.estop.active);
         self.inputs.push(Looked { number, switch, turned, stops: stops.or(emergency) });
         self.setup.buttons.push(pin);

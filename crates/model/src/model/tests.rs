@@ -5,15 +5,15 @@ use crate::Change;
 use kerf_motion::{Mover, plan_stack};
 use kerf_program::{At, Feed, Line, MoveKind};
 
-fn machine(edit: impl FnOnce(&mut Settings), script: &[Change]) -> Machine {
+fn machine(edit: impl FnOnce(&mut Settings), script: &[Change]) -> Model {
     let mut settings = Settings::default();
     edit(&mut settings);
     let inputs = Inputs::new(script.to_vec());
-    Machine::new(Axes::default(), Frame::default(), Arc::new(settings), inputs)
+    Model::new(Axes::default(), Frame::default(), Arc::new(settings), inputs)
 }
 
 /// Makes cuts one after the other as one stack.
-fn cut(machine: &mut Machine, places: &[Axes]) {
+fn cut(machine: &mut Model, places: &[Axes]) {
     let settings = machine.settings().clone();
     let mut mover = Mover::new(machine.position(), &settings);
     let line = |to| Line { kind: MoveKind::Cut, to, feed: Feed::Axis };
@@ -28,7 +28,7 @@ fn cut(machine: &mut Machine, places: &[Axes]) {
 }
 
 /// Outputs that changed: number, state, time to a thousandth.
-fn outputs(machine: &mut Machine) -> Vec<(u8, bool, f64)> {
+fn outputs(machine: &mut Model) -> Vec<(u8, bool, f64)> {
     let changed = machine.log().take().filter_map(|h| match h.what {
         What::Output { number, on, .. } => Some((number, on, (h.t_s * 1e3).round() / 1e3)),
         _ => None,
@@ -91,7 +91,7 @@ fn inputs_change_while_the_clock_runs() {
 #[test]
 fn while_a_preview_is_drawn_nothing_has_an_effect() {
     let mut m = machine(|_| (), &[Change { input: 4, at_s: 0.1, on: false }]);
-    let draw = |m: &Machine, mode| Arc::new(Settings { mode, ..(**m.settings()).clone() });
+    let draw = |m: &Model, mode| Arc::new(Settings { mode, ..(**m.settings()).clone() });
     m.use_settings(draw(&m, Mode::Preview));
     m.learn(Change { input: 4, at_s: 0.1, on: false });
     assert_eq!(m.halted(9.0, &[]), None);

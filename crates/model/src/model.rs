@@ -1,4 +1,4 @@
-//! The machine itself.
+//! What is believed of the machine, and what follows from it.
 
 mod readings;
 mod shine;
@@ -26,9 +26,9 @@ use shine::Shine;
 use std::sync::Arc;
 use torch::{TORCH_INPUT, Torch, in_xy};
 
-/// A simulated machine. See the [crate] for what it does.
+/// What is believed of a machine. See the [crate] for what it learns.
 #[derive(Clone, Debug)]
-pub struct Machine {
+pub struct Model {
     clock_s: f64,
     /// Position that planned motion has reached, machine frame.
     position: Axes,
@@ -65,13 +65,13 @@ pub struct Machine {
     log: Log,
 }
 
-impl Default for Machine {
+impl Default for Model {
     fn default() -> Self {
         Self::new(Axes::default(), Frame::default(), Arc::default(), Inputs::default())
     }
 }
 
-impl Machine {
+impl Model {
     /// A machine at rest at time 0.
     pub fn new(position: Axes, frame: Frame, settings: Arc<Settings>, inputs: Inputs) -> Self {
         let mut motors = Motors::default();

@@ -1,6 +1,6 @@
 //! All that a machine tells: places and limits, what its inputs read, when they change, and which of them stop motion.
 
-use super::Machine;
+use super::Model;
 use crate::halt::{self, Halt, Heeds, Watched};
 use crate::inputs::CABLE;
 use crate::limits::{self, Violation};
@@ -10,7 +10,7 @@ use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, Settings};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-impl Machine {
+impl Model {
     /// Returns the state that an input, 1 … 12, reads.
     pub fn input(&self, number: u8) -> bool {
         self.inputs.reads(number, &self.settings.io)

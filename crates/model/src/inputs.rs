@@ -132,7 +132,7 @@ impl Inputs {
 
     /// The same, with switches where earlier inputs were left by hand; a script has its way.
     #[must_use]
-    pub(crate) fn after(mut self, earlier: &Self) -> Self {
+    pub fn after(mut self, earlier: &Self) -> Self {
         (self.by_hand, self.pins) = (earlier.by_hand, earlier.pins);
         for (contact, by_hand) in self.contact.iter_mut().zip(self.by_hand) {
             *contact = contact.or(by_hand);
@@ -141,25 +141,25 @@ impl Inputs {
     }
 
     /// The pins of the ports are wired like this from here on: their levels stay as they are.
-    pub(crate) const fn wire(&mut self, pins: IoMap) {
+    pub const fn wire(&mut self, pins: IoMap) {
         self.pins = pins;
     }
 
     /// Switches that somebody moved by hand, and where they were left.
-    pub(crate) fn moved_by_hand(&self) -> Vec<(u8, bool)> {
+    pub fn moved_by_hand(&self) -> Vec<(u8, bool)> {
         let moved = |(i, on): (usize, &Option<bool>)| Some((number_of(i), (*on)?));
         self.by_hand.iter().enumerate().filter_map(moved).collect()
     }
 
     /// Somebody moves a switch at a moment that is not over yet; it stays there.
-    pub(crate) fn press(&mut self, change: Change) {
+    pub fn press(&mut self, change: Change) {
         let Some(i) = index(change.input).filter(|_| change.at_s.is_finite()) else { return };
         self.by_hand[i] = Some(change.on);
         self.learn(change);
     }
 
     /// Returns `true` if a script moves an input, or somebody has by hand: then nothing that is simulated moves it.
-    pub(crate) fn is_told(&self, number: u8) -> bool {
+    pub fn is_told(&self, number: u8) -> bool {
         let by_hand = index(number).and_then(|i| self.by_hand.get(i)).is_some_and(Option::is_some);
         by_hand || self.script.iter().any(|change| change.input == number)
     }
@@ -171,7 +171,7 @@ impl Inputs {
     }
 
     /// As they will be at a moment.
-    pub(crate) fn at(&self, t_s: f64, modes: &IoModes) -> Self {
+    pub fn at(&self, t_s: f64, modes: &IoModes) -> Self {
         let mut inputs = self.clone();
         while inputs.step(t_s, modes).is_some() {}
         inputs
@@ -206,7 +206,7 @@ impl Inputs {
     }
 
     /// The next change that has an effect, not later than a time; of a pin, what its input reads from then on.
-    pub(crate) fn step(&mut self, until_s: f64, modes: &IoModes) -> Option<Change> {
+    pub fn step(&mut self, until_s: f64, modes: &IoModes) -> Option<Change> {
         while let Some(change) = self.next_until(until_s) {
             let Some(i) = index(change.input) else { continue };
             let before = self.closed(i, modes);
@@ -246,7 +246,7 @@ impl Inputs {
     }
 
     /// The same as they are known to whoever is told of them: nothing of what is to come.
-    pub(crate) fn known(&self) -> Self {
+    pub fn known(&self) -> Self {
         let (script, foreseen) = (Vec::new(), VecDeque::new());
         Self { script, done: 0, foreseen, ..self.clone() }
     }
@@ -276,14 +276,14 @@ impl Inputs {
     }
 
     /// The next change, of the script or foreseen.
-    pub(crate) fn next(&self) -> Option<Change> {
+    pub fn next(&self) -> Option<Change> {
         let scripted = self.script.get(self.done).copied();
         let foreseen = self.foreseen.front().copied();
         if self.is_foreseen_first() { foreseen } else { scripted }
     }
 
     /// Returns `true` if a sensor tells the next change, and no script.
-    pub(crate) fn is_foreseen_first(&self) -> bool {
+    pub fn is_foreseen_first(&self) -> bool {
         match (self.script.get(self.done), self.foreseen.front()) {
             (Some(scripted), Some(foreseen)) => foreseen.at_s < scripted.at_s,
             (scripted, foreseen) => scripted.is_none() && foreseen.is_some(),
@@ -291,7 +291,7 @@ impl Inputs {
     }
 
     /// Has the next change happen, and returns it, not later than a time: the contact from then on, of a pin its level.
-    pub(crate) fn happen(&mut self, until_s: f64) -> Option<Change> {
+    pub fn happen(&mut self, until_s: f64) -> Option<Change> {
         let change = self.next_until(until_s)?;
         if let Some(contact) = index(change.input).and_then(|i| self.contact.get_mut(i)) {
             *contact = Some(change.on);
@@ -300,7 +300,7 @@ impl Inputs {
     }
 
     /// Has everything happen that came before a moment, and what somebody has done by hand until then.
-    pub(crate) fn come_to(&mut self, t_s: f64) {
+    pub fn come_to(&mut self, t_s: f64) {
         let by_hand = |inputs: &Self, change: Change| {
             let moved = index(change.input).and_then(|i| inputs.by_hand.get(i)).copied().flatten();
             change.at_s <= t_s && !inputs.is_foreseen_first() && moved.is_some()
@@ -311,19 +311,19 @@ impl Inputs {
     }
 
     /// Returns `true` if the contact of an input is known to be so.
-    pub(crate) fn is_known(&self, change: &Change) -> bool {
+    pub fn is_known(&self, change: &Change) -> bool {
         index(change.input).is_some_and(|i| self.contact.get(i) == Some(&Some(change.on)))
     }
 
     /// The machine itself moves a switch now: it reads this from here on.
-    pub(crate) fn put(&mut self, number: u8, on: bool) {
+    pub fn put(&mut self, number: u8, on: bool) {
         if let Some(i) = index(number) {
             self.contact[i] = Some(self.pins.line_level(number, on));
         }
     }
 
     /// An input that nobody has moved and no script speaks of reads this.
-    pub(crate) fn rests(&mut self, number: u8, on: bool) {
+    pub fn rests(&mut self, number: u8, on: bool) {
         let level = self.pins.line_level(number, on);
         if let Some(contact) = index(number).and_then(|i| self.contact.get_mut(i)) {
             contact.get_or_insert(level);
@@ -331,7 +331,7 @@ impl Inputs {
     }
 
     /// From here on the sensors of the head will have inputs read this, and nothing that was foreseen before.
-    pub(crate) fn foresee(&mut self, changes: Vec<Change>) {
+    pub fn foresee(&mut self, changes: Vec<Change>) {
         let level = |change: Change| {
             let on = self.pins.line_level(change.input, change.on);
             Change { on, ..change }
@@ -340,13 +340,7 @@ impl Inputs {
     }
 
     /// The moment, not before one that is given, at which a change to come has an input read a state.
-    pub(crate) fn changes_s(
-        &self,
-        number: u8,
-        on: bool,
-        from_s: f64,
-        modes: &IoModes,
-    ) -> Option<f64> {
+    pub fn changes_s(&self, number: u8, on: bool, from_s: f64, modes: &IoModes) -> Option<f64> {
         let mut inputs = self.clone();
         loop {
             let change = inputs.happen(f64::INFINITY)?;
@@ -389,7 +383,7 @@ pub(crate) fn signal(number: u8, closed: bool, modes: &IoModes) -> bool {
 }
 
 /// Tells whether a contact in this state triggers the input.
-pub(crate) fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
+pub fn triggers(number: u8, closed: bool, modes: &IoModes) -> bool {
     closed != normally_closed(number, modes)
 }
 

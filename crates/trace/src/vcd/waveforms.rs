@@ -65,11 +65,6 @@ impl Vcd {
         }
     }
 
-    /// Sets what a signal reads before its first change.
-    pub fn starts_at(&mut self, id: Id, value: f64) {
-        self.signals[id.0].value = value;
-    }
-
     /// The head of the file, with the values at time 0.
     pub fn header(&mut self) -> String {
         let mut out = String::from("$version kerf $end\n$timescale 1 ns $end\n");

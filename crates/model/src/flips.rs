@@ -1,13 +1,13 @@
 //! Moments at which something that depends on time becomes true or false.
 
 /// Stretch of time in which something changes once at the most, and speed only rises or only falls, seconds.
-pub(crate) const SLICE_S: f64 = 0.001;
+pub const SLICE_S: f64 = 0.001;
 
 /// Precision with which the moment of a change is sought, seconds.
-pub(crate) const EXACT_S: f64 = 1e-7;
+pub const EXACT_S: f64 = 1e-7;
 
 /// Finds when something becomes true or false in a stretch of time, the state at its beginning first.
-pub(crate) fn flips(from_s: f64, to_s: f64, is: &dyn Fn(f64) -> bool) -> Vec<(f64, bool)> {
+pub fn flips(from_s: f64, to_s: f64, is: &dyn Fn(f64) -> bool) -> Vec<(f64, bool)> {
     let mut states = vec![(from_s, is(from_s))];
     let slices = ((to_s - from_s) / SLICE_S).ceil().max(1.0) as u64;
     for slice in 1..=slices {

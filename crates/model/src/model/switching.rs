@@ -1,7 +1,7 @@
 //! Outputs: lines, spindles, PWM, intensity, the light of the warning, the power of the motors; and when they go on
 //! and off by themselves.
 
-use super::Machine;
+use super::Model;
 use super::shine::Shine;
 use crate::heater;
 use crate::limits::Overridden;
@@ -36,7 +36,7 @@ impl WasOn {
     }
 }
 
-impl Machine {
+impl Model {
     /// The heater is held at its temperature, or cools.
     pub(super) fn heat(&mut self, to_s: f64) {
         let (mut heater, height) = (self.heater, self.settings.height);
