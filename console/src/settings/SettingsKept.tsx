@@ -126,13 +126,14 @@ function Changes() {
       <h3 className="settings-head">Changes</h3>
       {changes.length === 0 && <p className="settings-words">Nothing was changed so far.</p>}
       <ol className="settings-changes">
-        {shown.map(({ at, key, from, to }, n) => (
+        {shown.map(({ at, key, from, to, by }, n) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same setting may change twice in a second
           <li key={n}>
             <time dateTime={new Date(at * 1000).toISOString()}>
               {new Date(at * 1000).toLocaleString()}
             </time>{" "}
-            <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
+            <b>{fullName(key)}</b> <ChangeText from={from} to={to} />{" "}
+            {by !== "" && <span className="settings-by">{`by ${by}`}</span>}
             <Button
               size="small"
               look="quiet"

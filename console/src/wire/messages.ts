@@ -912,7 +912,7 @@ name: string, };
 export type Message = {
 /** Its sort. */
 tone: Tone,
-/** The text. */
+/** The text, which does not repeat the place. */
 text: string,
 /** The run it belongs to; 0 when to none. */
 run: number,
@@ -1334,7 +1334,9 @@ key: string,
 /** Its value before, as it is written. */
 from: string,
 /** Its value since, as it is written. */
-to: string, };
+to: string,
+/** The device on which it was changed; empty for a page on the machine itself. */
+by: string, };
 
 /** A setting of the machine. */
 export type SettingEntry = {

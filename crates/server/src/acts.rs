@@ -76,7 +76,7 @@ impl App {
                 let pins = lock(&self.left).session.machine_is.io;
                 shop::press(&self.orders, &pins, asker, (lease, number, on))?;
             }
-            Act::Set { key, value, .. } => self.settings.configure(&key, &value)?,
+            Act::Set { key, value, .. } => self.settings.configure(&key, &value, &who.device)?,
             Act::Close => {
                 self.loader.nothing_unsaved()?;
                 self.loader.close_file();

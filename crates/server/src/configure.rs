@@ -132,18 +132,18 @@ pub struct MachineSettings {
 }
 
 impl MachineSettings {
-    /// Changes a setting, and comes back when it is on the disk.
+    /// Changes a setting on a device, and comes back when it is on the disk.
     ///
     /// # Errors
     /// There is no such setting, it does not accept the value, it would contradict another, or it cannot be kept.
-    pub fn configure(&self, key: &str, value: &str) -> Result<(), Problem> {
+    pub fn configure(&self, key: &str, value: &str, by: &str) -> Result<(), Problem> {
         let mut wanted = lock(&self.left).session.configuration();
         let before = wanted.clone();
         let setting = set(&mut wanted, key, value)?;
         check(&wanted)?;
         let (from, to) = (written(&setting.get(&before)), written(&setting.get(&wanted)));
         self.keep_on_disk(setting, wanted)?;
-        if from != to && !self.changes.add(key, from, to) {
+        if from != to && !self.changes.add(key, from, to, by) {
             let text =
                 format!("{key} is changed, but not in the history of changes: the disk refuses");
             self.hub.say(Tone::Warning, text);

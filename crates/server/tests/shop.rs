@@ -208,6 +208,7 @@ fn the_configuration_is_a_form_and_a_change_names_what_is_wrong() {
     assert_eq!(changes.as_array().unwrap().len(), 1, "{changes}");
     assert_eq!(changes[0]["key"], "cutter.diameter_mm");
     assert_eq!((&changes[0]["from"], &changes[0]["to"]), (&json!("6.35"), &json!("9.5")));
+    assert_eq!(changes[0]["by"], "", "on the machine itself");
     // One machine: the V command shows it, and changes it.
     let lines = shop.get("/api/values").json()["settings"].to_string();
     assert!(lines.contains("VC,0.3740157"), "{lines}");
@@ -418,4 +419,17 @@ fn sbp_ctl_api__positions_ten_times_a_second() {
     let mut places = places.into_inner();
     places.dedup();
     assert!(places.is_sorted() && places.len() > 20, "{} places in 2 s", places.len());
+}
+
+#[test]
+fn a_message_carries_its_place_apart_from_its_words() {
+    let shop = shop(100.0, &[("a.sbp", "&a = 0\nMX,1/&a\nEND\n")]);
+    let mut page = shop.driver();
+    page.command("FP,a.sbp");
+    let told = |page: &Page| page.shown["messages"].as_array().unwrap().last().cloned();
+    page.until("the message", |page| told(page).is_some_and(|it| it["tone"] == "error"));
+    let message = told(&page).unwrap();
+    assert_eq!(message["place"], json!({ "file": "a.sbp", "line": 2 }));
+    let text = message["text"].as_str().unwrap();
+    assert!(!text.contains("line 2") && !text.is_empty(), "{text}");
 }

@@ -348,7 +348,6 @@ impl Owner {
     /// Tells how the machine stands, and what it is from now on.
     pub(super) fn settle(&mut self, becomes: impl FnOnce(&Machine) -> Machine) {
         self.tell_workspace();
-        self.leave();
         self.tell_others(&self.workshop.session.look(Live::at_rest));
         let (settings, frame, position) = {
             let memory = &self.workshop.session.memory;
@@ -466,7 +465,7 @@ impl Owner {
     }
 
     /// Leaves a copy of the session for previews.
-    fn leave(&self) {
+    pub(super) fn leave(&self) {
         let Workshop { session, workspace, .. } = &self.workshop;
         let left = Left {
             session: session.clone(),
