@@ -1,13 +1,13 @@
 import { useState } from "react";
 import { ask } from "../actions/ask";
+import { answersBeside } from "../actions/files";
 import { useHands, useSnapshot, worldOf } from "../app/context";
-import { getJson, readFile, writeFile } from "../link/http";
-import { baseOf, parentOf } from "../operator/folder";
+import { readFile, writeFile } from "../link/http";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
-import type { FileInfo, Opened, SampleAnswer } from "../wire/messages";
+import type { Opened, SampleAnswer } from "../wire/messages";
 import { answersOf, answersText } from "./samples";
 
 /** The questions of the open program, with the answers that its preview gets. They are kept beside the file. */
@@ -101,9 +101,11 @@ async function keepAnswers(
   samples: readonly SampleAnswer[],
   answers: readonly string[],
 ): Promise<void> {
-  const file = answersOf(name);
-  const query = new URLSearchParams({ folder: parentOf(file), mask: baseOf({ name: file }) });
-  const there = await getJson<FileInfo[]>(`/api/files?${query}`);
-  const before = there.some((one) => one.name === file) ? await readFile(file) : null;
-  await writeFile(file, answersText(before?.text ?? "", samples, answers), before?.hash ?? null);
+  const beside = await answersBeside(name);
+  const before = beside ? await readFile(beside) : null;
+  await writeFile(
+    answersOf(name),
+    answersText(before?.text ?? "", samples, answers),
+    before?.hash ?? null,
+  );
 }

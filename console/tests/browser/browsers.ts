@@ -15,6 +15,8 @@ const flags = [
   "--headless",
   "--no-sandbox",
   "--disable-gpu",
+  // Distributions turn it on, where a processor draws that takes longer.
+  "--disable-gpu-rasterization",
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",
   "--disable-quic",

@@ -228,6 +228,8 @@ impl Owner {
         };
         let (ended, error) = (Some(ended.into()), error.map(kerf_language::finding));
         let summary = driven.as_ref().ok().map(told::summary);
+        // Whoever hears of the end reads what the run left: variables, settings, places.
+        self.tell_workspace();
         self.hub.ended(Job { ended, error, summary, ..job });
         self.come_to_rest(driven);
     }
