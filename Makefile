@@ -6,6 +6,8 @@ CARGO ?= cargo
 PART := examples/01-first-cut/first-cut.sbp
 FIGURES := examples/03-coaster/coaster.sbp
 PREFIX ?= $(HOME)/.local
+# Tools, tests and programs take dependencies with the features of the whole workspace: no crate is compiled twice.
+XTASK := $(CARGO) build --workspace --locked --quiet --bin xtask --test repository && target/debug/xtask
 DIST = kerf-$(shell sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml)-$(shell rustc -vV | sed -n 's/^host: //p')
 
 .DEFAULT_GOAL := help
@@ -18,7 +20,7 @@ test: rust-test console-test console-browser ## run every test, once
 
 # The server is compiled with the page in it, so the page comes first.
 rust-test: prepare console ## tests of everything but the console
-	$(CARGO) xtask test | awk -f .ci/told-tests.awk
+	$(XTASK) test | awk -f .ci/told-tests.awk
 
 properties: prepare ## try the properties on new random cases
 	seed=$$(date +%s); echo "PROPTEST_RNG_SEED=$$seed"; \
@@ -27,7 +29,7 @@ properties: prepare ## try the properties on new random cases
 check: prepare console-check ## formatting, lints and the project's own rules
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --workspace --all-targets --locked -- -D warnings
-	$(CARGO) xtask check
+	$(XTASK) check
 
 soak: prepare ## RUNS (1000000) random runs in the simulation, then the process is killed KILLS (1000) times
 	KERF_SIM_RUNS=$${RUNS:-1000000} KERF_SIM_SEED=$${SEED:-1} \
@@ -134,7 +136,7 @@ console-test: console/node_modules/.package-lock.json ## tests of the console th
 
 console-browser: console ## tests of the console in a browser, on the simulated machine and on a pretended controller
 	@.ci/browser
-	$(CARGO) build --locked --package kerf --bin kerf --example grbl
+	$(CARGO) build --locked --workspace --bin kerf --example grbl
 	cd console && npm run --silent browser
 
 console: console/node_modules/.package-lock.json ## build the console's page

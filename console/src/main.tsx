@@ -8,12 +8,14 @@ import { App } from "./app/App";
 import { createScreen } from "./app/screen";
 import { openLink, socketAddress } from "./link/link";
 import { keepRecent } from "./operator/recent";
+import { tellsListsTheirPlace } from "./ui/scrolled";
 import { language } from "./words/words";
 
 document.documentElement.lang = language;
 
 const hands = { link: openLink(socketAddress(location)), screen: createScreen() };
 
+tellsListsTheirPlace(document);
 keepRecent(hands.link.shown);
 
 // How far this page has followed the server, for whoever looks at it from outside: compare `revision` of

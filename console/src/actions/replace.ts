@@ -1,7 +1,8 @@
 /** Writes files, and asks before one is replaced. */
 
 import { fileAddress, getJson } from "../link/http";
-import type { FileAbout, Problem } from "../wire/messages";
+import { baseOf, parentOf } from "../operator/folder";
+import type { FileAbout, FileInfo, Problem } from "../wire/messages";
 import type { World } from "./action";
 
 /** Tries to write; the hash names the file that may be replaced. Gives why nothing was written. */
@@ -43,6 +44,13 @@ export const mayReplace = async (world: World, name: string): Promise<boolean> =
 /** The file that lies under a name. */
 export const aboutFile = (name: string): Promise<FileAbout> =>
   getJson<FileAbout>(`${fileAddress(name)}?about`);
+
+/** Whether a file lies under a name. */
+export async function isThere(name: string): Promise<boolean> {
+  const query = new URLSearchParams({ folder: parentOf(name), mask: baseOf({ name }) });
+  const there = await getJson<FileInfo[]>(`/api/files?${query}`);
+  return there.some((file) => file.name === name && !file.folder);
+}
 
 /** Asks; another sheet in the way is no leave. */
 function asked({ screen }: World, about: FileAbout): Promise<boolean> {

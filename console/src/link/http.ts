@@ -15,6 +15,13 @@ export class Refused extends Error {
   }
 }
 
+/** No content: something newer has taken the place of what was asked for, and the socket tells of it. */
+export class Outdated extends Error {
+  constructor() {
+    super("This changed meanwhile; try again.");
+  }
+}
+
 async function request(path: string, init: RequestInit): Promise<Response> {
   const response = await fetch(path, init);
   if (!response.ok) {
@@ -36,9 +43,11 @@ export function problemOf(text: string, otherwise: string): Problem {
 const get = (path: string, signal?: AbortSignal): Promise<Response> =>
   request(path, signal ? { signal } : {});
 
-/** A JSON answer; its type is the one the wire crate gives this address. */
+/** A JSON answer; its type is the one the wire crate gives this address. Fails with `Outdated` where there is none. */
 export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {
-  return (await get(path, signal)).json() as Promise<T>;
+  const response = await get(path, signal);
+  if (response.status === 204) throw new Outdated();
+  return response.json() as Promise<T>;
 }
 
 export const getBytes = async (path: string, signal?: AbortSignal): Promise<ArrayBuffer> =>

@@ -7,6 +7,9 @@ export const baseOf = ({ name }: Pick<FileInfo, "name">): string => name.split("
 
 export const parentOf = (folder: string): string => folder.split("/").slice(0, -1).join("/");
 
+/** The file of sample answers beside a program. */
+export const answersOf = (file: string): string => `${file}.answers`;
+
 /** Whether a name matches a mask as the file commands have it: `*.sbp`, `a?.nc`, or part of a name. */
 export function matches(name: string, mask: string): boolean {
   const wanted = mask.trim().toLowerCase();

@@ -132,8 +132,8 @@ function Changes() {
             <time dateTime={new Date(at * 1000).toISOString()}>
               {new Date(at * 1000).toLocaleString()}
             </time>{" "}
-            <b>{fullName(key)}</b> <ChangeText from={from} to={to} />{" "}
-            {by !== "" && <span className="settings-by">{`by ${by}`}</span>}
+            <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
+            <span className="settings-words">by {by || "this machine"}</span>
             <Button
               size="small"
               look="quiet"

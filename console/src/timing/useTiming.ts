@@ -1,5 +1,5 @@
 import { useEffect, useState } from "react";
-import { getJson, Refused } from "../link/http";
+import { getJson, Outdated, Refused } from "../link/http";
 import type { Timing } from "../wire/messages";
 
 /** What is known of the timing of a file; while it is made anew, what it was before. */
@@ -37,7 +37,9 @@ export function useTiming(
     const gone = new AbortController();
     const failed = (error: Error) => {
       const why = error instanceof Refused ? error.message : "The server does not answer.";
-      if (!gone.signal.aborted) setReading({ of: name, state: "failed", why });
+      // In the place of a preview that is outdated the next one comes.
+      if (gone.signal.aborted || error instanceof Outdated) return;
+      setReading({ of: name, state: "failed", why });
     };
     const asked = inputs === "" ? "" : `?inputs=${encodeURIComponent(inputs)}`;
     getJson<Timing>(`/api/preview/${key}/timing${asked}`, gone.signal).then(

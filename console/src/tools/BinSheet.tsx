@@ -3,16 +3,20 @@ import { useHands, useSnapshot } from "../app/context";
 import { useFetched } from "../app/useFetched";
 import { fileAddress, forgetFile, getJson, restoreFile } from "../link/http";
 import { sizeText, timeText } from "../operator/fileWords";
+import { answersOf } from "../operator/folder";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo, FileVersion } from "../wire/messages";
 
 const none: readonly FileInfo[] = [];
 
-/** Brings a file back as it was when it was deleted. */
-async function bringBack(name: string): Promise<void> {
-  const [last] = await getJson<FileVersion[]>(`${fileAddress(name)}?versions`);
-  if (last) await restoreFile(name, last.number);
+/** Brings a file back as it was when it was deleted, and the sample answers that lay beside it. */
+async function bringBack(name: string, bin: readonly FileInfo[]): Promise<void> {
+  for (const one of [name, answersOf(name)]) {
+    if (!bin.some((file) => file.name === one)) continue;
+    const [last] = await getJson<FileVersion[]>(`${fileAddress(one)}?versions`);
+    if (last) await restoreFile(one, last.number);
+  }
 }
 
 /** Files that were deleted, the way back for each, and the way to be rid of them. */
@@ -53,7 +57,7 @@ export function BinSheet({ onClose }: { onClose: () => void }) {
             <Button
               size="small"
               aria-label={`Bring back ${name}`}
-              onPress={() => void does(bringBack(name))}
+              onPress={() => void does(bringBack(name, bin))}
             >
               Bring back
             </Button>

@@ -1,14 +1,15 @@
 import { useState } from "react";
 import { ask } from "../actions/ask";
-import { answersBeside } from "../actions/files";
+import { isThere } from "../actions/replace";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { readFile, writeFile } from "../link/http";
+import { answersOf } from "../operator/folder";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Opened, SampleAnswer } from "../wire/messages";
-import { answersOf, answersText } from "./samples";
+import { answersText } from "./samples";
 
 /** The questions of the open program, with the answers that its preview gets. They are kept beside the file. */
 export function SamplesSheet({ onClose }: { onClose: () => void }) {
@@ -101,11 +102,7 @@ async function keepAnswers(
   samples: readonly SampleAnswer[],
   answers: readonly string[],
 ): Promise<void> {
-  const beside = await answersBeside(name);
-  const before = beside ? await readFile(beside) : null;
-  await writeFile(
-    answersOf(name),
-    answersText(before?.text ?? "", samples, answers),
-    before?.hash ?? null,
-  );
+  const file = answersOf(name);
+  const before = (await isThere(file)) ? await readFile(file) : null;
+  await writeFile(file, answersText(before?.text ?? "", samples, answers), before?.hash ?? null);
 }

@@ -2,8 +2,6 @@
 
 import type { SampleAnswer } from "../wire/messages";
 
-export const answersOf = (file: string): string => `${file}.answers`;
-
 const byLine = /^\s*\d+\s*:/;
 
 /** The text of the file with new answers; lines that answer no line of the program stay as they are. */

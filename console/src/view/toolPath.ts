@@ -4,7 +4,7 @@
  */
 
 import { createStore, type Store } from "../app/store";
-import { getBytes, getJson } from "../link/http";
+import { getBytes, getJson, Outdated } from "../link/http";
 import type { Detail, PreviewInfo } from "../wire/messages";
 import { type Piece, readPiece } from "./piece";
 
@@ -35,7 +35,7 @@ export function loadToolPath(key: string): Loading {
   const path = createStore<ToolPath | null>(null);
   const abort = new AbortController();
   load(key, path, abort.signal).catch((error: unknown) => {
-    if (!abort.signal.aborted) throw error;
+    if (!abort.signal.aborted && !(error instanceof Outdated)) throw error;
   });
   return { path, cancel: () => abort.abort() };
 }
@@ -52,6 +52,8 @@ async function load(key: string, path: Store<ToolPath | null>, signal: AbortSign
 async function* piecesOf(root: string, info: PreviewInfo, level: number, signal: AbortSignal) {
   const pieces = info.details[level]?.pieces ?? 0;
   for (let n = 0; n < pieces; n += 1) {
-    yield readPiece(await getBytes(`${root}/${level}/${n}`, signal));
+    const bytes = await getBytes(`${root}/${level}/${n}`, signal);
+    if (bytes.byteLength === 0) throw new Outdated();
+    yield readPiece(bytes);
   }
 }

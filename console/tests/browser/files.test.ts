@@ -91,6 +91,21 @@ it("a file that is open is open under its new name", async () => {
   expect([there("cut.sbp"), read("gate.sbp")]).toEqual([false, cut]);
 });
 
+it("sample answers go with their file: under its new name, into the bin, and back", async () => {
+  writeFileSync(place("door.sbp.answers"), "1: 3\n");
+  await use("Rename…", /door\.sbp/);
+  await names("gate2.sbp");
+  await until(async () => there("gate2.sbp.answers"), "the answers have the new name");
+  await until(async () => !there("door.sbp.answers"), "the answers have lost the old one");
+  await use("Delete…", /^gate2\.sbp(?!\.)/);
+  await button("Delete").click();
+  await until(async () => !there("gate2.sbp.answers"), "the answers are in the bin");
+  await button("Bin…").click();
+  await button("Bring back gate2.sbp").click();
+  await until(async () => there("gate2.sbp.answers"), "the answers are back");
+  expect(read("gate2.sbp.answers")).toBe("1: 3\n");
+});
+
 it("a file that was opened before is opened again by one press, also after a reload", async () => {
   for (const name of ["cut.sbp", "other.sbp"]) await script(workshop, "open", { name });
   await until(async () => (await stateOf(workshop)).opened?.name === "other.sbp", "it is open");

@@ -70,6 +70,8 @@ it("settings are saved as a file, loaded again, and each change can be taken bac
   expect(await violations(page)).toEqual([]);
   await sheet.getByRole("button", { name: "Change 1 setting" }).click();
   await expect.poll(() => setting("cutter.diameter_mm")).toBe("12.7");
+  const changes = page.getByRole("region", { name: "Changes of settings" });
+  await changes.getByText("by this machine").first().waitFor();
   await page.getByRole("button", { name: "Take back: Cutter, diameter, 6.35" }).click();
   await expect.poll(() => setting("cutter.diameter_mm")).toBe("6.35");
 });

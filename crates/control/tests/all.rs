@@ -14,6 +14,7 @@ mod journal;
 mod machine_file;
 mod no_switch;
 mod queued;
+mod queued_homing;
 mod references;
 mod registry;
 mod runs;

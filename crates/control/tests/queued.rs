@@ -22,7 +22,11 @@ const FILE: &str = "[steps]\nper_unit = [100, 100, 200, 100, 100, 100]\n[board]\
     both_edges = true\npulse_us = 0.1";
 
 pub fn machine() -> Configuration {
-    kerf_machine::file::read(&"board.toml".into(), FILE).unwrap()
+    machine_of(FILE)
+}
+
+pub fn machine_of(file: &str) -> Configuration {
+    kerf_machine::file::read(&"board.toml".into(), file).unwrap()
 }
 
 /// A host, two ways of a line, and a board that is none.
@@ -48,6 +52,7 @@ impl World {
         Self { fake, desk, there, back, now_s: 0.0, stalls_until_s: 0.0, heard: Vec::new() }
     }
 
+    /// Lets a grain of time go by.
     pub fn pass(&mut self) {
         self.now_s += GRAIN_S;
         let clock = self.fake.clock_at(self.now_s);
@@ -114,9 +119,19 @@ pub struct Shop {
 impl Shop {
     /// The line is good until the board is known.
     pub fn new(seed: u64, faults: Faults) -> Self {
-        let machine = machine();
-        let wiring = Wiring::of(&machine).unwrap();
+        Self::of(&machine(), seed, faults, |_| {})
+    }
+
+    /// One of another machine, whose board is prepared.
+    pub fn of(
+        machine: &Configuration,
+        seed: u64,
+        faults: Faults,
+        prepares: impl FnOnce(&mut Fake),
+    ) -> Self {
+        let wiring = Wiring::of(machine).unwrap();
         let mut world = World::new(seed, Faults::default(), &wiring);
+        prepares(&mut world.fake);
         let (version, counts) = world.ready();
         (world.there.faults, world.back.faults) = (faults, faults);
         let begin_s = world.now_s;

@@ -2,8 +2,8 @@
 //!
 //! The desk is what the thread of the link owns; the owner of the plan may be on another one.
 
-use crate::board::{Board, Home, News, Start};
-use crate::queue::{Change, Piece};
+use crate::board::{Board, Home, News, Start, Watched};
+use crate::queue::{Change, Piece, Refused};
 
 /// An output that changes at a clock, from 0 (off) to 1, counted as in the setup: those that go on and off, then those
 /// with a share of time.
@@ -20,8 +20,10 @@ pub struct Set {
 /// A request to a board.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
-    /// Motion begins, from rest. Switches of these stop their motors.
+    /// Motion begins, from rest. Switches of these stop their motors, each its own.
     Start(Vec<Home>),
+    /// From now on these switches stop all motors, and no others.
+    Watch(Vec<Watched>),
     /// A piece of motion behind those that it has, with the outputs that change in it, in order of time.
     Offer(Piece, Vec<Set>),
     /// An output changes now, counted as in the setup: those that go on and off, then those with a share of time.
@@ -33,6 +35,8 @@ pub enum Request {
     },
     /// All motors stop at once, without a ramp.
     Stop,
+    /// The same, and outputs stay as they are.
+    StandStill,
     /// Motion that is over is ended and counted, and not waited on for more.
     LetRest,
     /// The state of a switch is asked for.
@@ -97,13 +101,17 @@ impl Desk {
                     Some(Change { output: set.output, clock: set.clock, value })
                 };
                 piece.changes.extend(sets.iter().filter_map(change));
-                if let Err(why) = board.offer(&piece) {
-                    self.answers.push(Answer::Refused(why.to_string()));
+                match board.offer(&piece) {
+                    // Motion has ended meanwhile: its end is told with the reason.
+                    Ok(()) | Err(Refused::Stopping) => {}
+                    Err(why) => self.answers.push(Answer::Refused(why.to_string())),
                 }
                 Ok(())
             }
+            Request::Watch(watched) => board.watch(&watched, now_s),
             Request::Output { output, share } => board.set_output(output, share, now_s),
             Request::Stop => board.stop(),
+            Request::StandStill => board.stand_still(),
             Request::LetRest => {
                 board.let_rest();
                 Ok(())

@@ -8,6 +8,7 @@ use crate::machine::{Left, Order};
 use crate::orders::Orders;
 use crate::people::Tries;
 use crate::protect::Unlocked;
+use crate::ran::now_s;
 use crate::refusal::problem;
 use crate::setting_changes::SettingChanges;
 use kerf_control::Session;
@@ -16,7 +17,9 @@ use kerf_machine::table::{self, Area, Bounds, Setting, Unit};
 use kerf_machine::value::NONE;
 use kerf_machine::{Configuration, Value};
 use kerf_program::{AXES, Axis, AxisSet};
-use kerf_wire::{Problem, SettingArea, SettingEntry, SettingKind, Setup, Tone, Why, ZHeights};
+use kerf_wire::{
+    Problem, SettingArea, SettingChange, SettingEntry, SettingKind, Setup, Tone, Who, Why, ZHeights,
+};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
@@ -132,18 +135,20 @@ pub struct MachineSettings {
 }
 
 impl MachineSettings {
-    /// Changes a setting on a device, and comes back when it is on the disk.
+    /// Changes a setting, and comes back when it is on the disk.
     ///
     /// # Errors
     /// There is no such setting, it does not accept the value, it would contradict another, or it cannot be kept.
-    pub fn configure(&self, key: &str, value: &str, by: &str) -> Result<(), Problem> {
+    pub fn configure(&self, by: &Who, key: &str, value: &str) -> Result<(), Problem> {
         let mut wanted = lock(&self.left).session.configuration();
         let before = wanted.clone();
         let setting = set(&mut wanted, key, value)?;
         check(&wanted)?;
         let (from, to) = (written(&setting.get(&before)), written(&setting.get(&wanted)));
         self.keep_on_disk(setting, wanted)?;
-        if from != to && !self.changes.add(key, from, to, by) {
+        let change =
+            SettingChange { at: now_s(), key: key.into(), from, to, by: by.device.clone() };
+        if change.from != change.to && !self.changes.add(&change) {
             let text =
                 format!("{key} is changed, but not in the history of changes: the disk refuses");
             self.hub.say(Tone::Warning, text);

@@ -269,6 +269,12 @@ impl Loader {
         preview.timing(&session)
     }
 
+    /// Returns `true` for the key of a preview that was begun before the one that is shown now.
+    pub fn was_shown(&self, key: &str) -> bool {
+        let number = key.rsplit_once('-').and_then(|(_, number)| number.parse::<u32>().ok());
+        number.is_some_and(|number| number < self.previews.load(Ordering::Relaxed))
+    }
+
     /// Returns the journal of what survives, where there is one.
     pub fn journal(&self) -> Option<Journal> {
         lock(&self.left).journal.clone()

@@ -1,7 +1,6 @@
-//! The changes of settings, kept in the data folder: when, which, from what to what.
+//! The changes of settings, kept in the data folder: when, which, from what to what, by whom.
 
 use crate::locks::lock;
-use crate::ran::now_s;
 use kerf_wire::SettingChange;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -28,11 +27,10 @@ impl SettingChanges {
         Self { place: data.join(FILE), turn: Mutex::default() }
     }
 
-    /// Adds a change that holds, made on a device. Returns `false` where the disk refuses.
-    pub fn add(&self, key: &str, from: String, to: String, by: &str) -> bool {
-        let change = SettingChange { at: now_s(), key: key.into(), from, to, by: by.into() };
+    /// Adds a change that holds. Returns `false` where the disk refuses.
+    pub fn add(&self, change: &SettingChange) -> bool {
         let _turn = lock(&self.turn);
-        self.append(&change).is_ok()
+        self.append(change).is_ok()
     }
 
     fn append(&self, change: &SettingChange) -> io::Result<()> {
@@ -54,22 +52,5 @@ impl SettingChanges {
         };
         let lines = text.lines().rev().take(TOLD);
         Ok(lines.filter_map(|line| serde_json::from_str(line).ok()).collect())
-    }
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_change_tells_its_device_and_one_of_an_earlier_kerf_tells_none() {
-        let folder = tempfile::tempdir().unwrap();
-        let earlier = r#"{"at":1,"key":"units","from":"in","to":"mm"}"#;
-        fs::write(folder.path().join(FILE), format!("{earlier}\n")).unwrap();
-        let changes = SettingChanges::new(folder.path());
-        assert!(changes.add("units", "mm".into(), "in".into(), "tablet"));
-        let by: Vec<_> = changes.list().unwrap().into_iter().map(|change| change.by).collect();
-        assert_eq!(by, ["tablet", ""]);
     }
 }

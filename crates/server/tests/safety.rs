@@ -209,6 +209,25 @@ fn a_device_is_paired_by_the_code_and_has_its_role_until_it_is_revoked() {
 }
 
 #[test]
+fn the_history_of_settings_tells_which_device_changed_one() {
+    let shop = start(Wanted { lan: true, ..Wanted::default() });
+    let code = shop.post("/api/pair/code", json!({ "role": "setter" }), &[]).json();
+    let named = json!({ "code": code["code"], "name": "tablet" });
+    let token = shop.post("/api/pair", named, &[ELSEWHERE]).json()["token"].clone();
+    let cookie = format!("kerf-device={}", token.as_str().unwrap());
+    let act = |name: &str, body| {
+        shop.post(&format!("/api/do/{name}"), body, &[ELSEWHERE, ("Cookie", &cookie)])
+    };
+    assert_eq!(act("takeLease", json!({ "force": true })).status, 200);
+    let lease = shop.get("/api/state").json()["lease"]["number"].clone();
+    let changed = json!({ "lease": lease, "key": "cutter.diameter_mm", "value": "9.5" });
+    let changed = act("set", changed);
+    assert_eq!(changed.status, 200, "{}", changed.json());
+    let changes = shop.get("/api/settings?changes").json();
+    assert_eq!((&changes[0]["by"], &changes[0]["to"]), (&json!("tablet"), &json!("9.5")));
+}
+
+#[test]
 fn who_sits_at_the_machine_shows_it_where_others_may_connect() {
     let shop = start(Wanted { lan: true, ..Wanted::default() });
     let state = |headers: &[(&str, &str)]| shop.ask("GET /api/state", headers, b"").status;

@@ -208,7 +208,7 @@ fn the_configuration_is_a_form_and_a_change_names_what_is_wrong() {
     assert_eq!(changes.as_array().unwrap().len(), 1, "{changes}");
     assert_eq!(changes[0]["key"], "cutter.diameter_mm");
     assert_eq!((&changes[0]["from"], &changes[0]["to"]), (&json!("6.35"), &json!("9.5")));
-    assert_eq!(changes[0]["by"], "", "on the machine itself");
+    assert_eq!(changes[0]["by"], "");
     // One machine: the V command shows it, and changes it.
     let lines = shop.get("/api/values").json()["settings"].to_string();
     assert!(lines.contains("VC,0.3740157"), "{lines}");

@@ -83,6 +83,20 @@ fn a_preview_that_is_gone_has_no_chart() {
 }
 
 #[test]
+fn a_preview_that_is_outdated_is_no_mistake() {
+    let shop = shop("part.sbp", "MX,5\nEND\n");
+    let mut page = shop.driver();
+    timing(&shop, &mut page, "part.sbp");
+    let key = page.shown["opened"]["preview"]["key"].as_str().unwrap().to_owned();
+    shop.write("other.sbp", b"MX,6\nEND\n");
+    timing(&shop, &mut page, "other.sbp");
+    for of in ["", "/timing", "/0/0"] {
+        let answer = shop.get(&format!("/api/preview/{key}{of}"));
+        assert_eq!((answer.status, answer.body.len()), (204, 0), "{of}");
+    }
+}
+
+#[test]
 fn a_chart_is_made_as_the_machine_is_now() {
     let shop = shop("part.sbp", "MX,5\nEND\n");
     let mut page = shop.driver();

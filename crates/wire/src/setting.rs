@@ -29,7 +29,7 @@ pub struct SettingChange {
     pub from: String,
     /// Its value since, as it is written.
     pub to: String,
-    /// The device on which it was changed; empty for a page on the machine itself.
+    /// Name of the device of whoever changed it; empty for a page on the machine itself.
     #[serde(default)]
     pub by: String,
 }

@@ -42,7 +42,7 @@ fn run(words: &[&str]) -> Result<Vec<Finding>> {
             eprint!("{}", structure::listing(&tree)?);
             structure::check(&tree)?
         }
-        ["test"] => run_tests::run()?,
+        ["test"] => run_tests::run(&tree)?,
         ["conformance", "check"] => conformance::check(&tree)?,
         ["conformance", "mark"] => written(conformance::mark(&tree)?),
         ["conformance", "page"] => written(pages::write(&tree, conformance::PAGE)?),

@@ -4,7 +4,7 @@
 //! as many as there are processors run side by side, the largest first; each tells its result when it has ended. The
 //! programs that measure time run afterwards, by themselves.
 
-use crate::Finding;
+use crate::{Finding, Tree};
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 use std::collections::VecDeque;
@@ -18,6 +18,12 @@ use std::thread;
 /// the time, a bound on STOP is measured by itself.
 const BY_THEMSELVES: [(&str, usize); 3] =
     [("controller", 4), ("jog_link", 1), ("stop_under_load", 1)];
+
+/// The configuration of Cargo, whose `[env]` Cargo gives to the programs that it runs itself.
+const CONFIGURATION: &str = ".cargo/config.toml";
+
+/// Names of environment variables and their values.
+type Variables = Vec<(String, String)>;
 
 /// One test program.
 #[derive(Clone, Debug)]
@@ -37,14 +43,15 @@ struct Program {
 /// # Errors
 ///
 /// Cargo or a program cannot be started, or the workspace does not compile.
-pub fn run() -> Result<Vec<Finding>> {
+pub fn run(tree: &Tree) -> Result<Vec<Finding>> {
+    let variables = configured(tree)?;
     let mut programs = built()?;
     programs.sort_by_key(|program| std::cmp::Reverse(program.bytes));
     let (alone, beside): (Vec<_>, Vec<_>) =
         programs.into_iter().partition(|program| program.threads.is_some());
-    let mut failed = side_by_side(beside)?;
+    let mut failed = side_by_side(beside, &variables)?;
     for program in alone {
-        failed.extend(tell(&program, &output(&program)?)?);
+        failed.extend(tell(&program, &output(&program, &variables)?)?);
     }
     let documented = Command::new(cargo())
         .args(["test", "--workspace", "--locked", "--no-fail-fast", "--doc"])
@@ -57,6 +64,20 @@ pub fn run() -> Result<Vec<Finding>> {
 
 fn cargo() -> String {
     std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
+}
+
+/// Reads the variables that Cargo gives to the programs it runs, without those that are set already.
+fn configured(tree: &Tree) -> Result<Variables> {
+    let text = tree.text(CONFIGURATION).with_context(|| format!("{CONFIGURATION} is not there"))?;
+    let mut config: toml::Table = text.parse().context(CONFIGURATION)?;
+    let Some(toml::Value::Table(env)) = config.remove("env") else { return Ok(Vec::new()) };
+    env.into_iter()
+        .filter(|(name, _)| std::env::var_os(name).is_none())
+        .map(|(name, value)| match value {
+            toml::Value::String(value) => Ok((name, value)),
+            other => bail!("{CONFIGURATION}: {name} is {other}, not a text"),
+        })
+        .collect()
 }
 
 fn built() -> Result<Vec<Program>> {
@@ -103,7 +124,7 @@ fn program(line: &str) -> Result<Option<Program>> {
     Ok(Some(Program { target, path, folder, bytes, threads }))
 }
 
-fn side_by_side(programs: Vec<Program>) -> Result<Vec<Finding>> {
+fn side_by_side(programs: Vec<Program>, variables: &Variables) -> Result<Vec<Finding>> {
     let waiting = Mutex::new(VecDeque::from(programs));
     let next = || waiting.lock().ok().and_then(|mut waiting| waiting.pop_front());
     let workers = thread::available_parallelism().map_or(2, usize::from);
@@ -113,7 +134,7 @@ fn side_by_side(programs: Vec<Program>) -> Result<Vec<Finding>> {
             let ended = ended.clone();
             scope.spawn(move || {
                 while let Some(program) = next() {
-                    let output = output(&program);
+                    let output = output(&program, variables);
                     if ended.send((program, output)).is_err() {
                         return;
                     }
@@ -129,10 +150,11 @@ fn side_by_side(programs: Vec<Program>) -> Result<Vec<Finding>> {
     })
 }
 
-fn output(program: &Program) -> Result<Output> {
+fn output(program: &Program, variables: &Variables) -> Result<Output> {
     let mut command = Command::new(&program.path);
     command
         .arg("--show-output")
+        .envs(variables.iter().map(|(name, value)| (name, value)))
         .current_dir(&program.folder)
         .env("CARGO_MANIFEST_DIR", &program.folder);
     if let Some(threads) = program.threads {
@@ -174,6 +196,24 @@ mod tests {
         check(
             r#"{"executable":"/x","manifest_path":"/a/Cargo.toml","profile":{"test":false},"target":{"name":"kerf"}}"#,
         )
+    }
+
+    #[test]
+    fn programs_have_the_variables_that_cargo_gives_them() -> Result<()> {
+        let check = |text: &str, expected: &[(&str, &str)]| -> Result<()> {
+            let found = configured(&Tree::of(&[(CONFIGURATION, text)]))?;
+            let expected: Variables = expected
+                .iter()
+                .map(|(name, value)| (name.to_string(), value.to_string()))
+                .collect();
+            assert_eq!(found, expected, "{text}");
+            Ok(())
+        };
+        check("[env]\nKERF_NOWHERE = \"1\"", &[("KERF_NOWHERE", "1")])?;
+        check("[env]\nPATH = \"/\"", &[])?;
+        check("[alias]\nx = \"y\"", &[])?;
+        assert!(configured(&Tree::of(&[(CONFIGURATION, "[env]\nX = 1")])).is_err());
+        Ok(())
     }
 
     #[test]

@@ -19,9 +19,10 @@ function drawn(): void {
 /** Fetches the whole path, piece by piece, and draws it when all is there. */
 async function fetchWhole(address: string, pieces: number, signal: AbortSignal): Promise<void> {
   for (let n = 0; n < pieces; n += 1) {
-    const piece = readPiece(await getBytes(`${address}/0/${n}`, signal));
-    if (signal.aborted) return;
-    painter?.add(piece);
+    const bytes = await getBytes(`${address}/0/${n}`, signal);
+    // Nothing comes of a path in whose place there is another.
+    if (signal.aborted || bytes.byteLength === 0) return;
+    painter?.add(readPiece(bytes));
   }
   whole = true;
   painter?.whole();

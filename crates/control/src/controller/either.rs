@@ -47,8 +47,10 @@ impl Controller {
                 attached::Controller::attach(socket, first, session, workspace, is_stopped)
                     .map(|(controller, told)| (Self::Followed(controller), told))
             }
-            Place::Queued(socket) => queued::Attached::attach(socket, first, session, workspace)
-                .map(|(attached, told)| (Self::Queued(attached), told)),
+            Place::Queued(socket) => {
+                queued::Attached::attach(socket, first, session, workspace, is_stopped)
+                    .map(|(attached, told)| (Self::Queued(attached), told))
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Requests of a session's owner.
 
 use super::channel::Channel;
-use super::latch::Home;
+use super::latch::{Home, Watched};
 use super::motion::State;
 use super::news::{Ended, NotNow, Start};
 use super::session::Session;
@@ -40,9 +40,20 @@ impl Session {
         }
     }
 
+    /// Has these switches stop all motors that no switch of their own does.
+    pub fn watch(&mut self, watched: &[Watched], now_s: f64) -> Result<(), NotNow> {
+        let (now, _) = self.when_ready(now_s)?;
+        Ok(self.motion.watch(&mut self.channel, watched, now)?)
+    }
+
     /// Drops all motion at once.
     pub fn stop(&mut self) -> Result<(), OrderError> {
         self.motion.stop(&mut self.channel, Ended::Asked)
+    }
+
+    /// The same, with outputs as they are.
+    pub fn stand_still(&mut self) -> Result<(), OrderError> {
+        self.motion.stop(&mut self.channel, Ended::Touched)
     }
 
     pub fn emergency_stop(&mut self) -> Result<(), OrderError> {

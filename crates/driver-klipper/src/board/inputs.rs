@@ -1,7 +1,7 @@
 //! What a board tells of its inputs: switches, rows of inputs, voltages, registers of motor drivers.
 
 use super::channel::{Channel, Told};
-use super::latch::Latches;
+use super::motion::Motion;
 use super::news::{News, NotNow};
 use super::questions::About;
 use crate::dictionary::{Message, Value};
@@ -70,7 +70,7 @@ impl Channel {
 
     pub fn told_switch(
         &mut self,
-        latches: &Latches,
+        motion: &Motion,
         message: &Message<'_>,
         news: &mut VecDeque<News>,
     ) {
@@ -80,12 +80,13 @@ impl Channel {
         let Some(switch) = found.filter(|n| self.questions.answered(About::Switch(*n))) else {
             return;
         };
-        let home = latches.homes.iter().find(|home| home.switch == switch);
-        if let Some(home) = home.filter(|_| latches.touched().contains(&switch)) {
-            let rest = (home.look_s * self.frequency).round().max(1.0) as u64;
+        if let Some(look_s) = motion.latches.look_s(switch) {
+            let rest = (look_s * self.frequency).round().max(1.0) as u64;
             let next = self.clock.as_ref().map(|clock| clock.unwrapped(number("next_clock")));
             let clock = next.unwrap_or_default().saturating_sub(rest);
-            return news.push_back(News::Touched { switch, clock });
+            let count = |motor| motion.queue.count_at(motor, clock).unwrap_or_default();
+            let counts = (0..self.setup.motors.len()).map(count).collect();
+            return news.push_back(News::Touched { switch, clock, counts });
         }
         let inverted = switches.get(switch).is_some_and(|pin| pin.inverted);
         news.push_back(News::Switch { switch, on: (number("pin_value") != 0) != inverted });

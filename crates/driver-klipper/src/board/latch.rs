@@ -12,12 +12,14 @@ use crate::setup::Object;
 
 /// Reasons with which latches trigger.
 pub mod reason {
-    /// A switch closed.
+    /// A switch closed that stops its motors.
     pub const TOUCH: u32 = 1;
     /// The host asked.
     pub const HOST: u32 = 2;
     /// The deadline passed.
     pub const DEADLINE: u32 = 4;
+    /// The first of the switches that are watched for all motors changed; those behind it count up.
+    pub const WATCH: u32 = 16;
 }
 
 /// Time between arming and the first deadline, seconds: the line may need some resends by then.
@@ -41,13 +43,26 @@ pub struct Home {
     pub look_s: f64,
 }
 
+/// A switch at whose change all motors stop that no switch of their own does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Watched {
+    /// Its place among the switches.
+    pub switch: usize,
+    /// It stops them when it opens, instead of when it closes.
+    pub opens: bool,
+    /// Time between two looks, seconds: at most that of a step.
+    pub look_s: f64,
+}
+
 /// Latches of a board.
 #[derive(Clone, Debug)]
 pub struct Latches {
     /// The reason with which each triggered; nothing while it is armed.
     triggered: Vec<Option<u32>>,
-    /// Switches that are watched, by their latch, counted from 1.
+    /// Switches that stop motors of their own, by their latch, counted from 1.
     pub homes: Vec<Home>,
+    /// Switches that stop all motors.
+    watched: Vec<Watched>,
     /// Moment at which deadlines are pushed along.
     again_s: f64,
     /// They are not: another board of the machine is lost.
@@ -59,6 +74,7 @@ impl Latches {
         Self {
             triggered: vec![Some(0); count],
             homes: Vec::new(),
+            watched: Vec::new(),
             again_s: f64::INFINITY,
             expires: false,
         }
@@ -87,7 +103,11 @@ impl Latches {
     fn over(&self) -> Option<Ended> {
         let reason = |latch: usize| self.triggered.get(latch).copied().flatten();
         if let Some(found) = reason(0) {
-            return Some(if found == reason::DEADLINE { Ended::Deadline } else { Ended::Asked });
+            return Some(match found {
+                reason::DEADLINE => Ended::Deadline,
+                reason::WATCH.. => Ended::Touched,
+                _ => Ended::Asked,
+            });
         }
         let homes: Option<Vec<u32>> = (1..=self.homes.len()).map(reason).collect();
         let homes = homes.filter(|homes| !homes.is_empty())?;
@@ -95,11 +115,42 @@ impl Latches {
         Some(if touched { Ended::Touched } else { Ended::Deadline })
     }
 
-    /// Switches that stopped their motors.
+    /// Switches that stopped motors.
     pub fn touched(&self) -> Vec<usize> {
-        let touched =
-            |(n, _): &(usize, &Home)| self.triggered.get(n + 1) == Some(&Some(reason::TOUCH));
-        self.homes.iter().enumerate().filter(touched).map(|(_, home)| home.switch).collect()
+        let reason = |latch: usize| self.triggered.get(latch).copied().flatten();
+        let touched = |(n, _): &(usize, &Home)| reason(n + 1) == Some(reason::TOUCH);
+        let homes = self.homes.iter().enumerate().filter(touched).map(|(_, home)| home.switch);
+        let first = reason(0).and_then(|reason| reason.checked_sub(reason::WATCH));
+        let watched = first.and_then(|n| self.watched.get(n as usize));
+        homes.chain(watched.map(|watched| watched.switch)).collect()
+    }
+
+    /// Time between two looks at a switch that stopped motors, seconds.
+    pub fn look_s(&self, switch: usize) -> Option<f64> {
+        let homes = self.homes.iter().map(|home| (home.switch, home.look_s));
+        let watched = self.watched.iter().map(|it| (it.switch, it.look_s));
+        let mut looks = homes.chain(watched).filter(|_| self.touched().contains(&switch));
+        looks.find(|(other, _)| *other == switch).map(|(_, look_s)| look_s)
+    }
+
+    /// Has these switches stop all motors, from a clock on where they move, and those no more that did before.
+    pub fn watch(
+        &mut self,
+        channel: &mut Channel,
+        watched: &[Watched],
+        moves_from: Option<u64>,
+    ) -> Result<(), OrderError> {
+        let before = std::mem::replace(&mut self.watched, watched.to_vec());
+        let Some(clock) = moves_from else { return Ok(()) };
+        before.iter().try_for_each(|it| stop_looking(channel, it.switch))?;
+        self.watch_from(channel, clock)
+    }
+
+    fn watch_from(&self, channel: &mut Channel, clock: u64) -> Result<(), OrderError> {
+        self.watched
+            .iter()
+            .zip(reason::WATCH..)
+            .try_for_each(|(it, reason)| look_at(channel, 0, *it, [clock as u32, reason]))
     }
 
     /// Arms the latches for motion that begins at a clock.
@@ -130,7 +181,12 @@ impl Latches {
                 *triggered = None;
             }
         }
-        homes.iter().enumerate().try_for_each(|(n, home)| watch(channel, n + 1, home, starts))?;
+        for (n, home) in homes.iter().enumerate() {
+            let Home { switch, opens, look_s, .. } = *home;
+            let clock_and_reason = [starts as u32, reason::TOUCH];
+            look_at(channel, n + 1, Watched { switch, opens, look_s }, clock_and_reason)?;
+        }
+        self.watch_from(channel, starts)?;
         // Before the first deadline, however long the later ones are.
         self.again_s = now_s + channel.options.deadline_s.min(FIRST_S / AGAIN);
         Ok(())
@@ -163,8 +219,9 @@ impl Latches {
             channel.hurry(Order::TrsyncTrigger, [oid, reason::HOST])?;
             channel.ask(About::Latch(latch), Order::TrsyncTrigger, [oid, reason::HOST])?;
         }
-        let switches: Vec<usize> = self.homes.iter().map(|home| home.switch).collect();
-        switches.into_iter().try_for_each(|switch| stop_looking(channel, switch))
+        let homes = self.homes.iter().map(|home| home.switch);
+        let mut switches = homes.chain(self.watched.iter().map(|it| it.switch));
+        switches.try_for_each(|switch| stop_looking(channel, switch))
     }
 
     /// Reads the state of a latch; tells the end of motion where all that have to stop have stopped.
@@ -195,13 +252,19 @@ pub fn stop_looking(channel: &mut Channel, switch: usize) -> Result<(), OrderErr
     channel.send(Order::EndstopHome, [channel.oid(Object::Switch(switch)), 0, 0, 0, 0, 0, 0, 0])
 }
 
-/// A switch is looked at from a clock on, and triggers its latch.
-fn watch(channel: &mut Channel, latch: usize, home: &Home, starts: u64) -> Result<(), OrderError> {
+/// A switch is looked at from a clock on, and triggers a latch with a reason.
+fn look_at(
+    channel: &mut Channel,
+    latch: usize,
+    watched: Watched,
+    [clock, reason]: [u32; 2],
+) -> Result<(), OrderError> {
+    let Watched { switch, opens, look_s } = watched;
     let ticks = |time_s: f64| (time_s * channel.frequency).round().max(1.0) as u32;
-    let inverted = channel.setup.switches.get(home.switch).is_some_and(|pin| pin.inverted);
-    let level = u32::from(inverted == home.opens);
-    let [oid, trsync] = [Object::Switch(home.switch), Object::Latch(latch)].map(|o| channel.oid(o));
-    let (sample, rest) = (ticks(SAMPLE_S), ticks(home.look_s));
-    let looks = [oid, starts as u32, sample, SAMPLES, rest, level, trsync, reason::TOUCH];
+    let inverted = channel.setup.switches.get(switch).is_some_and(|pin| pin.inverted);
+    let level = u32::from(inverted == opens);
+    let [oid, trsync] = [Object::Switch(switch), Object::Latch(latch)].map(|o| channel.oid(o));
+    let (sample, rest) = (ticks(SAMPLE_S), ticks(look_s));
+    let looks = [oid, clock, sample, SAMPLES, rest, level, trsync, reason];
     channel.send(Order::EndstopHome, looks)
 }

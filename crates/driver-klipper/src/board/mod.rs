@@ -18,7 +18,7 @@ mod options;
 mod questions;
 mod session;
 
-pub use latch::Home;
+pub use latch::{Home, Watched};
 pub use news::{Ended, Fault, News, NotNow, Start};
 pub use options::Options;
 
@@ -132,6 +132,16 @@ impl Board {
         self.open()?.start_at(homes, clock, now_s)
     }
 
+    /// From now on these switches stop all motors that no switch of their own does, and no others: at the beginning of
+    /// motion, or soon where it goes on. Each stops them whenever it is as watched for, be it from the first look on.
+    ///
+    /// # Errors
+    ///
+    /// The board is not ready.
+    pub fn watch(&mut self, watched: &[Watched], now_s: f64) -> Result<(), NotNow> {
+        self.open()?.watch(watched, now_s)
+    }
+
     /// Nothing moves, and motion could begin.
     pub fn is_at_rest(&self) -> bool {
         self.shown().is_some_and(Session::is_at_rest)
@@ -193,6 +203,15 @@ impl Board {
     /// The board is not there.
     pub fn stop(&mut self) -> Result<(), NotNow> {
         self.open()?.stop().map_err(NotNow::Order)
+    }
+
+    /// Stops all motors at once, without a ramp, as a switch does that is watched: outputs stay as they are.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there.
+    pub fn stand_still(&mut self) -> Result<(), NotNow> {
+        self.open()?.stand_still().map_err(NotNow::Order)
     }
 
     /// Motion that is over is ended and counted, and latches are disarmed without waiting for more of it.

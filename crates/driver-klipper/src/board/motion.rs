@@ -1,7 +1,7 @@
 //! Motion of a session: armed, fed, ended, and counted.
 
 use super::channel::{Channel, Told};
-use super::latch::{Home, Latches};
+use super::latch::{Home, Latches, Watched};
 use super::news::{Ended, Fault, News, Start};
 use super::questions::About;
 use crate::orders::{Order, OrderError};
@@ -13,6 +13,8 @@ use std::collections::VecDeque;
 const LOOK_S: f64 = 0.005;
 /// Time behind the last step after which it has surely been made, seconds.
 const SETTLED_S: f64 = 0.01;
+/// Time from which on a switch is looked at that is watched while motors move, seconds: the line may need some resends.
+const WATCHED_S: f64 = 0.25;
 
 /// The state of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,13 +106,27 @@ impl Motion {
         Ok(())
     }
 
+    /// Has these switches stop all motors.
+    pub fn watch(
+        &mut self,
+        channel: &mut Channel,
+        watched: &[Watched],
+        now: u64,
+    ) -> Result<(), OrderError> {
+        let from = now + channel.ticks(WATCHED_S);
+        self.latches.watch(channel, watched, self.moves().then_some(from))
+    }
+
     /// Drops all motion at once.
     pub fn stop(&mut self, channel: &mut Channel, why: Ended) -> Result<(), OrderError> {
         if !self.moves() {
             return Ok(());
         }
         channel.link.forget();
-        self.queue.dropped();
+        match why {
+            Ended::Touched => self.queue.drop_motion(),
+            _ => self.queue.dropped(),
+        }
         self.state = State::Ending(why);
         self.latches.trigger(channel)
     }

@@ -11,7 +11,7 @@ pub enum Ended {
     Rested,
     /// The host asked for it: dropped at once, without a ramp.
     Asked,
-    /// A switch that was watched closed.
+    /// A switch that was watched stopped the motors, or the host did in the same way.
     Touched,
     /// The board did not hear from its host in time.
     Deadline,
@@ -67,12 +67,14 @@ pub enum News {
         /// Steps that each motor has made, as the board counted them.
         counts: Vec<i64>,
     },
-    /// A switch was first seen closed at a clock.
+    /// A switch that stopped motors was first seen so at a clock.
     Touched {
         /// Its place among the switches.
         switch: usize,
         /// Clock of the look that saw it.
         clock: u64,
+        /// Count of each motor then, if it made all that it was told.
+        counts: Vec<i64>,
     },
     /// State of a switch that was asked for.
     Switch {

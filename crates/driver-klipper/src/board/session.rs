@@ -125,7 +125,7 @@ impl Session {
                 }
             }
             "endstop_state" => {
-                channel.told_switch(&self.motion.latches, message, news);
+                channel.told_switch(&self.motion, message, news);
                 self.motion.counted(channel, news)?;
             }
             "buttons_state" => self.buttons.told(channel, message, news)?,

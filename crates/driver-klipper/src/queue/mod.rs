@@ -155,10 +155,16 @@ impl Queue {
 
     /// The board drops all motion. Outputs that are on are to go off.
     pub fn dropped(&mut self) {
+        self.drop_motion();
+        self.sending = self.outputs.off().map(Release::Output).collect();
+    }
+
+    /// The board drops all motion. Outputs stay as they are.
+    pub fn drop_motion(&mut self) {
         self.offered.clear();
+        self.sending.clear();
         self.tail = None;
         self.places.free_all();
-        self.sending = self.outputs.off().map(Release::Output).collect();
     }
 
     /// The board has shut down: all that it had is void, and its outputs are off.

@@ -10,7 +10,7 @@ pub use pins::{Pin, Pull};
 
 use crate::dictionary::Dictionary;
 use crate::orders::{Order, OrderError, Orders};
-use pins::Pins;
+use pins::{Look, Pins};
 
 /// Version of the way in which objects are numbered.
 const VERSION: &str = "kerf 1";
@@ -206,7 +206,7 @@ impl Setup {
             to.motor(self.oid(Object::Motor(n)), motor)?;
         }
         for (n, switch) in self.switches.iter().enumerate() {
-            let (pin, pull) = (to.pin(switch)?, switch.pull.number());
+            let (pin, pull) = (to.input(switch, Look::Switch)?, switch.pull.number());
             to.write(Order::ConfigEndstop, [self.oid(Object::Switch(n)), pin, pull])?;
         }
         for (n, output) in self.outputs.iter().enumerate() {
@@ -242,7 +242,7 @@ impl Setup {
             to.write(Order::ConfigTrsync, [self.oid(Object::Latch(n))])?;
         }
         for (n, button) in self.buttons.iter().enumerate() {
-            let (pin, pull) = (to.pin(button)?, button.pull.number());
+            let (pin, pull) = (to.input(button, Look::Row)?, button.pull.number());
             to.write(Order::AddButton, [buttons, n as u32, pin, pull])?;
         }
         Ok(())
@@ -277,6 +277,10 @@ impl Writer<'_> {
 
     fn pin(&mut self, pin: &Pin) -> Result<u32, SetupError> {
         self.pins.take(self.board, &pin.name)
+    }
+
+    fn input(&mut self, pin: &Pin, look: Look) -> Result<u32, SetupError> {
+        self.pins.look_at(self.board, &pin.name, look)
     }
 
     fn ticks(&self, time_s: f64) -> u32 {

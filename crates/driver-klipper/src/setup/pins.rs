@@ -50,6 +50,17 @@ impl Pin {
 pub struct Pins {
     reserved: BTreeMap<String, String>,
     taken: Vec<u32>,
+    /// Inputs that are looked at, each as a switch, in a row, or as both.
+    looked_at: Vec<(u32, Look)>,
+}
+
+/// A way to look at an input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Look {
+    /// As a switch that stops motors.
+    Switch,
+    /// In the row of inputs.
+    Row,
 }
 
 impl Pins {
@@ -64,19 +75,39 @@ impl Pins {
                 );
             }
         }
-        Self { reserved, taken: Vec::new() }
+        Self { reserved, taken: Vec::new(), looked_at: Vec::new() }
     }
 
     /// Gives a pin a task, and returns its number.
     pub fn take(&mut self, board: &Dictionary, name: &str) -> Result<u32, SetupError> {
-        if let Some(by) = self.reserved.get(name) {
-            return Err(SetupError::Reserved { pin: name.to_owned(), by: by.clone() });
-        }
-        let number = board.number("pin", name).map_err(OrderError::from)?;
-        if self.taken.contains(&number) {
+        let number = self.number(board, name)?;
+        let looked_at = self.looked_at.iter().any(|(other, _)| *other == number);
+        if looked_at || self.taken.contains(&number) {
             return Err(SetupError::Twice(name.to_owned()));
         }
         self.taken.push(number);
         Ok(number)
+    }
+
+    /// Returns the number of an input. One pin may be a switch and stand in the row of inputs as well.
+    pub fn look_at(
+        &mut self,
+        board: &Dictionary,
+        name: &str,
+        look: Look,
+    ) -> Result<u32, SetupError> {
+        let number = self.number(board, name)?;
+        if self.taken.contains(&number) || self.looked_at.contains(&(number, look)) {
+            return Err(SetupError::Twice(name.to_owned()));
+        }
+        self.looked_at.push((number, look));
+        Ok(number)
+    }
+
+    fn number(&self, board: &Dictionary, name: &str) -> Result<u32, SetupError> {
+        if let Some(by) = self.reserved.get(name) {
+            return Err(SetupError::Reserved { pin: name.to_owned(), by: by.clone() });
+        }
+        Ok(board.number("pin", name).map_err(OrderError::from)?)
     }
 }

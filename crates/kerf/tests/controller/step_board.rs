@@ -119,7 +119,7 @@ fn what_a_board_lacks_is_told_before_anything_moves() {
     bench.run(&shop, "run square.sbp").exits(1).complains("names no pins of motors");
     shop.write("board.toml", b"[board]\nx = \"gpio0 gpio99\"\n");
     bench.run(&shop, "run square.sbp").exits(1).complains("gpio99");
-    bench.run(&shop, "run square.sbp --home").exits(1).complains("is not homed by Kerf yet");
+    bench.run(&shop, "run square.sbp --home").exits(1).complains("no axis has a home switch");
     assert_eq!(bench.counts(), [0; 3], "nothing has moved");
 }
 

@@ -8,28 +8,56 @@ use crate::refusal::problem;
 use axum::Json;
 use axum::extract::{Path, Query, State};
 use axum::http::{StatusCode, header};
-use axum::response::IntoResponse;
+use axum::response::{IntoResponse, Response};
 use kerf_sim::Change;
+use kerf_wire::Why;
 use kerf_wire::preview::{PreviewInfo, Timing};
-use kerf_wire::{Problem, Why};
 use serde::Deserialize;
 use std::sync::Arc;
 
 /// Behind the key of a preview: the path where it lies on work that an axis turns.
 const ROTARY: &str = "~rotary";
 
-fn find(app: &App, key: &str) -> Result<Arc<Preview>, Problem> {
+/// Reason for which a preview is not shown.
+pub enum Missing {
+    /// A newer one took its place: no content. Pages are told the key of the newer one by the socket.
+    Outdated,
+    /// It never was there, or something is wrong with what was asked.
+    Refused(Refused),
+}
+
+impl<T: Into<Refused>> From<T> for Missing {
+    fn from(why: T) -> Self {
+        Self::Refused(why.into())
+    }
+}
+
+impl IntoResponse for Missing {
+    fn into_response(self) -> Response {
+        match self {
+            Self::Outdated => StatusCode::NO_CONTENT.into_response(),
+            Self::Refused(refused) => refused.into_response(),
+        }
+    }
+}
+
+fn find(app: &App, key: &str) -> Result<Arc<Preview>, Missing> {
     let key = key.trim_end_matches(ROTARY);
     let open = app.loader.open.lock();
     let preview = open.preview.clone().filter(|_| open.key == key);
-    preview.ok_or_else(|| problem(Why::File, "there is no such preview, or not any more"))
+    preview.ok_or_else(|| {
+        if app.loader.was_shown(key) {
+            return Missing::Outdated;
+        }
+        problem(Why::File, "there is no such preview").into()
+    })
 }
 
 /// Returns the facts about a preview.
 pub async fn info(
     State(app): State<Arc<App>>,
     Path(key): Path<String>,
-) -> Result<Json<PreviewInfo>, Refused> {
+) -> Result<Json<PreviewInfo>, Missing> {
     let preview = find(&app, &key)?;
     let rolled = preview.rolled.as_ref().filter(|_| key.ends_with(ROTARY));
     Ok(Json(rolled.map_or(&preview.info, |rolled| &rolled.info).clone()))
@@ -39,7 +67,7 @@ pub async fn info(
 pub async fn piece(
     State(app): State<Arc<App>>,
     Path((key, level, piece)): Path<(String, usize, usize)>,
-) -> Result<impl IntoResponse, Refused> {
+) -> Result<impl IntoResponse, Missing> {
     let preview = find(&app, &key)?;
     let bytes = soon(move || {
         let rolled = preview.rolled.as_ref().filter(|_| key.ends_with(ROTARY));
@@ -80,7 +108,7 @@ pub async fn timing(
     State(app): State<Arc<App>>,
     Path(key): Path<String>,
     Query(Wanted { inputs }): Query<Wanted>,
-) -> Result<Json<Arc<Timing>>, Refused> {
+) -> Result<Json<Arc<Timing>>, Missing> {
     let preview = find(&app, &key)?;
     let changes = inputs.split([',', ' ']).filter(|text| !text.is_empty()).map(str::parse);
     let changes: Result<Vec<Change>, String> = changes.collect();
@@ -88,12 +116,17 @@ pub async fn timing(
     if let Some(known) = app.loader.known_timing(&preview).filter(|_| changes.is_empty()) {
         return Ok(Json(known));
     }
+    let shown = key.clone();
     let (waiting, chart) = app.loader.charts.ask(Asked { key: key.clone(), inputs });
     if let Some(chart) = chart {
-        tokio::spawn(Turn::present()?.serve(chart_of(app, chart, key, preview, changes)));
+        tokio::spawn(Turn::present()?.serve(chart_of(app.clone(), chart, key, preview, changes)));
     }
     let lost = || problem(Why::Server, "this failed in the server");
-    Ok(Json(waiting.answer().await.ok_or_else(lost)??))
+    let answer = waiting.answer().await.ok_or_else(lost)?;
+    if answer.is_err() {
+        find(&app, &shown)?;
+    }
+    Ok(Json(answer?))
 }
 
 /// Makes a chart, and tells whoever waits for it.

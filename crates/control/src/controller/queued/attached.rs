@@ -57,16 +57,18 @@ impl Attached {
         first: First,
         session: &mut Session,
         workspace: &mut Workspace,
+        is_stopped: impl Fn() -> bool,
     ) -> Result<(Self, Told), String> {
         let named = |why: String| format!("{}: {why}", socket.name);
-        if first.home {
+        let machine = session.configuration();
+        let wiring = Wiring::of(&machine).map_err(named)?;
+        let homes = wiring.homes.iter().fold(AxisSet::EMPTY, |all, home| all.with(home.axis));
+        if first.home && homes.is_empty() {
             return Err(named(
-                "a board with step queues is not homed by Kerf yet: set its location by hand"
+                "no axis has a home switch (homing.x.fitted, board.home_x): set its location by hand"
                     .into(),
             ));
         }
-        let machine = session.configuration();
-        let wiring = Wiring::of(&machine).map_err(named)?;
         let deadline_s = machine.board.deadline_s;
         let options = Options { deadline_s, clears: first.unlock, ..Options::default() };
         let opened = Threaded::open(wiring.setup.clone(), options, socket.opens.clone());
@@ -81,7 +83,12 @@ impl Attached {
         let counts = find_place(&socket, &mut queued, abandoned, (session, workspace), &mut told);
         // Outputs and switches of the simulated machine are none of this one's.
         session.machine = None;
-        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes: AxisSet::EMPTY });
+        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes });
+        if first.home {
+            session.memory.position = queued.comes_home(is_stopped)?;
+            homes.iter().for_each(|axis| session.homed.insert(axis));
+            workspace.trusts_location(homes);
+        }
         Ok((Self { socket, counts, queued: Rc::new(RefCell::new(queued)) }, told))
     }
 
@@ -96,7 +103,7 @@ impl Attached {
     ) -> Result<Told, String> {
         self.queued.borrow_mut().let_go();
         let (again, told) =
-            Self::attach(self.socket.clone(), First::default(), session, workspace)?;
+            Self::attach(self.socket.clone(), First::default(), session, workspace, || false)?;
         self.queued.swap(&again.queued);
         self.counts = again.counts;
         Ok(told)

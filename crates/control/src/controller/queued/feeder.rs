@@ -27,6 +27,11 @@ impl Scale {
     pub fn at(&self, t_s: f64) -> f64 {
         self.from.1 + (t_s - self.from.0) * self.rate
     }
+
+    /// Moment of a clock.
+    pub fn moment(&self, clock: u64) -> f64 {
+        self.from.0 + (clock as f64 - self.from.1) / self.rate
+    }
 }
 
 /// A plan at its moment of machine time.
@@ -61,6 +66,8 @@ pub struct Feeder {
     limit_s: f64,
     /// The machine stands there, as it was handed over.
     pub rests: bool,
+    /// Motors that move; nothing for all.
+    pub only: Option<Vec<usize>>,
     /// The plan that follows has to be known first: the way to rest would lead beyond this one.
     pub starves: bool,
 }
@@ -78,6 +85,7 @@ impl Feeder {
             handed_s: f64::NEG_INFINITY,
             limit_s: f64::INFINITY,
             rests: true,
+            only: None,
             starves: false,
         }
     }
@@ -205,15 +213,16 @@ impl Feeder {
         scale: &Scale,
         [starts, ends]: [u64; 2],
     ) -> Vec<Vec<Step>> {
-        let of = |axis: &Axis| {
-            let own = made.iter().filter(|step| step.axis == axis.index());
+        let moves = |motor: usize| self.only.as_ref().is_none_or(|only| only.contains(&motor));
+        let of = |(motor, axis): (usize, &Axis)| {
+            let own = made.iter().filter(|step| step.axis == axis.index() && moves(motor));
             own.map(|step| Step {
                 clock: scale.at(t0_s + step.t_s).clamp(starts as f64, ends as f64),
                 forward: step.forward,
             })
             .collect()
         };
-        self.motors.iter().map(of).collect()
+        self.motors.iter().enumerate().map(of).collect()
     }
 }
 

@@ -2,15 +2,15 @@
 
 use super::berth::Berth;
 use super::feeder::{Feeder, Scale};
+use super::homing::{Came, Homing};
 use super::outputs::Outputs;
+use super::touch::Probe;
 use super::wiring::Wiring;
 use crate::controller::connection::NAP;
-use crate::controller::lacks::out_of_reach;
-use kerf_driver_klipper::board::{Ended, Fault as Over, News as Told, Start};
+use kerf_driver_klipper::board::{Ended, Fault as Over, Home, News as Told, Start};
 use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
 use kerf_machine::driver::Facts;
-use kerf_machine::{Actuator, Fault, Going, Machine, News};
-use kerf_motion::Move;
+use kerf_machine::{Fault, Going, Machine as _};
 use kerf_program::{At, Axes, Axis, AxisSet};
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -30,8 +30,7 @@ const SETTLED_S: f64 = 0.005;
 /// A board that was told to stop is waited for at most so long, seconds.
 const STOPPING_S: f64 = 3.0;
 /// A moment that is reached but for the rounding of a sum, seconds.
-const SAME_S: f64 = 1e-9;
-
+pub(super) const SAME_S: f64 = 1e-9;
 /// Counts are waited for at most so long before a fault is told, seconds.
 const COUNTING_S: f64 = 1.0;
 /// Time before its end at which a move that is handed over counts, while it is made, seconds.
@@ -39,7 +38,7 @@ const NEARLY_S: f64 = 1e-6;
 
 /// The state of motion, as far as it is known here.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum State {
+pub(super) enum State {
     /// Latches are not armed.
     Rest,
     /// They are asked for.
@@ -50,37 +49,51 @@ enum State {
 
 /// A board with step queues.
 pub struct Queued {
-    name: String,
-    facts: Facts,
-    wiring: Wiring,
-    per_unit: Axes,
-    berth: Box<dyn Berth>,
-    progress: Progress,
-    feeder: Feeder,
-    state: State,
-    outputs: Outputs,
+    pub(super) name: String,
+    pub(super) facts: Facts,
+    pub(super) wiring: Wiring,
+    pub(super) per_unit: Axes,
+    pub(super) berth: Box<dyn Berth>,
+    pub(super) progress: Progress,
+    pub(super) feeder: Feeder,
+    pub(super) state: State,
+    pub(super) outputs: Outputs,
     /// Changes of outputs that come with the next piece.
-    changes: Vec<(usize, f64)>,
-    inputs: VecDeque<(u8, bool)>,
+    pub(super) changes: Vec<(usize, f64)>,
+    pub(super) inputs: VecDeque<(u8, bool)>,
     /// States of the inputs, a bit each.
-    pressed: u8,
+    pub(super) pressed: u8,
     /// Counts of the motors as they were told last, and what they are where its axis stands at 0.
-    counts: Vec<i64>,
-    zeros: Vec<i64>,
+    pub(super) counts: Vec<i64>,
+    pub(super) zeros: Vec<i64>,
     /// Place where it stands, when that is not the end of the plan.
-    elsewhere: Option<Axes>,
+    pub(super) elsewhere: Option<Axes>,
     /// It has come to rest by itself, on the path, because nothing followed in time.
-    late: bool,
+    pub(super) late: bool,
     /// The line of the move at hand.
-    at: Option<At>,
+    pub(super) at: Option<At>,
     /// Longest time for which the run did not look, slowly forgotten, seconds.
-    stall_s: f64,
+    pub(super) stall_s: f64,
     /// While nothing moves: the moment of machine time that was told last, and when.
-    stood: Option<(f64, f64)>,
+    pub(super) stood: Option<(f64, f64)>,
+    /// Switches that stop motors of their own in the motion that begins next.
+    pub(super) homes: Vec<Home>,
+    /// Switches that stopped motors in the motion under way, with the counts of the motors then.
+    pub(super) edges: Vec<(usize, u64, Vec<i64>)>,
+    /// Homing under way.
+    pub(super) homing: Option<Homing>,
+    /// The end of a motion of homing, which was not looked at.
+    pub(super) came: Option<Came>,
+    /// Switches whose states are asked for, and what they told.
+    pub(super) asked: Vec<(usize, Option<bool>)>,
+    /// The moment of machine time that was told last, seconds.
+    pub(super) told_s: f64,
+    /// Inputs at whose change it stands by itself.
+    pub(super) probe: Probe,
     /// Nothing more is done.
-    fault: Option<Fault>,
+    pub(super) fault: Option<Fault>,
     /// It is told from this moment on, or once it is known where the machine stands.
-    tells_s: f64,
+    pub(super) tells_s: f64,
 }
 
 impl Queued {
@@ -114,6 +127,13 @@ impl Queued {
             at: None,
             stall_s: STALL_S,
             stood: None,
+            homes: Vec::new(),
+            edges: Vec::new(),
+            homing: None,
+            came: None,
+            asked: Vec::new(),
+            told_s: f64::NEG_INFINITY,
+            probe: Probe::default(),
             fault: None,
             tells_s: f64::INFINITY,
         };
@@ -125,7 +145,7 @@ impl Queued {
     }
 
     /// The counts of the motors stand for the place that the plan leads to.
-    fn count_anew(&mut self) {
+    pub(super) fn count_anew(&mut self) {
         let made = self.wiring.motors.iter().map(|motor| self.feeder.made(motor.axis));
         self.zeros = self.counts.iter().zip(made).map(|(count, made)| count - made).collect();
     }
@@ -181,7 +201,7 @@ impl Queued {
     }
 
     /// Ticks of a time, seconds.
-    fn ticks(&self, time_s: f64) -> u64 {
+    pub(super) fn ticks(&self, time_s: f64) -> u64 {
         match self.state {
             State::Moving(scale, _) => (time_s * scale.rate) as u64,
             _ => 0,
@@ -204,7 +224,7 @@ impl Queued {
     }
 
     /// Looks what became of requests, waiting for a moment at most.
-    fn tend(&mut self, wait: Duration) {
+    pub(super) fn tend(&mut self, wait: Duration) {
         let (progress, answers) = self.berth.look(wait);
         self.progress = self.looked(progress, wait);
         for answer in answers {
@@ -230,8 +250,10 @@ impl Queued {
                 let changed = self.pressed ^ states;
                 let numbers = self.wiring.inputs.iter().enumerate();
                 let moved = numbers.filter(|(bit, _)| changed & (1 << bit) != 0);
-                self.inputs.extend(moved.map(|(bit, number)| (*number, states & (1 << bit) != 0)));
+                let moved = moved.map(|(bit, it)| (it.number, states & (1 << bit) != 0));
+                self.inputs.extend(moved);
                 self.pressed = states;
+                self.heeds_stop_inputs();
             }
             Told::Shutdown(reason) => {
                 let why = format!("the board has shut down: {reason}");
@@ -243,13 +265,26 @@ impl Queued {
                 let silent = matches!(fault, Over::Silent | Over::NoBoard | Over::Unanswered(_));
                 self.fail(fault.to_string(), "its place may be lost: home it first", silent);
             }
-            Told::Ready { .. } | Told::Touched { .. } | Told::Switch { .. } => {}
+            Told::Touched { switch, clock, counts } => self.edges.push((switch, clock, counts)),
+            Told::Switch { switch, on } => self.switch_told(switch, on),
+            Told::Ready { .. } => {}
             Told::Voltage { .. } | Told::Register { .. } => {}
         }
     }
 
     /// Motion is over: its counts are known.
     fn ended(&mut self, why: Ended) {
+        let edges = std::mem::take(&mut self.edges);
+        if self.homing.is_some() && matches!(why, Ended::Rested | Ended::Touched) {
+            self.state = State::Rest;
+            let edges = edges.into_iter().map(|(switch, _, counts)| (switch, counts)).collect();
+            self.came = Some(Came { why, counts: self.counts.clone(), edges });
+            return;
+        }
+        if why == Ended::Touched && self.is_touched(&edges) {
+            self.state = State::Rest;
+            return;
+        }
         let planned = why == Ended::Rested && self.feeder.rests;
         self.late = why == Ended::Rested && !planned;
         self.state = State::Rest;
@@ -264,7 +299,11 @@ impl Queued {
         }
         match why {
             Ended::Rested | Ended::Asked | Ended::Shutdown => {}
-            Ended::Touched => self.fail("a switch stopped the machine".into(), "", false),
+            Ended::Touched => self.fail(
+                "an input stopped the machine, and the run was past that place already".into(),
+                "its place is known: begin again at this line",
+                false,
+            ),
             Ended::Deadline | Ended::Late => {
                 let why = "the computer was too late with its steps: the board has stopped at once";
                 let hint = "its counts are known, but a heavy machine may have slipped: home it";
@@ -273,7 +312,7 @@ impl Queued {
         }
     }
 
-    fn fail(&mut self, why: String, hint: &'static str, silent: bool) {
+    pub(super) fn fail(&mut self, why: String, hint: &'static str, silent: bool) {
         if self.fault.is_some() {
             return;
         }
@@ -289,13 +328,16 @@ impl Queued {
     }
 
     /// Motion is dropped, outputs go off.
-    fn drop_all(&mut self) {
+    pub(super) fn drop_all(&mut self) {
+        (self.homing, self.came) = (None, None);
+        self.homes.clear();
+        self.feeder.only = None;
         self.berth.request(Request::Stop);
         self.switch_off();
         self.feeder.forget();
     }
 
-    fn switch_off(&mut self) {
+    pub(super) fn switch_off(&mut self) {
         self.changes.clear();
         for (output, share) in self.outputs.off(&self.wiring) {
             self.berth.request(Request::Output { output, share });
@@ -303,11 +345,11 @@ impl Queued {
     }
 
     /// Hands pieces over as far ahead as the board's lead asks for; tells whether there was one.
-    fn hand_on(&mut self) -> bool {
+    pub(super) fn hand_on(&mut self) -> bool {
         let before = self.feeder.handed_s;
         match self.state {
             State::Rest if self.feeder.begins_s().is_some() && self.progress.rests => {
-                self.berth.request(Request::Start(Vec::new()));
+                self.berth.request(Request::Start(std::mem::take(&mut self.homes)));
                 self.state = State::Starting;
             }
             State::Moving(..) => while self.hand_over().is_some() {},
@@ -341,9 +383,12 @@ impl Queued {
 
     /// The moment of a move that is reached: what was handed over is made, whatever comes. Where the plan ends at a stand
     /// nobody goes on before the machine is there.
-    fn reached_s(&self, going: &Going<'_>) -> f64 {
+    pub(super) fn reached_s(&self, going: &Going<'_>) -> f64 {
         let (begin_s, end_s) = going.plan.span_s(going.index);
         let [begin_s, end_s] = [begin_s, end_s].map(|s| going.t0_s + s);
+        if self.probe.is_armed() && !self.feeder.starves {
+            return self.passed_s(end_s).clamp(begin_s, end_s.max(begin_s));
+        }
         let handed_s = self.feeder.handed_s;
         let is_handed = self.feeder.starves || handed_s >= end_s - SAME_S;
         let is_last = going.index + 1 == going.plan.moves().len();
@@ -355,21 +400,21 @@ impl Queued {
     }
 
     /// Everything that was handed over is made, as far as the board's clock tells.
-    fn is_made(&self) -> bool {
+    pub(super) fn is_made(&self) -> bool {
         let State::Moving(_, ends) = self.state else { return self.state == State::Rest };
         let settled = ends + self.ticks(SETTLED_S);
         self.feeder.rests && self.progress.clock.is_some_and(|(now, _)| now > settled)
     }
 
     /// Switches what waits for the next move, which does not come.
-    fn switch_now(&mut self) {
+    pub(super) fn switch_now(&mut self) {
         for (output, share) in std::mem::take(&mut self.changes) {
             self.berth.request(Request::Output { output, share });
         }
     }
 
     /// Waits until something holds or the time is over.
-    fn wait_until(&mut self, holds: impl Fn(&Self) -> bool) -> bool {
+    pub(super) fn wait_until(&mut self, holds: impl Fn(&Self) -> bool) -> bool {
         let until_s = self.progress.at_s + STOPPING_S;
         while !holds(self) {
             if self.progress.at_s > until_s {
@@ -416,136 +461,8 @@ fn facts(version: &str, wiring: &Wiring) -> Facts {
         name: version.to_owned(),
         axes: wiring.motors.iter().map(|motor| motor.axis.index() + 1).max().unwrap_or(0),
         outputs: outputs | wiring.spindle.map_or(0, |_| 1),
+        homes: !wiring.homes.is_empty(),
         spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),
         ..Facts::default()
-    }
-}
-
-impl Machine for Queued {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn facts(&self) -> &Facts {
-        &self.facts
-    }
-
-    fn is_real(&self) -> bool {
-        true
-    }
-
-    fn refuses(&self, mv: &Move) -> Option<String> {
-        let axes = self.wiring.axes();
-        let stays = |axis: &Axis| axes.contains(*axis) || mv.from[*axis] == mv.to[*axis];
-        let lacks = Axis::ALL.into_iter().find(|axis| !stays(axis));
-        let lacks = lacks.map(|axis| format!("has no motor of axis {}", axis.letter()));
-        let why = lacks.or_else(|| out_of_reach(&self.facts, mv.from, mv.to, Axes::default()))?;
-        Some(format!("{} {why}", self.name))
-    }
-
-    fn begin(&mut self) {
-        self.stood = None;
-    }
-
-    fn begin_plan(&mut self) {
-        self.feeder.begin_plan();
-    }
-
-    fn set(&mut self, actuator: &Actuator) {
-        match self.outputs.set(actuator, &self.wiring, &self.facts) {
-            Ok(changes) => self.changes.extend(changes),
-            Err(why) => self.fail(why, "", false),
-        }
-        if self.is_made() {
-            self.switch_now();
-        }
-    }
-
-    fn advance(&mut self, going: &Going<'_>, from_s: f64, _: f64) -> News {
-        (self.stood, self.at) = (None, going.made().map(|made| made.at));
-        if self.fault.is_some() {
-            self.tend(NAP);
-            return News { reached_s: from_s, input: None };
-        }
-        if self.late {
-            let why = "the computer was late: the machine has slowed down on the path and stands";
-            self.fail(why.into(), "its place is known: begin again at this line", false);
-            return News { reached_s: from_s, input: None };
-        }
-        self.elsewhere = None;
-        if !self.feeder.follow(going).is_empty() {
-            self.count_anew();
-        }
-        let wait = if self.hand_on() { Duration::ZERO } else { NAP };
-        self.tend(wait);
-        News { reached_s: self.reached_s(going), input: self.inputs.pop_front() }
-    }
-
-    fn stand(&mut self, from_s: f64, until_s: f64) -> News {
-        let before = self.stood.filter(|(told_s, _)| *told_s == from_s);
-        let (_, since_s) = before.unwrap_or((from_s, self.progress.at_s));
-        self.switch_now();
-        if until_s > from_s {
-            self.tend(NAP);
-        }
-        let reached_s = (from_s + self.progress.at_s - since_s).min(until_s);
-        self.stood = Some((reached_s, self.progress.at_s));
-        News { reached_s, input: self.inputs.pop_front() }
-    }
-
-    fn look(&mut self) {
-        self.tend(Duration::ZERO);
-    }
-
-    fn settle(&mut self) -> bool {
-        if self.fault.is_some() {
-            self.tend(NAP);
-            return self.fault().is_none();
-        }
-        if !self.is_made() {
-            self.tend(NAP);
-        }
-        let made = self.is_made();
-        if made {
-            self.switch_now();
-        }
-        if made && std::mem::take(&mut self.late) {
-            // Nothing of the plan follows: it was stopped.
-            self.feeder.forget();
-        }
-        !made && self.fault().is_none()
-    }
-
-    fn home(&mut self) {}
-
-    fn halt(&mut self) {
-        self.drop_all();
-        self.berth.request(Request::LetRest);
-        if !self.wait_until(|it| it.state == State::Rest) {
-            self.fail(
-                "it does not say that it has stopped".into(),
-                "press its emergency stop",
-                true,
-            );
-        }
-    }
-
-    fn place(&mut self) -> Option<Axes> {
-        self.elsewhere
-    }
-
-    fn stop(&mut self, _: &Going<'_>) -> Option<f64> {
-        None
-    }
-
-    fn feed(&mut self, _: f32) {}
-
-    fn give_up(&mut self) {
-        let why = "it was stopped before it had made its last moves";
-        self.fail(why.into(), "look why it was held", false);
-    }
-
-    fn fault(&self) -> Option<&Fault> {
-        self.fault.as_ref().filter(|_| self.progress.at_s >= self.tells_s)
     }
 }

@@ -13,9 +13,12 @@
 mod attached;
 mod berth;
 mod feeder;
+mod homing;
 mod machine;
+mod made;
 mod outputs;
 mod thread;
+mod touch;
 mod wiring;
 
 /// Farthest that a step is from its planned moment, seconds.

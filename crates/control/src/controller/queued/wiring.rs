@@ -1,9 +1,12 @@
 //! The machine's file as the setup of a board: which pin does what, which motor turns which axis.
 
+use super::homing::AxisHome;
 use kerf_driver_klipper::setup::{Motor, Pin, Pull, Pulsed, Setup, Switched};
 use kerf_machine::Configuration;
+use kerf_machine::lines::Input;
+use kerf_machine::planning::hand_settings;
 use kerf_machine::settings::motors::{Direction, Motor as Name};
-use kerf_program::{Axis, AxisSet};
+use kerf_program::{Axis, AxisSet, Settings};
 
 /// A motor of the board with the axis that it turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,8 +30,25 @@ pub struct Wiring {
     pub enable: Option<usize>,
     /// Output of the spindle's speed, and revolutions a minute at a share of all the time.
     pub spindle: Option<(usize, f64)>,
-    /// Numbers of the inputs that are looked at all the time, in the order of the setup.
-    pub inputs: Vec<u8>,
+    /// Inputs that are looked at all the time, in the order of the setup.
+    pub inputs: Vec<Looked>,
+    /// Axes that are homed, in this order.
+    pub homes: Vec<AxisHome>,
+    /// Settings of the planner for homing.
+    pub by_hand: Settings,
+}
+
+/// An input of part files on a board.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Looked {
+    /// Its number.
+    pub number: u8,
+    /// The same pin among the switches that can stop motors.
+    pub switch: usize,
+    /// That one is active when this one is not.
+    pub turned: bool,
+    /// The state in which nothing moves by itself: it is an emergency stop or a stop input.
+    pub stops: Option<bool>,
 }
 
 impl Wiring {
@@ -48,10 +68,31 @@ impl Wiring {
         }
         wiring.outputs(machine)?;
         for (number, pin) in numbered("board.inputs", &machine.board.inputs)? {
-            wiring.inputs.push(number);
-            wiring.setup.buttons.push(pin);
+            wiring.input(machine, number, pin);
         }
+        let homes: Vec<_> = wiring.motors.iter().map(|motor| (motor.axis, motor.home)).collect();
+        wiring.homes = AxisHome::all(machine, &homes);
+        wiring.by_hand = hand_settings(machine);
         Ok(wiring)
+    }
+
+    fn input(&mut self, machine: &Configuration, number: u8, pin: Pin) {
+        let switch = self.switch(pin.clone());
+        let turned = self.setup.switches[switch].inverted != pin.inverted;
+        let stops = machine.program.io.stop_inputs().any(|stop| stop == number);
+        let stops = stops.then(|| kerf_sim::pin(number, true, &machine.program.io));
+        let emergency = (number == Input::EmergencyStop.number()).then_some(machine.estop.active);
+        self.inputs.push(Looked { number, switch, turned, stops: stops.or(emergency) });
+        self.setup.buttons.push(pin);
+    }
+
+    /// The place of a pin among the switches.
+    fn switch(&mut self, pin: Pin) -> usize {
+        let switches = &mut self.setup.switches;
+        switches.iter().position(|other| other.name == pin.name).unwrap_or_else(|| {
+            switches.push(pin);
+            switches.len() - 1
+        })
     }
 
     /// Axes that have a motor.
@@ -99,12 +140,7 @@ impl Wiring {
         if text.trim().is_empty() || !machine.homing.of(axis).fitted {
             return Ok(None);
         }
-        let pin = pin("board.home_…", text.trim())?;
-        let known = self.setup.switches.iter().position(|other| other.name == pin.name);
-        Ok(Some(known.unwrap_or_else(|| {
-            self.setup.switches.push(pin);
-            self.setup.switches.len() - 1
-        })))
+        Ok(Some(self.switch(pin("board.home_…", text.trim())?)))
     }
 
     fn outputs(&mut self, machine: &Configuration) -> Result<(), String> {
