@@ -1,9 +1,9 @@
 /** What the machine's display settings (VD) say about this page. */
 
-import { useEffect, useState } from "react";
-import { getJson } from "../link/http";
+import { useMemo } from "react";
 import type { SettingArea } from "../wire/messages";
 import { useSnapshot } from "./context";
+import { useFetched } from "./useFetched";
 
 export interface DisplaySettings {
   /** Comments of files are shown in the message screen (7). */
@@ -53,17 +53,7 @@ export function readDisplay(areas: readonly SettingArea[]): DisplaySettings {
 /** The display settings, read anew when settings change; nothing before they came. */
 export function useDisplay(): DisplaySettings | null {
   const changes = useSnapshot("settings");
-  const [display, setDisplay] = useState<DisplaySettings | null>(null);
-  useEffect(() => {
-    if (changes === undefined) return;
-    let wanted = true;
-    getJson<SettingArea[]>("/api/settings").then(
-      (areas) => wanted && setDisplay(readDisplay(areas)),
-      () => undefined,
-    );
-    return () => {
-      wanted = false;
-    };
-  }, [changes]);
-  return display;
+  const address = changes === undefined ? null : "/api/settings";
+  const areas = useFetched<SettingArea[] | null>(address, null, changes);
+  return useMemo(() => areas && readDisplay(areas), [areas]);
 }

@@ -90,6 +90,12 @@ describe("a tool on the drawing desk", () => {
     expect(clauses).toBe("select 1; move from 0,0 to 260,140");
   });
 
+  it("keeps the click that went down while the tool waited for its turn", () => {
+    const down = pressed(firstDesk, place(10, 20), around());
+    const { state } = startTool(down, tool("point"), around());
+    expect(dragged(released(state), state.drag, false, around()).clauses).toMatch(/^point 10,20/);
+  });
+
   it("stays open when a snap finds nothing", () => {
     const { state } = startTool(firstDesk, tool("point"), around());
     const done = click(key(state, "v"), 120, 60);

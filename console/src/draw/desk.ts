@@ -113,8 +113,9 @@ function entryFor(running: Running | null, { lastJoin }: Around): string | null 
   return String(running?.tool.id === "join" ? lastJoin : ask.usual);
 }
 
+/** Begins a tool. A button that is down already is a click of it: the tool may have waited for its turn. */
 export function startTool(state: DeskState, tool: Tool, around: Around): Done {
-  return taken({ ...state, last: tool, drag: null }, begin(tool, around.selected), around);
+  return taken({ ...state, last: tool }, begin(tool, around.selected), around);
 }
 
 /** The place that a click here means; nothing when a snap finds nothing. */

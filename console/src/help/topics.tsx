@@ -19,6 +19,7 @@ export interface Topic {
 export const topics: readonly Topic[] = [
   { letters: "how", title: "How do I …", page: HowDoI },
   { letters: "book", title: "The book", page: BookPage },
+  { letters: "glossary", title: "Glossary", page: () => <BookPage place="glossary" /> },
   { letters: "HQ", title: "Quick start", page: QuickStart },
   { letters: "HU", title: "User guide", page: UserGuide },
   { letters: "HC", title: "Command reference", page: CommandReference },

@@ -6,7 +6,6 @@ import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Tail } from "../ui/Tail";
-import type { Message } from "../wire/messages";
 import { FindingPlace } from "./FindingPlace";
 import { errorsOf, placeOf, placeOfMessage } from "./fileStatus";
 import "./words-panel.css";
@@ -61,19 +60,14 @@ function Messages() {
               />
             )}
             {/* A comment of the program stays as it was written. */}
-            {message.tone === "program"
-              ? message.text
-              : words(place ? behindPlace(message) : message.text)}
+            {place && ": "}
+            {message.tone === "program" ? message.text : words(message.text)}
           </p>
         );
       })}
     </Tail>
   );
 }
-
-/** The text of a message whose line is told before it. */
-const behindPlace = ({ text, place }: Message): string =>
-  text.replace(`line ${place?.line}: `, ": ");
 
 function Printed() {
   const lines = useSnapshot("printed") ?? [];

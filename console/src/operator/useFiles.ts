@@ -1,22 +1,11 @@
-import { useEffect, useState } from "react";
-import { useHands, useSnapshot } from "../app/context";
-import { getJson } from "../link/http";
+import { useSnapshot } from "../app/context";
+import { useFetched } from "../app/useFetched";
 import type { FileInfo } from "../wire/messages";
+
+const none: readonly FileInfo[] = [];
 
 /** The files of a folder, or those in any folder that a word is looked for by; read anew when they change. */
 export function useFiles(folder: string, word = ""): readonly FileInfo[] {
-  const changes = useSnapshot("files");
-  const { screen } = useHands();
-  const [files, setFiles] = useState<readonly FileInfo[]>([]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: reads again when files changed
-  useEffect(() => {
-    const query = word === "" ? { folder } : { find: word };
-    const abort = new AbortController();
-    getJson<FileInfo[]>(`/api/files?${new URLSearchParams(query)}`, abort.signal).then(
-      setFiles,
-      (error: Error) => abort.signal.aborted || screen.tell(error.message),
-    );
-    return () => abort.abort();
-  }, [changes, folder, word, screen]);
-  return files;
+  const query = word === "" ? { folder } : { find: word };
+  return useFetched(`/api/files?${new URLSearchParams(query)}`, none, useSnapshot("files"));
 }

@@ -1,7 +1,7 @@
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
+import { useFetched } from "../app/useFetched";
 import { downloadText } from "../link/download";
-import { getJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import { Sheet } from "../ui/Sheet";
@@ -113,15 +113,13 @@ function useLoad() {
 /** Number of changes that are in sight at first. */
 const fewChanges = 5;
 
+const noChanges: readonly SettingChange[] = [];
+
 function Changes() {
   const count = useSnapshot("settings");
   const set = useSet();
-  const [changes, setChanges] = useState<readonly SettingChange[]>([]);
+  const changes = useFetched("/api/settings?changes", noChanges, count);
   const [all, setAll] = useState(false);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: read anew when settings changed
-  useEffect(() => {
-    getJson<SettingChange[]>("/api/settings?changes").then(setChanges, () => setChanges([]));
-  }, [count]);
   const shown = all ? changes : changes.slice(0, fewChanges);
   return (
     <section aria-label="Changes of settings">

@@ -1,11 +1,14 @@
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { useHands, useSnapshot } from "../app/context";
+import { useFetched } from "../app/useFetched";
 import { fileAddress, forgetFile, getJson, restoreFile } from "../link/http";
 import { sizeText, timeText } from "../operator/fileWords";
 import { answersOf } from "../operator/folder";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo, FileVersion } from "../wire/messages";
+
+const none: readonly FileInfo[] = [];
 
 /** Brings a file back as it was when it was deleted, and the sample answers that lay beside it. */
 async function bringBack(name: string, bin: readonly FileInfo[]): Promise<void> {
@@ -20,14 +23,8 @@ async function bringBack(name: string, bin: readonly FileInfo[]): Promise<void> 
 export function BinSheet({ onClose }: { onClose: () => void }) {
   const { screen } = useHands();
   const changes = useSnapshot("files");
-  const [bin, setBin] = useState<readonly FileInfo[]>([]);
+  const bin = useFetched("/api/files?bin", none, changes);
   const [asks, setAsks] = useState(false);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: read again when files change
-  useEffect(() => {
-    getJson<FileInfo[]>("/api/files?bin").then(setBin, (error: Error) =>
-      screen.tell(error.message),
-    );
-  }, [changes, screen]);
   const does = (work: Promise<void>) => work.catch((error: Error) => screen.tell(error.message));
   const empty = async () => {
     for (const { name } of bin) await does(forgetFile(name));

@@ -1,7 +1,6 @@
-import { useEffect, useState } from "react";
 import { drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
-import { getJson } from "../link/http";
+import { useFetched } from "../app/useFetched";
 import { Sheet } from "../ui/Sheet";
 import type { Duty, Lamp } from "../wire/messages";
 import "./tools.css";
@@ -43,6 +42,8 @@ export function InputsSheet({ onClose }: { onClose: () => void }) {
   );
 }
 
+const none: readonly Lamp[] = [];
+
 /** Every input of the machine; the first twelve as they are told. */
 function useInputs(): readonly Lamp[] {
   const io = useSnapshot("io");
@@ -50,13 +51,8 @@ function useInputs(): readonly Lamp[] {
   // The lines of the card are told as bits of its ports: whoever closed one must be able to open it again.
   const ports = io?.ports.inputs.join() ?? "";
   const changes = useSnapshot("settings");
-  const [all, setAll] = useState<readonly Lamp[]>([]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: what switches are for is a setting
-  useEffect(() => {
-    const gone = new AbortController();
-    getJson<Lamp[]>("/api/inputs", gone.signal).then(setAll, () => undefined);
-    return () => gone.abort();
-  }, [changes, told, ports]);
+  const closed = told.map(({ on }) => on).join();
+  const all = useFetched("/api/inputs", none, `${changes} ${closed} ${ports}`);
   return all.length > 0
     ? all.map((lamp) => told.find(({ number }) => number === lamp.number) ?? lamp)
     : told;

@@ -1,8 +1,7 @@
-import { useEffect, useState } from "react";
 import { drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { useBusy } from "../app/useBusy";
-import { getJson } from "../link/http";
+import { useFetched } from "../app/useFetched";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { PortBit, Ports } from "../wire/messages";
@@ -147,13 +146,7 @@ export function portsOf(bits: readonly PortBit[], ports: Ports): PortLamps[] {
   ];
 }
 
+const none: readonly PortBit[] = [];
+
 /** The names of the bits, read anew when the machine changed. */
-function useBits(): readonly PortBit[] {
-  const changes = useSnapshot("settings");
-  const [bits, setBits] = useState<readonly PortBit[]>([]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: what a bit is called is a setting
-  useEffect(() => {
-    getJson<PortBit[]>("/api/ports").then(setBits, () => undefined);
-  }, [changes]);
-  return bits;
-}
+const useBits = (): readonly PortBit[] => useFetched("/api/ports", none, useSnapshot("settings"));

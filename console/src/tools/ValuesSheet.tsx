@@ -1,7 +1,7 @@
-import { useEffect, useState } from "react";
-import { useHands, useSnapshot } from "../app/context";
+import { useState } from "react";
+import { useSnapshot } from "../app/context";
+import { useFetched } from "../app/useFetched";
 import { findCommand, useCommands } from "../command/table";
-import { getJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
@@ -99,13 +99,7 @@ function settingRows(line: string, table: readonly CommandEntry[]): Row[] {
 
 /** The values, read again after every job. */
 function useValues(): Values | null {
-  const { screen } = useHands();
-  const ended = useSnapshot("job")?.ended;
+  const job = useSnapshot("job");
   const changes = useSnapshot("settings");
-  const [values, setValues] = useState<Values | null>(null);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: a job that ended left other values
-  useEffect(() => {
-    getJson<Values>("/api/values").then(setValues, (error: Error) => screen.tell(error.message));
-  }, [ended, changes, screen]);
-  return values;
+  return useFetched<Values | null>("/api/values", null, `${job?.run} ${job?.ended} ${changes}`);
 }

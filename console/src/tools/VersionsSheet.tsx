@@ -1,12 +1,15 @@
-import { useEffect, useState } from "react";
+import { useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
-import { fileAddress, getJson, restoreFile } from "../link/http";
+import { useFetched } from "../app/useFetched";
+import { fileAddress, restoreFile } from "../link/http";
 import { FileText } from "../operator/FileText";
 import { sizeText, timeText } from "../operator/fileWords";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { FileVersion } from "../wire/messages";
+
+const none: readonly FileVersion[] = [];
 
 /** What a file was before its last saves, and the way back to each. */
 export function VersionsSheet({ name, onClose }: { name: string; onClose: () => void }) {
@@ -14,13 +17,7 @@ export function VersionsSheet({ name, onClose }: { name: string; onClose: () => 
   const opened = useSnapshot("opened")?.name;
   const files = useSnapshot("files");
   const [looked, setLooked] = useState<number | null>(null);
-  const [versions, setVersions] = useState<readonly FileVersion[]>([]);
-  // biome-ignore lint/correctness/useExhaustiveDependencies: read again when files change
-  useEffect(() => {
-    getJson<FileVersion[]>(`${fileAddress(name)}?versions`).then(setVersions, (error: Error) =>
-      hands.screen.tell(error.message),
-    );
-  }, [name, files, hands]);
+  const versions = useFetched(`${fileAddress(name)}?versions`, none, files);
   const restore = async (version: FileVersion) => {
     try {
       await restoreFile(name, version.number);

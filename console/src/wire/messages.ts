@@ -916,7 +916,7 @@ name: string, };
 export type Message = {
 /** Its sort. */
 tone: Tone,
-/** The text. */
+/** The text, which does not repeat the place. */
 text: string,
 /** The run it belongs to; 0 when to none. */
 run: number,

@@ -110,6 +110,7 @@ export const german: Readonly<Record<string, string>> = {
   "Give up": "Aufgeben",
   "Give up control": "Steuerung abgeben",
   "Go line by line": "Zeile für Zeile",
+  Glossary: "Glossar",
   "Go to": "Gehe zu",
   "Grid of holes": "Lochraster",
   "Layer colours": "Farben der Ebenen",

@@ -35,6 +35,15 @@ it("the book is searched, and its links lead to its pages", async () => {
   await expect.poll(() => page.getByLabel("Chapter").inputValue()).toBe("running");
 });
 
+it("the glossary tells the words of the workshop, and none of the code's", async () => {
+  await page.getByRole("button", { name: "Glossary" }).click();
+  await page.getByRole("cell", { name: "material left to hold a part" }).waitFor();
+  expect(await page.getByText("Nouns of the code").count()).toBe(0);
+  await page.getByLabel("Search the book").fill("material left to hold");
+  await page.locator(".book-found .book-link", { hasText: "Words" }).first().waitFor();
+  expect(await violations(page)).toEqual([]);
+});
+
 it("a job to try is opened with one press from its picture", async () => {
   await page
     .getByRole("button", { name: /^How do I/ })

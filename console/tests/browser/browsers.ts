@@ -1,6 +1,6 @@
 /** The browsers of a test run: one for each worker, started once; each test file opens pages of its own in it. */
 
-import { chromium } from "playwright-core";
+import { type Browser, type BrowserContext, chromium, type Page } from "playwright-core";
 import { inject } from "vitest";
 import type { TestProject } from "vitest/node";
 
@@ -15,6 +15,8 @@ const flags = [
   "--headless",
   "--no-sandbox",
   "--disable-gpu",
+  // Distributions turn it on, where a processor draws that takes longer.
+  "--disable-gpu-rasterization",
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",
   "--disable-quic",
@@ -38,11 +40,57 @@ export async function setup(project: TestProject): Promise<() => Promise<void>> 
   };
 }
 
-/** Connects to this worker's browser. Closing the connection closes the pages that were opened over it. */
-export function connect() {
+let connected: Promise<Browser> | undefined;
+
+/** The browser of this worker: all files of tests that it runs work in it. */
+export function browserHere(): Promise<Browser> {
   const browsers = inject("browsers");
   const worker = Number(process.env.VITEST_POOL_ID ?? 1) - 1;
   const browser = browsers[worker % browsers.length];
   if (browser === undefined) throw new Error("no browser was started");
-  return chromium.connect(browser);
+  connected ??= chromium.connect(browser);
+  return connected;
+}
+
+export interface Screen {
+  readonly viewport: { readonly width: number; readonly height: number };
+  readonly hasTouch: boolean;
+}
+
+/** Profiles that nobody works in, and all that were made. */
+const [idle, ours] = [new Map<boolean, BrowserContext[]>(), new Set<BrowserContext>()];
+
+/** A page of a browser that has never seen this address. It has its profile to itself, until it is closed. */
+export async function freshPage(address: string, { viewport, hasTouch }: Screen): Promise<Page> {
+  const waiting = idle.get(hasTouch) ?? [];
+  idle.set(hasTouch, waiting);
+  const context = waiting.pop() ?? (await newProfile(hasTouch));
+  const page = await context.newPage();
+  await page.setViewportSize(viewport);
+  await forget(page, address);
+  page.once("close", () => waiting.push(context));
+  return page;
+}
+
+/** A profile with a window: the empty page in it keeps the window open, which takes longer to open than all else. */
+async function newProfile(hasTouch: boolean): Promise<BrowserContext> {
+  const context = await (await browserHere()).newContext({ hasTouch });
+  ours.add(context);
+  await context.newPage();
+  return context;
+}
+
+/** Takes all that an address left behind out of the page's profile. */
+async function forget(page: Page, origin: string): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  await session.send("Storage.clearDataForOrigin", { origin, storageTypes: "all" });
+  await session.detach();
+  // Cookies are those of a host, whatever its port.
+  await page.context().clearCookies();
+}
+
+/** Closes what a file of tests opened besides. */
+export async function closeOthers(): Promise<void> {
+  const others = (await browserHere()).contexts().filter((context) => !ours.has(context));
+  await Promise.all(others.map((context) => context.close()));
 }

@@ -154,8 +154,11 @@ it("pro_select_menus: everything that a key does has a button, which does the sa
   const idle = await buttons();
   await page.getByRole("button", { name: "Move", exact: true }).click();
   await page.mouse.click(sheet.x + 200, sheet.y + 300);
-  const seen = new Set([...idle, ...(await buttons())]);
-  expect(deskKeys.map(({ key }) => key).filter((key) => !seen.has(key))).toEqual([]);
+  const unseen = async () => {
+    const seen = new Set([...idle, ...(await buttons())]);
+    return deskKeys.map(({ key }) => key).filter((key) => !seen.has(key));
+  };
+  await expect.poll(unseen).toEqual([]);
   await page.locator('[data-key="g"]').click();
   await page.locator(".sheet-status-keys span", { hasText: "square to the base point" }).waitFor();
   await page.locator('[data-key="q"]').click();

@@ -82,10 +82,12 @@ it("a copy replaces nothing unless somebody says so", async () => {
 });
 
 it("a file that is open is open under its new name", async () => {
+  writeFileSync(place("cut.sbp.answers"), "2\n");
   await script(workshop, "open", { name: "cut.sbp" });
   await use("Rename…", /cut\.sbp/);
   await names("gate.sbp");
   await until(async () => (await stateOf(workshop)).opened?.name === "gate.sbp", "it is open");
+  expect([there("cut.sbp.answers"), read("gate.sbp.answers")]).toEqual([false, "2\n"]);
   expect([there("cut.sbp"), read("gate.sbp")]).toEqual([false, cut]);
 });
 

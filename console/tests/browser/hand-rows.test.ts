@@ -80,7 +80,7 @@ async function goes(n: number, mm: number): Promise<{ way: Place; fastest: numbe
   return { way: [x - from[0], y - from[1], z - from[2]], fastest };
 }
 
-const said = (words: string) => page.getByText(words).first().waitFor();
+const isSaid = (words: string) => page.getByText(words).first().isVisible();
 
 it("pro_move_arrows_xy: digits move along X, Y and the diagonals for as long as they are held", async () => {
   await bring([500, 500, 0]);
@@ -115,12 +115,12 @@ it("pro_move_arrows_z: 5 moves up and 0 down, in Z alone and to Z bottom", async
   expect(up.way[2]).toBeGreaterThan(3);
   expect(up.way.slice(0, 2)).toEqual([0, 0]);
   const { bottom } = (await stateOf(workshop)).setup.heights;
-  const low = (now: Snapshot) => placeIn(now)[2] <= bottom;
-  await hold(workshop, digit(0), low, "0 moves down to Z bottom");
+  const low = async (now: Snapshot) =>
+    placeIn(now)[2] <= bottom && (await isSaid(`Out of bounds: z ends at ${bottom.toFixed(3)}`));
+  await hold(workshop, digit(0), low, "0 moves down to Z bottom, and that is said");
   // Still held, it goes no lower.
   await new Promise((resolve) => setTimeout(resolve, 400));
   expect(await place()).toEqual([5, 5, bottom]);
-  await said(`Out of bounds: z ends at ${bottom.toFixed(3)}`);
   await digit(0).up();
   await standing();
 });
@@ -128,11 +128,11 @@ it("pro_move_arrows_z: 5 moves up and 0 down, in Z alone and to Z bottom", async
 it("pro_move_arrows_limit: the tool rests at the end of the axis, unless movement is not limited", async () => {
   const end = 2500;
   await bring([end - 10, 100, 0]);
-  const ends = (now: Snapshot) => placeIn(now)[0] >= end;
-  await hold(workshop, digit(6), ends, "6 moves to the end");
+  const ends = async (now: Snapshot) =>
+    placeIn(now)[0] >= end && (await isSaid(`Out of bounds: x ends at ${end.toFixed(3)}`));
+  await hold(workshop, digit(6), ends, "6 moves to the end, and that is said");
   await new Promise((resolve) => setTimeout(resolve, 400));
   expect(await place()).toEqual([end, 100, 0]);
-  await said(`Out of bounds: x ends at ${end.toFixed(3)}`);
   if (process.env.KERF_SHOTS) await page.screenshot({ path: `${process.env.KERF_SHOTS}/ends.png` });
   await digit(6).up();
   await standing();

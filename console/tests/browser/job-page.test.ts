@@ -44,6 +44,16 @@ const finished = () =>
     const { job, machine } = await stateOf(workshop);
     return job?.ended === "ok" && machine.state === "idle";
   }, "the job is done");
+/** Waits until the job cuts; the path that is cut then. */
+const firstCut = async (): Promise<number> => {
+  let line = 0;
+  await until(async () => {
+    const { motion } = await stateOf(workshop);
+    line = motion.line;
+    return motion.cutting;
+  }, "it cuts");
+  return line;
+};
 const machinePlace = async () => (await stateOf(workshop)).motion.at.machine;
 const viewOf = async (): Promise<JobView> => (await fetch(`${workshop.address}/api/job`)).json();
 /** So far from a number at most, mm. */
@@ -281,8 +291,7 @@ it("pro_job_start_mouse: a click on a path shows its number and begins the job w
   expect(wanted.number).toBe(17);
   await previewed();
   await page.keyboard.press("F10");
-  await until(async () => (await stateOf(workshop)).motion.cutting, "it cuts");
-  expect((await stateOf(workshop)).motion.line).toBe(17);
+  expect(await firstCut()).toBe(17);
   await page.mouse.click(at.x, at.y);
   await page.locator(".notice", { hasText: "A job runs" }).waitFor();
   expect((await viewOf()).start).toBe(17);
@@ -304,8 +313,7 @@ it("pro_job_step_start: F10 and HTTP start alike, and the second Start cuts", as
   await dialog.getByRole("button", { name: "The next path" }).click();
   await page.getByRole("dialog", { name: "Start with shape 18?" }).waitFor();
   await page.keyboard.press("F10");
-  await until(async () => (await stateOf(workshop)).motion.cutting, "it cuts");
-  expect((await stateOf(workshop)).motion.line).toBe(18);
+  expect(await firstCut()).toBe(18);
   await finished();
   expect(workshop.mistakes).toEqual([]);
 });

@@ -22,7 +22,7 @@ let proxy: RoughLink;
 let page: Page;
 
 beforeAll(async () => {
-  workshop = await openWorkshop();
+  workshop = await openWorkshop({ isDeaf: true });
 });
 afterAll(() => workshop?.close());
 

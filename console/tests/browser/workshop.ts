@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import type { Browser, Page } from "playwright-core";
 import type { Snapshot } from "../../src/wire/messages";
-import { connect } from "./browsers";
+import { browserHere, closeOthers, freshPage } from "./browsers";
 
 const root = resolve(import.meta.dirname, "../../..");
 /** The command that is tested. */
@@ -23,6 +23,8 @@ export interface Workshop {
   page(size?: { width: number; height: number }, hasTouch?: boolean): Promise<Page>;
   /** Every page that was opened here. */
   readonly pages: readonly Page[];
+  /** Its pages may hear nothing for a while: what is tested is their link. */
+  readonly isDeaf: boolean;
   /** Errors of every page so far. */
   readonly mistakes: string[];
   /** Ends the server as a power cut does, and keeps its folder. */
@@ -125,16 +127,27 @@ export async function until(holds: () => Promise<boolean>, words: string): Promi
   for (const workshop of openWorkshops) await catchUp(workshop);
 }
 
-/** How long a page that hears nothing is waited for: its link may be what a test is about. */
+/** How long a page is waited for that shows no machine, or may hear nothing. */
 const deafMs = 2000;
+/** How long a busy computer may take to draw what a page heard. */
+const slowMs = 20_000;
 
+/** Waits until every page has drawn what the server has told so far. */
 async function catchUp(workshop: Workshop): Promise<void> {
-  const told = await stateOf(workshop).catch(() => undefined);
-  const heard = (revision: number) => Number(document.documentElement.dataset.revision) >= revision;
+  const revision = (await stateOf(workshop).catch(() => undefined))?.revision ?? 0;
   for (const page of workshop.pages.filter((one) => !one.isClosed())) {
-    const waits = page.waitForFunction(heard, told?.revision ?? 0, { timeout: deafMs });
-    await waits.catch(() => undefined);
+    if (workshop.isDeaf) await shows(page, revision, deafMs);
+    else if (await shows(page, 1, deafMs)) await shows(page, revision, slowMs);
   }
+}
+
+/** Whether a page comes to show the machine as it is told with this revision, in so long. */
+function shows(page: Page, revision: number, timeout: number): Promise<boolean> {
+  const heard = (least: number) => Number(document.documentElement.dataset.revision) >= least;
+  return page.waitForFunction(heard, revision, { timeout }).then(
+    () => true,
+    () => false,
+  );
 }
 
 const looks = 100;
@@ -171,7 +184,7 @@ export const keysOf = (page: Page, keys: readonly string[]): Hand => ({
 export async function hold(
   workshop: Workshop,
   hand: Hand,
-  holds: (now: Snapshot) => boolean,
+  holds: (now: Snapshot) => boolean | Promise<boolean>,
   words: string,
 ): Promise<Snapshot> {
   let stood = await stateOf(workshop);
@@ -180,7 +193,7 @@ export async function hold(
     await hand.down();
     for (let [look, moved] = [0, false]; look < looks; look += 1) {
       const now = await stateOf(workshop);
-      if (holds(now)) return true;
+      if (await holds(now)) return true;
       const moves = now.machine.state === "jogging";
       if (moved && !moves) break;
       moved ||= moves;
@@ -213,7 +226,7 @@ interface Violation {
 
 /** What axe finds on a page, as lines. */
 export async function violations(page: Page): Promise<string[]> {
-  await page.evaluate(axe);
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axe);
   const found = await page.evaluate(async () => {
     const tool = Reflect.get(window, "axe") as { run(): Promise<{ violations: Violation[] }> };
     return (await tool.run()).violations;
@@ -246,6 +259,8 @@ export interface WorkshopOptions {
   readonly controller?: string;
   /** Seconds of machine time in a second. */
   readonly rate?: number;
+  /** Pages may hear nothing for a while, because their link is tested. */
+  readonly isDeaf?: boolean;
   /** Delay of all that the server tells a page, milliseconds. */
   readonly lagMs?: number;
 }
@@ -298,7 +313,7 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const wayIn = await addressOf(server);
   const { origin: address, searchParams } = new URL(wayIn);
   const token = searchParams.get("token");
-  const browser = await connect();
+  const browser = await browserHere();
   const mistakes: string[] = [];
   const pages: Page[] = [];
   const ended = async (signal: NodeJS.Signals) => {
@@ -307,15 +322,21 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
     server.kill(signal);
     await gone;
   };
+  const left = async () => {
+    openWorkshops.delete(workshop);
+    await Promise.all(pages.map((page) => page.close()));
+    if (openWorkshops.size === 0) await closeOthers();
+  };
   const workshop: Workshop = {
     address,
     shows: token === null ? {} : { authorization: `Bearer ${token}` },
     parts: folder,
     browser,
     pages,
+    isDeaf: options.isDeaf === true,
     mistakes,
     async page(size = { width: 1280, height: 720 }, hasTouch = false) {
-      const page = await browser.newPage({ viewport: size, hasTouch });
+      const page = await freshPage(address, { viewport: size, hasTouch });
       page.setDefaultTimeout(patienceMs);
       page.on("pageerror", (error) => mistakes.push(error.message));
       page.on("console", (message) => {
@@ -329,12 +350,10 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
     },
     async kill() {
       await ended("SIGKILL");
-      openWorkshops.delete(workshop);
-      await browser.close();
+      await left();
     },
     async close() {
-      openWorkshops.delete(workshop);
-      await browser.close();
+      await left();
       // It puts down what it knows before it goes.
       await ended("SIGTERM");
       rmSync(folder, { recursive: true, force: true });

@@ -1,7 +1,7 @@
 //! The problem log: what went wrong, kept in the data folder for whoever is asked for help (HN).
 
 use kerf_journal::Started;
-use kerf_wire::{Change, Tone};
+use kerf_wire::{Call, Change, Message, Tone};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -42,10 +42,13 @@ impl ProblemLog {
     fn lines(&self, change: &Change) -> String {
         let Change::Messages { messages } = change else { return String::new() };
         let wrong = messages.iter().filter(|m| matches!(m.tone, Tone::Warning | Tone::Error));
-        let line = |message: &kerf_wire::Message| {
+        let line = |message: &Message| {
             let Started { date, time } = (self.now)()?;
             let tone = if message.tone == Tone::Error { "error" } else { "warning" };
-            Some(format!("{date} {time} {tone}: {}\n", message.text.replace('\n', " ")))
+            let Message { text, place, .. } = message;
+            let place = place.as_ref().map(|Call { file, line }| format!("{file}, line {line}: "));
+            let words = place.unwrap_or_default() + text;
+            Some(format!("{date} {time} {tone}: {}\n", words.replace('\n', " ")))
         };
         wrong.filter_map(line).collect()
     }
@@ -56,5 +59,24 @@ impl ProblemLog {
         }
         let mut file = OpenOptions::new().append(true).create(true).open(&self.path)?;
         file.write_all(lines.as_bytes())
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_is_on_record_with_its_place() {
+        let folder = tempfile::tempdir().unwrap();
+        let log = ProblemLog::begin(folder.path(), || {
+            Some(Started { date: "1-2-2026".into(), time: "3:04".into() })
+        });
+        let place = Some(Call { file: "a.sbp".into(), line: 2 });
+        let message = Message { tone: Tone::Error, text: "it fails".into(), place, run: 1 };
+        log.note(&[Change::Messages { messages: vec![message] }]);
+        let text = fs::read_to_string(folder.path().join(FILE)).unwrap();
+        assert_eq!(text, "1-2-2026 3:04 error: a.sbp, line 2: it fails\n");
     }
 }

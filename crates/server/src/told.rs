@@ -164,12 +164,17 @@ pub const fn tone(found: &Diagnostic) -> Tone {
     }
 }
 
-/// A diagnostic in a sentence.
-pub fn sentence(found: &Diagnostic) -> String {
-    let Diagnostic { place, message, hint, .. } = found;
-    let line = if place.line > 0 { format!("line {}: ", place.line) } else { String::new() };
+/// A diagnostic in a sentence, without its place.
+pub fn words(Diagnostic { message, hint, .. }: &Diagnostic) -> String {
     let hint = if hint.is_empty() { String::new() } else { format!(" ({hint})") };
-    format!("{line}{message}{hint}")
+    format!("{message}{hint}")
+}
+
+/// A diagnostic in a sentence that begins with its line.
+pub fn sentence(found: &Diagnostic) -> String {
+    let line = found.place.line;
+    let place = if line > 0 { format!("line {line}: ") } else { String::new() };
+    place + &words(found)
 }
 
 /// The word for how a run ended, as the trace writes it.

@@ -420,3 +420,16 @@ fn sbp_ctl_api__positions_ten_times_a_second() {
     places.dedup();
     assert!(places.is_sorted() && places.len() > 20, "{} places in 2 s", places.len());
 }
+
+#[test]
+fn a_message_carries_its_place_apart_from_its_words() {
+    let shop = shop(100.0, &[("a.sbp", "&a = 0\nMX,1/&a\nEND\n")]);
+    let mut page = shop.driver();
+    page.command("FP,a.sbp");
+    let told = |page: &Page| page.shown["messages"].as_array().unwrap().last().cloned();
+    page.until("the message", |page| told(page).is_some_and(|it| it["tone"] == "error"));
+    let message = told(&page).unwrap();
+    assert_eq!(message["place"], json!({ "file": "a.sbp", "line": 2 }));
+    let text = message["text"].as_str().unwrap();
+    assert!(!text.contains("line 2") && !text.is_empty(), "{text}");
+}

@@ -337,7 +337,7 @@ pub enum Tone {
 pub struct Message {
     /// Its sort.
     pub tone: Tone,
-    /// The text.
+    /// The text, which does not repeat the place.
     pub text: String,
     /// The run it belongs to; 0 when to none.
     pub run: u32,

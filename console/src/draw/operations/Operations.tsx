@@ -1,6 +1,4 @@
-import { useEffect, useState } from "react";
-import { useHands } from "../../app/context";
-import { getJson } from "../../link/http";
+import { useFetched } from "../../app/useFetched";
 import type { OperationEntry } from "../../wire/messages";
 import { OperationList } from "./OperationList";
 import { OperationSheet } from "./OperationSheet";
@@ -24,18 +22,9 @@ export function Operations({ open, onOpen }: OperationsProps) {
   );
 }
 
+const none: readonly OperationEntry[] = [];
+
 /** The table, read when it is wanted first. */
 function useOperations(wanted: boolean): readonly OperationEntry[] {
-  const { screen } = useHands();
-  const [table, setTable] = useState<readonly OperationEntry[]>([]);
-  const missing = wanted && table.length === 0;
-  useEffect(() => {
-    if (!missing) return;
-    const gone = new AbortController();
-    getJson<OperationEntry[]>("/api/drawing/operations", gone.signal)
-      .then(setTable)
-      .catch((error: Error) => gone.signal.aborted || screen.tell(error.message));
-    return () => gone.abort();
-  }, [missing, screen]);
-  return table;
+  return useFetched(wanted ? "/api/drawing/operations" : null, none);
 }

@@ -68,7 +68,14 @@ function Page({ page, anchor, onGo }: PageProps) {
   const box = useRef<HTMLDivElement>(null);
   useEffect(() => {
     setText(null);
-    pageText(page).then(setText, (error: Error) => screen.tell(error.message));
+    let isWanted = true;
+    pageText(page).then(
+      (found) => isWanted && setText(found),
+      (error: Error) => screen.tell(error.message),
+    );
+    return () => {
+      isWanted = false;
+    };
   }, [page, screen]);
   useEffect(() => {
     if (text === null) return;

@@ -3,13 +3,15 @@ import { join } from "node:path";
 import { expect, it } from "vitest";
 import { cards } from "../cards";
 import { places } from "../places";
-import { anchorOf, chaptersOf, findIn, partsOf } from "./pages";
+import { anchorOf, chaptersOf, findIn, forReaders, glossary, partsOf } from "./pages";
 
 const folder = join(import.meta.dirname, "../../../../docs/book");
 const pages = readdirSync(folder).map((file) => file.replace(/\.md$/, ""));
-const book = pages.flatMap((page) =>
-  partsOf(page, readFileSync(join(folder, `${page}.md`), "utf8")),
-);
+const words = readFileSync(join(folder, "../glossary.md"), "utf8");
+const book = [
+  ...pages.flatMap((page) => partsOf(page, readFileSync(join(folder, `${page}.md`), "utf8"))),
+  ...partsOf(glossary.name, forReaders(words)),
+];
 
 /** Tells whether the book has a page, and a heading there where one is named. */
 function exists(place: string): boolean {
@@ -28,6 +30,11 @@ it("the summary names pages that exist", () => {
   const chapters = chaptersOf(summary);
   expect(chapters.length).toBeGreaterThan(20);
   expect(chapters.filter(({ name }) => !exists(name))).toEqual([]);
+});
+
+it("the glossary ends before the words of the code", () => {
+  expect(words.length - forReaders(words).length).toBeGreaterThan(1000);
+  expect(forReaders(words)).toContain("| tab |");
 });
 
 it("there are twenty cards", () => {

@@ -1,9 +1,9 @@
 /** The pages of the book, which come with the console and need no network. */
 
-const texts = import.meta.glob<string>("../../../../docs/book/*.md", {
-  query: "?raw",
-  import: "default",
-});
+const texts = import.meta.glob<string>(
+  ["../../../../docs/book/*.md", "../../../../docs/glossary.md"],
+  { query: "?raw", import: "default" },
+);
 
 const figures = import.meta.glob<string>("../../../../docs/figures/*.{png,svg}", {
   query: "?url",
@@ -17,24 +17,32 @@ const nameOf = (path: string): string => path.split("/").at(-1)?.replace(/\.md$/
 export const figureAddress = (href: string): string | undefined =>
   figures[`../../../../docs/figures/${href.split("/").at(-1)}`];
 
+/** The last chapter: the words of the workshop. */
+export const glossary: Chapter = { name: "glossary", title: "Words" };
+
 /** The text of a page. */
 export async function pageText(name: string): Promise<string> {
-  const read = texts[`../../../../docs/book/${name}.md`];
+  const read = Object.entries(texts).find(([path]) => nameOf(path) === name)?.[1];
   if (!read) throw new Error(`the book has no page ${name}`);
-  return read();
+  return forReaders(await read());
 }
+
+/** A page without its part for those who change Kerf. */
+export const forReaders = (text: string): string => text.split("\n## Nouns of the code")[0] ?? "";
 
 export interface Chapter {
   readonly name: string;
   readonly title: string;
 }
 
-/** The chapters in the order of the summary. */
-export const chaptersOf = (summary: string): Chapter[] =>
-  [...summary.matchAll(/^- \[(.+)\]\((.+)\.md\)$/gm)].map(([, title = "", name = ""]) => ({
+/** The chapters in the order of the summary, and the glossary. */
+export const chaptersOf = (summary: string): Chapter[] => [
+  ...[...summary.matchAll(/^- \[(.+)\]\((.+)\.md\)$/gm)].map(([, title = "", name = ""]) => ({
     name,
     title,
-  }));
+  })),
+  glossary,
+];
 
 /** The name of a heading in an address, as the book's own links have it. */
 export const anchorOf = (heading: string): string =>

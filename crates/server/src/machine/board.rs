@@ -268,7 +268,7 @@ impl Board {
 
     /// A finding of the run, with its place for whoever goes to see it.
     pub fn finds(&mut self, found: &Diagnostic) {
-        self.say(told::tone(found), told::sentence(found));
+        self.say(told::tone(found), told::words(found));
         let Place { file, line, .. } = &found.place;
         if let Some(message) = self.messages.last_mut().filter(|_| *line > 0) {
             message.place = Some(Call { file: self.parts.name_of(file), line: *line });

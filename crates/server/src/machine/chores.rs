@@ -222,7 +222,8 @@ impl Owner {
         })
     }
 
-    /// Tells what the workspace holds: recorder, folder, watched variables; and that settings are others.
+    /// Tells what the workspace holds: recorder, folder, watched variables; and that settings are others. Whoever then
+    /// asks for them gets them: the copy of the session is left before.
     pub(super) fn tell_workspace(&mut self) {
         let workspace = &mut self.workshop.workspace;
         let (on, lines) = workspace.recorder();
@@ -236,6 +237,7 @@ impl Owner {
             let (before, now) = (&crate::locks::lock(&self.left).session, &self.workshop.session);
             before.memory.settings != now.memory.settings || before.machine_is != now.machine_is
         };
+        self.leave();
         self.hub.changing(|now| {
             let mut changes = Vec::new();
             let mut put = |differs: bool, change: Change| changes.extend(differs.then_some(change));
@@ -323,6 +325,17 @@ mod tests {
         let on = hub.read(|now| now.io.inputs.iter().filter(|lamp| lamp.on).count());
         let second = hub.read(|now| now.io.inputs[1].on);
         assert_eq!((on, second), (1, true), "the last of the first counts");
+    }
+
+    #[test]
+    fn who_is_told_that_settings_are_others_reads_the_new_ones() {
+        let (folder, link) = (tempfile::tempdir().unwrap(), Arc::<Link>::default());
+        let mut owner = owner(folder.path(), &link);
+        owner.workshop.session.memory.settings.linear_unit = kerf_program::settings::LinearUnit::Mm;
+        owner.tell_workspace();
+        assert_eq!(owner.hub.read(|now| now.settings), 1);
+        let left = crate::locks::lock(&owner.left).session.memory.settings.clone();
+        assert_eq!(left, owner.workshop.session.memory.settings);
     }
 
     /// The machine stands with an output on, and looks for orders every hour; whatever happens then switches it off.

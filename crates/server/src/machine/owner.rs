@@ -228,6 +228,8 @@ impl Owner {
         };
         let (ended, error) = (Some(ended.into()), error.map(kerf_language::finding));
         let summary = driven.as_ref().ok().map(told::summary);
+        // Whoever hears of the end reads what the run left: variables, settings, places.
+        self.tell_workspace();
         self.hub.ended(Job { ended, error, summary, ..job });
         self.come_to_rest(driven);
     }
@@ -349,7 +351,6 @@ impl Owner {
     /// Tells how the machine stands, and what it is from now on.
     pub(super) fn settle(&mut self, becomes: impl FnOnce(&Machine) -> Machine) {
         self.tell_workspace();
-        self.leave();
         self.tell_others(&self.workshop.session.look(Live::at_rest));
         let (settings, frame, position) = {
             let memory = &self.workshop.session.memory;
@@ -467,7 +468,7 @@ impl Owner {
     }
 
     /// Leaves a copy of the session for previews.
-    fn leave(&self) {
+    pub(super) fn leave(&self) {
         let Workshop { session, workspace, .. } = &self.workshop;
         let left = Left {
             session: session.clone(),
