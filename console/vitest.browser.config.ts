@@ -13,7 +13,7 @@ export default defineConfig({
     expect: { poll: { timeout: 40_000, interval: 50 } },
     globalSetup: ["tests/browser/browsers.ts"],
     // Each with a browser, a server and a machine of its own: while one waits for its machine another works.
-    maxWorkers: 3,
+    maxWorkers: 2,
     // What the files share is loaded once a worker.
     isolate: false,
   },
