@@ -2,7 +2,7 @@
 
 use crate::at_once;
 use crate::facts::Told;
-use crate::flights::Flights;
+use crate::flights::{Flights, radius_mm};
 use crate::gap::Gap;
 use crate::lines::{Modal, lines, told_as};
 use crate::own_words::OwnSetting;
@@ -21,9 +21,9 @@ const UNTOLD: usize = 160;
 /// Bytes of a short line.
 const SHORT: usize = 12;
 
-/// Modes that hold from the start: millimetres, places and not ways, feeds a minute. A feed is told with them, as one that
+/// Modes that hold from the start: arcs in X and Y, millimetres, places and not ways, feeds a minute. A feed is told with them, as one that
 /// was reset has none.
-pub const MODES: &str = "G21G90G94F100";
+pub const MODES: &str = "G17G21G90G94F100";
 
 /// One order of so many has its ticket on its line, where the controller tells the line that it makes.
 const NUMBERED_EVERY: Ticket = 8;
@@ -325,8 +325,16 @@ impl Grbl {
             }
             Order::Move { to, .. } | Order::Jog { to, .. } => {
                 self.arrived = false;
-                self.number(&mut lines, sent.ticket);
+                let numbers = sent.ticket.is_multiple_of(NUMBERED_EVERY);
+                self.number(&mut lines, sent.ticket, numbers);
                 (to, usize::from(self.steps(to)))
+            }
+            Order::Arc { to, centre, sweep_rad, .. } => {
+                self.arrived = false;
+                // It is answered when the last of it is in the planner.
+                self.number(&mut lines, sent.ticket, true);
+                let radius_mm = radius_mm(self.planned, centre);
+                (to, parts(radius_mm, sweep_rad, facts.arc_tolerance_mm))
             }
             Order::Output { line, on } => {
                 self.planned_on = with(self.planned_on, line, on);
@@ -341,10 +349,10 @@ impl Grbl {
     }
 
     /// Writes the number of an order on its line, where the controller tells the line that it makes.
-    fn number(&self, lines: &mut [String], ticket: Ticket) {
+    fn number(&self, lines: &mut [String], ticket: Ticket, numbers: bool) {
         if let Some(first) = lines.first_mut()
             && self.told.tells_lines()
-            && ticket.is_multiple_of(NUMBERED_EVERY)
+            && numbers
         {
             *first = format!("N{}{first}", ticket % NUMBERS);
         }
@@ -363,6 +371,15 @@ impl Grbl {
             step(to.0[axis]) != step(self.planned.0[axis])
         })
     }
+}
+
+/// Returns how many moves the planner makes of an arc, and no more than that: each of its chords lies no farther inside it than
+/// the tolerance.
+fn parts(radius_mm: f64, sweep_rad: f64, tolerance_mm: f64) -> usize {
+    let half_chord = (tolerance_mm * (2.0 * radius_mm - tolerance_mm)).sqrt();
+    let parts = 0.5 * sweep_rad.abs() * radius_mm / half_chord;
+    // Rounding may make one less.
+    if parts.is_finite() { (parts as usize).saturating_sub(1).max(1) } else { 1 }
 }
 
 pub(crate) const fn with(outputs: u32, line: u8, on: bool) -> u32 {

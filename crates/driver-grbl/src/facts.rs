@@ -308,6 +308,7 @@ impl Told {
             ),
             homes: self.bit(22, 0),
             arc_tolerance_mm: self.of(12).unwrap_or(0.002),
+            arcs: true,
             outputs: self.outputs(),
             no_spindle: self.no_spindle(),
             probe: (!self.lacks_probe).then_some(PROBE_INPUT),

@@ -5,6 +5,7 @@
 
 use kerf_machine::driver::{Axes, Order, Sent, Ticket, way_mm};
 use std::collections::VecDeque;
+use std::f64::consts::TAU;
 
 /// Longest duration of the row of step segments, seconds: six segments of 10 ms, and some of it for the
 /// line.
@@ -26,6 +27,28 @@ pub struct Flight {
     pub lines: usize,
     /// Since when it is out of the planner.
     cut_s: Option<f64>,
+}
+
+/// A place that is nearer to a way than this lies on it, mm.
+const ON_MM: f64 = 0.03;
+
+/// A place that is farther from a way than this does not lie on it, mm: a corner is cut by less.
+const OFF_MM: f64 = 0.2;
+
+impl Flight {
+    /// Returns the distance of a place from its way, mm; nothing where its way is not known.
+    fn distance_mm(&self, place: Axes) -> Option<f64> {
+        match self.sent.order {
+            Order::Move { to, .. } | Order::Jog { to, .. } | Order::Probe { to, .. } => {
+                Some(off_way_mm(self.from, to, place))
+            }
+            Order::Arc { to, centre, sweep_rad, .. } => {
+                Some(off_arc_mm(self.from, to, centre, sweep_rad, place))
+            }
+            Order::Output { .. } | Order::Spindle { .. } => Some(way_mm(self.from, place)),
+            Order::Home | Order::Unlock => None,
+        }
+    }
 }
 
 /// All of them, the oldest first.
@@ -53,8 +76,9 @@ impl Flights {
 
     /// Returns `true` if an order is a move.
     pub fn moves(&self, ticket: Ticket) -> bool {
-        let is_move = |order| matches!(order, Order::Move { .. } | Order::Jog { .. });
-        let moves = |flight: &Flight| is_move(flight.sent.order);
+        let probes = |order| matches!(order, Order::Probe { .. });
+        let moves =
+            |flight: &Flight| flight.sent.order.to().is_some() && !probes(flight.sent.order);
         self.open.iter().any(|flight| flight.sent.ticket == ticket && moves(flight))
     }
 
@@ -117,6 +141,25 @@ impl Flights {
         }
     }
 
+    /// The machine is at a place: where it lies on the way of an order, and on that of none before it, those are out of the
+    /// planner. An arc is not answered before the last of it is in the planner.
+    pub fn passes(&mut self, place: Axes, now_s: f64) {
+        let mut before = 0;
+        for flight in &self.open {
+            match flight.distance_mm(place) {
+                Some(far_mm) if far_mm > OFF_MM => before += 1,
+                Some(far_mm) if far_mm < ON_MM => break,
+                _ => return,
+            }
+        }
+        if before < self.open.len() {
+            let answered = |flight: &&mut Flight| flight.lines == 0;
+            for flight in self.open.iter_mut().take(before).take_while(answered) {
+                flight.cut_s.get_or_insert(now_s);
+            }
+        }
+    }
+
     /// The machine is held: what is in the row of step segments is not made meanwhile.
     pub fn waits(&mut self, now_s: f64) {
         self.open
@@ -131,13 +174,7 @@ impl Flights {
         if self.open.is_empty() {
             return None;
         }
-        let far = |flight: &Flight| match flight.sent.order {
-            Order::Move { to, .. } | Order::Jog { to, .. } | Order::Probe { to, .. } => {
-                Some(off_way_mm(flight.from, to, place))
-            }
-            Order::Output { .. } | Order::Spindle { .. } => Some(way_mm(flight.from, place)),
-            Order::Home | Order::Unlock => None,
-        };
+        let far = |flight: &Flight| flight.distance_mm(place);
         let all: Option<Vec<f64>> = self.open.iter().map(far).collect();
         all?.into_iter().chain(self.made.iter().filter_map(far)).reduce(f64::min)
     }
@@ -172,6 +209,27 @@ impl Flights {
     }
 }
 
+/// Returns the radius of an arc that begins at a place, mm.
+pub fn radius_mm(from: Axes, centre: [f64; 2]) -> f64 {
+    (from.0[0] - centre[0]).hypot(from.0[1] - centre[1])
+}
+
+/// Returns the distance of a place from an arc, mm.
+fn off_arc_mm(from: Axes, to: Axes, centre: [f64; 2], sweep_rad: f64, place: Axes) -> f64 {
+    let angle = |at: Axes| (at.0[1] - centre[1]).atan2(at.0[0] - centre[0]);
+    let turned = (angle(place) - angle(from)) * sweep_rad.signum();
+    let share = turned.rem_euclid(TAU) / sweep_rad.abs();
+    let ends = way_mm(from, place).min(way_mm(to, place));
+    if share > 1.0 {
+        return ends;
+    }
+    let (sine, cosine) = (angle(from) + share * sweep_rad).sin_cos();
+    let radius_mm = radius_mm(from, centre);
+    let mut on = from.zip(to, |from, to| from + (to - from) * share);
+    (on.0[0], on.0[1]) = (centre[0] + radius_mm * cosine, centre[1] + radius_mm * sine);
+    ends.min(way_mm(on, place))
+}
+
 /// Returns the distance of a place from a straight way, mm.
 fn off_way_mm(from: Axes, to: Axes, place: Axes) -> f64 {
     let way = to.minus(from);
@@ -184,6 +242,26 @@ fn off_way_mm(from: Axes, to: Axes, place: Axes) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn what_lies_before_the_way_on_which_it_is_is_out_of_the_planner() {
+        let mut flights = Flights::default();
+        let far = Axes::xyz(10.0, 0.0, 0.0);
+        let order = Order::Move { to: far, speed_mm_s: 1.0 };
+        flights.push(Sent { ticket: 1, order }, Axes::default(), 1, 1);
+        flights.answered(1);
+        let (to, centre) = (Axes::xyz(20.0, 0.0, 2.0), [15.0, 0.0]);
+        let order = Order::Arc { to, centre, sweep_rad: -PI, speed_mm_s: 1.0 };
+        flights.push(Sent { ticket: 2, order }, far, 9, 2);
+        for corner in [Axes::xyz(10.001, 0.05, 0.0), Axes::xyz(15.0, -5.0, 1.0)] {
+            flights.passes(corner, 1.0);
+            assert!(flights.done(false, 1.2).is_none(), "{corner:?}");
+        }
+        flights.passes(Axes::xyz(15.0, 5.0, 1.0), 2.0);
+        assert_eq!(flights.done(false, 2.2).map(|flight| flight.sent.ticket), Some(1));
+        assert!(flights.done(false, 2.2).is_none());
+    }
 
     #[test]
     fn what_is_before_the_line_that_it_makes_is_out_of_the_planner() {

@@ -108,6 +108,8 @@ impl Grbl {
                 let rest = std::mem::take(&mut self.pending).into_iter().rev();
                 let is_left = |line: &Line| line.ticket.is_none_or(|ticket| ticket > last);
                 rest.filter(is_left).for_each(|line| self.queue.push_front(line));
+                // The line behind an arc may be lost that ends its ways.
+                self.queue.push_front(Line { text: "G90".into(), ticket: None });
                 self.flights.made(last, now_s);
                 (self.phase, self.asked_s) = (Phase::Ready, now_s);
             }
@@ -126,7 +128,7 @@ impl Grbl {
         let mut ends = vec![end];
         for flight in self.flights.unanswered().take_while(|it| it.sent.ticket <= sent) {
             match flight.sent.order {
-                Order::Move { to, .. } | Order::Jog { to, .. } => {
+                Order::Move { to, .. } | Order::Jog { to, .. } | Order::Arc { to, .. } => {
                     ends.push((flight.sent.ticket, to))
                 }
                 Order::Output { .. } | Order::Spindle { .. } => {}

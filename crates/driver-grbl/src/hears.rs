@@ -238,6 +238,7 @@ impl Grbl {
         if let Some(ticket) = comes_to.and_then(|line| self.numbered(line)) {
             self.flights.come_to(ticket, now_s);
         }
+        self.flights.passes(self.position(), now_s);
         self.finish(now_s);
         self.misses_answer(now_s);
         match report.doing {
@@ -297,6 +298,7 @@ impl Grbl {
                 }
                 Order::Move { .. }
                 | Order::Jog { .. }
+                | Order::Arc { .. }
                 | Order::Probe { .. }
                 | Order::Spindle { .. } => {}
             }

@@ -2,6 +2,7 @@
 
 use crate::driver::MODES;
 use kerf_machine::driver::{Axes, Facts, Order, way_mm};
+use std::f64::consts::TAU;
 
 /// Words that hold from line to line.
 #[derive(Clone, Debug, Default)]
@@ -26,6 +27,13 @@ pub fn lines(
     match order {
         Order::Move { to, speed_mm_s } => Ok(vec![straight(from, *to, *speed_mm_s, facts, modal)?]),
         Order::Jog { to, .. } => Ok(vec![rapid(from, *to, facts, modal)?]),
+        Order::Arc { to, centre, sweep_rad, speed_mm_s } => {
+            let turn = if *sweep_rad > 0.0 { "G3" } else { "G2" };
+            // A whole turn ends in the very place where it begins.
+            let z = Axes::xyz(from.0[0], from.0[1], to.0[2]);
+            let to = if sweep_rad.abs() > TAU - WHOLE_RAD { z } else { *to };
+            Ok(arc(from, to, *centre, turn, &number(speed_mm_s * 60.0), modal))
+        }
         Order::Probe { to, speed_mm_s, active } => probe(from, *to, *speed_mm_s, *active, facts),
         Order::Output { line, on: true } if !has(facts, *line) => Err(missing(*line)),
         Order::Output { line, on: state } => Ok(output(*line, *state, on)),
@@ -84,6 +92,32 @@ pub fn straight(
     Ok(format!("G53{word}{words}{rate}"))
 }
 
+/// An arc. It is told by its ways, as arcs know the frame of the workpiece alone; those of places that were rounded, so that
+/// nothing adds up.
+fn arc(
+    from: Axes,
+    to: Axes,
+    centre: [f64; 2],
+    turn: &'static str,
+    feed: &str,
+    modal: &mut Modal,
+) -> Vec<String> {
+    let way = |axis: usize, to: f64| number(rounded(to) - rounded(from.0[axis]));
+    let place = |axis: usize| way(axis, to.0[axis]);
+    let z = place(2);
+    let z = if z == "0" { String::new() } else { format!("Z{z}") };
+    let [i, j] = [way(0, centre[0]), way(1, centre[1])];
+    let rate = if modal.feed == feed { String::new() } else { format!("F{feed}") };
+    feed.clone_into(&mut modal.feed);
+    modal.begins(turn);
+    vec![format!("G91{turn}X{}Y{}{z}I{i}J{j}{rate}", place(0), place(1)), "G90".into()]
+}
+
+/// A place as it is told.
+fn rounded(place_mm: f64) -> f64 {
+    (place_mm * 1000.0).round() / 1000.0
+}
+
 /// A rapid move in the machine frame.
 fn rapid(from: Axes, to: Axes, facts: &Facts, modal: &mut Modal) -> Result<String, &'static str> {
     let words = words(from, to, facts)?;
@@ -99,6 +133,9 @@ impl Modal {
         if std::mem::replace(&mut self.motion, word) == word { "" } else { word }
     }
 }
+
+/// An arc that is by less than this not a turn is one.
+const WHOLE_RAD: f64 = 1e-5;
 
 /// Share by which two speeds differ that are the same.
 const SAME: f64 = 1e-6;
@@ -187,6 +224,11 @@ mod tests {
         let probe = |active| Order::Probe { to: Axes::xyz(1.0, 2.5, 1.0), speed_mm_s: 5.0, active };
         check(probe(true), 0, &["G91G38.3Y0.5Z-2F300", "G90"]);
         check(probe(false), 0, &["G91G38.5Y0.5Z-2F300", "G90"]);
+        let arc = |to, sweep_rad| Order::Arc { to, centre: [6.0, 2.0], sweep_rad, speed_mm_s: 5.0 };
+        let half = Axes::xyz(11.0, 2.0, 3.0);
+        check(arc(half, -3.0), 0, &["G91G2X10Y0I5J0F300", "G90"]);
+        let from = Axes::xyz(1.0, 2.0, 2.5);
+        check(arc(from, 6.3), 0, &["G91G3X0Y0Z-0.5I5J0F300", "G90"]);
         check(Order::Output { line: 1, on: true }, 0, &["M3"]);
         check(Order::Output { line: 2, on: false }, 0b110, &["M9", "M7"]);
         check(Order::Output { line: 2, on: false }, 0b010, &["M9"]);

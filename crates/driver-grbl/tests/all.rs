@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used)]
 
+mod arcs;
 mod conformance;
 mod faults;
 mod gap;

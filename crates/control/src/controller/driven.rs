@@ -5,7 +5,7 @@ use super::connection::NAP;
 use super::lacks::{lacked, needs, out_of_reach, wired};
 use super::merged::together;
 use super::row::{Chord, Handed, Row};
-use super::ways::{chords, speed_mm_s};
+use super::ways::{arc, chords, speed_mm_s};
 use kerf_machine::driver::{Facts, Hold, Order, Override, Signal};
 use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
 use kerf_motion::{Move, Path};
@@ -73,7 +73,11 @@ impl Connection {
         } else if self.looks_often {
             speed_mm_s = speed_mm_s.min(POLLED_MM_S / f64::from(self.feed.max(1.0)));
         }
-        let mut handed = Handed { at: made.at, from: made.from, chords: Vec::new() };
+        let round = arc(made, self.facts.arc_tolerance_mm);
+        if let Some(arc) = round.filter(|_| self.facts.arcs && watches.is_empty()) {
+            return self.hand_arc(made, arc, &chords);
+        }
+        let mut handed = Handed { at: made.at, from: made.from, chords: Vec::new(), seen: 0.0 };
         for (share, to) in chords {
             let order = self.straight(made.kind, to, speed_mm_s);
             let Some(ticket) = self.probing.or_else(|| self.order(order)) else { return };
@@ -92,8 +96,27 @@ impl Connection {
         let Some(ticket) = self.order(order) else { return };
         for mv in moves {
             let chords = vec![Chord { ticket, share: 1.0, to: mv.to }];
-            self.row.push(Handed { at: mv.at, from: mv.from, chords });
+            self.row.push(Handed { at: mv.at, from: mv.from, chords, seen: 0.0 });
         }
+    }
+
+    /// Hands a move over as one arc, of which centre and swept angle are given.
+    fn hand_arc(
+        &mut self,
+        made: &Move,
+        (centre, sweep_rad): ([f64; 2], f64),
+        chords: &[(f64, Axes)],
+    ) {
+        let [x, y, ..] = self.offset.0;
+        let radius_mm = (made.from.0[0] - centre[0]).hypot(made.from.0[1] - centre[1]);
+        let way_mm = (radius_mm * sweep_rad).hypot(made.to.0[2] - made.from.0[2]);
+        let speed_mm_s = way_mm * made.top_mm_s() / made.length_mm;
+        let (to, centre) = (made.to.minus(self.offset), [centre[0] - x, centre[1] - y]);
+        let Some(ticket) = self.order(Order::Arc { to, centre, sweep_rad, speed_mm_s }) else {
+            return;
+        };
+        let chords = chords.iter().map(|(share, to)| Chord { ticket, share: *share, to: *to });
+        self.row.push(Handed { at: made.at, from: made.from, chords: chords.collect(), seen: 0.0 });
     }
 
     /// A straight move to a place of the machine. One that looks at an input now and then is no rapid one.
@@ -170,6 +193,7 @@ impl Connection {
             None if self.probing.is_some() => 0.0,
             _ => self.row.share(going.index, self.done, place),
         };
+        self.row.sees(going.index, share);
         if share >= 1.0 {
             return f64::INFINITY;
         }

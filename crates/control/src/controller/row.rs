@@ -20,7 +20,12 @@ pub struct Handed {
     pub at: At,
     pub from: Axes,
     pub chords: Vec<Chord>,
+    /// Share of it that the machine was seen to have made: a circle comes by its beginning once more.
+    pub seen: f64,
 }
+
+/// Between two looks a machine makes no more of a move than this share: what lies farther on the way is another round.
+const LEAP: f64 = 0.5;
 
 impl Handed {
     /// The order that ends it.
@@ -32,7 +37,8 @@ impl Handed {
     fn nearest(&self, done: Ticket, place: Axes) -> Option<(f64, f64)> {
         let (mut from, mut begin, mut best) = (self.from, 0.0, None::<(f64, f64)>);
         for chord in &self.chords {
-            if chord.ticket > done {
+            let is_ahead = chord.share >= self.seen && begin <= self.seen + LEAP;
+            if chord.ticket > done && (is_ahead || self.seen == 0.0) {
                 let (far, along) = nearest(from, chord.to, place);
                 let share = begin + (chord.share - begin) * along;
                 if best.is_none_or(|(least, _)| far < least - CLOSER_MM) {
@@ -112,6 +118,14 @@ impl Row {
         near.map_or(0.0, |(_, share)| share.min(1.0 - f64::EPSILON))
     }
 
+    /// The machine was seen to have made a share of a move.
+    pub fn sees(&mut self, index: usize, share: f64) {
+        let handed = index.checked_sub(self.first).and_then(|n| self.moves.get_mut(n));
+        if let Some(handed) = handed.filter(|it| (it.seen..=it.seen + LEAP).contains(&share)) {
+            handed.seen = share;
+        }
+    }
+
     /// The move on which a place lies, and the share of it there.
     pub fn locate(&self, done: Ticket, place: Axes) -> Option<(usize, f64)> {
         let mut best: Option<(f64, usize, f64)> = None;
@@ -123,5 +137,30 @@ impl Row {
         }
         let last = self.moves.len().checked_sub(1).map(|n| (self.first + n, 1.0));
         best.map(|(_, index, share)| (index, share)).or(last)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_circle_that_comes_by_its_beginning_is_not_begun_anew() {
+        let on = |share: f64| Axes::xyz((share * TAU).cos(), (share * TAU).sin(), 0.0);
+        let chord = |n: u32| {
+            let share = f64::from(n) / 64.0;
+            Chord { ticket: 1, share, to: on(share) }
+        };
+        let chords = (1..=64).map(chord).collect();
+        let mut row = Row::default();
+        row.push(Handed { at: At::default(), from: on(0.0), chords, seen: 0.0 });
+        for n in 0..=20 {
+            let share = f64::from(n) / 20.0;
+            let told = row.share(0, 0, Some(on(share)));
+            assert!((told - share).abs() < 0.02, "{told} of {share}");
+            row.sees(0, told);
+        }
+        assert_eq!(row.locate(0, on(1.0)).map(|(_, share)| share > 0.98), Some(true));
     }
 }

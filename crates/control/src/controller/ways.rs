@@ -3,6 +3,7 @@
 use kerf_machine::driver::way_mm;
 use kerf_motion::{Move, Path};
 use kerf_program::Axes;
+use std::f64::consts::TAU;
 
 /// A move is never cut into more chords than this.
 const MOST: usize = 1 << 14;
@@ -20,6 +21,34 @@ pub fn chords(made: &Move, tolerance_mm: f64) -> Vec<(f64, Axes)> {
     let end = |n: usize| n as f64 / count as f64;
     let inner = (1..count).map(|n| (end(n), made.position(end(n))));
     inner.chain([(1.0, made.to)]).collect()
+}
+
+/// Arcs of a radius between these are made by a controller that makes arcs, mm: its numbers have seven digits.
+const RADII_MM: [f64; 2] = [0.1, 1000.0];
+
+/// The ends of an arc lie on circles that differ by less than this, mm: a controller refuses 0.005, and rounding takes
+/// up to 0.0015.
+const UNROUND_MM: f64 = 0.002;
+
+/// Ends of an arc that are farther apart than this are two places for a controller, those closer than half a thousandth one, mm.
+const APART_MM: f64 = 0.01;
+
+/// Returns centre and swept angle of a move that a controller makes as an arc: one in X and Y, along which no axis turns, of a
+/// turn at most. It lies within [`UNROUND_MM`] of the move, and its chords within the tolerance of the controller.
+pub fn arc(made: &Move, tolerance_mm: f64) -> Option<([f64; 2], f64)> {
+    let Path::Arc { centre, sweep_rad, .. } = made.path else { return None };
+    let radius_mm = |at: Axes| (at.0[0] - centre[0]).hypot(at.0[1] - centre[1]);
+    let (begin_mm, end_mm) = (radius_mm(made.from), radius_mm(made.to));
+    let way = made.to.minus(made.from).0;
+    let apart_mm = way[0].hypot(way[1]);
+    let is_turn = (sweep_rad.abs() - TAU).abs() < 1e-6 && apart_mm < 0.000_5;
+    let fits = RADII_MM[0] <= begin_mm
+        && begin_mm <= RADII_MM[1]
+        && (begin_mm - end_mm).abs() < UNROUND_MM
+        && way[3..].iter().all(|way| *way == 0.0)
+        && (is_turn || sweep_rad.abs() < TAU && apart_mm > APART_MM);
+    let several = arc_chords(begin_mm, sweep_rad.abs(), tolerance_mm) > 2;
+    (fits && several).then_some((centre, sweep_rad))
 }
 
 /// A chord over the angle a lies r (1 - cos a/2) inside the arc.

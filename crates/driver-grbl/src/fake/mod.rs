@@ -5,6 +5,7 @@
 //! row of step segments behind it, `ok` only when there was room, a hold that slows down and a reset that
 //! loses the place when it comes too early.
 
+mod arc;
 mod board;
 mod motion;
 mod probe;
@@ -89,6 +90,8 @@ pub struct Fake {
     straight: bool,
     /// `G0` holds.
     rapid: bool,
+    /// Chords of an arc that have found no room yet, the next one last, and the number of its line.
+    chords: (Vec<Axes>, u32),
     /// The state that it claims, in place of its own.
     pub says: Option<String>,
     resumed_s: f64,
@@ -178,6 +181,7 @@ impl Fake {
             relative: false,
             straight: false,
             rapid: false,
+            chords: (Vec::new(), 0),
             says: None,
             resumed_s: 0.0,
             keeps_settings: false,
@@ -395,6 +399,7 @@ impl Fake {
         self.planned = self.motion.position;
         self.buffer.clear();
         (self.waiting, self.probing, self.latched) = (None, None, None);
+        self.chords.0.clear();
         (self.relative, self.straight) = (false, false);
         (self.spindle, self.coolant) = (false, 0);
     }
@@ -426,6 +431,9 @@ impl Fake {
                     State::Homing | State::Hold | State::Door | State::Resuming
                 );
             if suspended {
+                return;
+            }
+            if !self.chords.0.is_empty() && !self.goes_round() {
                 return;
             }
             if let Some(words) = self.waiting.take() {
@@ -524,7 +532,7 @@ impl Fake {
         }
         // A move that probes is answered when it is over.
         self.probing = words.probes;
-        if self.probing.is_none() {
+        if self.probing.is_none() && self.chords.0.is_empty() {
             self.tell("ok");
         }
     }
@@ -553,10 +561,36 @@ impl Fake {
             self.alarm(2);
             return Some(15);
         }
+        if let Some(counter) = words.arc {
+            let chords = arc::chords(self.planned, to, words.centre, counter, self.setting(12));
+            return match chords {
+                Err(number) => Some(number),
+                Ok(chords) => {
+                    self.chords = (chords, words.number);
+                    None
+                }
+            };
+        }
         let feed_mm_s = if self.rapid { f64::INFINITY } else { self.feed_mm_min / 60.0 };
         self.motion.push(self.planned, to, self.speed(to, feed_mm_s), (self.rapid, words.number));
         self.planned = to;
         None
+    }
+
+    /// Chords of an arc join the planner as far as there is room; it is answered when all have.
+    fn goes_round(&mut self) -> bool {
+        while self.motion.free() > 0
+            && let Some(to) = self.chords.0.pop()
+        {
+            let speed_mm_s = self.speed(to, self.feed_mm_min / 60.0);
+            self.motion.push(self.planned, to, speed_mm_s, (false, self.chords.1));
+            self.planned = to;
+        }
+        let is_round = self.chords.0.is_empty();
+        if is_round {
+            self.tell("ok");
+        }
+        is_round
     }
 
     /// The feed, as far as every axis can follow.

@@ -9,6 +9,10 @@ pub struct Words {
     /// It moves until its probe is in this state.
     pub probes: Option<bool>,
     pub to: [Option<f64>; 3],
+    /// An arc, counter-clockwise or not.
+    pub arc: Option<bool>,
+    /// Its centre, from where it begins.
+    pub centre: [f64; 2],
     /// The number of the line.
     pub number: u32,
     pub feed_mm_min: Option<f64>,
@@ -52,6 +56,11 @@ fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
         ('G', 0 | 1) => {
             (words.moves, words.straight, words.rapid) = (true, Some(true), Some(value == 0.0));
         }
+        ('G', 2 | 3) => {
+            (words.arc, words.straight, words.rapid) = (Some(value == 3.0), Some(false), None);
+        }
+        ('I', _) => words.centre[0] = value,
+        ('J', _) => words.centre[1] = value,
         ('N', _) => words.number = value as u32,
         ('G', 17 | 21 | 94) => {}
         ('M', 3) => (words.spindle, words.waits) = (Some(true), true),

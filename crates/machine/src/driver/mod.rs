@@ -42,6 +42,17 @@ pub enum Order {
         /// Highest speed.
         speed_mm_s: f64,
     },
+    /// An arc in X and Y, on which Z moves in proportion to the angle; of a controller that [makes arcs](Facts::arcs).
+    Arc {
+        /// Target, machine frame.
+        to: Axes,
+        /// Centre in X and Y, machine frame.
+        centre: [f64; 2],
+        /// Swept angle, positive counter-clockwise, a turn at most.
+        sweep_rad: f64,
+        /// Highest speed along the arc.
+        speed_mm_s: f64,
+    },
     /// A straight move that ends where the probe gets contact, or loses it: the machine stands at the very place, or at the
     /// end where nothing changed. No order is under way beside it.
     Probe {
@@ -74,7 +85,10 @@ impl Order {
     /// Returns where it leads, machine frame; nothing where it is no move to a place.
     pub const fn to(&self) -> Option<Axes> {
         match self {
-            Self::Move { to, .. } | Self::Jog { to, .. } | Self::Probe { to, .. } => Some(*to),
+            Self::Move { to, .. }
+            | Self::Jog { to, .. }
+            | Self::Arc { to, .. }
+            | Self::Probe { to, .. } => Some(*to),
             Self::Output { .. } | Self::Spindle { .. } | Self::Home | Self::Unlock => None,
         }
     }
@@ -191,6 +205,8 @@ pub struct Facts {
     pub homes: bool,
     /// Greatest distance of an arc's chord from the arc, mm.
     pub arc_tolerance_mm: f64,
+    /// It makes arcs by itself ([`Order::Arc`]).
+    pub arcs: bool,
     /// Outputs it has, a bit each, line 1 lowest.
     pub outputs: u32,
     /// The reason for which it has no spindle, in words; empty where it has one, or tells none.
@@ -369,6 +385,10 @@ pub fn is_sound(order: &Order) -> bool {
         | Order::Probe { to, speed_mm_s, .. } => {
             to.0.iter().all(|v| v.is_finite()) && speed_mm_s.is_finite() && *speed_mm_s > 0.0
         }
+        Order::Arc { to, centre, sweep_rad, speed_mm_s } => {
+            let numbers = to.0.iter().chain(centre).chain([sweep_rad, speed_mm_s]);
+            numbers.into_iter().all(|v| v.is_finite()) && *speed_mm_s > 0.0 && *sweep_rad != 0.0
+        }
         Order::Output { line, .. } => (1..=u32::BITS as u8).contains(line),
         Order::Spindle { rpm } => rpm.is_finite() && *rpm >= 0.0,
         Order::Home | Order::Unlock => true,
@@ -394,6 +414,8 @@ mod tests {
             (Order::Move { to, speed_mm_s: 0.0 }, false),
             (Order::Move { to, speed_mm_s: f64::INFINITY }, false),
             (Order::Move { to: nowhere, speed_mm_s: 5.0 }, false),
+            (Order::Arc { to, centre: [1.0; 2], sweep_rad: 1.0, speed_mm_s: 5.0 }, true),
+            (Order::Arc { to, centre: [1.0; 2], sweep_rad: 0.0, speed_mm_s: 5.0 }, false),
             (Order::Output { line: 1, on: true }, true),
             (Order::Output { line: 0, on: true }, false),
             (Order::Output { line: 33, on: true }, false),
