@@ -28,7 +28,7 @@ describe("changes of the snapshot", () => {
   });
 
   it("replace a section and leave the others the same objects", () => {
-    const overrides = { feedPercent: 80 };
+    const overrides = { feedPercent: 80, rapidPercent: null, spindlePercent: null };
     const next = fold(firstSnapshot, { change: "overrides", overrides });
     expect(next.overrides).toBe(overrides);
     expect(next.motion).toBe(firstSnapshot.motion);

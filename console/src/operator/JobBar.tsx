@@ -6,6 +6,7 @@ import { durationText } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
 import { FeedOverride } from "./FeedOverride";
 import { errorsOf, fileStatus, progressOf } from "./fileStatus";
+import { MachineOverrides } from "./MachineOverrides";
 import "./job-bar.css";
 
 /** How far the job is, how long it takes, and what starts it. */
@@ -16,6 +17,7 @@ export function JobBar() {
       <Progress />
       <FeedOverride />
       <StartButtons />
+      <MachineOverrides />
     </section>
   );
 }

@@ -182,7 +182,11 @@ export type ActOverride = { "do": "override",
 /** Number of the lease. */
 lease: number,
 /** Of the speed asked for, 10 … 200. */
-feedPercent: number, };
+feedPercent?: number,
+/** Of the speed of rapid moves, 10 … 100. */
+rapidPercent?: number,
+/** Of the speed of the spindle, 10 … 200. */
+spindlePercent?: number, };
 
 export type ActSheetDone = { "do": "sheetDone" };
 
@@ -1116,7 +1120,11 @@ parts: Array<OperationPart>, };
 /** The operator's overrides. */
 export type Overrides = {
 /** Cuts run at so much of the speed asked for, 10 … 200. */
-feedPercent: number, };
+feedPercent: number,
+/** Rapid moves run at so much of their speed, up to 100; nothing where the machine does not override them by itself. */
+rapidPercent: number | null,
+/** The spindle turns at so much of the speed asked for, 10 … 200; nothing where the machine does not override it. */
+spindlePercent: number | null, };
 
 /** A parameter. */
 export type Parameter = {

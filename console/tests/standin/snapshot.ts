@@ -107,7 +107,7 @@ export const firstSnapshot: Snapshot = {
   sound: null,
   start: null,
   asked: null,
-  overrides: { feedPercent: 100 },
+  overrides: { feedPercent: 100, rapidPercent: null, spindlePercent: null },
   printed: [],
   messages: [
     { tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0, place: null },

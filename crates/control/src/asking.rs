@@ -92,7 +92,7 @@ impl World<'_> {
             }
             let Some(press) = given.as_deref().and_then(Press::read) else { return Ok(given) };
             let Press { number: input, on } = press;
-            self.machine.press(kerf_sim::Change { input, on, at_s: self.now() });
+            self.tracked().press(input, on);
             self.tell_log();
             self.heed_switch();
             let ok = Button::OK.word();
@@ -151,9 +151,10 @@ impl World<'_> {
     }
 
     /// Returns the moment at which the next key of the pendant is pressed, seconds of machine time.
-    pub fn next_key_s(&self, question: QuestionKind) -> Option<f64> {
+    pub fn next_key_s(&mut self, question: QuestionKind) -> Option<f64> {
         let keys = self.keys(question)?;
-        let pressed = keys.inputs().filter_map(|input| self.machine.when_pressed(input, true));
+        let tracked = self.tracked();
+        let pressed = keys.inputs().filter_map(|input| tracked.when_pressed(input, true));
         pressed.min_by(f64::total_cmp)
     }
 

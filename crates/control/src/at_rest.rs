@@ -6,7 +6,7 @@ use kerf_journal::Press;
 use kerf_machine::Driven;
 use kerf_program::OutputReason;
 use kerf_sbp::SPINDLE_STATUS;
-use kerf_sim::{Change, Machine, contact};
+use kerf_sim::{Machine, contact};
 use kerf_workspace::Workspace;
 
 /// The machine of a session that stands.
@@ -17,8 +17,7 @@ impl AtRest<'_> {
     /// when Kerf is started anew.
     pub fn press(&mut self, press: Press, workspace: &mut Workspace) {
         let mut machine = self.0.machine(Vec::new());
-        machine.press(Change { input: press.number, on: press.on, at_s: 0.0 });
-        machine.log().take().for_each(drop);
+        machine.press(press.number, press.on);
         self.0.machine = Some(machine);
         self.0.keep_switches(workspace);
     }
@@ -26,8 +25,8 @@ impl AtRest<'_> {
     /// Switches an output of the machine, which stands, by the number of its line.
     pub fn switch(&mut self, number: u8, on: bool, driven: &Driven) {
         let mut machine = self.0.machine(Vec::new());
-        machine.output(number, on, OutputReason::Program);
-        set_all(&mut machine, driven);
+        machine.model.output(number, on, OutputReason::Program);
+        set_all(&mut machine.model, driven);
         self.0.machine = Some(machine);
     }
 
@@ -35,14 +34,17 @@ impl AtRest<'_> {
     /// leave it on. Whether anything did.
     pub fn stop(&mut self, workspace: &mut Workspace, driven: &Driven) -> bool {
         let is_on = |machine: &Machine| machine.turns() || machine.outputs().is_any_on();
-        if self.0.machine_is.misc.outputs_stay_on || !self.0.machine.as_ref().is_some_and(is_on) {
+        if self.0.machine_is.misc.outputs_stay_on
+            || !self.0.machine.as_ref().is_some_and(|it| is_on(&it.model))
+        {
             return false;
         }
         let mut machine = self.0.machine(Vec::new());
-        machine.log().take().for_each(drop);
-        machine.stop_at_rest();
-        let switched = set_all(&mut machine, driven) > 0;
-        self.0.memory.independent = machine.spinning();
+        let model = &mut machine.model;
+        model.log().take().for_each(drop);
+        model.stop_at_rest();
+        let switched = set_all(model, driven) > 0;
+        self.0.memory.independent = model.spinning();
         self.0.machine = Some(machine);
         if switched {
             workspace.set_value(SPINDLE_STATUS, Some("0"));
@@ -54,8 +56,7 @@ impl AtRest<'_> {
     pub fn senses(&mut self, (number, active): (u8, bool)) {
         let on = contact(number, active, &self.0.memory.settings.io);
         let mut machine = self.0.machine(Vec::new());
-        machine.press(Change { input: number, on, at_s: 0.0 });
-        machine.log().take().for_each(drop);
+        machine.press(number, on);
         self.0.machine = Some(machine);
     }
 }

@@ -6,7 +6,7 @@ use crate::OperatorRequest;
 use crate::hand_words::Jog;
 use crate::run_end::RunEnd;
 use crate::station::Station;
-use crate::turn::{Slows, Turn, link_lost};
+use crate::turn::{Slows, Turn};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
 use kerf_machine::hand::keypad_settings;
@@ -36,8 +36,7 @@ impl<I: Interpreter> Station<'_, I> {
         planner.push(made);
         let mut driven = None;
         while let Some(mut plan) = planner.finish() {
-            self.drive.follows();
-            self.world.machine.foresee(&plan, t0_s);
+            self.world.tracked().follows(&plan, t0_s);
             let mut index = 0;
             while index < plan.moves().len() {
                 let until = plan.moves().len();
@@ -55,7 +54,7 @@ impl<I: Interpreter> Station<'_, I> {
                 let (at_s, ramped) =
                     stood_s.map_or((at_s, ramped), |stood_s| ((stood_s - t0_s).max(0.0), false));
                 let Some((ramp_down, _)) = planner.stop(plan, at_s, ramped) else { break };
-                self.world.machine.foresee(&ramp_down, t0_s);
+                self.world.tracked().replans(&ramp_down, t0_s, t_s);
                 plan = ramp_down;
             }
             if driven.is_some() {
@@ -84,19 +83,19 @@ impl<I: Interpreter> Station<'_, I> {
             self.slow_down(Slows { by_stop, asks }, end_s, going);
             return None;
         }
-        let halt = loop {
-            // A switch that is moved meanwhile may stop the machine.
-            let halt = self.world.machine.first_halt(end_s, watched);
-            let until_s = halt.map_or(end_s, |halt| halt.t_s.max(self.world.now()));
-            match self.pass(self.world.now(), until_s, Some(going)) {
-                Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
-                Some(request @ (_, OperatorRequest::Feed(_))) => self.postpone(request),
-                Some((t_s, request)) => return Some((t_s, Driven::OperatorRequest(request), true)),
-                None if self.drive.fault().is_some() => break link_lost(self.world.now()),
-                None => break halt?,
+        loop {
+            match self.meet(end_s, watched, Some(going), Self::pass)? {
+                (t_s, Turn::Operator(request @ OperatorRequest::Feed(_))) => {
+                    self.postpone((t_s, request));
+                }
+                (t_s, Turn::Operator(request)) => {
+                    return Some((t_s, Driven::OperatorRequest(request), true));
+                }
+                (t_s, Turn::Input(halt)) => {
+                    return Some((t_s, Driven::by(halt.cause, watched.len()), halt.ramped));
+                }
             }
-        };
-        Some((halt.t_s, Driven::by(halt.cause, watched.len()), halt.ramped))
+        }
     }
 
     /// The switches that are sought first, then the emergency stop.

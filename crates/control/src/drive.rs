@@ -7,6 +7,7 @@
 //! ```
 
 use crate::requests::{OperatorRequest, Requests};
+use kerf_machine::driver::Override;
 use kerf_machine::{Driven, Fault, Going, News};
 use kerf_motion::Move;
 use kerf_program::Axes;
@@ -21,6 +22,20 @@ const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A program that computes and does not move looks at the machine this often.
 const GLANCE: Duration = Duration::from_millis(4);
+
+/// News on the way, from either side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Heard {
+    /// The operator wants something.
+    Operator(OperatorRequest),
+    /// The machine tells that an input changed.
+    Input {
+        /// Its number.
+        number: u8,
+        /// Its contact is closed from now on.
+        on: bool,
+    },
+}
 
 /// The machine and the requests.
 pub(crate) struct Drive<'a> {
@@ -41,24 +56,28 @@ impl<'a> Drive<'a> {
     pub fn new(machine: Driven, requests: &'a mut dyn Requests, now_s: f64) -> Self {
         machine.borrow_mut().begin();
         machine.borrow_mut().feed(1.0);
+        for turned in [Override::Rapid(100), Override::Spindle(100)] {
+            machine.borrow_mut().turn(turned);
+        }
         let (kept, braked, fault, looked) = (VecDeque::new(), false, None, None);
         Self { machine, requests, kept, reached_s: now_s, braked, fault, looked }
     }
 
     /// Lets machine time go on from one moment to another, unless an input, a fault or the operator comes before; returns
-    /// that moment and what comes. A fault is told by [`Drive::fault`].
+    /// that moment and what comes. A fault is told by [`Drive::fault`]. What the operator asks for in the very moment in
+    /// which an input changes comes first.
     pub fn pass(
         &mut self,
         from_s: f64,
         to_s: f64,
         doing: &Doing<'_>,
         sink: &mut dyn Sink,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         if doing.machine.draws() {
             // What is only drawn takes no time, and no machine makes it.
             let request = self.take(from_s, to_s);
             sink.under_way(doing, from_s, to_s);
-            return request;
+            return request.map(operator);
         }
         if doing.going.is_some() && self.braked {
             // The way to the stand is made already.
@@ -76,12 +95,12 @@ impl<'a> Drive<'a> {
         let due = self.take(from_s, to_s);
         if due.is_some_and(|(at_s, _)| at_s <= from_s) {
             // What is asked for now waits for no machine.
-            return due;
+            return due.map(operator);
         }
-        let until_s = due.map_or(to_s, |(at_s, _)| at_s);
+        let until_s = due.map_or(to_s, |(at_s, _)| at_s.next_down().max(from_s));
         match self.pass_until(from_s, until_s, doing, sink) {
             Err(Fails) => None,
-            Ok(None) => due,
+            Ok(None) => due.map(operator),
             Ok(first) => {
                 self.kept.extend(due);
                 first
@@ -95,9 +114,12 @@ impl<'a> Drive<'a> {
         until_s: f64,
         doing: &Doing<'_>,
         sink: &mut dyn Sink,
-    ) -> Result<Option<(f64, OperatorRequest)>, Fails> {
+    ) -> Result<Option<(f64, Heard)>, Fails> {
         let mut now_s = from_s;
         loop {
+            if let Some(turned) = self.requests.turned(now_s) {
+                self.machine.borrow_mut().turn(turned);
+            }
             let News { reached_s, input } = {
                 let mut machine = self.machine.borrow_mut();
                 match &doing.going {
@@ -119,14 +141,27 @@ impl<'a> Drive<'a> {
                 return Ok(None);
             }
             if let Some(request) = self.requests.take(now_s, now_s) {
-                return Ok(Some(request));
+                return Ok(Some(operator(request)));
             }
         }
     }
 
+    /// Goes once more, in no time, through what happened up to a moment; returns the next input that changed on the way.
+    pub fn repeat(&mut self, to_s: f64, io: &IoModes) -> Option<(f64, Heard)> {
+        let News { reached_s, input } = self.machine.borrow_mut().passed(to_s);
+        Some((reached_s, moved(input?, io)))
+    }
+
+    /// Returns `true` if the machine tells its inputs again when a run is gone through once more.
+    pub fn repeats(&self) -> bool {
+        self.machine.borrow().facts().repeats
+    }
+
     /// Takes the first request from one moment to another; one that was kept comes first.
     fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)> {
-        let kept = self.kept.pop_front().map(|(at_s, request)| (at_s.max(from_s), request));
+        let is_due = self.kept.front().is_some_and(|(at_s, _)| *at_s <= to_s);
+        let kept = if is_due { self.kept.pop_front() } else { None };
+        let kept = kept.map(|(at_s, request)| (at_s.max(from_s), request));
         kept.or_else(|| self.requests.take(from_s, to_s))
     }
 
@@ -169,11 +204,6 @@ impl<'a> Drive<'a> {
             self.fault = self.machine.borrow().fault().cloned();
         }
         self.fault.is_some()
-    }
-
-    /// Another plan, or another piece of it, is about to be followed.
-    pub fn follows(&mut self) {
-        self.machine.borrow_mut().begin_plan();
     }
 
     /// The machine is to stop on its way. One that slows down by itself tells the moment of the plan at which it stands,
@@ -280,8 +310,12 @@ impl<'a> Drive<'a> {
 struct Fails;
 
 /// A pin that a controller reports: active is what its own wiring makes of it, a run counts in contacts.
-fn moved((number, active): (u8, bool), io: &IoModes) -> OperatorRequest {
-    OperatorRequest::Input { number, on: contact(number, active, io) }
+fn moved((number, active): (u8, bool), io: &IoModes) -> Heard {
+    Heard::Input { number, on: contact(number, active, io) }
+}
+
+const fn operator((at_s, request): (f64, OperatorRequest)) -> (f64, Heard) {
+    (at_s, Heard::Operator(request))
 }
 
 #[cfg(test)]

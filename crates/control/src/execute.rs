@@ -4,7 +4,8 @@ use crate::reentry::taken;
 use crate::run_end::Break;
 use crate::runner::Runner;
 use crate::stack::Running;
-use crate::turn::{Slows, Turn, link_lost};
+use crate::station::Station;
+use crate::turn::{Slows, Turn};
 use crate::{OperatorRequest, reentry, table_limits};
 use kerf_diag::Code;
 use kerf_machine::lines::Input;
@@ -103,10 +104,7 @@ impl<I: Interpreter> Runner<'_, I> {
         let t0_s = self.stops.station.stack.running.as_ref()?.t0_s;
         let watched = self.stops.station.watched(t0_s);
         let watches = pins(&watched, t0_s, &self.stops.station.world.machine.settings().io);
-        self.stops.station.drive.follows();
-        self.stops.station.world.machine.foresee(&plan, t0_s);
-        let mut halt =
-            self.stops.station.world.machine.first_halt(t0_s + plan.duration_s(), &watched);
+        self.stops.station.world.tracked().follows(&plan, t0_s);
         let mut turned: Option<(Stop, Turn, Axes)> = None;
         let mut index = 0;
         while index < plan.moves().len() {
@@ -127,13 +125,9 @@ impl<I: Interpreter> Runner<'_, I> {
                     let until = index.saturating_add(self.stops.station.stack.before_mark());
                     let (part, watches) = (1.0, &*watches);
                     let going = Going { plan: &plan, index, t0_s, until, part, watches };
-                    if let Some((t_s, turn)) = self.turn_before(halt, end_s, going) {
-                        if let Turn::Operator(OperatorRequest::Input { number, on }) = turn {
-                            self.stops.station.press(number, on, t_s);
-                            let end_s = t0_s + plan.duration_s();
-                            halt = self.stops.station.world.machine.first_halt(end_s, &watched);
-                            continue;
-                        }
+                    let ask = Station::ask_pace;
+                    let met = self.stops.station.meet(end_s, &watched, Some(going), ask);
+                    if let Some((t_s, turn)) = met {
                         if let Turn::Operator(OperatorRequest::Feed(share)) = turn
                             && self.stops.station.drive.overrides()
                         {
@@ -155,7 +149,7 @@ impl<I: Interpreter> Runner<'_, I> {
                         if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
                             self.stops.station.drop_outputs(t_s, index);
                         }
-                        self.stops.station.world.machine.foresee(&made, t0_s);
+                        self.stops.station.world.tracked().replans(&made, t0_s, t_s);
                         (plan, turned) = (made, Some((stop, turn, began)));
                         continue;
                     }
@@ -168,25 +162,6 @@ impl<I: Interpreter> Runner<'_, I> {
             index += 1;
         }
         turned
-    }
-
-    /// Lets time pass up to a moment, unless an input or the operator wants something before.
-    fn turn_before(
-        &mut self,
-        halt: Option<Halt>,
-        end_s: f64,
-        going: Going<'_>,
-    ) -> Option<(f64, Turn)> {
-        let now = self.stops.station.world.now();
-        let halt = halt.filter(|halt| halt.t_s <= end_s);
-        let until_s = halt.map_or(end_s, |halt| halt.t_s.max(now));
-        match self.stops.station.ask_pace(now, until_s, Some(going)) {
-            Some((t_s, request)) => Some((t_s, Turn::Operator(request))),
-            None if self.stops.station.drive.fault().is_some() => {
-                Some((now, Turn::Input(link_lost(now))))
-            }
-            None => halt.map(|halt| (halt.t_s, Turn::Input(halt))),
-        }
     }
 
     /// The piece as it is made when it is left, and where that is; with a ramp, unless the machine has
@@ -202,6 +177,7 @@ impl<I: Interpreter> Runner<'_, I> {
                 | OperatorRequest::GiveUp,
             ) => planner.stop(piece, t_s, ramps),
             Turn::Operator(OperatorRequest::Feed(share)) => planner.feed(piece, t_s, share),
+            // A switch stops nothing by itself.
             Turn::Operator(OperatorRequest::Input { .. }) => None,
         }
     }

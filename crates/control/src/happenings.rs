@@ -29,6 +29,7 @@ impl World<'_> {
             match happening.what {
                 What::LaserFrequency(hz) => self.laser_hz = Some(hz),
                 What::Output { number: SPINDLE_OUTPUT, .. } => self.spindle_switched = true,
+                What::Pushed { axis, by } => self.hands.push(axis, by, self.machine.position()),
                 _ => {}
             }
             if let Some(actuator) = actuator(&happening.what) {

@@ -215,7 +215,7 @@ impl<I: Interpreter> Stops<'_, I> {
         }
         frame.working_zero = frame.working_zero.plus(nudge.way());
         self.station.world.machine.use_frame(frame, AxisSet::EMPTY);
-        self.station.world.machine.begin_motion();
+        self.station.world.tracked().begin_motion();
         self.station.world.tell_log();
         self.go(MoveKind::Jog, position.plus(nudge.way()));
         self.station.world.tell_base(AxisSet::EMPTY.with(axis));

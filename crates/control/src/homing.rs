@@ -13,7 +13,7 @@ use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Button, Command, Feed, Interpreter, Line, MoveKind, Question,
     Settings, Status,
 };
-use kerf_sim::{Machine, Watched};
+use kerf_sim::Watched;
 use kerf_trace::Event;
 
 /// Homes axes that have a switch, and tells how far the last home was off.
@@ -24,12 +24,12 @@ pub(crate) fn home<I: Interpreter>(stops: &mut Stops<'_, I>, axes: AxisSet) -> F
     let machine = stops.station.world.machine_is.clone();
     let settings = hand_settings(&machine);
     let now_s = stops.station.world.now();
-    stops.station.world.machine.advance(now_s);
+    stops.station.world.tracked().advance(now_s);
     let mut rig = OnMachine { stops, settings, axis: None, over: None, found: Found::default() };
     let mut homed = Vec::new();
     let ended = homing::home(&machine, &mut rig, axes, &mut homed);
     let (over, at, mut found) = (rig.over.take(), rig.axis, rig.found);
-    stops.station.world.machine.move_alone(None);
+    stops.station.world.tracked().move_alone(None);
     stops.station.mover.set_position(stops.station.world.machine.position());
     match &ended {
         Ok(()) => found.done = found.zeroed,
@@ -82,7 +82,7 @@ fn misses_switch<I: Interpreter>(
     axis: Option<Axis>,
 ) -> RunEnd {
     let place = Place::line(stops.station.world.file(At::default()), 0);
-    let input = axis.and_then(Machine::home_line).map_or("none", Input::name);
+    let input = axis.and_then(Input::home_of).map_or("none", Input::name);
     let hint = format!(
         "nothing moves on; look at the switch on input {input} (homing), and at the length of the axis (axis.length)"
     );
@@ -184,10 +184,6 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         self.stops.station.world.machine.position()[self.axis()]
     }
 
-    fn machine(&mut self) -> &mut Machine {
-        &mut self.stops.station.world.machine
-    }
-
     /// Moves the axis, until a switch reads a state; tells where that was.
     fn drive(&mut self, which: Which, to: f64, speed: f64, until: Option<bool>) -> Option<f64> {
         if self.over.is_some() {
@@ -198,7 +194,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
             return None;
         }
         let (axis, from) = (self.axis(), self.stops.station.world.machine.position());
-        self.machine().move_alone(match which {
+        self.stops.station.world.tracked().move_alone(match which {
             Which::All => None,
             Which::One(motor) => Some((axis, motor)),
         });
@@ -206,7 +202,7 @@ impl<I: Interpreter> OnMachine<'_, '_, I> {
         there[axis] = to;
         let line = Line { kind: MoveKind::Jog, to: there, feed: Feed::Path(speed.abs()) };
         let made = Mover::new(from, &self.settings).line(At::default(), &line)?;
-        let switch = until.zip(Machine::home_line(axis)).map(|(on, line)| line.number_when(on));
+        let switch = until.zip(Input::home_of(axis)).map(|(on, line)| line.number_when(on));
         match self.stops.station.drive(made, &self.settings, switch.as_slice()) {
             Driven::Edge(place) => Some(place[axis]),
             Driven::There => None,
@@ -231,7 +227,7 @@ impl Switch for Input {
 
 impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
     fn switch(&self, which: Which) -> bool {
-        self.stops.station.world.machine.home_switch(self.axis(), which)
+        self.stops.station.world.driven.borrow().home_switch(self.axis(), which)
     }
 
     fn seek(&mut self, which: Which, speed: f64, until: bool, most: f64) -> Sought {
@@ -252,7 +248,7 @@ impl<I: Interpreter> Axle for OnMachine<'_, '_, I> {
             let axis = self.axis();
             self.found.shift[axis] += self.place();
             self.found.zeroed.insert(axis);
-            self.machine().zero(axis);
+            self.stops.station.world.tracked().zero(axis);
         }
     }
 }

@@ -60,6 +60,7 @@ mod stopping;
 mod table_limits;
 mod text;
 mod told_as_one;
+mod tracked;
 mod trail;
 mod turn;
 mod waiting;
@@ -67,8 +68,7 @@ mod way_back;
 mod world;
 mod world_clock;
 
-use kerf_machine::Driven;
-use kerf_sim::Simulated;
+use kerf_sim::{Opened, Simulated};
 
 pub use at_rest::AtRest;
 pub use diagnostics::{diagnostics, system_variables};
@@ -82,6 +82,6 @@ pub use text::{Outcome, TextOptions, run_text};
 pub use world_clock::WorldClock;
 
 /// The simulated machine of a run that takes no time.
-pub fn simulated() -> Driven {
-    Simulated::driven(())
+pub fn simulated() -> Opened {
+    Simulated::opened(())
 }

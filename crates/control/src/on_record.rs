@@ -14,7 +14,7 @@ use kerf_journal::{
 };
 use kerf_machine::{Configuration, Setting};
 use kerf_program::Settings;
-use kerf_sim::Machine;
+use kerf_sim::Simulation;
 use kerf_trace::{Event, Summary};
 use kerf_workspace::{Workspace, unconfirmed};
 use std::sync::Arc;
@@ -65,7 +65,7 @@ impl Session {
             None => (self.memory.position, self.memory.frame) = (position, frame),
         }
         (self.gcode, self.homed) = (remembered.gcode, remembered.homed);
-        let machine = Machine::default().equipped(&self.machine_is, self.homed);
+        let machine = Simulation::default().equipped(&self.machine_is, self.homed);
         let switches = switches::read(workspace.stored.get(SWITCHES).unwrap_or_default());
         self.machine = Some(machine.with_truth(&remembered.truth).with_switches(&switches));
     }
@@ -236,7 +236,7 @@ impl Session {
 
     /// Puts on record where somebody left the switches of the simulated machine.
     pub(crate) fn keep_switches(&self, workspace: &mut Workspace) {
-        let moved = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
+        let moved = self.machine.as_ref().map(Simulation::switches).unwrap_or_default();
         let kept = switches::write(&moved);
         if workspace.stored.get(SWITCHES) != kept.as_deref() {
             workspace.stored.set(SWITCHES, kept.as_deref());
@@ -287,7 +287,7 @@ impl Session {
     /// The session as it was when a run that was cut short began.
     fn as_begun(cut: &CutShort) -> Self {
         let kerf_part::Session { sbp, gcode } = cut.memory().clone();
-        let machine = Machine::default().with_switches(&cut.switches());
+        let machine = Simulation::default().with_switches(&cut.switches());
         let machine_is = Arc::new(cut.machine());
         Self { gcode, machine_is, machine: Some(machine), ..Self::new(sbp) }
     }
@@ -299,7 +299,7 @@ impl Session {
             gcode: &self.gcode,
             machine: &self.machine_is,
             homed: self.homed,
-            truth: self.machine.as_ref().map(Machine::truth),
+            truth: self.machine.as_ref().map(Simulation::truth),
         }
     }
 
@@ -333,7 +333,7 @@ impl Session {
             self.take_over(&journal, workspace)?;
         }
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };
-        let switches = self.machine.as_ref().map(Machine::switches).unwrap_or_default();
+        let switches = self.machine.as_ref().map(Simulation::switches).unwrap_or_default();
         let on = self.driven_by.as_ref().map(|controller| &*controller.name);
         let (work, tape) = journal.runs.take_up(cut, on, stands, switches)?;
         let run = &cut.run;
@@ -392,12 +392,12 @@ fn in_time(
     tape: &mut Tape,
     context: &RunContext<'_>,
 ) -> Result<(), JournalError> {
-    let is_real = context.machine.borrow().is_real();
+    let is_real = context.machine.machine.borrow().is_real();
     journal.each_commit_lasts(is_real)?;
     if is_real {
         tape.writes_behind(context.requests.hurry());
     }
-    let leads_s = context.machine.borrow().facts().leads_s;
+    let leads_s = context.machine.machine.borrow().facts().leads_s;
     if leads_s > 0.0 {
         tape.lags(leads_s);
     }

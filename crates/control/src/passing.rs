@@ -1,6 +1,7 @@
 //! Machine time as it passes for a run: the operator is heard, what is made goes on record.
 
 use crate::OperatorRequest;
+use crate::drive::Heard;
 use crate::station::Station;
 use crate::turn::{Slows, Turn, link_lost};
 use kerf_journal::{Kind, Placed, Turn as Teller};
@@ -18,14 +19,18 @@ const RECORDED_EVERY_S: f64 = 0.02;
 /// (command reference, alpha tools).
 const POWER_S: f64 = 5.0;
 
+/// A way to let time pass that heeds the operator: also what he asked for before, or only what he asks for now.
+pub(crate) type Ask<S> = fn(&mut S, f64, f64, Option<Going<'_>>) -> Option<(f64, Heard)>;
+
 impl<I: Interpreter> Station<'_, I> {
-    /// Lets machine time pass. What was made before it is on record; while the machine moves, soon.
+    /// Lets machine time pass. What was made before it is on record; while the machine moves, soon. A switch that the
+    /// operator moves is told by the machine.
     pub(crate) fn pass(
         &mut self,
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         if to_s > from_s && self.drive.is_real() {
             self.world.workspace.tape.write();
             // What moves waits for no disk.
@@ -33,50 +38,120 @@ impl<I: Interpreter> Station<'_, I> {
                 self.world.workspace.tape.settle();
             }
         }
-        self.hear_request(|run, is_kept| {
-            if is_kept {
-                run.watch_writing(from_s, to_s, going)
-            } else {
-                run.watch(from_s, to_s, going)
-            }
-        })
-    }
-
-    /// Returns the request of the operator: what the tape tells, else the world; that is kept where there is a tape.
-    fn hear_request(
-        &mut self,
-        world: impl FnOnce(&mut Self, bool) -> Option<(f64, OperatorRequest)>,
-    ) -> Option<(f64, OperatorRequest)> {
-        let request = match self.world.workspace.tape.turn(Kind::Request) {
-            Teller::Told(told) => told,
-            Teller::Live => world(self, false),
-            Teller::Open(call) => {
-                let request = world(self, true);
-                self.world.workspace.tape.heard(Kind::Request, call, request.as_ref());
-                match request {
-                    Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => {
-                        self.world.workspace.tape.stops()
-                    }
-                    Some((_, OperatorRequest::Input { number, .. })) => {
-                        self.world.workspace.tape.presses(number);
-                    }
-                    _ => {}
+        loop {
+            let heard = self.hear(to_s, |run, is_kept| {
+                if is_kept {
+                    run.watch_writing(from_s, to_s, going)
+                } else {
+                    run.watch(from_s, to_s, going)
                 }
-                request
+            });
+            let (t_s, Heard::Operator(OperatorRequest::Input { number, on })) = heard? else {
+                return heard;
+            };
+            if !self.press(number, on, t_s) {
+                return Some((t_s, Heard::Input { number, on }));
             }
-        };
-        if request.is_some() {
-            self.world.workspace.tape.write();
         }
-        request
     }
 
-    fn watch(
+    /// Lets time pass up to a moment, unless an input that stops the machine or the operator comes before. The moment of
+    /// the input may be over.
+    pub(crate) fn meet(
+        &mut self,
+        end_s: f64,
+        watched: &[Watched],
+        going: Option<Going<'_>>,
+        ask: Ask<Self>,
+    ) -> Option<(f64, Turn)> {
+        let now_s = self.world.now();
+        // What was told on the way to a moment that the operator interrupted still stops the machine.
+        let mut looked_s = self.world.machine.told_s();
+        loop {
+            let machine = &self.world.machine;
+            let halt = match going {
+                Some(_) => machine.halted(looked_s, watched),
+                None => machine.halted_at_rest(looked_s, watched),
+            };
+            let level_s = next_level_s(watched, looked_s, end_s);
+            let until_s = halt.map_or(level_s.unwrap_or(end_s), |halt| halt.t_s);
+            match ask(self, now_s, until_s.max(now_s), going) {
+                Some((t_s, Heard::Input { number, on })) => {
+                    self.world.tracked().learn(number, on, t_s);
+                    looked_s = looked_s.max(t_s);
+                }
+                Some((t_s, Heard::Operator(request))) => {
+                    return Some((t_s, Turn::Operator(request)));
+                }
+                None if self.drive.fault().is_some() => {
+                    return Some((now_s, Turn::Input(link_lost(now_s))));
+                }
+                None => match (halt, level_s) {
+                    (Some(halt), _) => return Some((halt.t_s, Turn::Input(halt))),
+                    (None, Some(level_s)) => looked_s = level_s,
+                    (None, None) => return None,
+                },
+            }
+        }
+    }
+
+    /// Lets time pass; inputs that change meanwhile are noted, and only the operator ends it.
+    fn pass_learning(
         &mut self,
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
     ) -> Option<(f64, OperatorRequest)> {
+        loop {
+            match self.pass(from_s, to_s, going)? {
+                (t_s, Heard::Input { number, on }) => self.world.tracked().learn(number, on, t_s),
+                (t_s, Heard::Operator(request)) => return Some((t_s, request)),
+            }
+        }
+    }
+
+    /// Returns what the tape tells, else what the world does; that is kept where there is a tape.
+    fn hear(
+        &mut self,
+        to_s: f64,
+        world: impl FnOnce(&mut Self, bool) -> Option<(f64, Heard)>,
+    ) -> Option<(f64, Heard)> {
+        match self.world.workspace.tape.turn(Kind::Request) {
+            Teller::Told(Some((t_s, request))) => {
+                self.world.workspace.tape.write();
+                Some((t_s, Heard::Operator(request)))
+            }
+            Teller::Told(None) if self.world.machine.draws() => None,
+            Teller::Told(None) => self.drive.repeat(to_s, &self.world.machine.settings().io),
+            Teller::Live => world(self, false),
+            Teller::Open(call) => {
+                let heard = world(self, true);
+                self.keep(call, heard);
+                heard
+            }
+        }
+    }
+
+    /// Keeps what was heard on the tape. A machine that repeats what it does tells its inputs once more instead.
+    fn keep(&mut self, call: u64, heard: Option<(f64, Heard)>) {
+        let request = heard.and_then(|(t_s, heard)| match heard {
+            Heard::Operator(request) => Some((t_s, request)),
+            Heard::Input { .. } if self.drive.repeats() => None,
+            Heard::Input { number, on } => Some((t_s, OperatorRequest::Input { number, on })),
+        });
+        let tape = &mut self.world.workspace.tape;
+        tape.heard(Kind::Request, call, request.as_ref());
+        match request {
+            Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => tape.stops(),
+            Some((_, OperatorRequest::Input { number, .. })) => tape.presses(number),
+            _ => {}
+        }
+        if request.is_some() {
+            tape.write();
+        }
+    }
+
+    fn watch(&mut self, from_s: f64, to_s: f64, going: Option<Going<'_>>) -> Option<(f64, Heard)> {
         self.world.pass(&mut self.drive, from_s, to_s, going, self.feed)
     }
 
@@ -87,7 +162,7 @@ impl<I: Interpreter> Station<'_, I> {
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         let Some(under_way) = going.filter(|_| self.drive.is_real()) else {
             return self.watch(from_s, to_s, going);
         };
@@ -114,18 +189,19 @@ impl<I: Interpreter> Station<'_, I> {
         None
     }
 
-    /// Returns the request of the operator before a moment; one that was postponed comes first.
+    /// Returns what comes before a moment: a request of the operator, one that was postponed first, or an input.
     pub(crate) fn ask_pace(
         &mut self,
         from_s: f64,
         to_s: f64,
         going: Option<Going<'_>>,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         let Some((t_s, request)) = self.requests.pop_front() else {
             return self.pass(from_s, to_s, going);
         };
-        let heard = self.hear_request(|_, _| Some((t_s.clamp(from_s, to_s.max(from_s)), request)));
-        if heard.is_none() {
+        let postponed = (t_s.clamp(from_s, to_s.max(from_s)), Heard::Operator(request));
+        let heard = self.hear(to_s, |_, _| Some(postponed));
+        if !matches!(heard, Some((_, Heard::Operator(_)))) {
             // Not yet, where this has happened before.
             self.requests.push_front((t_s, request));
         }
@@ -153,12 +229,11 @@ impl<I: Interpreter> Station<'_, I> {
         }
     }
 
-    /// The switch of an input is moved at a moment that is still to come, or in the next: whoever waits
-    /// for the input sees it change.
-    pub(crate) fn press(&mut self, input: u8, on: bool, at_s: f64) {
+    /// The switch of an input is moved at a moment that is still to come, or in the next: the machine tells that it
+    /// changes. Returns `false` where nobody moves switches but the machine.
+    pub(crate) fn press(&mut self, input: u8, on: bool, at_s: f64) -> bool {
         let at_s = at_s.max(self.world.now().next_up());
-        self.world.machine.press(Change { input, at_s, on });
-        self.world.tell_log();
+        self.world.hands.press(Change { input, on, at_s })
     }
 
     /// From here on cuts run at this share of the speed asked for.
@@ -178,7 +253,7 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn stand_until(&mut self, end_s: f64) {
         let begin_s = self.world.now();
         let end_s = end_s.max(begin_s);
-        self.world.machine.advance(end_s);
+        self.world.tracked().advance(end_s);
         self.world.tally.waited(end_s - begin_s);
         self.world.tell_log();
     }
@@ -188,13 +263,8 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn slow_down(&mut self, slows: Slows, end_s: f64, going: Going<'_>) {
         let mut from_s = self.world.now();
         let mut before = None;
-        while let Some(told) = self.pass(from_s, end_s, Some(going)) {
+        while let Some(told) = self.pass_learning(from_s, end_s, Some(going)) {
             let (t_s, request) = told;
-            if let OperatorRequest::Input { number, on } = request {
-                self.press(number, on, t_s);
-                (from_s, before) = (t_s, None);
-                continue;
-            }
             // Whoever tells the same at the same moment goes on doing so until the machine stands.
             let repeats = before.replace(told) == Some(told);
             match request {
@@ -263,26 +333,17 @@ impl<I: Interpreter> Station<'_, I> {
         let until_s = self.world.machine.warn();
         self.world.tell_log();
         while self.world.now() < until_s {
-            let now_s = self.world.now();
-            let halt = self.world.machine.first_halt_at_rest(until_s, watched);
-            let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
-            let request = self.pass(now_s, end_s, None);
+            let turn = self.meet(until_s, watched, None, Self::pass);
             if self.drive.fault().is_some() {
-                return Some(Turn::Input(link_lost(now_s)));
+                return turn.map(|(_, turn)| turn);
             }
-            match request {
-                Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
-                Some(request @ (_, OperatorRequest::Feed(_))) => self.postpone(request),
-                Some((t_s, request)) => {
-                    self.stand_until(t_s);
-                    return Some(Turn::Operator(request));
-                }
-                None => {
-                    self.stand_until(end_s);
-                    if halt.is_some() {
-                        return halt.map(Turn::Input);
-                    }
-                }
+            if let Some((t_s, Turn::Operator(request @ OperatorRequest::Feed(_)))) = turn {
+                self.postpone((t_s, request));
+                continue;
+            }
+            self.stand_until(turn.map_or(until_s, |(t_s, _)| t_s));
+            if turn.is_some() {
+                return turn.map(|(_, turn)| turn);
             }
         }
         None
@@ -302,8 +363,7 @@ impl<I: Interpreter> Station<'_, I> {
         let t = self.world.now();
         let text = format!("stop input {active} is active: nothing moves before it is released");
         self.world.tell(&Event::Message { text: text.into(), t });
-        match self.pass(t, t + RELEASE_S, None) {
-            Some((t_s, OperatorRequest::Input { number, on })) => self.press(number, on, t_s),
+        match self.pass_learning(t, t + RELEASE_S, None) {
             Some((_, OperatorRequest::Stop | OperatorRequest::Hold)) => self.forgo(),
             request => request.into_iter().for_each(|request| self.put_off(request)),
         }
@@ -315,20 +375,27 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn cut_power(&mut self) {
         let t = self.world.now();
         self.world.tell_log();
-        self.pass(t, t + POWER_S, None).into_iter().for_each(drop);
+        self.pass_learning(t, t + POWER_S, None).into_iter().for_each(drop);
         self.stand_until(t + POWER_S);
         self.world.machine.motors_off();
     }
 
     /// The first stop of a machine that is held until a moment, and when it came.
-    pub(crate) fn stops_held(&self, until_s: f64) -> Option<(f64, HaltCause)> {
+    pub(crate) fn stops_held(&mut self, until_s: f64) -> Option<(f64, HaltCause)> {
         let active = self.world.machine.stop_input();
         let active = active.map(|n| (self.world.now(), HaltCause::Stop(n)));
         active.or_else(|| {
             let watched = self.watched_at_rest();
-            let halt = self.world.machine.first_halt_at_rest(until_s, watched.as_slice())?;
+            self.world.tracked().learn_until(until_s);
+            let halt = self.world.machine.halted_at_rest(until_s, watched.as_slice())?;
             matches!(halt.cause, HaltCause::Stop(_) | HaltCause::Watch(_))
                 .then_some((halt.t_s, halt.cause))
         })
     }
+}
+
+/// Returns the next moment, up to another, from which on a state that is watched stops the machine.
+fn next_level_s(watched: &[Watched], from_s: f64, end_s: f64) -> Option<f64> {
+    let levels = watched.iter().filter_map(|watch| watch.level_from_s);
+    levels.filter(|s| *s > from_s && *s <= end_s).min_by(f64::total_cmp)
 }

@@ -17,7 +17,7 @@ use kerf_machine::lines::Output;
 use kerf_program::{
     Axes, Axis, Button, Interpreter, MoveKind, OutputReason, Question, QuestionKind, StoppedBy,
 };
-use kerf_sim::{Change, WasOn};
+use kerf_sim::WasOn;
 use kerf_trace::Event;
 use std::sync::Arc;
 
@@ -37,9 +37,8 @@ pub(crate) fn take_up<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), Br
         stops.station.world.workspace.tape.reenter(stands)
     });
     skip(stops, told.within);
-    let at_s = stops.station.world.now();
     for (input, on) in told.moved {
-        stops.station.world.machine.press(Change { input, at_s, on });
+        stops.station.world.tracked().press(input, on);
     }
     if stops.station.interpreter.takes_stops() {
         return Err(hand_over(stops, told.place.position)?);
@@ -52,7 +51,7 @@ fn hand_over<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<Bre
     let began = stops.station.world.machine.position();
     let motion = stops.station.stack.next_number();
     // What was on comes on by the program's own way back.
-    drop(stops.station.world.machine.restart(from));
+    drop(stops.station.world.tracked().restart(from));
     tell_taken_up(stops);
     let at = kerf_program::Halted { motion, began, stands: from };
     let outputs = stops.station.interpreter.comes_on(&at);
@@ -93,10 +92,10 @@ fn skip<I: Interpreter>(stops: &mut Stops<'_, I>, share: f64) {
 fn go_back<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<(), RunEnd> {
     let ahead = stops.station.mover.position();
     let to = stops.station.world.machine.position();
-    let was_on = stops.station.world.machine.restart(from);
+    let was_on = stops.station.world.tracked().restart(from);
     tell_taken_up(stops);
     may_go_back(stops)?;
-    stops.station.world.machine.begin_motion();
+    stops.station.world.tracked().begin_motion();
     stops.lift();
     stops.heeded()?;
     let (ready, nudged) = whether_ready(stops, &was_on);
@@ -171,7 +170,7 @@ pub(crate) fn taken<I: Interpreter>(
     at: &kerf_program::Halted,
 ) -> Break {
     stops.station.drive.heard();
-    stops.station.world.machine.land_torch();
+    stops.station.world.tracked().land();
     let stands = stops.station.world.machine.position();
     stops.station.world.limit = match by {
         StoppedBy::Limit(input) => Some(input),

@@ -1,6 +1,7 @@
 //! Requests of the operator about a run, in the order in which they come.
 
 use kerf_journal::Hurry;
+use kerf_machine::driver::Override;
 use serde::{Deserialize, Serialize};
 
 /// Request of the operator about a machine that runs.
@@ -31,6 +32,11 @@ pub trait Requests {
     /// Takes the first request that comes from one moment of machine time to another, seconds; both may be the same. One
     /// that somebody makes just now comes at the first of them. Asked again from there, it gives the next.
     fn take(&mut self, from_s: f64, to_s: f64) -> Option<(f64, OperatorRequest)>;
+
+    /// Takes what the operator has turned up to a moment of machine time, seconds, and what the plan is not changed by.
+    fn turned(&mut self, _now_s: f64) -> Option<Override> {
+        None
+    }
 
     /// Tells whoever waits for a disk while the machine stands that it is to stop.
     fn hurry(&self) -> Option<Hurry> {
@@ -76,6 +82,8 @@ pub struct Script {
     requests: Vec<(f64, OperatorRequest)>,
     /// The next one last.
     resumes: Vec<f64>,
+    /// The next one last.
+    turns: Vec<(f64, Override)>,
 }
 
 impl Script {
@@ -83,7 +91,15 @@ impl Script {
     pub fn new(mut requests: Vec<(f64, OperatorRequest)>, mut resumes: Vec<f64>) -> Self {
         requests.sort_by(|a, b| b.0.total_cmp(&a.0));
         resumes.sort_by(|a, b| b.total_cmp(a));
-        Self { requests, resumes }
+        Self { requests, resumes, turns: Vec::new() }
+    }
+
+    /// The same, with what else the operator turns at machine times, seconds.
+    #[must_use]
+    pub fn turning(mut self, mut turns: Vec<(f64, Override)>) -> Self {
+        turns.sort_by(|a, b| b.0.total_cmp(&a.0));
+        self.turns = turns;
+        self
     }
 }
 
@@ -92,6 +108,10 @@ impl Requests for Script {
         let due = |(at_s, _): &mut (f64, OperatorRequest)| to_s > from_s && to_s >= *at_s;
         let (at_s, request) = self.requests.pop_if(due)?;
         Some((at_s.max(from_s), request))
+    }
+
+    fn turned(&mut self, now_s: f64) -> Option<Override> {
+        self.turns.pop_if(|(at_s, _)| now_s >= *at_s).map(|(_, turned)| turned)
     }
 
     /// A time that passed while the machine ramped down resumes at once.

@@ -2,7 +2,7 @@
 
 use crate::Requests;
 use crate::answers::Operator;
-use kerf_machine::Driven;
+use kerf_sim::Opened;
 use kerf_trace::Sink;
 
 /// Participants of a run beside program and machine.
@@ -14,7 +14,7 @@ pub struct RunContext<'a> {
     /// Requests of the operator.
     pub requests: &'a mut dyn Requests,
     /// The machine that makes what is planned.
-    pub machine: Driven,
+    pub machine: Opened,
 }
 
 impl RunContext<'_> {

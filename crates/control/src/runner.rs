@@ -61,7 +61,9 @@ impl<'a, I: Interpreter> Runner<'a, I> {
 
     /// Runs the program to its end.
     pub(crate) fn run(&mut self) -> RunEnd {
-        let typed = self.stops.station.world.typed_files > 0;
+        let world = &mut self.stops.station.world;
+        let (typed, now_s) = (world.typed_files > 0, world.now());
+        world.tracked().learn_until(now_s);
         let may_begin = if typed { Ok(()) } else { table_limits::may_begin(&mut self.stops) };
         if typed {
             self.stops.station.world.machine.begin_lines();
@@ -75,6 +77,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
             Ok(()) => self.turns(),
             Err(over) => self.ended(over),
         };
+        self.stops.station.world.driven.borrow_mut().land();
         // Typed lines are no file, unless they ran one.
         if typed && self.stops.station.world.files_known() <= self.stops.station.world.typed_files {
             self.stops.station.world.machine.end_lines();
@@ -256,7 +259,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         if self.leaves_torch(&sourced.command) {
             self.flush()?;
             let station = &mut self.stops.station;
-            station.world.machine.land_torch();
+            station.world.tracked().land();
             station.mover.set_position(station.world.machine.position());
         }
         let station = &mut self.stops.station;
@@ -429,7 +432,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         at: &kerf_program::Halted,
     ) -> Result<(), Break> {
         let Station { interpreter, world, .. } = &mut self.stops.station;
-        world.machine.land_torch();
+        world.tracked().land();
         let position = world.machine.position();
         let Some(watch) = interpreter.watches().get(index).cloned() else { return Ok(()) };
         interpreter.fired(at);

@@ -21,7 +21,7 @@ use kerf_program::settings::Mode;
 use kerf_program::{AXES, AxisSet, Interpreter as _, Question, Settings, Status};
 use kerf_sbp::{Dialect, Language};
 use kerf_sequence::Sequence;
-use kerf_sim::Machine;
+use kerf_sim::Simulation;
 use kerf_trace::{Event, Sink, Summary};
 use kerf_workspace::part_log::PartLog;
 use kerf_workspace::{Workspace, unverified};
@@ -129,7 +129,7 @@ impl Session {
         }
         trail::write_system_log(&mut runner.stops.station, &over);
         let (summary, memory, machine) = conclude(runner, over, options.tell_variables);
-        machine.unverified().iter().for_each(|axis| self.homed.remove(axis));
+        machine.model.unverified().iter().for_each(|axis| self.homed.remove(axis));
         (self.memory, self.gcode, self.machine) = (memory.sbp, memory.gcode, Some(machine));
         if let Some(began) = began {
             give_back(&began, &mut self.memory.settings);
@@ -201,7 +201,7 @@ impl Session {
         let summary = summary(&interpreter, &mut world, over);
         world.tell(&Event::End(end_event(&summary, &world.machine, None)));
         self.memory.position = world.machine.position();
-        self.machine = Some(world.machine);
+        self.machine = Some(world.into_simulation());
         if on_record {
             let well = matches!(summary.status, Status::Ok | Status::Ended);
             workspace.keep_last_shape((!well).then_some((&*name, last_move.line)));
@@ -257,7 +257,7 @@ impl Session {
         world.tell(&Event::End(end_event(&summary, &world.machine, None)));
         (self.memory.position, self.memory.frame) =
             (world.machine.position(), *world.machine.frame());
-        self.machine = Some(world.machine);
+        self.machine = Some(world.into_simulation());
         summary
     }
 
@@ -298,7 +298,7 @@ impl Session {
         let error = program.diagnostics.iter().find(|d| d.is_error()).cloned().map(Box::new);
         let summary = Summary::not_begun(self.memory.settings.linear_unit, error);
         let machine = self.machine.get_or_insert_default();
-        sink.event(&Event::End(end_event(&summary, machine, None)));
+        sink.event(&Event::End(end_event(&summary, &machine.model, None)));
         summary
     }
 
@@ -356,7 +356,7 @@ fn conclude(
     mut runner: Runner<'_, Interpreter>,
     over: RunEnd,
     variables: bool,
-) -> (Summary, kerf_part::Session, Machine) {
+) -> (Summary, kerf_part::Session, Simulation) {
     runner.stops.station.stay_where_it_stands();
     let Station { interpreter, mut world, .. } = runner.stops.station;
     let closes = interpreter.closes();
@@ -368,5 +368,5 @@ fn conclude(
     let independent = world.machine.spinning();
     let mut memory = interpreter.into_session();
     (memory.sbp.position, memory.sbp.independent) = (position, independent);
-    (summary, memory, world.machine)
+    (summary, memory, world.into_simulation())
 }

@@ -6,7 +6,7 @@ use kerf_machine::Configuration;
 use kerf_machine::homing::bounds_by_hand;
 use kerf_program::{AXES, Axis, AxisSet, Frame, Interpreter as _};
 use kerf_sequence::Sequence;
-use kerf_sim::{Change, Inputs, Machine};
+use kerf_sim::{Change, Inputs, Machine, Simulation};
 use std::sync::Arc;
 
 /// A controller, as far as a session has to know it.
@@ -34,7 +34,7 @@ pub struct Session {
     /// Runs have begun since Kerf was started.
     pub(crate) begun: bool,
     /// The simulated machine as the last run left it.
-    pub(crate) machine: Option<Machine>,
+    pub(crate) machine: Option<Simulation>,
 }
 
 impl Session {
@@ -98,7 +98,17 @@ impl Session {
 
     /// Looks at the simulated machine as it stands.
     pub fn look<T>(&self, look: impl FnOnce(&Machine) -> T) -> T {
-        look(&self.machine(Vec::new()))
+        look(&self.machine(Vec::new()).model)
+    }
+
+    /// Switches of the simulated machine that somebody moved by hand, and where they were left.
+    pub fn switches(&self) -> Vec<(u8, bool)> {
+        self.machine(Vec::new()).switches()
+    }
+
+    /// Returns how far each motor's carriage is from where the controller believes it: what only the simulation knows.
+    pub fn truth(&self) -> Vec<Vec<f64>> {
+        self.machine(Vec::new()).truth()
     }
 
     /// The simulated machine as a run finds it.
@@ -108,16 +118,16 @@ impl Session {
             let sequence = Sequence::new(job.clone(), machine.clone(), self.memory.position);
             found.memory.settings = (**sequence.settings()).clone();
             found.memory.frame = Frame::default();
-            return found.machine_like(machine, inputs, AxisSet::first(AXES));
+            return found.machine_like(machine, inputs, AxisSet::first(AXES)).model;
         }
         if options.program.preview && !self.memory.settings.view.start_actual {
             found.draw_from_zero();
         }
-        found.machine(inputs)
+        found.machine(inputs).model
     }
 
     /// The simulated machine, ready for a run.
-    pub(crate) fn machine(&self, inputs: Vec<Change>) -> Machine {
+    pub(crate) fn machine(&self, inputs: Vec<Change>) -> Simulation {
         self.machine_like(&self.machine_is, inputs, self.homed)
     }
 
@@ -127,7 +137,7 @@ impl Session {
         machine_is: &Configuration,
         inputs: Vec<Change>,
         bounded: AxisSet,
-    ) -> Machine {
+    ) -> Simulation {
         let memory = &self.memory;
         let (settings, inputs) = (Arc::new(memory.settings.clone()), Inputs::new(inputs));
         let machine = self.machine.clone().unwrap_or_default();

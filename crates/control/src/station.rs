@@ -11,6 +11,7 @@ use crate::world::World;
 use crate::{OperatorRequest, Requests};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::Placed;
+use kerf_machine::Going;
 use kerf_machine::lines::Input;
 use kerf_motion::{Move, Mover, Path, Plan};
 use kerf_program::{At, Axes, Axis, Halted, Interpreter, Sourced, Status};
@@ -94,7 +95,8 @@ impl<I: Interpreter> Station<'_, I> {
         self.trail.moves(span.made.at);
         let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
         let alone = self.world.machine.alone();
-        let lift = self.world.machine.make(t0_s, plan, &span);
+        let going = Going { plan, index, t0_s, until: index + 1, part: 1.0, watches: &[] };
+        let lift = self.world.tracked().move_made(&going);
         let made = carried(span.made, &lift);
         if self.world.tells_motion() {
             let event = self.move_event(&made, begin_s, end_s);
@@ -350,7 +352,7 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn stay_where_it_stands(&mut self) {
         if self.reentry.is_some() {
             let stands = self.stands_at();
-            self.world.machine.restart(stands.position);
+            self.world.tracked().restart(stands.position);
         }
     }
 

@@ -128,7 +128,7 @@ impl<I: Interpreter> Stops<'_, I> {
 
     fn keep_place(&mut self) {
         self.station.tell_standing(flag::STOPPED);
-        self.station.world.machine.land_torch();
+        self.station.world.tracked().land();
         let stood = self.station.world.machine.position();
         let ahead = self.station.mover.position();
         self.kept = Kept { stood, ahead, lifted_mm: stood[Axis::Z], ..Kept::default() };

@@ -1,9 +1,12 @@
 //! Waits of a run: for time, answers, inputs, the operator.
 
 use crate::asking::Unanswered;
+use crate::drive::Heard;
 use crate::hand_words::{Aside, Jog, KEY};
 use crate::run_end::Break;
 use crate::runner::Runner;
+use crate::station::Station;
+use crate::turn::Turn;
 use crate::{OperatorRequest, answers, lift_aside, pendant, reentry};
 use kerf_machine::Word;
 use kerf_program::{Answer, At, Button, Interpreter, QuestionKind, StoppedBy};
@@ -42,27 +45,21 @@ impl<I: Interpreter> Runner<'_, I> {
     fn pass_some(&mut self, until_s: f64) -> Result<Option<f64>, Break> {
         self.stops.station.wake();
         let watches = self.stops.station.watched(self.stops.station.world.now());
-        let halt = self.stops.station.world.machine.first_halt_at_rest(until_s, &watches);
-        let end_s = halt.map_or(until_s, |halt| halt.t_s);
-        let request = self.stops.station.ask_pace(self.stops.station.world.now(), end_s, None);
+        let turn = self.stops.station.meet(until_s, &watches, None, Station::ask_pace);
         if self.stops.station.drive.fault().is_some() {
             return Err(self.stops.link_is_lost().into());
         }
-        if let Some((t_s, OperatorRequest::Input { number, on })) = request {
-            self.stops.station.press(number, on, t_s);
-            return Ok(Some(self.stops.station.world.now()));
-        }
-        self.stops.station.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
+        self.stops.station.stand_until(turn.map_or(until_s, |(t_s, _)| t_s));
         let stood_s = self.stops.station.world.now();
         self.stops.station.world.workspace.tape.stood(1.0);
-        match (request, halt) {
-            (Some((_, request)), _) if self.is_taken(request) => {
+        match turn {
+            Some((_, Turn::Operator(request))) if self.is_taken(request) => {
                 return Err(self.taken_by_operator());
             }
-            (Some((_, request)), _) if self.is_passed_over(request) => {}
-            (Some((_, request)), _) => self.stops.stands(request)?,
-            (None, Some(halt)) => self.input_halts(halt)?,
-            (None, None) => return Ok(None),
+            Some((_, Turn::Operator(request))) if self.is_passed_over(request) => {}
+            Some((_, Turn::Operator(request))) => self.stops.stands(request)?,
+            Some((_, Turn::Input(halt))) => self.input_halts(halt)?,
+            None => return Ok(None),
         }
         Ok(Some(stood_s))
     }
@@ -118,8 +115,13 @@ impl<I: Interpreter> Runner<'_, I> {
         if self.stops.station.stack.running.is_some() {
             return self.heed_while_moving();
         }
-        let Some((_, request)) = self.stops.station.ask_pace(now, now, None) else {
-            return Ok(());
+        let request = match self.stops.station.ask_pace(now, now, None) {
+            Some((_, Heard::Operator(request))) => request,
+            Some((t_s, Heard::Input { number, on })) => {
+                self.stops.station.world.tracked().learn(number, on, t_s);
+                return Ok(());
+            }
+            None => return Ok(()),
         };
         if self.is_taken(request) {
             return Err(self.taken_by_operator());
@@ -135,8 +137,13 @@ impl<I: Interpreter> Runner<'_, I> {
     /// another from being heard.
     fn heed_while_moving(&mut self) -> Result<(), Break> {
         let now = self.stops.station.world.now();
-        if let Some(request) = self.stops.station.pass(now, now, None) {
-            self.stops.station.postpone(request);
+        match self.stops.station.pass(now, now, None) {
+            Some((t_s, Heard::Operator(request))) => self.stops.station.postpone((t_s, request)),
+            Some((t_s, Heard::Input { number, on })) => {
+                self.stops.station.world.tracked().learn(number, on, t_s);
+                return self.flush();
+            }
+            None => {}
         }
         let stops = |request: &OperatorRequest| !matches!(request, OperatorRequest::Feed(_));
         if self.stops.station.requests.iter().any(|(_, request)| stops(request)) {
@@ -155,10 +162,11 @@ impl<I: Interpreter> Runner<'_, I> {
         self.stops.station.trail.asks(self.stops.station.interpreter.call_stack());
         let at = self.stops.station.asking_line();
         let until = self.stops.station.world.question.as_ref().and_then(|q| q.until);
+        let tracked = self.stops.station.world.tracked();
         let moment = until.and_then(|(n, on)| match asked {
             // A key: what is pressed already was meant for something else.
-            Some(QuestionKind::Paused) => self.stops.station.world.machine.when_pressed(n, on),
-            _ => self.stops.station.world.machine.when_input(n, on),
+            Some(QuestionKind::Paused) => tracked.when_pressed(n, on),
+            _ => tracked.when(n, on),
         });
         if let Some(moment) = moment {
             let begin_s = self.stops.station.world.now();

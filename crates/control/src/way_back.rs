@@ -7,7 +7,9 @@
 use crate::OperatorRequest;
 use crate::by_hand::Driven;
 use crate::run_end::RunEnd;
+use crate::station::Station;
 use crate::stopping::Stops;
+use crate::turn::Turn;
 use kerf_diag::Code;
 use kerf_machine::state::State;
 use kerf_program::{Axes, Axis, Feed, Interpreter, Line, MoveKind, Status};
@@ -116,26 +118,19 @@ impl<I: Interpreter> Stops<'_, I> {
     /// Stands until a moment, and heeds every stop meanwhile.
     pub(crate) fn stand_heeding(&mut self, until_s: f64) -> Result<(), RunEnd> {
         while self.station.world.now() < until_s && !self.station.is_open_for_take_up() {
-            let now_s = self.station.world.now();
             let watched = self.station.watched_at_rest();
-            let halt = self.station.world.machine.first_halt_at_rest(until_s, watched.as_slice());
-            let end_s = halt.map_or(until_s, |halt| halt.t_s.max(now_s));
-            let request = self.station.ask_pace(now_s, end_s, None);
+            let turn = self.station.meet(until_s, watched.as_slice(), None, Station::ask_pace);
             if self.station.drive.fault().is_some() {
                 return Err(self.link_is_lost());
             }
-            if let Some((t_s, OperatorRequest::Input { number, on })) = request {
-                self.station.press(number, on, t_s);
-                continue;
-            }
-            self.station.stand_until(request.map_or(end_s, |(t_s, _)| t_s));
+            self.station.stand_until(turn.map_or(until_s, |(t_s, _)| t_s));
             self.station.world.workspace.tape.stood(1.0);
-            match (request, halt) {
-                (Some((_, request)), _) => self.stands(request)?,
-                (None, Some(halt)) => {
+            match turn {
+                Some((_, Turn::Operator(request))) => self.stands(request)?,
+                Some((_, Turn::Input(halt))) => {
                     self.ended_by(halt.cause)?;
                 }
-                (None, None) => {}
+                None => {}
             }
         }
         Ok(())

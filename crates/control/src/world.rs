@@ -3,11 +3,11 @@
 //! The world answers what the interpreter asks ([`Host`]) and carries out its commands, except
 //! motion, which the [`Runner`](crate::runner) plans first.
 
-use crate::OperatorRequest;
 use crate::answers::Operator;
-use crate::drive::Drive;
+use crate::drive::{Drive, Heard};
 use crate::heights::{self, Carried};
 use crate::stopped_spindles::Turning;
+use crate::tracked::Tracked;
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_journal::Placed;
 use kerf_machine::{Actuator, Configuration, Driven, Going};
@@ -16,7 +16,7 @@ use kerf_program::{
     Answer, At, Axes, Axis, AxisSet, Command, FileCall, Frame, OutputReason, Question,
     SPINDLE_OUTPUT, SPINDLE_STATUS, Settings,
 };
-use kerf_sim::Machine;
+use kerf_sim::{Hands, Machine, Opened, Simulation};
 use kerf_trace::event::{Event, Partial, Place};
 use kerf_trace::{Doing, Made, OpenFile, Sink, Standing, Tally, flag};
 use kerf_workspace::{Workspace, confirm, unconfirmed};
@@ -31,6 +31,8 @@ pub(crate) struct World<'a> {
     pub machine: Machine,
     /// The machine that makes what is planned.
     pub driven: Driven,
+    /// The hands at it.
+    pub hands: Hands,
     pub tally: Tally,
     pub workspace: &'a mut Workspace,
     sink: &'a mut dyn Sink,
@@ -79,16 +81,20 @@ pub(crate) struct World<'a> {
 
 impl<'a> World<'a> {
     pub fn new(
-        machine: Machine,
+        simulation: Simulation,
         workspace: &'a mut Workspace,
         sink: &'a mut dyn Sink,
         operator: &'a mut dyn Operator,
-        driven: Driven,
+        opened: Opened,
     ) -> Self {
+        let Simulation { model: machine, physics } = simulation;
+        let Opened { machine: driven, hands } = opened;
+        hands.put(physics);
         let settings = machine.settings().clone();
         Self {
             machine,
             driven,
+            hands,
             tally: Tally::default(),
             workspace,
             sink,
@@ -117,6 +123,16 @@ impl<'a> World<'a> {
         }
     }
 
+    /// Returns the machine as the run leaves it.
+    pub fn into_simulation(self) -> Simulation {
+        Simulation { model: self.machine, physics: self.hands.take() }
+    }
+
+    /// The machine, and what is believed of it.
+    pub fn tracked(&mut self) -> Tracked<'_> {
+        Tracked { machine: &mut self.machine, driven: &self.driven, hands: &self.hands }
+    }
+
     /// Has the machine set something, in its place between two moves. What is told again was set before, and what is
     /// only drawn sets nothing.
     pub fn set(&self, actuator: &Actuator) {
@@ -140,7 +156,7 @@ impl<'a> World<'a> {
         to_s: f64,
         going: Option<Going<'_>>,
         feed: f32,
-    ) -> Option<(f64, OperatorRequest)> {
+    ) -> Option<(f64, Heard)> {
         let doing = Doing { machine: &self.machine, going, feed, files: &self.files };
         drive.pass(from_s, to_s, &doing, self.sink)
     }
@@ -307,7 +323,7 @@ impl<'a> World<'a> {
             Command::HeightControl(law) => {
                 let law = law.as_deref().copied();
                 self.heights.follow(law);
-                self.machine.height_control(law);
+                self.tracked().control_height(law);
             }
             // The simulated machine has one direction and no coolant: they are only told.
             Command::SpindleTurn { number, turn } => {
@@ -333,6 +349,7 @@ impl<'a> World<'a> {
             self.sink.displays(settings.display.comments);
         }
         self.settings = settings.clone();
+        self.driven.borrow_mut().use_settings(&settings);
         self.machine.use_settings(settings);
         self.tell_log();
         let (units, t) = (self.units(), self.now());

@@ -15,6 +15,9 @@ use std::time::{Duration, Instant};
 /// A case takes no longer than this: the controller moves in real time, and its silence is an end after 10 s.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// The input that its probe is.
+const PROBE: u8 = 1;
+
 /// Between two looks at a line on which nothing comes.
 const GLANCE: Duration = Duration::from_millis(1);
 
@@ -99,6 +102,11 @@ impl Bench for Connected {
     fn breaks(&mut self) -> bool {
         self.far.borrow_mut().fake.hits_limit();
         true
+    }
+
+    fn moves_switch(&mut self, active: bool) -> Option<u8> {
+        self.far.borrow_mut().fake.pins(if active { "P" } else { "" });
+        Some(PROBE)
     }
 }
 

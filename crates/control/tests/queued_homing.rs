@@ -6,7 +6,7 @@ use kerf_control::{OperatorRequest, Requests, RunContext, Script, Session};
 use kerf_driver_klipper::fake::Faults;
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
-use kerf_machine::{Configuration, Machine};
+use kerf_machine::{Configuration, Driven, Machine};
 use kerf_program::{Axes, Axis};
 use kerf_trace::{Event, Sink, Summary};
 use kerf_workspace::Workspace;
@@ -135,7 +135,8 @@ fn probes_asked(
     let mut notes = Notes::default();
     let queued = Rc::new(RefCell::new(shop.queued));
     let operator: &mut dyn Operator = &mut ();
-    let context = RunContext { sink: &mut notes, operator, requests, machine: queued.clone() };
+    let driven: Driven = queued.clone();
+    let context = RunContext { sink: &mut notes, operator, requests, machine: driven.into() };
     let summary = session.run(program, RunOptions::default(), &mut workspace, context);
     assert_eq!(queued.borrow().fault(), None);
     queued.borrow_mut().close(true, || false);

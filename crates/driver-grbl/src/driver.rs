@@ -1,14 +1,16 @@
 //! The driver.
 
+use crate::at_once;
 use crate::facts::Told;
 use crate::flights::Flights;
 use crate::gap::Gap;
-use crate::lines::{Modal, lines};
+use crate::lines::{Modal, lines, told_as};
+use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
 use kerf_machine::driver::{
-    Axes, Changed, Driver, Facts, Garbled, Hold, Order, Reply, Sent, Signal, Standing, Ticket,
-    Trouble, Wired, is_sound,
+    Axes, Changed, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent, Signal, Standing,
+    Ticket, Trouble, Wired, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -19,35 +21,18 @@ const UNTOLD: usize = 160;
 /// Bytes of a short line.
 const SHORT: usize = 12;
 
-/// Modes that hold from the start: millimetres, places and not ways, feeds a minute.
-pub const MODES: &str = "G21G90G94";
+/// Modes that hold from the start: millimetres, places and not ways, feeds a minute. A feed is told with them, as one that
+/// was reset has none.
+pub const MODES: &str = "G21G90G94F100";
+
+/// One order of so many has its ticket on its line, where the controller tells the line that it makes.
+const NUMBERED_EVERY: Ticket = 8;
+
+/// Numbers of lines are below this: more than there are ever orders on their way.
+const NUMBERS: Ticket = 1000;
 
 /// A line longer than this is no answer.
 const LONGEST: usize = 1024;
-
-/// Characters that act at once and are no part of a line.
-pub(crate) mod at_once {
-    /// Feed override: back to 100 %, 10 % and 1 % up and down.
-    const FEED: u8 = 0x90;
-    const TEN_UP: u8 = 0x91;
-    const TEN_DOWN: u8 = 0x92;
-    const ONE_UP: u8 = 0x93;
-    const ONE_DOWN: u8 = 0x94;
-
-    /// Commands that set the feed override to so many percent, 10 to 200.
-    pub fn feed(percent: u8) -> Vec<u8> {
-        let off = i32::from(percent.clamp(10, 200)) - 100;
-        let steps =
-            |by: i32, up, down| vec![if by > 0 { up } else { down }; by.unsigned_abs() as usize];
-        let (tens, ones) = (off / 10, off % 10);
-        [vec![FEED], steps(tens, TEN_UP, TEN_DOWN), steps(ones, ONE_UP, ONE_DOWN)].concat()
-    }
-
-    pub const ASK: u8 = b'?';
-    pub const HOLD: u8 = b'!';
-    pub const RESUME: u8 = b'~';
-    pub const RESET: u8 = 0x18;
-}
 
 /// Phase of the driver: what is learnt before anything moves, and whether the controller is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,6 +98,8 @@ pub struct Grbl {
     pub(crate) on: u32,
     /// Words that hold after the last order.
     pub(crate) modal: Modal,
+    /// Shares at which it makes cuts and rapid moves, percent.
+    pub(crate) turned: (u8, u8),
     /// Outputs that are on after the last order.
     pub(crate) planned_on: u32,
     /// Time when it was told to stop.
@@ -186,6 +173,7 @@ impl Grbl {
             pins: String::new(),
             on: 0,
             modal: Modal::default(),
+            turned: (100, 100),
             planned_on: 0,
             stopped_s: 0.0,
             hold: Hold::None,
@@ -203,6 +191,19 @@ impl Grbl {
     /// Returns its settings as it writes them, by their numbers.
     pub const fn settings(&self) -> &BTreeMap<u16, String> {
         self.told.texts()
+    }
+
+    /// Asks for its settings in its own words, where it has them; tells whether it does.
+    pub fn asks_settings(&mut self) -> bool {
+        if self.told.own.has {
+            ["$EG", "$ES"].into_iter().for_each(|line| self.say(line));
+        }
+        self.told.own.has
+    }
+
+    /// Returns a setting as the board describes it, when it was asked.
+    pub fn own_setting(&self, number: u16) -> Option<&OwnSetting> {
+        self.told.own.of(number)
     }
 
     /// Changes a setting, while nothing moves.
@@ -252,6 +253,7 @@ impl Grbl {
     pub(crate) fn begin(&mut self) {
         (self.phase, self.hold, self.has_moved) = (Phase::Ready, Hold::None, false);
         (self.planned, self.modal) = (self.position(), Modal::default());
+        self.turned = (100, 100);
         if self.trouble.is_none() {
             self.say(MODES);
         }
@@ -300,11 +302,13 @@ impl Grbl {
     }
 
     fn take(&mut self, sent: &Sent, facts: &Facts) {
-        let lines = match lines(&sent.order, self.planned, facts, self.planned_on, &mut self.modal)
-        {
+        let order = told_as(sent.order, self.planned, facts, self.turned);
+        let lines = lines(&order, self.planned, facts, self.planned_on, &mut self.modal);
+        let mut lines = match lines {
             Ok(lines) => lines,
             Err(why) => {
-                let _ = self.trouble.get_or_insert(Trouble::Refused { number: 0, why });
+                let refused = Trouble::Refused { number: 0, why: why.into() };
+                let _ = self.trouble.get_or_insert(refused);
                 return self.replies.push(Ok(Reply::Refused(sent.ticket, why)));
             }
         };
@@ -315,8 +319,9 @@ impl Grbl {
                 (self.contact, self.arrived) = (None, false);
                 (to, 0)
             }
-            Order::Move { to, .. } => {
+            Order::Move { to, .. } | Order::Jog { to, .. } => {
                 self.arrived = false;
+                self.number(&mut lines, sent.ticket);
                 (to, usize::from(self.steps(to)))
             }
             Order::Output { line, on } => {
@@ -329,6 +334,22 @@ impl Grbl {
         self.planned = to;
         let ticket = Some(sent.ticket);
         self.queue.extend(lines.into_iter().map(|text| Line { text, ticket }));
+    }
+
+    /// Writes the number of an order on its line, where the controller tells the line that it makes.
+    fn number(&self, lines: &mut [String], ticket: Ticket) {
+        if let Some(first) = lines.first_mut()
+            && self.told.tells_lines()
+            && ticket.is_multiple_of(NUMBERED_EVERY)
+        {
+            *first = format!("N{}{first}", ticket % NUMBERS);
+        }
+    }
+
+    /// Returns the ticket of a line that it tells to make: the last one with this number that it was sent.
+    pub(crate) const fn numbered(&self, line: u32) -> Option<Ticket> {
+        let behind = (self.taken % NUMBERS + NUMBERS - line % NUMBERS) % NUMBERS;
+        self.taken.checked_sub(behind)
     }
 
     /// Returns `true` if a move is a step of any motor: what is none does not reach the planner.
@@ -380,7 +401,18 @@ impl Driver for Grbl {
                 self.out.push(at_once::RESUME);
             }
             Signal::Stop => self.stop(now_s),
-            Signal::Feed(percent) => self.out.extend(at_once::feed(percent)),
+            Signal::Feed(percent) => {
+                self.turned.0 = percent.clamp(10, 200);
+                self.out.extend(at_once::feed(percent));
+            }
+            Signal::Override(Override::Rapid(percent)) => {
+                let (share, command) = at_once::rapid(percent);
+                self.turned.1 = share;
+                self.out.push(command);
+            }
+            Signal::Override(Override::Spindle(percent)) => {
+                self.out.extend(at_once::spindle(percent));
+            }
         }
     }
 

@@ -1,6 +1,9 @@
 //! The facts that a controller tells of itself: its version line (`$I`) and its settings (`$$`).
 
+use crate::own_words::OwnWords;
+use crate::words;
 use kerf_machine::driver::{AXES, Changed, Facts};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Bytes that the receive buffer of grbl holds, where it does not say.
@@ -40,6 +43,8 @@ pub struct Told {
     aux: u32,
     /// It says that it has no probe.
     lacks_probe: bool,
+    /// Its settings, alarms and errors in its own words.
+    pub own: OwnWords,
     /// Modal words that hold in it.
     modes: Vec<String>,
     settings: BTreeMap<u16, f64>,
@@ -64,6 +69,7 @@ impl Default for Told {
             letters: None,
             aux: 0,
             lacks_probe: false,
+            own: OwnWords::default(),
             modes: Vec::new(),
             settings: BTreeMap::new(),
             texts: BTreeMap::new(),
@@ -104,9 +110,12 @@ impl Told {
             "AUX IO" => {
                 self.aux = value.split(',').nth(1).and_then(|n| n.parse().ok()).unwrap_or(0);
             }
-            "NEWOPT" => self.lacks_probe = value.split(',').any(|word| word == "NOPROBE"),
+            "NEWOPT" => {
+                let has = |option| value.split(',').any(|word| word == option);
+                (self.lacks_probe, self.own.has) = (has("NOPROBE"), has("ENUMS"));
+            }
             "GC" => self.modes = value.split_whitespace().map(String::from).collect(),
-            _ => {}
+            _ => self.own.bracket(name, value),
         }
     }
 
@@ -141,6 +150,29 @@ impl Told {
         let text = text.and_then(|(number, value)| Some((number.parse().ok()?, value.to_owned())));
         self.texts.extend(text);
         read.is_some()
+    }
+
+    /// Returns `true` if it is to be asked for its errors and alarms in words, once.
+    pub const fn asks_words(&mut self) -> bool {
+        self.own.has && !std::mem::replace(&mut self.own.asked, true)
+    }
+
+    /// Returns an error in words: its own where it has told them.
+    pub fn error(&self, number: u16) -> Cow<'static, str> {
+        let own = self.own.errors.get(&number).cloned();
+        own.map_or(Cow::Borrowed(words::error(number)), Cow::Owned)
+    }
+
+    /// Returns an alarm in words: its own where it has told them.
+    pub fn alarm(&self, number: u16) -> Cow<'static, str> {
+        let own = self.own.alarms.get(&number).cloned();
+        own.map_or(Cow::Borrowed(words::alarm(number)), Cow::Owned)
+    }
+
+    /// Returns `true` if its reports name the line that it makes.
+    pub fn tells_lines(&self) -> bool {
+        let by_option = self.options.as_ref().is_some_and(|letters| letters.contains('N'));
+        by_option && (self.firmware != Firmware::Hal || self.bit(10, 2))
     }
 
     /// Its modes are asked for anew.
@@ -281,8 +313,10 @@ impl Told {
             probe: (!self.lacks_probe).then_some(PROBE_INPUT),
             spindle_rpm: self.of(30).unwrap_or(1000.0),
             overrides: true,
+            overrides_more: true,
             holds: true,
             stop_switches_off: true,
+            repeats: false,
             leads_s: 0.0,
         }
     }

@@ -53,7 +53,8 @@ impl Flights {
 
     /// Returns `true` if an order is a move.
     pub fn moves(&self, ticket: Ticket) -> bool {
-        let moves = |flight: &Flight| matches!(flight.sent.order, Order::Move { .. });
+        let is_move = |order| matches!(order, Order::Move { .. } | Order::Jog { .. });
+        let moves = |flight: &Flight| is_move(flight.sent.order);
         self.open.iter().any(|flight| flight.sent.ticket == ticket && moves(flight))
     }
 
@@ -65,11 +66,7 @@ impl Flights {
     /// Returns the last order that was answered, and its end where it is a move.
     pub fn answered_end(&self) -> Option<(Ticket, Axes)> {
         let last = self.open.iter().rfind(|flight| flight.lines == 0)?;
-        let end = match last.sent.order {
-            Order::Move { to, .. } | Order::Probe { to, .. } => to,
-            _ => last.from,
-        };
-        Some((last.sent.ticket, end))
+        Some((last.sent.ticket, last.sent.order.to().unwrap_or(last.from)))
     }
 
     /// The machine stands: everything up to an order is made.
@@ -112,6 +109,14 @@ impl Flights {
         }
     }
 
+    /// An order is being made: everything before it is out of the planner.
+    pub fn come_to(&mut self, ticket: Ticket, now_s: f64) {
+        let before = |flight: &&mut Flight| flight.sent.ticket < ticket && flight.lines == 0;
+        for flight in self.open.iter_mut().take_while(before) {
+            flight.cut_s.get_or_insert(now_s);
+        }
+    }
+
     /// The machine is held: what is in the row of step segments is not made meanwhile.
     pub fn waits(&mut self, now_s: f64) {
         self.open
@@ -127,7 +132,7 @@ impl Flights {
             return None;
         }
         let far = |flight: &Flight| match flight.sent.order {
-            Order::Move { to, .. } | Order::Probe { to, .. } => {
+            Order::Move { to, .. } | Order::Jog { to, .. } | Order::Probe { to, .. } => {
                 Some(off_way_mm(flight.from, to, place))
             }
             Order::Output { .. } | Order::Spindle { .. } => Some(way_mm(flight.from, place)),
@@ -174,4 +179,24 @@ fn off_way_mm(from: Axes, to: Axes, place: Axes) -> f64 {
     let along: f64 = place.minus(from).0.iter().zip(way.0).map(|(a, b)| a * b).sum();
     let share = if square > 0.0 { (along / square).clamp(0.0, 1.0) } else { 1.0 };
     way_mm(from.zip(to, |from, to| from + (to - from) * share), place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_before_the_line_that_it_makes_is_out_of_the_planner() {
+        let mut flights = Flights::default();
+        let place = |n| Axes::xyz(f64::from(n), 0.0, 0.0);
+        for n in 1..=4 {
+            let order = Order::Move { to: place(n), speed_mm_s: 1.0 };
+            flights.push(Sent { ticket: n, order }, place(n - 1), 1, 1);
+            flights.answered(n);
+        }
+        flights.come_to(3, 1.0);
+        assert!(flights.done(false, 1.0).is_none(), "it is in the row of segments");
+        let mut done = || flights.done(false, 1.2).map(|flight| flight.sent.ticket);
+        assert_eq!([done(), done(), done()], [Some(1), Some(2), None]);
+    }
 }

@@ -10,7 +10,8 @@
 //! Nothing but the character `?` is sent while it moves. A line of which it has got only the beginning is made one that it
 //! refuses, never one that leads elsewhere.
 
-use crate::driver::{Grbl, Line, Phase, at_once};
+use crate::at_once;
+use crate::driver::{Grbl, Line, Phase};
 use crate::report::Doing;
 use kerf_machine::driver::{Axes, Order, Ticket, Trouble};
 
@@ -125,7 +126,9 @@ impl Grbl {
         let mut ends = vec![end];
         for flight in self.flights.unanswered().take_while(|it| it.sent.ticket <= sent) {
             match flight.sent.order {
-                Order::Move { to, .. } => ends.push((flight.sent.ticket, to)),
+                Order::Move { to, .. } | Order::Jog { to, .. } => {
+                    ends.push((flight.sent.ticket, to))
+                }
                 Order::Output { .. } | Order::Spindle { .. } => {}
                 Order::Probe { .. } | Order::Home | Order::Unlock => {
                     return Err("it was at something that is not begun twice");

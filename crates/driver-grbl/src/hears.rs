@@ -1,6 +1,7 @@
 //! The receiving side of the driver: lines of the controller and what follows from them.
 
-use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, at_once, with};
+use crate::at_once;
+use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, with};
 use crate::facts::{self, PROBE_INPUT};
 use crate::lines::straight;
 use crate::place::{millimetres, on_steps};
@@ -89,6 +90,10 @@ impl Grbl {
         }
         let mend = self.told.mend().filter(|_| !self.mended);
         self.mended |= mend.is_some();
+        if mend.is_none() && self.told.asks_words() {
+            ["$EA", "$EE"].into_iter().for_each(|line| self.say(line));
+            return;
+        }
         match mend {
             Some(changed) => self.say(format!("${}={}", changed.number, changed.is)),
             None => self.out.push(at_once::ASK),
@@ -100,7 +105,7 @@ impl Grbl {
             return self.answers_in_gap();
         }
         let line = self.pending.pop_front();
-        let why = words::error(number);
+        let why = self.told.error(number);
         if self.phase == Phase::Asked {
             // Older versions do not know everything that is asked; an empty line may end a garbled one. While it moves
             // it tells nothing of itself: it is asked again.
@@ -109,13 +114,13 @@ impl Grbl {
         }
         let _ = self.trouble.get_or_insert(Trouble::Refused { number, why });
         match line.and_then(|line| line.ticket) {
-            Some(ticket) => self.replies.push(Ok(Reply::Refused(ticket, why))),
+            Some(ticket) => self.replies.push(Ok(Reply::Refused(ticket, words::error(number)))),
             None => self.fail(),
         }
     }
 
     pub(crate) fn alarm(&mut self, number: u16) {
-        let (why, lost) = (words::alarm(number), words::is_lost(number));
+        let (why, lost) = (self.told.alarm(number), words::is_lost(number));
         self.trouble = Some(Trouble::Alarm { number, why, lost });
         self.on = 0;
         self.fail();
@@ -229,6 +234,10 @@ impl Grbl {
         if let Some(free) = report.free {
             self.flights.left(self.told.left(free), now_s);
         }
+        let comes_to = report.line.filter(|_| self.told.tells_lines());
+        if let Some(ticket) = comes_to.and_then(|line| self.numbered(line)) {
+            self.flights.come_to(ticket, now_s);
+        }
         self.finish(now_s);
         self.misses_answer(now_s);
         match report.doing {
@@ -286,7 +295,10 @@ impl Grbl {
                 Order::Home | Order::Unlock => {
                     (self.planned, self.trouble) = (self.position(), None);
                 }
-                Order::Move { .. } | Order::Probe { .. } | Order::Spindle { .. } => {}
+                Order::Move { .. }
+                | Order::Jog { .. }
+                | Order::Probe { .. }
+                | Order::Spindle { .. } => {}
             }
             self.replies.push(Ok(Reply::Done(self.done)));
             if let (Order::Probe { active, .. }, Some(_)) = (flight.sent.order, self.contact) {
@@ -300,7 +312,7 @@ impl Grbl {
     fn misses_answer(&mut self, now_s: f64) {
         let waits = !self.pending.is_empty() && self.doing == Doing::Idle && !self.quiet();
         if waits && self.trouble.is_none() && now_s - self.asked_s > ANSWER_S {
-            let why = "an answer did not come through: look at the cable";
+            let why = "an answer did not come through: look at the cable".into();
             self.trouble = Some(Trouble::Refused { number: 0, why });
             self.fail();
         }

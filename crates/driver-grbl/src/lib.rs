@@ -20,6 +20,7 @@
 //!
 //! [`fake`] is a controller that is none, for tests.
 
+mod at_once;
 mod driver;
 mod facts;
 pub mod fake;
@@ -27,9 +28,11 @@ mod flights;
 mod gap;
 mod hears;
 mod lines;
+mod own_words;
 mod place;
 mod report;
 pub mod settings;
 mod words;
 
 pub use driver::Grbl;
+pub use own_words::OwnSetting;

@@ -6,8 +6,8 @@ use kerf_machine::driver::{Axes, Facts, Order, way_mm};
 /// Words that hold from line to line.
 #[derive(Clone, Debug, Default)]
 pub struct Modal {
-    /// `G1` holds.
-    straight: bool,
+    /// `G1` or `G0` holds.
+    motion: &'static str,
     /// The feed that holds.
     feed: String,
 }
@@ -20,11 +20,12 @@ pub fn lines(
     on: u32,
     modal: &mut Modal,
 ) -> Result<Vec<String>, &'static str> {
-    if !matches!(order, Order::Move { .. } | Order::Output { .. } | Order::Spindle { .. }) {
+    if matches!(order, Order::Probe { .. } | Order::Home | Order::Unlock) {
         *modal = Modal::default();
     }
     match order {
         Order::Move { to, speed_mm_s } => Ok(vec![straight(from, *to, *speed_mm_s, facts, modal)?]),
+        Order::Jog { to, .. } => Ok(vec![rapid(from, *to, facts, modal)?]),
         Order::Probe { to, speed_mm_s, active } => probe(from, *to, *speed_mm_s, *active, facts),
         Order::Output { line, on: true } if !has(facts, *line) => Err(missing(*line)),
         Order::Output { line, on: state } => Ok(output(*line, *state, on)),
@@ -77,10 +78,54 @@ pub fn straight(
         modal.feed = feed;
         return Ok(line);
     }
-    let word = if modal.straight { "" } else { "G1" };
+    let word = modal.begins("G1");
     let rate = if modal.feed == feed { String::new() } else { format!("F{feed}") };
-    *modal = Modal { straight: true, feed };
+    modal.feed = feed;
     Ok(format!("G53{word}{words}{rate}"))
+}
+
+/// A rapid move in the machine frame.
+fn rapid(from: Axes, to: Axes, facts: &Facts, modal: &mut Modal) -> Result<String, &'static str> {
+    let words = words(from, to, facts)?;
+    if words.is_empty() {
+        return Ok("G90".into());
+    }
+    Ok(format!("G53{}{words}", modal.begins("G0")))
+}
+
+impl Modal {
+    /// Returns the word that has a kind of motion hold; empty where it does.
+    fn begins(&mut self, word: &'static str) -> &'static str {
+        if std::mem::replace(&mut self.motion, word) == word { "" } else { word }
+    }
+}
+
+/// Share by which two speeds differ that are the same.
+const SAME: f64 = 1e-6;
+
+/// Returns an order as it is told: a jog that is slower than a rapid move of the controller is one with a feed, which its feed
+/// override is taken out of. `turned` are the shares of cuts and of rapid moves, percent.
+pub fn told_as(order: Order, from: Axes, facts: &Facts, turned: (u8, u8)) -> Order {
+    match order {
+        Order::Jog { to, speed_mm_s } if !is_rapid(from, to, speed_mm_s, facts) => {
+            let share = f64::from(turned.1) / f64::from(turned.0);
+            Order::Move { to, speed_mm_s: speed_mm_s * share }
+        }
+        other => other,
+    }
+}
+
+/// Returns `true` if no axis that moves lets the controller go faster.
+fn is_rapid(from: Axes, to: Axes, speed_mm_s: f64, facts: &Facts) -> bool {
+    let length_mm = way_mm(from, to);
+    let ways = to.minus(from).0;
+    let moved = ways.iter().enumerate().filter(|(_, way)| **way != 0.0);
+    let mut most_mm_s = f64::INFINITY;
+    for (axis, way) in moved {
+        let Some(axis_mm_s) = facts.speed_mm_s[axis] else { return false };
+        most_mm_s = most_mm_s.min(axis_mm_s * length_mm / way.abs());
+    }
+    most_mm_s.is_finite() && speed_mm_s >= most_mm_s * (1.0 - SAME)
 }
 
 /// The words of the axes that move.

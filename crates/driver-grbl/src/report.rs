@@ -95,6 +95,8 @@ pub struct Report {
     pub offset: Option<Axes>,
     /// Moves that the planner has room for.
     pub free: Option<usize>,
+    /// The number of the line that it makes.
+    pub line: Option<u32>,
     /// The letters of the pins that are active.
     pub pins: String,
 }
@@ -121,6 +123,7 @@ impl Report {
                 "WPos" => (report.place, report.axes) = placed(Frame::Work, value)?,
                 "WCO" => report.offset = Some(axes(value)?.0),
                 "Bf" => report.free = Some(value.split(',').next()?.parse().ok()?),
+                "Ln" => report.line = Some(value.parse().ok()?),
                 "Pn" => value.clone_into(&mut report.pins),
                 _ => {}
             }

@@ -6,4 +6,5 @@ mod conformance;
 mod faults;
 mod gap;
 mod set_up;
+mod turned;
 mod wire;

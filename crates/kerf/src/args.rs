@@ -4,6 +4,7 @@ use crate::machine_name::MachineChoice;
 use crate::parse::{self, Dialects};
 use clap::{Args, ValueEnum};
 use kerf_control::{OperatorRequest, Script};
+use kerf_machine::driver::Override;
 use kerf_program::RampModel;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
@@ -77,6 +78,12 @@ pub struct OperatorArgs {
     /// From a time on cuts run at so much of their feed, 10 to 200 percent; may be repeated
     #[arg(long = "override", value_name = "PERCENT@SECONDS", value_parser = parse::feed_override)]
     pub feed: Vec<(f64, f32)>,
+    /// The same of rapid moves, where the controller has it: 25, 50 or 100 percent
+    #[arg(long, value_name = "PERCENT@SECONDS", value_parser = parse::rapid_override)]
+    pub rapids: Vec<(f64, u8)>,
+    /// The same of the spindle, where the controller has it: 10 to 200 percent
+    #[arg(long, value_name = "PERCENT@SECONDS", value_parser = parse::spindle_override)]
+    pub spindle: Vec<(f64, u8)>,
 }
 
 impl OperatorArgs {
@@ -85,7 +92,10 @@ impl OperatorArgs {
         let stops = self.stop_at.iter().map(|at_s| (*at_s, OperatorRequest::Stop));
         let holds = self.hold_at.iter().map(|at_s| (*at_s, OperatorRequest::Hold));
         let feeds = self.feed.iter().map(|(at_s, share)| (*at_s, OperatorRequest::Feed(*share)));
+        let rapids = self.rapids.iter().map(|(at_s, of)| (*at_s, Override::Rapid(*of)));
+        let spindle = self.spindle.iter().map(|(at_s, of)| (*at_s, Override::Spindle(*of)));
         Script::new(stops.chain(holds).chain(feeds).collect(), self.resume_at.clone())
+            .turning(rapids.chain(spindle).collect())
     }
 }
 

@@ -6,8 +6,9 @@ use kerf_control::answers::{Answers, Operator, meaning, words};
 use kerf_control::{OperatorRequest, Requests, Script, WorldClock};
 use kerf_journal::Hurry;
 use kerf_machine::Driven;
+use kerf_machine::driver::Override;
 use kerf_program::{Question, QuestionKind};
-use kerf_sim::Simulated;
+use kerf_sim::{Opened, Simulated};
 use std::cell::Cell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -251,10 +252,10 @@ impl Terminal {
     }
 
     /// Returns the simulated machine in the time that was asked for.
-    pub fn simulated(&self) -> Driven {
+    pub fn simulated(&self) -> Opened {
         match self.clock {
             Clock::Fast => kerf_control::simulated(),
-            Clock::Real => Simulated::driven(RealTime(WorldClock::new(1.0))),
+            Clock::Real => Simulated::opened(RealTime(WorldClock::new(1.0))),
         }
     }
 
@@ -277,6 +278,10 @@ impl Requests for Terminal {
         self.tell_waits();
         let stop = self.is_stopped().then_some((from_s, OperatorRequest::Stop));
         stop.or_else(|| self.script.take(from_s, to_s))
+    }
+
+    fn turned(&mut self, now_s: f64) -> Option<Override> {
+        self.script.turned(now_s)
     }
 
     fn hurry(&self) -> Option<Hurry> {

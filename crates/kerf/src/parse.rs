@@ -130,14 +130,31 @@ pub fn hand_move(text: &str) -> Result<Push, String> {
 
 /// `PERCENT@SECONDS`: a time and a share.
 pub fn feed_override(text: &str) -> Result<(f64, f32), String> {
+    let (at_s, percent) = override_of(text, "a feed", 10.0, 200.0)?;
+    Ok((at_s, percent / 100.0))
+}
+
+/// The same of rapid moves: a time and percent.
+pub fn rapid_override(text: &str) -> Result<(f64, u8), String> {
+    override_of(text, "the speed of rapid moves", 25.0, 100.0)
+        .map(|(at_s, percent)| (at_s, percent as u8))
+}
+
+/// The same of the spindle: a time and percent.
+pub fn spindle_override(text: &str) -> Result<(f64, u8), String> {
+    override_of(text, "a spindle", 10.0, 200.0).map(|(at_s, percent)| (at_s, percent as u8))
+}
+
+/// Reads a time and percent within bounds, of something that has a name.
+fn override_of(text: &str, what: &str, least: f32, most: f32) -> Result<(f64, f32), String> {
     let (percent, at) = text.split_once('@').ok_or("give PERCENT@SECONDS, as 50@3.5")?;
     let percent = percent.trim().trim_end_matches('%').parse().ok();
-    let percent = percent.filter(|p: &f32| (10.0..=200.0).contains(p));
+    let percent = percent.filter(|p: &f32| (least..=most).contains(p));
     let at_s = at.trim().parse().ok().filter(|t: &f64| t.is_finite() && *t >= 0.0);
     match (percent, at_s) {
-        (None, _) => Err("a feed is overridden by 10 to 200 percent".into()),
+        (None, _) => Err(format!("{what} is overridden by {least} to {most} percent")),
         (_, None) => Err("the time is a number of seconds, 0 or more".into()),
-        (Some(percent), Some(at_s)) => Ok((at_s, percent / 100.0)),
+        (Some(percent), Some(at_s)) => Ok((at_s, percent)),
     }
 }
 

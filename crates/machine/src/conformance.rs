@@ -29,6 +29,12 @@ pub trait Bench {
 
     /// Has something go wrong for which it does nothing more; returns `false` where nothing can.
     fn breaks(&mut self) -> bool;
+
+    /// Moves the switch of an input of the machine, so that it is active or not; returns the input, nothing where it has
+    /// none.
+    fn moves_switch(&mut self, _active: bool) -> Option<u8> {
+        None
+    }
 }
 
 /// A machine as a bystander sees it.
@@ -65,6 +71,14 @@ pub const CASES: &[Case] = &[
     Case { name: "a stop on the way stands within the plan, outputs off", check: stop },
     Case { name: "a halt at rest switches outputs off", check: halt },
     Case { name: "a machine that stands lets time pass and stays", check: stand },
+    Case {
+        name: "an input that changes at rest is told, and no change twice",
+        check: told_at_rest,
+    },
+    Case {
+        name: "an input that changes on the way is told there, and the move goes on",
+        check: told_on_the_way,
+    },
     Case { name: "a fault is told once and kept", check: fault },
 ];
 
@@ -164,6 +178,27 @@ fn stand(run: &mut Run<'_>) -> Result<(), Short> {
     run.stands(0.3)?;
     run.settles()?;
     run.comes_to(0.0)
+}
+
+fn told_at_rest(run: &mut Run<'_>) -> Result<(), Short> {
+    for active in [true, false] {
+        let Some(input) = run.moves_switch(active) else { return Ok(()) };
+        while !run.was_told(input, active) {
+            run.stands(0.01)?;
+        }
+    }
+    run.stands(0.3)?;
+    run.settles()?;
+    run.told_nothing_twice()
+}
+
+fn told_on_the_way(run: &mut Run<'_>) -> Result<(), Short> {
+    let moved = run.moves_switch_on_the_way()?;
+    let told = moved.is_none_or(|input| run.was_told(input, true));
+    require(told, || "an input changed on the way, and it is not told at its end".into())?;
+    run.settles()?;
+    run.comes_to(END_MM)?;
+    run.told_nothing_twice()
 }
 
 fn fault(run: &mut Run<'_>) -> Result<(), Short> {

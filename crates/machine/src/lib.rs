@@ -17,6 +17,7 @@ pub mod file;
 pub mod hand;
 pub mod homing;
 mod levels;
+mod lift;
 pub mod lines;
 pub mod machine;
 pub mod password;
@@ -30,7 +31,8 @@ pub mod wiring;
 mod words;
 
 pub use hand::{Errand, Hand, Held, Keypad, Stretch};
-pub use machine::{Actuator, Driven, Fault, Going, Machine, News, OVERRUN_MM, Watch};
+pub use lift::{Carried, Lift, Reading};
+pub use machine::{Actuator, Ahead, Driven, Fault, Going, Machine, News, OVERRUN_MM, Watch};
 pub use settings::Configuration;
 pub use state::State;
 pub use table::Setting;

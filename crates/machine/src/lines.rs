@@ -5,6 +5,7 @@
 //! ports B and C for outputs, ports A and B for inputs.
 
 use crate::wiring::{Bit, Port};
+use kerf_program::Axis;
 use kerf_program::settings::SWITCHES;
 
 /// Lines of one port.
@@ -156,6 +157,17 @@ impl Output {
 }
 
 impl Input {
+    /// The home switch of an axis.
+    pub const fn home_of(axis: Axis) -> Option<Self> {
+        match axis {
+            Axis::X => Some(Self::XHome),
+            Axis::Y => Some(Self::YHome),
+            Axis::Z | Axis::A => Some(Self::ZHome),
+            Axis::C => Some(Self::WHome),
+            Axis::B => None,
+        }
+    }
+
     /// The line of a name or of another name of it; `port.bit` names too, as `a5` or `in.b0`.
     pub fn named(name: &str) -> Option<Self> {
         let name = name.strip_prefix("in.").unwrap_or(name);

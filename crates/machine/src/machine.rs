@@ -15,11 +15,14 @@
 //!
 //! Every machine passes the list in [`conformance`](crate::conformance).
 
-use crate::driver::Facts;
+use crate::driver::{Facts, Override};
+use crate::homing::Which;
+use crate::lift::Carried;
 use kerf_motion::{Move, Plan, State};
-use kerf_program::{At, Axes, OutputReason, Turn};
+use kerf_program::{At, Axes, Axis, HeightLaw, OutputReason, Settings, Turn};
 use std::cell::RefCell;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// An input at whose change the machine is to stand at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,6 +66,17 @@ impl Going<'_> {
     pub fn at(&self, t_s: f64) -> State {
         self.plan.at(t_s - self.t0_s)
     }
+}
+
+/// A plan that is followed from a moment on.
+#[derive(Clone, Copy, Debug)]
+pub struct Ahead<'a> {
+    /// The plan.
+    pub plan: &'a Plan,
+    /// Its beginning, seconds of machine time.
+    pub t0_s: f64,
+    /// The moment up to which the one before was made, seconds of machine time.
+    pub from_s: f64,
 }
 
 /// A thing that is switched or set between two moves, or while the machine stands, and what it is set to.
@@ -145,6 +159,13 @@ pub trait Machine {
     /// A run begins, or goes on after it waited for a person.
     fn begin(&mut self);
 
+    /// The settings from now on. A machine with switches of its own wiring needs none of them.
+    fn use_settings(&mut self, _settings: &Arc<Settings>) {}
+
+    /// Learns the plan that is followed next, or by which the rest of the one under way is made, before any of its moves
+    /// is handed over. A machine that [repeats](Facts::repeats) tells once more what it told from the beginning on.
+    fn follows(&mut self, _ahead: &Ahead<'_>) {}
+
     /// Another piece of plan is followed from now on; what it has of the one before it makes first.
     fn begin_plan(&mut self);
 
@@ -158,6 +179,37 @@ pub trait Machine {
 
     /// Lets time pass from one moment towards another, for a moment at most, while nothing moves.
     fn stand(&mut self, from_s: f64, until_s: f64) -> News;
+
+    /// Tells the next input that changed up to a moment that is over already, with its own moment: nothing moves and nothing
+    /// is waited for. A machine that does not [repeat](Facts::repeats) what happened tells nothing of it.
+    fn passed(&mut self, until_s: f64) -> News {
+        News { reached_s: until_s, input: None }
+    }
+
+    /// A move of the plan is made: returns the way of its height control beside the plan.
+    fn made(&mut self, _going: &Going<'_>) -> Carried {
+        Carried::default()
+    }
+
+    /// Has Z follow the sheet from a place on, machine frame, or ends that. Returns what the switches of the head read
+    /// there, as contacts.
+    fn height_control(&mut self, _law: Option<HeightLaw>, _at: &Axes) -> Vec<(u8, bool)> {
+        Vec::new()
+    }
+
+    /// The place to which height control has carried Z is that of the plan from now on.
+    fn land(&mut self) {}
+
+    /// From here on only this motor of an axis moves; nothing for all.
+    fn move_alone(&mut self, _motor: Option<(Axis, usize)>) {}
+
+    /// Tells whether a home switch of an axis is on.
+    fn home_switch(&self, _axis: Axis, _which: Which) -> bool {
+        false
+    }
+
+    /// The place of an axis is its zero from now on.
+    fn zero(&mut self, _axis: Axis, _place: f64) {}
 
     /// Looks at it in passing, without waiting. An input that changes is told by the next call that tells news.
     fn look(&mut self);
@@ -195,6 +247,9 @@ pub trait Machine {
     /// Makes cuts at this share of their speed from now on, where it [overrides](Facts::overrides) by itself; for another
     /// the plan is made anew.
     fn feed(&mut self, share: f32);
+
+    /// Takes what else the operator turns, where it [overrides that](Facts::overrides_more) by itself.
+    fn turn(&mut self, _: Override) {}
 
     /// The operator has waited for it in vain: it does nothing more.
     fn give_up(&mut self);

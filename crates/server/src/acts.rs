@@ -10,6 +10,7 @@ use crate::people::Grip;
 use crate::refusal::{Done, problem};
 use crate::shop;
 use crate::stop::Halt;
+use kerf_machine::driver::Override;
 use kerf_wire::{Act, Change, Problem, StartUp, Tone, Who, Why};
 use std::sync::Arc;
 
@@ -107,7 +108,11 @@ impl App {
             Act::Go { way, .. } => self.hands.go(asker, way)?,
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
-            Act::Override { feed_percent, .. } => self.runs.override_feed(feed_percent)?,
+            Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
+                feed_percent.map_or(Ok(()), |percent| self.runs.override_feed(percent))?;
+                let rapid = rapid_percent.map(Override::Rapid);
+                self.runs.turn(rapid.into_iter().chain(spindle_percent.map(Override::Spindle)))?;
+            }
             Act::SheetDone => self.sheet_done(),
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
             Act::Acknowledge => self.driving.acknowledge(),

@@ -20,6 +20,7 @@ use crate::refusal::{not_open, problem};
 use crate::shop;
 use kerf_control::answers;
 use kerf_import::job_file;
+use kerf_machine::driver::Override;
 use kerf_wire::{
     Act, Asked, Change, FileKind, FileParameters, Finding, Level, Overrides, Problem, State, Tone,
     Why,
@@ -172,10 +173,34 @@ impl Runs {
             return Err(problem(Why::Malformed, "overrides are 10 to 200 percent"));
         }
         if self.hub.state() == State::Idle {
-            let overrides = Overrides { feed_percent };
+            let overrides = self.hub.read(|now| now.overrides);
+            let overrides = Overrides { feed_percent, ..overrides };
             self.hub.change(vec![Change::Overrides { overrides }]);
         }
         self.link.want(|wanted| wanted.feed = Some((feed_percent / 100.0) as f32));
+        Ok(())
+    }
+
+    /// Turns other overrides of the machine that runs.
+    ///
+    /// # Errors
+    /// The machine does not have them, or a share is out of bounds.
+    pub fn turn(&self, turns: impl Iterator<Item = Override> + Clone) -> Result<(), Problem> {
+        let is_sound = |turned| match turned {
+            Override::Rapid(percent) => (10..=100).contains(&percent),
+            Override::Spindle(percent) => (10..=200).contains(&percent),
+        };
+        if !turns.clone().all(is_sound) {
+            let why = "rapid moves are overridden by 10 to 100 percent, a spindle by 10 to 200";
+            return Err(problem(Why::Malformed, why));
+        }
+        if turns.clone().next().is_some()
+            && self.hub.read(|now| now.overrides.rapid_percent.is_none())
+        {
+            let why = "the machine overrides neither rapid moves nor its spindle";
+            return Err(problem(Why::State, why));
+        }
+        self.link.want(|wanted| wanted.turns.extend(turns));
         Ok(())
     }
 

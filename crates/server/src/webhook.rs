@@ -6,60 +6,46 @@ use serde::Serialize;
 use std::io;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
-use tokio::io::{AsyncReadExt, AsyncWriteExt};
-use tokio::net::TcpStream;
 use tokio::sync::broadcast::error::RecvError;
-use tokio::time::timeout;
+use tokio::task::spawn_blocking;
+use ureq::Agent;
 
 /// Longest time for one message.
 const LONGEST: Duration = Duration::from_secs(10);
 
-/// Address of the messages: `http://HOST[:PORT]/PATH`.
+/// Address of the messages: `http://HOST[:PORT]/PATH` or `https://…`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Webhook {
+    address: String,
     host: String,
-    path: String,
 }
 
 impl Webhook {
     /// Reads an address.
     ///
     /// # Errors
-    /// It is none of plain HTTP.
+    /// It is none of HTTP, or carries a name and a password.
     pub fn read(address: &str) -> Result<Self, String> {
-        let rest = address
-            .strip_prefix("http://")
-            .filter(|rest| !rest.contains(|sign: char| sign.is_control() || sign == ' '));
-        let rest = rest.ok_or("a webhook begins with http://, without spaces")?;
-        let (host, path) = rest.split_once('/').unwrap_or((rest, ""));
+        let rest = ["http://", "https://"].iter().find_map(|scheme| address.strip_prefix(scheme));
+        let rest = rest
+            .filter(|rest| !rest.contains(|sign: char| sign.is_control() || sign == ' '))
+            .ok_or("a webhook begins with http:// or https://, without spaces")?;
+        let host = rest.split(['/', '?', '#']).next().unwrap_or_default();
         if host.is_empty() || host.contains('@') {
-            return Err("a webhook has the name of a host behind http://".into());
+            return Err("a webhook has the name of a host behind http:// or https://".into());
         }
-        Ok(Self { host: host.into(), path: format!("/{path}") })
+        Ok(Self { address: address.into(), host: host.into() })
     }
 
-    /// Sends a message.
-    async fn send(&self, news: &News) -> io::Result<()> {
-        let body = serde_json::to_string(news)?;
-        let Self { host, path } = self;
-        let port = if host.rsplit_once(':').is_some_and(|(_, port)| port.parse::<u16>().is_ok()) {
-            ""
-        } else {
-            ":80"
-        };
-        let mut stream = TcpStream::connect(format!("{host}{port}")).await?;
-        let head = format!(
-            "POST {path} HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\
-             Connection: close\r\n\r\n",
-            body.len()
-        );
-        stream.write_all((head + &body).as_bytes()).await?;
-        let mut answer = [0; 64];
-        let read = stream.read(&mut answer).await?;
-        let line = String::from_utf8_lossy(&answer[..read]).into_owned();
-        let taken = line.split(' ').nth(1).is_some_and(|status| status.starts_with('2'));
-        let said = || line.lines().next().unwrap_or_default().to_owned();
-        taken.then_some(()).ok_or_else(|| io::Error::other(format!("it answered {:?}", said())))
+    /// Sends a message; waits for the answer.
+    fn send(&self, news: &News) -> Result<(), ureq::Error> {
+        let config = Agent::config_builder().timeout_global(Some(LONGEST)).max_redirects(0);
+        let agent = config.build().new_agent();
+        let body = serde_json::to_vec(news).map_err(io::Error::from)?;
+        let answer = agent.post(&self.address).content_type("application/json").send(&body)?;
+        // A redirection is no failure to the library: the message is not taken all the same.
+        let status = answer.status();
+        status.is_success().then_some(()).ok_or(ureq::Error::StatusCode(status.as_u16()))
     }
 
     /// Tells what happens for as long as the server runs.
@@ -91,14 +77,15 @@ impl Webhook {
     }
 
     async fn tell(&self, hub: &Arc<Hub>, news: &News) {
-        let late = || io::Error::new(io::ErrorKind::TimedOut, "it does not answer");
-        let sent = timeout(LONGEST, self.send(news)).await.unwrap_or_else(|_| Err(late()));
-        if let Err(error) = sent {
-            hub.say(
-                Tone::Warning,
-                format!("{} was not told that {}: {error}", self.host, news.text),
-            );
-        }
+        let (hook, told) = (self.clone(), news.clone());
+        let sent = spawn_blocking(move || hook.send(&told).map_err(|error| error.to_string()));
+        let why = match sent.await {
+            Ok(Ok(())) => return,
+            Ok(Err(why)) => why,
+            Err(error) => error.to_string(),
+        };
+        let text = format!("{} was not told that {}: {why}", self.host, news.text);
+        hub.say(Tone::Warning, text);
     }
 }
 
@@ -160,16 +147,57 @@ impl Told {
 mod tests {
     use super::*;
     use kerf_wire::{Asked, Job};
+    use std::io::{Read, Write};
+    use std::net::TcpListener;
+    use std::thread;
 
     #[test]
-    fn an_address_is_one_of_plain_http() {
-        let hook = |host: &str, path: &str| Ok(Webhook { host: host.into(), path: path.into() });
-        assert_eq!(Webhook::read("http://hub:8123/api/x?y"), hook("hub:8123", "/api/x?y"));
-        assert_eq!(Webhook::read("http://hub"), hook("hub", "/"));
-        for wrong in ["https://hub", "http:///x", "http://a b/", "http://a\r\nb/", "http://me@hub/"]
-        {
-            assert!(Webhook::read(wrong).is_err(), "{wrong}");
+    fn an_address_is_one_of_http() {
+        let check = |address: &str, host: Option<&str>| {
+            let read = Webhook::read(address).ok().map(|hook| hook.host);
+            assert_eq!(read.as_deref(), host, "{address}");
+        };
+        check("http://hub:8123/api/x?y", Some("hub:8123"));
+        check("https://hub", Some("hub"));
+        check("https://hub?topic=kerf", Some("hub"));
+        for wrong in ["ftp://hub", "http:///x", "http://a b/", "http://a\r\nb/", "http://me@hub/"] {
+            check(wrong, None);
         }
+    }
+
+    /// Sends a message to a server that reads and answers so; gives what it read first, and the reason of a failure.
+    fn sent(scheme: &str, answer: &'static str) -> (Vec<u8>, Option<String>) {
+        let server = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = format!("{scheme}://{}/x", server.local_addr().unwrap());
+        let serves = thread::spawn(move || {
+            let (mut stream, _) = server.accept().unwrap();
+            let mut read = vec![0; 4096];
+            let length = stream.read(&mut read).unwrap();
+            read.truncate(length);
+            stream.write_all(answer.as_bytes()).unwrap();
+            read
+        });
+        let news = News { event: "done", file: "a".into(), text: "a is done".into() };
+        let failed = Webhook::read(&address).unwrap().send(&news).err();
+        (serves.join().unwrap(), failed.map(|error| error.to_string()))
+    }
+
+    #[test]
+    fn a_message_is_taken_or_the_reason_told() {
+        let (read, failed) = sent("http", "HTTP/1.1 204 No Content\r\n\r\n");
+        assert!(read.starts_with(b"POST /x HTTP/1.1\r\n"), "{}", String::from_utf8_lossy(&read));
+        assert_eq!(failed, None);
+        let (_, failed) = sent("http", "HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n");
+        assert_eq!(failed.as_deref(), Some("http status: 404"));
+        let away = "HTTP/1.1 302 Found\r\nLocation: /y\r\nContent-Length: 0\r\n\r\n";
+        assert!(sent("http", away).1.is_some());
+    }
+
+    #[test]
+    fn a_message_over_https_begins_with_a_greeting_of_tls() {
+        let (read, failed) = sent("https", "HTTP/1.1 200 OK\r\n\r\n");
+        assert_eq!(read[..2], [0x16, 3]);
+        assert!(failed.is_some());
     }
 
     fn now(run: u32, ended: Option<&str>, asked: Option<u32>) -> Snapshot {

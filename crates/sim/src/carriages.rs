@@ -91,7 +91,7 @@ impl Carriages {
     pub fn lines(&self) -> Vec<(u8, bool)> {
         let lines = [Input::XHome, Input::YHome, Input::ZHome, Input::WHome];
         let told = |line: Input| {
-            let axes = Axis::ALL.into_iter().filter(|axis| line_of(*axis) == Some(line));
+            let axes = Axis::ALL.into_iter().filter(|axis| Input::home_of(*axis) == Some(line));
             let switches = axes.flat_map(|axis| &self.axes[axis.index()]);
             let mut switches = switches.filter(|it| it.switch_at.is_some()).peekable();
             switches.peek()?;
@@ -103,11 +103,6 @@ impl Carriages {
     /// Only this motor moves from here on; `None` for all.
     pub const fn move_alone(&mut self, motor: Option<(Axis, usize)>) {
         self.alone = motor;
-    }
-
-    /// The motor that moves while the others of its axis stand.
-    pub const fn alone(&self) -> Option<(Axis, usize)> {
-        self.alone
     }
 
     /// The controller believes to have moved.
@@ -260,16 +255,5 @@ impl Carriages {
             if changed(middle_s) { high_s = middle_s } else { low_s = middle_s }
         }
         high_s
-    }
-}
-
-/// The line of an axis' home switch.
-pub(crate) fn line_of(axis: Axis) -> Option<Input> {
-    match axis {
-        Axis::X => Some(Input::XHome),
-        Axis::Y => Some(Input::YHome),
-        Axis::Z | Axis::A => Some(Input::ZHome),
-        Axis::C => Some(Input::WHome),
-        Axis::B => None,
     }
 }

@@ -155,8 +155,7 @@ impl Inputs {
     pub(crate) fn press(&mut self, change: Change) {
         let Some(i) = index(change.input).filter(|_| change.at_s.is_finite()) else { return };
         self.by_hand[i] = Some(change.on);
-        let place = self.script.partition_point(|c| c.at_s <= change.at_s).max(self.done);
-        self.script.insert(place, change);
+        self.learn(change);
     }
 
     /// Returns `true` if a script moves an input, or somebody has by hand: then nothing that is simulated moves it.
@@ -237,21 +236,83 @@ impl Inputs {
 
     /// Takes the next change, of the script or foreseen, not later than a time.
     fn next_until(&mut self, until_s: f64) -> Option<Change> {
-        let scripted = self.script.get(self.done).copied();
-        let foreseen = self.foreseen.front().copied();
-        let first_foreseen = match (scripted, foreseen) {
-            (Some(scripted), Some(foreseen)) => foreseen.at_s < scripted.at_s,
-            (None, Some(_)) => true,
-            _ => false,
-        };
-        let next = if first_foreseen { foreseen } else { scripted };
-        let next = next.filter(|change| change.at_s <= until_s)?;
-        if first_foreseen {
+        let next = self.next().filter(|change| change.at_s <= until_s)?;
+        if self.is_foreseen_first() {
             self.foreseen.pop_front();
         } else {
             self.done += 1;
         }
         Some(next)
+    }
+
+    /// The same as they are known to whoever is told of them: nothing of what is to come.
+    pub(crate) fn known(&self) -> Self {
+        let (script, foreseen) = (Vec::new(), VecDeque::new());
+        Self { script, done: 0, foreseen, ..self.clone() }
+    }
+
+    /// Somebody tells of a change at a moment that is not over yet.
+    pub(crate) fn learn(&mut self, change: Change) {
+        if index(change.input).is_some() && change.at_s.is_finite() {
+            let place = self.script.partition_point(|c| c.at_s <= change.at_s).max(self.done);
+            self.script.insert(place, change);
+        }
+    }
+
+    /// Returns the moment of the last change that is told and has not happened yet.
+    pub(crate) fn told_s(&self) -> Option<f64> {
+        self.script.get(self.done..)?.last().map(|change| change.at_s)
+    }
+
+    /// Nothing is known any more of what was told from a moment on.
+    pub(crate) fn forget(&mut self, from_s: f64) {
+        let place = self.script.partition_point(|change| change.at_s < from_s).max(self.done);
+        self.script.truncate(place);
+    }
+
+    /// Returns `true` if a change up to a time has not happened yet.
+    pub(crate) fn is_due(&self, until_s: f64) -> bool {
+        self.next().is_some_and(|change| change.at_s <= until_s)
+    }
+
+    /// The next change, of the script or foreseen.
+    pub(crate) fn next(&self) -> Option<Change> {
+        let scripted = self.script.get(self.done).copied();
+        let foreseen = self.foreseen.front().copied();
+        if self.is_foreseen_first() { foreseen } else { scripted }
+    }
+
+    /// Returns `true` if a sensor tells the next change, and no script.
+    pub(crate) fn is_foreseen_first(&self) -> bool {
+        match (self.script.get(self.done), self.foreseen.front()) {
+            (Some(scripted), Some(foreseen)) => foreseen.at_s < scripted.at_s,
+            (scripted, foreseen) => scripted.is_none() && foreseen.is_some(),
+        }
+    }
+
+    /// Has the next change happen, and returns it, not later than a time: the contact from then on, of a pin its level.
+    pub(crate) fn happen(&mut self, until_s: f64) -> Option<Change> {
+        let change = self.next_until(until_s)?;
+        if let Some(contact) = index(change.input).and_then(|i| self.contact.get_mut(i)) {
+            *contact = Some(change.on);
+        }
+        Some(change)
+    }
+
+    /// Has everything happen that came before a moment, and what somebody has done by hand until then.
+    pub(crate) fn come_to(&mut self, t_s: f64) {
+        let by_hand = |inputs: &Self, change: Change| {
+            let moved = index(change.input).and_then(|i| inputs.by_hand.get(i)).copied().flatten();
+            change.at_s <= t_s && !inputs.is_foreseen_first() && moved.is_some()
+        };
+        while self.next().is_some_and(|it| it.at_s < t_s || by_hand(self, it)) {
+            self.happen(t_s);
+        }
+    }
+
+    /// Returns `true` if the contact of an input is known to be so.
+    pub(crate) fn is_known(&self, change: &Change) -> bool {
+        index(change.input).is_some_and(|i| self.contact.get(i) == Some(&Some(change.on)))
     }
 
     /// The machine itself moves a switch now: it reads this from here on.
@@ -276,6 +337,24 @@ impl Inputs {
             Change { on, ..change }
         };
         self.foreseen = changes.into_iter().map(level).collect();
+    }
+
+    /// The moment, not before one that is given, at which a change to come has an input read a state.
+    pub(crate) fn changes_s(
+        &self,
+        number: u8,
+        on: bool,
+        from_s: f64,
+        modes: &IoModes,
+    ) -> Option<f64> {
+        let mut inputs = self.clone();
+        loop {
+            let change = inputs.happen(f64::INFINITY)?;
+            let comes = change.input == number && inputs.reads(number, modes) == on;
+            if comes && change.at_s >= from_s {
+                return Some(change.at_s);
+            }
+        }
     }
 
     /// Tells whether a contact is closed; of a pin, what its input reads.

@@ -1,6 +1,5 @@
 //! The machine itself.
 
-mod head;
 mod readings;
 mod shine;
 mod switching;
@@ -8,29 +7,21 @@ mod torch;
 
 pub use switching::WasOn;
 
-use crate::carriages::Carriages;
 use crate::hand::{Hand, Push};
 use crate::heater::Heater;
 use crate::independent::Spin;
 use crate::inputs::{CABLE, Change, Inputs, STALL};
 use crate::laser;
-use crate::lift::Lift;
 use crate::limits::Overridden;
 use crate::log::{Log, What};
 use crate::motors::Motors;
 use crate::outputs::Outputs;
-use crate::scene::{self, Touch};
-use crate::sheet::Sheet;
 use crate::trigger;
-use head::{Ahead, Head, Lent};
-use kerf_machine::Configuration;
 use kerf_machine::homing::soft_bounds;
-use kerf_machine::lines::Input;
+use kerf_machine::{Carried, Configuration, Lift, Reading};
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::Mode;
-use kerf_program::{
-    AXES, Axes, Axis, AxisSet, Frame, HeightLaw, Independent, OutputReason, Settings,
-};
+use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, OutputReason, Settings};
 use shine::Shine;
 use std::sync::Arc;
 use torch::{TORCH_INPUT, Torch, in_xy};
@@ -54,17 +45,16 @@ pub struct Machine {
     /// Axes that may have been moved by hand while they had none.
     unverified: AxisSet,
     hand: Hand,
-    /// True places of the axes.
-    carriages: Carriages,
+    /// The motor that moves while the others of its axis stand.
+    alone: Option<(Axis, usize)>,
+    /// Distance that height control has carried Z, mm.
+    carried_mm: f64,
     /// Range in which each axis may go, machine frame.
     bounds: [Option<(f64, f64)>; AXES],
     /// Factors of coarser steps.
     coarse: [u8; AXES],
     pwm_percent: f64,
     shine: Shine,
-    head: Head,
-    /// Bodies on the table, and the inputs that change where the tool is inside of them.
-    touches: Arc<[Touch]>,
     light: bool,
     /// Outputs of mode 2 that a stop switched off: they come back when motion goes on.
     come_back: Vec<u8>,
@@ -100,13 +90,12 @@ impl Machine {
             powered: true,
             unverified: AxisSet::EMPTY,
             hand: Hand::default(),
-            carriages: Carriages::default(),
+            alone: None,
+            carried_mm: 0.0,
             bounds: [None; AXES],
             coarse: [1; AXES],
             pwm_percent: 0.0,
             shine: Shine::default(),
-            head: Head::default(),
-            touches: Arc::default(),
             light: false,
             come_back: Vec::new(),
             overridden: Overridden::default(),
@@ -115,30 +104,27 @@ impl Machine {
         }
     }
 
+    /// The inputs as they are told to be from now on.
+    pub fn knows(&mut self, inputs: Inputs) {
+        self.inputs = inputs;
+    }
+
     /// The machine after a run, ready for the next, which counts time from 0: what turns keeps
     /// turning, what is on stays on, motors keep their count.
     #[must_use]
-    pub fn again(
-        mut self,
-        position: Axes,
-        frame: Frame,
-        settings: Arc<Settings>,
-        inputs: Inputs,
-    ) -> Self {
+    pub fn again(mut self, position: Axes, frame: Frame, settings: Arc<Settings>) -> Self {
         for spin in &mut self.spins {
             spin.set_back(self.clock_s);
         }
         self.heater.set_back(self.clock_s);
         self.clock_s = 0.0;
         (self.position, self.frame) = (position, frame);
-        self.inputs = inputs.after(&self.inputs);
         (self.drawing_from, self.settings) = (None, settings);
-        self.put_home_switches();
         self.motors.say(self.true_position());
         self
     }
 
-    /// The same machine, whose run goes on from a moment: what its script of inputs did until then is told.
+    /// The same machine, whose run goes on from a moment.
     #[must_use]
     pub fn begun_at(mut self, t_s: f64) -> Self {
         if t_s <= 0.0 {
@@ -148,7 +134,6 @@ impl Machine {
             spin.set_back(-t_s);
         }
         self.heater.set_back(-t_s);
-        self.inputs = self.inputs.at(t_s, &self.settings.io);
         self.clock_s = t_s;
         self
     }
@@ -167,61 +152,11 @@ impl Machine {
         &mut self.log
     }
 
-    /// The same machine with the switches, motors and lengths of a configuration; the lengths bound these
-    /// axes. What is known of where its axes truly are stays, where it has as many motors as before.
+    /// The same machine, whose lengths bound these axes.
     #[must_use]
-    pub fn equipped(mut self, machine: &Configuration, bounded: AxisSet) -> Self {
-        let known = self.carriages.astray();
-        self.carriages = Carriages::new(machine);
-        if known.iter().zip(self.carriages.astray()).all(|(a, b)| a.len() == b.len()) {
-            self.carriages.set_astray(&known);
-        }
-        self.carriages.settle(self.position);
-        self.inputs.wire(machine.io);
+    pub fn bounded(mut self, machine: &Configuration, axes: AxisSet) -> Self {
         self.bounds =
-            Axis::ALL.map(|axis| soft_bounds(machine, axis).filter(|_| bounded.contains(axis)));
-        self.put_home_switches();
-        // Nobody presses the emergency stop, whatever its level.
-        self.inputs.rests(Input::EmergencyStop.number(), !machine.estop.active);
-        self
-    }
-
-    /// The same machine, whose carriages are off by so much.
-    #[must_use]
-    pub fn with_truth(mut self, truth: &[Vec<f64>]) -> Self {
-        self.carriages.set_astray(truth);
-        self.carriages.settle(self.position);
-        self.put_home_switches();
-        self
-    }
-
-    /// The same machine with a sheet on its table, or without.
-    #[must_use]
-    pub const fn with_sheet(mut self, sheet: Option<Sheet>) -> Self {
-        self.head.put_sheet(sheet);
-        self
-    }
-
-    /// The same machine with things on its table that switches feel.
-    #[must_use]
-    pub fn with_touches(mut self, touches: &[Touch]) -> Self {
-        self.touches = touches.into();
-        let at = self.true_position();
-        for input in scene::inputs(touches) {
-            if let Some(on) = scene::contact(touches, input, &at) {
-                self.inputs.put(input, on);
-            }
-        }
-        self
-    }
-
-    /// The same machine, whose switches somebody has left like this.
-    #[must_use]
-    pub fn with_switches(mut self, switches: &[(u8, bool)]) -> Self {
-        for (input, on) in switches {
-            self.press(Change { input: *input, on: *on, at_s: self.clock_s });
-        }
-        self.log.take().for_each(drop);
+            Axis::ALL.map(|axis| soft_bounds(machine, axis).filter(|_| axes.contains(axis)));
         self
     }
 
@@ -377,9 +312,9 @@ impl Machine {
         self.clock_s
     }
 
-    /// A move of a plan that started at `t0_s` has been made: outputs, PWM, position, clock. Tells how far height
-    /// control carried Z on it.
-    pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Lift {
+    /// A move of a plan that started at `t0_s` has been made: outputs, PWM, position, clock; and height control has carried
+    /// Z on it.
+    pub fn make(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>, carried: &Carried) {
         self.shift_resolution(Some(span.made.kind));
         self.ride(Some(span.made));
         let settings = &self.settings;
@@ -398,14 +333,32 @@ impl Machine {
         }
         let draws = self.draws();
         self.shine.follow(t0_s, plan, span, (!draws).then_some(&mut self.log));
-        let lent = Lent { inputs: &self.inputs, modes: &self.settings.io, draws };
-        let lift = self.head.follow_sheet(lent, t0_s, plan, span, &mut self.log);
-        self.carriages.moved(self.position, span.made.to);
+        self.follow_sheet(t0_s + span.t1_s, span.made.to, carried);
         self.position = span.made.to;
         if !self.draws() {
             self.advance(t0_s + span.t1_s);
         }
-        lift
+    }
+
+    /// Height control has carried Z on a move to a place, which ends at a moment.
+    fn follow_sheet(&mut self, end_s: f64, to: Axes, carried: &Carried) {
+        for Reading { t_s, z_mm, error_mm, value } in carried.readings.iter().copied() {
+            self.log.add(t_s, What::Height { z_mm, error_mm, reading: value });
+        }
+        let mut carries = |t_s: f64, mm: f64| {
+            self.log.add(t_s, What::Carried { z_mm: to[Axis::Z] + mm });
+        };
+        carried.lift.turns().for_each(|(t_s, mm)| carries(t_s, mm));
+        let [before_mm, after_mm] = carried.lift.ends();
+        if after_mm != before_mm {
+            carries(end_s, after_mm);
+        }
+        self.carried_mm = after_mm;
+    }
+
+    /// Returns the way of height control over a move that is only drawn: none.
+    pub fn not_carried(&self) -> Carried {
+        Carried { lift: Lift::still(self.carried_mm), readings: Vec::new() }
     }
 
     /// The stack is over, the machine stands.
@@ -418,19 +371,20 @@ impl Machine {
         }
     }
 
-    /// Somebody moves the switch of an input, now or at a moment of the motion under way; it stays
-    /// there, also for the next run.
-    pub fn press(&mut self, change: Change) {
-        let at_s = change.at_s.max(self.clock_s);
-        self.inputs.press(Change { at_s, ..change });
-        self.advance(self.clock_s);
+    /// The machine tells that the contact of an input changed at a moment of the motion under way.
+    pub fn learn(&mut self, change: Change) {
+        self.inputs.learn(change);
+    }
+
+    /// What the machine told from where motion is made on does not hold: it tells it once more.
+    pub fn forget(&mut self) {
+        self.inputs.forget(self.clock_s);
     }
 
     /// An axis is pushed by hand: its motor holds it, or it gives way and nobody notices.
     fn push(&mut self, push: Push) {
         let by = if self.powered || self.draws() { 0.0 } else { push.by };
         self.hand.astray[push.axis] += by;
-        self.carriages.pushed(push.axis, by, self.position);
         let what = What::Pushed { axis: push.axis, by };
         self.log.add(push.at_s.max(self.clock_s), what);
     }
@@ -448,51 +402,21 @@ impl Machine {
         }
     }
 
-    /// The contacts of the home switches are as the carriages have them.
-    fn put_home_switches(&mut self) {
-        for (line, on) in self.carriages.lines() {
-            if on || self.input(line) {
-                self.inputs.put(line, on);
-            }
-        }
-    }
-
     /// From here on only this motor of an axis moves; `None` for all.
     pub const fn move_alone(&mut self, motor: Option<(Axis, usize)>) {
-        self.carriages.move_alone(motor);
+        self.alone = motor;
     }
 
     /// The axis is at zero where it stands.
     pub fn zero(&mut self, axis: Axis) {
-        self.carriages.zeroed(axis, self.position[axis]);
         self.position[axis] = 0.0;
         self.unverified.remove(axis);
         self.motors.say(self.true_position());
     }
 
-    /// Motion will follow this plan from a moment on: what the sensors will tell is worked out.
-    pub fn foresee(&mut self, plan: &Plan, t0_s: f64) {
-        if self.draws() {
-            return;
-        }
-        let lent = Lent { inputs: &self.inputs, modes: &self.settings.io, draws: false };
-        let ahead = Ahead { plan, t0_s, from_s: self.clock_s };
-        let ticks = self.head.foreseen_ticks(lent, &ahead);
-        let mut all = self.foreseen_switches(plan, t0_s);
-        all.extend(self.head.foreseen_sensors(lent, &ahead, &ticks));
-        all.extend(self.foreseen_touches(plan, t0_s));
-        all.extend(self.head.foreseen_faults(self.clock_s, &ticks));
-        all.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
-        self.inputs.foresee(all);
-    }
-
-    /// Z follows the sheet from here on, or does not.
-    pub fn height_control(&mut self, law: Option<HeightLaw>) {
-        self.land_torch();
-        let lent = Lent { inputs: &self.inputs, modes: &self.settings.io, draws: self.draws() };
-        for (input, on) in self.head.use_law(law, &self.true_position(), lent) {
-            self.inputs.put(input, on);
-        }
+    /// The switches of the head read this, now that Z follows the sheet from here on, or does not.
+    pub fn senses(&mut self, contacts: &[(u8, bool)]) {
+        contacts.iter().for_each(|(input, on)| self.inputs.put(*input, *on));
     }
 
     /// A move begins that Z may ride on, or the machine comes to rest.
@@ -513,7 +437,7 @@ impl Machine {
         self.torch.ride(0.0);
         self.steer_torch(self.clock_s);
         self.position[Axis::Z] += self.torch.end(self.clock_s);
-        self.position[Axis::Z] += self.head.land_mm();
+        self.position[Axis::Z] += std::mem::take(&mut self.carried_mm);
     }
 }
 

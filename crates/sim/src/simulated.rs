@@ -1,11 +1,16 @@
 //! The simulated machine as a run drives it: it makes a plan in its own time.
 
+use crate::hands::{Hands, Opened};
+use crate::inputs::{Change, triggers};
+use crate::physics::Physics;
 use kerf_machine::driver::Facts;
-use kerf_machine::{Actuator, Driven, Fault, Going, Machine, News};
+use kerf_machine::homing::Which;
+use kerf_machine::{Actuator, Ahead, Carried, Fault, Going, Machine, News};
 use kerf_motion::Move;
-use kerf_program::{AXES, Axes};
+use kerf_program::{AXES, Axes, Axis, HeightLaw, Settings};
 use std::cell::RefCell;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// Passing of machine time on a machine that is simulated.
 pub trait Clock {
@@ -29,30 +34,52 @@ impl Clock for () {
     }
 }
 
-/// A machine that makes every plan exactly, in the time of a clock. Outputs, inputs and frames are those of
-/// [`Machine`](crate::Machine), which a run keeps beside it.
+/// A machine that makes every plan exactly, in the time of a clock, and tells what its switches and sensors feel.
 #[derive(Debug)]
 pub struct Simulated<C> {
     clock: C,
     facts: Facts,
+    physics: Rc<RefCell<Physics>>,
 }
 
 impl<C: Clock + 'static> Simulated<C> {
     /// A machine in the time of a clock.
     pub fn new(clock: C) -> Self {
-        let facts = Facts { name: "simulated".into(), axes: AXES, ..Facts::default() };
-        Self { clock, facts }
+        let name = "simulated".into();
+        let facts = Facts { name, axes: AXES, repeats: true, ..Facts::default() };
+        Self { clock, facts, physics: Rc::default() }
     }
 
-    /// The same for a run.
-    pub fn driven(clock: C) -> Driven {
-        Rc::new(RefCell::new(Self::new(clock)))
+    /// The same, opened for runs.
+    pub fn opened(clock: C) -> Opened {
+        let simulated = Self::new(clock);
+        let hands = simulated.hands();
+        Opened { machine: Rc::new(RefCell::new(simulated)), hands }
     }
 }
 
 impl<C: Clock> Simulated<C> {
+    /// The hands at it.
+    pub fn hands(&self) -> Hands {
+        Hands::reaching(self.physics.clone())
+    }
+
+    /// Lets time pass to the next change, or to a moment.
     fn pass(&mut self, from_s: f64, until_s: f64) -> News {
-        News { reached_s: self.clock.pass(from_s, until_s), input: None }
+        let due_s = self.physics.borrow().next_s().filter(|due_s| *due_s <= until_s);
+        let due_s = due_s.map(|due_s| due_s.max(from_s));
+        let reached_s = match due_s {
+            Some(due_s) if due_s <= from_s => from_s,
+            _ => self.clock.pass(from_s, due_s.unwrap_or(until_s)),
+        };
+        let told = due_s.filter(|due_s| *due_s <= reached_s);
+        let change = told.and_then(|_| self.physics.borrow_mut().tell(reached_s));
+        News { reached_s, input: change.map(|change| self.pin(change)) }
+    }
+
+    /// The input of a change, and whether it is active from then on.
+    fn pin(&self, Change { input, on, .. }: Change) -> (u8, bool) {
+        (input, triggers(input, on, &self.physics.borrow().settings().io))
     }
 }
 
@@ -87,6 +114,44 @@ impl<C: Clock> Machine for Simulated<C> {
 
     fn stand(&mut self, from_s: f64, until_s: f64) -> News {
         self.pass(from_s, until_s)
+    }
+
+    fn passed(&mut self, until_s: f64) -> News {
+        let change = self.physics.borrow_mut().tell(until_s);
+        let reached_s = change.map_or(until_s, |change| change.at_s);
+        News { reached_s, input: change.map(|change| self.pin(change)) }
+    }
+
+    fn use_settings(&mut self, settings: &Arc<Settings>) {
+        self.physics.borrow_mut().use_settings(settings.clone());
+    }
+
+    fn follows(&mut self, ahead: &Ahead<'_>) {
+        self.physics.borrow_mut().foresee(ahead);
+    }
+
+    fn made(&mut self, going: &Going<'_>) -> Carried {
+        self.physics.borrow_mut().made(going)
+    }
+
+    fn height_control(&mut self, law: Option<HeightLaw>, at: &Axes) -> Vec<(u8, bool)> {
+        self.physics.borrow_mut().height_control(law, at)
+    }
+
+    fn land(&mut self) {
+        self.physics.borrow_mut().land();
+    }
+
+    fn move_alone(&mut self, motor: Option<(Axis, usize)>) {
+        self.physics.borrow_mut().move_alone(motor);
+    }
+
+    fn home_switch(&self, axis: Axis, which: Which) -> bool {
+        self.physics.borrow().home_switch(axis, which)
+    }
+
+    fn zero(&mut self, axis: Axis, place: f64) {
+        self.physics.borrow_mut().zero(axis, place);
     }
 
     fn look(&mut self) {}

@@ -2,7 +2,7 @@
 
 use kerf_machine::Machine;
 use kerf_machine::conformance::{Bench, CASES, Outcome, Seen};
-use kerf_sim::{Clock, Simulated};
+use kerf_sim::{Change, Clock, Simulated};
 
 /// A clock of which a little passes at a time, seconds.
 struct Slow(f64);
@@ -14,9 +14,9 @@ impl Clock for Slow {
 }
 
 /// A machine that has time for so many looks.
-struct Looked<M>(M, u32);
+struct Looked<C>(Simulated<C>, u32);
 
-impl<M: Machine> Bench for Looked<M> {
+impl<C: Clock> Bench for Looked<C> {
     fn machine(&mut self) -> &mut dyn Machine {
         &mut self.0
     }
@@ -32,6 +32,11 @@ impl<M: Machine> Bench for Looked<M> {
 
     fn breaks(&mut self) -> bool {
         false
+    }
+
+    fn moves_switch(&mut self, active: bool) -> Option<u8> {
+        let input = 1;
+        self.0.hands().press(Change { input, on: active, at_s: 0.0 }).then_some(input)
     }
 }
 

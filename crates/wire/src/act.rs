@@ -240,12 +240,22 @@ pub enum Act {
         /// Forward; back otherwise.
         forward: bool,
     },
-    /// Changes the operator's overrides.
+    /// Changes the operator's overrides; one that is not given stays.
     Override {
         /// Number of the lease.
         lease: u32,
         /// Of the speed asked for, 10 … 200.
-        feed_percent: f64,
+        #[serde(default)]
+        #[ts(optional)]
+        feed_percent: Option<f64>,
+        /// Of the speed of rapid moves, 10 … 100.
+        #[serde(default)]
+        #[ts(optional)]
+        rapid_percent: Option<u8>,
+        /// Of the speed of the spindle, 10 … 200.
+        #[serde(default)]
+        #[ts(optional)]
+        spindle_percent: Option<u8>,
     },
     /// The FP sheet that a start-up line opens was filled in or put away: no page opens it any more.
     SheetDone,

@@ -351,10 +351,14 @@ pub struct Message {
 pub struct Overrides {
     /// Cuts run at so much of the speed asked for, 10 … 200.
     pub feed_percent: f64,
+    /// Rapid moves run at so much of their speed, up to 100; nothing where the machine does not override them by itself.
+    pub rapid_percent: Option<u8>,
+    /// The spindle turns at so much of the speed asked for, 10 … 200; nothing where the machine does not override it.
+    pub spindle_percent: Option<u8>,
 }
 
 impl Default for Overrides {
     fn default() -> Self {
-        Self { feed_percent: 100.0 }
+        Self { feed_percent: 100.0, rapid_percent: None, spindle_percent: None }
     }
 }

@@ -6,7 +6,8 @@ use super::lost::Lost;
 use super::row::Row;
 use super::socket::Opens;
 use kerf_machine::driver::{
-    Changed, Driver, Facts, Hold, Link, LinkState, Order, Signal, Ticket, Told, Trouble, Wired,
+    Changed, Driver, Facts, Hold, Link, LinkState, Order, Override, Signal, Ticket, Told, Trouble,
+    Wired,
 };
 use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
@@ -74,6 +75,8 @@ pub struct Connection {
     pub(super) rpm: Option<f64>,
     /// Share of the ordered speed at which it makes moves.
     pub(super) feed: f32,
+    /// Shares of rapid moves and of the spindle that the operator has turned, percent.
+    pub(super) turned: (u8, u8),
     pub(super) inputs: VecDeque<(u8, bool)>,
     /// Inputs that are active.
     pub(super) active: BTreeSet<u8>,
@@ -136,6 +139,7 @@ impl Connection {
             ordered: 0,
             rpm: None,
             feed: 1.0,
+            turned: (100, 100),
             inputs: VecDeque::new(),
             active: BTreeSet::new(),
             probing: None,
@@ -467,6 +471,11 @@ impl Connection {
         // Its reset has set the override back.
         if self.feed != 1.0 {
             self.feed(self.feed);
+        }
+        if self.turned != (100, 100) {
+            let (rapid, spindle) = self.turned;
+            self.turn(Override::Rapid(rapid));
+            self.turn(Override::Spindle(spindle));
         }
     }
 

@@ -6,7 +6,7 @@ use super::lacks::{lacked, needs, out_of_reach, wired};
 use super::merged::together;
 use super::row::{Chord, Handed, Row};
 use super::ways::{chords, speed_mm_s};
-use kerf_machine::driver::{Facts, Hold, Order, Signal};
+use kerf_machine::driver::{Facts, Hold, Order, Override, Signal};
 use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
 use kerf_motion::{Move, Path};
 use kerf_program::{Axes, MoveKind, OutputReason};
@@ -66,10 +66,6 @@ impl Connection {
         self.switch_outputs();
         let chords = chords(made, self.facts.arc_tolerance_mm);
         let mut speed_mm_s = speed_mm_s(made, &chords);
-        if made.kind == MoveKind::Jog {
-            // An override is of cuts.
-            speed_mm_s /= f64::from(self.feed);
-        }
         self.looks_often = !watches.is_empty() && probes.is_none();
         if let Some(Watch { active, .. }) = probes {
             let order = Order::Probe { to: made.to.minus(self.offset), speed_mm_s, active };
@@ -79,7 +75,7 @@ impl Connection {
         }
         let mut handed = Handed { at: made.at, from: made.from, chords: Vec::new() };
         for (share, to) in chords {
-            let order = Order::Move { to: to.minus(self.offset), speed_mm_s };
+            let order = self.straight(made.kind, to, speed_mm_s);
             let Some(ticket) = self.probing.or_else(|| self.order(order)) else { return };
             handed.chords.push(Chord { ticket, share, to });
         }
@@ -90,16 +86,23 @@ impl Connection {
     fn hand_together(&mut self, moves: &[Move]) {
         let [first, .., last] = moves else { return };
         self.switch_outputs();
-        let mut speed_mm_s = speed_mm_s(first, &[(1.0, first.to)]);
-        if first.kind == MoveKind::Jog {
-            speed_mm_s /= f64::from(self.feed);
-        }
+        let speed_mm_s = speed_mm_s(first, &[(1.0, first.to)]);
         self.looks_often = false;
-        let order = Order::Move { to: last.to.minus(self.offset), speed_mm_s };
+        let order = self.straight(first.kind, last.to, speed_mm_s);
         let Some(ticket) = self.order(order) else { return };
         for mv in moves {
             let chords = vec![Chord { ticket, share: 1.0, to: mv.to }];
             self.row.push(Handed { at: mv.at, from: mv.from, chords });
+        }
+    }
+
+    /// A straight move to a place of the machine. One that looks at an input now and then is no rapid one.
+    fn straight(&self, kind: MoveKind, to: Axes, speed_mm_s: f64) -> Order {
+        let to = to.minus(self.offset);
+        if kind == MoveKind::Jog && !self.looks_often {
+            Order::Jog { to, speed_mm_s }
+        } else {
+            Order::Move { to, speed_mm_s }
         }
     }
 
@@ -321,6 +324,17 @@ impl Machine for Connection {
             self.feed = share;
             self.signal(Signal::Feed(percent(share)));
         }
+    }
+
+    fn turn(&mut self, turned: Override) {
+        if !self.facts.overrides_more {
+            return;
+        }
+        match turned {
+            Override::Rapid(percent) => self.turned.0 = percent,
+            Override::Spindle(percent) => self.turned.1 = percent,
+        }
+        self.signal(Signal::Override(turned));
     }
 
     fn give_up(&mut self) {

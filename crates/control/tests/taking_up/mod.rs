@@ -7,13 +7,13 @@ use kerf_control::{AtRest, OperatorRequest, Requests, RunContext, Session};
 use kerf_files::{Folders, MemoryDisk};
 use kerf_geom::{Point2, Polyarc};
 use kerf_journal::{Journal, Press, RunOptions, Started, Work};
+use kerf_machine::Configuration;
 use kerf_machine::profile::profile;
-use kerf_machine::{Configuration, Driven};
 use kerf_part::Program;
 use kerf_program::job::{Job, JobShape};
 use kerf_program::{Axes, Question, QuestionKind};
 use kerf_sbp::Status;
-use kerf_sim::{Clock, Simulated};
+use kerf_sim::{Clock, Opened, Simulated};
 use kerf_trace::{
     Event, Sink,
     event::{MoveEvent, Place},
@@ -28,8 +28,8 @@ pub const PART: &str =
     "SO,1,1\nSA\nJZ,.5\nMZ,-.2\nM3,4,0,-.2\nCG,,4,2,0,1,T,1\nM3,0,2,-.6\nMX,3\nJZ,.5\n";
 
 /// A machine whose time passes at once and counts as that of the world: every move is on record before it begins.
-pub fn on_record() -> Driven {
-    Simulated::driven(AtOnce)
+pub fn on_record() -> Opened {
+    Simulated::opened(AtOnce)
 }
 
 struct AtOnce;

@@ -13,6 +13,8 @@ pub struct Board {
     pub planner: usize,
     /// Auxiliary outputs (`M64`).
     pub aux: u8,
+    /// It tells the line that it makes.
+    pub numbers: bool,
     /// It knows the bits of `$10` and `$22` of grblHAL.
     pub hal: bool,
 }
@@ -22,7 +24,7 @@ impl Board {
     pub fn grbl() -> Self {
         let tells = vec!["[VER:1.1h.20190825:]".into(), "[OPT:V,15,128]".into()];
         let greeting = "Grbl 1.1h ['$' for help]";
-        Self { greeting, tells, rx: 128, planner: 15, aux: 0, hal: false }
+        Self { greeting, tells, rx: 128, planner: 15, aux: 0, numbers: false, hal: false }
     }
 
     /// grbl 1.1h with other letters of options.
@@ -47,7 +49,7 @@ impl Board {
             tells.push(format!("[AUX IO:2,{aux},0,0]"));
         }
         let greeting = "GrblHAL 1.1f ['$' or '$HELP' for help]";
-        Self { greeting, tells, rx: 1024, planner: 100, aux, hal: true }
+        Self { greeting, tells, rx: 1024, planner: 100, aux, numbers: true, hal: true }
     }
 
     /// `FluidNC`, which tells no sizes.
@@ -55,6 +57,16 @@ impl Board {
         let tells = ["[VER:4.0 FluidNC v4.0.0 (posix-) :]", "[OPT:MPHS]", "[MSG:Machine: Table]"];
         let greeting = "Grbl 4.0 [FluidNC v4.0.0 (posix) '$' for help]";
         let tells = tells.map(String::from).into();
-        Self { greeting, tells, rx: 255, planner: 16, aux: 0, hal: false }
+        Self { greeting, tells, rx: 255, planner: 16, aux: 0, numbers: false, hal: false }
+    }
+}
+
+/// Lists in words, of a board that has them: alarms, errors, groups of settings, settings.
+pub const fn listed(command: &str) -> &'static [&'static str] {
+    match command.as_bytes() {
+        b"EA" => &["[ALARMCODE:1||A switch at the end of an axis closed.]"],
+        b"EE" => &["[ERRORCODE:0||]", "[ERRORCODE:20||This board has no such word.]"],
+        b"EG" => &["[SETTINGGROUP:43|0|X]"],
+        _ => &["[SETTING:110|43|Quickest way|mm/min|6|####0.0|1|9000|0|0]"],
     }
 }

@@ -10,6 +10,7 @@ mod motion;
 mod probe;
 mod read;
 mod report;
+mod turned;
 
 pub use board::Board;
 
@@ -17,6 +18,7 @@ use kerf_machine::driver::Axes;
 use motion::Motion;
 use read::{Words, read};
 use std::collections::{BTreeMap, VecDeque};
+use turned::turn;
 
 /// Time is followed in steps of this, seconds.
 const STEP_S: f64 = 0.001;
@@ -65,6 +67,10 @@ pub struct Fake {
     until_offset: usize,
     /// The feed as somebody has turned it at the controller, percent.
     pub override_percent: u32,
+    /// The same of rapid moves.
+    pub rapid_percent: u32,
+    /// The same of the spindle.
+    pub spindle_percent: u32,
     /// Bytes a second of its line; nothing for a line that takes no time.
     pub rate_bytes_s: Option<f64>,
     incoming: VecDeque<u8>,
@@ -81,6 +87,8 @@ pub struct Fake {
     relative: bool,
     /// `G1` holds.
     straight: bool,
+    /// `G0` holds.
+    rapid: bool,
     /// The state that it claims, in place of its own.
     pub says: Option<String>,
     resumed_s: f64,
@@ -157,6 +165,8 @@ impl Fake {
             offset: Axes::default(),
             until_offset: 8,
             override_percent: 100,
+            rapid_percent: 100,
+            spindle_percent: 100,
             rate_bytes_s: None,
             incoming: VecDeque::new(),
             credit_in: 0.0,
@@ -167,6 +177,7 @@ impl Fake {
             latched: None,
             relative: false,
             straight: false,
+            rapid: false,
             says: None,
             resumed_s: 0.0,
             keeps_settings: false,
@@ -186,9 +197,9 @@ impl Fake {
     }
 
     /// Returns the speed of the spindle while it turns.
-    pub const fn spindle(&self) -> Option<f64> {
+    pub fn spindle(&self) -> Option<f64> {
         if self.spindle && !matches!(self.state, State::Door | State::Resuming) {
-            Some(self.spindle_rpm)
+            Some(self.spindle_rpm * f64::from(self.spindle_percent) / 100.0)
         } else {
             None
         }
@@ -295,7 +306,7 @@ impl Fake {
                 b'~' => self.cycle_start(),
                 b'!' => {}
                 0x18 => self.reset(),
-                0x90..=0x94 => self.override_feed(*byte),
+                0x90..=0x9d => turn(self, *byte),
                 0x80.. => {}
                 _ if self.buffer.len() < self.board.rx => self.buffer.push_back(*byte),
                 _ => self.overflowed += 1,
@@ -388,21 +399,8 @@ impl Fake {
         (self.spindle, self.coolant) = (false, 0);
     }
 
-    /// Sets the feed override back, or turns it by steps of 10 or 1 percent.
-    fn override_feed(&mut self, byte: u8) {
-        let percent = match byte {
-            0x91 => self.override_percent + 10,
-            0x92 => self.override_percent.saturating_sub(10),
-            0x93 => self.override_percent + 1,
-            0x94 => self.override_percent.saturating_sub(1),
-            _ => 100,
-        };
-        self.override_percent = percent.clamp(10, 200);
-        self.motion.feed = f64::from(self.override_percent) / 100.0;
-    }
-
     fn reset(&mut self) {
-        self.override_feed(0x90);
+        [0x90, 0x95, 0x99].into_iter().for_each(|back| turn(self, back));
         self.feed_mm_min = 0.0;
         let too_early = self.motion.speed_mm_s > 0.0 || self.state == State::Homing;
         self.halt();
@@ -473,6 +471,10 @@ impl Fake {
                 self.board.tells.clone().iter().for_each(|line| self.tell(line));
                 self.tell("ok");
             }
+            "EA" | "EE" | "EG" | "ES" if self.board.hal => {
+                board::listed(command).iter().for_each(|line| self.tell(line));
+                self.tell("ok");
+            }
             "H" if self.setting(22) as u32 & 1 == 0 => self.tell("error:5"),
             "H" => self.begins_homing(),
             _ if self.state == State::Sleep => {}
@@ -530,6 +532,7 @@ impl Fake {
     fn go(&mut self, words: &Words) -> Option<u16> {
         self.relative = words.relative.unwrap_or(self.relative);
         self.straight = words.straight.unwrap_or(self.straight);
+        self.rapid = words.rapid.unwrap_or(self.rapid);
         let moves = words.to.iter().any(Option::is_some) && words.probes.is_none();
         if !moves && words.probes.is_none() {
             return None;
@@ -537,7 +540,7 @@ impl Fake {
         if words.machine && !self.straight {
             return Some(30);
         }
-        if self.feed_mm_min <= 0.0 {
+        if self.feed_mm_min <= 0.0 && !self.rapid {
             return Some(22);
         }
         let mut to = self.planned;
@@ -550,15 +553,16 @@ impl Fake {
             self.alarm(2);
             return Some(15);
         }
-        self.motion.push(self.planned, to, self.speed(to));
+        let feed_mm_s = if self.rapid { f64::INFINITY } else { self.feed_mm_min / 60.0 };
+        self.motion.push(self.planned, to, self.speed(to, feed_mm_s), (self.rapid, words.number));
         self.planned = to;
         None
     }
 
     /// The feed, as far as every axis can follow.
-    fn speed(&self, to: Axes) -> f64 {
+    fn speed(&self, to: Axes, feed_mm_s: f64) -> f64 {
         let way = kerf_machine::driver::way_mm(self.planned, to);
-        (0..3_u16).fold(self.feed_mm_min / 60.0, |speed, axis| {
+        (0..3_u16).fold(feed_mm_s, |speed, axis| {
             let share = (to.0[usize::from(axis)] - self.planned.0[usize::from(axis)]).abs() / way;
             let most = self.settings.get(&(110 + axis)).copied().unwrap_or(f64::INFINITY) / 60.0;
             if share > 0.0 { speed.min(most / share) } else { speed }

@@ -19,6 +19,10 @@ struct Block {
     way: Axes,
     length_mm: f64,
     speed_mm_s: f64,
+    /// It is a rapid move.
+    rapid: bool,
+    /// The number of its line.
+    line: u32,
     /// The speed at which it may begin.
     entry_mm_s: f64,
 }
@@ -31,8 +35,9 @@ pub struct Motion {
     blocks: VecDeque<Block>,
     pub position: Axes,
     pub speed_mm_s: f64,
-    /// The share of their speed at which moves are made.
+    /// The share of their speed at which moves are made, and that of rapid moves.
     pub feed: f64,
+    pub rapid: f64,
     pub held: bool,
     pub stands: usize,
     pub rests: Vec<Axes>,
@@ -42,11 +47,11 @@ pub struct Motion {
 impl Motion {
     /// A machine at zero whose planner holds so many moves.
     pub fn new(holds: usize) -> Self {
-        Self { holds, feed: 1.0, ..Self::default() }
+        Self { holds, feed: 1.0, rapid: 1.0, ..Self::default() }
     }
 
     /// A straight move joins the row; none when it is shorter than a step.
-    pub fn push(&mut self, from: Axes, to: Axes, speed_mm_s: f64) {
+    pub fn push(&mut self, from: Axes, to: Axes, speed_mm_s: f64, (rapid, line): (bool, u32)) {
         let length_mm = way_mm(from, to);
         if length_mm < 0.002 {
             return;
@@ -55,7 +60,7 @@ impl Motion {
         let way = Axes(way.0.map(|v| v / length_mm));
         let before = self.blocks.back();
         let entry_mm_s = before.map_or(0.0, |before| corner(before, way).min(speed_mm_s));
-        self.blocks.push_back(Block { to, way, length_mm, speed_mm_s, entry_mm_s });
+        self.blocks.push_back(Block { to, way, length_mm, speed_mm_s, rapid, line, entry_mm_s });
     }
 
     /// Returns `true` if nothing is left to make.
@@ -65,13 +70,22 @@ impl Motion {
 
     /// For how many moves there is room.
     pub fn free(&self) -> usize {
+        (self.holds + self.cut()).saturating_sub(self.blocks.len()).min(self.holds)
+    }
+
+    /// The number of the line whose move is first in the planner; 0 where it has none.
+    pub fn line(&self) -> u32 {
+        self.blocks.get(self.cut()).map_or(0, |block| block.line)
+    }
+
+    /// Moves that are out of the planner and not made.
+    fn cut(&self) -> usize {
         let mut ahead_mm = 0.0;
         let cut = self.blocks.iter().take_while(|block| {
             ahead_mm += left(block, self.position).min(block.length_mm);
             ahead_mm <= self.speed_mm_s * SEGMENTS_S
         });
-        let cut = cut.count();
-        (self.holds + cut).saturating_sub(self.blocks.len()).min(self.holds)
+        cut.count()
     }
 
     /// Nothing is left.
@@ -121,7 +135,8 @@ impl Motion {
         if self.held {
             return (self.speed_mm_s - change).max(0.0);
         }
-        let most = (first.speed_mm_s * self.feed).max(self.speed_mm_s - change);
+        let share = if first.rapid { self.rapid } else { self.feed };
+        let most = (first.speed_mm_s * share).max(self.speed_mm_s - change);
         let mut most = most.min(self.speed_mm_s + change);
         let mut ahead_mm = left(first, self.position);
         for next in self.blocks.iter().skip(1) {

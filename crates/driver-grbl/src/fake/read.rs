@@ -9,6 +9,8 @@ pub struct Words {
     /// It moves until its probe is in this state.
     pub probes: Option<bool>,
     pub to: [Option<f64>; 3],
+    /// The number of the line.
+    pub number: u32,
     pub feed_mm_min: Option<f64>,
     pub spindle_rpm: Option<f64>,
     pub spindle: Option<bool>,
@@ -18,6 +20,8 @@ pub struct Words {
     pub aux: Option<(u8, bool)>,
     /// The mode of straight moves holds from then on.
     pub straight: Option<bool>,
+    /// They are rapid moves from then on.
+    pub rapid: Option<bool>,
     /// Its places are those of the machine.
     pub machine: bool,
     /// Everything before it is made first.
@@ -45,7 +49,10 @@ fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
         }
         ('G', 53) => words.machine = true,
         ('G', 90 | 91) => words.relative = Some(value == 91.0),
-        ('G', 0 | 1) => (words.moves, words.straight) = (true, Some(true)),
+        ('G', 0 | 1) => {
+            (words.moves, words.straight, words.rapid) = (true, Some(true), Some(value == 0.0));
+        }
+        ('N', _) => words.number = value as u32,
         ('G', 17 | 21 | 94) => {}
         ('M', 3) => (words.spindle, words.waits) = (Some(true), true),
         ('M', 5) => (words.spindle, words.waits) = (Some(false), true),

@@ -18,6 +18,9 @@ impl Fake {
             let room = self.board.rx.saturating_sub(self.buffer.len());
             line += &format!("|Bf:{},{room}", self.motion.free());
         }
+        if self.board.numbers && self.motion.line() > 0 && (!self.board.hal || mask & 4 == 4) {
+            line += &format!("|Ln:{}", self.motion.line());
+        }
         let feed = self.motion.speed_mm_s * 60.0 / self.unit_mm();
         line += &format!("|FS:{feed:.0},{:.0}", self.spindle_rpm);
         let probe = if self.touches() && !self.pins.contains('P') { "P" } else { "" };
@@ -30,14 +33,17 @@ impl Fake {
             self.until_offset = OFFSET_EVERY;
             line += &format!("|WCO:{}", self.places(self.offset));
         } else if self.until_offset == OFFSET_EVERY - 1 {
-            line += &format!("|Ov:{},100,100", self.override_percent);
+            line += &format!(
+                "|Ov:{},{},{}",
+                self.override_percent, self.rapid_percent, self.spindle_percent
+            );
         }
         self.tell(&(line + ">"));
     }
 
     /// The modes that hold, as `$G` tells them.
     pub(super) fn modes(&self) -> String {
-        let motion = if self.straight { "G1" } else { "G0" };
+        let motion = if self.straight && !self.rapid { "G1" } else { "G0" };
         let way = if self.relative { "G91" } else { "G90" };
         let spindle = if self.spindle { "M3" } else { "M5" };
         let coolant = ["M9", "M8", "M7", "M7 M8"][usize::from(self.coolant & 3)];

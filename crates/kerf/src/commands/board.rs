@@ -124,15 +124,31 @@ impl Board {
         settings
     }
 
-    /// Changes a setting.
-    fn set(&mut self, number: u16, value: &str) -> Result<()> {
-        self.grbl.writes(number, value);
+    /// Asks for its settings in its own words, where it has them.
+    fn describes(&mut self) -> Result<()> {
+        if self.grbl.asks_settings() && !self.has_answered()? {
+            bail!("{} does not answer $ES", self.name());
+        }
+        Ok(())
+    }
+
+    /// Waits for its answers; tells whether they came.
+    fn has_answered(&mut self) -> Result<bool> {
         let until = Instant::now() + ANSWERED;
         while !self.grbl.has_said_all() {
             if Instant::now() > until {
-                bail!("${number}={value} is not answered");
+                return Ok(false);
             }
             self.carry()?;
+        }
+        Ok(true)
+    }
+
+    /// Changes a setting.
+    fn set(&mut self, number: u16, value: &str) -> Result<()> {
+        self.grbl.writes(number, value);
+        if !self.has_answered()? {
+            bail!("${number}={value} is not answered");
         }
         match self.grbl.trouble() {
             Some(trouble) => Err(anyhow!("${number}={value}: {trouble}")),
@@ -204,7 +220,10 @@ pub fn settings(name: &DriverName, action: Option<&SettingsAction>) -> Result<Ex
 
 fn does(board: &mut Board, action: Option<&SettingsAction>) -> Result<Exit> {
     match action {
-        None => out::print(&listed(&board.settings())),
+        None => {
+            board.describes()?;
+            out::print(&listed(board));
+        }
         Some(SettingsAction::Set { number, value }) => {
             if let Some(why) = setting(*number).and_then(|it| it.refuses(value)) {
                 bail!(Usage(why));
@@ -234,18 +253,27 @@ fn does(board: &mut Board, action: Option<&SettingsAction>) -> Result<Exit> {
     Ok(Exit::Good)
 }
 
-/// A line a setting, with its name, unit and bounds.
-fn listed(settings: &Settings) -> String {
+/// A line a setting, with its name, unit and bounds: as the board tells them, else as they are known.
+fn listed(board: &Board) -> String {
     let line = |(number, value): (&u16, &String)| {
-        let Some(it) = setting(*number) else { return format!("${number}={value}\n") };
-        let bounds = match it.bounds {
-            (least, most) if most.is_infinite() => format!("{least} or more"),
-            (least, most) => format!("{least} to {most}"),
+        let (name, unit, bounds) = match (board.grbl.own_setting(*number), setting(*number)) {
+            (Some(own), _) => (&*own.name, &*own.unit, own.bounds),
+            (None, Some(known)) => {
+                let (least, most) = known.bounds;
+                (known.name, known.unit, (Some(least), Some(most).filter(|v| v.is_finite())))
+            }
+            (None, None) => return format!("${number}={value}\n"),
         };
-        let value = format!("${number}={value} {}", it.unit);
-        format!("{:<24} {} [{bounds}]\n", value.trim_end(), it.name)
+        let bounds = match bounds {
+            (None, None) => String::new(),
+            (Some(least), None) => format!(" [{least} or more]"),
+            (None, Some(most)) => format!(" [{most} or less]"),
+            (Some(least), Some(most)) => format!(" [{least} to {most}]"),
+        };
+        let value = format!("${number}={value} {unit}");
+        format!("{:<24} {name}{bounds}\n", value.trim_end())
     };
-    settings.iter().map(line).collect()
+    board.settings().iter().map(line).collect()
 }
 
 fn backup(board: &str, settings: &Settings) -> String {

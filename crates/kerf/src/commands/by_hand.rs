@@ -182,7 +182,8 @@ impl Shop {
         let mut terminal = Terminal::new(clock, Script::new(requests, Vec::new()))?;
         let mut operator = Person::new(Answers::default(), io::stdin().is_terminal(), &terminal);
         let controller = self.controller.clone();
-        let machine = controller.as_ref().map_or_else(|| terminal.simulated(), Controller::driven);
+        let machine =
+            controller.as_ref().map_or_else(|| terminal.simulated(), |it| it.driven().into());
         let stop = Stop::listen()?;
         let mut steps = Steps { machine: self.machine.clone(), edge: None };
         let context = RunContext {

@@ -11,8 +11,6 @@ use kerf_journal::{Journal, Press};
 use kerf_machine::Configuration;
 use kerf_machine::lines::line_of_pin;
 use kerf_machine::wiring::{self, Bit, INPUT_BITS, OUTPUT_BITS};
-use kerf_program::AxisSet;
-use kerf_sim::Machine;
 use kerf_sim::ports::Ports;
 
 /// Under which key the ports are kept.
@@ -61,12 +59,12 @@ impl CardArgs {
             moved = journal.registry.switches()?;
         }
         let machine = self.machine()?;
-        let untouched = Machine::default().equipped(&machine, AxisSet::EMPTY);
+        let untouched = kerf_sim::untouched(&machine);
         for bit in INPUT_BITS {
             let line = line_of_pin(bit);
             let level = moved.iter().find(|(number, _)| *number == line).map(|(_, level)| *level);
             let reads = |level: bool| machine.io.line_reads(line, level);
-            ports.set_input(bit, level.map_or_else(|| untouched.input(line), reads));
+            ports.set_input(bit, level.map_or_else(|| untouched(line), reads));
         }
         Ok(ports)
     }

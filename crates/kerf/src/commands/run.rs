@@ -379,9 +379,9 @@ fn attended<'a>(
     let clock = if real { Clock::Real } else { Clock::Fast };
     let mut terminal = Terminal::new(clock, run.operator.script())?;
     let mut person_at_it = Person::new(answers, person, &terminal).with_editor(show.editor);
-    let machine = controller.map_or_else(|| terminal.simulated(), Controller::driven);
+    let machine = controller.map_or_else(|| terminal.simulated(), |it| it.driven().into());
     if controller.is_some() {
-        terminal.follows(&machine);
+        terminal.follows(&machine.machine);
     }
     let context = RunContext {
         sink: &mut told,

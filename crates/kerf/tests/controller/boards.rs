@@ -2,6 +2,8 @@
 
 use crate::bench::Bench;
 use crate::shop::Shop;
+use kerf_driver_grbl::fake::{Board, Fake};
+use kerf_machine::conformance::CASES;
 use std::time::{Duration, Instant};
 
 #[test]
@@ -40,12 +42,20 @@ fn settings_of_a_board_are_listed_changed_kept_and_compared() {
 }
 
 #[test]
+fn settings_are_named_as_the_board_names_them() {
+    let (shop, bench) = (Shop::new(&[]), Bench::of(Fake::of(Board::hal(0), &[])));
+    let listed = shop.kerf(&format!("machine settings --machine grbl:{}", bench.port));
+    listed.exits(0).says("$110=6000.000 mm/min     X: Quickest way [1 to 9000]");
+    listed.says("$111=6000.000 mm/min     Y greatest speed [0 or more]");
+}
+
+#[test]
 fn a_board_proves_that_it_holds_the_list() {
     let (shop, bench) = (Shop::new(&[]), Bench::tcp());
     let proved = shop.kerf(&format!("machine prove --report r.md --machine grbl:{}", bench.port));
     proved.exits(0).says("a plan is made whole, and no moment behind its end is reached: held");
     let report = shop.read("r.md");
     assert!(report.contains("# grbl 1.1h.20190825 on grbl:tcp:"), "{report}");
-    assert_eq!(report.matches("| held |").count(), 7, "{report}");
+    assert_eq!(report.matches("| held |").count(), CASES.len(), "{report}");
     assert_eq!(bench.look(|fake| fake.spindle()), None);
 }

@@ -9,6 +9,7 @@ mod gone;
 mod held;
 mod merged;
 mod network;
+mod overrides;
 #[path = "../shop/mod.rs"]
 mod shop;
 mod step_board;

@@ -119,7 +119,7 @@ fn pro_console_f23() {
         });
         console.press(keys);
         let trace = console.run(job([line(1, (0.0, 0.0), (2.0, 0.0))]));
-        trace.session.look(|machine| machine.truth()[3][0])
+        trace.session.truth()[3][0]
     };
     let lower = homed("Enter") - homed("Func 23 Enter -0.35 Enter");
     assert!((lower - 0.35).abs() < 0.005, "at the next homing of z2: {lower}");

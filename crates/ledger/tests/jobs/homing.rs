@@ -301,7 +301,7 @@ fn two_motors_of_an_axis_are_homed_apart_in_a_run() {
     };
     let trace = home("x").with(pair).run();
     assert_eq!(trace.homed().len(), 3, "together, then each alone: {:?}", trace.homed());
-    let truth = trace.session.look(|machine| machine.truth()[0].clone());
+    let truth = trace.session.truth()[0].clone();
     assert!((truth[0] + 117.0).abs() < 0.01 && (truth[1] + 116.5).abs() < 0.01, "{truth:?}");
 }
 
@@ -318,7 +318,7 @@ fn pro_job_origin_saved__after_power_up_elsewhere() {
             .job(|job| job.origin = Some(kerf_geom::Point2::new(300.0, 200.0)))
             .run();
         assert_eq!(trace.rests()[..2], [300.0, 200.0]);
-        trace.session.look(|machine| [machine.truth()[0][0], machine.truth()[1][0]])
+        [trace.session.truth()[0][0], trace.session.truth()[1][0]]
     };
     let (one, other) = (ends_at([500.0, 300.0]), ends_at([40.0, 700.0]));
     let apart = one.iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);

@@ -472,7 +472,7 @@ fn pro_motors_z2__adjusted_where_it_was_homed() {
             machine.simulated.switch_at[4] = machine.simulated.switch_at[2];
         });
         let trace = trace.run();
-        trace.session.look(|machine| machine.truth()[3][0])
+        trace.session.truth()[3][0]
     };
     let lower = run(0.0) - run(-0.35);
     assert!(

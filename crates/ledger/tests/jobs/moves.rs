@@ -159,7 +159,7 @@ fn pro_axes_limit_unhomed() {
     let right = key(1, 0, 0, 1.0, 1.0).with(start).unhomed().run();
     assert_eq!(right.rests()[0], 2500.0, "from where it was switched on");
     let homed = JobRun::hand(Errand::FindHome(axes("x"))).with(start).unhomed().run();
-    let truly = homed.session.look(|machine| machine.truth()[0][0]);
+    let truly = homed.session.truth()[0][0];
     assert!((truly + 117.0).abs() < 0.01, "zero is at the switch: {truly}");
     let right = key(1, 0, 0, 1.0, 1.0).with(start).after(&homed).run();
     assert_eq!(right.rests()[0], 2500.0);

@@ -9,10 +9,10 @@ use kerf_control::answers::Operator;
 use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_files::{Folders, RealDisk};
 use kerf_journal::{Journal, RunOptions, Whereabouts, Work};
-use kerf_machine::{Driven, Errand, Going};
+use kerf_machine::{Errand, Going};
 use kerf_program::settings::Resolution;
 use kerf_program::{Axes, Axis, MoveKind, Question, QuestionKind, Status};
-use kerf_sim::{Clock, Simulated};
+use kerf_sim::{Clock, Opened, Simulated};
 use kerf_trace::{Doing, Event, Sink, Summary, json};
 use kerf_workspace::{Workspace, stored::Stored};
 use std::cell::RefCell;
@@ -84,8 +84,8 @@ impl Sink for Onlooker<'_> {
 }
 
 /// The machine of a process whose every move is on record before it begins.
-fn on_record() -> Driven {
-    Simulated::driven(AtOnce)
+fn on_record() -> Opened {
+    Simulated::opened(AtOnce)
 }
 
 /// Time that passes at once and counts as that of the world.
@@ -354,7 +354,7 @@ impl<'a> Life<'a> {
         (session, workspace): (&mut Session, &mut Workspace),
         by: Axes,
         requests: &mut dyn Requests,
-        machine: Driven,
+        machine: Opened,
     ) {
         if by == Axes::default() {
             return;

@@ -25,12 +25,14 @@ pub(super) struct Run<'a> {
     /// The first thing that was seen and should not be. A line that was garbled on its way may lead a machine anywhere;
     /// then it has to tell so in the end.
     odd: Option<String>,
+    /// Inputs that were told, each with whether it was active, one behind the other.
+    told: Vec<(u8, bool)>,
 }
 
 impl<'a> Run<'a> {
     pub fn new(bench: &'a mut dyn Bench) -> Self {
         bench.machine().begin();
-        Self { bench, now_s: 10.0, x_mm: 0.0, looks: |_| Ok(()), odd: None }
+        Self { bench, now_s: 10.0, x_mm: 0.0, looks: |_| Ok(()), odd: None, told: Vec::new() }
     }
 
     pub fn machine(&mut self) -> &mut dyn Machine {
@@ -104,7 +106,9 @@ impl<'a> Run<'a> {
         let begin_s = going.t0_s + going.plan.span_s(going.index).0;
         let end_s = going.t0_s + going.plan.span_s(going.index).1;
         while self.now_s < until_s {
-            let News { reached_s, .. } = self.bench.machine().advance(going, self.now_s, until_s);
+            let News { reached_s, input } =
+                self.bench.machine().advance(going, self.now_s, until_s);
+            self.told.extend(input);
             let within = (begin_s - EXACT_S..=end_s + EXACT_S).contains(&reached_s);
             require(within || reached_s == f64::INFINITY, || {
                 format!("a move from {begin_s} s to {end_s} s has reached {reached_s} s")
@@ -132,6 +136,38 @@ impl<'a> Run<'a> {
         })?;
         self.now_s = stands_s;
         Ok(Some(going.at(stands_s).position[Axis::X]))
+    }
+
+    pub fn moves_switch(&mut self, active: bool) -> Option<u8> {
+        self.bench.moves_switch(active)
+    }
+
+    /// Goes to [`END_MM`]; in the middle a switch is moved. Returns its input.
+    pub fn moves_switch_on_the_way(&mut self) -> Result<Option<u8>, Short> {
+        let plan = self.plan(&[END_MM]);
+        self.machine().begin_plan();
+        let t0_s = self.now_s;
+        let going = going(&plan, 0, t0_s);
+        self.advances(&going, t0_s + 0.5 * plan.duration_s())?;
+        let moved = self.moves_switch(true);
+        self.advances(&going, t0_s + plan.duration_s())?;
+        self.x_mm = END_MM;
+        Ok(moved)
+    }
+
+    /// The last that was told of an input is that it is active, or not.
+    pub fn was_told(&self, input: u8, active: bool) -> bool {
+        let last = self.told.iter().rev().find(|(number, _)| *number == input);
+        last.is_some_and(|(_, told)| *told == active)
+    }
+
+    /// Of no input the same was told two times in succession.
+    pub fn told_nothing_twice(&self) -> Result<(), Short> {
+        let twice = self.told.iter().enumerate().find(|(i, told)| {
+            let before = self.told.iter().take(*i).rev().find(|(number, _)| *number == told.0);
+            before == Some(told)
+        });
+        require(twice.is_none(), || format!("{twice:?} is told twice"))
     }
 
     /// Everything that the machine has is made, and then it has no more to make.
@@ -168,7 +204,8 @@ impl<'a> Run<'a> {
     /// A moment passes while nothing moves.
     fn passes(&mut self, what: &str) -> Result<(), Short> {
         let (from_s, until_s) = (self.now_s, self.now_s + 0.01);
-        let News { reached_s, .. } = self.machine().stand(from_s, until_s);
+        let News { reached_s, input } = self.machine().stand(from_s, until_s);
+        self.told.extend(input);
         require((from_s..=until_s).contains(&reached_s), || {
             format!("it stands from {from_s} s to {until_s} s and has reached {reached_s} s")
         })?;

@@ -19,6 +19,7 @@ mod link;
 pub use link::{Link, LinkState, Told, Troubles};
 
 pub use kerf_program::{AXES, Axes, Axis};
+use std::borrow::Cow;
 
 /// The number of an order; they count up from 1.
 pub type Ticket = u32;
@@ -28,6 +29,14 @@ pub type Ticket = u32;
 pub enum Order {
     /// A straight move, mm and mm/s (degrees and degrees/s of rotary axes).
     Move {
+        /// Target, machine frame.
+        to: Axes,
+        /// Highest speed.
+        speed_mm_s: f64,
+    },
+    /// A straight move beside the work, which the feed override does not change. Where its speed is the greatest that the
+    /// controller goes, it is a rapid move of the controller.
+    Jog {
         /// Target, machine frame.
         to: Axes,
         /// Highest speed.
@@ -61,6 +70,25 @@ pub enum Order {
     Unlock,
 }
 
+impl Order {
+    /// Returns where it leads, machine frame; nothing where it is no move to a place.
+    pub const fn to(&self) -> Option<Axes> {
+        match self {
+            Self::Move { to, .. } | Self::Jog { to, .. } | Self::Probe { to, .. } => Some(*to),
+            Self::Output { .. } | Self::Spindle { .. } | Self::Home | Self::Unlock => None,
+        }
+    }
+}
+
+/// A share that the operator turns at a controller, percent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Override {
+    /// Of the speed of rapid moves, up to 100. A controller of few steps takes the next one below.
+    Rapid(u8),
+    /// Of the speed of the spindle.
+    Spindle(u8),
+}
+
 /// A request outside the row of orders, carried out at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
@@ -74,6 +102,8 @@ pub enum Signal {
     Stop,
     /// Make moves at so many percent of the speed that was ordered, from now on.
     Feed(u8),
+    /// The operator turns something else.
+    Override(Override),
 }
 
 /// An order with its ticket.
@@ -171,10 +201,14 @@ pub struct Facts {
     pub spindle_rpm: f64,
     /// It changes the speed of moves that it has (feed override).
     pub overrides: bool,
+    /// It changes the speed of its rapid moves, and that of its spindle, by itself ([`Override`]).
+    pub overrides_more: bool,
     /// It stops on its path and goes on from there, with its outputs as they are (feed hold).
     pub holds: bool,
     /// Its stop switches every output off.
     pub stop_switches_off: bool,
+    /// It does the same once more when the same is made again: what its inputs tell needs no place on record.
+    pub repeats: bool,
     /// A run may tell of a move so long before it is made, seconds.
     pub leads_s: f64,
 }
@@ -213,7 +247,7 @@ pub enum Trouble {
         /// Its number.
         number: u16,
         /// In words.
-        why: &'static str,
+        why: Cow<'static, str>,
         /// Steps may be lost.
         lost: bool,
     },
@@ -241,7 +275,7 @@ pub enum Trouble {
         /// Its number; 0 when the order was not even sent.
         number: u16,
         /// In words.
-        why: &'static str,
+        why: Cow<'static, str>,
     },
     /// The line was gone, and nobody knows how far the controller has come with what was sent; it knows its place.
     #[error("the line was gone for a while, and {why}")]
@@ -330,7 +364,9 @@ impl<D: Wired + ?Sized> Driver for Box<D> {
 /// Returns `true` if an order can be carried out by some machine.
 pub fn is_sound(order: &Order) -> bool {
     match order {
-        Order::Move { to, speed_mm_s } | Order::Probe { to, speed_mm_s, .. } => {
+        Order::Move { to, speed_mm_s }
+        | Order::Jog { to, speed_mm_s }
+        | Order::Probe { to, speed_mm_s, .. } => {
             to.0.iter().all(|v| v.is_finite()) && speed_mm_s.is_finite() && *speed_mm_s > 0.0
         }
         Order::Output { line, .. } => (1..=u32::BITS as u8).contains(line),

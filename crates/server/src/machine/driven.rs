@@ -22,7 +22,7 @@ impl Owner {
     /// The machine that makes what is switched while nothing runs.
     pub(super) fn driven(&self) -> Driven {
         let controller = self.workshop.controller.as_ref();
-        controller.map_or_else(kerf_control::simulated, Controller::driven)
+        controller.map_or_else(|| kerf_control::simulated().machine, Controller::driven)
     }
 
     /// Tells what was found when the controller was attached.

@@ -9,6 +9,7 @@ use crate::clock::Clock;
 use crate::people::Grip;
 use kerf_control::OperatorRequest;
 use kerf_journal::Press;
+use kerf_machine::driver::Override;
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread::{self, Thread};
@@ -52,6 +53,8 @@ pub struct Wanted {
     pub resume: bool,
     /// A new feed override.
     pub feed: Option<f32>,
+    /// What else was turned, in order.
+    pub turns: VecDeque<Override>,
     /// The number of the question that is open: nobody has answered it yet, but for a jog.
     question: Option<u32>,
     /// Its answer.

@@ -13,7 +13,6 @@ use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::setup::Workshop;
 use crate::told;
-use kerf_control::controller::Controller;
 use kerf_control::{AtRest, RunContext};
 use kerf_journal::{Journal, JournalError, Live, RunOptions, Work};
 use kerf_machine::{Configuration, Errand, Keypad, hand};
@@ -214,10 +213,11 @@ impl Owner {
             self.hub.cleared(false);
             self.hub.moves_on();
         }
-        self.hub.change(vec![
-            Change::Job { job: Some(job.clone()) },
-            Change::Overrides { overrides: Overrides::default() },
-        ]);
+        let more = self.driven().borrow().facts().overrides_more.then_some(100);
+        let overrides =
+            Overrides { rapid_percent: more, spindle_percent: more, ..Overrides::default() };
+        self.hub
+            .change(vec![Change::Job { job: Some(job.clone()) }, Change::Overrides { overrides }]);
         job
     }
 
@@ -271,17 +271,18 @@ impl Owner {
             link: self.link.clone(),
             parts: self.parts.clone(),
         };
-        let simulated = || Simulated::driven(Clock::new(shared.clone(), self.rate));
+        let simulated = || Simulated::opened(Clock::new(shared.clone(), self.rate));
         let controller = self.workshop.controller.clone();
-        let machine = controller.as_ref().map_or_else(simulated, Controller::driven);
+        let opened = controller.as_ref().map_or_else(simulated, |it| it.driven().into());
+        let machine = opened.machine.clone();
         let mut requests = PageRequests::new(shared.clone(), machine.clone(), self.rate);
-        let mut pages = Pages::new(shared.clone(), machine.clone(), self.asked);
+        let mut pages = Pages::new(shared.clone(), machine, self.asked);
         let mut teller = Teller::new(shared);
         let context = RunContext {
             sink: &mut teller,
             operator: &mut pages,
             requests: &mut requests,
-            machine,
+            machine: opened,
         };
         self.link.arrived().runs(true);
         if let Some(controller) = &controller {

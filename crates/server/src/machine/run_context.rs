@@ -11,6 +11,7 @@ use kerf_control::answers::{self, Operator};
 use kerf_control::{Jog, LIFT, OperatorRequest, Requests, WorldClock};
 use kerf_journal::Hurry;
 use kerf_machine::Driven;
+use kerf_machine::driver::Override;
 use kerf_program::{Question, QuestionKind};
 use kerf_trace::{Doing, Event, Made, Sink, Standing};
 use kerf_wire::{Asked, Change, InForce, Machine, State, Tone};
@@ -172,6 +173,17 @@ impl Requests for PageRequests {
         let waits = self.machine.try_borrow_mut().ok().and_then(|mut machine| machine.waits());
         self.shared.waits(waits);
         self.shared.link.lock().request().map(|request| (from_s, request))
+    }
+
+    fn turned(&mut self, _: f64) -> Option<Override> {
+        let turned = self.shared.link.lock().turns.pop_front()?;
+        let mut overrides = self.shared.hub.read(|now| now.overrides);
+        match turned {
+            Override::Rapid(percent) => overrides.rapid_percent = Some(percent),
+            Override::Spindle(percent) => overrides.spindle_percent = Some(percent),
+        }
+        self.shared.hub.change(vec![Change::Overrides { overrides }]);
+        Some(turned)
     }
 
     fn hurry(&self) -> Option<Hurry> {
@@ -390,8 +402,9 @@ impl Sink for Teller {
             }
             Event::Override { percent, .. } => {
                 board.feed = percent / 100.0;
-                let overrides = kerf_wire::Overrides { feed_percent: *percent };
                 drop(board);
+                let overrides = self.shared.hub.read(|now| now.overrides);
+                let overrides = kerf_wire::Overrides { feed_percent: *percent, ..overrides };
                 self.shared.hub.change(vec![Change::Overrides { overrides }]);
                 return;
             }

@@ -22,10 +22,8 @@ impl Basis {
     /// As a session is now.
     pub fn of(session: &Session) -> Self {
         let Session { memory, gcode, machine_is, homed, .. } = session.clone();
-        let look = |machine: &kerf_sim::Machine| {
-            (*machine.outputs(), machine.switches(), machine.moving_alone())
-        };
-        let (outputs, switches, alone) = session.look(look);
+        let look = |machine: &kerf_sim::Machine| (*machine.outputs(), machine.moving_alone());
+        let ((outputs, alone), switches) = (session.look(look), session.switches());
         Self { memory, gcode, machine_is, homed, outputs, switches, alone }
     }
 }

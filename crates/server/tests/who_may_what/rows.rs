@@ -60,7 +60,12 @@ fn every() -> Vec<Act> {
         Act::Lift { lease, question: 0 },
         Act::Key { lease, seq: 0, key: '9', clock_ms: None },
         Act::Input { lease, number: 10, on: true },
-        Act::Override { lease, feed_percent: 100.0 },
+        Act::Override {
+            lease,
+            feed_percent: Some(100.0),
+            rapid_percent: None,
+            spindle_percent: None,
+        },
         Act::Set { lease, key: "units".into(), value: "ell".into() },
         Act::Unlock { password: "guess".into() },
         Act::Protect { password: None, new: None },

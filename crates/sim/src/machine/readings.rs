@@ -1,16 +1,11 @@
 //! All that a machine tells: places and limits, what its inputs read, when they change, and which of them stop motion.
 
 use super::Machine;
-use crate::carriages::line_of;
-use crate::flips::flips;
 use crate::halt::{self, Halt, Heeds, Watched};
-use crate::inputs::{CABLE, Change};
+use crate::inputs::CABLE;
 use crate::limits::{self, Violation};
 use crate::outputs::Outputs;
-use crate::scene;
-use kerf_machine::homing::Which;
-use kerf_machine::lines::Input;
-use kerf_motion::{Move, Plan};
+use kerf_motion::Move;
 use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, Settings};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -27,21 +22,9 @@ impl Machine {
         move |number| inputs.reads(number, &self.settings.io)
     }
 
-    /// Switches that somebody moved by hand, and where they were left.
-    pub fn switches(&self) -> Vec<(u8, bool)> {
-        self.inputs.moved_by_hand()
-    }
-
-    /// Returns when an input reads a state: now, or at the time of a later change. `None` for never.
+    /// Returns when an input reads a state: now, or at a later moment of which was told. `None` where nobody told.
     pub fn when_input(&self, number: u8, on: bool) -> Option<f64> {
         self.inputs.when(number, on, self.clock_s, &self.settings.io)
-    }
-
-    /// Returns when an input changes to a state the next time. `None` for never.
-    pub fn when_pressed(&self, number: u8, on: bool) -> Option<f64> {
-        let (now, modes) = (self.clock_s, &self.settings.io);
-        let rests_s = self.inputs.when(number, !on, now, modes)?;
-        self.inputs.when(number, on, rests_s, modes)
     }
 
     /// Inputs that changed from a moment on, up to now, and what they read.
@@ -49,22 +32,34 @@ impl Machine {
         self.inputs.changed_since(from_s, &self.settings.io)
     }
 
-    /// The first change of an input up to a time that stops motion, or a program that waits.
-    pub fn first_halt(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
-        if self.draws() {
-            return None;
-        }
-        let heeds = Heeds { limits: true, stalls: true, past: &self.overridden.switches };
-        halt::first(&self.inputs, until_s, &self.settings.io, watches, heeds)
+    /// Returns the moment up to which is known what the inputs do: now, or that of the last change that was told.
+    pub fn told_s(&self) -> f64 {
+        self.inputs.told_s().map_or(self.clock_s, |told_s| told_s.max(self.clock_s))
+    }
+
+    /// The first change that was told, up to a time, that stops motion, or a program that waits.
+    pub fn halted(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
+        self.halted_by(
+            until_s,
+            watches,
+            Heeds { limits: true, stalls: true, past: &self.overridden.switches },
+        )
     }
 
     /// The same while nothing moves.
-    pub fn first_halt_at_rest(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
-        let watched = || {
-            let at_rest = Heeds { limits: false, stalls: false, past: &BTreeSet::new() };
-            halt::first(&self.inputs, until_s, &self.settings.io, watches, at_rest)
-        };
-        (!self.draws()).then(watched).flatten()
+    pub fn halted_at_rest(&self, until_s: f64, watches: &[Watched]) -> Option<Halt> {
+        self.halted_by(
+            until_s,
+            watches,
+            Heeds { limits: false, stalls: false, past: &BTreeSet::new() },
+        )
+    }
+
+    fn halted_by(&self, until_s: f64, watches: &[Watched], heeds: Heeds<'_>) -> Option<Halt> {
+        let levels = watches.iter().any(|watch| watch.level_from_s.is_some());
+        let changes = levels || self.inputs.is_due(until_s);
+        let halt = || halt::first(&self.inputs, until_s, &self.settings.io, watches, heeds);
+        (changes && !self.draws()).then(halt).flatten()
     }
 
     /// A stop input that forbids motion now.
@@ -117,7 +112,7 @@ impl Machine {
         for axis in Axis::ALL {
             place[axis] += self.spins[axis.index()].displacement(self.clock_s);
         }
-        place[Axis::Z] += self.torch.displacement(self.clock_s) + self.head.offset_mm();
+        place[Axis::Z] += self.torch.displacement(self.clock_s) + self.carried_mm;
         place
     }
 
@@ -173,24 +168,9 @@ impl Machine {
         self.hand.astray
     }
 
-    /// Returns how far each motor's carriage is from where the controller believes it: what only the simulation knows.
-    pub fn truth(&self) -> Vec<Vec<f64>> {
-        self.carriages.astray()
-    }
-
-    /// Tells whether a home switch of an axis is on.
-    pub fn home_switch(&self, axis: Axis, which: Which) -> bool {
-        self.carriages.is_on(axis, which)
-    }
-
-    /// The input of an axis' home switch.
-    pub fn home_line(axis: Axis) -> Option<Input> {
-        line_of(axis)
-    }
-
     /// The motor of an axis that moves while the others stand; `None` for all.
     pub const fn alone(&self) -> Option<(Axis, usize)> {
-        self.carriages.alone()
+        self.alone
     }
 
     /// The first move of a stack that would leave the table, or the lengths of the axes, unless limits
@@ -222,26 +202,5 @@ impl Machine {
             (low, high) = (low.max(limits.low[axis] + zero), high.min(limits.high[axis] + zero));
         }
         (low, high)
-    }
-
-    /// Foresees the changes of the home switches while a plan is carried out.
-    pub(super) fn foreseen_switches(&self, plan: &Plan, t0_s: f64) -> Vec<Change> {
-        let change = |(t_s, input, on)| Change { input, at_s: t0_s + t_s, on };
-        let ahead = self.carriages.foresee(plan).into_iter().map(change);
-        ahead.filter(|change| change.at_s >= self.clock_s).collect()
-    }
-
-    /// Foresees what switches will feel on the way.
-    pub(super) fn foreseen_touches(&self, plan: &Plan, t0_s: f64) -> Vec<Change> {
-        let change = |input: u8| {
-            let felt = |t_s: f64| {
-                let at = plan.at(t_s).position;
-                scene::contact(&self.touches, input, &at).unwrap_or_default()
-            };
-            let from_s = (self.clock_s - t0_s).max(0.0);
-            let flips = flips(from_s, plan.duration_s(), &felt).into_iter();
-            flips.map(move |(t_s, on)| Change { input, at_s: t0_s + t_s, on })
-        };
-        scene::inputs(&self.touches).into_iter().flat_map(change).collect()
     }
 }

@@ -151,7 +151,7 @@ impl Machine {
         self.light = false;
         let pwm_percent = std::mem::take(&mut self.pwm_percent);
         self.shine = Shine::default();
-        self.head.let_go();
+        self.carried_mm = 0.0;
         let outputs = std::mem::take(&mut self.outputs);
         let trigger = &self.settings.cutter.trigger;
         let by_itself = |n: u8| {

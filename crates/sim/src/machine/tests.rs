@@ -21,7 +21,8 @@ fn cut(machine: &mut Machine, places: &[Axes]) {
     let plan = plan_stack(moves, &settings.ramps);
     let t0_s = machine.begin_motion();
     for span in plan.iter() {
-        machine.make(t0_s, &plan, &span);
+        let still = machine.not_carried();
+        machine.make(t0_s, &plan, &span, &still);
     }
     machine.rest();
 }
@@ -78,11 +79,11 @@ fn the_trigger_fires_while_z_passes() {
 fn inputs_change_while_the_clock_runs() {
     let change = |at_s, on| Change { input: 3, at_s, on };
     let mut m = machine(|_| (), &[change(1.0, true), change(2.0, false)]);
-    assert_eq!((m.when_input(3, false), m.when_input(3, true)), (Some(0.0), Some(1.0)));
-    assert_eq!(m.when_input(5, true), None);
+    assert_eq!((m.when_input(3, false), m.when_input(3, true)), (Some(0.0), None));
     m.advance(1.5);
     assert!(m.input(3));
-    assert_eq!((m.when_input(3, true), m.when_input(3, false)), (Some(1.5), Some(2.0)));
+    m.learn(change(2.5, false));
+    assert_eq!((m.when_input(3, true), m.when_input(3, false)), (Some(1.5), Some(2.5)));
     let told: Vec<f64> = m.log().take().map(|h| h.t_s).collect();
     assert_eq!(told, [1.0]);
 }
@@ -92,7 +93,8 @@ fn while_a_preview_is_drawn_nothing_has_an_effect() {
     let mut m = machine(|_| (), &[Change { input: 4, at_s: 0.1, on: false }]);
     let draw = |m: &Machine, mode| Arc::new(Settings { mode, ..(**m.settings()).clone() });
     m.use_settings(draw(&m, Mode::Preview));
-    assert_eq!(m.first_halt(9.0, &[]), None);
+    m.learn(Change { input: 4, at_s: 0.1, on: false });
+    assert_eq!(m.halted(9.0, &[]), None);
     cut(&mut m, &[Axes::xyz(25.4, 0.0, 0.0)]);
     m.output(3, true, OutputReason::Program);
     m.pwm(1, 50.0);
@@ -122,12 +124,14 @@ fn an_override_of_limits_ends_with_the_file() {
         s.limits.check = true;
         s.io.inputs[1] = 1;
     };
-    let mut m = machine(limits, &[Change { input: 2, at_s: 1.0, on: true }]);
-    assert!(m.first_halt(2.0, &[]).is_some());
+    let mut m = machine(limits, &[]);
+    assert_eq!(m.halted(2.0, &[]), None);
+    m.learn(Change { input: 2, at_s: 1.0, on: true });
+    assert!(m.halted(2.0, &[]).is_some());
     m.override_table();
-    assert!(m.first_halt(2.0, &[]).is_some(), "the table is no switch");
+    assert!(m.halted(2.0, &[]).is_some(), "the table is no switch");
     m.override_switch(2);
-    assert!(m.first_halt(2.0, &[]).is_none());
+    assert!(m.halted(2.0, &[]).is_none());
     m.end_file();
-    assert!(m.first_halt(2.0, &[]).is_some());
+    assert!(m.halted(2.0, &[]).is_some());
 }

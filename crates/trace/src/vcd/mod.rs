@@ -9,8 +9,7 @@ use kerf_machine::lines::{Output, line_of_pin};
 use kerf_machine::settings::laser::Laser;
 use kerf_machine::wiring::INPUT_BITS;
 use kerf_motion::{Step, Stepper};
-use kerf_program::{Axis, AxisSet};
-use kerf_sim::Machine;
+use kerf_program::Axis;
 use kerf_sim::pulses::{Line, Pulses};
 use kerf_sim::vcd::Vcd;
 use signals::Signals;
@@ -63,9 +62,9 @@ impl<W: Write> VcdSink<W> {
 
     /// Traces the readings of inputs that nobody has moved.
     fn inputs_at_rest(&mut self) {
-        let untouched = Machine::default().equipped(&self.machine, AxisSet::EMPTY);
-        let reads = INPUT_BITS.iter().map(line_of_pin).filter(|line| untouched.input(*line));
-        reads.for_each(|line| self.signals.inputs.change(&mut self.vcd, 0.0, line, true));
+        let reads = kerf_sim::untouched(&self.machine);
+        let active = INPUT_BITS.iter().map(line_of_pin).filter(|line| reads(*line));
+        active.for_each(|line| self.signals.inputs.change(&mut self.vcd, 0.0, line, true));
     }
 
     /// The trace is over.

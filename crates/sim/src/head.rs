@@ -1,19 +1,18 @@
 //! Height control on the simulated machine: Z beside the plan, and what the sensors of the head tell.
 
 use crate::flips::flips;
-use crate::follower::{Follower, Reading, Sensed, TICK_S};
+use crate::follower::{self, Follower, Sensed, TICK_S};
 use crate::inputs::{Change, Inputs};
-use crate::lift::Lift;
-use crate::log::{Log, What};
 use crate::sheet::Sheet;
 use kerf_machine::lines::Input;
+use kerf_machine::{Ahead, Carried, Lift, Reading};
 use kerf_motion::{Plan, Span, State};
 use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Axis, Gauge, HeightLaw, MoveKind};
 
 /// The head, and Z while it follows the sheet.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Head {
+pub(crate) struct Head {
     sheet: Option<Sheet>,
     /// Height control, while it is on.
     law: Option<HeightLaw>,
@@ -22,21 +21,9 @@ pub(super) struct Head {
 
 /// Inputs of the machine that the head belongs to.
 #[derive(Clone, Copy)]
-pub(super) struct Lent<'a> {
+pub(crate) struct Lent<'a> {
     pub inputs: &'a Inputs,
     pub modes: &'a IoModes,
-    /// Commands are only drawn: nothing is sensed.
-    pub draws: bool,
-}
-
-/// A plan that is about to be followed.
-#[derive(Clone, Copy)]
-pub(super) struct Ahead<'a> {
-    pub plan: &'a Plan,
-    /// Beginning of the plan, seconds of machine time.
-    pub t0_s: f64,
-    /// The moment from which on it is followed, seconds of machine time.
-    pub from_s: f64,
 }
 
 /// Z while it follows the sheet: what one tick after the other makes of it.
@@ -50,17 +37,25 @@ struct Following<'a> {
 
 /// Result of one tick.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tick {
+pub(crate) struct Tick {
     t_s: f64,
     /// Distance that Z has been carried, mm.
     offset_mm: f64,
     /// Height of the tool, Z of the machine frame, mm.
     z_mm: f64,
-    reading: Option<Reading>,
+    reading: Option<follower::Reading>,
     /// The sensor sends nothing.
     silent: bool,
     /// Faults that the controller looks for, and whether it notices each.
     faults: [(Input, bool); 3],
+}
+
+impl Tick {
+    /// The reading that was taken in it.
+    fn told(&self) -> Option<Reading> {
+        let follower::Reading { value, error_mm } = self.reading?;
+        Some(Reading { t_s: self.t_s, z_mm: self.z_mm, error_mm, value })
+    }
 }
 
 impl Following<'_> {
@@ -196,19 +191,9 @@ impl Sheet {
 }
 
 impl Head {
-    /// Distance that height control has carried Z, mm.
-    pub const fn offset_mm(&self) -> f64 {
-        self.follower.offset_mm
-    }
-
-    /// Z stays where it is; returns how far it was carried, mm.
-    pub fn land_mm(&mut self) -> f64 {
-        std::mem::take(&mut self.follower).offset_mm
-    }
-
-    /// Height control is off, and has carried nothing.
-    pub fn let_go(&mut self) {
-        (self.law, self.follower) = (None, Follower::default());
+    /// Z stays where it is.
+    pub fn land(&mut self) {
+        self.follower = Follower::default();
     }
 
     /// A sheet lies on the table, or none.
@@ -230,7 +215,7 @@ impl Head {
 
     /// Lists the switches of the head and what they go by while height control is on, as far as no script moves them.
     fn switches(&self, lent: Lent<'_>) -> Vec<(Input, Feels)> {
-        let Some(law) = self.law.filter(|_| !lent.draws) else { return Vec::new() };
+        let Some(law) = self.law else { return Vec::new() };
         let feels = |felt: Felt| Feels {
             sheet: self.sheet,
             raised_mm: law.raised_mm.unwrap_or_default(),
@@ -249,7 +234,7 @@ impl Head {
     }
 
     fn following<'a>(&self, lent: Lent<'a>) -> Option<Following<'a>> {
-        let law = self.law.filter(|_| !lent.draws)?;
+        let law = self.law?;
         let (sheet, follower, inputs) = (self.sheet, self.follower, lent.inputs.clone());
         Some(Following { sheet, modes: lent.modes, law, follower, inputs })
     }
@@ -261,31 +246,21 @@ impl Head {
         t0_s: f64,
         plan: &Plan,
         span: &Span<'_>,
-        log: &mut Log,
-    ) -> Lift {
+    ) -> Carried {
         let before_mm = self.follower.offset_mm;
-        let Some(mut following) = self.following(lent) else { return Lift::still(before_mm) };
-        let [begin_s, end_s] = [span.t0_s, span.t1_s].map(|s| t0_s + s);
-        let mut told = Vec::new();
         let mut lift = Lift::still(before_mm);
+        let Some(mut following) = self.following(lent) else {
+            return Carried { lift, readings: Vec::new() };
+        };
+        let [begin_s, end_s] = [span.t0_s, span.t1_s].map(|s| t0_s + s);
+        let mut readings = Vec::new();
         lift.carry(begin_s, before_mm);
         following.through(t0_s, plan, span, span.t0_s, &mut |tick| {
-            told.extend(tick.reading.map(|reading| (tick.t_s, tick.z_mm, reading)));
+            readings.extend(tick.told());
             lift.carry((tick.t_s + TICK_S).min(end_s), tick.offset_mm);
         });
         self.follower = following.follower;
-        for (t_s, z_mm, Reading { value, error_mm }) in told {
-            log.add(t_s, What::Height { z_mm, error_mm, reading: value });
-        }
-        let planned_mm = span.made.to[Axis::Z];
-        let mut carried = |t_s: f64, mm: f64| {
-            log.add(t_s, What::Carried { z_mm: planned_mm + mm });
-        };
-        lift.turns().for_each(|(t_s, mm)| carried(t_s, mm));
-        if self.follower.offset_mm != before_mm {
-            carried(end_s, self.follower.offset_mm);
-        }
-        lift
+        Carried { lift, readings }
     }
 
     /// Foresees the ticks of height control over a plan from now on.

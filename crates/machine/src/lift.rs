@@ -16,7 +16,7 @@ impl Lift {
     }
 
     /// Adds a distance at a moment of machine time later than those before.
-    pub(crate) fn carry(&mut self, t_s: f64, mm: f64) {
+    pub fn carry(&mut self, t_s: f64, mm: f64) {
         self.moments.push((t_s, mm));
     }
 
@@ -50,13 +50,35 @@ impl Lift {
     }
 
     /// Moments at which Z turns round or comes to rest, and how far it is carried there, mm.
-    pub(crate) fn turns(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+    pub fn turns(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let turns = self.moments.windows(3).filter(|three| {
             let [before, after] = [three[1].1 - three[0].1, three[2].1 - three[1].1];
             before != 0.0 && before * after <= 0.0
         });
         turns.map(|three| three[1])
     }
+}
+
+/// A reading that height control took on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// Its moment, seconds of machine time.
+    pub t_s: f64,
+    /// Height of the tool, Z of the machine frame, mm.
+    pub z_mm: f64,
+    /// Difference of the gap from the one that is wanted, mm.
+    pub error_mm: f64,
+    /// What the sensor told, 0 … 255.
+    pub value: u8,
+}
+
+/// Height control's share in a move that was made.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Carried {
+    /// The way of Z beside the plan.
+    pub lift: Lift,
+    /// The readings behind it, in order of time.
+    pub readings: Vec<Reading>,
 }
 
 #[cfg(test)]

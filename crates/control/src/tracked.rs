@@ -1,0 +1,144 @@
+//! A machine and what is believed of it, kept alike.
+//!
+//! A run believes what it was told. A machine that is pretended moves its switches by itself, or where somebody does so
+//! in its stead; the machine tells it in the moment in which it happens.
+
+use kerf_machine::{Ahead, Driven, Going, News};
+use kerf_motion::Plan;
+use kerf_program::{Axes, Axis, HeightLaw};
+use kerf_sim::{Change, Hands, Lift, Machine, WasOn, contact};
+
+/// The machine of a run, and what is believed of it.
+pub(crate) struct Tracked<'a> {
+    pub machine: &'a mut Machine,
+    pub driven: &'a Driven,
+    /// The hands at the machine.
+    pub hands: &'a Hands,
+}
+
+impl Tracked<'_> {
+    /// The machine told that the contact of an input changed at a moment.
+    pub fn learn(&mut self, input: u8, on: bool, at_s: f64) {
+        let change = Change { input, on, at_s };
+        self.machine.learn(change);
+        self.hands.keep(change);
+    }
+
+    /// A plan, or another piece of it, is about to be followed.
+    pub fn follows(&mut self, plan: &Plan, t0_s: f64) {
+        if !self.machine.draws() {
+            self.learns_plan(plan, t0_s);
+            self.driven.borrow_mut().begin_plan();
+        }
+    }
+
+    /// What is left of a plan at a moment is made by another.
+    pub fn replans(&mut self, plan: &Plan, t0_s: f64, at_s: f64) {
+        if !self.machine.draws() {
+            self.learns_plan(plan, t0_s);
+            self.learn_until(at_s);
+        }
+    }
+
+    /// A machine that repeats tells what it told of the move under way by the plan that is followed now.
+    fn learns_plan(&mut self, plan: &Plan, t0_s: f64) {
+        let mut driven = self.driven.borrow_mut();
+        driven.follows(&Ahead { plan, t0_s, from_s: self.machine.clock_s() });
+        if driven.facts().repeats {
+            self.machine.forget();
+        }
+    }
+
+    /// A move of a plan is made: everything that happened on the way is known. Returns how far height control carried Z.
+    pub fn move_made(&mut self, going: &Going<'_>) -> Lift {
+        let Some(span) = going.plan.span(going.index) else { return Lift::default() };
+        let carried = if self.machine.draws() {
+            self.machine.not_carried()
+        } else {
+            self.learn_until(going.t0_s + span.t1_s);
+            self.driven.borrow_mut().made(going)
+        };
+        self.machine.make(going.t0_s, going.plan, &span, &carried);
+        carried.lift
+    }
+
+    /// Learns everything that changed up to a moment that is over.
+    pub fn learn_until(&mut self, until_s: f64) {
+        loop {
+            let News { reached_s, input } = self.driven.borrow_mut().passed(until_s);
+            let Some((number, active)) = input else { return };
+            let on = contact(number, active, &self.machine.settings().io);
+            self.learn(number, on, reached_s);
+        }
+    }
+
+    /// Somebody moves the switch of an input now: whoever asks for it knows it at once.
+    pub fn press(&mut self, input: u8, on: bool) {
+        let now_s = self.machine.clock_s();
+        if !self.hands.press(Change { input, on, at_s: now_s }) {
+            self.learn(input, on, now_s);
+        }
+        self.advance(now_s);
+    }
+
+    /// Lets the clock of what is believed run to a moment.
+    pub fn advance(&mut self, to_s: f64) {
+        self.learn_until(to_s);
+        self.machine.advance(to_s);
+    }
+
+    /// Returns when an input reads a state: now, or later, where that is known. `None` where nobody knows.
+    pub fn when(&self, input: u8, on: bool) -> Option<f64> {
+        let told = self.machine.when_input(input, on);
+        told.or_else(|| self.hands.changes_s(input, on, self.machine.clock_s()))
+    }
+
+    /// Returns when an input changes to a state the next time, where that is known.
+    pub fn when_pressed(&self, input: u8, on: bool) -> Option<f64> {
+        let (hands, now_s) = (self.hands, self.machine.clock_s());
+        let is_on = self.machine.input(input) == on;
+        let rests_s = if is_on { hands.changes_s(input, !on, now_s)? } else { now_s };
+        let told = if is_on { None } else { self.machine.when_input(input, on) };
+        told.or_else(|| hands.changes_s(input, on, rests_s))
+    }
+
+    /// The warning passes, and motion begins.
+    pub fn begin_motion(&mut self) {
+        let until_s = self.machine.warn();
+        self.advance(until_s);
+    }
+
+    /// The next motion begins where torch and height control have carried Z.
+    pub fn land(&mut self) {
+        self.driven.borrow_mut().land();
+        self.machine.land_torch();
+    }
+
+    /// Z follows the sheet from here on, or does not.
+    pub fn control_height(&mut self, law: Option<HeightLaw>) {
+        self.machine.land_torch();
+        if !self.machine.draws() {
+            let at = self.machine.true_position();
+            let contacts = self.driven.borrow_mut().height_control(law, &at);
+            self.machine.senses(&contacts);
+        }
+    }
+
+    /// The power was off: nothing is on, and the machine stands somewhere. Returns what was on.
+    pub fn restart(&mut self, position: Axes) -> WasOn {
+        drop(self.driven.borrow_mut().height_control(None, &position));
+        self.machine.restart(position)
+    }
+
+    /// From here on only this motor of an axis moves; nothing for all.
+    pub fn move_alone(&mut self, motor: Option<(Axis, usize)>) {
+        self.driven.borrow_mut().move_alone(motor);
+        self.machine.move_alone(motor);
+    }
+
+    /// The axis is at zero where it stands.
+    pub fn zero(&mut self, axis: Axis) {
+        self.driven.borrow_mut().zero(axis, self.machine.position()[axis]);
+        self.machine.zero(axis);
+    }
+}

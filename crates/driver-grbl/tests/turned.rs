@@ -1,0 +1,91 @@
+//! Overrides, rapid moves, and what a board tells of itself beside numbers.
+
+use crate::wire::{Wire, run, to};
+use kerf_driver_grbl::fake::{Board, Fake};
+use kerf_machine::driver::{Axes, Driver, Link, LinkState, Order, Override, Signal, Wired};
+
+#[track_caller]
+fn turns(signal: Signal, expected: [u32; 3]) {
+    let mut wire = Wire::new(Fake::default());
+    wire.signal(signal, 0.1);
+    drop(wire.replies(0.2));
+    let Fake { override_percent, rapid_percent, spindle_percent, .. } = wire.fake;
+    assert_eq!([override_percent, rapid_percent, spindle_percent], expected, "{signal:?}");
+}
+
+#[test]
+fn overrides_are_those_of_the_controller() {
+    turns(Signal::Feed(133), [133, 100, 100]);
+    turns(Signal::Feed(7), [10, 100, 100]);
+    turns(Signal::Override(Override::Rapid(50)), [100, 50, 100]);
+    turns(Signal::Override(Override::Rapid(99)), [100, 50, 100]);
+    turns(Signal::Override(Override::Rapid(3)), [100, 25, 100]);
+    turns(Signal::Override(Override::Spindle(87)), [100, 100, 87]);
+    turns(Signal::Override(Override::Spindle(200)), [100, 100, 200]);
+}
+
+const fn jog(x: f64, speed_mm_s: f64) -> Order {
+    Order::Jog { to: Axes::xyz(x, 0.0, 0.0), speed_mm_s }
+}
+
+/// Returns the lines that jogs and a cut become, and how long they take.
+fn made(signals: &[Signal], orders: &[Order]) -> (Vec<String>, f64) {
+    let mut link = Link::new(Wire::new(Fake::default()));
+    let before = link.driver().fake.lines.len();
+    signals.iter().for_each(|signal| link.driver().signal(*signal, 0.0));
+    for order in orders {
+        link.order(*order);
+    }
+    let took_s = run(&mut link, 0.0, |_, _| {});
+    assert_eq!(link.state(), LinkState::Up, "{:?}", link.driver().fake.lines);
+    let lines = link.driver().fake.lines[before..].to_vec();
+    (lines, took_s)
+}
+
+#[test]
+fn a_jog_as_fast_as_the_controller_goes_is_a_rapid_move() {
+    let orders = [jog(10.0, 100.0), jog(20.0, 120.0), to(30.0, 0.0), jog(40.0, 50.0)];
+    let (lines, _) = made(&[Signal::Feed(200)], &orders);
+    assert_eq!(lines, ["G53G0X10", "G53X20", "G53G1X30F2400", "G53X40F1500"]);
+    let (lines, _) = made(&[Signal::Override(Override::Rapid(50))], &orders[2..]);
+    assert_eq!(lines, ["G53G1X30F2400", "G53X40F1500"]);
+}
+
+#[test]
+fn a_rapid_move_follows_its_override_and_no_other() {
+    let orders = [jog(200.0, 100.0)];
+    let (_, plain_s) = made(&[Signal::Feed(20)], &orders);
+    let (_, slow_s) = made(&[Signal::Override(Override::Rapid(25))], &orders);
+    assert!((2.0..3.0).contains(&plain_s), "{plain_s}");
+    assert!((8.0..9.5).contains(&slow_s), "{slow_s}");
+}
+
+#[test]
+fn a_board_that_tells_the_line_that_it_makes_is_sent_numbers() {
+    let mut link = Link::new(Wire::new(Fake::of(Board::hal(0), &[(10, 511.0)])));
+    for n in 1..=40 {
+        link.order(to(f64::from(n), 0.0));
+    }
+    run(&mut link, 0.0, |_, _| {});
+    let lines = &link.driver().fake.lines;
+    let numbered = lines.iter().filter(|line| line.starts_with('N')).count();
+    assert_eq!(numbered, 5, "{lines:?}");
+    assert!(lines.contains(&"N8G53X8".to_owned()), "{lines:?}");
+    assert_eq!(link.state(), LinkState::Up);
+}
+
+#[test]
+fn errors_and_alarms_are_told_in_the_words_of_the_board() {
+    let said = |board: Board, spoils: &dyn Fn(&mut Wire)| {
+        let mut link = Link::new(Wire::new(Fake::of(board, &[])));
+        spoils(link.driver());
+        link.order(to(10.0, 0.0));
+        run(&mut link, 0.0, |_, _| {});
+        link.driver().grbl.trouble().map(ToString::to_string).unwrap_or_default()
+    };
+    let garbles: &dyn Fn(&mut Wire) = &|wire| wire.garbles = Some((b'G', b'M'));
+    assert_eq!(said(Board::hal(0), garbles), "error 20: This board has no such word");
+    assert_eq!(said(Board::grbl(), garbles), "error 20: it does not have this command");
+    let hits: &dyn Fn(&mut Wire) = &|wire| wire.fake.hits_limit();
+    assert_eq!(said(Board::hal(0), hits), "alarm 1: A switch at the end of an axis closed");
+}
