@@ -42,11 +42,11 @@ pub struct World {
 }
 
 impl World {
-    pub fn new(seed: u64, faults: Faults, wiring: &Wiring) -> Self {
+    pub fn new(seed: u64, faults: Faults, wiring: &Wiring, deadline_s: f64) -> Self {
         let line = |n| Line::new(seed * 2 + n, faults, 0.0007);
         let mut fake = Fake::of_seed(seed);
         fake.records = false;
-        let options = Options { linger_s: 1.0, error_s: ERROR_S, ..Options::default() };
+        let options = Options { linger_s: 1.0, error_s: ERROR_S, deadline_s, ..Options::default() };
         let desk = Desk::new(Board::new(wiring.setup.clone(), options, 0.0));
         let (there, back) = (line(0), line(1));
         Self { fake, desk, there, back, now_s: 0.0, stalls_until_s: 0.0, heard: Vec::new() }
@@ -130,7 +130,7 @@ impl Shop {
         prepares: impl FnOnce(&mut Fake),
     ) -> Self {
         let wiring = Wiring::of(machine).unwrap();
-        let mut world = World::new(seed, Faults::default(), &wiring);
+        let mut world = World::new(seed, Faults::default(), &wiring, machine.board.deadline_s);
         prepares(&mut world.fake);
         let (version, counts) = world.ready();
         (world.there.faults, world.back.faults) = (faults, faults);

@@ -9,7 +9,7 @@ use kerf_program::{Axes, Axis};
 use std::collections::VecDeque;
 
 /// Length of a piece, seconds.
-const PIECE_S: f64 = 0.04;
+const PIECE_S: f64 = 0.02;
 /// Times closer than this are the same, seconds: the rounding of a sum.
 const SAME_S: f64 = 1e-9;
 

@@ -17,8 +17,8 @@ use std::time::Duration;
 
 /// Time that a piece needs from one thread to the other, seconds.
 const HANDING_S: f64 = 0.02;
-/// Longest time between two looks of the run that is taken for granted at first, seconds.
-const STALL_S: f64 = 0.05;
+/// Share of the board's lead that the run may stall for, whatever was measured.
+const SPARE: f64 = 0.34;
 /// Times the longest one that is provided for.
 const SAFETY: f64 = 2.0;
 /// Longest one that is, seconds.
@@ -125,7 +125,7 @@ impl Queued {
             elsewhere: None,
             late: false,
             at: None,
-            stall_s: STALL_S,
+            stall_s: 0.0,
             stood: None,
             homes: Vec::new(),
             edges: Vec::new(),
@@ -218,9 +218,16 @@ impl Queued {
         progress
     }
 
-    /// Time by which pieces are handed over before they begin, seconds.
+    /// Time by which pieces are handed over before they begin, seconds: so much before the way to rest would be sent in
+    /// place of the next one that the run may stall. A hold and another feed come as much later.
     fn ahead_s(&self) -> f64 {
-        self.progress.lead_s[1] + HANDING_S + SAFETY * self.stall_s
+        let spare_s = SPARE * self.progress.lead_s[1];
+        self.least_s() + spare_s.max(SAFETY * self.stall_s)
+    }
+
+    /// Shortest time by which a piece is handed over before it begins, seconds.
+    fn least_s(&self) -> f64 {
+        0.5 * self.progress.lead_s[1] + HANDING_S
     }
 
     /// Looks what became of requests, waiting for a moment at most.
@@ -362,14 +369,13 @@ impl Queued {
     fn hand_over(&mut self) -> Option<()> {
         let State::Moving(scale, starts) = self.state else { return None };
         let (now, off) = self.progress.clock?;
-        let [_, full_s] = self.progress.lead_s;
         let begin_s = self.feeder.begins_s()?;
-        let earliest = now + off + self.ticks(0.5 * full_s + HANDING_S);
+        let earliest = now + off + self.ticks(self.least_s());
         let late = self.feeder.rests && scale.at(begin_s) < earliest as f64;
         let from = (begin_s, earliest.max(starts) as f64);
         let scale = if late { Scale { from, ..scale } } else { scale };
         let clock = (scale.at(begin_s) as u64).max(starts);
-        if clock > now + self.ticks(self.ahead_s()) || self.fault.is_some() {
+        if clock > now + off + self.ticks(self.ahead_s()) || self.fault.is_some() {
             return None;
         }
         let piece = self.feeder.piece(&scale, starts)?;

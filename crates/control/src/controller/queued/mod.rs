@@ -7,7 +7,7 @@
 //!     └── reached, inputs, fault ─┴──◄── Progress, Answers ────────────────────┘
 //! ```
 //!
-//! Motion that was handed to a board is made: so the run goes ahead of the machine by the board's lead, some 0.15 s, and what it
+//! Motion that was handed to a board is made: so the run goes ahead of the machine by the board's lead, some 0.14 s, and what it
 //! changes (a stop, another feed) it changes from there on.
 
 mod attached;
