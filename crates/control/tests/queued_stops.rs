@@ -5,7 +5,7 @@ use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_driver_klipper::fake::Faults;
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
-use kerf_machine::{Configuration, Machine};
+use kerf_machine::{Configuration, Driven, Machine};
 use kerf_program::{Axes, Axis};
 use kerf_sbp::Status;
 use kerf_trace::{Event, Sink};
@@ -69,11 +69,12 @@ fn asked(
     let queued = Rc::new(RefCell::new(shop.queued));
     let steps = 2_000 + 137 * seed as i64;
     let mut asks = Asks { world: world.clone(), steps, request: Some(request), asked_s: None };
+    let driven: Driven = queued.clone();
     let context = RunContext {
         sink: &mut Quiet,
         operator: &mut (),
         requests: &mut asks,
-        machine: queued.clone(),
+        machine: driven.into(),
     };
     let summary = session.run(program, RunOptions::default(), &mut workspace, context);
     assert_eq!(queued.borrow().fault(), None, "{:?}", summary.error);
@@ -198,7 +199,8 @@ fn bears(deadline_s: f64, first_s: f64, most_s: f64) -> bool {
     let (world_of, stall_s) = (world.clone(), first_s);
     let mut stalls = Stalls { world: world_of, stall_s, grows_s: 0.02, most_s, next_s };
     let (operator, requests) = (&mut (), &mut stalls);
-    let context = RunContext { sink: &mut Quiet, operator, requests, machine: queued.clone() };
+    let driven: Driven = queued.clone();
+    let context = RunContext { sink: &mut Quiet, operator, requests, machine: driven.into() };
     session.run(program, RunOptions::default(), &mut workspace, context);
     let bears = queued.borrow().fault().is_none();
     queued.borrow_mut().close(bears, || false);

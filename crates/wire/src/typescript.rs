@@ -158,7 +158,7 @@ mod tests {
             let (name, kind) = line.split_once(": ").unwrap_or_default();
             let a_speed = told.to_lowercase().contains("speed") || of_speeds;
             if a_speed && (kind.starts_with("number") || kind.starts_with("[number")) {
-                speeds.push(name);
+                speeds.push(name.trim_end_matches('?'));
             }
             told = if line.starts_with("/**") { line } else { "" };
         }

@@ -42,8 +42,7 @@ pub fn arc(made: &Move, tolerance_mm: f64) -> Option<([f64; 2], f64)> {
     let way = made.to.minus(made.from).0;
     let apart_mm = way[0].hypot(way[1]);
     let is_turn = (sweep_rad.abs() - TAU).abs() < 1e-6 && apart_mm < 0.000_5;
-    let fits = RADII_MM[0] <= begin_mm
-        && begin_mm <= RADII_MM[1]
+    let fits = (RADII_MM[0]..=RADII_MM[1]).contains(&begin_mm)
         && (begin_mm - end_mm).abs() < UNROUND_MM
         && way[3..].iter().all(|way| *way == 0.0)
         && (is_turn || sweep_rad.abs() < TAU && apart_mm > APART_MM);
