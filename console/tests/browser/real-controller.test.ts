@@ -28,11 +28,13 @@ class Controller {
     return this.lines.shift() ?? "";
   }
 
-  async look(): Promise<{ place: number[]; spindle: boolean }> {
+  /** Where it stands, mm, and how fast its spindle turns, revolutions a minute; nothing where it is off. */
+  async look(): Promise<{ place: number[]; rpm: number | null }> {
     this.child.stdin?.write("where\n");
     const line = await this.line();
     const place = line.split(" ")[0]?.split(",").map(Number) ?? [];
-    return { place, spindle: line.includes("spindle Some") };
+    const rpm = /spindle Some\(([\d.]+)\)/.exec(line)?.[1];
+    return { place, rpm: rpm === undefined ? null : Number(rpm) };
   }
 
   unplug(): void {
@@ -125,11 +127,18 @@ it("runs a file, faster and slower, holds it and goes on, to its end", async () 
     const { overrides, motion } = await stateOf(workshop);
     return overrides.feedPercent === 10 && motion.speedMmS > 0;
   }, "the feed is turned");
+  const full = (await controller.look()).rpm ?? 0;
+  expect(full).toBeGreaterThan(0);
+  await page.getByLabel("Spindle", { exact: true }).selectOption("80 %");
+  await until(async () => (await controller.look()).rpm === 0.8 * full, "the spindle is turned");
+  await page.getByLabel("Rapids", { exact: true }).selectOption("25 %");
+  await until(async () => (await stateOf(workshop)).overrides.rapidPercent === 25, "rapids, too");
+  if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/overrides.png` });
   await page.getByRole("button", { name: "100 %" }).click();
   await page.getByText("finished").waitFor();
   const [endX = 0, endY = 0] = await agree();
   expect([endX, endY]).toEqual([0, 0]);
-  expect((await controller.look()).spindle).toBe(false);
+  expect((await controller.look()).rpm).toBe(null);
 });
 
 it("stops in the middle where the controller stands, with the spindle off", async () => {
@@ -142,7 +151,7 @@ it("stops in the middle where the controller stands, with the spindle off", asyn
   const quit = page.getByRole("button", { name: "Quit" });
   await quit.waitFor();
   await agree();
-  expect((await controller.look()).spindle).toBe(false);
+  expect((await controller.look()).rpm).toBe(null);
   await quit.click();
   await page.locator(".state", { hasText: "Ready" }).waitFor();
   await agree();

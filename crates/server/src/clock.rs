@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn a_clock_goes_as_the_world_does_and_its_clones_with_it() {
-        let (clock, begun) = (Clock::default(), Instant::now());
+        let (begun, clock) = (Instant::now(), Clock::default());
         let same = clock.clone();
         std::thread::sleep(Duration::from_millis(20));
         let passed = clock.now();
