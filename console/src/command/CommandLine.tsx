@@ -41,14 +41,22 @@ export function CommandLine() {
     execute(worldOf(hands), line.text);
     setState(sent(line));
   };
+  const name = (line: LineState, command: CommandEntry | undefined) => {
+    if (command && isImmediate(command)) send(line);
+    else if (command && bringsSheet(command)) openSheet(command, line.text);
+    else setState(line);
+  };
   const type = (text: string) => {
     const next = typed(state, text, table);
     const command = text.length > state.text.length ? commandOf(table, next.text) : undefined;
-    const named = command !== undefined && command !== entry;
-    if (named && isImmediate(command)) send(next);
-    else if (named && bringsSheet(command)) openSheet(command, next.text);
-    else setState(next);
+    name(next, command === entry ? undefined : command);
   };
+  // What is typed before the table has come is done when it comes.
+  // biome-ignore lint/correctness/useExhaustiveDependencies: once, when the table comes
+  useEffect(() => {
+    const before = { ...state, text: state.text.slice(0, -1) };
+    if (state.text !== "") name(typed(before, state.text, table), entry);
+  }, [table]);
   /** Forgets what was typed; once more, and the field is left. */
   const forget = () => setState({ ...state, text: "", at: state.history.length });
   const press = (event: KeyboardEvent) => {

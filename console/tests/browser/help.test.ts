@@ -1,6 +1,6 @@
 /** The pages of the help, by the letters of their commands. */
 
-import type { Page } from "playwright-core";
+import type { Page, Route } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { openWorkshop, type Workshop } from "./workshop";
 
@@ -66,6 +66,16 @@ it("sbp_cmd_hn: a request for help with the problem log, for the person to send"
   expect(await typed("hn")).toContain("Problem log");
   const saved = page.getByRole("link", { name: "Save problem.log" });
   expect(await saved.getAttribute("download")).toBe("problem.log");
+});
+
+it("letters that are typed before the table of commands has come are done when it comes", async () => {
+  const late = async (route: Route) => {
+    await new Promise((passed) => setTimeout(passed, 1500));
+    await route.continue();
+  };
+  await page.route("**/api/commands", late);
+  expect(await typed("ha")).toContain("Kerf 0.");
+  await page.unroute("**/api/commands", late);
 });
 
 it("sbp_cmd_hq: the first steps", async () => {

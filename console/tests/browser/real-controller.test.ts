@@ -4,7 +4,17 @@ import { join, resolve } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
-import { arm, hold, keysOf, openWorkshop, stands, stateOf, until, type Workshop } from "./workshop";
+import {
+  arm,
+  hold,
+  keysOf,
+  openWorkshop,
+  stands,
+  stateOf,
+  until,
+  violations,
+  type Workshop,
+} from "./workshop";
 
 const pretended = resolve(import.meta.dirname, "../../../target/debug/examples/grbl");
 
@@ -76,6 +86,9 @@ it("says which machine it drives", async () => {
   const chip = page.locator(".mode");
   expect(await chip.textContent()).toContain("CUT");
   expect(await chip.getAttribute("title")).toContain("grbl:/dev/");
+  const filled = await chip.evaluate((at) => getComputedStyle(at).backgroundColor);
+  expect(filled, "its word is of the colour of the panel").not.toBe("rgba(0, 0, 0, 0)");
+  expect(await violations(page)).toEqual([]);
 });
 
 it("homes a controller that was locked until it is homed", async () => {
@@ -125,7 +138,8 @@ it("runs a file, faster and slower, holds it and goes on, to its end", async () 
   await page.keyboard.press("Home");
   await until(async () => {
     const { overrides, motion } = await stateOf(workshop);
-    return overrides.feedPercent === 10 && motion.speedMmS > 0;
+    // A tenth of 2 in/s.
+    return overrides.feedPercent === 10 && motion.speedMmS > 0 && motion.speedMmS < 5.1;
   }, "the feed is turned");
   const full = (await controller.look()).rpm ?? 0;
   expect(full).toBeGreaterThan(0);

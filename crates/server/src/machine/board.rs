@@ -8,7 +8,7 @@ use crate::files::PartFolder;
 use crate::hub::Hub;
 use crate::told;
 use kerf_diag::{Diagnostic, Place};
-use kerf_machine::Configuration;
+use kerf_machine::{Configuration, Going};
 use kerf_model::Model;
 use kerf_program::{At, Axes, MoveKind};
 use kerf_trace::{Doing, Made, OpenFile};
@@ -65,6 +65,8 @@ pub struct Board {
     typing: Option<Typing>,
     /// Share of the speed asked for.
     pub feed: f64,
+    /// Share of rapid moves, where the machine overrides them by itself.
+    pub rapid: f64,
     /// Seconds of machine time in a second of whoever waits.
     rate: f64,
     /// Planned time of what was made before the run was taken up, seconds.
@@ -110,6 +112,7 @@ impl Board {
             silent: false,
             typing: None,
             feed: 1.0,
+            rapid: 1.0,
             rate,
             before_s: 0.0,
         }
@@ -141,7 +144,8 @@ impl Board {
         let (place, speed_mm_s, going) = match &doing.going {
             Some(going) => {
                 let state = going.at(t_s);
-                (state.position, speed(state.velocity), going.made())
+                let share = self.share_of_plan(going, f64::from(doing.feed));
+                (state.position, share * speed(state.velocity), going.made())
             }
             None => (doing.machine.position(), 0.0, None),
         };
@@ -163,6 +167,16 @@ impl Board {
         let elapsed = (self.before_s + t_s) / self.rate;
         let motion = Motion { at, speed_mm_s, t: t_s, cutting, progress, remaining, ..self.motion };
         self.motion = Motion { elapsed, ..motion };
+    }
+
+    /// Returns the share of the speed of its plan at which a move is made: another than 1 where the machine overrides by
+    /// itself, and its plan stays that of another feed.
+    fn share_of_plan(&self, going: &Going<'_>, planned: f64) -> f64 {
+        match going.made().map(|made| made.kind) {
+            Some(MoveKind::Cut) => self.feed / planned,
+            Some(MoveKind::Jog) => self.rapid,
+            _ => 1.0,
+        }
     }
 
     /// The move that is made is one of this file.

@@ -179,7 +179,10 @@ impl Requests for PageRequests {
         let turned = self.shared.link.lock().turns.pop_front()?;
         let mut overrides = self.shared.hub.read(|now| now.overrides);
         match turned {
-            Override::Rapid(percent) => overrides.rapid_percent = Some(percent),
+            Override::Rapid(percent) => {
+                self.shared.board.borrow_mut().rapid = f64::from(percent) / 100.0;
+                overrides.rapid_percent = Some(percent);
+            }
             Override::Spindle(percent) => overrides.spindle_percent = Some(percent),
         }
         self.shared.hub.change(vec![Change::Overrides { overrides }]);
