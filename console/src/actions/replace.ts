@@ -45,7 +45,7 @@ export const mayReplace = async (world: World, name: string): Promise<boolean> =
 export const aboutFile = (name: string): Promise<FileAbout> =>
   getJson<FileAbout>(`${fileAddress(name)}?about`);
 
-/** Whether a file lies under a name. */
+/** Looks for a file under a name: true where one lies there. */
 export async function isThere(name: string): Promise<boolean> {
   const query = new URLSearchParams({ folder: parentOf(name), mask: baseOf({ name }) });
   const there = await getJson<FileInfo[]>(`/api/files?${query}`);

@@ -1,6 +1,6 @@
 import { useState } from "react";
 import { ask } from "../actions/ask";
-import { writing } from "../actions/replace";
+import { isThere, writing } from "../actions/replace";
 import { useHands, worldOf } from "../app/context";
 import { Refused, readFile, writeFile } from "../link/http";
 import { Button } from "../ui/Button";
@@ -65,7 +65,7 @@ function useOpenSample() {
   const hands = useHands();
   return async ({ files }: Sample) => {
     const world = worldOf(hands);
-    for (const file of files) if (!(await isThere(file)) && !(await write(file))) return;
+    for (const file of files) if (!(await isAsItComes(file)) && !(await write(file))) return;
     const [first = ""] = files;
     const isDrawing = first.endsWith(".rsg");
     const done = isDrawing
@@ -88,10 +88,5 @@ function useOpenSample() {
 }
 
 /** Tells whether the part folder has the file as it comes with the console. */
-const isThere = async (file: string): Promise<boolean> => {
-  try {
-    return (await readFile(file)).text === (await sampleText(file));
-  } catch {
-    return false;
-  }
-};
+const isAsItComes = async (file: string): Promise<boolean> =>
+  (await isThere(file)) && (await readFile(file)).text === (await sampleText(file));

@@ -38,7 +38,7 @@ class Controller {
     return this.lines.shift() ?? "";
   }
 
-  /** Where it stands, mm, and how fast its spindle turns, revolutions a minute; nothing where it is off. */
+  /** Its place, mm, and the speed of its spindle, revolutions a minute; nothing where that is off. */
   async look(): Promise<{ place: number[]; rpm: number | null }> {
     this.child.stdin?.write("where\n");
     const line = await this.line();

@@ -127,9 +127,9 @@ export async function until(holds: () => Promise<boolean>, words: string): Promi
   for (const workshop of openWorkshops) await catchUp(workshop);
 }
 
-/** How long a page is waited for that shows no machine, or may hear nothing. */
+/** Time for which a page is waited for that shows no machine, or may hear nothing. */
 const deafMs = 2000;
-/** How long a busy computer may take to draw what a page heard. */
+/** Time that a busy computer may take to draw what a page heard. */
 const slowMs = 20_000;
 
 /** Waits until every page has drawn what the server has told so far. */
@@ -141,7 +141,7 @@ async function catchUp(workshop: Workshop): Promise<void> {
   }
 }
 
-/** Whether a page comes to show the machine as it is told with this revision, in so long. */
+/** Waits until a page shows the machine as it is told with this revision; true where it comes to, in so long. */
 function shows(page: Page, revision: number, timeout: number): Promise<boolean> {
   const heard = (least: number) => Number(document.documentElement.dataset.revision) >= least;
   return page.waitForFunction(heard, revision, { timeout }).then(

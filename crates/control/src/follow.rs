@@ -11,7 +11,7 @@ use kerf_program::{Axes, Interpreter};
 
 /// A piece of plan that was left on the way.
 pub(crate) struct Left {
-    /// Where that is.
+    /// Place in the piece where it was left.
     pub stop: Stop,
     /// Its cause.
     pub why: Turn,

@@ -34,7 +34,7 @@ impl Tracked<'_> {
         }
     }
 
-    /// What is left of a plan at a moment is made by another.
+    /// Another plan makes the rest of one that is left at a moment.
     pub fn replans(&mut self, plan: &Plan, t0_s: f64, at_s: f64) {
         if !self.model.draws() {
             self.learns_plan(plan, t0_s);

@@ -29,7 +29,7 @@ use std::sync::Arc;
 const LONGEST_LINE: usize = 1_000_000;
 
 pub(crate) struct World<'a> {
-    /// What is believed of the machine.
+    /// Beliefs about the machine.
     pub model: Model,
     /// The machine that makes what is planned.
     pub driven: Driven,

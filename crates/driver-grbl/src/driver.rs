@@ -104,7 +104,7 @@ pub struct Grbl {
     pub(crate) planned_on: u32,
     /// Time when it was told to stop.
     pub(crate) stopped_s: f64,
-    /// When it was reset last, once that is sent.
+    /// Moment at which its reset was sent, seconds.
     reset_s: Option<f64>,
     /// The hold that was ordered.
     pub(crate) hold: Hold,

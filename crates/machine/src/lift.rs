@@ -68,7 +68,7 @@ pub struct Reading {
     pub z_mm: f64,
     /// Difference of the gap from the one that is wanted, mm.
     pub error_mm: f64,
-    /// What the sensor told, 0 … 255.
+    /// Reading of the sensor, 0 … 255.
     pub value: u8,
 }
 

@@ -1,4 +1,4 @@
-//! What is believed of a machine while a run drives it, whatever machine it is.
+//! Beliefs about a machine while a run drives it, whatever machine it is.
 //!
 //! A [`Model`] has a clock, six axes, the inputs as the machine told them, the outputs with their modes, a PWM channel, a
 //! spindle and a warning light; it counts the steps of the motors. It learns what was made and what was told, and moves

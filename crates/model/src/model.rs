@@ -1,4 +1,4 @@
-//! What is believed of the machine, and what follows from it.
+//! Beliefs about the machine, and what follows from them.
 
 mod readings;
 mod shine;
@@ -26,7 +26,7 @@ use shine::Shine;
 use std::sync::Arc;
 use torch::{TORCH_INPUT, Torch, in_xy};
 
-/// What is believed of a machine. See the [crate] for what it learns.
+/// Beliefs about a machine: places, frames, limits, inputs, outputs. See the [crate] for what it learns.
 #[derive(Clone, Debug)]
 pub struct Model {
     clock_s: f64,
@@ -376,7 +376,7 @@ impl Model {
         self.inputs.learn(change);
     }
 
-    /// What the machine told from where motion is made on does not hold: it tells it once more.
+    /// Forgets the news from the moment on up to which motion is made: the machine tells them once more.
     pub fn forget(&mut self) {
         self.inputs.forget(self.clock_s);
     }

@@ -33,7 +33,7 @@ pub struct Physics {
 }
 
 impl Physics {
-    /// What its inputs will do begins anew.
+    /// Begins anew with inputs, and with the changes that their script brings.
     fn begin(&mut self, inputs: Inputs) {
         self.ahead = inputs.clone();
         (self.inputs, self.plan_ends_s) = (inputs, None);

@@ -10,12 +10,12 @@ use kerf_model::{Change, Inputs};
 use kerf_program::{Axes, AxisSet, Frame, Settings};
 use std::sync::Arc;
 
-/// What is believed of a machine, and the carriages, switches and things that are simulated around it.
+/// Beliefs about a machine, and the carriages, switches and things that are simulated around it.
 #[derive(Clone, Debug, Default)]
 pub struct Simulation {
-    /// What is believed of it.
+    /// Beliefs about it.
     pub model: Model,
-    /// What its switches and sensors feel. A run hands it to the machine that it drives.
+    /// Switches and sensors, and what they feel. A run hands it to the machine that it drives.
     pub physics: Physics,
 }
 

@@ -11,6 +11,7 @@ mod motion;
 mod probe;
 mod read;
 mod report;
+mod state;
 mod turned;
 
 pub use board::Board;
@@ -18,6 +19,7 @@ pub use board::Board;
 use kerf_machine::driver::Axes;
 use motion::Motion;
 use read::{Words, read};
+use state::State;
 use std::collections::{BTreeMap, VecDeque};
 use turned::turn;
 
@@ -29,18 +31,6 @@ const HOMING_S: f64 = 0.5;
 
 /// Time in which the spindle comes up again behind a door, seconds.
 const RESUMING_S: f64 = 0.6;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
-    Ready,
-    Hold,
-    Door,
-    Resuming,
-    Homing,
-    Alarm,
-    Sleep,
-    Check,
-}
 
 /// A controller that is none.
 #[derive(Clone, Debug)]

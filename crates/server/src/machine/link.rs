@@ -53,7 +53,7 @@ pub struct Wanted {
     pub resume: bool,
     /// A new feed override.
     pub feed: Option<f32>,
-    /// What else was turned, in order.
+    /// Overrides of rapid moves and of the spindle that were asked for, in order.
     pub turns: VecDeque<Override>,
     /// The number of the question that is open: nobody has answered it yet, but for a jog.
     question: Option<u32>,

@@ -1,0 +1,14 @@
+//! The state of the controller that is none.
+
+/// Its state, as reports name it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum State {
+    Ready,
+    Hold,
+    Door,
+    Resuming,
+    Homing,
+    Alarm,
+    Sleep,
+    Check,
+}
