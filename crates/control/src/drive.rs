@@ -252,6 +252,11 @@ impl<'a> Drive<'a> {
         self.machine.borrow().facts().overrides
     }
 
+    /// Returns `true` if another feed waits while inputs are watched.
+    pub fn feed_waits(&self) -> bool {
+        self.machine.borrow().facts().feed_waits
+    }
+
     /// Returns `true` if the machine holds on its path and goes on from there by itself.
     pub fn holds(&self) -> bool {
         self.machine.borrow().facts().holds

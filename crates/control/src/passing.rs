@@ -5,8 +5,8 @@ use crate::drive::Heard;
 use crate::station::Station;
 use crate::turn::{Turn, link_lost};
 use kerf_journal::{Kind, Placed, Turn as Teller};
-use kerf_machine::Going;
 use kerf_machine::state::RELEASE_S;
+use kerf_machine::{Going, Watch};
 use kerf_model::{Change, HaltCause, Watched};
 use kerf_motion::Move;
 use kerf_program::Interpreter;
@@ -229,6 +229,33 @@ impl<I: Interpreter> Station<'_, I> {
         }
     }
 
+    /// Does what another feed asks for where the plan stays what it is: the machine changes the speed by itself, or the
+    /// request waits until nothing is watched. Returns `false` where the plan is made anew.
+    pub(crate) fn leaves_plan(&mut self, share: f32, watches: &[Watch]) -> bool {
+        if self.drive.overrides() {
+            self.override_feed(share);
+            return true;
+        }
+        let waits = !watches.is_empty() && self.drive.feed_waits();
+        if waits {
+            self.world.workspace.tape.unhear_request();
+            self.world.workspace.tape.asks_again();
+            if self.waiting_feed.replace(share).is_none() {
+                let text =
+                    "while an input is watched the speed stays: it changes at the next stand";
+                self.world.tell(&Event::Message { text: text.into(), t: self.world.now() });
+            }
+        }
+        waits
+    }
+
+    /// The feed that waited is asked for now.
+    pub(crate) fn take_waiting_feed(&mut self) {
+        if let Some(share) = self.waiting_feed.take() {
+            self.postpone((self.world.now(), OperatorRequest::Feed(share)));
+        }
+    }
+
     /// The switch of an input is moved at a moment that is still to come, or in the next: the machine tells that it
     /// changes. Returns `false` where nobody moves switches but the machine.
     pub(crate) fn press(&mut self, input: u8, on: bool, at_s: f64) -> bool {
@@ -353,6 +380,7 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn stand(&mut self) {
         self.drive.stands();
         self.world.model.rest();
+        self.take_waiting_feed();
         self.world.tell_log();
         self.world.workspace.tape.moves(false, self.world.placed());
     }

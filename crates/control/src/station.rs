@@ -32,6 +32,8 @@ pub(crate) struct Station<'a, I> {
     pub stack: Stack,
     /// The operator's override: share of the speed asked for at which cuts run.
     pub feed: f32,
+    /// The override that waits until no input is watched.
+    pub waiting_feed: Option<f32>,
     /// Requests of the operator that he has not got yet.
     pub requests: VecDeque<(f64, OperatorRequest)>,
     /// Distance by which the workpiece was nudged since the commands at hand were given.
@@ -58,6 +60,7 @@ impl<'a, I: Interpreter> Station<'a, I> {
             mover,
             stack: Stack::default(),
             feed: 1.0,
+            waiting_feed: None,
             requests: VecDeque::new(),
             nudged: None,
             last_move: At::default(),
