@@ -315,7 +315,6 @@ impl Told {
             spindle_rpm: self.of(30).unwrap_or(1000.0),
             overrides: true,
             overrides_more: true,
-            feed_waits: false,
             holds: true,
             stop_switches_off: true,
             ..Facts::default()

@@ -276,6 +276,7 @@ impl Inputs {
     }
 
     /// The next change, of the script or foreseen.
+    #[inline]
     pub fn next(&self) -> Option<Change> {
         match self.is_foreseen_first() {
             true => self.foreseen.front().copied(),
@@ -284,6 +285,7 @@ impl Inputs {
     }
 
     /// Returns `true` if a sensor tells the next change, and no script.
+    #[inline]
     pub fn is_foreseen_first(&self) -> bool {
         let Some(foreseen) = self.foreseen.front() else { return false };
         self.script.get(self.done).is_none_or(|scripted| foreseen.at_s < scripted.at_s)
