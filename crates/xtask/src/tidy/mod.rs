@@ -2,6 +2,7 @@
 
 mod dependencies;
 mod examples;
+mod functions;
 mod links;
 mod openings;
 mod sources;
@@ -22,6 +23,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         sources::check(tree),
         dependencies::check(tree)?,
         examples::check(tree),
+        functions::check(tree),
         links::check(tree),
         openings::check(tree),
         test_programs::check(tree),
