@@ -3,6 +3,7 @@
 mod dependencies;
 mod examples;
 mod links;
+mod named;
 mod openings;
 mod sources;
 mod test_programs;
@@ -23,6 +24,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         dependencies::check(tree)?,
         examples::check(tree),
         links::check(tree),
+        named::check(tree),
         openings::check(tree),
         test_programs::check(tree),
         wall_clock::check(tree),
