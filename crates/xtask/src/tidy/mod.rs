@@ -4,6 +4,7 @@ mod dependencies;
 mod examples;
 mod functions;
 mod links;
+mod named;
 mod openings;
 mod sources;
 mod test_programs;
@@ -25,6 +26,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         examples::check(tree),
         functions::check(tree),
         links::check(tree),
+        named::check(tree),
         openings::check(tree),
         test_programs::check(tree),
         wall_clock::check(tree),
