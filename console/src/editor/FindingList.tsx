@@ -2,6 +2,7 @@ import type { Spot } from "../app/screen";
 import { useWords } from "../app/useWords";
 import { FindingPlace } from "../operator/FindingPlace";
 import type { Finding } from "../wire/messages";
+import { t } from "../words/words";
 import type { Check } from "./check";
 
 interface FindingListProps {
@@ -14,9 +15,11 @@ interface FindingListProps {
 /** What is wrong with the text, for those who do not hover; and whether all of it was looked at. */
 export function FindingList({ check, file, onShow }: FindingListProps) {
   return (
-    <section className="findings" aria-label="Findings" role="status">
-      {check.is === "checking" && <p className="findings-none">Checking…</p>}
-      {check.is === "unchecked" && <p className="word word-warning">Not checked: {check.why}.</p>}
+    <section className="findings" aria-label={t("Findings")} role="status">
+      {check.is === "checking" && <p className="findings-none">{t("Checking…")}</p>}
+      {check.is === "unchecked" && (
+        <p className="word word-warning">{t("Not checked: {0}.", check.why)}</p>
+      )}
       {check.is === "checked" && <Found findings={check.findings} file={file} onShow={onShow} />}
     </section>
   );
@@ -30,7 +33,7 @@ interface FoundProps {
 
 function Found({ findings, file, onShow }: FoundProps) {
   const words = useWords();
-  if (findings.length === 0) return <p className="findings-none">No mistakes found.</p>;
+  if (findings.length === 0) return <p className="findings-none">{t("No mistakes found.")}</p>;
   return (
     <ul>
       {findings.map((finding) => (

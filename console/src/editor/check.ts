@@ -2,6 +2,7 @@
 
 import { Refused } from "../link/http";
 import type { Checked, Finding } from "../wire/messages";
+import { t } from "../words/words";
 
 export type Check =
   | { readonly is: "checking" }
@@ -13,7 +14,7 @@ export const checking: Check = { is: "checking" };
 /** The answer to a text that is larger than is checked while somebody types. */
 const tooLarge = 413;
 
-const largeWords = "the text is larger than is checked while you type; a saved file is checked";
+const largeWords = t("the text is larger than is checked while you type; a saved file is checked");
 
 /** What became of a check that did not come to its end. */
 export const unchecked = (error: unknown): Check => ({

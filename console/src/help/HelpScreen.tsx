@@ -14,9 +14,9 @@ export function HelpScreen() {
   const { page: Page } = topic;
   return (
     <div className="help">
-      <h1>Help</h1>
+      <h1>{t("Help")}</h1>
       <div className="help-columns">
-        <nav className="help-topics" aria-label="Pages of the help">
+        <nav className="help-topics" aria-label={t("Pages of the help")}>
           {topics.map(({ letters, title }) => (
             <button
               key={letters}
