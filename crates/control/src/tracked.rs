@@ -61,6 +61,7 @@ impl Tracked<'_> {
             self.driven.borrow_mut().made(going)
         };
         self.model.make(going.t0_s, going.plan, &span, &carried);
+        self.follow_pushes();
         carried.lift
     }
 
@@ -87,6 +88,15 @@ impl Tracked<'_> {
     pub fn advance(&mut self, to_s: f64) {
         self.learn_until(to_s);
         self.model.advance(to_s);
+        self.follow_pushes();
+    }
+
+    /// Somebody has pushed axes up to now.
+    fn follow_pushes(&mut self) {
+        let now_s = self.model.clock_s();
+        while let Some(push) = self.hands.next_push(now_s) {
+            self.model.pushed(push.axis, push.by, push.at_s);
+        }
     }
 
     /// Returns when an input reads a state: now, or later, where that is known. `None` where nobody knows.

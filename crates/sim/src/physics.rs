@@ -5,6 +5,7 @@
 
 use crate::carriages::Carriages;
 use crate::head::{Head, Lent};
+use crate::pushes::Pushes;
 use crate::scene::{self, Touch};
 use crate::sheet::Sheet;
 use kerf_machine::homing::Which;
@@ -26,6 +27,8 @@ pub struct Physics {
     /// True places of the axes.
     carriages: Carriages,
     head: Head,
+    /// Pushes by hand.
+    pub(crate) pushes: Pushes,
     /// Bodies on the table, and the inputs that change where the tool is inside of them.
     touches: Arc<[Touch]>,
     /// End of the plan that was followed last, seconds of machine time.
@@ -243,6 +246,7 @@ impl Physics {
 
     /// An axis without power was pushed by hand.
     pub(crate) fn pushed(&mut self, axis: Axis, by: f64, believed: Axes) {
+        self.pushes.astray[axis] += by;
         self.carriages.pushed(axis, by, believed);
     }
 }

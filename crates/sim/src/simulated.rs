@@ -46,7 +46,8 @@ impl<C: Clock + 'static> Simulated<C> {
     /// A machine in the time of a clock.
     pub fn new(clock: C) -> Self {
         let name = "simulated".into();
-        let facts = Facts { name, axes: AXES, repeats: true, ..Facts::default() };
+        let (repeats, placed_by_record) = (true, true);
+        let facts = Facts { name, axes: AXES, repeats, placed_by_record, ..Facts::default() };
         Self { clock, facts, physics: Rc::default() }
     }
 
