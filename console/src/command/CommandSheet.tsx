@@ -90,7 +90,7 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
       onClose={close}
       foot={
         <>
-          <code className="sheet-line">{line}</code>
+          <code className="sheet-line one-line">{line}</code>
           <Button onPress={() => void navigator.clipboard?.writeText(line)}>Copy as line</Button>
           {entry.letters === "FP" && <FileButtons line={line} entries={entries} onDone={close} />}
           <Button onPress={run} look="primary">

@@ -18,8 +18,8 @@ export function StepBar() {
   const step = useStepsOn(due);
   if (!due && !step.runs) return null;
   return (
-    <section className="step" aria-label={t("Line by line")} data-react-aria-top-layer="true">
-      <p className="step-line">
+    <section className="step card" aria-label={t("Line by line")} data-react-aria-top-layer="true">
+      <p className="step-line one-line">
         <span>{due ? t("Line {0}", due.line) : t("On to a breakpoint")}</span>
         <code>{due?.text}</code>
       </p>

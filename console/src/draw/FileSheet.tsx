@@ -36,7 +36,7 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
   };
   return (
     <section
-      className="file-sheet"
+      className="file-sheet card"
       role="dialog"
       aria-label={title}
       onKeyDown={(event) => event.key === "Escape" && onClose()}
@@ -62,12 +62,14 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
             <div key={file.name} className="file-sheet-row">
               <button
                 type="button"
+                className="list-row"
                 onClick={() => (reads ? void use(file.name) : setName(file.name))}
               >
                 {file.name}
               </button>
               <button
                 type="button"
+                className="list-row"
                 aria-label={t("Versions of {0}", file.name)}
                 onClick={() => screen.open({ kind: "versions", name: file.name })}
               >

@@ -42,7 +42,7 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
           <li key={name} className={name === open ? "group-row group-open" : "group-row"}>
             <button
               type="button"
-              className="group-name"
+              className="group-name list-row"
               aria-expanded={name === open}
               onClick={() => setOpen(name === open ? null : name)}
             >

@@ -34,6 +34,7 @@ export function ShapePanel({ desk, scene }: { desk: Desk; scene: Scene }) {
               <li key={shape.number}>
                 <button
                   type="button"
+                  className="list-row"
                   aria-pressed={selected.has(shape.number)}
                   onClick={() =>
                     desk.send(

@@ -15,8 +15,12 @@ export function EditorBar({ asked }: { asked: Asked }) {
   useEffect(() => screen.edit(file), [screen, file]);
   const done = asked.buttons[asked.default] ?? "OK";
   return (
-    <section className="step" aria-label={t("The program waits")} data-react-aria-top-layer="true">
-      <p className="step-line">
+    <section
+      className="step card"
+      aria-label={t("The program waits")}
+      data-react-aria-top-layer="true"
+    >
+      <p className="step-line one-line">
         <span>{t("The program waits while you edit")}</span>
         <code>{file || t("a new file")}</code>
       </p>

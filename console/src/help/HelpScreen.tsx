@@ -13,7 +13,7 @@ export function HelpScreen() {
   if (!topic) return null;
   const { page: Page } = topic;
   return (
-    <div className="help">
+    <div className="help page">
       <h1>{t("Help")}</h1>
       <div className="help-columns">
         <nav className="help-topics" aria-label={t("Pages of the help")}>
@@ -21,6 +21,7 @@ export function HelpScreen() {
             <button
               key={letters}
               type="button"
+              className="list-row"
               aria-current={letters === topic.letters ? "page" : undefined}
               onClick={() => screen.explain(letters)}
             >

@@ -127,7 +127,7 @@ function ForEditing() {
   const table = useCommands().filter(({ parameters }) => parameters.length > 0);
   return (
     <section className="help-columns-page" aria-label={t("Parameters in their order")}>
-      <table>
+      <table className="list-table">
         <tbody>
           {table.map(({ letters, parameters }) => (
             <tr key={letters}>

@@ -14,7 +14,7 @@ export function FindingPlace({ place, file, onShow }: FindingPlaceProps) {
   if (!place) return <b>{t("All of it")}</b>;
   const words = file === place.file ? "" : t(" of {0}", place.file);
   return (
-    <button type="button" className="finding-place" onClick={() => onShow(place)}>
+    <button type="button" className="finding-place text-link" onClick={() => onShow(place)}>
       {t("Line {0}{1}", place.line, words)}
     </button>
   );

@@ -41,7 +41,7 @@ function NoLines({ kind }: { kind: "job" | "drawing" }) {
   return (
     <p className="tail-empty">
       {words}{" "}
-      <button type="button" className="listing-link" onClick={() => screen.go("/job")}>
+      <button type="button" className="text-link" onClick={() => screen.go("/job")}>
         {t("Go to the job")}
       </button>
     </p>

@@ -94,7 +94,7 @@ function Opened({ display, onClose }: { display: DisplaySettings; onClose: () =>
   return (
     <section
       ref={box}
-      className="message-window"
+      className="message-window card"
       aria-label={t("Message screen")}
       style={{ left: x, top: y, width, height }}
       onPointerUp={keep}

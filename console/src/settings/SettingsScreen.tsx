@@ -22,7 +22,7 @@ export function SettingsScreen() {
   const areas = useSettings();
   const owner = useShown((shown) => shown.who?.role === "owner");
   return (
-    <div className="settings">
+    <div className="settings page">
       <h1>{t("Settings")}</h1>
       <div className="settings-columns">
         <div className="settings-column">

@@ -53,7 +53,7 @@ export function BinSheet({ onClose }: { onClose: () => void }) {
       {bin.length === 0 && <p className="tail-empty">{t("Nothing was deleted.")}</p>}
       <ol className="versions" aria-label={t("Deleted files")}>
         {bin.map(({ name, bytes, changed }) => (
-          <li key={name}>
+          <li key={name} className="list-line">
             <span>{name}</span>
             <span className="versions-size">{`${sizeText(bytes)}, ${timeText(changed)}`}</span>
             <Button

@@ -47,7 +47,7 @@ function NotifyChoice() {
     setOn(notifies());
   };
   return (
-    <div className="runs-notify">
+    <div className="list-line">
       <span>{t("When somebody is needed, and when a run is done or fails:")}</span>
       <Choice
         label="Notifications of this browser"
@@ -77,7 +77,7 @@ function Runs({ runs }: { runs: readonly RunRecord[] }) {
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what is longer than its box is scrolled by keys
     <div className="runs" tabIndex={0}>
-      <table aria-label={t("Runs")}>
+      <table className="list-table" aria-label={t("Runs")}>
         <thead>
           <tr>
             {[t("When"), t("File"), t("End"), t("Time"), t("By")].map((title) => (

@@ -38,7 +38,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
           <ListBoxItem
             key={action.id}
             id={action.id}
-            className="palette-row"
+            className="palette-row list-row"
             textValue={action.title}
           >
             <span>{action.title}</span>

@@ -23,7 +23,7 @@ export function RecordedLines({ lines, onRun }: RecordedLinesProps) {
       >
         {lines.map((line, n) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same line may be there twice
-          <ListBoxItem key={n} id={String(n)} className="recorder-line" textValue={line}>
+          <ListBoxItem key={n} id={String(n)} className="recorder-line list-row" textValue={line}>
             <code>{line}</code>
           </ListBoxItem>
         ))}

@@ -70,7 +70,7 @@ function ToDoRow({ one, first, list, put }: ToDoRowProps) {
   const folder = useSnapshot("folder")?.name ?? "";
   const { file, wanted, made } = one;
   return (
-    <li className={isDone(one) ? "todo-done" : ""}>
+    <li className={isDone(one) ? "list-line todo-done" : "list-line"}>
       <Thumbnail name={file} />
       <b className="todo-name">{file}</b>
       <span>{t("{0} of {1} made", made, wanted)}</span>

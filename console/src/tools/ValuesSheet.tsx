@@ -45,7 +45,7 @@ export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onCl
         <VariableLines variables={values.variables} onDone={() => setEditing(false)} />
       )}
       <section className="values" aria-label={t("Values")} hidden={kind === "variables" && editing}>
-        <table>
+        <table className="list-table">
           <tbody>
             {found.map(([name, value, words]) => (
               <tr key={name}>

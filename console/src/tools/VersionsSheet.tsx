@@ -40,7 +40,7 @@ export function VersionsSheet({ name, onClose }: { name: string; onClose: () => 
       )}
       <ol className="versions" aria-label={t("Versions")}>
         {versions.map((version) => (
-          <li key={version.number}>
+          <li key={version.number} className="list-line">
             <span>{timeText(version.changed)}</span>
             <span className="versions-size">{sizeText(version.bytes)}</span>
             <Button

@@ -160,7 +160,7 @@ function PathWords(props: PathWordsProps) {
       {place ? (
         <button
           type="button"
-          className="finding-place"
+          className="finding-place text-link"
           // The box behind it takes a press for the beginning of a turn.
           onPointerDown={(event) => event.stopPropagation()}
           onClick={() => screen.showLine(place)}

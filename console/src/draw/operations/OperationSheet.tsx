@@ -62,7 +62,9 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
       onClose={onClose}
       foot={
         <>
-          <code className="operation-clause">{"clause" in made ? made.clause : entry.name}</code>
+          <code className="operation-clause one-line">
+            {"clause" in made ? made.clause : entry.name}
+          </code>
           <Button onPress={onClose}>Close</Button>
           <Button look="primary" onPress={() => void apply()}>
             Apply

@@ -110,7 +110,7 @@ function Results({ wanted, chapters, onGo }: ResultsProps) {
         <li key={`${part.page}${part.heading}`}>
           <button
             type="button"
-            className="book-link"
+            className="text-link"
             onClick={() => onGo(`${part.page}#${anchorOf(part.heading)}`)}
           >
             {part.heading}

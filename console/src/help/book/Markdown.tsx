@@ -132,7 +132,7 @@ function Way({ href, go, words }: { href: string; go: (href: string) => void; wo
     );
   if (!/^([\w-]+\.md)?(#.*)?$/.test(href)) return <i>{words}</i>;
   return (
-    <button type="button" className="book-link" onClick={() => go(href)}>
+    <button type="button" className="text-link" onClick={() => go(href)}>
       {words}
     </button>
   );
