@@ -35,10 +35,12 @@ export const files: Readonly<Record<string, string>> = {
   "a new file": "eine neue Datei",
   "part.sbp": "teil.sbp",
   "the new file": "die neue Datei",
-  "the text is larger than is checked while you type; a saved file is checked":
-    "der Text ist größer, als beim Schreiben geprüft wird; eine gesicherte Datei wird geprüft",
   "{0} of {1}": "{0} von {1}",
   "{0} was changed on the disk since this text was typed: Save asks before it is replaced.":
     "{0} wurde auf der Platte geändert, seit dieser Text geschrieben wurde: Sichern fragt, bevor sie ersetzt wird.",
   "· not saved": "· nicht gesichert",
+  "Each line was checked by itself. Not checked: jumps, variables and units.":
+    "Jede Zeile wurde für sich geprüft. Nicht geprüft: Sprünge, Variablen und Einheiten.",
+  "Not checked yet: {0} % of the text.": "Noch nicht geprüft: {0} % des Textes.",
+  "… and {0} more": "… und {0} weitere",
 };
