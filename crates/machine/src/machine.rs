@@ -151,7 +151,7 @@ pub trait Machine {
     fn facts(&self) -> &Facts;
 
     /// Returns `true` if it takes the time of the world: what it makes is put on record while it makes it.
-    fn is_real(&self) -> bool;
+    fn in_real_time(&self) -> bool;
 
     /// Returns in words why it cannot make a move; asked before anything of its stack moves.
     fn refuses(&self, mv: &Move) -> Option<String>;

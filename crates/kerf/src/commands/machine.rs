@@ -3,7 +3,7 @@
 use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
-use crate::commands::by_hand::{self, Beside, Height, MoveArgs};
+use crate::commands::by_hand::{self, Height, MoveArgs, ServerArgs};
 use crate::commands::{protect, prove};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
@@ -86,7 +86,7 @@ enum Action {
         /// Their letters, as xyz; all that have a switch when not given
         axes: Option<String>,
         #[command(flatten)]
-        beside: Beside,
+        there: ServerArgs,
     },
     /// Moves the machine by hand: to home, to the job origin, to a place, as a key that is held
     Move(MoveArgs),
@@ -167,8 +167,8 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             replace(&file, &file::write(&args.which.machine()?))?;
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
-        Action::Home { axes, beside } => {
-            return by_hand::home(&args.which, axes.as_deref(), *beside);
+        Action::Home { axes, there } => {
+            return by_hand::home(&args.which, axes.as_deref(), *there);
         }
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),

@@ -19,7 +19,7 @@ impl Machine for Queued {
         &self.facts
     }
 
-    fn is_real(&self) -> bool {
+    fn in_real_time(&self) -> bool {
         true
     }
 
