@@ -15,6 +15,7 @@ mod machine_file;
 mod no_switch;
 mod queued;
 mod queued_homing;
+mod queued_laser;
 mod queued_stops;
 mod queued_watched;
 mod references;

@@ -316,6 +316,7 @@ impl Told {
             overrides: true,
             overrides_more: true,
             feed_waits: false,
+            follows_speed: false,
             holds: true,
             stop_switches_off: true,
             repeats: false,
