@@ -68,6 +68,10 @@ pub struct Progress {
     pub rests: bool,
     /// Longest stall of the host, and the lead that follows from it, seconds.
     pub lead_s: [f64; 2],
+    /// Shortest time by which a step was sent before it was due, seconds.
+    pub latest_s: Option<f64>,
+    /// Smoothed round trip of the line and its deviation, seconds.
+    pub trip_s: Option<[f64; 2]>,
 }
 
 /// A board with the requests of its owner.
@@ -140,6 +144,8 @@ impl Desk {
             moves: self.board.is_moving(),
             rests: self.board.is_at_rest(),
             lead_s: self.board.lead_s().unwrap_or_default(),
+            latest_s: self.board.latest_s(),
+            trip_s: self.board.trip_s(),
         }
     }
 }

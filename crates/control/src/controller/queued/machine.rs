@@ -181,6 +181,18 @@ impl Queued {
         self.wiring.axes()
     }
 
+    /// Counts of its motors, as the board told last, and as they are planned from the place that is zero on.
+    pub fn counts(&self) -> [Vec<i64>; 2] {
+        let made = self.wiring.motors.iter().zip(&self.zeros);
+        let planned = made.map(|(motor, zero)| zero + self.feeder.made(motor.axis));
+        [self.counts.clone(), planned.collect()]
+    }
+
+    /// Progress of the board, as it was told last.
+    pub const fn progress(&self) -> Progress {
+        self.progress
+    }
+
     /// Inputs that changed and were not told, in order: by number, and whether active.
     pub fn take_inputs(&mut self) -> Vec<(u8, bool)> {
         self.inputs.drain(..).collect()
