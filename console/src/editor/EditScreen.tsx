@@ -53,7 +53,8 @@ export function EditScreen() {
     else if (await save(as)) setAsking(null);
   };
   const changed = isChanged(file);
-  const kept = check.is === "unchecked" && !changed ? savedFindings(open, file) : null;
+  const isWhole = check.is === "checked" || check.is === "checking";
+  const kept = isWhole || changed ? null : savedFindings(open, file);
   const refused = refusals(changed, file.name);
   return (
     <div className="edit">

@@ -1,3 +1,4 @@
+import type { ReactNode } from "react";
 import type { Spot } from "../app/screen";
 import { useWords } from "../app/useWords";
 import { FindingPlace } from "../operator/FindingPlace";
@@ -17,23 +18,43 @@ export function FindingList({ check, file, onShow }: FindingListProps) {
     <section className="findings" aria-label="Findings" role="status">
       {check.is === "checking" && <p className="findings-none">Checking…</p>}
       {check.is === "unchecked" && <p className="word word-warning">Not checked: {check.why}.</p>}
-      {check.is === "checked" && <Found findings={check.findings} file={file} onShow={onShow} />}
+      {check.is === "lines" && <Share {...check} />}
+      {"findings" in check && (
+        <Found findings={check.findings} file={file} onShow={onShow}>
+          {check.is === "checked" && "No mistakes found."}
+        </Found>
+      )}
     </section>
   );
+}
+
+/** How much of a long text was looked at, and what is not looked at in one. */
+function Share({ share }: { share: number }) {
+  const words = useWords();
+  const text =
+    share < 1
+      ? `Not checked yet: ${Math.ceil((1 - share) * 100)} % of the text.`
+      : "Each line was checked by itself. Not checked: jumps, variables and units.";
+  return <p className="findings-none">{words(text)}</p>;
 }
 
 interface FoundProps {
   findings: readonly Finding[];
   file: string;
   onShow: (place: Spot) => void;
+  /** What is said where there are none. */
+  children: ReactNode;
 }
 
-function Found({ findings, file, onShow }: FoundProps) {
+/** Findings that are listed: nobody reads more. */
+const most = 300;
+
+function Found({ findings, file, onShow, children }: FoundProps) {
   const words = useWords();
-  if (findings.length === 0) return <p className="findings-none">No mistakes found.</p>;
+  if (findings.length === 0) return children ? <p className="findings-none">{children}</p> : null;
   return (
     <ul>
-      {findings.map((finding) => (
+      {findings.slice(0, most).map((finding) => (
         <li
           key={`${finding.file}:${finding.line}:${finding.column}:${finding.code}`}
           className={`word word-${finding.level}`}
@@ -44,6 +65,7 @@ function Found({ findings, file, onShow }: FoundProps) {
           <em>{words(finding.hint)}</em>
         </li>
       ))}
+      {findings.length > most && <li>… and {findings.length - most} more</li>}
     </ul>
   );
 }

@@ -15,6 +15,10 @@ const patienceMs = 1500;
 /** What may be sent while a page goes has to be short, bytes. */
 const mostAtEnd = 60_000;
 
+/** Bytes of what is told of a draft's text, about. */
+const sizeOf = ({ text, edits }: TextDraft): number =>
+  text.length + (edits ? JSON.stringify(edits).length : 0);
+
 /** A page by a name that no other has. */
 const newPage = (): string => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 
@@ -83,8 +87,7 @@ export class DraftKeeper {
   /** The page goes: what was typed last goes out at once, where it is short. */
   leave(): void {
     for (const draft of this.#wanted.values())
-      if (draft && draft.text.length < mostAtEnd)
-        void keepDraft(draft, true).catch(() => undefined);
+      if (draft && sizeOf(draft) < mostAtEnd) void keepDraft(draft, true).catch(() => undefined);
   }
 
   /** One after the other, so that what was typed last is what stays. */

@@ -201,7 +201,9 @@ impl<'a> Drive<'a> {
     /// Notes what went wrong; tells whether anything has.
     fn notes_fault(&mut self) -> bool {
         if self.fault.is_none() {
-            self.fault = self.machine.borrow().fault().cloned();
+            let machine = self.machine.borrow();
+            let Some(fault) = machine.fault() else { return false };
+            self.fault = Some(fault.clone());
         }
         self.fault.is_some()
     }

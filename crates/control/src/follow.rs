@@ -52,7 +52,7 @@ pub(crate) fn follow_plan<I: Interpreter>(
                 let (part, watches) = (1.0, &*watches);
                 let going = Going { plan: &plan, index, t0_s, until, part, watches };
                 let ask = Station::ask_pace;
-                let met = station.meet(end_s, &watched, Some(going), ask);
+                let met = station.meet(end_s, &watched, Some(&going), ask);
                 if let Some((t_s, turn)) = met {
                     if let Turn::Operator(OperatorRequest::Feed(share)) = turn
                         && station.leaves_plan(share, watches)

@@ -20,7 +20,7 @@ const RECORDED_EVERY_S: f64 = 0.02;
 const POWER_S: f64 = 5.0;
 
 /// A way to let time pass that heeds the operator: also what he asked for before, or only what he asks for now.
-pub(crate) type Ask<S> = fn(&mut S, f64, f64, Option<Going<'_>>) -> Option<(f64, Heard)>;
+pub(crate) type Ask<S> = fn(&mut S, f64, f64, Option<&Going<'_>>) -> Option<(f64, Heard)>;
 
 impl<I: Interpreter> Station<'_, I> {
     /// Lets machine time pass. What was made before it is on record; while the machine moves, soon. A switch that the
@@ -29,7 +29,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
     ) -> Option<(f64, Heard)> {
         if to_s > from_s && self.drive.is_real() {
             self.world.workspace.tape.write();
@@ -61,7 +61,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         end_s: f64,
         watched: &[Watched],
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
         ask: Ask<Self>,
     ) -> Option<(f64, Turn)> {
         let now_s = self.world.now();
@@ -100,7 +100,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
     ) -> Option<(f64, OperatorRequest)> {
         loop {
             match self.pass(from_s, to_s, going)? {
@@ -151,7 +151,7 @@ impl<I: Interpreter> Station<'_, I> {
         }
     }
 
-    fn watch(&mut self, from_s: f64, to_s: f64, going: Option<Going<'_>>) -> Option<(f64, Heard)> {
+    fn watch(&mut self, from_s: f64, to_s: f64, going: Option<&Going<'_>>) -> Option<(f64, Heard)> {
         self.world.pass(&mut self.drive, from_s, to_s, going, self.feed)
     }
 
@@ -161,7 +161,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
     ) -> Option<(f64, Heard)> {
         let Some(under_way) = going.filter(|_| self.drive.is_real()) else {
             return self.watch(from_s, to_s, going);
@@ -194,7 +194,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
     ) -> Option<(f64, Heard)> {
         let Some((t_s, request)) = self.requests.pop_front() else {
             return self.pass(from_s, to_s, going);
@@ -290,7 +290,7 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn slow_down(&mut self, why: Turn, end_s: f64, going: Going<'_>) {
         let mut from_s = self.world.now();
         let mut before = None;
-        while let Some(told) = self.pass_learning(from_s, end_s, Some(going)) {
+        while let Some(told) = self.pass_learning(from_s, end_s, Some(&going)) {
             let (t_s, request) = told;
             // Whoever tells the same at the same moment goes on doing so until the machine stands.
             let repeats = before.replace(told) == Some(told);

@@ -11,7 +11,6 @@ use crate::world::World;
 use crate::{OperatorRequest, Requests};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::Placed;
-use kerf_machine::Going;
 use kerf_machine::Lift;
 use kerf_machine::lines::Input;
 use kerf_model::Watched;
@@ -99,8 +98,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.trail.moves(span.made.at);
         let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
         let alone = self.world.model.alone();
-        let going = Going { plan, index, t0_s, until: index + 1, part: 1.0, watches: &[] };
-        let lift = self.world.tracked().move_made(&going);
+        let lift = self.world.tracked().move_made(t0_s, plan, &span);
         let made = carried(span.made, &lift);
         if self.world.tells_motion() {
             let event = self.move_event(&made, begin_s, end_s);

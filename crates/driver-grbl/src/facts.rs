@@ -315,12 +315,9 @@ impl Told {
             spindle_rpm: self.of(30).unwrap_or(1000.0),
             overrides: true,
             overrides_more: true,
-            feed_waits: false,
-            follows_speed: false,
             holds: true,
             stop_switches_off: true,
-            repeats: false,
-            leads_s: 0.0,
+            ..Facts::default()
         }
     }
 }

@@ -230,11 +230,10 @@ fn controller_of(
 ) -> Result<Option<Controller>> {
     let Some(name) = run.place.machine.controller() else { return Ok(None) };
     let ready = controller::ready(name, args.first, args.quiet(), session, workspace)?;
-    if !ready.knows_place() {
+    if let Some(why) = ready.doubts_place() {
         ready.detach(workspace);
         bail!(
-            "{name} has not kept count of where it stands: a run is taken up at the very place, and nobody knows it. Home \
-             the controller (--home) where it can be, or set its location and begin at a line with --from-line"
+            "{why}. Home the controller (--home) where it can be, or set its location and begin at a line with --from-line"
         );
     }
     ready.begins(workspace);

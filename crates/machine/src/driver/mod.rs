@@ -229,6 +229,8 @@ pub struct Facts {
     pub stop_switches_off: bool,
     /// It does the same once more when the same is made again: what its inputs tell needs no place on record.
     pub repeats: bool,
+    /// It stands where the record of the last run says; every other machine says itself where it stands.
+    pub placed_by_record: bool,
     /// A run may tell of a move so long before it is made, seconds.
     pub leads_s: f64,
 }

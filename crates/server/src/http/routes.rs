@@ -167,7 +167,8 @@ fn routes() -> Vec<Route> {
         },
         looks(
             "/api/texts",
-            "Text of the editor that is not saved, a draft for each file, the newest first",
+            "Text of the editor that is not saved, a draft for each file, the newest first; with ?base=HASH the text \
+             that edits of a draft are of",
             Some(schema::<Vec<TextDraft>>),
         ),
         Route {
