@@ -4,7 +4,7 @@ use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, Height, MoveArgs, ServerArgs};
-use crate::commands::{protect, prove};
+use crate::commands::{protect, prove, step_board};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
@@ -106,7 +106,8 @@ enum Action {
     Pos,
     /// Looks for controllers at all serial ports and in the network, in three seconds, and shows their firmware
     Connect {
-        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]
+        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]; or the one board with step queues to show,
+        /// klipper:PORT
         more: Vec<String>,
     },
     /// Runs the list that every machine has to hold against the board that --machine names, and writes a report: on the
@@ -173,8 +174,24 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
-        Action::Connect { more } => return board::connect(more),
-        Action::Prove { report } => return prove::prove(controller(&args.which)?, report),
+        Action::Connect { more } => {
+            return match &more[..] {
+                [name] => match MachineName::read(name) {
+                    Ok(MachineName::Controller(name)) if name.is_board() => {
+                        step_board::connect(&name)
+                    }
+                    _ => board::connect(more),
+                },
+                _ => board::connect(more),
+            };
+        }
+        Action::Prove { report } => {
+            let name = controller(&args.which)?;
+            if name.is_board() {
+                return step_board::prove(name, &args.which.machine()?, report);
+            }
+            return prove::prove(name, report);
+        }
         Action::Settings { action } => {
             return board::settings(controller(&args.which)?, action.as_ref());
         }
