@@ -2,6 +2,7 @@
 
 mod dependencies;
 mod examples;
+mod functions;
 mod links;
 mod named;
 mod openings;
@@ -23,6 +24,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         sources::check(tree),
         dependencies::check(tree)?,
         examples::check(tree),
+        functions::check(tree),
         links::check(tree),
         named::check(tree),
         openings::check(tree),
