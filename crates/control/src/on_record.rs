@@ -24,7 +24,7 @@ impl Session {
     /// the machine is where that says. If not, the values of the workspace tell programs so.
     ///
     /// # Errors
-    /// As the journal cannot be read.
+    /// If the journal cannot be read.
     pub fn recall(
         journal: &Journal,
         workspace: &mut Workspace,
@@ -43,7 +43,7 @@ impl Session {
     /// once, and what was found is told.
     ///
     /// # Errors
-    /// As the journal or the file cannot be read or written.
+    /// If the journal or the file cannot be read or written.
     pub fn meet_machine(&self, workspace: &mut Workspace) -> Result<Option<String>, JournalError> {
         let Some(journal) = workspace.journal().cloned() else { return Ok(None) };
         let told = journal.settings.meet()?;
@@ -74,7 +74,7 @@ impl Session {
     /// runs nothing is known yet.
     ///
     /// # Errors
-    /// As the journal cannot be read.
+    /// If the journal cannot be read.
     pub fn catch_up(&mut self, workspace: &mut Workspace) -> Result<bool, JournalError> {
         let Some(journal) = workspace.journal().cloned() else { return Ok(false) };
         if !journal.memory.another_had_it()? {
@@ -106,7 +106,7 @@ impl Session {
     /// only: then `settings` are those that stay. Without a journal it is a run like any other.
     ///
     /// # Errors
-    /// As the journal cannot be written: then nothing has run, or what it left is not kept.
+    /// If the journal cannot be written: then nothing has run, or what it left is not kept.
     pub fn run_on_record(
         &mut self,
         work: impl Into<Work>,
@@ -177,7 +177,7 @@ impl Session {
     /// Keeps where the machine is, after its locations were shifted.
     ///
     /// # Errors
-    /// As the journal cannot be written, or another process has the machine.
+    /// If the journal cannot be written, or another process has the machine.
     pub fn keep_place(&self, workspace: &mut Workspace) -> Result<(), JournalError> {
         let Some(journal) = workspace.journal().cloned() else { return Ok(()) };
         let _owner = journal.own()?;
@@ -262,7 +262,7 @@ impl Session {
     /// Keeps the configuration that holds, where settings are kept. Gives how many of them were not yet.
     ///
     /// # Errors
-    /// As it cannot be kept.
+    /// If it cannot be kept.
     pub fn keep_configuration(&self, workspace: &Workspace) -> Result<usize, MachineFileError> {
         let kept = |journal: &Journal| journal.settings.file().keep_all(&self.configuration());
         workspace.journal().map_or(Ok(0), kept)
@@ -271,7 +271,7 @@ impl Session {
     /// Returns work, options and session from which a run that was cut short was begun; the workspace is as it was.
     ///
     /// # Errors
-    /// As the file cannot be read, or its text was not kept.
+    /// If the file cannot be read, or its text was not kept.
     pub fn begun(
         journal: &Journal,
         cut: &CutShort,
@@ -317,7 +317,7 @@ impl Session {
     /// Takes up a run that was cut short, with a machine that is where this session says.
     ///
     /// # Errors
-    /// As it cannot be taken up, or what it left is not kept.
+    /// If it cannot be taken up, or what it left is not kept.
     pub fn resume(
         &mut self,
         cut: &CutShort,

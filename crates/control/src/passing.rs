@@ -208,15 +208,14 @@ impl<I: Interpreter> Station<'_, I> {
         heard
     }
 
-    /// Keeps a request of which nothing comes now, as if it had not been told: it is when it is fulfilled. Whoever asks
-    /// once more because of it postpones it instead.
+    /// Takes the request off the record and queues it again; it is recorded when it is carried out.
     fn put_off(&mut self, request: (f64, OperatorRequest)) {
         self.world.workspace.tape.unhear_request();
         self.postpone(request);
     }
 
-    /// Nothing comes of a stop that was told just now: an input has stopped the machine already, or it slows down for one,
-    /// and asks when it stands.
+    /// Drops the stop that was recorded last: an input has stopped the machine already, or slows it down, and the
+    /// operator is asked when it stands.
     fn forgo(&mut self) {
         self.world.workspace.tape.unhear_request();
         self.drive.heard();

@@ -21,7 +21,7 @@ use kerf_program::{
 use kerf_trace::Event;
 use std::sync::Arc;
 
-/// Of a move that was as good as made this much counts as made: the rest has a length.
+/// Largest share of a move that counts as made: what is left of it always has a length.
 const LAST_SHARE: f64 = 1.0 - 1e-9;
 
 /// Brings the machine back to where the run was, before the rest that was not made; or lets the

@@ -77,7 +77,7 @@ impl Journal {
     /// Nothing changes for a while: everything is put into the file itself, and sealed. Does nothing where that is so.
     ///
     /// # Errors
-    /// As the files cannot be written; then what was changed is in the write-ahead file still.
+    /// If the files cannot be written; then what was changed is in the write-ahead file still.
     pub fn rest(&self) -> Result<(), JournalError> {
         self.store.rest()
     }
@@ -85,7 +85,7 @@ impl Journal {
     /// A copy of the journal for the day on which it is damaged.
     ///
     /// # Errors
-    /// As the copy cannot be written.
+    /// If the copy cannot be written.
     pub fn back_up(&self) -> Result<(), JournalError> {
         copy::back_up(&self.store)
     }

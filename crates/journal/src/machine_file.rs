@@ -95,7 +95,7 @@ impl MachineFile {
     /// is a machine that comes with Kerf.
     ///
     /// # Errors
-    /// As it cannot be written, or read.
+    /// If it cannot be written, or read.
     pub fn replace(&self, text: &str) -> Result<Option<PathBuf>, MachineFileError> {
         let _alone = self.alone();
         let before = self.text()?.filter(|before| before != text);
@@ -120,7 +120,7 @@ impl MachineFile {
     /// Reads its text; `None` where it is not there.
     ///
     /// # Errors
-    /// As it cannot be read.
+    /// If it cannot be read.
     pub fn text(&self) -> Result<Option<String>, MachineFileError> {
         match RealDisk.read(&self.path) {
             Ok(bytes) => Ok(Some(String::from_utf8_lossy(&bytes).into_owned())),
@@ -141,7 +141,7 @@ impl MachineFile {
     /// Puts a text in its place, whole or not at all, once it is known that it can be read.
     ///
     /// # Errors
-    /// As it cannot be written, or read.
+    /// If it cannot be written, or read.
     pub fn write(&self, text: &str) -> Result<(), MachineFileError> {
         self.read(text)?;
         let known = self.known.as_ref();
@@ -161,7 +161,7 @@ impl MachineFile {
     /// the file meanwhile stays. Gives what the file says then.
     ///
     /// # Errors
-    /// As it cannot be written, or the changes do not go together with the rest.
+    /// If it cannot be written, or the changes do not go together with the rest.
     pub fn keep(
         &self,
         began: &Settings,
@@ -195,7 +195,7 @@ impl MachineFile {
     /// Keeps one setting of a machine. What else holds otherwise than the file says is not kept.
     ///
     /// # Errors
-    /// As it cannot be written, or does not go together with the rest of the file.
+    /// If it cannot be written, or does not go together with the rest of the file.
     pub fn keep_one(
         &self,
         setting: &'static table::Setting,
@@ -213,7 +213,7 @@ impl MachineFile {
     /// their number.
     ///
     /// # Errors
-    /// As it cannot be written, or the settings do not go together.
+    /// If it cannot be written, or the settings do not go together.
     pub fn keep_all(&self, machine: &Configuration) -> Result<usize, MachineFileError> {
         let _alone = self.alone();
         let before = self.text()?.unwrap_or_default();

@@ -66,7 +66,7 @@ impl Memory {
     /// Reads what the machine remembers; `None` when it has never run.
     ///
     /// # Errors
-    /// As the file cannot be read, or a setting in it is no longer allowed.
+    /// If the file cannot be read, or a setting in it is no longer allowed.
     pub fn read(&self, read_settings: ReadSettings) -> Result<Option<Remembered>, JournalError> {
         let standing = self.standing()?;
         let [place, gcode, reached, homed, truth] = standing.clone();
@@ -121,7 +121,7 @@ impl Memory {
     /// Keeps what the machine remembers.
     ///
     /// # Errors
-    /// As the file cannot be written.
+    /// If the file cannot be written.
     pub fn keep(
         &self,
         memory: &kerf_sbp::Session,
@@ -147,7 +147,7 @@ impl Memory {
     }
 }
 
-/// Which axes are homed, and what only the simulated machine knows.
+/// Writes the axes that are homed, and what only the simulated machine knows.
 pub(super) fn remember_homed(rows: &Rows<'_>, standing: &Standing<'_>) -> rows::Result<()> {
     let homed: String = standing.homed.iter().map(Axis::letter).collect();
     rows.put(Table::Fact, HOMED, homed.as_bytes())?;
@@ -157,7 +157,7 @@ pub(super) fn remember_homed(rows: &Rows<'_>, standing: &Standing<'_>) -> rows::
     }
 }
 
-/// Of a preview that was not left, what was before it is kept.
+/// Writes place and state of G-code. Where Preview (SP) was not left, the place before it is written.
 pub(super) fn remember(
     rows: &Rows<'_>,
     memory: &kerf_sbp::Session,

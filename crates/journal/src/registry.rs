@@ -23,7 +23,7 @@ impl Registry {
     /// The value of a key.
     ///
     /// # Errors
-    /// As the file cannot be read.
+    /// If the file cannot be read.
     pub fn value(&self, key: &str) -> Result<Option<String>, JournalError> {
         self.store.read(|rows| stated::value(rows, key))
     }
@@ -36,7 +36,7 @@ impl Registry {
     /// Gives a key a value; `None` removes it. What the machine says of itself is no value: see [`Registry::state`].
     ///
     /// # Errors
-    /// As the file cannot be written.
+    /// If the file cannot be written.
     pub fn set_value(&self, key: &str, value: Option<&str>) -> Result<(), JournalError> {
         self.store.write(|rows| rows.set(Table::Value, key, value))
     }
@@ -44,7 +44,7 @@ impl Registry {
     /// Keys and values in order.
     ///
     /// # Errors
-    /// As the file cannot be read.
+    /// If the file cannot be read.
     pub fn values(&self) -> Result<Vec<(String, String)>, JournalError> {
         self.store.read(stated::values)
     }
@@ -52,7 +52,7 @@ impl Registry {
     /// The machine says of itself that this is so; `None` takes it back.
     ///
     /// # Errors
-    /// As the file cannot be written.
+    /// If the file cannot be written.
     pub fn state(&self, fact: Fact, text: Option<&str>) -> Result<(), JournalError> {
         self.store.write(|rows| rows.set(Table::Fact, fact.key(), text))
     }
@@ -60,7 +60,7 @@ impl Registry {
     /// Switches of the simulated machine that somebody moved, and whether each was left closed.
     ///
     /// # Errors
-    /// As the journal cannot be read.
+    /// If the journal cannot be read.
     pub fn switches(&self) -> Result<Switches, JournalError> {
         Ok(switches::read(&self.value(SWITCHES)?.unwrap_or_default()))
     }
@@ -68,7 +68,7 @@ impl Registry {
     /// Somebody moves a switch of the simulated machine, which stands; it stays there.
     ///
     /// # Errors
-    /// As the journal cannot be written.
+    /// If the journal cannot be written.
     pub fn move_switch(&self, press: Press) -> Result<(), JournalError> {
         let mut switches = self.switches()?;
         switches.retain(|(number, _)| *number != press.number);
@@ -80,7 +80,7 @@ impl Registry {
     /// Reads what the machine does now. A machine that nobody runs does nothing.
     ///
     /// # Errors
-    /// As the file cannot be read.
+    /// If the file cannot be read.
     pub fn live(&self) -> Result<Live, JournalError> {
         self.running().map(Option::unwrap_or_default)
     }
@@ -88,7 +88,7 @@ impl Registry {
     /// The same; nothing when nobody runs the machine.
     ///
     /// # Errors
-    /// As the file cannot be read.
+    /// If the file cannot be read.
     pub fn running(&self) -> Result<Option<Live>, JournalError> {
         if !owner::is_owned(self.store.folder()) {
             return Ok(None);
@@ -102,7 +102,7 @@ impl Registry {
     /// then.
     ///
     /// # Errors
-    /// As their file cannot be written.
+    /// If their file cannot be written.
     pub fn tell_rest(&self, rest: &Live) -> Result<(), JournalError> {
         if owner::is_owned(self.store.folder()) { Ok(()) } else { self.publish(rest) }
     }
@@ -115,7 +115,7 @@ impl Registry {
     /// Takes over the values that other programs wrote into their file; what is none is left out.
     ///
     /// # Errors
-    /// As the journal cannot be written; then the file stays.
+    /// If the journal cannot be written; then the file stays.
     pub fn take_in(&self) -> Result<(), JournalError> {
         let Some(text) = mirror::incoming(self.store.folder())? else { return Ok(()) };
         for (key, value) in text.lines().filter_map(|line| line.split_once('=')) {

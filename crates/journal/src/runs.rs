@@ -92,7 +92,7 @@ impl Runs {
     /// The run that was cut short; `None` when the last one came to its end.
     ///
     /// # Errors
-    /// As the file cannot be read.
+    /// If the file cannot be read.
     pub fn cut_short(&self) -> Result<Option<CutShort>, JournalError> {
         let [run, reached, progress] = self.store().read(|rows| {
             let fact = |key| rows.text(Table::Fact, key);
@@ -106,7 +106,7 @@ impl Runs {
     /// The work of a run that was cut short.
     ///
     /// # Errors
-    /// As the file cannot be read, or its text was not kept.
+    /// If the file cannot be read, or its text was not kept.
     pub fn work_of(&self, cut: &CutShort) -> Result<Work, JournalError> {
         cut.work(&self.store().read(|rows| rows.contents())?)
     }
@@ -155,7 +155,7 @@ impl Runs {
     /// The machine of a run that was cut short: a job has its own, part files that of the session.
     ///
     /// # Errors
-    /// As the file cannot be read.
+    /// If the file cannot be read.
     pub fn machine_of(&self, cut: &CutShort) -> Result<Configuration, JournalError> {
         match self.work_of(cut)? {
             Work::Job(_, machine) => Ok((*machine).clone()),
@@ -168,7 +168,7 @@ impl Runs {
     /// The runs that are over, oldest first.
     ///
     /// # Errors
-    /// As the file cannot be read.
+    /// If the file cannot be read.
     pub fn history(&self) -> Result<Vec<Past>, JournalError> {
         history::all(self.store())
     }

@@ -113,7 +113,7 @@ impl MachineSettings {
     /// Looks at the file. Where it describes another machine than Kerf left, that is told, once.
     ///
     /// # Errors
-    /// As the journal or the file cannot be read or written.
+    /// If the journal or the file cannot be read or written.
     pub fn meet(&self) -> Result<Option<String>, JournalError> {
         let file = self.file();
         // Another file is its owner's: Kerf is told of it at every start.

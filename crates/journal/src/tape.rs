@@ -106,7 +106,7 @@ pub struct Tape {
     pressed: Vec<(u8, i64)>,
     /// Number of times that the run was taken up.
     reentries: u64,
-    /// `true` while the sequel of a stop at which the power went is left to whoever takes the run up.
+    /// `true` while what follows on a stop was interrupted by a power cut: the run that is taken up decides it.
     open: bool,
     /// Switches as they are now, when the run is taken up; and as they were when this was looked at last.
     switches: [Switches; 2],
@@ -340,14 +340,14 @@ impl Tape {
         self.goes_on();
     }
 
-    /// Tells whether the power went before the request that was told last was done, when this was gone through before.
+    /// Returns `true` if the record says that the power went before the last recorded request was carried out.
     pub fn was_overtaken(&mut self) -> bool {
         let call = self.last_call(Kind::Request);
         let next = self.played.get(&Kind::Overtaken).and_then(VecDeque::front);
         next.is_some_and(|step| step.call == call) && self.pop::<()>(Kind::Overtaken).is_some()
     }
 
-    /// The power went before the request that was told last was done.
+    /// Records that the power went before the last recorded request was carried out.
     pub fn overtakes(&mut self) {
         self.add(Kind::Overtaken, self.last_call(Kind::Request), &());
     }

@@ -142,7 +142,7 @@ pub struct Next {
 /// One row of the table.
 struct Row(State, Event, State, &'static [Effect]);
 
-/// The table.
+/// Table of the state machine.
 const ROWS: &[Row] = {
     use Effect::{
         AllOff, ComeBack, CutOff, CutOffAtOnce, Doubt, Halt, KeepPlace, LeaveOutputs, MotorsOff,

@@ -1,6 +1,5 @@
-//! The time since the server began, by which all ends that has to end in time: a held key, a turn at driving, a code, a
-//! password that was given. It goes on whatever the clock on the wall does, and also while the computer sleeps; a test
-//! moves it.
+//! The time since the server began. Every timeout is measured by it: a held key, a turn at driving, a code, a password
+//! that was given. The clock on the wall does not change it, it goes on while the computer sleeps, and a test moves it.
 
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -9,7 +8,7 @@ use std::time::Duration;
 #[derive(Clone, Debug)]
 pub struct Clock {
     began: Moment,
-    /// So far a test has moved it.
+    /// Time by which a test has moved it.
     ahead: Arc<Mutex<Duration>>,
 }
 

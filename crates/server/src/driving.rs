@@ -42,7 +42,7 @@ impl Driving {
         });
     }
 
-    /// Arms the machine.
+    /// Arms the machine: until arming ends, orders of the driver may move it.
     ///
     /// # Errors
     /// It is in alarm.

@@ -207,8 +207,8 @@ impl Server {
         self.app.files.changed();
     }
 
-    /// Waits for as long as the server runs: until a part file closes it, or it is to end; then what runs is
-    /// stopped first, as the button does, and nobody is asked.
+    /// Waits until the shutdown of the server: a part file closes it, or it is to end. Then what runs is stopped first,
+    /// as the button does, and nobody is asked.
     pub fn wait(&self, is_to_end: impl Fn() -> bool) {
         let closed = self.closed.lock().unwrap_or_else(PoisonError::into_inner);
         while !is_to_end() {

@@ -18,7 +18,7 @@ pub const NAME: &str = "uCommand";
 /// Forgets a command that was left there before the start.
 ///
 /// # Errors
-/// As the journal cannot be written.
+/// If the journal cannot be written.
 pub fn forget(journal: &Journal) -> Result<(), JournalError> {
     match journal.registry.value(COMMAND)? {
         Some(_) => journal.registry.set_value(COMMAND, None),
@@ -30,7 +30,7 @@ pub fn forget(journal: &Journal) -> Result<(), JournalError> {
 /// for the log when it is no single command.
 ///
 /// # Errors
-/// As the journal cannot be read or written.
+/// If the journal cannot be read or written.
 pub fn take(journal: &Journal) -> Result<Option<Result<String, String>>, JournalError> {
     let Some(text) = journal.registry.value(COMMAND)? else { return Ok(None) };
     journal.registry.set_value(COMMAND, None)?;

@@ -47,7 +47,7 @@ impl Stored {
     /// The values of a journal.
     ///
     /// # Errors
-    /// As it cannot be read.
+    /// If it cannot be read.
     pub fn of(journal: Journal) -> Result<Self, JournalError> {
         let values = journal.registry.values()?.into_iter().collect();
         Ok(Self { values, journal: Some(journal), apart: &[], trouble: None })

@@ -56,8 +56,8 @@ impl Tape {
         self.pop(Kind::Reentry)
     }
 
-    /// Tells whether the power went here, then or now. What is between here and the next move is left to whoever takes
-    /// the run up.
+    /// Returns `true` if the power went at this place, in an earlier run or in this one. The run that is taken up then
+    /// decides what happens between here and the next move.
     pub fn is_open(&mut self) -> bool {
         if self.open || !self.silent {
             return self.open;

@@ -7,8 +7,8 @@
 //!  machine's thread ─ Told ─┘
 //! ```
 //!
-//! Its thread owns the [`Console`](kerf_handconsole::Console): keys are pressed one after the other, and what
-//! one requests is granted to whoever pressed it, under the same rules as everything that this somebody asks for.
+//! One thread owns the [`Console`](kerf_handconsole::Console) and takes keys one after the other. What a key asks for is
+//! decided by the rights of the person who pressed it, as every other request of that person is.
 
 mod happening;
 mod keeper;

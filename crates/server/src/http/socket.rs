@@ -36,7 +36,7 @@ use tokio::time::{Instant, interval, timeout};
 
 /// A page that takes nothing for so long has gone.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Time between two questions to a page whether it is there.
+/// Heartbeat (keepalive): the time between two questions to a page whether it is there.
 const BEAT: Duration = Duration::from_secs(2);
 /// Longest message of a page, bytes.
 const LONGEST: usize = 1 << 20;

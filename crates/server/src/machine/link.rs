@@ -15,7 +15,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread::{self, Thread};
 use std::time::Duration;
 
-/// A jog ends when it is so long since its key was held for sure.
+/// Dead man's handle: a jog ends when its key was not known to be held for so long.
 pub const DEAD_MAN: Duration = Duration::from_millis(250);
 
 /// Carries what pages want; whoever waits for it is woken.
@@ -126,7 +126,7 @@ impl Wanted {
         self.pressed().or_else(|| self.feed.take().map(OperatorRequest::Feed))
     }
 
-    /// Drops a wanted hold: a machine that waits for somebody stands already.
+    /// Drops the hold that is wanted, because the machine stands already and waits for a person.
     pub const fn stands(&mut self) {
         self.hold = false;
     }

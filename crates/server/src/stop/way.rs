@@ -27,8 +27,9 @@ use tokio::runtime::{Builder, Handle};
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::{Instant, interval, timeout};
 
-/// Time between two questions to a page whether it is there, and the longest time that it may not answer.
+/// Heartbeat (keepalive): the time between two questions to a page whether it is there.
 const BEAT: Duration = Duration::from_secs(2);
+/// Longest time that a page may not answer.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// Longest message, bytes.
 const LONGEST: usize = 4096;

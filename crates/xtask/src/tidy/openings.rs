@@ -1,11 +1,13 @@
-//! Openings of doc comments: a comment begins with what the thing is or does, not with a question word.
+//! Openings of doc comments: a comment begins with what the thing is or does, not with a question word or half a clause.
 
 use crate::{Finding, Tree};
 use std::collections::BTreeMap;
 
 /// Words that open a clause instead of a sentence about the thing.
-const QUESTIONS: [&str; 9] =
-    ["What", "Who", "Whether", "How", "Where", "When", "Why", "Whoever", "Whatever"];
+const QUESTIONS: [&str; 14] = [
+    "What", "Who", "Whether", "How", "Where", "When", "Why", "Whoever", "Whatever", "Which",
+    "So many", "So often", "As it", "Of a",
+];
 
 /// The largest share of a crate's doc comments that may open so, percent.
 const MOST_PERCENT: usize = 5;
@@ -68,8 +70,8 @@ fn comment(line: &str) -> Option<&str> {
 }
 
 fn is_question(words: &str) -> bool {
-    let first = words.split(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    QUESTIONS.contains(&first)
+    let ends = |rest: &str| !rest.starts_with(char::is_alphabetic);
+    QUESTIONS.iter().any(|question| words.strip_prefix(question).is_some_and(ends))
 }
 
 #[cfg(test)]
@@ -92,5 +94,6 @@ mod tests {
             "{found:?}"
         );
         assert!(told(&"/// Whatsoever is a word of its own.\nfn f() {}\n".repeat(20)).is_empty());
+        assert_eq!(told(&"/// So many lines are kept.\nfn f() {}\n".repeat(20)).len(), 1);
     }
 }
