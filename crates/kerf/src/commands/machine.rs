@@ -115,6 +115,9 @@ enum Action {
         /// The report
         #[arg(long, value_name = "FILE", default_value = "prove.md")]
         report: PathBuf,
+        /// Has it go home first: its axes move to their switches
+        #[arg(long)]
+        home: bool,
     },
     /// Lists the settings ($$) of the controller that --machine names, with names, units and bounds; changes them, keeps
     /// them in a file, compares them
@@ -174,7 +177,9 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
         Action::Connect { more } => return board::connect(more),
-        Action::Prove { report } => return prove::prove(controller(&args.which)?, report),
+        Action::Prove { report, home } => {
+            return prove::prove(controller(&args.which)?, report, *home);
+        }
         Action::Settings { action } => {
             return board::settings(controller(&args.which)?, action.as_ref());
         }
