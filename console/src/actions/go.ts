@@ -65,6 +65,12 @@ export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands
 export const openTools = sheetAction({ kind: "tools" }, "Virtual tools", []);
 export const openInputs = sheetAction({ kind: "inputs" }, "Inputs of the simulated machine", []);
 export const openPorts = sheetAction({ kind: "ports" }, "Ports of the card: diagnostics", []);
+/** Zero points that a controller keeps, seen and taken. */
+const openZeros: Action = {
+  ...sheetAction({ kind: "zeros" }, "Zero points of the controller: G54 to G59.3", []),
+  refused: ({ shown }) =>
+    shown.snapshot?.zeros.length ? undefined : "The machine keeps no zero points.",
+};
 /** Inputs and outputs of the open file beside its motion. */
 export const openTiming: Action = {
   ...sheetAction({ kind: "timing" }, "Timing chart", []),
@@ -114,6 +120,7 @@ export const goActions: readonly Action[] = [
   openRecorder,
   openInputs,
   openPorts,
+  openZeros,
   openTools,
   openTiming,
   openSetup,
