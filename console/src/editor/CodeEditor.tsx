@@ -1,7 +1,7 @@
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
 import { lintGutter } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { EditorState } from "@codemirror/state";
+import { type ChangeSet, EditorState, type Text } from "@codemirror/state";
 import {
   drawSelection,
   EditorView,
@@ -11,6 +11,7 @@ import {
   lineNumbers,
 } from "@codemirror/view";
 import { useEffect, useRef } from "react";
+import { t } from "../words/words";
 import { assistance } from "./assistance";
 import { breakpoints, toggleBreakpoint } from "./breakpoints";
 import type { Check } from "./check";
@@ -21,10 +22,10 @@ import { markRunning, runningLineMark } from "./running";
 export interface CodeEditorProps {
   name: string;
   /** What stands in it at first. */
-  text: string;
+  text: Text;
   /** The line that runs; 0 when none does. */
   running: number;
-  onChange: (text: string) => void;
+  onChange: (text: Text, changes: ChangeSet) => void;
   /** The line that is to be shown; nothing once it is. */
   spot: number | null;
   onSpotShown: () => void;
@@ -93,7 +94,7 @@ function firstState(latest: { readonly current: CodeEditorProps }): EditorState 
       openSbp,
       look,
       runningLineMark,
-      assistance(name, (check) => latest.current.onCheck(check)),
+      assistance(name, text, (check) => latest.current.onCheck(check)),
       keymap.of([
         { key: "Mod-s", run: save },
         { key: "F9", run: toggleBreakpoint },
@@ -103,9 +104,9 @@ function firstState(latest: { readonly current: CodeEditorProps }): EditorState 
         indentWithTab,
       ]),
       EditorView.cspNonce.of(nonceOfPage()),
-      EditorView.contentAttributes.of({ "aria-label": `Text of ${name}` }),
+      EditorView.contentAttributes.of({ "aria-label": t("Text of {0}", name) }),
       EditorView.updateListener.of((update) => {
-        if (update.docChanged) latest.current.onChange(update.state.doc.toString());
+        if (update.docChanged) latest.current.onChange(update.state.doc, update.changes);
       }),
     ],
   });

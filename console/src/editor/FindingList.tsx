@@ -1,7 +1,9 @@
+import type { ReactNode } from "react";
 import type { Spot } from "../app/screen";
 import { useWords } from "../app/useWords";
 import { FindingPlace } from "../operator/FindingPlace";
 import type { Finding } from "../wire/messages";
+import { t } from "../words/words";
 import type { Check } from "./check";
 
 interface FindingListProps {
@@ -14,26 +16,47 @@ interface FindingListProps {
 /** What is wrong with the text, for those who do not hover; and whether all of it was looked at. */
 export function FindingList({ check, file, onShow }: FindingListProps) {
   return (
-    <section className="findings" aria-label="Findings" role="status">
-      {check.is === "checking" && <p className="findings-none">Checking…</p>}
-      {check.is === "unchecked" && <p className="word word-warning">Not checked: {check.why}.</p>}
-      {check.is === "checked" && <Found findings={check.findings} file={file} onShow={onShow} />}
+    <section className="findings" aria-label={t("Findings")} role="status">
+      {check.is === "checking" && <p className="findings-none">{t("Checking…")}</p>}
+      {check.is === "unchecked" && (
+        <p className="word word-warning">{t("Not checked: {0}.", check.why)}</p>
+      )}
+      {check.is === "lines" && <Share {...check} />}
+      {"findings" in check && (
+        <Found findings={check.findings} file={file} onShow={onShow}>
+          {check.is === "checked" && t("No mistakes found.")}
+        </Found>
+      )}
     </section>
   );
+}
+
+/** How much of a long text was looked at, and what is not looked at in one. */
+function Share({ share }: { share: number }) {
+  const text =
+    share < 1
+      ? t("Not checked yet: {0} % of the text.", Math.ceil((1 - share) * 100))
+      : t("Each line was checked by itself. Not checked: jumps, variables and units.");
+  return <p className="findings-none">{text}</p>;
 }
 
 interface FoundProps {
   findings: readonly Finding[];
   file: string;
   onShow: (place: Spot) => void;
+  /** What is said where there are none. */
+  children: ReactNode;
 }
 
-function Found({ findings, file, onShow }: FoundProps) {
+/** Findings that are listed: nobody reads more. */
+const most = 300;
+
+function Found({ findings, file, onShow, children }: FoundProps) {
   const words = useWords();
-  if (findings.length === 0) return <p className="findings-none">No mistakes found.</p>;
+  if (findings.length === 0) return children ? <p className="findings-none">{children}</p> : null;
   return (
     <ul>
-      {findings.map((finding) => (
+      {findings.slice(0, most).map((finding) => (
         <li
           key={`${finding.file}:${finding.line}:${finding.column}:${finding.code}`}
           className={`word word-${finding.level}`}
@@ -44,6 +67,7 @@ function Found({ findings, file, onShow }: FoundProps) {
           <em>{words(finding.hint)}</em>
         </li>
       ))}
+      {findings.length > most && <li>{t("… and {0} more", findings.length - most)}</li>}
     </ul>
   );
 }

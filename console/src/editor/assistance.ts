@@ -9,11 +9,19 @@ import { type Diagnostic, linter } from "@codemirror/lint";
 import type { Extension, Text } from "@codemirror/state";
 import { EditorView, hoverTooltip, type Tooltip } from "@codemirror/view";
 import type { Finding, Level } from "../wire/messages";
-import { type Check, checker, checking } from "./check";
+import { type Check, checked, checking } from "./check";
+import { longest } from "./document";
 import { type At, checkText, completionsAt, hoverAt } from "./language";
+import { checksOfLines } from "./lineChecks";
 
 /** How long a person has to pause before the text is checked, milliseconds. */
-const checkAfterMs = 350;
+export const checkAfterMs = 350;
+
+const grown =
+  "the text has become long; once it is saved and opened again it is checked line by line";
+
+/** Of a long text so many lines before and behind the cursor are looked at for words. */
+const near = 2000;
 
 const severities: Record<Level, Diagnostic["severity"]> = {
   error: "error",
@@ -38,12 +46,18 @@ export function diagnosticOf(finding: Finding, text: Text): Diagnostic {
 
 function placeIn(text: Text, position: number, name: string): At {
   const line = text.lineAt(position);
-  return { name, text: text.toString(), line: line.number, column: position - line.from + 1 };
+  const first = text.length > longest ? Math.max(1, line.number - near) : 1;
+  const last = text.length > longest ? Math.min(text.lines, line.number + near) : text.lines;
+  return {
+    name,
+    text: text.sliceString(text.line(first).from, text.line(last).to),
+    line: line.number - first + 1,
+    column: position - line.from + 1,
+  };
 }
 
 /** Checks the text after each pause in typing, and tells how far that is. */
 function checks(name: string, told: (check: Check) => void): Extension {
-  const check = checker((text) => checkText(name, text));
   return [
     EditorView.updateListener.of((update) => {
       if (update.docChanged) told(checking);
@@ -51,8 +65,10 @@ function checks(name: string, told: (check: Check) => void): Extension {
     linter(
       async (view) => {
         const { doc } = view.state;
+        if (doc.length > longest) told({ is: "unchecked", why: grown });
+        if (doc.length > longest) return [];
         told(checking);
-        const outcome = await check(doc.length, () => doc.toString());
+        const outcome = await checked(() => checkText(name, doc.toString()));
         // Another text is checked anew: what is told is of the one that stands there.
         if (view.state.doc !== doc) return [];
         told(outcome);
@@ -96,8 +112,8 @@ const hovering = (name: string) =>
   });
 
 /** Everything the server helps with, for a file of this name. */
-export const assistance = (name: string, told: (check: Check) => void): Extension => [
-  checks(name, told),
+export const assistance = (name: string, text: Text, told: (check: Check) => void): Extension => [
+  text.length > longest ? checksOfLines(name, told) : checks(name, told),
   autocompletion({ override: [completing(name)] }),
   hovering(name),
 ];

@@ -1,3 +1,4 @@
+import { ChangeSet } from "@codemirror/state";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { draftOf, edited, newFile } from "./document";
 import { DraftKeeper } from "./drafts";
@@ -21,7 +22,10 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const draft = (name: string, text: string) => draftOf(edited({ ...newFile, name }, text));
+function draft(name: string, typed: string) {
+  const changes = ChangeSet.of({ from: 0, insert: typed }, 0);
+  return draftOf(edited({ ...newFile, name }, changes.apply(newFile.text), changes));
+}
 
 it("sends what was typed last, within half a second", async () => {
   const keeper = new DraftKeeper(() => undefined);

@@ -2,6 +2,7 @@
 
 import { endDraft, keepDraft } from "../link/http";
 import type { TextDraft } from "../wire/messages";
+import { t } from "../words/words";
 
 /** So long after something was typed it goes; with the way to the disk that stays below half a second. */
 const waitMs = 200;
@@ -15,11 +16,18 @@ const patienceMs = 1500;
 /** What may be sent while a page goes has to be short, bytes. */
 const mostAtEnd = 60_000;
 
+/** Bytes of what is told of a draft's text, about. */
+const sizeOf = ({ text, edits }: TextDraft): number =>
+  text.length + (edits ? JSON.stringify(edits).length : 0);
+
 /** A page by a name that no other has. */
 const newPage = (): string => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 
 const bothKept = (name: string): string =>
-  `Another page types into ${name || "a new file"} too. Both texts are kept; the other one is listed as not saved.`;
+  t(
+    "Another page types into {0} too. Both texts are kept; the other one is listed as not saved.",
+    name || t("a new file"),
+  );
 
 export class DraftKeeper {
   readonly #tell: (text: string) => void;
@@ -83,8 +91,7 @@ export class DraftKeeper {
   /** The page goes: what was typed last goes out at once, where it is short. */
   leave(): void {
     for (const draft of this.#wanted.values())
-      if (draft && draft.text.length < mostAtEnd)
-        void keepDraft(draft, true).catch(() => undefined);
+      if (draft && sizeOf(draft) < mostAtEnd) void keepDraft(draft, true).catch(() => undefined);
   }
 
   /** One after the other, so that what was typed last is what stays. */
@@ -104,7 +111,7 @@ export class DraftKeeper {
       this.#told = false;
       return true;
     } catch (error) {
-      if (!this.#told) this.#tell(`What is typed is not kept by the server: ${String(error)}`);
+      if (!this.#told) this.#tell(t("What is typed is not kept by the server: {0}", String(error)));
       this.#told = true;
       return false;
     }

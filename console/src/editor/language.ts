@@ -14,6 +14,10 @@ export interface At {
 export const checkText = (name: string, text: string): Promise<Checked> =>
   postJson("/api/language/check", { name, text });
 
+/** Checks lines of a larger text by themselves. */
+export const checkLines = (name: string, text: string): Promise<Checked> =>
+  postJson("/api/language/check", { name, text, part: true });
+
 export const completionsAt = (at: At): Promise<Offered[]> => postJson("/api/language/complete", at);
 
 export const hoverAt = (at: At): Promise<Hover | null> => postJson("/api/language/hover", at);

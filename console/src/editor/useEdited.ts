@@ -1,12 +1,14 @@
 /** The file in the editor, with the text that was typed into it and not saved. */
 
+import type { ChangeSet, Text } from "@codemirror/state";
 import { useEffect, useRef, useState } from "react";
 import { ask } from "../actions/ask";
-import { writing } from "../actions/replace";
+import { aboutFile, writing } from "../actions/replace";
 import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
 import type { Screen } from "../app/screen";
-import { type Content, getJson, Refused, readFile, writeFile } from "../link/http";
-import type { TextDraft } from "../wire/messages";
+import { baseAddress, fileAddress, getJson, Refused, writeFile } from "../link/http";
+import type { FileAbout, TextDraft } from "../wire/messages";
+import { t } from "../words/words";
 import {
   drafted,
   draftOf,
@@ -16,9 +18,11 @@ import {
   newFile,
   opened,
   saved,
+  saving,
   written,
 } from "./document";
 import { DraftKeeper, lastEdited, rememberEdited } from "./drafts";
+import { readText } from "./readText";
 
 export interface Edited {
   readonly file: EditedFile;
@@ -28,7 +32,7 @@ export interface Edited {
   readonly others: readonly TextDraft[];
   /** Shows a file, or its draft; an empty name is a new one. Of several drafts that of a page, or else this page's. */
   show(name: string, page?: string): Promise<void>;
-  change(text: string): void;
+  change(text: Text, changes: ChangeSet): void;
   /** Saves under a name; tells whether it was done. */
   save(as: string): Promise<boolean>;
   /** Goes back to what the file holds. */
@@ -36,7 +40,10 @@ export interface Edited {
 }
 
 const changedOnDisk = (name: string) =>
-  `${name} was changed on the disk since this text was typed: Save asks before it is replaced.`;
+  t(
+    "{0} was changed on the disk since this text was typed: Save asks before it is replaced.",
+    name,
+  );
 
 /** Files that were asked for (FE, FN, a program) and were shown: whoever comes back finds what he edited last. */
 const answered = new WeakSet<object>();
@@ -86,12 +93,12 @@ export function useEdited(): Edited {
       const all = await getJson<TextDraft[]>("/api/texts");
       const chosen = wanted ?? all[0]?.name ?? "";
       const draft = chosenDraft(chosen, all, keeper, page);
-      const onDisk = await present(chosen, draft);
+      const read = await present(chosen, draft);
       if (mine !== turn.current) return;
       keeper.shows(chosen, draft);
       setDrafts(all);
       setShownPage(draft?.page ?? "");
-      setFile(draft ? drafted(onDisk, draft) : onDisk);
+      setFile(draft ? drafted(read, draft) : read);
       setShown(mine);
       rememberEdited({ name: chosen, opened: name });
       if (draft?.changedOnDisk) screen.tell(changedOnDisk(chosen));
@@ -112,9 +119,9 @@ export function useEdited(): Edited {
   useEffect(() => {
     const { name: own, hash } = file;
     if (own === null || isChanged(file)) return;
-    const look = (now: Content) => (now.hash === hash ? undefined : show(own));
+    const look = (now: FileAbout) => (now.hash === hash ? undefined : show(own));
     // A file that has gone is told when it is saved or opened.
-    readFile(own).then(look, () => undefined);
+    aboutFile(own).then(look, () => undefined);
   }, [files]);
 
   // biome-ignore lint/correctness/useExhaustiveDependencies: reads when a program asks
@@ -122,17 +129,22 @@ export function useEdited(): Edited {
     if (asked && !answered.has(asked)) void show(asked.name).then(() => answered.add(asked));
   }, [asked]);
 
-  const change = (text: string) => {
-    const next = edited(file, text);
+  const latest = useRef(file);
+  latest.current = file;
+  const change = (text: Text, changes: ChangeSet) => {
+    const next = edited(latest.current, text, changes);
+    latest.current = next;
     setFile(next);
     if (isChanged(next)) keeper.keep(draftOf(next));
     else keeper.end(next.name ?? "");
   };
   const save = async (as: string) => {
     const own = as === file.name && file.hash ? file.hash : null;
+    setFile(saving(file));
+    const body = await written(file);
     const done = await writing(worldOf(hands), as, async (replaces) => {
       try {
-        const hash = await writeFile(as, written(file), replaces ?? own);
+        const hash = await writeFile(as, body, replaces ?? own);
         setFile((now) => saved(now, { name: as, text: file.text, hash }));
         return null;
       } catch (error) {
@@ -168,11 +180,16 @@ function chosenDraft(
   return keeper.waiting(name) ?? of.find((one) => keeper.isOwn(one)) ?? of[0];
 }
 
-/** What lies on the disk under a name; of a file that has gone only its draft is left. */
+/**
+ * The file under a name as it was read: as it lies on the disk, or as it was when the draft was typed into it, where
+ * that tells its edits. Of a file that has gone only its draft is left.
+ */
 async function present(name: string, draft: TextDraft | undefined): Promise<EditedFile> {
+  const isOfBase = draft?.edits && draft.base !== "" && draft.changedOnDisk;
+  if (isOfBase) return opened(name, await readText(baseAddress(draft.base)));
   if (name === "") return newFile;
   try {
-    return opened(name, await readFile(name));
+    return opened(name, await readText(fileAddress(name)));
   } catch (error) {
     if (draft) return { ...newFile, name };
     throw error;

@@ -7,6 +7,7 @@ import { busy } from "../keypad/refusal";
 import { JobBar } from "../operator/JobBar";
 import { LocationDisplay } from "../operator/LocationDisplay";
 import { Button } from "../ui/Button";
+import { phrase, t } from "../words/words";
 import { machine } from "./actions";
 import { CutPanel } from "./CutPanel";
 import { JobSheet } from "./JobSheet";
@@ -30,7 +31,7 @@ export function JobScreen() {
   const standing = useMemo(() => standingOf(snapshot, plan), [job, line, opened, plan]);
   return (
     <div className="job-screen">
-      <h1 className="hidden-text">Job</h1>
+      <h1 className="hidden-text">{t("Job")}</h1>
       <div className="job-page-left">
         <LocationDisplay />
         {plan && <CutPanel plan={plan} />}
@@ -57,14 +58,14 @@ function JobHead() {
   const name = opened?.kind === "program" ? "" : (opened?.name ?? "");
   return (
     <header className="job-head">
-      <p className="drawing-name">{name || "No job is open"}</p>
+      <p className="drawing-name">{name || t("No job is open")}</p>
       <Button size="small" refused={idle ? undefined : busy} onPress={() => setAsking(true)}>
         Open a job…
       </Button>
       <Added />
       {asking && (
         <FileSheet
-          title="Open a job or a drawing"
+          title={t("Open a job or a drawing")}
           endings={endings}
           onClose={() => setAsking(false)}
           onName={(name) => ask(worldOf(hands), { do: "open", name })}
@@ -81,17 +82,20 @@ function Added() {
   if (added === 0) return null;
   return (
     <p className="job-added">
-      {added === 1 ? "1 shape is" : `${added} shapes are`} not saved
-      <Button size="small" onPress={() => void ask(worldOf(hands), { do: "takeShapeBack" })}>
-        Take the last back
-      </Button>
-      <Button
-        size="small"
-        look="primary"
-        onPress={() => void ask(worldOf(hands), { do: "saveJob" })}
-      >
-        Save the job
-      </Button>
+      {phrase(
+        "{0} not saved{1}{2}",
+        added === 1 ? t("1 shape is") : t("{0} shapes are", added),
+        <Button size="small" onPress={() => void ask(worldOf(hands), { do: "takeShapeBack" })}>
+          Take the last back
+        </Button>,
+        <Button
+          size="small"
+          look="primary"
+          onPress={() => void ask(worldOf(hands), { do: "saveJob" })}
+        >
+          Save the job
+        </Button>,
+      )}
     </p>
   );
 }
@@ -105,8 +109,8 @@ function NoJob() {
     return (
       <div className="job-none">
         <p>
-          <b>{opened.name}</b> is a drawing: it has no tool path yet, and the machine cuts nothing
-          of it.
+          <b>{opened.name}</b>{" "}
+          {t("is a drawing: it has no tool path yet, and the machine cuts nothing of it.")}
         </p>
         <Button look="primary" onPress={() => void machine(worldOf(hands), opened.name)}>
           Make the tool path
@@ -118,8 +122,9 @@ function NoJob() {
   return (
     <div className="job-none">
       <p>
-        A job is the tool path of a drawing: the machine cuts it with its own heights, speeds and
-        sequence.
+        {t(
+          "A job is the tool path of a drawing: the machine cuts it with its own heights, speeds and sequence.",
+        )}
       </p>
       {drawn && (
         <Button look="primary" onPress={() => void machine(worldOf(hands), null)}>

@@ -1,6 +1,7 @@
 /** What comes over HTTP and not over the socket: files, tool paths, the table of commands. */
 
 import type { Problem, TextDraft } from "../wire/messages";
+import { t } from "../words/words";
 
 /** A refusal of the server, in its own words. */
 export class Refused extends Error {
@@ -18,7 +19,7 @@ export class Refused extends Error {
 /** No content: something newer has taken the place of what was asked for, and the socket tells of it. */
 export class Outdated extends Error {
   constructor() {
-    super("This changed meanwhile; try again.");
+    super(t("This changed meanwhile; try again."));
   }
 }
 
@@ -91,6 +92,12 @@ export interface Content {
 const hashOf = (response: Response): string =>
   response.headers.get("etag")?.replaceAll('"', "") ?? "";
 
+/** The bytes of a file, and the hash that says which content it was. */
+export async function readBytes(address: string): Promise<{ bytes: ArrayBuffer; hash: string }> {
+  const response = await get(address);
+  return { bytes: await response.arrayBuffer(), hash: hashOf(response) };
+}
+
 export async function readFile(name: string): Promise<Content> {
   const response = await get(fileAddress(name));
   return { text: await response.text(), hash: hashOf(response) };
@@ -99,7 +106,7 @@ export async function readFile(name: string): Promise<Content> {
 /** Writes a file, in the place of the one with this hash where there is one; gives the hash it has now. */
 export async function writeFile(
   name: string,
-  text: string,
+  text: string | Blob,
   replaces: string | null,
 ): Promise<string> {
   const headers = writingOver(replaces);
@@ -154,6 +161,9 @@ export async function keepDraft(draft: TextDraft, goes = false): Promise<boolean
   });
   return response.json() as Promise<boolean>;
 }
+
+/** The address of a file as it was when somebody began to type into it. */
+export const baseAddress = (hash: string): string => `/api/texts?base=${hash}`;
 
 /** Ends the draft of a page; with a revision only where it is that text still. */
 export function endDraft(name: string, page: string, revision?: string): Promise<void> {

@@ -1,6 +1,7 @@
 import { useHands, useShown, useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
 import type { Opened } from "../wire/messages";
+import { t } from "../words/words";
 import { Listing } from "./Listing";
 import { filesOfTool } from "./toolLine";
 import { useRunningLine } from "./useRunningLine";
@@ -21,27 +22,27 @@ export function ListingPanel() {
       ) : opened ? (
         <Listing name={opened.name} hash={opened.hash} lines={opened.lines} running={line} />
       ) : (
-        <p className="tail-empty">No file is open.</p>
+        <p className="tail-empty">{t("No file is open.")}</p>
       )}
     </Panel>
   );
 }
 
 const countOf = ({ kind, lines }: Opened): string =>
-  kind === "job" ? `${lines} paths` : kind === "drawing" ? "" : `${lines} lines`;
+  kind === "job" ? t("{0} paths", lines) : kind === "drawing" ? "" : t("{0} lines", lines);
 
 /** A job has paths where a program has lines; they are on its own screen. */
 function NoLines({ kind }: { kind: "job" | "drawing" }) {
   const { screen } = useHands();
   const words =
     kind === "job"
-      ? "A job: the tool path of a drawing. Its paths are on the screen of jobs."
-      : "A drawing, which has no tool path yet.";
+      ? t("A job: the tool path of a drawing. Its paths are on the screen of jobs.")
+      : t("A drawing, which has no tool path yet.");
   return (
     <p className="tail-empty">
       {words}{" "}
-      <button type="button" className="listing-link" onClick={() => screen.go("/job")}>
-        Go to the job
+      <button type="button" className="text-link" onClick={() => screen.go("/job")}>
+        {t("Go to the job")}
       </button>
     </p>
   );
@@ -53,11 +54,11 @@ function OpenFiles() {
   const files = snapshot ? filesOfTool(snapshot) : [];
   if (files.length === 0) return null;
   return (
-    <ol className="listing-calls" aria-label="Files that run">
+    <ol className="listing-calls" aria-label={t("Files that run")}>
       {files.map(({ file, line }, n) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: a file can call itself
         <li key={n}>
-          {file || "command line"} {line > 0 && <b>line {line}</b>}
+          {file || t("command line")} {line > 0 && <b>{t("line {0}", line)}</b>}
         </li>
       ))}
     </ol>

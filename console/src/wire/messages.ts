@@ -1551,8 +1551,10 @@ value: string, };
 export type TextDraft = {
 /** The file below the part folder that it is of; empty for a new one. */
 name: string,
-/** The text; its lines end with a line feed. */
+/** The text; its lines end with a line feed. Empty where its edits tell it. */
 text: string,
+/** What was typed into the file as it was read, in order of lines; nothing where the text is told as a whole. */
+edits: Array<TextEdit> | null,
 /** Line ending of the file. */
 ends: string,
 /** SHA-256 of the file as it was read; empty for a new one. */
@@ -1563,6 +1565,15 @@ changedOnDisk: boolean,
 page: string,
 /** Which text it is; of one that is to be kept, the draft from which the page went on. Empty for none. */
 revision: string, };
+
+/** Lines of a text, and those that stand in their place. */
+export type TextEdit = {
+/** The first line that is another, from 1. */
+line: number,
+/** Lines that are others. */
+count: number,
+/** What stands there now. */
+lines: Array<string>, };
 
 /** Inputs and outputs of a run on the simulated machine, beside its motion. */
 export type Timing = {

@@ -4,6 +4,7 @@ import { useBusy } from "../app/useBusy";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { Zero } from "../wire/messages";
+import { t } from "../words/words";
 import { shift, takes } from "./take";
 import "./zeros.css";
 
@@ -18,15 +19,16 @@ export function ZerosSheet({ onClose }: { onClose: () => void }) {
     void drive(worldOf(hands), { do: "command", line: takes(zero, machine, axes) });
   };
   return (
-    <Sheet title="Zero points of the controller" shape="side" onClose={onClose}>
+    <Sheet title={t("Zero points of the controller")} shape="side" onClose={onClose}>
       <p className="zeros-words">
-        Whoever sets one at a pendant sees it here. What Kerf cuts goes by its own zero until one is
-        taken.
+        {t(
+          "Whoever sets one at a pendant sees it here. What Kerf cuts goes by its own zero until one is taken.",
+        )}
       </p>
       <table className="zeros">
         <thead>
           <tr>
-            <th>Name</th>
+            <th>{t("Name")}</th>
             {axes.map(({ letter, unit }) => (
               <th key={letter}>{`${letter} ${unit}`}</th>
             ))}
@@ -45,10 +47,10 @@ export function ZerosSheet({ onClose }: { onClose: () => void }) {
                   <Button
                     size="small"
                     refused={busy}
-                    aria-label={`Take ${zero.name} as zero`}
+                    aria-label={t("Take {0} as zero", zero.name)}
                     onPress={() => take(zero)}
                   >
-                    Take
+                    {t("Take")}
                   </Button>
                 )}
               </td>

@@ -4,12 +4,11 @@
  * Figures are of this computer; without a graphics card its processor draws.
  */
 
-import { closeSync, openSync, writeSync } from "node:fs";
-import { join } from "node:path";
 import type { CDPSession, Page } from "playwright-core";
 import { afterAll, beforeAll, it } from "vitest";
 import { openWorkshop, script, stateOf, type Workshop } from "../browser/workshop";
 import { type Figure, tell } from "./record";
+import { writeRows } from "./rows";
 
 let workshop: Workshop;
 
@@ -22,27 +21,6 @@ afterAll(async () => {
 });
 
 const figures: Figure[] = [];
-
-/** A surface cut in rows: so many short moves. */
-function write(name: string, segments: number): void {
-  const file = openSync(join(workshop.parts, name), "w");
-  const side = Math.round(Math.sqrt(segments));
-  writeSync(file, "SA\nMS,2,1\nJZ,0.5\n");
-  let lines: string[] = [];
-  for (let n = 0; n < segments; n += 1) {
-    const [row, column] = [Math.floor(n / side), n % side];
-    const across = row % 2 === 0 ? column : side - 1 - column;
-    const [x, y] = [(across / side) * 20, (row / side) * 20];
-    const z = -0.2 - 0.15 * Math.sin(x * 1.7) * Math.cos(y * 1.3);
-    lines.push(`M3,${x.toFixed(4)},${y.toFixed(4)},${z.toFixed(4)}`);
-    if (lines.length === 10_000) {
-      writeSync(file, `${lines.join("\n")}\n`);
-      lines = [];
-    }
-  }
-  writeSync(file, `${lines.join("\n")}\nEND\n`);
-  closeSync(file);
-}
 
 /** What the page notes about itself from its first line on. */
 const notes = `
@@ -137,7 +115,7 @@ it.each(sizes)(
   "a part file of %i moves",
   async (segments) => {
     const name = `rows-${segments}.sbp`;
-    write(name, segments);
+    writeRows(workshop.parts, name, segments);
     const page = await workshop.page();
     await page.addInitScript(notes);
     await page.goto(workshop.address);

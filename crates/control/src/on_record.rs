@@ -129,8 +129,7 @@ impl Session {
             let told = Diagnostic::new(Code::AnotherMachine, place, told);
             context.sink.event(&Event::Diag(Box::new(told.severity(Severity::Warning))));
         }
-        // A controller says itself where it stands.
-        if options.controller.is_none() {
+        if context.machine.machine.borrow().facts().placed_by_record {
             self.take_over(&journal, workspace)?;
         }
         options.lines_at_once = lines_at_once(&options, &*context.sink);
@@ -328,8 +327,7 @@ impl Session {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = workspace.journal().cloned().ok_or_else(nothing)?;
         let owner = journal.own()?;
-        // A controller says itself where it stands.
-        if self.driven_by.is_none() {
+        if context.machine.machine.borrow().facts().placed_by_record {
             self.take_over(&journal, workspace)?;
         }
         let stands = Placed { position: self.memory.position, frame: self.memory.frame };

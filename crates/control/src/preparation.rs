@@ -157,7 +157,12 @@ impl<'a, 'c> Preparation<'a, 'c> {
         let summary =
             Summary::not_begun(self.session.memory.settings.linear_unit, Some(Box::new(why)));
         let stands = self.session.machine.get_or_insert_default();
-        self.context.sink.event(&Event::End(end_event(&summary, &stands.model, None)));
+        self.context.sink.event(&Event::End(end_event(
+            &summary,
+            &stands.model,
+            stands.astray(),
+            None,
+        )));
         summary
     }
 }

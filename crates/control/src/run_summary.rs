@@ -5,7 +5,7 @@ use crate::world::World;
 use kerf_geom::Bounds3;
 use kerf_model::Model;
 use kerf_part::Interpreter;
-use kerf_program::Axis;
+use kerf_program::{Axes, Axis};
 use kerf_sbp::Value;
 use kerf_trace::Summary;
 use kerf_trace::event::{BoundsEvent, Corner, EndEvent, Partial, VarValue};
@@ -30,6 +30,7 @@ pub(crate) fn summary(
 pub(crate) fn end_event(
     summary: &Summary,
     machine: &Model,
+    astray: Axes,
     vars: Option<BTreeMap<String, VarValue>>,
 ) -> EndEvent {
     let mm = summary.unit.mm();
@@ -44,14 +45,14 @@ pub(crate) fn end_event(
         bounds: bounds_event(&summary.tally.bounds, mm),
         steps: machine.steps(),
         heater: (machine.settings().io.analog >= 3).then(|| machine.heater_degrees()),
-        astray: astray(machine),
+        astray: partial(machine, astray),
         verify: machine.unverified().iter().map(|axis| axis.letter()).collect(),
         vars,
     }
 }
 
-fn astray(machine: &Model) -> Partial {
-    let user = machine.settings().to_user(machine.astray());
+fn partial(machine: &Model, places: Axes) -> Partial {
+    let user = machine.settings().to_user(places);
     let axes = Axis::ALL.into_iter().filter(|axis| user[*axis] != 0.0);
     axes.map(|axis| (axis.letter().to_ascii_lowercase(), user[axis])).collect()
 }

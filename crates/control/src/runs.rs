@@ -199,7 +199,7 @@ impl Session {
         runner.stops.station.stay_where_it_stands();
         let Station { interpreter, mut world, last_move, .. } = runner.stops.station;
         let summary = summary(&interpreter, &mut world, over);
-        world.tell(&Event::End(end_event(&summary, &world.model, None)));
+        world.tell(&Event::End(end_event(&summary, &world.model, world.hands.astray(), None)));
         self.memory.position = world.model.position();
         self.machine = Some(world.into_simulation());
         if on_record {
@@ -254,7 +254,7 @@ impl Session {
         };
         let Station { interpreter, mut world, .. } = runner.stops.station;
         let summary = summary(&interpreter, &mut world, over);
-        world.tell(&Event::End(end_event(&summary, &world.model, None)));
+        world.tell(&Event::End(end_event(&summary, &world.model, world.hands.astray(), None)));
         (self.memory.position, self.memory.frame) = (world.model.position(), *world.model.frame());
         self.machine = Some(world.into_simulation());
         summary
@@ -297,7 +297,7 @@ impl Session {
         let error = program.diagnostics.iter().find(|d| d.is_error()).cloned().map(Box::new);
         let summary = Summary::not_begun(self.memory.settings.linear_unit, error);
         let machine = self.machine.get_or_insert_default();
-        sink.event(&Event::End(end_event(&summary, &machine.model, None)));
+        sink.event(&Event::End(end_event(&summary, &machine.model, machine.astray(), None)));
         summary
     }
 
@@ -361,7 +361,7 @@ fn conclude(
     let closes = interpreter.closes();
     let summary = Summary { closes, ..summary(&interpreter, &mut world, over) };
     let variables = variables.then(|| variables_told(&interpreter));
-    let end = end_event(&summary, &world.model, variables);
+    let end = end_event(&summary, &world.model, world.hands.astray(), variables);
     world.tell(&Event::End(end));
     let position = world.model.position();
     let independent = world.model.spinning();

@@ -2,6 +2,7 @@
 
 use crate::Code;
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Severity of a diagnostic.
@@ -33,6 +34,15 @@ impl Place {
     /// The start of a line.
     pub fn line(file: Arc<str>, line: u32) -> Self {
         Self { file, line, column: 1, length: 0 }
+    }
+
+    /// The stretch of a line that some bytes of its text cover; a character of which only a part is covered counts.
+    pub fn of_bytes(file: Arc<str>, line: u32, text: &str, bytes: Range<u32>) -> Self {
+        let (start, end) = (bytes.start as usize, bytes.end as usize);
+        let chars = || text.char_indices().map(|(first, c)| first..first + c.len_utf8());
+        let before = chars().filter(|c| c.end <= start).count() as u32;
+        let covered = chars().filter(|c| c.end > start && c.start < end).count() as u32;
+        Self { file, line, column: before + 1, length: covered }
     }
 }
 
@@ -85,5 +95,22 @@ impl Diagnostic {
     /// True for an error.
     pub fn is_error(&self) -> bool {
         self.severity == Severity::Error
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stretch_of_bytes_is_told_in_characters() {
+        let check = |text: &str, bytes, expected: (u32, u32)| {
+            let place = Place::of_bytes("part".into(), 3, text, bytes);
+            assert_eq!((place.column, place.length), expected, "{text}");
+        };
+        check("MX,5 'weit", 3..4, (4, 1));
+        check("'für MX", 6..8, (6, 2));
+        check("'für MX", 3..4, (3, 1));
+        check("MX", 1..90, (2, 1));
     }
 }

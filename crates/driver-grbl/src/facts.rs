@@ -317,8 +317,7 @@ impl Told {
             overrides_more: true,
             holds: true,
             stop_switches_off: true,
-            repeats: false,
-            leads_s: 0.0,
+            ..Facts::default()
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Options of a run.
 
 use crate::{Before, Started};
-use kerf_model::{Change, Push};
+use kerf_model::Change;
+use kerf_sim::Push;
 use kerf_sim::{Sheet, Touch};
 use serde::{Deserialize, Serialize};
 

@@ -5,10 +5,11 @@ use crate::parse::{self, Dialects};
 use clap::{Args, ValueEnum};
 use kerf_control::{OperatorRequest, Script};
 use kerf_machine::driver::Override;
-use kerf_model::{Change, Push};
+use kerf_model::Change;
 use kerf_program::RampModel;
 use kerf_program::settings::LinearUnit;
 use kerf_sbp::Value;
+use kerf_sim::Push;
 use kerf_sim::Sheet;
 use std::path::PathBuf;
 

@@ -1,10 +1,11 @@
 //! Values of options.
 
-use kerf_model::{Change, Push};
+use kerf_model::Change;
 use kerf_program::GoTo;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Axis, RampModel};
 use kerf_sbp::{Dialect, Value};
+use kerf_sim::Push;
 use kerf_sim::Sheet;
 use std::any::TypeId;
 

@@ -26,6 +26,13 @@ pub fn check_until(
     Checked { findings: found.iter().map(finding).collect() }
 }
 
+/// Tells what cannot be read in lines of a larger text: nothing that needs the rest of it.
+pub fn check_lines(name: &str, lines: &str) -> Checked {
+    let program = kerf_sbp::read_part(name.into(), lines.as_bytes());
+    let program = kerf_part::Program::from(program);
+    Checked { findings: program.diagnostics.iter().map(finding).collect() }
+}
+
 /// A diagnostic as a page shows it.
 pub fn finding(found: &Diagnostic) -> Finding {
     Finding {
@@ -58,6 +65,16 @@ mod tests {
         assert_eq!(places("a.sbp", "SA\nMX,1\nMX,1,(2\n"), [3]);
         assert_eq!(places("a.nc", "G0 X1\nG1 X Y2\n"), [2]);
         assert!(places("a.sbp", "SA\nMX,1\n").is_empty());
+    }
+
+    #[test]
+    fn lines_of_a_larger_text_are_told_by_themselves() {
+        let lines = |text: &str| {
+            let found = check_lines("a.sbp", text).findings;
+            found.into_iter().map(|f| f.line).collect::<Vec<_>>()
+        };
+        assert_eq!(lines("MX,&depth\nMX,(2\nGOTO ELSEWHERE\n"), [2]);
+        assert!(lines("\n\n").is_empty(), "the rest of the text is not empty");
     }
 
     #[test]

@@ -16,7 +16,7 @@ mod complete;
 mod hover;
 mod word;
 
-pub use check::{check, check_until, finding};
+pub use check::{check, check_lines, check_until, finding};
 pub use commands::{added, commands};
 pub use complete::complete;
 pub use hover::hover;

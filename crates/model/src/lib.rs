@@ -16,7 +16,6 @@
 
 mod flips;
 mod halt;
-mod hand;
 mod heater;
 mod independent;
 mod inputs;
@@ -31,7 +30,6 @@ mod trigger;
 
 pub use flips::flips;
 pub use halt::{Halt, HaltCause, Watched};
-pub use hand::Push;
 pub use inputs::{
     CABLE, Change, Duty, Inputs, STALL, STOP_INPUT, contact, duty, input_number, pin, triggers,
 };

@@ -7,7 +7,6 @@ mod torch;
 
 pub use switching::WasOn;
 
-use crate::hand::{Hand, Push};
 use crate::heater::Heater;
 use crate::independent::Spin;
 use crate::inputs::{CABLE, Change, Inputs, STALL};
@@ -44,7 +43,6 @@ pub struct Model {
     powered: bool,
     /// Axes that may have been moved by hand while they had none.
     unverified: AxisSet,
-    hand: Hand,
     /// The motor that moves while the others of its axis stand.
     alone: Option<(Axis, usize)>,
     /// Distance that height control has carried Z, mm.
@@ -89,7 +87,6 @@ impl Model {
             motors,
             powered: true,
             unverified: AxisSet::EMPTY,
-            hand: Hand::default(),
             alone: None,
             carried_mm: 0.0,
             bounds: [None; AXES],
@@ -171,14 +168,6 @@ impl Model {
     #[must_use]
     pub fn trusting(mut self, axes: AxisSet) -> Self {
         axes.iter().for_each(|axis| self.unverified.remove(axis));
-        self
-    }
-
-    /// The same machine, pushed by hand at these times.
-    #[must_use]
-    pub fn pushed(mut self, script: Vec<Push>) -> Self {
-        let to_come = script.into_iter().filter(|push| push.at_s >= self.clock_s).collect();
-        self.hand.follow(to_come);
         self
     }
 
@@ -285,9 +274,6 @@ impl Model {
                 self.steer_torch(t_s);
             }
         }
-        while let Some(push) = self.hand.next(to_s) {
-            self.push(push);
-        }
         self.clock_s = self.clock_s.max(to_s);
         self.heat(self.clock_s);
     }
@@ -381,12 +367,10 @@ impl Model {
         self.inputs.forget(self.clock_s);
     }
 
-    /// An axis is pushed by hand: its motor holds it, or it gives way and nobody notices.
-    fn push(&mut self, push: Push) {
-        let by = if self.powered || self.draws() { 0.0 } else { push.by };
-        self.hand.astray[push.axis] += by;
-        let what = What::Pushed { axis: push.axis, by };
-        self.log.add(push.at_s.max(self.clock_s), what);
+    /// Logs that an axis is pushed by hand so far: its motor holds it, or it gives way.
+    pub fn pushed(&mut self, axis: Axis, by: f64, at_s: f64) {
+        let by = if self.powered || self.draws() { 0.0 } else { by };
+        self.log.add(at_s, What::Pushed { axis, by });
     }
 
     /// Nobody knows for sure where the axes are from now on.

@@ -28,6 +28,16 @@ impl GoTo {
         words.next().is_none().then_some(Self { line, settings })
     }
 
+    /// The words of a warning when a file has fewer lines than this: what is wrong, and how far it goes.
+    pub fn beyond(self, file: &str, lines: u32) -> Option<(String, String)> {
+        (self.line > lines).then(|| {
+            (
+                format!("there is no line {} in {file}", self.line),
+                format!("its last line is {lines}"),
+            )
+        })
+    }
+
     /// The index of the line that runs next, and the one before which lines are passed over but for what they set up.
     ///
     /// Settings on the way are those behind the line that would be next, or from the beginning when it lies further down.

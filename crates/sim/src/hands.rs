@@ -1,6 +1,7 @@
 //! Hands at a simulated machine while a run drives it: they do what no program and no controller does.
 
 use crate::physics::Physics;
+use crate::pushes::Push;
 use kerf_machine::Driven;
 use kerf_model::Change;
 use kerf_program::{Axes, Axis};
@@ -51,6 +52,16 @@ impl Hands {
     pub fn changes_s(&self, input: u8, on: bool, from_s: f64) -> Option<f64> {
         let known = self.reach.then(|| self.physics.borrow().changes_s(input, on, from_s));
         known.flatten()
+    }
+
+    /// Take the next push of the script up to a moment, seconds of machine time.
+    pub fn next_push(&self, to_s: f64) -> Option<Push> {
+        self.physics.borrow_mut().pushes.next(to_s)
+    }
+
+    /// Returns how far axes are from where they are believed to be, because somebody pushed them, mm or degrees.
+    pub fn astray(&self) -> Axes {
+        self.physics.borrow().pushes.astray
     }
 
     /// Push an axis without power so far, away from where it is believed to be.

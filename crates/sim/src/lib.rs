@@ -20,6 +20,7 @@ mod follower;
 mod hands;
 mod head;
 mod physics;
+mod pushes;
 mod scene;
 mod sheet;
 mod simulated;
@@ -27,6 +28,7 @@ mod simulation;
 
 pub use hands::{Hands, Opened};
 pub use physics::{Physics, untouched};
+pub use pushes::Push;
 pub use scene::{Body, Touch};
 pub use sheet::Sheet;
 pub use simulated::{Clock, Simulated};

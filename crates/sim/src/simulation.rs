@@ -1,12 +1,11 @@
 //! A simulated machine between two runs: what is believed of it, and what there is around it.
 
 use crate::physics::Physics;
+use crate::pushes::Push;
 use crate::scene::Touch;
 use crate::sheet::Sheet;
 use kerf_machine::Configuration;
-use kerf_model::Model;
-use kerf_model::Push;
-use kerf_model::{Change, Inputs};
+use kerf_model::{Change, Inputs, Model};
 use kerf_program::{Axes, AxisSet, Frame, Settings};
 use std::sync::Arc;
 
@@ -115,7 +114,9 @@ impl Simulation {
     /// The same machine, pushed by hand at these times.
     #[must_use]
     pub fn pushed(mut self, script: Vec<Push>) -> Self {
-        self.model = self.model.pushed(script);
+        let begun_s = self.model.clock_s();
+        let to_come = script.into_iter().filter(|push| push.at_s >= begun_s).collect();
+        self.physics.pushes.follow(to_come);
         self
     }
 
@@ -133,6 +134,11 @@ impl Simulation {
     /// Switches that somebody moved by hand, and where they were left.
     pub fn switches(&self) -> Vec<(u8, bool)> {
         self.physics.moved_by_hand()
+    }
+
+    /// Returns how far axes are from where they are believed to be, because somebody pushed them, mm or degrees.
+    pub const fn astray(&self) -> Axes {
+        self.physics.pushes.astray
     }
 
     /// Returns how far each motor's carriage is from where the controller believes it.

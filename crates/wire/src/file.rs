@@ -36,14 +36,29 @@ pub struct FileVersion {
     pub bytes: u64,
 }
 
+/// Lines of a text, and those that stand in their place.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct TextEdit {
+    /// The first line that is another, from 1.
+    pub line: u32,
+    /// Lines that are others.
+    pub count: u32,
+    /// What stands there now.
+    pub lines: Vec<String>,
+}
+
 /// Text of the editor that is not saved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct TextDraft {
     /// The file below the part folder that it is of; empty for a new one.
     pub name: String,
-    /// The text; its lines end with a line feed.
+    /// The text; its lines end with a line feed. Empty where its edits tell it.
     pub text: String,
+    /// What was typed into the file as it was read, in order of lines; nothing where the text is told as a whole.
+    #[serde(default)]
+    pub edits: Option<Vec<TextEdit>>,
     /// Line ending of the file.
     pub ends: String,
     /// SHA-256 of the file as it was read; empty for a new one.

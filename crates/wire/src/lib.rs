@@ -48,7 +48,7 @@ pub use drawing::{
     ArrayState, Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList,
     ShapePath, ToolPaths,
 };
-pub use file::{FileAbout, FileVersion, TextDraft};
+pub use file::{FileAbout, FileVersion, TextDraft, TextEdit};
 pub use hand_console::HandConsole;
 pub use history::{RunRecord, ToDo};
 pub use job::{

@@ -72,9 +72,7 @@ fn ask_step(c: &mut Context<'_>, program: &Program) -> Result<(), Stop> {
 
 fn go_to(c: &mut Context<'_>, to: GoTo) -> Result<(), Stop> {
     let program = c.program();
-    if to.line > program.line_count() {
-        let message = format!("there is no line {} in {}", to.line, program.name);
-        let hint = format!("its last line is {}", program.line_count());
+    if let Some((message, hint)) = to.beyond(&program.name, program.line_count()) {
         c.warn(Code::OutOfRange, message, hint);
         return Ok(());
     }

@@ -264,20 +264,7 @@ impl Program {
 
     /// The place of a stretch of a line.
     pub fn place(&self, line: u32, span: Span) -> Place {
-        let text = self.line_text(line);
-        let start = (span.start as usize).min(text.len());
-        let end = (span.end as usize).clamp(start, text.len());
-        let inside = |at: usize| !text.is_char_boundary(at);
-        let start = (0..=start).rev().find(|at| !inside(*at)).unwrap_or_default();
-        let end = (end..=text.len()).find(|at| !inside(*at)).unwrap_or(text.len());
-        let chars =
-            |range: std::ops::Range<usize>| text.get(range).map_or(0, |t| t.chars().count()) as u32;
-        Place {
-            file: self.name.clone(),
-            line,
-            column: chars(0..start) + 1,
-            length: chars(start..end),
-        }
+        Place::of_bytes(self.name.clone(), line, self.line_text(line), span.start..span.end)
     }
 
     /// Returns `true` if a line (from 1) lies between the first and the last of a subroutine.

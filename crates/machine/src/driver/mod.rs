@@ -243,6 +243,8 @@ pub struct Facts {
     pub spindle_rpm: f64,
     /// It changes the speed of moves that it has (feed override).
     pub overrides: bool,
+    /// While it watches inputs it makes what it has as it was planned: another feed waits until it stands.
+    pub feed_waits: bool,
     /// It changes the speed of its rapid moves, and that of its spindle, by itself ([`Override`]).
     pub overrides_more: bool,
     /// It stops on its path and goes on from there, with its outputs as they are (feed hold).
@@ -251,6 +253,8 @@ pub struct Facts {
     pub stop_switches_off: bool,
     /// It does the same once more when the same is made again: what its inputs tell needs no place on record.
     pub repeats: bool,
+    /// It stands where the record of the last run says; every other machine says itself where it stands.
+    pub placed_by_record: bool,
     /// A run may tell of a move so long before it is made, seconds.
     pub leads_s: f64,
 }

@@ -162,12 +162,6 @@ impl Model {
         self.unverified
     }
 
-    /// Returns how far axes are from where the controller believes them, because somebody pushed them: what only the
-    /// simulation knows, mm or degrees.
-    pub const fn astray(&self) -> Axes {
-        self.hand.astray
-    }
-
     /// The motor of an axis that moves while the others stand; `None` for all.
     pub const fn alone(&self) -> Option<(Axis, usize)> {
         self.alone

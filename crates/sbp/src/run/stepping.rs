@@ -86,10 +86,8 @@ fn ask_step(c: &mut Context<'_>) -> Result<(), Stop> {
 
 fn go_to(c: &mut Context<'_>, to: GoTo) {
     let program = c.program;
-    let lines = program.lines.len();
-    if to.line as usize > lines {
-        let message = format!("there is no line {} in {}", to.line, program.name);
-        return c.warn(Code::OutOfRange, message, format!("its last line is {lines}"));
+    if let Some((message, hint)) = to.beyond(&program.name, program.lines.len() as u32) {
+        return c.warn(Code::OutOfRange, message, hint);
     }
     if let Some(level) = c.core.flow.levels.last_mut() {
         level.go_to(to);

@@ -510,21 +510,13 @@ impl Program {
     /// The place of a span of a line, in characters.
     pub fn place(&self, line: u32, span: Span) -> Place {
         let text = self.line_text(line);
-        let (start, end) = if span == Span::LINE {
-            (text.len() - text.trim_start().len(), text.trim_end().len())
-        } else {
-            (span.start as usize, span.end as usize)
+        let bytes = match span {
+            Span::LINE => {
+                (text.len() - text.trim_start().len()) as u32..text.trim_end().len() as u32
+            }
+            span => span.start..span.end,
         };
-        let start = start.min(text.len());
-        let end = end.clamp(start, text.len());
-        let chars =
-            |range: std::ops::Range<usize>| text.get(range).map_or(0, |t| t.chars().count()) as u32;
-        Place {
-            file: self.name.clone(),
-            line,
-            column: chars(0..start) + 1,
-            length: chars(start..end),
-        }
+        Place::of_bytes(self.name.clone(), line, text, bytes)
     }
 
     /// True when something is wrong with the file.

@@ -14,7 +14,7 @@ use tokio::time::{Instant, timeout, timeout_at};
 /// Longest file that is taken over the network, bytes.
 pub const FILE: usize = 128 << 20;
 /// Longest text of an editor, bytes.
-pub const TEXT: usize = 1 << 20;
+pub const TEXT: usize = 4 << 20;
 /// Longest act, bytes.
 pub const ACT: usize = 1 << 20;
 /// Longest of anything else, bytes.

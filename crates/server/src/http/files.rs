@@ -139,7 +139,8 @@ pub async fn read(
         let plain = (header::CONTENT_TYPE, "application/octet-stream".to_owned());
         Ok(([plain, (header::ETAG, tag)], bytes).into_response())
     };
-    aside(look).await
+    // Behind a preview of a large file the page would wait for its lines.
+    soon(look).await
 }
 
 /// A hash as an entity tag.

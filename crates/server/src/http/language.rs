@@ -1,6 +1,6 @@
 //! Answers editors, fill-in sheets and the display of values (see [`kerf_language`]).
 
-use super::{Refused, aside};
+use super::{Refused, aside, soon};
 use crate::app::App;
 use crate::awaited::Awaited;
 use crate::locks::lock;
@@ -26,6 +26,9 @@ pub struct Text {
     /// The file; its extension tells the language.
     name: String,
     text: String,
+    /// These are lines of a larger text: they are looked at by themselves.
+    #[serde(default)]
+    part: bool,
 }
 
 /// A place in a text.
@@ -65,9 +68,12 @@ pub async fn check(
     let unit = lock(&app.left).session.memory.settings.linear_unit;
     let awaited = Awaited::default();
     let _asked = awaited.while_asked();
+    let Text { name, text, part } = edited;
+    if part {
+        return Ok(Json(soon(move || Ok(kerf_language::check_lines(&name, &text))).await?));
+    }
     let checked = move || {
         let given_up = || awaited.is_given_up();
-        let Text { name, text } = edited;
         Ok(kerf_language::check_until(&name, &text, unit, &given_up))
     };
     Ok(Json(aside(checked).await?))
@@ -76,13 +82,13 @@ pub async fn check(
 /// Words that could stand at a place.
 pub async fn complete(Json(spot): Json<Spot>) -> Result<Json<Vec<Completion>>, Refused> {
     let words = move || Ok(kerf_language::complete(&spot.text, spot.line, spot.column));
-    Ok(Json(aside(words).await?))
+    Ok(Json(soon(words).await?))
 }
 
 /// Explains the word at a place.
 pub async fn hover(Json(spot): Json<Spot>) -> Result<Json<Option<Hover>>, Refused> {
     let word = move || Ok(kerf_language::hover(&spot.text, spot.line, spot.column));
-    Ok(Json(aside(word).await?))
+    Ok(Json(soon(word).await?))
 }
 
 /// A text in good form; what it does stays. G-code stays as it is.

@@ -2,11 +2,12 @@
 
 use super::guard::Caller;
 use super::rest::demand;
-use super::{Refused, aside};
+use super::{Refused, soon};
 use crate::app::App;
 use crate::refusal::problem;
 use axum::extract::rejection::{JsonRejection, QueryRejection};
 use axum::extract::{Query, State};
+use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use kerf_wire::{Role, TextDraft, Why};
 use serde::Deserialize;
@@ -24,9 +25,23 @@ pub struct Of {
     revision: Option<String>,
 }
 
-/// Every draft, the newest first.
-pub async fn list(State(app): State<Arc<App>>) -> Result<Json<Vec<TextDraft>>, Refused> {
-    Ok(Json(aside(move || app.texts.list(&app.files.folder)).await?))
+/// Which drafts are listed, or the text that some were typed into.
+#[derive(Debug, Deserialize)]
+pub struct Look {
+    /// The hash of a text that was typed into: asks for it, as it was then.
+    base: Option<String>,
+}
+
+/// Every draft, the newest first; or the text that some of them were typed into.
+pub async fn list(
+    State(app): State<Arc<App>>,
+    Query(Look { base }): Query<Look>,
+) -> Result<Response, Refused> {
+    let look = move || match base {
+        Some(hash) => app.texts.base(&hash).map(IntoResponse::into_response),
+        None => Ok(Json(app.texts.list(&app.files.folder)?).into_response()),
+    };
+    soon(look).await
 }
 
 /// Keeps a draft; tells whether another page types into the same file.
@@ -37,7 +52,7 @@ pub async fn keep(
 ) -> Result<Json<bool>, Refused> {
     demand(&caller, Role::Operator)?;
     let Json(draft) = draft.map_err(|error| problem(Why::Malformed, error.body_text()))?;
-    Ok(Json(aside(move || app.texts.keep(&draft)).await?))
+    Ok(Json(soon(move || app.texts.keep(&draft, &app.files.folder)).await?))
 }
 
 /// Ends a draft.
@@ -49,5 +64,5 @@ pub async fn end(
     demand(&caller, Role::Operator)?;
     let Query(Of { name, page, revision }) =
         of.map_err(|error| problem(Why::Malformed, error.body_text()))?;
-    Ok(Json(aside(move || app.texts.end(&name, &page, revision.as_deref())).await?))
+    Ok(Json(soon(move || app.texts.end(&name, &page, revision.as_deref())).await?))
 }

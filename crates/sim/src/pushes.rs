@@ -19,14 +19,14 @@ pub struct Push {
 
 /// Pushes still to come, and what all others came to.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Hand {
+pub(crate) struct Pushes {
     /// The next one last.
     script: Vec<Push>,
     /// Distance of each axis from where the controller believes it, mm or degrees.
     pub astray: Axes,
 }
 
-impl Hand {
+impl Pushes {
     /// Follows a script from here on; pushes at no finite time, or of no finite length, are left out.
     pub fn follow(&mut self, mut script: Vec<Push>) {
         script.retain(|push| push.at_s.is_finite() && push.by.is_finite());

@@ -1,0 +1,135 @@
+/**
+ * A text of any length as the editor works on it, without a string a line: the bytes stay as they came, and what is
+ * looked at is made of them. The editor keeps its text as a tree whose leaves are a few lines each; here a leaf knows
+ * where its bytes are.
+ *
+ * ```text
+ *  bytes ── folded (a worker) ──► bytes with line feeds, where each leaf begins ── textOf ──► tree of leaves
+ * ```
+ */
+
+import { Text } from "@codemirror/state";
+
+export type LineEnd = "\n" | "\r\n" | "\r";
+
+const [lineFeed, carriageReturn] = [10, 13];
+
+/** Lines of a leaf: more than the editor's own have, which are made anew where somebody types. */
+const leafLines = 128;
+
+/** What stands before a text to tell that it is UTF-8. */
+const mark = [0xef, 0xbb, 0xbf];
+
+/** A text as bytes; its lines end with a line feed. */
+export interface StoredText {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Where each leaf begins; one more for where another one would. */
+  readonly starts: Uint32Array<ArrayBuffer>;
+  /** Characters of each leaf, as strings count them. */
+  readonly lengths: Uint32Array<ArrayBuffer>;
+  readonly lines: number;
+  /** What ended its first line. */
+  readonly ends: LineEnd;
+}
+
+/** Finds the leaves of a text; its bytes are moved where its lines end otherwise. */
+export function folded(came: Uint8Array<ArrayBuffer>): StoredText {
+  const { bytes, ends } = withLineFeeds(came);
+  const starts = [0];
+  let lines = 1;
+  for (let at = bytes.indexOf(lineFeed); at >= 0; at = bytes.indexOf(lineFeed, at + 1)) {
+    if (lines % leafLines === 0) starts.push(at + 1);
+    lines += 1;
+  }
+  // As if a line feed stood behind the last line too.
+  starts.push(bytes.length + 1);
+  const all = Uint32Array.from(starts);
+  return { bytes, starts: all, lengths: lengthsOf(bytes, all), lines, ends };
+}
+
+function withLineFeeds(came: Uint8Array<ArrayBuffer>): Pick<StoredText, "bytes" | "ends"> {
+  const bytes = mark.every((byte, n) => came[n] === byte) ? came.subarray(mark.length) : came;
+  const [first, feed] = [bytes.indexOf(carriageReturn), bytes.indexOf(lineFeed)];
+  if (first < 0) return { bytes, ends: "\n" };
+  const next = bytes[first + 1] === lineFeed ? "\r\n" : "\r";
+  let [to, before] = [first, 0];
+  for (let from = first; from < bytes.length; from += 1) {
+    const byte = bytes[from] ?? 0;
+    if (byte !== lineFeed || before !== carriageReturn) {
+      bytes[to] = byte === carriageReturn ? lineFeed : byte;
+      to += 1;
+    }
+    before = byte;
+  }
+  return { bytes: bytes.subarray(0, to), ends: feed >= 0 && feed < first ? "\n" : next };
+}
+
+const decoder = new TextDecoder("utf-8", { ignoreBOM: true });
+
+/** The characters of each leaf: its bytes, where all are of ASCII. */
+function lengthsOf(
+  bytes: Uint8Array<ArrayBuffer>,
+  starts: Uint32Array<ArrayBuffer>,
+): Uint32Array<ArrayBuffer> {
+  const lengths = new Uint32Array(starts.length - 1);
+  for (let n = 0; n < lengths.length; n += 1) {
+    const leaf = bytes.subarray(starts[n], (starts[n + 1] ?? 0) - 1);
+    const isAscii = leaf.every((byte) => byte < 128);
+    lengths[n] = isAscii ? leaf.length : decoder.decode(leaf).length;
+  }
+  return lengths;
+}
+
+/** The editor's own sorts of text, of which it exports only what they have in common. */
+const Leaf = Text.of([""]).constructor as unknown as new (
+  lines: string[],
+  length: number,
+) => Pick<Text, keyof Text>;
+const Tree = Text.of(Array(leafLines + 1).fill("")).constructor as unknown as {
+  from(parts: readonly Text[], length: number): Text;
+};
+
+/** The leaf that was looked at last, and its lines. */
+let seen: { readonly leaf: StoredLeaf; readonly lines: string[] } | undefined;
+
+/** A few lines of a stored text, which become strings when they are looked at. */
+class StoredLeaf extends Leaf {
+  readonly #bytes: Uint8Array;
+  readonly #from: number;
+  readonly #to: number;
+  readonly #lines: number;
+
+  constructor(bytes: Uint8Array, [from, to]: [number, number], lines: number, length: number) {
+    super([], length);
+    [this.#bytes, this.#from, this.#to, this.#lines] = [bytes, from, to, lines];
+  }
+
+  override get lines(): number {
+    return this.#lines;
+  }
+
+  get text(): string[] {
+    if (seen?.leaf !== this) seen = { leaf: this, lines: this.#read() };
+    return seen.lines;
+  }
+
+  // The editor's own leaf sets its lines once, when it is made.
+  set text(_: string[]) {}
+
+  #read(): string[] {
+    return decoder.decode(this.#bytes.subarray(this.#from, this.#to)).split("\n");
+  }
+}
+
+/** The text as the editor has it. */
+export function textOf({ bytes, starts, lengths, lines }: StoredText): Text {
+  const leaves = Array.from(lengths, (length, n) => {
+    const place: [number, number] = [starts[n] ?? 0, (starts[n + 1] ?? 0) - 1];
+    return new StoredLeaf(bytes, place, Math.min(leafLines, lines - n * leafLines), length);
+  });
+  const breaks = leaves.length - 1;
+  return Tree.from(
+    leaves,
+    lengths.reduce((sum, length) => sum + length, breaks),
+  );
+}
