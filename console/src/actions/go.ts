@@ -72,6 +72,12 @@ export const openRecorder = sheetAction({ kind: "recorder" }, t("Recorded comman
 export const openTools = sheetAction({ kind: "tools" }, t("Virtual tools"), []);
 export const openInputs = sheetAction({ kind: "inputs" }, t("Inputs of the simulated machine"), []);
 export const openPorts = sheetAction({ kind: "ports" }, t("Ports of the card: diagnostics"), []);
+/** Zero points that a controller keeps, seen and taken. */
+const openZeros: Action = {
+  ...sheetAction({ kind: "zeros" }, t("Zero points of the controller: G54 to G59.3"), []),
+  refused: ({ shown }) =>
+    shown.snapshot?.zeros.length ? undefined : t("The machine keeps no zero points."),
+};
 /** Inputs and outputs of the open file beside its motion. */
 export const openTiming: Action = {
   ...sheetAction({ kind: "timing" }, t("Timing chart"), []),
@@ -121,6 +127,7 @@ export const goActions: readonly Action[] = [
   openRecorder,
   openInputs,
   openPorts,
+  openZeros,
   openTools,
   openTiming,
   openSetup,

@@ -20,6 +20,7 @@ import { ToDoSheet } from "../tools/ToDoSheet";
 import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
 import { VersionsSheet } from "../tools/VersionsSheet";
+import { ZerosSheet } from "../zeros/ZerosSheet";
 import { useHands } from "./context";
 import type { Sheet } from "./screen";
 
@@ -50,6 +51,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <InputsSheet onClose={close} />;
     case "moveTo":
       return <MoveToSheet onClose={close} />;
+    case "zeros":
+      return <ZerosSheet onClose={close} />;
     case "ports":
       return <PortsSheet onClose={close} />;
     case "samples":

@@ -22,6 +22,7 @@ export type Sheet =
   | { readonly kind: "inputs" }
   | { readonly kind: "ports" }
   | { readonly kind: "tools" }
+  | { readonly kind: "zeros" }
   | { readonly kind: "timing" }
   | { readonly kind: "samples" }
   | { readonly kind: "history" }

@@ -389,6 +389,8 @@ export type ChangeSound = { "change": "sound", sound: Sound | null, };
 
 export type ChangeOverrides = { "change": "overrides", overrides: Overrides, };
 
+export type ChangeZeros = { "change": "zeros", zeros: Array<Zero>, };
+
 export type ChangePrinted = { "change": "printed", lines: Array<string>, };
 
 export type ChangeClearPrinted = { "change": "clearPrinted" };
@@ -435,6 +437,7 @@ export type Change =
   | ChangePause
   | ChangeSound
   | ChangeOverrides
+  | ChangeZeros
   | ChangePrinted
   | ChangeClearPrinted
   | ChangeMessages
@@ -1476,6 +1479,8 @@ pause: Pause | null,
 sound: Sound | null,
 /** The operator's overrides. */
 overrides: Overrides,
+/** Zero points that the controller keeps; none of a machine without one. */
+zeros: Array<Zero>,
 /** The print window, oldest line first. */
 printed: Array<string>,
 /** Messages, oldest first. */
@@ -1710,3 +1715,10 @@ top: number,
 surface: number,
 /** The lowest the tool may go; where THRU cuts. */
 bottom: number, };
+
+/** A zero point that the controller of the machine keeps. */
+export type Zero = {
+/** Its name, as G54; G92 is a shift of all others. */
+name: string,
+/** Its place, the machine's own frame; of a shift, its way. */
+at: [number, number, number, number, number, number], };

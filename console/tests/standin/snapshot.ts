@@ -108,6 +108,7 @@ export const firstSnapshot: Snapshot = {
   start: null,
   asked: null,
   overrides: { feedPercent: 100, rapidPercent: null, spindlePercent: null },
+  zeros: [],
   printed: [],
   messages: [
     { tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0, place: null },

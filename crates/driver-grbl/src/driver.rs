@@ -8,9 +8,10 @@ use crate::lines::{Modal, lines, told_as};
 use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
+use crate::zeros::{self, Zeros};
 use kerf_machine::driver::{
-    Axes, Changed, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent, Signal, Standing,
-    Ticket, Trouble, Wired, is_sound,
+    Axes, Changed, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent, Shares, Signal,
+    Standing, Ticket, Trouble, Wired, Zero, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -98,8 +99,11 @@ pub struct Grbl {
     pub(crate) on: u32,
     /// Words that hold after the last order.
     pub(crate) modal: Modal,
-    /// Shares at which it makes cuts and rapid moves, percent.
-    pub(crate) turned: (u8, u8),
+    /// Shares at which it makes what it is told.
+    pub(crate) shares: Shares,
+    /// Time when it was told another one last.
+    pub(crate) turned_s: f64,
+    pub(crate) zeros: Zeros,
     /// Outputs that are on after the last order.
     pub(crate) planned_on: u32,
     /// Time when it was told to stop.
@@ -175,7 +179,9 @@ impl Grbl {
             pins: String::new(),
             on: 0,
             modal: Modal::default(),
-            turned: (100, 100),
+            shares: Shares::default(),
+            turned_s: f64::NEG_INFINITY,
+            zeros: Zeros::default(),
             planned_on: 0,
             stopped_s: 0.0,
             reset_s: None,
@@ -250,14 +256,14 @@ impl Grbl {
         (self.told, self.mended, self.busy) = (Told::default(), false, false);
         (self.queue, self.pending) = (VecDeque::new(), VecDeque::new());
         // An empty line first: whatever stands half received is answered and gone.
-        ["", "$I", "$$", "$G"].into_iter().for_each(|line| self.say(line));
+        ["", "$I", "$$", "$G", "$#"].into_iter().for_each(|line| self.say(line));
     }
 
     /// Takes orders from where it stands.
     pub(crate) fn begin(&mut self) {
         (self.phase, self.hold, self.has_moved) = (Phase::Ready, Hold::None, false);
         (self.planned, self.modal) = (self.position(), Modal::default());
-        self.turned = (100, 100);
+        self.shares = Shares::default();
         if self.trouble.is_none() {
             self.say(MODES);
         }
@@ -306,7 +312,7 @@ impl Grbl {
     }
 
     fn take(&mut self, sent: &Sent, facts: &Facts) {
-        let order = told_as(sent.order, self.planned, facts, self.turned);
+        let order = told_as(sent.order, self.planned, facts, self.shares);
         let lines = lines(&order, self.planned, facts, self.planned_on, &mut self.modal);
         let mut lines = match lines {
             Ok(lines) => lines,
@@ -423,15 +429,16 @@ impl Driver for Grbl {
             }
             Signal::Stop => self.stop(now_s),
             Signal::Feed(percent) => {
-                self.turned.0 = percent.clamp(10, 200);
+                (self.shares.feed, self.turned_s) = (percent.clamp(10, 200), now_s);
                 self.out.extend(at_once::feed(percent));
             }
             Signal::Override(Override::Rapid(percent)) => {
                 let (share, command) = at_once::rapid(percent);
-                self.turned.1 = share;
+                (self.shares.rapid, self.turned_s) = (share, now_s);
                 self.out.push(command);
             }
             Signal::Override(Override::Spindle(percent)) => {
+                (self.shares.spindle, self.turned_s) = (percent.clamp(10, 200), now_s);
                 self.out.extend(at_once::spindle(percent));
             }
         }
@@ -526,6 +533,23 @@ impl Wired for Grbl {
 
     fn hold(&self) -> Hold {
         self.hold
+    }
+
+    fn shares(&self) -> Option<Shares> {
+        Some(self.shares)
+    }
+
+    fn zeros(&self) -> &[Zero] {
+        self.zeros.told()
+    }
+
+    fn keeps_zero(&mut self, name: &str, at: Axes) -> bool {
+        let axes = self.facts.as_ref().map_or(0, |facts| facts.axes);
+        let rests = self.phase == Phase::Ready && self.flights.is_empty() && self.trouble.is_none();
+        let line = zeros::line(name, at, axes).filter(|_| rests);
+        let is_kept = line.is_some();
+        line.into_iter().chain(is_kept.then(|| "$#".into())).for_each(|line| self.say(line));
+        is_kept
     }
 
     fn line_is_back(&mut self, _: f64) {

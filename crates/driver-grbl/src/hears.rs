@@ -36,11 +36,18 @@ impl Grbl {
         } else if let Some(told) = line.strip_prefix("[PRB:") {
             self.touched(told);
         } else if line.starts_with('[') && line.ends_with(']') {
-            self.told.bracket(line);
+            self.bracket(line);
         } else if line.starts_with("Grbl") {
             self.greeted(now_s);
         } else if !self.told.setting(line) && !line.starts_with('>') {
             self.replies.push(Err(Garbled));
+        }
+    }
+
+    fn bracket(&mut self, line: &str) {
+        let told = line.trim_matches(['[', ']']).split_once(':');
+        if !told.is_some_and(|(name, value)| self.zeros.bracket(name, value, &self.told)) {
+            self.told.bracket(line);
         }
     }
 
@@ -169,6 +176,11 @@ impl Grbl {
         self.doing = report.doing;
         self.follows_hold();
         self.place.hear(report, &self.told);
+        report.offset.into_iter().for_each(|zero| self.zeros.hear(zero));
+        // What was told before it heard of another share is old.
+        if let Some(shares) = report.shares.filter(|_| now_s - self.turned_s > STALE_S) {
+            self.shares = shares;
+        }
         self.tell_inputs(&report.pins);
         match self.phase {
             Phase::Silent | Phase::Asked => self.learns(report),
@@ -250,7 +262,12 @@ impl Grbl {
                 self.trouble = Some(Trouble::Unfit { why });
                 self.fail();
             }
-            Doing::Idle if self.has_said_all() && self.flights.is_empty() => self.stands_there(),
+            Doing::Idle if self.has_said_all() && self.flights.is_empty() => {
+                self.stands_there();
+                if self.zeros.are_stale() {
+                    self.say("$#");
+                }
+            }
             _ => {}
         }
     }

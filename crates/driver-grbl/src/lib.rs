@@ -33,6 +33,7 @@ mod place;
 mod report;
 pub mod settings;
 mod words;
+mod zeros;
 
 pub use driver::Grbl;
 pub use own_words::OwnSetting;

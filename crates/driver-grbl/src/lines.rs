@@ -1,7 +1,7 @@
 //! Orders as lines of G-code.
 
 use crate::driver::MODES;
-use kerf_machine::driver::{Axes, Facts, Order, way_mm};
+use kerf_machine::driver::{Axes, Facts, Order, Shares, way_mm};
 use std::f64::consts::TAU;
 
 /// Words that hold from line to line.
@@ -141,11 +141,11 @@ const WHOLE_RAD: f64 = 1e-5;
 const SAME: f64 = 1e-6;
 
 /// Returns an order as it is told: a jog that is slower than a rapid move of the controller is one with a feed, which its feed
-/// override is taken out of. `turned` are the shares of cuts and of rapid moves, percent.
-pub fn told_as(order: Order, from: Axes, facts: &Facts, turned: (u8, u8)) -> Order {
+/// override is taken out of.
+pub fn told_as(order: Order, from: Axes, facts: &Facts, shares: Shares) -> Order {
     match order {
         Order::Jog { to, speed_mm_s } if !is_rapid(from, to, speed_mm_s, facts) => {
-            let share = f64::from(turned.1) / f64::from(turned.0);
+            let share = f64::from(shares.rapid) / f64::from(shares.feed);
             Order::Move { to, speed_mm_s: speed_mm_s * share }
         }
         other => other,

@@ -1,6 +1,6 @@
 //! Status reports: `<Run|MPos:1.000,2.000,0.000|Bf:13,90|FS:1200,0|Pn:PX|WCO:0.000,0.000,0.000>`.
 
-use kerf_machine::driver::{AXES, Axes};
+use kerf_machine::driver::{AXES, Axes, Shares};
 
 /// Activity of the controller.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -97,6 +97,8 @@ pub struct Report {
     pub free: Option<usize>,
     /// The number of the line that it makes.
     pub line: Option<u32>,
+    /// Shares at which it makes what it is told.
+    pub shares: Option<Shares>,
     /// The letters of the pins that are active.
     pub pins: String,
 }
@@ -123,6 +125,7 @@ impl Report {
                 "WPos" => (report.place, report.axes) = placed(Frame::Work, value)?,
                 "WCO" => report.offset = Some(axes(value)?.0),
                 "Bf" => report.free = Some(value.split(',').next()?.parse().ok()?),
+                "Ov" => report.shares = Some(shares(value)?),
                 "Ln" => report.line = Some(value.parse().ok()?),
                 "Pn" => value.clone_into(&mut report.pins),
                 _ => {}
@@ -135,6 +138,13 @@ impl Report {
 fn placed(frame: Frame, value: &str) -> Option<(Option<(Frame, Axes)>, usize)> {
     let (place, count) = axes(value)?;
     Some((Some((frame, place)), count))
+}
+
+/// Shares of feeds, rapid moves and the spindle, percent: `100,50,120`.
+fn shares(value: &str) -> Option<Shares> {
+    let mut percents = value.split(',').map(|percent| percent.parse().ok().filter(|v| *v > 0));
+    let mut next = || percents.next().flatten();
+    Some(Shares { feed: next()?, rapid: next()?, spindle: next()? })
 }
 
 /// Numbers with commas between them, one for each axis; with how many there are.
@@ -163,6 +173,7 @@ mod tests {
         assert_eq!(report.doing, Doing::Run);
         assert_eq!(report.place, Some((Frame::Machine, Axes::xyz(1.0, -2.5, 0.125))));
         assert_eq!((report.free, report.axes, &*report.pins), (Some(13), 3, "PX"));
+        assert_eq!(report.shares, Some(Shares::default()));
         let work = Report::read("<Hold:0|WPos:1,2,3,4|WCO:0.5,0,0,0>").expect("a report");
         assert_eq!((work.doing, work.axes), (Doing::Held, 4));
         assert_eq!(work.offset, Some(Axes::xyz(0.5, 0.0, 0.0)));
@@ -170,8 +181,14 @@ mod tests {
 
     #[test]
     fn what_is_garbled_is_no_report() {
-        for line in ["<Run|MPos:1.000,2.0x>", "<Rxn|MPos:1,2,3>", "<Idle|MPos:1,2,3", "<Idle|MPos>"]
-        {
+        for line in [
+            "<Run|MPos:1.000,2.0x>",
+            "<Rxn|MPos:1,2,3>",
+            "<Idle|MPos:1,2,3",
+            "<Idle|MPos>",
+            "<Idle|Ov:100,1>",
+            "<Idle|Ov:0,100,100>",
+        ] {
             assert_eq!(Report::read(line), None, "{line}");
         }
     }

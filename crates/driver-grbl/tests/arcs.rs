@@ -13,7 +13,7 @@ fn arc(to: Axes, centre: [f64; 2], sweep_rad: f64) -> Order {
 #[track_caller]
 fn made(board: Board, orders: &[Order]) -> (f64, Axes) {
     let mut link = Link::new(Wire::new(Fake::of(board, &[(10, 511.0)])));
-    link.driver().fake.offset = Axes::xyz(100.0, 50.0, -20.0);
+    link.driver().fake.offsets.systems[0] = Axes::xyz(100.0, 50.0, -20.0);
     for order in orders {
         link.order(*order);
     }

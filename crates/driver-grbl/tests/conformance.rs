@@ -189,7 +189,7 @@ fn a_probe_stands_at_the_place_of_its_contact() {
     for (unit, board) in [(0.0, Board::grbl()), (1.0, Board::hal(0)), (0.0, Board::fluid())] {
         for speed_mm_s in [2.54, 12.7] {
             let mut fake = Fake::of(board.clone(), &[(13, unit)]);
-            (fake.plate_mm, fake.offset) = (Some(-9.824), Axes::xyz(3.0, 4.0, 5.0));
+            (fake.plate_mm, fake.offsets.systems[0]) = (Some(-9.824), Axes::xyz(3.0, 4.0, 5.0));
             let (mut link, contact, told) = probes(fake, speed_mm_s, true);
             let z = link.driver().fake.position().0[2];
             assert!((z + 9.824).abs() < 0.0025, "{z} at {speed_mm_s} mm/s");

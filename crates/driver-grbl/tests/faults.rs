@@ -164,7 +164,7 @@ fn no_fault_of_the_line_or_the_controller_ends_in_a_wrong_place() {
             link.order(Order::Move { to: place, speed_mm_s: 60.0 });
         }
         let fault_s = 0.05 + chance.below(8000) as f64 / 1000.0;
-        let kind = chance.below(10);
+        let kind = chance.below(11);
         let mut due = true;
         let over_s = run(&mut link, 0.0, |link, now_s| {
             if !due || now_s < fault_s {
@@ -176,6 +176,10 @@ fn no_fault_of_the_line_or_the_controller_ends_in_a_wrong_place() {
                 4..=7 => wire.to_spoil.replace((false, kind - 4)).is_some(),
                 8 => {
                     wire.fake.begins_anew();
+                    false
+                }
+                9 => {
+                    wire.fake.sleeps();
                     false
                 }
                 _ => {

@@ -51,7 +51,7 @@ fn ways_to_tell() -> Vec<(Board, Vec<(u16, f64)>)> {
 fn a_place_of_the_workpiece_without_its_zero_is_no_place() {
     for (board, settings) in ways_to_tell() {
         let mut fake = Fake::of(board, &settings);
-        fake.offset = Axes::xyz(100.0, 50.0, -20.0);
+        fake.offsets.systems[0] = Axes::xyz(100.0, 50.0, -20.0);
         let mut link = Link::new(Wire::new(fake));
         let stands = link.driver().grbl.stands().unwrap().position;
         assert!(way_mm(stands, Axes::default()) < 0.001, "{settings:?}: {stands:?}");
@@ -68,7 +68,7 @@ fn a_place_of_the_workpiece_without_its_zero_is_no_place() {
 #[test]
 fn a_controller_that_hides_its_place_is_driven_once_it_has_told_it() {
     let mut fake = Fake::of(Board::hal(0), &[(10, 511.0 - 1.0)]);
-    fake.offset = Axes::xyz(100.0, 50.0, -20.0);
+    fake.offsets.systems[0] = Axes::xyz(100.0, 50.0, -20.0);
     fake.keeps_settings = true;
     let wire = Wire::new(fake);
     let stands = wire.grbl.stands().unwrap().position;

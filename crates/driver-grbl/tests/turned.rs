@@ -2,7 +2,9 @@
 
 use crate::wire::{Wire, run, to};
 use kerf_driver_grbl::fake::{Board, Fake};
-use kerf_machine::driver::{Axes, Driver, Link, LinkState, Order, Override, Signal, Wired};
+use kerf_machine::driver::{
+    Axes, Driver, Link, LinkState, Order, Override, Shares, Signal, Wired, way_mm,
+};
 
 #[track_caller]
 fn turns(signal: Signal, expected: [u32; 3]) {
@@ -24,6 +26,69 @@ fn overrides_are_those_of_the_controller() {
     turns(Signal::Override(Override::Spindle(200)), [100, 100, 200]);
 }
 
+/// Looks at a controller for a while.
+fn looks(wire: &mut Wire, from_s: f64) {
+    for tick in 0..40 {
+        let now_s = from_s + 0.02 * f64::from(tick);
+        wire.signal(Signal::Ask, now_s);
+        drop(wire.replies(now_s));
+    }
+}
+
+#[test]
+fn shares_that_somebody_turns_at_a_controller_are_heard() {
+    let mut wire = Wire::new(Fake::default());
+    assert_eq!(wire.grbl.shares(), Some(Shares::default()));
+    wire.signal(Signal::Feed(80), 0.1);
+    assert_eq!(wire.grbl.shares(), Some(Shares { feed: 80, ..Shares::default() }), "at once");
+    // A pendant: feed 10 % less, rapids 50 %, spindle 10 % more.
+    wire.fake.hear(&[0x92, 0x96, 0x9A], 6.0);
+    looks(&mut wire, 1.0);
+    assert_eq!(wire.grbl.shares(), Some(Shares { feed: 70, rapid: 50, spindle: 110 }));
+}
+
+#[test]
+fn a_report_that_is_older_than_what_was_turned_tells_nothing_of_it() {
+    let mut wire = Wire::new(Fake::default());
+    wire.signal(Signal::Feed(80), 1.0);
+    wire.grbl.hear(b"<Idle|MPos:0,0,0|Bf:15,128|FS:0,0|Ov:100,100,100>\r\n", 6.1);
+    assert_eq!(wire.grbl.shares().unwrap().feed, 80);
+    wire.grbl.hear(b"<Idle|MPos:0,0,0|Bf:15,128|FS:0,0|Ov:100,100,100>\r\n", 6.4);
+    assert_eq!(wire.grbl.shares().unwrap().feed, 100);
+}
+
+#[test]
+fn zero_points_of_a_controller_are_read_written_and_seen_to_change() {
+    for unit in [0.0, 1.0] {
+        let mut fake = Fake::of(Board::hal(0), &[(10, 511.0), (13, unit)]);
+        fake.offsets.systems[0] = Axes::xyz(100.0, 50.0, -20.0);
+        let mut wire = Wire::new(fake);
+        let zero = |wire: &Wire, name: &str| {
+            wire.grbl.zeros().iter().find(|zero| zero.name == name).map(|zero| zero.at)
+        };
+        let near = |at: Option<Axes>, to: Axes| way_mm(at.unwrap(), to) < 0.01;
+        assert!(near(zero(&wire, "G54"), Axes::xyz(100.0, 50.0, -20.0)));
+        assert!(near(zero(&wire, "G59.3"), Axes::default()) && zero(&wire, "TLO").is_none());
+        // Somebody at a pendant.
+        wire.fake.hear(b"G10L2P1X7Y8Z9\n", 6.0);
+        looks(&mut wire, 1.0);
+        assert!(near(zero(&wire, "G54"), Axes::xyz(7.0, 8.0, 9.0)), "{:?}", wire.grbl.zeros());
+        wire.fake.hear(b"G92X2\n", 7.0);
+        looks(&mut wire, 2.0);
+        assert!(near(zero(&wire, "G92"), Axes::xyz(-9.0, 0.0, 0.0)), "{:?}", wire.grbl.zeros());
+        assert!(wire.grbl.keeps_zero("G59.1", Axes::xyz(1.0, -2.0, 3.5)));
+        assert!(wire.grbl.keeps_zero("G92", Axes::default()));
+        assert!(!wire.grbl.keeps_zero("G28", Axes::default()));
+        looks(&mut wire, 3.0);
+        assert!(near(zero(&wire, "G59.1"), Axes::xyz(1.0, -2.0, 3.5)));
+        assert_eq!(
+            (wire.fake.offsets.shift, zero(&wire, "G92")),
+            (Axes::default(), Some(Axes::default()))
+        );
+        assert_eq!(wire.grbl.trouble(), None);
+    }
+}
+
 const fn jog(x: f64, speed_mm_s: f64) -> Order {
     Order::Jog { to: Axes::xyz(x, 0.0, 0.0), speed_mm_s }
 }
@@ -38,7 +103,8 @@ fn made(signals: &[Signal], orders: &[Order]) -> (Vec<String>, f64) {
     }
     let took_s = run(&mut link, 0.0, |_, _| {});
     assert_eq!(link.state(), LinkState::Up, "{:?}", link.driver().fake.lines);
-    let lines = link.driver().fake.lines[before..].to_vec();
+    let said = link.driver().fake.lines[before..].iter();
+    let lines = said.filter(|line| *line != "$#").cloned().collect();
     (lines, took_s)
 }
 

@@ -15,7 +15,7 @@
 //!
 //! Every machine passes the list in [`conformance`](crate::conformance).
 
-use crate::driver::{Facts, Override};
+use crate::driver::{Facts, Override, Shares};
 use crate::homing::Which;
 use crate::lift::Carried;
 use kerf_motion::{Move, Plan, Span, State};
@@ -254,6 +254,11 @@ pub trait Machine {
 
     /// Takes what else the operator turns, where it [overrides that](Facts::overrides_more) by itself.
     fn turn(&mut self, _: Override) {}
+
+    /// Returns the shares that somebody at its own controls has turned, once.
+    fn turned_by_hand(&mut self) -> Option<Shares> {
+        None
+    }
 
     /// The operator has waited for it in vain: it does nothing more.
     fn give_up(&mut self);

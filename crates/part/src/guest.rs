@@ -19,6 +19,9 @@ pub(crate) struct Guest {
     lines: u64,
     /// OpenSBP ran since: the machine may be elsewhere.
     pub(crate) stale: bool,
+    /// OpenSBP changes the tool for it.
+    #[serde(default)]
+    changing: bool,
     /// The operator was asked before its first line.
     stepped: bool,
     /// It has given motion that an armed handler may interrupt.
@@ -34,8 +37,8 @@ impl Guest {
     ) -> Self {
         let (motions, lines) = (interpreter.motions(), interpreter.lines());
         let (files, stepped) = (vec![file], interpreter.is_stepped());
-        let (stale, unsettled) = (false, true);
-        Self { interpreter, due, depth, files, motions, lines, stale, stepped, unsettled }
+        let (stale, changing, unsettled) = (false, false, true);
+        Self { interpreter, due, depth, files, motions, lines, stale, changing, stepped, unsettled }
     }
 
     /// Runs some lines. While an input may interrupt (`watched`) the machine makes each line before
@@ -88,6 +91,24 @@ impl Guest {
         if std::mem::take(&mut self.stale) {
             self.interpreter.adopt(sbp.settings(), sbp.frame(), sbp.position());
         }
+    }
+
+    /// Has OpenSBP change the tool that it waits for, and goes on when that is done; nothing where it waits for none.
+    pub(crate) fn changes_tool(
+        &mut self,
+        sbp: &mut kerf_sbp::Interpreter,
+        host: &mut dyn Host,
+        out: &mut Vec<Sourced>,
+    ) -> Option<Step> {
+        let tool = self.interpreter.tool_due()?;
+        if self.changing {
+            self.changing = false;
+            self.interpreter.tool_is_in();
+            return None;
+        }
+        let step = sbp.change_tool(tool, &self.done(), host, out);
+        self.changing = step == Step::Ran;
+        Some(step)
     }
 
     /// The machine stopped for a handler of OpenSBP.

@@ -147,11 +147,31 @@ impl Interpreter {
         let watched = self.sbp.watches().next().is_some();
         let Some(guest) = self.guests.last_mut() else { return Step::Ran };
         guest.catch_up(&self.sbp);
+        let given = out.len();
+        if let Some(step) = guest.changes_tool(&mut self.sbp, host, out) {
+            return self.opens_tool_change(step, host, out, given);
+        }
         match guest.run(host, out, lines, watched, &mut self.files) {
             Step::Done(Status::Ok, _) => {
                 self.end_guest();
                 Step::Ran
             }
+            Step::Done(status, error) => self.failed(host, out, status, error),
+            step => step,
+        }
+    }
+
+    /// The file that changes the tool is open, or could not be opened.
+    fn opens_tool_change(
+        &mut self,
+        step: Step,
+        host: &mut dyn Host,
+        out: &mut Vec<Sourced>,
+        given: usize,
+    ) -> Step {
+        self.files.learn_sbp(&self.sbp);
+        self.files.translate_sbp(&mut out[given..]);
+        match step {
             Step::Done(status, error) => self.failed(host, out, status, error),
             step => step,
         }
@@ -258,6 +278,7 @@ impl Interpreter {
             lines_before: self.sbp.lines(),
             preview,
             ask_spindle: self.sbp.settings().ask_spindle,
+            changes_elsewhere: self.sbp.settings().m6_runs_c9,
             proportion: place.proportion,
             temporary_zero_mm: place.zero_mm,
             stepped: place.stepped,

@@ -35,12 +35,16 @@ struct Ran {
 /// Runs the first file; lines are separated by `⏎`. With `saved` the state is written and read again
 /// before each step.
 fn run(files: &[(&str, &str)], saved: bool) -> Ran {
+    run_from(Session::default(), files, saved)
+}
+
+fn run_from(session: Session, files: &[(&str, &str)], saved: bool) -> Ran {
     let text = |t: &str| t.split('⏎').map(str::trim).collect::<Vec<_>>().join("\n");
     let (name, first) = files[0];
     let program = read(name.into(), text(first).into_bytes());
     let mut options = Options::default();
     options.sbp.max_lines = 1000;
-    let mut interpreter = Interpreter::new(program, Session::default(), options);
+    let mut interpreter = Interpreter::new(program, session, options);
     let files = files.iter().map(|(n, t)| (n.to_string(), text(t))).collect();
     let (mut host, mut out) = (Shop { files }, Vec::new());
     for _ in 0..5000 {
@@ -176,6 +180,49 @@ fn an_error_in_g_code_ends_the_run_with_its_callers() {
     assert_eq!(ran.status, Status::Failed);
     assert!(ran.error.contains("zero"), "{}", ran.error);
     assert_eq!(run(&[("a.sbp", "FP,b.nc"), ("b.nc", "G1 X3 F60 ⏎ G777")], false).out.len(), 0);
+}
+
+/// Moves and changes of tools of a run in which M6 runs C9, in order.
+#[track_caller]
+fn changes(files: &[(&str, &str)], expected: &str) -> Interpreter {
+    let mut session = Session::default();
+    session.sbp.settings.m6_runs_c9 = true;
+    for saved in [true, false] {
+        let ran = run_from(session.clone(), files, saved);
+        assert_eq!((ran.status, &*ran.error), (Status::Ok, ""), "{files:?}");
+        let told = ran.out.iter().filter_map(|s| match &s.command {
+            Command::ToolChange { begin: true } => Some("change".into()),
+            Command::ToolChange { begin: false } => Some("changed".into()),
+            Command::ToolPath(path) => path.tool.as_ref().map(ToString::to_string),
+            _ => shown(&ran.interpreter, s),
+        });
+        assert_eq!(told.collect::<Vec<String>>().join(" | "), expected, "saved {saved}: {files:?}");
+        if !saved {
+            return ran.interpreter;
+        }
+    }
+    panic!("run twice")
+}
+
+#[test]
+fn m6_runs_the_tool_change_of_the_owner() {
+    let c9 = ("Custom9.sbc", "JZ,1 ⏎ J2,&Tool,0 ⏎ VA,,,&Tool ⏎ G1 Z4 F60");
+    let file = "G20 F60 ⏎ G1 X1 ⏎ T3 M6 ⏎ T3 M6 ⏎ G1 Z0 ⏎ G55 Z0 ⏎ M2";
+    let moved =
+        "change | Custom9.sbc:1 1,0,1 | Custom9.sbc:2 3,0,1 | Custom9.sbc:4 3,0,2 | changed";
+    // Z reads 3 at 1 behind it: its zero is 2 lower, in every coordinate system.
+    let told = format!("a.nc:2 1,0,0 | {moved} | T3 | T3 | a.nc:5 3,0,-2");
+    let ran = changes(&[("a.nc", file), c9], &told);
+    let zero_mm = ran.into_session().gcode.systems[5].offset.0[2];
+    assert!((zero_mm + 50.8).abs() < 1e-9, "{zero_mm}");
+    // As a line among those of OpenSBP, and in a file that one calls.
+    let told = format!("a.sbp:1 1,0,0 | {} | T3 | a.sbp:3 9,0,2", moved);
+    changes(&[("a.sbp", "MX,1 ⏎ T3 M6 ⏎ MX,9"), c9], &told);
+    changes(&[("a.sbp", "MX,1 ⏎ FP,b.nc ⏎ MX,9"), ("b.nc", "T3 M6"), c9], &told);
+    // Taking a tool out is asked for, and without the file nothing is changed.
+    changes(&[("a.nc", "G20 F60 ⏎ T3 M6 ⏎ M2"), ("Custom9.sbc", "")], "change | changed | T3");
+    let ran = run(&[("a.nc", "G20 F60 ⏎ T3 M6 ⏎ M2")], false);
+    assert_eq!(ran.status, Status::Ok, "it is asked for where the setting is off: {}", ran.error);
 }
 
 #[test]

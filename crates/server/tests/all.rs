@@ -3,6 +3,7 @@
 #![allow(clippy::expect_used, clippy::print_stdout, clippy::unwrap_used, non_snake_case)]
 
 mod asked;
+mod controller;
 mod digitize;
 mod drawing;
 mod gate;

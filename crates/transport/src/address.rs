@@ -74,7 +74,7 @@ impl Address {
     ///
     /// # Errors
     /// It is not there, or may not be used.
-    pub fn open(&self) -> Result<Box<dyn Line>, LineError> {
+    pub fn open(&self) -> Result<Box<dyn Line + Send>, LineError> {
         Ok(match self {
             Self::Serial { path, baud } => Box::new(Port::open(path, *baud)?),
             Self::Tcp { host, port } => Box::new(Tcp::open(host, *port)?),

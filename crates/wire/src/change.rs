@@ -4,7 +4,7 @@ use crate::preview::TypedPath;
 use crate::{
     Asked, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease,
     Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup,
-    Snapshot, Sound, Speeds, StartUp, Units, Who,
+    Snapshot, Sound, Speeds, StartUp, Units, Who, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -59,6 +59,9 @@ pub enum Change {
     },
     Overrides {
         overrides: Overrides,
+    },
+    Zeros {
+        zeros: Vec<Zero>,
     },
     /// Lines are added to the print window.
     Printed {

@@ -55,6 +55,16 @@ pub struct Machine {
     pub name: String,
 }
 
+/// A zero point that the controller of the machine keeps.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Zero {
+    /// Its name, as G54; G92 is a shift of all others.
+    pub name: String,
+    /// Its place, the machine's own frame; of a shift, its way.
+    pub at: [f64; AXES],
+}
+
 /// Position and motion of the machine. Sent about 30 times a second while it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]

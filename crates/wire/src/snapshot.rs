@@ -4,7 +4,7 @@ use crate::preview::TypedPath;
 use crate::{
     Asked, Change, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job,
     Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup,
-    Sound, Speeds, Units, VERSION,
+    Sound, Speeds, Units, VERSION, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -72,6 +72,8 @@ pub struct Snapshot {
     pub sound: Option<Sound>,
     /// The operator's overrides.
     pub overrides: Overrides,
+    /// Zero points that the controller keeps; none of a machine without one.
+    pub zeros: Vec<Zero>,
     /// The print window, oldest line first.
     pub printed: Vec<String>,
     /// Messages, oldest first.
@@ -123,6 +125,7 @@ impl Default for Snapshot {
             pause: None,
             sound: None,
             overrides: Overrides::default(),
+            zeros: Vec::new(),
             printed: Vec::new(),
             messages: Vec::new(),
             lease: None,
@@ -160,6 +163,7 @@ impl Snapshot {
             Change::Pause { pause } => self.pause = pause,
             Change::Sound { sound } => self.sound = sound,
             Change::Overrides { overrides } => self.overrides = overrides,
+            Change::Zeros { zeros } => self.zeros = zeros,
             Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),
             Change::ClearPrinted => self.printed.clear(),
             Change::Messages { messages } => keep_last(&mut self.messages, messages, MESSAGES),

@@ -2,9 +2,9 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Change, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job,
-    Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder,
-    Role, Setup, Snapshot, Sound, Speeds, StartUp, Units,
+    AXES, Asked, Change, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io,
+    Job, Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
+    Recorder, Role, Setup, Snapshot, Sound, Speeds, StartUp, Units, Zero,
 };
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -65,6 +65,7 @@ fn of_the_machine() -> Vec<Change> {
         Change::Setup { setup: Setup { pick_radius: 4.0, ..Setup::default() } },
         Change::Speeds { speeds: Speeds::default() },
         Change::Io { io: Io::default() },
+        Change::Zeros { zeros: vec![Zero { name: "G54".into(), at: [1.0; AXES] }] },
         Change::Overrides { overrides: Overrides { feed_percent: 80.0, ..Overrides::default() } },
         Change::Settings { settings: 3 },
         Change::HandConsole { hand_console: HandConsole::default() },

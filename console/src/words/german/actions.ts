@@ -70,6 +70,8 @@ export const actions: Readonly<Record<string, string>> = {
   "Pair this device": "Dieses Gerät koppeln",
   Paused: "Pause",
   "Ports of the card: diagnostics": "Anschlüsse der Karte: Diagnose",
+  "Zero points of the controller: G54 to G59.3": "Nullpunkte der Steuerung: G54 bis G59.3",
+  "The machine keeps no zero points.": "Die Maschine merkt sich keine Nullpunkte.",
   "Preview mode: files are only drawn": "Vorschaubetrieb: Dateien werden nur gezeichnet",
   "Raise the tool above the work first: it goes round at this height.":
     "Erst das Werkzeug über das Werkstück heben: es umfährt auf dieser Höhe.",

@@ -158,4 +158,9 @@ export const tools: Readonly<Record<string, string>> = {
   "{0}: lost for good, with every version that was kept of them.":
     "{0}: endgültig verloren, mit allen ihren Fassungen.",
   "{0}: {1} is no number.": "{0}: {1} ist keine Zahl.",
+  Take: "Übernehmen",
+  "Take {0} as zero": "{0} als Nullpunkt übernehmen",
+  "Zero points of the controller": "Nullpunkte der Steuerung",
+  "Whoever sets one at a pendant sees it here. What Kerf cuts goes by its own zero until one is taken.":
+    "Wer einen an einem Handgerät setzt, sieht ihn hier. Kerf schneidet nach seinem eigenen Nullpunkt, bis einer übernommen wird.",
 };

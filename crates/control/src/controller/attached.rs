@@ -7,7 +7,7 @@ use crate::answers::Operator;
 use crate::session::DrivenBy;
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work, facts::Fact};
-use kerf_machine::driver::Changed;
+use kerf_machine::driver::{Changed, Zero};
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_workspace::{Firmware, Workspace};
@@ -189,6 +189,16 @@ impl Controller {
         let mut connection = self.connection.borrow_mut();
         connection.look();
         (connection.take_inputs(), connection.place())
+    }
+
+    /// Returns the zero points that the controller keeps, machine frame.
+    pub fn zeros(&self) -> Vec<Zero> {
+        self.connection.borrow_mut().zeros()
+    }
+
+    /// Has the controller keep a zero point at a place of the machine; tells whether it does.
+    pub fn keeps_zero(&self, name: &str, at: Axes) -> bool {
+        self.connection.borrow_mut().keeps_zero(name, at)
     }
 
     /// Tells why it takes no orders but to go home, in words.

@@ -4,10 +4,10 @@ use super::driven::LEAD_S;
 use super::lacks::no_output;
 use super::lost::Lost;
 use super::row::Row;
-use super::socket::Opens;
+use super::socket::{Ends, Opens};
 use kerf_machine::driver::{
-    Changed, Driver, Facts, Hold, Link, LinkState, Order, Override, Signal, Ticket, Told, Trouble,
-    Wired,
+    Changed, Driver, Facts, Hold, Link, LinkState, Order, Override, Shares, Signal, Ticket, Told,
+    Trouble, Wired, Zero,
 };
 use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
@@ -38,6 +38,9 @@ const ASK_S: f64 = 0.2;
 
 /// While an input is watched that is only looked at, the controller is asked so often, seconds.
 const LOOK_S: f64 = 0.02;
+
+/// The shift of all coordinate systems, which is a way and no place.
+const SHIFT: &str = "G92";
 
 /// A line that somebody else has.
 struct Closed;
@@ -77,6 +80,10 @@ pub struct Connection {
     pub(super) feed: f32,
     /// Shares of rapid moves and of the spindle that the operator has turned, percent.
     pub(super) turned: (u8, u8),
+    /// Shares that somebody at the controller has turned, and the run was not told of.
+    pub(super) by_hand: Option<Shares>,
+    /// The run was told of a share of feeds that holds already.
+    pub(super) feed_holds: bool,
     pub(super) inputs: VecDeque<(u8, bool)>,
     /// Inputs that are active.
     pub(super) active: BTreeSet<u8>,
@@ -140,6 +147,8 @@ impl Connection {
             rpm: None,
             feed: 1.0,
             turned: (100, 100),
+            by_hand: None,
+            feed_holds: false,
             inputs: VecDeque::new(),
             active: BTreeSet::new(),
             probing: None,
@@ -269,6 +278,23 @@ impl Connection {
         self.offset = place.minus(self.stands());
     }
 
+    /// Returns the zero points that the controller keeps, machine frame.
+    pub fn zeros(&mut self) -> Vec<Zero> {
+        let offset = self.offset;
+        let placed = |zero: &Zero| match &*zero.name {
+            SHIFT => zero.clone(),
+            _ => Zero { at: zero.at.plus(offset), ..zero.clone() },
+        };
+        self.link.driver().zeros().iter().map(placed).collect()
+    }
+
+    /// Has the controller keep a zero point at a place of the machine; tells whether it does. The shift can only be taken
+    /// away, whatever the place.
+    pub fn keeps_zero(&mut self, name: &str, at: Axes) -> bool {
+        let at = if name == SHIFT { Axes::default() } else { at.minus(self.offset) };
+        self.open == 0 && self.failure.is_none() && self.link.driver().keeps_zero(name, at)
+    }
+
     /// Closes its port.
     pub(super) fn closes_line(&mut self) {
         self.line = Box::new(Closed);
@@ -290,7 +316,7 @@ impl Connection {
     pub fn anew<T>(
         &mut self,
         does: impl FnOnce() -> T,
-        opens: impl FnOnce() -> Result<(Box<dyn Wired>, Box<dyn Line>), String>,
+        opens: impl FnOnce() -> Result<Ends, String>,
     ) -> (T, Result<String, String>) {
         self.finish(|| false);
         let (place, owed) = (self.place(), self.owed);
@@ -355,6 +381,7 @@ impl Connection {
             // Nobody can answer.
             return;
         }
+        self.hears_shares();
         let told = self.link.poll(self.now_s());
         for told in told {
             match told {

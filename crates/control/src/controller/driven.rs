@@ -6,7 +6,7 @@ use super::lacks::{lacked, needs, out_of_reach, wired};
 use super::merged::together;
 use super::row::{Chord, Handed, Row};
 use super::ways::{arc, chords, speed_mm_s};
-use kerf_machine::driver::{Facts, Hold, Order, Override, Signal};
+use kerf_machine::driver::{Facts, Hold, Order, Override, Shares, Signal};
 use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
 use kerf_motion::{Move, Path};
 use kerf_program::{Axes, MoveKind, OutputReason};
@@ -184,6 +184,45 @@ impl Connection {
         }
     }
 
+    /// The operator turns the feed. What somebody at the controller has turned it to holds already.
+    pub(super) fn turns_feed(&mut self, share: f32) {
+        let holds = std::mem::take(&mut self.feed_holds) && percent(self.feed) == percent(share);
+        if self.facts.overrides && !holds {
+            self.feed = share;
+            self.signal(Signal::Feed(percent(share)));
+        }
+    }
+
+    /// The operator turns something else.
+    pub(super) fn turns(&mut self, turned: Override) {
+        if !self.facts.overrides_more {
+            return;
+        }
+        match turned {
+            Override::Rapid(percent) => self.turned.0 = percent,
+            Override::Spindle(percent) => self.turned.1 = percent,
+        }
+        self.signal(Signal::Override(turned));
+    }
+
+    /// Learns which shares hold in the controller; others than those that were ordered are news.
+    pub(super) fn hears_shares(&mut self) {
+        let Some(holds) = self.link.driver().shares() else { return };
+        let (rapid, spindle) = self.turned;
+        if holds != (Shares { feed: percent(self.feed), rapid, spindle }) {
+            self.feed = f32::from(holds.feed) / 100.0;
+            self.turned = (holds.rapid, holds.spindle);
+            self.by_hand = Some(holds);
+        }
+    }
+
+    /// Returns such news, once.
+    pub(super) fn takes_shares(&mut self) -> Option<Shares> {
+        let news = self.by_hand.take();
+        self.feed_holds |= news.is_some();
+        news
+    }
+
     /// The moment that is reached of a move, as far as it is known.
     fn reached_s(&mut self, going: &Going<'_>) -> f64 {
         let place = self.place();
@@ -344,21 +383,15 @@ impl Machine for Connection {
     }
 
     fn feed(&mut self, share: f32) {
-        if self.facts.overrides {
-            self.feed = share;
-            self.signal(Signal::Feed(percent(share)));
-        }
+        self.turns_feed(share);
     }
 
     fn turn(&mut self, turned: Override) {
-        if !self.facts.overrides_more {
-            return;
-        }
-        match turned {
-            Override::Rapid(percent) => self.turned.0 = percent,
-            Override::Spindle(percent) => self.turned.1 = percent,
-        }
-        self.signal(Signal::Override(turned));
+        self.turns(turned);
+    }
+
+    fn turned_by_hand(&mut self) -> Option<Shares> {
+        self.takes_shares()
     }
 
     fn give_up(&mut self) {

@@ -8,6 +8,7 @@ use crate::answers::Operator;
 use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work};
+use kerf_machine::driver::Zero;
 use kerf_machine::{Driven, Machine};
 use kerf_program::Axes;
 use kerf_workspace::{Firmware, Workspace};
@@ -109,6 +110,14 @@ impl Controller {
         match self {
             Self::Followed(controller) => controller.attend(),
             Self::Queued(attached) => attached.attend(),
+        }
+    }
+
+    /// Returns the zero points that it keeps, machine frame.
+    pub fn zeros(&self) -> Vec<Zero> {
+        match self {
+            Self::Followed(controller) => controller.zeros(),
+            Self::Queued(_) => Vec::new(),
         }
     }
 

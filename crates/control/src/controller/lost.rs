@@ -2,7 +2,9 @@
 
 use super::Connection;
 use super::socket::Opens;
-use std::thread::sleep;
+use kerf_transport::Line;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::thread::{sleep, spawn};
 use std::time::Duration;
 
 /// A line that is not there again after this is lost for good, seconds.
@@ -12,11 +14,23 @@ const GONE_S: f64 = 10.0;
 const OPEN_S: f64 = 0.25;
 
 /// The loss of a line.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Lost {
     since_s: f64,
     tried_s: f64,
     why: String,
+    /// It is being opened beside: a network may take seconds to say no.
+    opening: Option<Opening>,
+}
+
+/// A line that another thread opens.
+type Opening = Receiver<Result<Box<dyn Line + Send>, String>>;
+
+/// Opens a line on a thread of its own. One that nobody waits for any more is closed when it is open.
+fn beside(opens: Opens) -> Opening {
+    let (tells, opening) = channel();
+    spawn(move || tells.send(opens().map(|(_, line)| line)));
+    opening
 }
 
 impl Connection {
@@ -25,10 +39,15 @@ impl Connection {
         self.opens = Some(opens);
     }
 
+    /// The cable is out from now on, for whoever tries what becomes of that.
+    pub fn is_unplugged(&mut self) {
+        self.line_is_lost("the cable was pulled".into());
+    }
+
     /// The line is gone: for good, where nobody can open it.
     pub(super) fn line_is_lost(&mut self, why: String) {
         let now_s = self.now_s();
-        self.lost = Some(Lost { since_s: now_s, tried_s: now_s, why });
+        self.lost = Some(Lost { since_s: now_s, tried_s: now_s, why, opening: None });
         // Whoever holds a port keeps it from coming back under its name.
         self.closes_line();
         if self.opens.is_none() {
@@ -44,13 +63,20 @@ impl Connection {
             self.is_lost_for_good();
             return false;
         }
-        if now_s - lost.tried_s < OPEN_S {
+        let Some(opening) = &lost.opening else {
             sleep(wait);
+            let waits = now_s - lost.tried_s < OPEN_S;
+            lost.opening = (!waits).then(|| beside(opens.clone()));
             return false;
-        }
-        let opened = opens();
-        lost.tried_s = self.since.elapsed().as_secs_f64();
-        let Ok((_, line)) = opened else { return false };
+        };
+        let line = match opening.recv_timeout(wait) {
+            Ok(Ok(line)) => line,
+            Err(RecvTimeoutError::Timeout) => return false,
+            Ok(Err(_)) | Err(RecvTimeoutError::Disconnected) => {
+                (lost.opening, lost.tried_s) = (None, now_s);
+                return false;
+            }
+        };
         (self.line, self.lost) = (line, None);
         let now_s = self.now_s();
         self.link.driver().line_is_back(now_s);

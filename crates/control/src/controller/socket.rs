@@ -9,7 +9,7 @@ use std::sync::Arc;
 pub type Opens = Arc<dyn Fn() -> Result<Ends, String> + Send + Sync>;
 
 /// A driver that knows nothing yet, with the line it speaks through.
-pub type Ends = (Box<dyn Wired>, Box<dyn Line>);
+pub type Ends = (Box<dyn Wired>, Box<dyn Line + Send>);
 
 /// The place where a controller hangs.
 #[derive(Clone)]

@@ -7,18 +7,20 @@
 
 mod arc;
 mod board;
+mod goes;
 mod motion;
-mod probe;
+mod offsets;
 mod read;
 mod report;
 mod state;
 mod turned;
 
 pub use board::Board;
+pub use offsets::Offsets;
 
 use kerf_machine::driver::Axes;
 use motion::Motion;
-use read::{Words, read};
+use read::{Way, Words, read};
 use state::State;
 use std::collections::{BTreeMap, VecDeque};
 use turned::turn;
@@ -52,8 +54,8 @@ pub struct Fake {
     spindle_rpm: f64,
     coolant: u8,
     homed_s: Option<f64>,
-    /// Zero of the workpiece, machine frame.
-    pub offset: Axes,
+    /// Zero points that it keeps.
+    pub offsets: Offsets,
     /// Reports until one that tells it.
     until_offset: usize,
     /// The feed as somebody has turned it at the controller, percent.
@@ -76,10 +78,8 @@ pub struct Fake {
     /// The place at which the probe has changed.
     latched: Option<Axes>,
     relative: bool,
-    /// `G1` holds.
-    straight: bool,
-    /// `G0` holds.
-    rapid: bool,
+    /// The word of motion that holds; nothing since it was reset.
+    way: Option<Way>,
     /// Chords of an arc that have found no room yet, the next one last, and the number of its line.
     chords: (Vec<Axes>, u32),
     /// The state that it claims, in place of its own.
@@ -157,7 +157,7 @@ impl Fake {
             spindle_rpm: 0.0,
             coolant: 0,
             homed_s: None,
-            offset: Axes::default(),
+            offsets: Offsets::default(),
             until_offset: 8,
             override_percent: 100,
             rapid_percent: 100,
@@ -171,8 +171,7 @@ impl Fake {
             probing: None,
             latched: None,
             relative: false,
-            straight: false,
-            rapid: false,
+            way: None,
             chords: (Vec::new(), 0),
             says: None,
             resumed_s: 0.0,
@@ -392,7 +391,7 @@ impl Fake {
         self.buffer.clear();
         (self.waiting, self.probing, self.latched) = (None, None, None);
         self.chords.0.clear();
-        (self.relative, self.straight) = (false, false);
+        (self.relative, self.way) = (false, None);
         (self.spindle, self.coolant) = (false, 0);
     }
 
@@ -449,6 +448,11 @@ impl Fake {
         match read(line) {
             _ if self.state == State::Sleep => {}
             _ if self.state == State::Alarm && !line.is_empty() => self.tell("error:9"),
+            _ if self.offsets.keeps(line, self.motion.position) => {
+                // Its next report tells of it.
+                self.until_offset = 1;
+                self.tell("ok");
+            }
             Ok(words) => self.waiting = Some(words),
             Err(number) => self.tell(&format!("error:{number}")),
         }
@@ -459,6 +463,11 @@ impl Fake {
             "I" | "$" if !self.motion.is_empty() => self.tell("error:8"),
             "G" => {
                 self.tell(&self.modes());
+                self.tell("ok");
+            }
+            "#" => {
+                let lines = self.offsets.told(|at| self.places(at));
+                lines.iter().for_each(|line| self.tell(line));
                 self.tell("ok");
             }
             "$" => {
@@ -527,71 +536,5 @@ impl Fake {
         if self.probing.is_none() && self.chords.0.is_empty() {
             self.tell("ok");
         }
-    }
-
-    fn go(&mut self, words: &Words) -> Option<u16> {
-        self.relative = words.relative.unwrap_or(self.relative);
-        self.straight = words.straight.unwrap_or(self.straight);
-        self.rapid = words.rapid.unwrap_or(self.rapid);
-        let moves = words.to.iter().any(Option::is_some) && words.probes.is_none();
-        if !moves && words.probes.is_none() {
-            return None;
-        }
-        if words.machine && !self.straight {
-            return Some(30);
-        }
-        if self.feed_mm_min <= 0.0 && !self.rapid {
-            return Some(22);
-        }
-        let mut to = self.planned;
-        for (axis, place) in words.to.iter().enumerate() {
-            // Places of the machine frame (G53) are no ways.
-            let from = if self.relative && !words.machine { to.0[axis] } else { 0.0 };
-            to.0[axis] = place.map_or(to.0[axis], |place| from + place);
-        }
-        if self.setting(20) == 1.0 && self.is_outside(to) {
-            self.alarm(2);
-            return Some(15);
-        }
-        if let Some(counter) = words.arc {
-            let chords = arc::chords(self.planned, to, words.centre, counter, self.setting(12));
-            return match chords {
-                Err(number) => Some(number),
-                Ok(chords) => {
-                    self.chords = (chords, words.number);
-                    None
-                }
-            };
-        }
-        let feed_mm_s = if self.rapid { f64::INFINITY } else { self.feed_mm_min / 60.0 };
-        self.motion.push(self.planned, to, self.speed(to, feed_mm_s), (self.rapid, words.number));
-        self.planned = to;
-        None
-    }
-
-    /// Chords of an arc join the planner as far as there is room; it is answered when all have.
-    fn goes_round(&mut self) -> bool {
-        while self.motion.free() > 0
-            && let Some(to) = self.chords.0.pop()
-        {
-            let speed_mm_s = self.speed(to, self.feed_mm_min / 60.0);
-            self.motion.push(self.planned, to, speed_mm_s, (false, self.chords.1));
-            self.planned = to;
-        }
-        let is_round = self.chords.0.is_empty();
-        if is_round {
-            self.tell("ok");
-        }
-        is_round
-    }
-
-    /// The feed, as far as every axis can follow.
-    fn speed(&self, to: Axes, feed_mm_s: f64) -> f64 {
-        let way = kerf_machine::driver::way_mm(self.planned, to);
-        (0..3_u16).fold(feed_mm_s, |speed, axis| {
-            let share = (to.0[usize::from(axis)] - self.planned.0[usize::from(axis)]).abs() / way;
-            let most = self.settings.get(&(110 + axis)).copied().unwrap_or(f64::INFINITY) / 60.0;
-            if share > 0.0 { speed.min(most / share) } else { speed }
-        })
     }
 }

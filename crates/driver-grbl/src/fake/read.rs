@@ -1,17 +1,30 @@
 //! Lines of G-code that the fake understands.
 
+/// The way in which places are reached; it holds until another is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// `G0`.
+    Rapid,
+    /// `G1`.
+    Cut,
+    /// `G2`, `G3`.
+    Arc {
+        /// Counter-clockwise.
+        counter: bool,
+    },
+    /// `G38.2` and the others.
+    Probe,
+}
+
 /// Words of a line.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Words {
-    pub moves: bool,
     /// Its places are ways.
     pub relative: Option<bool>,
     /// It moves until its probe is in this state.
     pub probes: Option<bool>,
     pub to: [Option<f64>; 3],
-    /// An arc, counter-clockwise or not.
-    pub arc: Option<bool>,
-    /// Its centre, from where it begins.
+    /// The centre of an arc, from where it begins.
     pub centre: [f64; 2],
     /// The number of the line.
     pub number: u32,
@@ -22,10 +35,8 @@ pub struct Words {
     pub coolant: Option<u8>,
     /// An auxiliary output, and its state.
     pub aux: Option<(u8, bool)>,
-    /// The mode of straight moves holds from then on.
-    pub straight: Option<bool>,
-    /// They are rapid moves from then on.
-    pub rapid: Option<bool>,
+    /// The way in which places are reached from then on.
+    pub way: Option<Way>,
     /// Its places are those of the machine.
     pub machine: bool,
     /// Everything before it is made first.
@@ -49,15 +60,15 @@ pub fn read(line: &str) -> Result<Words, u16> {
 fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
     match (letter, value as i64) {
         ('G', 38) => {
-            (words.probes, words.waits, words.straight) = (Some(value < 38.4), true, Some(false));
+            (words.probes, words.waits, words.way) = (Some(value < 38.4), true, Some(Way::Probe));
         }
         ('G', 53) => words.machine = true,
         ('G', 90 | 91) => words.relative = Some(value == 91.0),
         ('G', 0 | 1) => {
-            (words.moves, words.straight, words.rapid) = (true, Some(true), Some(value == 0.0));
+            words.way = Some(if value == 0.0 { Way::Rapid } else { Way::Cut });
         }
         ('G', 2 | 3) => {
-            (words.arc, words.straight, words.rapid) = (Some(value == 3.0), Some(false), None);
+            words.way = Some(Way::Arc { counter: value == 3.0 });
         }
         ('I', _) => words.centre[0] = value,
         ('J', _) => words.centre[1] = value,

@@ -1,6 +1,6 @@
 //! Status reports of the fake.
 
-use super::{Fake, HOMING_S, State};
+use super::{Fake, HOMING_S, State, Way};
 use kerf_machine::driver::Axes;
 
 /// Reports between two that tell the offset of the workpiece.
@@ -11,8 +11,11 @@ impl Fake {
     pub(super) fn report(&mut self) {
         let mask = self.setting(10) as u32;
         let place = self.motion.position;
-        let (name, place) =
-            if mask & 1 == 1 { ("MPos", place) } else { ("WPos", place.minus(self.offset)) };
+        let (name, place) = if mask & 1 == 1 {
+            ("MPos", place)
+        } else {
+            ("WPos", place.minus(self.offsets.zero()))
+        };
         let mut line = format!("<{}|{name}:{}", self.doing(), self.places(place));
         if mask & 2 == 2 {
             let room = self.board.rx.saturating_sub(self.buffer.len());
@@ -31,7 +34,7 @@ impl Fake {
         let tells_offset = !self.board.hal || mask & 16 == 16;
         if self.until_offset == 0 && tells_offset {
             self.until_offset = OFFSET_EVERY;
-            line += &format!("|WCO:{}", self.places(self.offset));
+            line += &format!("|WCO:{}", self.places(self.offsets.zero()));
         } else if self.until_offset == OFFSET_EVERY - 1 {
             line += &format!(
                 "|Ov:{},{},{}",
@@ -43,7 +46,13 @@ impl Fake {
 
     /// The modes that hold, as `$G` tells them.
     pub(super) fn modes(&self) -> String {
-        let motion = if self.straight && !self.rapid { "G1" } else { "G0" };
+        let motion = match self.way {
+            None | Some(Way::Rapid) => "G0",
+            Some(Way::Cut) => "G1",
+            Some(Way::Arc { counter: false }) => "G2",
+            Some(Way::Arc { counter: true }) => "G3",
+            Some(Way::Probe) => "G38.3",
+        };
         let way = if self.relative { "G91" } else { "G90" };
         let spindle = if self.spindle { "M3" } else { "M5" };
         let coolant = ["M9", "M8", "M7", "M7 M8"][usize::from(self.coolant & 3)];

@@ -13,7 +13,7 @@ use super::state::{Modal, State};
 use super::under_way::UnderWay;
 use crate::syntax::tree::Program;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{Axes, Frame, Settings, Turn};
+use kerf_program::{Axes, Axis, Frame, Settings, Turn};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -103,8 +103,15 @@ impl Core {
         let there = self.frame.working_zero;
         let here = self.coordinates.working_zero;
         if here.0.iter().zip(there.0).any(|(a, b)| (a - b).abs() > 1e-9) {
-            let system = &mut self.state.systems[self.state.modal.system.min(8)];
-            system.offset = system.offset.plus(there.minus(here));
+            let (way, present) = (there.minus(here), self.state.modal.system.min(8));
+            for (index, system) in self.state.systems.iter_mut().enumerate() {
+                if index == present {
+                    system.offset = system.offset.plus(way);
+                } else if self.under_way.due_tool.is_some() {
+                    // Another tool is longer or shorter, wherever a program has its zero.
+                    system.offset[Axis::Z] += way[Axis::Z];
+                }
+            }
             self.refresh();
         }
     }

@@ -34,6 +34,17 @@ impl Interpreter {
         self.core.adopt(settings, frame, position);
     }
 
+    /// Returns the tool that has to be put in before the next step; nothing comes before
+    /// [`tool_is_in`](Self::tool_is_in).
+    pub const fn tool_due(&self) -> Option<u32> {
+        self.core.under_way.due_tool
+    }
+
+    /// The tool that was due is in the spindle.
+    pub const fn tool_is_in(&mut self) {
+        self.core.under_way.due_tool = None;
+    }
+
     /// Returns `true` while cutter compensation is on: the tool is beside the path, and moves are held back.
     pub const fn compensates(&self) -> bool {
         self.core.place.compensator.is_some()
@@ -63,7 +74,7 @@ impl Interpreter {
                 break;
             }
             match self.step(host, out) {
-                Step::Ran => {}
+                Step::Ran if self.tool_due().is_none() => {}
                 other => return other,
             }
         }

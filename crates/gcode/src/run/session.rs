@@ -44,6 +44,9 @@ pub struct Options {
     pub speeds_known: bool,
     /// The operator is asked before the spindle starts, unless it counts as active.
     pub ask_spindle: bool,
+    /// Whoever owns the run changes the tool at M6 (`tool_due`).
+    #[serde(default)]
+    pub changes_elsewhere: bool,
     /// Modes of the state hold from the start, as for lines typed one by one; otherwise a program
     /// begins with the usual ones.
     pub keep_modes: bool,
@@ -98,6 +101,7 @@ impl Default for Options {
             unit_known: false,
             speeds_known: false,
             ask_spindle: false,
+            changes_elsewhere: false,
             keep_modes: false,
             laser: false,
             comments: true,

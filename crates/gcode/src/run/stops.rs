@@ -39,15 +39,22 @@ pub(super) fn begin_tool_change(c: &mut Context<'_>, g: &Gathered) -> Result<(),
     core.place.arrive(core.place.tool());
     turn_spindle(c, Turn::Off);
     let tool = g.tool(b'T').unwrap_or(c.core.state.selected);
-    if tool != c.core.state.tool {
+    if tool != c.core.state.tool && changes_elsewhere(c, tool) {
+        c.core.under_way.due_tool = Some(tool);
+    } else if tool != c.core.state.tool {
         c.emit(Command::ToolChange { begin: true });
     }
     Err(Stop::Again)
 }
 
+/// Returns `true` if whoever owns the run puts a tool in. Taking one out is asked for here.
+const fn changes_elsewhere(c: &Context<'_>, tool: u32) -> bool {
+    c.core.options.changes_elsewhere && tool > 0
+}
+
 fn change_tool(c: &mut Context<'_>) -> Result<(), Stop> {
     let tool = c.core.state.selected;
-    if tool != c.core.state.tool {
+    if tool != c.core.state.tool && !changes_elsewhere(c, tool) {
         let text =
             if tool == 0 { "take the tool out".into() } else { format!("put in tool {tool}") };
         c.hold_for(QuestionKind::Pause, &text, None)?;

@@ -11,6 +11,9 @@ pub(super) struct UnderWay {
     pub(super) probing: Option<Probe>,
     /// A tool change has begun: the spindle was stopped, the operator is asked next.
     pub(super) changing: bool,
+    /// The tool that whoever owns the run puts in, before the block begins again.
+    #[serde(default)]
+    pub(super) due_tool: Option<u32>,
     /// The block at hand was carried out, and holds the program with these words.
     pub(super) holding: Option<String>,
     /// The hole of G88 whose retract comes when somebody has answered, and how the spindle turns then.

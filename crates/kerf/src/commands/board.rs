@@ -29,7 +29,7 @@ const IN_NETWORKS: [&str; 4] =
     ["tcp:fluidnc.local", "tcp:fluidnc", "tcp:grblhal.local", "tcp:grblhal"];
 
 /// Settings by their numbers, as the board writes them.
-type Settings = BTreeMap<u16, String>;
+pub type Settings = BTreeMap<u16, String>;
 
 #[derive(Clone, Debug, Subcommand)]
 pub enum SettingsAction {
@@ -59,7 +59,7 @@ pub enum SettingsAction {
 }
 
 /// A board on its line, spoken to directly.
-struct Board {
+pub struct Board {
     grbl: Grbl,
     line: Box<dyn Line>,
     since: Instant,
@@ -67,7 +67,7 @@ struct Board {
 
 impl Board {
     /// Opens the line and waits until the board has told who it is.
-    fn open(address: &Address, within: Duration) -> Result<Self> {
+    pub fn open(address: &Address, within: Duration) -> Result<Self> {
         let line = address.open()?;
         let mut board = Self { grbl: Grbl::new(), line, since: Instant::now() };
         while board.grbl.facts().is_none() {
@@ -100,7 +100,7 @@ impl Board {
     }
 
     /// Puts back what was changed to speak to it.
-    fn leave(mut self) -> Result<()> {
+    pub fn leave(mut self) -> Result<()> {
         let until = Instant::now() + ANSWERED;
         while let Some(changed) = self.grbl.changed()
             && !self.grbl.puts_back(changed)
@@ -116,7 +116,7 @@ impl Board {
     }
 
     /// Returns its settings; what was changed to speak to it is as it was.
-    fn settings(&self) -> Settings {
+    pub fn settings(&self) -> Settings {
         let mut settings = self.grbl.settings().clone();
         if let Some(changed) = self.grbl.changed() {
             settings.insert(changed.number, changed.was.to_string());
@@ -145,7 +145,7 @@ impl Board {
     }
 
     /// Changes a setting.
-    fn set(&mut self, number: u16, value: &str) -> Result<()> {
+    pub fn set(&mut self, number: u16, value: &str) -> Result<()> {
         self.grbl.writes(number, value);
         if !self.has_answered()? {
             bail!("${number}={value} is not answered");

@@ -116,6 +116,9 @@ enum Action {
         /// The report
         #[arg(long, value_name = "FILE", default_value = "prove.md")]
         report: PathBuf,
+        /// Has it go home first: its axes move to their switches
+        #[arg(long)]
+        home: bool,
     },
     /// Lists the settings ($$) of the controller that --machine names, with names, units and bounds; changes them, keeps
     /// them in a file, compares them
@@ -185,12 +188,12 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
                 _ => board::connect(more),
             };
         }
-        Action::Prove { report } => {
+        Action::Prove { report, home } => {
             let name = controller(&args.which)?;
             if name.is_board() {
                 return step_board::prove(name, &args.which.machine()?, report);
             }
-            return prove::prove(name, report);
+            return prove::prove(name, report, *home);
         }
         Action::Settings { action } => {
             return board::settings(controller(&args.which)?, action.as_ref());

@@ -1,6 +1,6 @@
 //! Boards with step queues on the bench: who they are, and a proof that they make what is planned, with numbers.
 
-use crate::commands::prove;
+use crate::commands::prove::Report;
 use crate::controller;
 use crate::exit::Exit;
 use crate::machine_name::DriverName;
@@ -118,6 +118,8 @@ fn ranges(names: &[&str]) -> String {
 struct OnBench {
     queued: Queued,
     begin: Instant,
+    /// Things that a case asked for, and that nobody can do on a bench.
+    lacks: Option<&'static str>,
 }
 
 impl Bench for OnBench {
@@ -136,7 +138,13 @@ impl Bench for OnBench {
     }
 
     fn breaks(&mut self) -> bool {
+        self.lacks = Some("nothing is broken on a bench");
         false
+    }
+
+    fn moves_switch(&mut self, _: bool) -> Option<u8> {
+        self.lacks = Some("nobody moves a switch on a bench");
+        None
     }
 }
 
@@ -146,20 +154,22 @@ pub fn prove(name: &DriverName, machine: &Configuration, report: &Path) -> Resul
     let open = || -> Result<OnBench> {
         let mut queued = socket.open(machine, false).map_err(|why| anyhow!(why))?;
         queued.is_at(Axes::default());
-        Ok(OnBench { queued, begin: Instant::now() })
+        Ok(OnBench { queued, begin: Instant::now(), lacks: None })
     };
     let mut bench = open()?;
-    let mut text = prove::head(name, bench.queued.facts());
+    let mut told = Report::of(name, bench.queued.facts());
     let measured = measured(&mut bench.queued, machine);
     drop(bench);
-    let all_hold = prove::cases(open, &mut text, |bench| bench.queued.close(false, || false))?;
-    let told = match &measured {
-        Ok(told) => told.clone(),
-        Err(why) => format!("not measured: {why}\n"),
-    };
-    out::print(&told);
-    prove::write(report, &(text + "\n" + &told))?;
-    Ok(if all_hold && measured.is_ok() { Exit::Good } else { Exit::Failed })
+    told.takes_list(open, |bench| {
+        bench.queued.close(false, || false);
+        bench.lacks
+    });
+    told.fails |= measured.is_err();
+    let figures = measured.unwrap_or_else(|why| format!("not measured: {why}\n"));
+    out::print(&figures);
+    told.text += &format!("\n{figures}");
+    told.write(report)?;
+    Ok(if told.fails { Exit::Failed } else { Exit::Good })
 }
 
 /// Moves X and stops it, and tells what came of it, a line each.

@@ -70,7 +70,7 @@ impl Bench {
         Self::cabled(name, Fake::default())
     }
 
-    fn cabled(name: &str, fake: Fake) -> Self {
+    pub fn cabled(name: &str, fake: Fake) -> Self {
         let path = std::env::temp_dir().join(format!("kerf-{}-{name}", std::process::id()));
         let cable = Cable { path: path.clone(), plug: None };
         Self::at(path.to_str().unwrap().to_owned(), Box::new(cable.plugged()), fake)

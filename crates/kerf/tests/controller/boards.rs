@@ -4,6 +4,7 @@ use crate::bench::Bench;
 use crate::shop::Shop;
 use kerf_driver_grbl::fake::{Board, Fake};
 use kerf_machine::conformance::CASES;
+use kerf_machine::driver::Axes;
 use std::time::{Duration, Instant};
 
 #[test]
@@ -49,13 +50,35 @@ fn settings_are_named_as_the_board_names_them() {
     listed.says("$111=6000.000 mm/min     Y greatest speed [0 or more]");
 }
 
+/// The outcomes of a report, by the case, and how many of them hold.
+fn proves(bench: &Bench, words: &str) -> (String, usize) {
+    let shop = Shop::new(&[]);
+    let port = &bench.port;
+    shop.kerf(&format!("machine prove --report r.md {words} --machine grbl:{port}")).exits(0);
+    let report = shop.read("r.md");
+    let held = report.lines().filter(|line| line.contains("| held")).count();
+    (report, held)
+}
+
 #[test]
 fn a_board_proves_that_it_holds_the_list() {
-    let (shop, bench) = (Shop::new(&[]), Bench::tcp());
-    let proved = shop.kerf(&format!("machine prove --report r.md --machine grbl:{}", bench.port));
-    proved.exits(0).says("a plan is made whole, and no moment behind its end is reached: held");
-    let report = shop.read("r.md");
+    let bench = Bench::tcp();
+    let (report, held) = proves(&bench, "");
     assert!(report.contains("# grbl 1.1h.20190825 on grbl:tcp:"), "{report}");
-    assert_eq!(report.matches("| held |").count(), CASES.len(), "{report}");
-    assert_eq!(bench.look(|fake| fake.spindle()), None);
+    // A switch at rest and on the way, a fault, and homing, which it does not do.
+    let not_tried = report.matches("| not tried: ").count();
+    assert_eq!((held, not_tried), (CASES.len() - 3 + 8, 4), "{report}");
+    assert!(report.contains("| it goes home | not tried: it has no homing ($22) |"), "{report}");
+    let (spindle, offset) = bench.look(|fake| (fake.spindle(), fake.offsets.systems[8]));
+    assert_eq!((spindle, offset), (None, Axes::default()));
+    let settings = bench.look(|fake| [10, 13].map(|number| fake.is_set_to(number)));
+    assert_eq!(settings, [1.0, 0.0], "they are as they were");
+}
+
+#[test]
+fn a_board_that_homes_does_so_when_it_is_asked_for() {
+    let bench = Bench::cabled("prove", Fake::of(Board::hal(0), &[(22, 1.0), (10, 511.0)]));
+    let (report, held) = proves(&bench, "--home");
+    assert!(report.contains("| it goes home | held |"), "{report}");
+    assert_eq!(held, CASES.len() - 3 + 9, "{report}");
 }

@@ -14,6 +14,7 @@ mod overrides;
 mod shop;
 mod step_board;
 mod taken_up;
+mod tool_change;
 
 use bench::Bench;
 use kerf_driver_grbl::fake::{Board, Fake};
@@ -223,7 +224,7 @@ fn a_board_without_auxiliary_outputs_runs_what_needs_none() {
 fn a_job_is_where_it_belongs_whatever_a_grbl_tells_and_its_settings_are_put_back() {
     for unit in [0.0, 1.0] {
         let mut fake = Fake::of(Board::hal(0), &[(10, 508.0), (13, unit)]);
-        fake.offset = Axes::xyz(100.0, 50.0, -20.0);
+        fake.offsets.systems[0] = Axes::xyz(100.0, 50.0, -20.0);
         let (shop, bench) = (Shop::new(&[("square.sbp", SQUARE)]), Bench::of(fake));
         let did = bench.run(&shop, "run square.sbp");
         did.exits(0).complains("$10 is 511 while Kerf drives it, 508 again afterwards");

@@ -103,6 +103,32 @@ pub enum Override {
     Spindle(u8),
 }
 
+/// Shares at which a controller makes what it is told, percent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shares {
+    /// Of the speed of cuts.
+    pub feed: u8,
+    /// Of the speed of rapid moves.
+    pub rapid: u8,
+    /// Of the speed of the spindle.
+    pub spindle: u8,
+}
+
+impl Default for Shares {
+    fn default() -> Self {
+        Self { feed: 100, rapid: 100, spindle: 100 }
+    }
+}
+
+/// A zero point that a controller keeps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Zero {
+    /// Its name, as G54; G92 is a shift of all others.
+    pub name: String,
+    /// Its place, the controller's machine frame.
+    pub at: Axes,
+}
+
 /// A request outside the row of orders, carried out at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Signal {
@@ -335,6 +361,21 @@ pub trait Wired: Driver {
     /// Returns the state of a hold that was ordered.
     fn hold(&self) -> Hold {
         Hold::None
+    }
+
+    /// Returns the shares that hold in it: as it was told last, or as somebody at its own controls has turned them since.
+    fn shares(&self) -> Option<Shares> {
+        None
+    }
+
+    /// Returns the zero points that it keeps, as it told them last.
+    fn zeros(&self) -> &[Zero] {
+        &[]
+    }
+
+    /// Has it keep a zero point at another place, while nothing moves; tells whether it does.
+    fn keeps_zero(&mut self, _name: &str, _at: Axes) -> bool {
+        false
     }
 
     /// The line was gone and is there again. Finds out what the controller has got of what was sent, before anything else is

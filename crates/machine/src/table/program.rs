@@ -74,6 +74,14 @@ const GENERAL: &[Setting] = &[
     ),
     row!(
         c,
+        "m6_runs_c9",
+        c.program.m6_runs_c9,
+        None,
+        Any,
+        "M6 of G-code changes the tool as C9 does: spindle off, lifted, the operator asked, the tool measured where there is a sensor."
+    ),
+    row!(
+        c,
         "spindle_device",
         c.program.spindle_device,
         None,

@@ -75,6 +75,9 @@ pub struct Settings {
     /// Starting the spindle from a program asks the operator first, unless it counts as active.
     #[serde(default = "yes")]
     pub ask_spindle: bool,
+    /// M6 of G-code runs the owner's tool change, the custom cut C9.
+    #[serde(default)]
+    pub m6_runs_c9: bool,
     /// A device takes the speeds that programs give spindles (TR); without one the operator sets them.
     #[serde(default = "yes")]
     pub spindle_device: bool,
@@ -173,6 +176,7 @@ impl Default for Settings {
             // The reference's 2 s before motion; headless runs set 0.
             warning_s: 0.0,
             ask_spindle: true,
+            m6_runs_c9: false,
             spindle_device: true,
             dynamics: None,
             stack_limit: None,

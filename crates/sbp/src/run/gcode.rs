@@ -8,9 +8,10 @@
 //! ```
 
 use super::state::Level;
-use super::{Core, Interpreter, lifecycle};
+use super::{Context, Core, Interpreter, lifecycle, programs};
+use crate::tree::Span;
 use kerf_diag::Place;
-use kerf_program::{At, Axes, Axis, Frame, GoTo, Host, Sourced};
+use kerf_program::{At, Axes, Axis, Frame, GoTo, Host, Sourced, Step};
 
 /// G-code that has to run before the program goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -95,7 +96,8 @@ impl Core {
         }
     }
 
-    fn gcode_done(&mut self, due: GcodeDue, done: &GcodeDone) {
+    /// The machine stands where G-code has left it.
+    fn gcode_stands(&mut self, done: &GcodeDone) {
         for axis in Axis::ALL {
             if self.place.position[axis] != done.position[axis] {
                 self.place.position[axis] = done.position[axis];
@@ -104,6 +106,10 @@ impl Core {
         }
         self.place.frame = done.frame;
         self.given.settled = false;
+    }
+
+    fn gcode_done(&mut self, due: GcodeDue, done: &GcodeDone) {
+        self.gcode_stands(done);
         self.given.motions += done.motions;
         self.given.lines += if matches!(due, GcodeDue::File(_)) { done.lines } else { 0 };
         self.flow.gcode_line = None;
@@ -132,6 +138,28 @@ impl Interpreter {
         {
             self.core.end_file_at(at);
         }
+    }
+
+    /// Begins the change of tools that G-code at hand waits for: runs the owner's file, from where G-code stands.
+    pub fn change_tool(
+        &mut self,
+        tool: u32,
+        done: &GcodeDone,
+        host: &mut dyn Host,
+        out: &mut Vec<Sourced>,
+    ) -> Step {
+        let Some(due) = self.core.gcode_due() else { return Step::Ran };
+        self.core.gcode_stands(done);
+        self.past.clear();
+        let at = match due {
+            GcodeDue::File(file) => At { file, line: 1 },
+            GcodeDue::Line(at) => at,
+        };
+        let program = &self.core.files.program(at.file);
+        let core = &mut self.core;
+        let mut context = Context { core, program, host, out, at, span: Span::default() };
+        let outcome = programs::change_tool(&mut context, tool);
+        lifecycle::after(&mut self.core, host, out, outcome)
     }
 
     /// Returns the placement of what is in the innermost file.

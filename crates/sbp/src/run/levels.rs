@@ -123,6 +123,7 @@ pub(crate) fn open_level(
         start_z,
         stepped: stepped || parameters.stepped,
         skip_to: None,
+        goes_on: None,
         tabs: tabs || parameters.tabs,
         purpose: Purpose::Run,
     };
@@ -202,8 +203,9 @@ pub(crate) fn file_over(c: &mut Context<'_>) {
         plunge(c);
         refresh_tabs(c);
     } else {
-        let start_z = level.start_z;
+        let (start_z, goes_on) = (level.start_z, level.goes_on);
         leave_levels(c, c.core.flow.levels.len() - 1);
+        c.core.flow.gcode_line = goes_on;
         if let Some(z) = start_z {
             move_z(c, z);
         }

@@ -78,6 +78,19 @@ pub(super) fn custom_cut(c: &mut Context<'_>, number: &Expr) -> Result<(), Stop>
     }
 }
 
+/// M6 of G-code: runs the custom cut that changes the tool, which `&Tool` names. The line of G-code goes on behind it.
+pub(super) fn change_tool(c: &mut Context<'_>, tool: u32) -> Result<(), Stop> {
+    let file = custom_file(c, TOOL_CHANGE);
+    levels::call_file(c, file, FileParameters::default())?;
+    begin_tool_change(c);
+    let goes_on = c.core.flow.gcode_line.take();
+    if let Some(level) = c.core.flow.levels.last_mut() {
+        level.goes_on = goes_on;
+    }
+    c.core.memory.variables.set("TOOL", Value::Number(f64::from(tool)));
+    Ok(())
+}
+
 /// The file of a custom cut; FabMo has macros instead, where there is one.
 fn custom_file(c: &mut Context<'_>, n: i64) -> FileRequest {
     let file = |name| FileRequest { folder: Folder::Custom, name };

@@ -9,14 +9,20 @@ use kerf_control::answers::Answers;
 use kerf_control::controller::{Controller, Told};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
+use kerf_machine::driver::Zero;
 use kerf_machine::{Driven, Errand};
 use kerf_program::{AXES, Axes, Axis};
 use kerf_trace::Summary;
-use kerf_wire::{Machine, State, Tone};
+use kerf_wire::{Change, Machine, State, Tone};
 use std::sync::Arc;
 
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
+
+/// A zero point as pages show it.
+fn shown(zero: Zero) -> kerf_wire::Zero {
+    kerf_wire::Zero { name: zero.name, at: zero.at.0 }
+}
 
 impl Owner {
     /// The machine that makes what is switched while nothing runs.
@@ -45,6 +51,7 @@ impl Owner {
         let Some(controller) = controller else { return };
         let lost = self.hub.read(|now| now.machine.state == State::Alarm);
         let (inputs, place) = controller.attend();
+        let zeros: Vec<_> = controller.zeros().into_iter().map(shown).collect();
         let fault = controller.fault();
         let memory = &mut session.memory;
         // What is only drawn is elsewhere than the machine.
@@ -57,6 +64,10 @@ impl Owner {
             *believed = place;
         }
         inputs.into_iter().for_each(|input| AtRest(&mut *session).senses(input));
+        self.hub.changing(|now| {
+            let other = now.zeros != zeros;
+            other.then_some(Change::Zeros { zeros }).into_iter().collect()
+        });
         match fault {
             Some(why) if !lost => self.rest(State::Alarm, Some(why)),
             _ if changed => self.settle(Machine::clone),

@@ -11,10 +11,10 @@ use kerf_control::answers::{self, Operator};
 use kerf_control::{Jog, LIFT, OperatorRequest, Requests, WorldClock};
 use kerf_journal::Hurry;
 use kerf_machine::Driven;
-use kerf_machine::driver::Override;
+use kerf_machine::driver::{Override, Shares};
 use kerf_program::{Question, QuestionKind};
 use kerf_trace::{Doing, Event, Made, Sink, Standing};
-use kerf_wire::{Asked, Change, InForce, Machine, State, Tone};
+use kerf_wire::{Asked, Change, InForce, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
@@ -77,6 +77,19 @@ impl Shared {
             let machine = || Machine { why: why.map(String::from), ..now.machine.clone() };
             other.then(|| Change::Machine { machine: machine() }).into_iter().collect()
         });
+    }
+
+    /// Somebody at the controls of the machine has turned its overrides: the run goes by them, and pages show them.
+    fn is_turned(&self, shares: Shares) {
+        let Shares { feed, rapid, spindle } = shares;
+        self.board.borrow_mut().rapid = f64::from(rapid) / 100.0;
+        let overrides = Overrides {
+            feed_percent: f64::from(feed),
+            rapid_percent: Some(rapid),
+            spindle_percent: Some(spindle),
+        };
+        self.hub.change(vec![Change::Overrides { overrides }]);
+        self.link.lock().feed = Some(f32::from(feed) / 100.0);
     }
 
     /// The name below the part folder of the server, of a file as a program names it.
@@ -170,8 +183,11 @@ impl PageRequests {
 
 impl Requests for PageRequests {
     fn take(&mut self, from_s: f64, _: f64) -> Option<(f64, OperatorRequest)> {
-        let waits = self.machine.try_borrow_mut().ok().and_then(|mut machine| machine.waits());
+        let told = self.machine.try_borrow_mut().ok();
+        let told = told.map(|mut machine| (machine.waits(), machine.turned_by_hand()));
+        let (waits, turned) = told.unwrap_or_default();
         self.shared.waits(waits);
+        turned.into_iter().for_each(|shares| self.shared.is_turned(shares));
         self.shared.link.lock().request().map(|request| (from_s, request))
     }
 
@@ -407,7 +423,7 @@ impl Sink for Teller {
                 board.feed = percent / 100.0;
                 drop(board);
                 let overrides = self.shared.hub.read(|now| now.overrides);
-                let overrides = kerf_wire::Overrides { feed_percent: *percent, ..overrides };
+                let overrides = Overrides { feed_percent: *percent, ..overrides };
                 self.shared.hub.change(vec![Change::Overrides { overrides }]);
                 return;
             }

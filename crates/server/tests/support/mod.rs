@@ -5,9 +5,11 @@
 pub mod board;
 pub mod hand;
 pub mod rough;
+mod wired;
 
 use kerf_control::Session;
 use kerf_drawing::{Editor, script};
+use kerf_driver_grbl::fake::Fake;
 use kerf_files::{Folders, RealDisk};
 use kerf_journal::Journal;
 use kerf_program::AxisSet;
@@ -90,6 +92,8 @@ pub struct Wanted {
     pub start: Option<kerf_server::StartUp>,
     /// The start-up line.
     pub begin_with: Vec<&'static str>,
+    /// The controller that the machine hangs on, which is none.
+    pub controller: Option<Arc<Mutex<Fake>>>,
 }
 
 impl Default for Wanted {
@@ -105,6 +109,7 @@ impl Default for Wanted {
             drawing_only: false,
             start: None,
             begin_with: Vec::new(),
+            controller: None,
         }
     }
 }
@@ -152,6 +157,10 @@ pub fn start(wanted: Wanted) -> Shop {
             attach(&mut workshop);
             Ok(workshop)
         });
+    }
+    if let Some(fake) = wanted.controller {
+        let plain = builders.workshop;
+        builders.workshop = Arc::new(move || Ok(wired::attached(plain()?, fake.clone())));
     }
     let server = Server::start(options, builders).unwrap();
     if let Some((_, token)) = server.way_in().split_once("token=") {

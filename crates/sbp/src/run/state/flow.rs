@@ -84,6 +84,9 @@ pub(crate) struct Level {
     /// Lines before this index are passed over, but for settings and assignments.
     #[serde(default)]
     pub(crate) skip_to: Option<u32>,
+    /// The line of G-code that goes on when this file, which changes the tool for it, is over.
+    #[serde(default)]
+    pub(crate) goes_on: Option<At>,
     /// Tabs hold here (own or inherited), on the last repetition.
     pub(crate) tabs: bool,
     pub(crate) purpose: Purpose,

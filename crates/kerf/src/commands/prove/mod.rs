@@ -1,0 +1,110 @@
+//! The list that every machine has to hold, run against a real board on the bench; a report that can be shown to others.
+
+mod bench;
+mod outcome;
+mod own;
+
+use crate::exit::Exit;
+use crate::machine_name::DriverName;
+use crate::out;
+use anyhow::{Context, Result};
+use bench::OnBench;
+use kerf_machine::Machine;
+use kerf_machine::conformance::{self, Bench, CASES};
+use kerf_machine::driver::Facts;
+use outcome::Outcome;
+use own::{OWN, homes};
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
+
+/// Runs the list and writes the report; the board goes home first where that is wanted.
+pub fn prove(name: &DriverName, report: &Path, home: bool) -> Result<Exit> {
+    let facts = OnBench::as_it_stands(name)?.connection.facts().clone();
+    let mut told = Report::of(name, &facts);
+    told.takes("it goes home", || homes(name, home));
+    told.takes_list(
+        || OnBench::open(name),
+        |bench| {
+            bench.connection.close(false, || false);
+            bench.lacks
+        },
+    );
+    for case in OWN {
+        told.takes(case.name, || (case.check)(name));
+    }
+    told.write(report)?;
+    Ok(if told.fails { Exit::Failed } else { Exit::Good })
+}
+
+/// The report so far.
+pub struct Report {
+    pub text: String,
+    /// A case did not hold.
+    pub fails: bool,
+}
+
+impl Report {
+    /// A report that tells who a board is.
+    pub fn of(name: &DriverName, facts: &Facts) -> Self {
+        Self { text: head(name, facts), fails: false }
+    }
+
+    /// Runs the list of every machine, each case on a board that is opened for it. What takes something that nobody does on
+    /// a bench is not tried: `close` tells what that was.
+    pub fn takes_list<B: Bench>(
+        &mut self,
+        open: impl Fn() -> Result<B>,
+        close: impl Fn(&mut B) -> Option<&'static str>,
+    ) {
+        for case in CASES {
+            self.takes(case.name, || {
+                let mut bench = open()?;
+                let ended = case.run(&mut bench);
+                Ok(match (ended, close(&mut bench)) {
+                    (Ok(conformance::Outcome::Held), Some(lacks)) => {
+                        Outcome::NotTried(lacks.into())
+                    }
+                    (Ok(conformance::Outcome::Held), None) => Outcome::Held(String::new()),
+                    (Ok(conformance::Outcome::Failed(fault)), _) => Outcome::NotHeld(fault.message),
+                    (Err(why), _) => Outcome::Wrong(why),
+                })
+            });
+        }
+    }
+
+    /// Writes the report, and tells where.
+    pub fn write(&self, report: &Path) -> Result<()> {
+        std::fs::write(report, &self.text)
+            .with_context(|| format!("cannot write {}", report.display()))?;
+        eprintln!("kerf: the report is in {}", report.display());
+        Ok(())
+    }
+
+    /// Runs a case and tells how it ended.
+    fn takes(&mut self, case: &str, run: impl FnOnce() -> Result<Outcome>) {
+        let begin = Instant::now();
+        let outcome = run().unwrap_or_else(|why| Outcome::NotHeld(why.to_string()));
+        self.fails |= outcome.fails();
+        let seconds = begin.elapsed().as_secs_f64();
+        out::print(&format!("{case}: {outcome}\n"));
+        // Writing to a string cannot fail.
+        let _ = writeln!(self.text, "| {case} | {outcome} | {seconds:.1} |");
+    }
+}
+
+fn head(name: &DriverName, facts: &Facts) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    let mut text = format!("# {} on {name}\n\nKerf {version}.\n\n", facts.name);
+    let _ = writeln!(text, "- axes: {}", facts.axes);
+    for (letter, axis) in "XYZABC".chars().zip(0..facts.axes) {
+        let speed = facts.speed_mm_s[axis].map_or("unknown".into(), |v| format!("{v:.1} mm/s"));
+        let travel = facts.travel_mm[axis];
+        let travel = travel.map_or("not checked".into(), |(a, b)| format!("{a} to {b} mm"));
+        let _ = writeln!(text, "- {letter}: at most {speed}, travel {travel}");
+    }
+    let outputs: Vec<_> = (1..=32).filter(|n| facts.outputs >> (n - 1) & 1 == 1).collect();
+    let _ = writeln!(text, "- outputs: {outputs:?}");
+    let _ = writeln!(text, "- probe: {}, homes: {}", facts.probe.is_some(), facts.homes);
+    text + "\n| what has to hold | outcome | seconds |\n|---|---|---|\n"
+}

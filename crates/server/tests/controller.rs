@@ -1,0 +1,74 @@
+//! A machine on a controller: what is done at its own controls is told to pages.
+
+use crate::support::{Page, Shop, Wanted, start};
+use kerf_driver_grbl::fake::Fake;
+use kerf_program::Axes;
+use std::sync::{Arc, Mutex};
+
+/// A long cut on a controller of which somebody is at the controls.
+fn cutting() -> (Shop, Arc<Mutex<Fake>>, Page) {
+    let mut fake = Fake::default();
+    fake.offsets.systems[0] = Axes::xyz(10.0, 20.0, -5.0);
+    let fake = Arc::new(Mutex::new(fake));
+    let files = vec![("long.sbp", "MS,1\nMX,30\n")];
+    let shop = start(Wanted { files, controller: Some(fake.clone()), ..Wanted::default() });
+    let mut page = shop.driver();
+    page.open_file("long.sbp");
+    assert_eq!(page.run(), None);
+    page.until("it moves", |_| fake.lock().unwrap().position().0[0] > 2.0);
+    (shop, fake, page)
+}
+
+#[test]
+fn what_a_machine_waits_for_at_its_own_controls_is_told_to_pages() {
+    let (_shop, fake, mut page) = cutting();
+    let hold = |byte: &[u8]| fake.lock().unwrap().hear(byte, 0.0);
+    let says = |page: &Page, words: &str| {
+        page.shown["machine"]["why"].as_str().unwrap_or("").contains(words)
+    };
+    assert!(page.shown["machine"]["why"].is_null());
+    hold(b"!");
+    page.until("the hold is told", |page| says(page, "it is held: its own button"));
+    assert_eq!(page.shown["machine"]["state"], "running");
+    hold(b"~");
+    page.until("it goes on", |page| page.shown["machine"]["why"].is_null());
+    fake.lock().unwrap().pins("D");
+    page.until("the door is told", |page| says(page, "its door is open"));
+    fake.lock().unwrap().pins("");
+    page.until("the door is closed", |page| says(page, "its door was open"));
+    fake.lock().unwrap().cycle_start();
+    page.until("it goes on", |page| page.shown["machine"]["why"].is_null());
+}
+
+#[test]
+fn overrides_that_somebody_turns_at_a_controller_are_shown() {
+    let (_shop, fake, mut page) = cutting();
+    // A pendant: feed 20 % less, rapids 50 %, spindle 10 % more.
+    fake.lock().unwrap().hear(&[0x92, 0x92, 0x96, 0x9A], 0.0);
+    let turned = |page: &Page, what: &str, percent: f64| {
+        page.shown["overrides"][what].as_f64() == Some(percent)
+    };
+    page.until("the feed is told", |page| turned(page, "feedPercent", 80.0));
+    page.until("rapids are told", |page| turned(page, "rapidPercent", 50.0));
+    page.until("the spindle is told", |page| turned(page, "spindlePercent", 110.0));
+    let Fake { override_percent, rapid_percent, spindle_percent, .. } = *fake.lock().unwrap();
+    let holds = [override_percent, rapid_percent, spindle_percent];
+    assert_eq!(holds, [80, 50, 110], "it is not turned back");
+}
+
+#[test]
+fn zero_points_of_a_controller_are_shown_and_seen_to_change() {
+    let fake = Arc::new(Mutex::new(Fake::default()));
+    fake.lock().unwrap().offsets.systems[0] = Axes::xyz(10.0, 20.0, -5.0);
+    let shop = start(Wanted { controller: Some(fake.clone()), ..Wanted::default() });
+    let mut page = shop.page();
+    let x = |page: &Page, name: &str| {
+        let zeros = page.shown["zeros"].as_array().cloned().unwrap_or_default();
+        zeros.iter().find(|zero| zero["name"] == name).and_then(|zero| zero["at"][0].as_f64())
+    };
+    page.until("it is told", |page| x(page, "G54") == Some(10.0));
+    assert_eq!(x(&page, "G59.3"), Some(0.0));
+    // Somebody at a pendant.
+    fake.lock().unwrap().hear(b"G10L2P1X33Y0Z0\n", 0.0);
+    page.until("it is seen", |page| x(page, "G54") == Some(33.0));
+}
