@@ -126,14 +126,17 @@ function Changes() {
       <h3 className="settings-head">Changes</h3>
       {changes.length === 0 && <p className="settings-words">Nothing was changed so far.</p>}
       <ol className="settings-changes">
-        {shown.map(({ at, key, from, to, by }, n) => (
+        {shown.map(({ at, key, from, to, by, through }, n) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same setting may change twice in a second
           <li key={n}>
             <time dateTime={new Date(at * 1000).toISOString()}>
               {new Date(at * 1000).toLocaleString()}
             </time>{" "}
             <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
-            <span className="settings-words">by {by || "this machine"}</span>
+            <span className="settings-words">
+              by {by || "this machine"}
+              {through && `, with ${through}`}
+            </span>
             <Button
               size="small"
               look="quiet"
