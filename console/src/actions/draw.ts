@@ -2,13 +2,14 @@
 
 import { tools } from "../draw/tools/catalog";
 import type { Op } from "../wire/messages";
+import { t } from "../words/words";
 import type { Action, World } from "./action";
 import { ask } from "./ask";
 
 const toolActions = tools.map(
   ({ id, title }): Action => ({
     id: `draw.${id}`,
-    title: `Draw: ${title}`,
+    title: t("Draw: {0}", title),
     section: "draw",
     run: ({ screen }) => screen.takeTool(id),
   }),
@@ -17,11 +18,11 @@ const toolActions = tools.map(
 /** Works on the drawing where it is in sight. */
 const onDrawing = (id: string, title: string, op: Op, keys: readonly string[]): Action => ({
   id: `draw.${id}`,
-  title: `Drawing: ${title}`,
+  title: t("Drawing: {0}", title),
   section: "draw",
   keys,
   refused: ({ screen }) =>
-    screen.get().route === "/draw" ? undefined : "The drawing is not in sight.",
+    screen.get().route === "/draw" ? undefined : t("The drawing is not in sight."),
   run: (world) => void ask(world, { do: "draw", op }),
 });
 
@@ -31,7 +32,7 @@ export const isUnsaved = ({ shown }: World): boolean => {
   return drawing ? drawing.changed && drawing.shapes > 0 : false;
 };
 
-export const unsaved = "The drawing on the sheet has changes that are not saved: they are lost.";
+export const unsaved = t("The drawing on the sheet has changes that are not saved: they are lost.");
 
 const begin = onDrawing("drop", "drop it and begin a new one", { op: "new" }, []);
 const drop: Action = { ...begin, warns: () => unsaved };
@@ -40,7 +41,7 @@ const drop: Action = { ...begin, warns: () => unsaved };
 export const beginDrawing: Action = {
   ...begin,
   id: "draw.new",
-  title: "Drawing: begin a new one",
+  title: t("Drawing: begin a new one"),
   run: (world) => {
     if (isUnsaved(world)) world.screen.open({ kind: "confirm", action: drop.id });
     else drop.run(world);

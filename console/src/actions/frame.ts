@@ -2,6 +2,7 @@
 
 import { getJson } from "../link/http";
 import type { PreviewInfo, Units } from "../wire/messages";
+import { t } from "../words/words";
 import type { Action, World } from "./action";
 import { drive } from "./ask";
 import { unlessReady } from "./machine";
@@ -28,17 +29,17 @@ export function tooLow(zMm: number, info: PreviewInfo): string | undefined {
   const top = Math.max(0, (info.bounds?.[1][2] ?? 0) - info.zero[2]);
   return zMm >= top + clearMm
     ? undefined
-    : "Raise the tool above the work first: it goes round at this height.";
+    : t("Raise the tool above the work first: it goes round at this height.");
 }
 
 /** Shows where the open file cuts, before it does. */
 export const frameJob: Action = {
   id: "job.frame",
-  title: "Frame the job: go round its bounds at this height",
+  title: t("Frame the job: go round its bounds at this height"),
   section: "job",
   refused: (world) => {
     const opened = world.shown.snapshot?.opened;
-    if (opened?.preview.state !== "ready" || opened.broken) return "No file is open that cuts.";
+    if (opened?.preview.state !== "ready" || opened.broken) return t("No file is open that cuts.");
     return unlessReady(world);
   },
   run: (world) => void frame(world),
@@ -52,7 +53,7 @@ async function frame(world: World): Promise<void> {
     const key = encodeURIComponent(snapshot.opened.preview.key);
     const info = await getJson<PreviewInfo>(`/api/preview/${key}`);
     const line = frameLines(info, snapshot.units);
-    if (line === undefined) return screen.tell("It cuts nothing.");
+    if (line === undefined) return screen.tell(t("It cuts nothing."));
     const why = tooLow(snapshot.motion.at.working[2], info);
     if (why !== undefined) return screen.tell(why);
     await drive(world, { do: "command", line });

@@ -4,13 +4,14 @@ import { type Route, routes } from "../app/routes";
 import type { Sheet } from "../app/screen";
 import { busy, filesOnly, refusal } from "../keypad/refusal";
 import { themeNames, themes } from "../theme/theme";
+import { t } from "../words/words";
 import type { Action } from "./action";
 import { drive } from "./ask";
 
 const routeActions = routes.map(
   ({ path, title }): Action => ({
     id: `go.${title.toLowerCase()}`,
-    title: `Go to ${title}`,
+    title: t("Go to {0}", title),
     section: "go",
     run: ({ screen }) => screen.go(path satisfies Route),
   }),
@@ -26,10 +27,10 @@ const sheetAction = (sheet: Sheet, title: string, keys: readonly string[]): Acti
   run: ({ screen }) => screen.open(sheet),
 });
 
-export const openFiles = sheetAction({ kind: "files" }, "Open a file", ["Ctrl+O"]);
+export const openFiles = sheetAction({ kind: "files" }, t("Open a file"), ["Ctrl+O"]);
 /** The keypad is a command (SK): every page shows it. Where it cannot open yet, its sheet says why. */
 export const openKeypad: Action = {
-  ...sheetAction({ kind: "keypad" }, "Keypad", ["k"]),
+  ...sheetAction({ kind: "keypad" }, t("Keypad"), ["k"]),
   keysTell: true,
   refused: ({ shown }) => {
     const why = refusal(shown);
@@ -40,10 +41,10 @@ export const openKeypad: Action = {
     else world.screen.open({ kind: "keypad" });
   },
 };
-export const openScratch = sheetAction({ kind: "scratch" }, "Scratch pad", ["i"]);
+export const openScratch = sheetAction({ kind: "scratch" }, t("Scratch pad"), ["i"]);
 export const openCalculator: Action = {
   id: "sheet.calculator",
-  title: "Calculator",
+  title: t("Calculator"),
   section: "go",
   keys: ["F10"],
   everywhere: true,
@@ -52,35 +53,41 @@ export const openCalculator: Action = {
 /** The hand console of the machine, with its keys on the keyboard as long as it is shown. */
 export const openHandConsole: Action = {
   id: "sheet.handConsole",
-  title: "Hand console",
+  title: t("Hand console"),
   section: "go",
   refused: ({ shown }) =>
-    shown.snapshot?.drawingOnly ? "Only drawings are worked on here." : undefined,
+    shown.snapshot?.drawingOnly ? t("Only drawings are worked on here.") : undefined,
   run: ({ screen }) => screen.showHandConsole(!screen.get().handConsole),
 };
-export const openValues = sheetAction({ kind: "values" }, "Values and variables", ["Ctrl+Shift+V"]);
-export const openNudge = sheetAction({ kind: "nudge" }, "Nudge the workpiece", ["Ctrl+Shift+N"]);
-export const openMoveTo = sheetAction({ kind: "moveTo" }, "Move the tool to a place, or home", []);
-export const openRecorder = sheetAction({ kind: "recorder" }, "Recorded commands", []);
-export const openTools = sheetAction({ kind: "tools" }, "Virtual tools", []);
-export const openInputs = sheetAction({ kind: "inputs" }, "Inputs of the simulated machine", []);
-export const openPorts = sheetAction({ kind: "ports" }, "Ports of the card: diagnostics", []);
+export const openValues = sheetAction({ kind: "values" }, t("Values and variables"), [
+  "Ctrl+Shift+V",
+]);
+export const openNudge = sheetAction({ kind: "nudge" }, t("Nudge the workpiece"), ["Ctrl+Shift+N"]);
+export const openMoveTo = sheetAction(
+  { kind: "moveTo" },
+  t("Move the tool to a place, or home"),
+  [],
+);
+export const openRecorder = sheetAction({ kind: "recorder" }, t("Recorded commands"), []);
+export const openTools = sheetAction({ kind: "tools" }, t("Virtual tools"), []);
+export const openInputs = sheetAction({ kind: "inputs" }, t("Inputs of the simulated machine"), []);
+export const openPorts = sheetAction({ kind: "ports" }, t("Ports of the card: diagnostics"), []);
 /** Inputs and outputs of the open file beside its motion. */
 export const openTiming: Action = {
-  ...sheetAction({ kind: "timing" }, "Timing chart", []),
-  refused: ({ shown }) => (shown.snapshot?.opened ? undefined : "Open a file first."),
+  ...sheetAction({ kind: "timing" }, t("Timing chart"), []),
+  refused: ({ shown }) => (shown.snapshot?.opened ? undefined : t("Open a file first.")),
 };
-export const openSetup = sheetAction({ kind: "setup" }, "Set up the machine, step by step", []);
-const openHistory = sheetAction({ kind: "history" }, "History of runs", []);
-const openToDo = sheetAction({ kind: "todo" }, "Jobs to do", []);
-const openSamples = sheetAction({ kind: "samples" }, "Sample answers of the open file", []);
-export const openMacros = sheetAction({ kind: "macros" }, "Macros: commands of one's own", []);
-export const openPalette = sheetAction({ kind: "palette" }, "Every action", ["Ctrl+K"]);
+export const openSetup = sheetAction({ kind: "setup" }, t("Set up the machine, step by step"), []);
+const openHistory = sheetAction({ kind: "history" }, t("History of runs"), []);
+const openToDo = sheetAction({ kind: "todo" }, t("Jobs to do"), []);
+const openSamples = sheetAction({ kind: "samples" }, t("Sample answers of the open file"), []);
+export const openMacros = sheetAction({ kind: "macros" }, t("Macros: commands of one's own"), []);
+export const openPalette = sheetAction({ kind: "palette" }, t("Every action"), ["Ctrl+K"]);
 
 const themeActions = themes.map(
   (theme): Action => ({
     id: `theme.${theme}`,
-    title: `Theme: ${themeNames[theme]}`,
+    title: t("Theme: {0}", themeNames[theme]),
     section: "view",
     run: ({ screen }) => screen.wear(theme),
   }),
@@ -89,13 +96,13 @@ const themeActions = themes.map(
 const faceActions: readonly Action[] = [
   {
     id: "face.easy",
-    title: "Face: EASY, buttons only",
+    title: t("Face: EASY, buttons only"),
     section: "view",
     run: ({ screen }) => screen.face("easy"),
   },
   {
     id: "face.full",
-    title: "Face: FULL, menus and command line",
+    title: t("Face: FULL, menus and command line"),
     section: "view",
     run: ({ screen }) => screen.face("full"),
   },

@@ -1,6 +1,7 @@
 /** The file that is open and the job that runs it. */
 
 import { errorsOf, mistakesText, placeOf } from "../operator/fileStatus";
+import { t } from "../words/words";
 import { type Action, attempt, type World } from "./action";
 import { ask, drive } from "./ask";
 import { unless, unlessReady, whenIdle } from "./machine";
@@ -10,10 +11,10 @@ const openedOf = ({ shown }: World) => shown.snapshot?.opened ?? undefined;
 /** Why the open file cannot be started. */
 function notPreviewed(world: World): string | undefined {
   const opened = openedOf(world);
-  if (!opened) return "Open a file first.";
+  if (!opened) return t("Open a file first.");
   switch (opened.preview.state) {
     case "working":
-      return "It is being checked: its preview is made.";
+      return t("It is being checked: its preview is made.");
     case "failed":
       return opened.preview.why;
     case "ready":
@@ -41,7 +42,9 @@ const waits = ({ shown: { snapshot } }: World): boolean =>
 
 const whenStartable = (world: World) => {
   if (!waits(world)) return whenReady(world);
-  return world.shown.snapshot?.machine.armed || arms(world) ? undefined : "Arm the machine first.";
+  return world.shown.snapshot?.machine.armed || arms(world)
+    ? undefined
+    : t("Arm the machine first.");
 };
 
 const run = (step: boolean) => async (world: World) => {
@@ -52,7 +55,7 @@ const run = (step: boolean) => async (world: World) => {
 
 export const start: Action = {
   id: "job.start",
-  title: "Start",
+  title: t("Start"),
   section: "job",
   refused: whenStartable,
   mends: showMistake,
@@ -61,7 +64,7 @@ export const start: Action = {
 
 export const singleStep: Action = {
   id: "job.step",
-  title: "Single step",
+  title: t("Single step"),
   section: "job",
   refused: whenReady,
   mends: showMistake,
@@ -71,7 +74,7 @@ export const singleStep: Action = {
 /** The Start key of jobs. Where it starts nothing it says why. */
 export const startKey: Action = {
   id: "job.startKey",
-  title: "Start the job, or go on with it",
+  title: t("Start the job, or go on with it"),
   section: "job",
   keys: ["F10"],
   where: "/job",
@@ -82,11 +85,13 @@ export const startKey: Action = {
 /** Makes the tool path of a drawing anew, though its job was changed by hand. */
 export const machineAnew: Action = {
   id: "job.anew",
-  title: "Make the tool path anew",
+  title: t("Make the tool path anew"),
   section: "job",
   refused: (world) =>
-    drawingOf(world) === null && !world.shown.snapshot?.drawing ? "No drawing is open." : undefined,
-  warns: () => "Its paths were changed by hand. Making them anew from the drawing loses that.",
+    drawingOf(world) === null && !world.shown.snapshot?.drawing
+      ? t("No drawing is open.")
+      : undefined,
+  warns: () => t("Its paths were changed by hand. Making them anew from the drawing loses that."),
   run: async (world) => {
     const act = { do: "machine", drawing: drawingOf(world), anew: true } as const;
     if (await ask(world, act)) world.screen.go("/job");
@@ -104,10 +109,13 @@ const interruptedOf = ({ shown }: World) => shown.snapshot?.interrupted ?? undef
 /** What is to be known of a run before it goes on. */
 function warnings(world: World): string {
   const interrupted = interruptedOf(world);
-  const doubt =
-    "The machine moved when Kerf ended: make sure that it is where the display says, and zero it anew if not. ";
-  return `${sentence(interrupted?.text ?? "")} ${interrupted?.moved ? doubt : ""}\
-Before the tool goes back and anything turns you are asked once more.`;
+  const doubt = t(
+    "The machine moved when Kerf ended: make sure that it is where the display says, and zero it anew if not.",
+  );
+  const once = t("Before the tool goes back and anything turns you are asked once more.");
+  return [sentence(interrupted?.text ?? ""), interrupted?.moved ? doubt : "", once]
+    .filter((words) => words !== "")
+    .join(" ");
 }
 
 const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
@@ -115,25 +123,25 @@ const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${tex
 /** Goes on with a run that was cut short: by a stop, a killed program, a power cut. */
 export const takeUp: Action = {
   id: "job.takeUp",
-  title: "Take up the run",
+  title: t("Take up the run"),
   section: "job",
-  refused: (world) => (interruptedOf(world) ? unlessReady(world) : "No run was cut short."),
+  refused: (world) => (interruptedOf(world) ? unlessReady(world) : t("No run was cut short.")),
   warns: warnings,
   run: (world) => void drive(world, { do: "takeUp" }),
 };
 
 export const closeFile: Action = {
   id: "job.close",
-  title: "Close the file",
+  title: t("Close the file"),
   section: "file",
   refused: (world) =>
-    openedOf(world) ? unless(["idle", "alarm"], "It is running.")(world) : "No file is open.",
+    openedOf(world) ? unless(["idle", "alarm"], t("It is running."))(world) : t("No file is open."),
   run: (world) => void ask(world, { do: "close" }),
 };
 
 export const clearPrinted: Action = {
   id: "job.clearPrinted",
-  title: "Empty the print window",
+  title: t("Empty the print window"),
   section: "job",
   run: (world) => void ask(world, { do: "clearPrinted" }),
 };

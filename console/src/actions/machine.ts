@@ -2,6 +2,7 @@
 
 import { leaseOf } from "../link/shown";
 import type { Snapshot, State } from "../wire/messages";
+import { t } from "../words/words";
 import type { Action, World } from "./action";
 import { ask, drive } from "./ask";
 
@@ -11,23 +12,23 @@ const machineOf = ({ shown }: World) => shown.snapshot?.machine;
 export function unless(states: readonly State[], words: string) {
   return (world: World): string | undefined => {
     const machine = machineOf(world);
-    if (world.shown.status !== "open" || !machine) return "There is no link to the machine.";
+    if (world.shown.status !== "open" || !machine) return t("There is no link to the machine.");
     return states.includes(machine.state) ? undefined : words;
   };
 }
 
-export const whenIdle = unless(["idle"], "The machine is busy.");
-const whenStanding = unless(["idle", "held", "stopped", "asking"], "The machine is busy.");
+export const whenIdle = unless(["idle"], t("The machine is busy."));
+const whenStanding = unless(["idle", "held", "stopped", "asking"], t("The machine is busy."));
 
 /** Refused unless the machine stands, armed. */
 export function unlessReady(world: World): string | undefined {
-  return whenIdle(world) ?? (machineOf(world)?.armed ? undefined : "Arm the machine first.");
+  return whenIdle(world) ?? (machineOf(world)?.armed ? undefined : t("Arm the machine first."));
 }
 
 /** Never refused: a press of STOP is sent whatever the page believes. */
 export const stop: Action = {
   id: "machine.stop",
-  title: "Stop",
+  title: t("Stop"),
   section: "machine",
   run: (world) => void ask(world, { do: "stop" }),
 };
@@ -36,7 +37,7 @@ export const stop: Action = {
 export const spaceBar: Action = {
   ...stop,
   id: "machine.space",
-  title: "Stop; in preview the large picture, and back",
+  title: t("Stop; in preview the large picture, and back"),
   keys: ["Space"],
   run: (world) => {
     stop.run(world);
@@ -50,7 +51,7 @@ export const spaceBar: Action = {
 /** Home as switches tell it: by Kerf's own search, or by that of the controller. */
 export const findHome: Action = {
   id: "machine.findHome",
-  title: "Find the machine's home by its switches",
+  title: t("Find the machine's home by its switches"),
   section: "machine",
   refused: unlessReady,
   run: (world) => void drive(world, { do: "go", way: { to: "findHome", axes: null } }),
@@ -58,61 +59,62 @@ export const findHome: Action = {
 
 export const hold: Action = {
   id: "machine.hold",
-  title: "Hold",
+  title: t("Hold"),
   section: "machine",
   keys: ["Ctrl+H"],
-  refused: unless(["running", "jogging"], "Nothing moves."),
+  refused: unless(["running", "jogging"], t("Nothing moves.")),
   run: (world) => void ask(world, { do: "hold" }),
 };
 
 export const resume: Action = {
   id: "machine.resume",
-  title: "Resume",
+  title: t("Resume"),
   section: "machine",
-  refused: unless(["held"], "Nothing is held."),
+  refused: unless(["held"], t("Nothing is held.")),
   run: (world) => void drive(world, { do: "resume" }),
 };
 
 export const arm: Action = {
   id: "machine.arm",
-  title: "Arm the machine",
+  title: t("Arm the machine"),
   section: "machine",
   // A page that was loaded again while a job stands arms the machine to go on.
-  refused: (world) => whenStanding(world) ?? (machineOf(world)?.armed ? "It is armed." : undefined),
+  refused: (world) =>
+    whenStanding(world) ?? (machineOf(world)?.armed ? t("It is armed.") : undefined),
   run: (world) => void drive(world, { do: "arm" }),
 };
 
 export const disarm: Action = {
   id: "machine.disarm",
-  title: "Disarm the machine",
+  title: t("Disarm the machine"),
   section: "machine",
-  refused: (world) => (machineOf(world)?.armed ? undefined : "It is not armed."),
+  refused: (world) => (machineOf(world)?.armed ? undefined : t("It is not armed.")),
   run: (world) => void ask(world, { do: "disarm" }),
 };
 
 export const acknowledge: Action = {
   id: "machine.acknowledge",
-  title: "Acknowledge the alarm",
+  title: t("Acknowledge the alarm"),
   section: "machine",
-  refused: unless(["alarm"], "There is no alarm."),
+  refused: unless(["alarm"], t("There is no alarm.")),
   run: (world) => void ask(world, { do: "acknowledge" }),
 };
 
 export const takeControl: Action = {
   id: "machine.take",
-  title: "Take control",
+  title: t("Take control"),
   section: "machine",
   refused: ({ shown }) =>
-    shown.snapshot?.lease?.client === shown.who?.client ? "You drive already." : undefined,
+    shown.snapshot?.lease?.client === shown.who?.client ? t("You drive already.") : undefined,
   run: (world) => void ask(world, { do: "takeLease", force: true }),
 };
 
 /** Lets another page, or a program beside Kerf, drive. */
 export const giveControl: Action = {
   id: "machine.give",
-  title: "Give up control",
+  title: t("Give up control"),
   section: "machine",
-  refused: ({ shown }) => (leaseOf(shown) === undefined ? "You do not drive." : undefined),
+  refused: ({ shown }) => (leaseOf(shown) === undefined ? t("You do not drive.") : undefined),
   run: (world) => {
     const lease = leaseOf(world.shown);
     if (lease !== undefined) void ask(world, { do: "giveLease", lease });
@@ -130,30 +132,30 @@ export function command(id: string, title: string, line: string): Action {
   };
 }
 
-export const preview = command("machine.preview", "Preview mode: files are only drawn", "SP");
-export const moveMode = command("machine.move", "Move mode: files are cut", "SM");
-export const clearPreview = command("machine.clear", "Clear the preview", "SP");
+export const preview = command("machine.preview", t("Preview mode: files are only drawn"), "SP");
+export const moveMode = command("machine.move", t("Move mode: files are cut"), "SM");
+export const clearPreview = command("machine.clear", t("Clear the preview"), "SP");
 const zero = (id: string, title: string, line: string): Action => ({
   ...command(id, title, line),
-  warns: () => "The place where the tool is becomes the new zero.",
+  warns: () => t("The place where the tool is becomes the new zero."),
 });
 
-export const zeroXY = zero("machine.zero.xy", "Zero X and Y", "Z2");
+export const zeroXY = zero("machine.zero.xy", t("Zero X and Y"), "Z2");
 /** The zero of the work, which is not the home of the machine. */
-export const home = command("machine.home", "Go to work zero", "JH");
+export const home = command("machine.home", t("Go to work zero"), "JH");
 
 /** Zeroing of each axis, X to B. */
 export const zeroAxis: readonly Action[] = ["X", "Y", "Z", "A", "B"].map((letter) =>
-  zero(`machine.zero.${letter.toLowerCase()}`, `Zero ${letter}`, `Z${letter}`),
+  zero(`machine.zero.${letter.toLowerCase()}`, t("Zero {0}", letter), `Z${letter}`),
 );
 
 /** Switches an output the other way (SO). The first two are those that start something that turns. */
 const switchOutput = (n: number): Action => ({
   id: `machine.output.${n}`,
-  title: `Switch output ${n}`,
+  title: t("Switch output {0}", n),
   section: "machine",
   refused: unlessReady,
-  warns: () => `Output ${n} may start what turns or moves. Is everybody clear of it?`,
+  warns: () => t("Output {0} may start what turns or moves. Is everybody clear of it?", n),
   run: (world) => {
     const on = world.shown.snapshot?.io.outputs.find(({ number }) => number === n)?.on;
     void drive(world, { do: "command", line: `SO,${n},${on ? 0 : 1}` });

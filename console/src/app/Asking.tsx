@@ -6,12 +6,13 @@ import { QuestionDialog } from "../operator/QuestionDialog";
 import { StoppedDialog } from "../operator/StoppedDialog";
 import { WaitingDialog } from "../operator/WaitingDialog";
 import type { Asked } from "../wire/messages";
+import { t } from "../words/words";
 import { useHands, worldOf } from "./context";
 
 /** The question of a job in its own shape. */
 export function Asking({ asked }: { asked: Asked }) {
   const hands = useHands();
-  const usual = asked.buttons[asked.default] ?? "OK";
+  const usual = asked.buttons[asked.default] ?? t("OK");
   const answer = () =>
     void ask(worldOf(hands), { do: "answer", question: asked.number, answer: usual });
   switch (asked.kind) {

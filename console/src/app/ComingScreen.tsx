@@ -1,3 +1,4 @@
+import { t } from "../words/words";
 import { type Route, routes } from "./routes";
 
 /** A screen that is not there yet. */
@@ -6,7 +7,7 @@ export function ComingScreen({ route }: { route: Route }) {
   return (
     <div className="coming">
       <h1>{title}</h1>
-      <p>This screen is not part of this version yet.</p>
+      <p>{t("This screen is not part of this version yet.")}</p>
     </div>
   );
 }

@@ -1,4 +1,5 @@
 import { useEffect, useState } from "react";
+import { t } from "../words/words";
 import { useHands } from "./context";
 import "./drop-files.css";
 
@@ -33,5 +34,7 @@ export function DropFiles() {
       removeEventListener("drop", drops);
     };
   }, [screen]);
-  return over && <p className="drop-files">Let go: the files are sent into the part folder.</p>;
+  return (
+    over && <p className="drop-files">{t("Let go: the files are sent into the part folder.")}</p>
+  );
 }

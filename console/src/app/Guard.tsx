@@ -1,5 +1,6 @@
 import { Component, type ReactNode } from "react";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import "./guard.css";
 
 interface Guarded {
@@ -40,10 +41,11 @@ export class Guard extends Component<Guarded, Failing> {
 function Failed({ why }: { why: string }) {
   return (
     <section className="failed" role="alert">
-      <h2>This part of the page failed</h2>
+      <h2>{t("This part of the page failed")}</h2>
       <p>
-        The machine does not notice: what runs goes on, and STOP stops it. Loading the page again
-        usually helps, most of all after Kerf was updated.
+        {t(
+          "The machine does not notice: what runs goes on, and STOP stops it. Loading the page again usually helps, most of all after Kerf was updated.",
+        )}
       </p>
       <Button look="primary" onPress={() => location.reload()}>
         Load the page again

@@ -1,6 +1,7 @@
 import { giveControl, takeControl } from "../actions/machine";
 import { leaseOf } from "../link/shown";
 import { ActionButton } from "../ui/ActionButton";
+import { t } from "../words/words";
 import { useShown } from "./context";
 import "./lease-chip.css";
 
@@ -12,7 +13,7 @@ export function LeaseChip() {
   if (!lease || (drives && alone)) return null;
   return (
     <div className="lease">
-      <span>{drives ? "You drive" : `Driven by ${lease.device || "another page"}`}</span>
+      <span>{drives ? t("You drive") : t("Driven by {0}", lease.device || t("another page"))}</span>
       <ActionButton action={drives ? giveControl : takeControl} size="small" />
     </div>
   );

@@ -1,3 +1,4 @@
+import { t } from "../words/words";
 import { useShown } from "./context";
 import "./lost-link.css";
 
@@ -7,8 +8,10 @@ export function LostLink() {
   if (status !== "lost") return null;
   return (
     <div className="lost-link" role="alert">
-      <strong>No link to the machine.</strong> What is shown is old. A job goes on without this
-      page; use the stop button at the machine.
+      <strong>{t("No link to the machine.")}</strong>{" "}
+      {t(
+        "What is shown is old. A job goes on without this page; use the stop button at the machine.",
+      )}
     </div>
   );
 }

@@ -1,15 +1,16 @@
 import { attempt } from "../actions/action";
 import { moveMode, preview } from "../actions/machine";
 import type { Mode } from "../wire/messages";
+import { t } from "../words/words";
 import { useHands, useShown, worldOf } from "./context";
 import "./mode-chip.css";
 
 const words: Record<Mode, string> = { preview: "PREVIEW", simulated: "SIMULATED", cut: "CUT" };
 
 const meaning: Record<Mode, string> = {
-  preview: "Files are only drawn; nothing moves.",
-  simulated: "The machine is simulated; nothing real moves.",
-  cut: "A real machine moves.",
+  preview: t("Files are only drawn; nothing moves."),
+  simulated: t("The machine is simulated; nothing real moves."),
+  cut: t("A real machine moves."),
 };
 
 /** What running a file means: told by word, colour and pattern. A press changes between preview and cut. */
@@ -23,7 +24,7 @@ export function ModeChip() {
     <button
       type="button"
       className={`mode mode-${mode}`}
-      title={`${meaning[mode]} It is ${name}. A press changes to: ${other.title}.`}
+      title={t("{0} It is {1}. A press changes to: {2}.", meaning[mode], name, other.title)}
       onClick={() => attempt(other, worldOf(hands))}
     >
       <span className="mode-pattern" aria-hidden="true" />

@@ -10,7 +10,7 @@ export function Navigation() {
   const drawingOnly = useSnapshot("drawingOnly") ?? false;
   const here = shownIn(useScreen("route"), drawingOnly);
   return (
-    <nav className="nav" aria-label="Screens">
+    <nav className="nav" aria-label={t("Screens")}>
       <img className="nav-mark" src="/kerf.svg" alt="Kerf" width="28" height="28" />
       {routes
         .filter(({ path }) => shownIn(path, drawingOnly) === path)

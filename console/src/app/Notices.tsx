@@ -13,7 +13,7 @@ export function Notices() {
     <div className="notices" role="status" aria-live="polite">
       <Waits />
       {notices.map(({ id, text }) => (
-        <div className="notice" key={id}>
+        <div className="notice card" key={id}>
           <p className="notice-words">{words(text)}</p>
           <Button look="quiet" size="small" onPress={() => screen.dismiss(id)}>
             Dismiss

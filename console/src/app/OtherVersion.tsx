@@ -1,5 +1,6 @@
 import { version } from "../link/version";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import "./guard.css";
 
 /**
@@ -9,10 +10,13 @@ import "./guard.css";
 export function OtherVersion({ kerf }: { kerf: string }) {
   return (
     <section className="failed" role="alert">
-      <h2>Kerf was changed: reload this page</h2>
+      <h2>{t("Kerf was changed: reload this page")}</h2>
       <p>
-        This page is of Kerf {version}, and the machine is driven by Kerf {kerf}. STOP, Hold and
-        Disarm work; nothing else does until the page is loaded again. A job goes on meanwhile.
+        {t(
+          "This page is of Kerf {0}, and the machine is driven by Kerf {1}. STOP, Hold and Disarm work; nothing else does until the page is loaded again. A job goes on meanwhile.",
+          version,
+          kerf,
+        )}
       </p>
       <Button look="primary" onPress={() => location.reload()}>
         Reload

@@ -3,6 +3,7 @@ import { postJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { phrase, t } from "../words/words";
 import { useShown } from "./context";
 import "./pair-screen.css";
 
@@ -32,7 +33,7 @@ export function PairScreen() {
         <Button
           look="primary"
           size="large"
-          refused={ready ? undefined : "Enter the code and a name first."}
+          refused={ready ? undefined : t("Enter the code and a name first.")}
           onPress={() => void pair()}
         >
           Pair
@@ -40,8 +41,10 @@ export function PairScreen() {
       }
     >
       <p className="tool-words">
-        At the machine, open Settings and let a device in: it shows a code. Enter it here. On the
-        computer of the machine itself, open the address that <code>kerf serve</code> printed.
+        {phrase(
+          "At the machine, open Settings and let a device in: it shows a code. Enter it here. On the computer of the machine itself, open the address that {0} printed.",
+          <code>kerf serve</code>,
+        )}
       </p>
       <form
         className="pair-fields"

@@ -1,5 +1,6 @@
 import { useEffect, useRef } from "react";
 import { soundAddress } from "../link/http";
+import { t } from "../words/words";
 import { useHands, useSnapshot } from "./context";
 
 /** Plays what a program plays (PLAY), each sound once; what was played before this page came stays unheard. */
@@ -16,7 +17,9 @@ export function Sounds() {
     player.current.src = soundAddress(sound.name);
     player.current.play().catch((error: unknown) => {
       if (error instanceof DOMException && error.name === "NotAllowedError") {
-        screen.tell("A sound was played. This browser lets it be heard after a click on the page.");
+        screen.tell(
+          t("A sound was played. This browser lets it be heard after a click on the page."),
+        );
       }
     });
   }, [sound, screen]);

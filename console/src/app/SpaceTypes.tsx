@@ -1,4 +1,5 @@
 import { useSyncExternalStore } from "react";
+import { t } from "../words/words";
 import { takesText } from "./typing";
 
 const listen = (changed: () => void) => {
@@ -19,8 +20,11 @@ export function SpaceTypes() {
   const typing = useSyncExternalStore(listen, isTyping);
   if (!typing) return null;
   return (
-    <p className="space-types" title="Space types here: press Escape first, then Space is STOP">
-      Space types: Esc first
+    <p
+      className="space-types"
+      title={t("Space types here: press Escape first, then Space is STOP")}
+    >
+      {t("Space types: Esc first")}
     </p>
   );
 }

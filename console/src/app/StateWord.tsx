@@ -6,19 +6,19 @@ import { useWords } from "./useWords";
 
 const words: Record<State, string> = {
   idle: "Idle",
-  running: "Running",
-  jogging: "Jogging",
-  held: "Held",
-  asking: "Waiting for an answer",
-  stopped: "Stopped",
-  alarm: "Alarm",
+  running: t("Running"),
+  jogging: t("Jogging"),
+  held: t("Held"),
+  asking: t("Waiting for an answer"),
+  stopped: t("Stopped"),
+  alarm: t("Alarm"),
 };
 
 /** What stands open is no question to everybody. */
 const openWords: Record<string, string> = {
-  keypad: "Keypad",
-  step: "Line by line",
-  editor: "Editor",
+  keypad: t("Keypad"),
+  step: t("Line by line"),
+  editor: t("Editor"),
 };
 
 /** What the machine is doing, and why it does not move. */
@@ -27,13 +27,13 @@ export function StateWord() {
   const machine = useShown((shown) => shown.snapshot?.machine);
   const asked = useShown((shown) => shown.snapshot?.asked);
   const forbidden = useShown((shown) => shown.snapshot?.io.forbidden);
-  if (status !== "open" || !machine) return <Word tone="lost" word="No link" />;
+  if (status !== "open" || !machine) return <Word tone="lost" word={t("No link")} />;
   const { tone, word } = wordOf(machine, asked, Boolean(forbidden));
   return <Word tone={tone} word={word} why={word === pressed ? forbidden : machine.why} />;
 }
 
 /** The words of a strip on which a pressed stop forbids motion. */
-const pressed = "Stop pressed";
+const pressed = t("Stop pressed");
 
 /** The word for what the machine is doing, and its tone. */
 function wordOf({ state, armed }: Machine, asked: Asked | null | undefined, forbidden: boolean) {
@@ -42,9 +42,9 @@ function wordOf({ state, armed }: Machine, asked: Asked | null | undefined, forb
   const open = state === "asking" && asked ? openWords[asked.kind] : undefined;
   if (open) return { tone: "asking", word: open };
   // A job that waits was not stopped for good: it goes on when it is told to.
-  if (state === "stopped" && asked?.kind === "paused") return { tone: "held", word: "Paused" };
-  if (state === "idle" && !armed) return { tone: "disarmed", word: "Disarmed" };
-  return { tone: state, word: state === "idle" ? "Ready" : words[state] };
+  if (state === "stopped" && asked?.kind === "paused") return { tone: "held", word: t("Paused") };
+  if (state === "idle" && !armed) return { tone: "disarmed", word: t("Disarmed") };
+  return { tone: state, word: state === "idle" ? t("Ready") : words[state] };
 }
 
 interface WordProps {

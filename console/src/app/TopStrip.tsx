@@ -2,6 +2,7 @@ import { disarm, hold } from "../actions/machine";
 import { otherVersion } from "../link/version";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import { ArmButton } from "./ArmButton";
 import { useShown, useSnapshot } from "./context";
 import { Guard } from "./Guard";
@@ -49,12 +50,12 @@ function WholeStrip() {
       <Guard instead={<LoadAgain />}>
         <Navigation />
         {drawingOnly ? (
-          <p className="strip-words">Drawings only: the machine is left alone</p>
+          <p className="strip-words">{t("Drawings only: the machine is left alone")}</p>
         ) : (
           <>
             <ModeChip />
             <StateWord />
-            {staysOn && <p className="strip-words">Outputs stay on after STOP</p>}
+            {staysOn && <p className="strip-words">{t("Outputs stay on after STOP")}</p>}
             <ArmButton />
           </>
         )}

@@ -7,7 +7,7 @@ export function Waits() {
   const waitsFor = useShown((shown) => shown.waitsFor);
   if (waitsFor === null) return null;
   return (
-    <div className="notice" role="status">
+    <div className="notice card" role="status">
       <p className="notice-words">{waitsFor}</p>
       <Button size="small" onPress={() => void link.ask({ do: "giveUp" })}>
         Give up

@@ -1,6 +1,7 @@
 /** Notifications of the browser: somebody is needed, a run is done or has failed. */
 
 import type { Snapshot } from "../wire/messages";
+import { t } from "../words/words";
 
 const key = "kerf.notify";
 
@@ -25,10 +26,11 @@ type Told = Pick<Snapshot, "job" | "asked">;
 /** Tells in a sentence the change for which somebody is called; nothing where there is none. */
 export function newsOf(before: Told, { job, asked }: Told): string | undefined {
   if (!job || job.command !== null || job.file === "") return undefined;
-  if (asked && asked.number !== before.asked?.number) return `${job.file} needs you: ${asked.text}`;
+  if (asked && asked.number !== before.asked?.number)
+    return t("{0} needs you: {1}", job.file, asked.text);
   const over = before.job?.run === job.run && before.job.ended !== null;
   if (job.ended === null || over) return undefined;
   return job.ended === "ok" || job.ended === "ended"
-    ? `${job.file} is done`
-    : `${job.file} failed: ${job.ended}`;
+    ? t("{0} is done", job.file)
+    : t("{0} failed: {1}", job.file, job.ended);
 }

@@ -1,12 +1,14 @@
 /** The screens of the console and their addresses. */
 
+import { t } from "../words/words";
+
 export const routes = [
-  { path: "/", title: "Operate" },
-  { path: "/job", title: "Job" },
-  { path: "/edit", title: "Edit" },
-  { path: "/draw", title: "Draw" },
-  { path: "/settings", title: "Settings" },
-  { path: "/help", title: "Help" },
+  { path: "/", title: t("Operate") },
+  { path: "/job", title: t("Job") },
+  { path: "/edit", title: t("Edit") },
+  { path: "/draw", title: t("Draw") },
+  { path: "/settings", title: t("Settings") },
+  { path: "/help", title: t("Help") },
 ] as const;
 
 export type Route = (typeof routes)[number]["path"];

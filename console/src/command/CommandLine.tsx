@@ -5,6 +5,7 @@ import { useHands, worldOf } from "../app/context";
 import { SheetsAppearChoice } from "../settings/SheetsAppearChoice";
 import { Button } from "../ui/Button";
 import type { CommandEntry } from "../wire/messages";
+import { t } from "../words/words";
 import "./command-line.css";
 import { execute } from "./execute";
 import {
@@ -83,7 +84,7 @@ export function CommandLine() {
           setOptions(true);
         }}
       >
-        <span className="hidden-text">Command line</span>
+        <span className="hidden-text">{t("Command line")}</span>
         <span aria-hidden="true" className="command-prompt">
           ›
         </span>
@@ -91,7 +92,7 @@ export function CommandLine() {
           ref={input}
           data-takes="more"
           value={state.text}
-          placeholder="Command, such as MX,2"
+          placeholder={t("Command, such as MX,2")}
           autoComplete="off"
           autoCapitalize="characters"
           spellCheck={false}
@@ -107,7 +108,7 @@ export function CommandLine() {
 function FillInOptions({ onClose }: { onClose: () => void }) {
   return (
     <div className="hint">
-      <span>Fill-in sheets appear</span>
+      <span>{t("Fill-in sheets appear")}</span>
       <SheetsAppearChoice />
       <Button size="small" onPress={onClose}>
         Done

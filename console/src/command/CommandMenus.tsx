@@ -2,6 +2,7 @@ import { Menu, MenuItem, MenuTrigger, Popover } from "react-aria-components";
 import { useHands, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import type { CommandEntry } from "../wire/messages";
+import { t } from "../words/words";
 import "./command-menus.css";
 import { execute } from "./execute";
 import { inMenu, menus, useCommands } from "./table";
@@ -10,7 +11,7 @@ import { inMenu, menus, useCommands } from "./table";
 export function CommandMenus() {
   const table = useCommands();
   return (
-    <nav className="menus" aria-label="Commands">
+    <nav className="menus" aria-label={t("Commands")}>
       {menus.map(({ group, title }) => (
         <CommandMenu key={group} title={title} entries={inMenu(table, group)} />
       ))}

@@ -5,6 +5,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { CommandEntry } from "../wire/messages";
+import { phrase, t } from "../words/words";
 import "./command-sheet.css";
 import { FileButtons } from "./FileButtons";
 import { FileHeader } from "./FileHeader";
@@ -89,11 +90,11 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
       onClose={close}
       foot={
         <>
-          <code className="sheet-line">{line}</code>
+          <code className="sheet-line one-line">{line}</code>
           <Button onPress={() => void navigator.clipboard?.writeText(line)}>Copy as line</Button>
           {entry.letters === "FP" && <FileButtons line={line} entries={entries} onDone={close} />}
           <Button onPress={run} look="primary">
-            {entry.letters === "FP" ? "Cut" : "OK"}
+            {entry.letters === "FP" ? t("Cut") : t("OK")}
           </Button>
         </>
       }
@@ -102,11 +103,11 @@ function FilledSheet({ entry, given }: { entry: CommandEntry; given: readonly st
       {runsFile(entry.letters) && <FileHeader name={entries[0] ?? ""} />}
       <div className="sheet-tools">
         <Button size="small" onPress={reset} aria-keyshortcuts="Alt+R">
-          Reset <kbd>Alt R</kbd>
+          {t("Reset")} <kbd>Alt R</kbd>
         </Button>
         <Recall letters={entry.letters} onRecall={setEntries} />
         <Button size="small" onPress={display} aria-keyshortcuts="Alt+D" aria-pressed={shown}>
-          Display: {shown ? "on" : "off"} <kbd>Alt D</kbd>
+          {phrase("Display: {0} {1}", shown ? t("on") : t("off"), <kbd>Alt D</kbd>)}
         </Button>
       </div>
       <form
@@ -165,7 +166,7 @@ function Recall({ letters, onRecall }: RecallProps) {
   return (
     <Button
       size="small"
-      refused={last === undefined ? "The command was not given before." : undefined}
+      refused={last === undefined ? t("The command was not given before.") : undefined}
       onPress={() => last && onRecall(last)}
     >
       Recall last

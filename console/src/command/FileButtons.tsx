@@ -1,6 +1,7 @@
 import { ask, drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import { type Entries, fileParameters } from "./sheet";
 
 interface FileButtonsProps {
@@ -28,13 +29,13 @@ export function FileButtons({ line, entries, onDone }: FileButtonsProps) {
   return (
     <>
       <Button
-        refused={name === "" ? "Choose a file first." : undefined}
+        refused={name === "" ? t("Choose a file first.") : undefined}
         onPress={() => void preview()}
       >
         Preview
       </Button>
       <Button
-        refused={name === "" ? "Choose a file first." : undefined}
+        refused={name === "" ? t("Choose a file first.") : undefined}
         onPress={() => void step()}
       >
         Single step

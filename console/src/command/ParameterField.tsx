@@ -2,6 +2,7 @@ import { Choice } from "../ui/Choice";
 import { Field, Required } from "../ui/Field";
 import { Pick } from "../ui/Pick";
 import type { Parameter } from "../wire/messages";
+import { t } from "../words/words";
 import { rangeText } from "./sheet";
 
 interface ParameterFieldProps {
@@ -63,5 +64,7 @@ export function ParameterField({
 /** Default and range in few words. */
 function facts({ default: usual, bound, least, most }: Parameter): string {
   const range = bound || rangeText(least, most);
-  return [usual !== null ? `default ${usual}` : "", range].filter((text) => text !== "").join(", ");
+  return [usual !== null ? t("default {0}", usual) : "", range]
+    .filter((text) => text !== "")
+    .join(", ");
 }

@@ -1,5 +1,6 @@
 import { Button } from "../ui/Button";
 import type { CommandEntry } from "../wire/messages";
+import { t } from "../words/words";
 import { parameterAt } from "./line";
 
 interface ParameterHintProps {
@@ -52,8 +53,9 @@ function Following({ letter, table }: { letter: string; table: readonly CommandE
         </ol>
       ) : (
         <span className="hint-doc">
-          Type two letters, then parameters. ↑ recalls, Esc clears, K is the keypad, I the scratch
-          pad.
+          {t(
+            "Type two letters, then parameters. ↑ recalls, Esc clears, K is the keypad, I the scratch pad.",
+          )}
         </span>
       )}
     </div>

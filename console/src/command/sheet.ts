@@ -2,6 +2,7 @@
 
 import { evaluate } from "../app/expression";
 import type { CommandEntry, FileParameters, Parameter } from "../wire/messages";
+import { t } from "../words/words";
 
 /** What is entered for each parameter, in the order of the part file; blank is not given. */
 export type Entries = readonly string[];
@@ -32,7 +33,7 @@ export function sheetOrder({ parameters }: CommandEntry): number[] {
 /** What is wrong with an entry; nothing when it may be sent. */
 export function mistakeIn(parameter: Parameter, text: string): string | undefined {
   const written = text.trim();
-  if (written === "") return parameter.required ? "This has to be given." : undefined;
+  if (written === "") return parameter.required ? t("This has to be given.") : undefined;
   const { kind } = parameter;
   const plain = kind.is === "number" || kind.is === "whole" || kind.is === "numberOrOff";
   if (!plain) return undefined;
@@ -40,21 +41,21 @@ export function mistakeIn(parameter: Parameter, text: string): string | undefine
   // Variables are known to the server only.
   if (/[&%]/.test(written)) return undefined;
   const value = evaluate(written);
-  if (value === undefined) return "This is not a number.";
+  if (value === undefined) return t("This is not a number.");
   return outside(parameter, value);
 }
 
 function outside({ least, most, bound }: Parameter, value: number): string | undefined {
   const low = least !== null && value < least;
   const high = most !== null && value > most;
-  return low || high ? `Allowed: ${bound || rangeText(least, most)}.` : undefined;
+  return low || high ? t("Allowed: {0}.", bound || rangeText(least, most)) : undefined;
 }
 
 /** `0 to 99`, `at least 0`, `at most 99`. */
 export function rangeText(least: number | null, most: number | null): string {
-  if (least !== null && most !== null) return `${least} to ${most}`;
-  if (least !== null) return `at least ${least}`;
-  return most !== null ? `at most ${most}` : "";
+  if (least !== null && most !== null) return t("{0} to {1}", least, most);
+  if (least !== null) return t("at least {0}", least);
+  return most !== null ? t("at most {0}", most) : "";
 }
 
 /** Mistakes by the place of their parameter. */

@@ -3,20 +3,21 @@
 import { useEffect, useState } from "react";
 import { getJson } from "../link/http";
 import type { CommandEntry } from "../wire/messages";
+import { t } from "../words/words";
 
 /** The menus of the FULL face in the order of the manual. */
 export const menus: readonly { readonly group: string; readonly title: string }[] = [
-  { group: "cut", title: "Cuts" },
-  { group: "file", title: "File" },
-  { group: "help", title: "Help" },
-  { group: "jog", title: "Jog" },
-  { group: "move", title: "Move" },
-  { group: "record", title: "Record" },
-  { group: "settings", title: "Settings" },
-  { group: "tools", title: "Tools" },
-  { group: "utilities", title: "Utilities" },
-  { group: "values", title: "Values" },
-  { group: "zero", title: "Zero" },
+  { group: "cut", title: t("Cuts") },
+  { group: "file", title: t("File") },
+  { group: "help", title: t("Help") },
+  { group: "jog", title: t("Jog") },
+  { group: "move", title: t("Move") },
+  { group: "record", title: t("Record") },
+  { group: "settings", title: t("Settings") },
+  { group: "tools", title: t("Tools") },
+  { group: "utilities", title: t("Utilities") },
+  { group: "values", title: t("Values") },
+  { group: "zero", title: t("Zero") },
 ];
 
 export const inMenu = (table: readonly CommandEntry[], group: string): CommandEntry[] =>

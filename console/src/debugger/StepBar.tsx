@@ -3,6 +3,7 @@ import { useScreen, useShown } from "../app/context";
 import { GoesOn } from "../operator/GoesOn";
 import { Button } from "../ui/Button";
 import type { Asked } from "../wire/messages";
+import { t } from "../words/words";
 import "./step-bar.css";
 import { useStepsOn } from "./useStepsOn";
 
@@ -17,9 +18,9 @@ export function StepBar() {
   const step = useStepsOn(due);
   if (!due && !step.runs) return null;
   return (
-    <section className="step" aria-label="Line by line" data-react-aria-top-layer="true">
-      <p className="step-line">
-        <span>{due ? `Line ${due.line}` : "On to a breakpoint"}</span>
+    <section className="step card" aria-label={t("Line by line")} data-react-aria-top-layer="true">
+      <p className="step-line one-line">
+        <span>{due ? t("Line {0}", due.line) : t("On to a breakpoint")}</span>
         <code>{due?.text}</code>
       </p>
       <GoesOn />
@@ -49,7 +50,9 @@ function Steps({ due, onAnswer, onBegin }: StepsProps) {
       </Button>
       <Button
         refused={
-          breakpoints.length === 0 ? "No line has a breakpoint: set one in the editor." : undefined
+          breakpoints.length === 0
+            ? t("No line has a breakpoint: set one in the editor.")
+            : undefined
         }
         onPress={onBegin}
       >
@@ -57,7 +60,7 @@ function Steps({ due, onAnswer, onBegin }: StepsProps) {
       </Button>
       <Button onPress={() => onAnswer("Run")}>Run on</Button>
       {due.prefill && (
-        <Button onPress={() => onAnswer(`${due.prefill}`)}>Back to {due.prefill}</Button>
+        <Button onPress={() => onAnswer(`${due.prefill}`)}>{t("Back to {0}", due.prefill)}</Button>
       )}
       <GoToLine onGo={onAnswer} />
       <Button onPress={() => onAnswer("Quit")}>Quit</Button>
@@ -78,19 +81,22 @@ function GoToLine({ onGo }: { onGo: (words: string) => void }) {
       }}
     >
       <label>
-        <span className="hidden-text">Line to go to</span>
+        <span className="hidden-text">{t("Line to go to")}</span>
         <input
           inputMode="numeric"
-          placeholder="Line"
+          placeholder={t("Line")}
           value={line}
           onChange={(event) => setLine(event.target.value)}
         />
       </label>
-      <Button type="submit" refused={valid ? undefined : "Enter the number of a line of the file."}>
+      <Button
+        type="submit"
+        refused={valid ? undefined : t("Enter the number of a line of the file.")}
+      >
         Go to
       </Button>
       <Button
-        refused={valid ? undefined : "Enter the number of a line of the file."}
+        refused={valid ? undefined : t("Enter the number of a line of the file.")}
         onPress={() => onGo(`${line.trim()} settings`)}
       >
         … with settings

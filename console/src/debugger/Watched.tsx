@@ -4,6 +4,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import "./watched.css";
 
 /** Names as they are asked for: with their sign, each once. */
@@ -23,7 +24,8 @@ export function Watched() {
     setAsked(names);
     void ask(worldOf(hands), { do: "watch", names: [...names] });
   };
-  const shownValue = (name: string) => watched.find((one) => one.name === name)?.value ?? "not set";
+  const shownValue = (name: string) =>
+    watched.find((one) => one.name === name)?.value ?? t("not set");
   return (
     <Panel title="Watched variables" className="watched">
       <form
@@ -38,7 +40,7 @@ export function Watched() {
           type="submit"
           refused={
             namesIn(text).length === 0
-              ? "Enter the name of a variable first, as &depth."
+              ? t("Enter the name of a variable first, as &depth.")
               : undefined
           }
         >
@@ -54,7 +56,7 @@ export function Watched() {
               <Button
                 size="small"
                 look="quiet"
-                aria-label={`Do not watch ${name}`}
+                aria-label={t("Do not watch {0}", name)}
                 onPress={() => watch(asked.filter((one) => one !== name))}
               >
                 ✕
@@ -63,7 +65,7 @@ export function Watched() {
           </div>
         ))}
       </dl>
-      {asked.length === 0 && <p className="tail-empty">Nothing is watched.</p>}
+      {asked.length === 0 && <p className="tail-empty">{t("Nothing is watched.")}</p>}
     </Panel>
   );
 }

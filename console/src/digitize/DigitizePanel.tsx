@@ -4,6 +4,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import type { Digitized, Units } from "../wire/messages";
+import { t } from "../words/words";
 import {
   begin,
   type DigitizingKey,
@@ -46,7 +47,7 @@ export function DigitizePanel() {
   return (
     <Panel
       title="Digitize"
-      aside={unsaved ? <span className="digitize-new">not saved</span> : null}
+      aside={unsaved ? <span className="digitize-new">{t("not saved")}</span> : null}
     >
       <div className="digitize-body">
         <Screen lines={lines} />
@@ -65,7 +66,7 @@ export function DigitizePanel() {
 
 function Screen({ lines }: { lines: readonly string[] }) {
   return (
-    <output className="digitize-screen" aria-label="Screen of the hand console">
+    <output className="digitize-screen" aria-label={t("Screen of the hand console")}>
       {lines.map((line, n) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: the lines are places
         <span key={n}>{line || " "}</span>
@@ -99,8 +100,8 @@ function Keys({ world, keys, first = false }: KeysProps) {
   );
 }
 
-const yes: DigitizingKey = { title: "Yes", doc: "Enter", keys: "E" };
-const no: DigitizingKey = { title: "No", doc: "Func", keys: "U" };
+const yes: DigitizingKey = { title: t("Yes"), doc: t("Enter"), keys: "E" };
+const no: DigitizingKey = { title: t("No"), doc: t("Func"), keys: "U" };
 
 /** Whether points may be lost. */
 function Answers({ world, lines }: { world: World; lines: readonly string[] }) {
@@ -110,14 +111,14 @@ function Answers({ world, lines }: { world: World; lines: readonly string[] }) {
 
 function Points({ digitized, units }: { digitized: Digitized; units: Units }) {
   const { points, current, threeD } = digitized;
-  if (points.length === 0) return <p className="digitize-words">No points yet.</p>;
+  if (points.length === 0) return <p className="digitize-words">{t("No points yet.")}</p>;
   const shown = (mm: number) => (mm / units.mm).toFixed(units.mm === 1 ? 2 : 4);
   return (
     <div className="digitize-points">
       <table>
         <thead>
           <tr>
-            <th>Point</th>
+            <th>{t("Point")}</th>
             <th>X</th>
             <th>Y</th>
             {threeD && <th>Z</th>}
@@ -131,7 +132,7 @@ function Points({ digitized, units }: { digitized: Digitized; units: Units }) {
               aria-current={n + 1 === current || undefined}
             >
               <th scope="row">
-                {n + 1} {arc ? "arc" : "line"}
+                {n + 1} {arc ? t("arc") : t("line")}
               </th>
               <td>{shown(x)}</td>
               <td>{shown(y)}</td>
@@ -156,7 +157,7 @@ function MoveTo({ world, units }: { world: World; units: Units }) {
   };
   const entry = (axis: "x" | "y") => (
     <input
-      aria-label={`Move to ${axis.toUpperCase()}, ${units.linear} from the job origin`}
+      aria-label={t("Move to {0}, {1} from the job origin", axis.toUpperCase(), units.linear)}
       placeholder={axis.toUpperCase()}
       inputMode="decimal"
       value={place[axis]}
@@ -168,7 +169,7 @@ function MoveTo({ world, units }: { world: World; units: Units }) {
       {entry("x")}
       {entry("y")}
       <span>{units.linear}</span>
-      <Button size="small" type="submit" refused={ready ? undefined : "Enter X and Y first."}>
+      <Button size="small" type="submit" refused={ready ? undefined : t("Enter X and Y first.")}>
         Move to
       </Button>
     </form>

@@ -2,6 +2,7 @@
 
 import type { World } from "../actions/action";
 import { drive } from "../actions/ask";
+import { t } from "../words/words";
 
 export interface DigitizingKey {
   readonly title: string;
@@ -14,13 +15,17 @@ const key = (title: string, keys: string, doc: string): DigitizingKey => ({ titl
 const run = (title: string, number: number, doc: string) => key(title, `U${number}E`, doc);
 
 export const begin = run("Digitize", 70, "Record the points of a shape with the tool");
-export const record = key("Record", "E", "A point where the tool is, behind the last one (Enter)");
-export const kind = key("Line / arc", "-", "The kind of the next point (+/-)");
+export const record = key(
+  t("Record"),
+  "E",
+  t("A point where the tool is, behind the last one (Enter)"),
+);
+export const kind = key(t("Line / arc"), "-", t("The kind of the next point (+/-)"));
 
 export const steps: readonly DigitizingKey[] = [
   run("To start", 5, "Along the path to the first point"),
-  key("Back", "F", "To the point before, along its line or arc (File)"),
-  key("On", "S", "To the point behind, along its line or arc (Start)"),
+  key(t("Back"), "F", t("To the point before, along its line or arc (File)")),
+  key(t("On"), "S", t("To the point behind, along its line or arc (Start)")),
   run("To end", 4, "Along the path to the last point"),
   run("To current", 6, "Straight to the current point"),
   run("To nearest", 7, "Straight to the nearest point, which becomes current"),
@@ -56,7 +61,7 @@ export const exit = run("Exit", 99, "Ends digitizing");
 
 /** A place that is typed, from the job origin, mm. */
 export const moveTo = (x: number, y: number): DigitizingKey =>
-  key("Move to", `U20E${typed(x)}E${typed(y)}E`, "To a place from the job origin");
+  key(t("Move to"), `U20E${typed(x)}E${typed(y)}E`, t("To a place from the job origin"));
 
 /** A number as keys: File types the point, there is room for nine characters. */
 const typed = (mm: number): string => mm.toFixed(3).slice(0, 9).replace(".", "F");

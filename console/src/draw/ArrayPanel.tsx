@@ -3,6 +3,7 @@ import { lengthText } from "../app/units";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import type { ArrayState, Units } from "../wire/messages";
+import { t } from "../words/words";
 import { corners, orders, repeats } from "./arrays";
 
 /** The grid and pitch in which the drawing is repeated; nothing where it is cut once. */
@@ -35,17 +36,11 @@ function Level({ array: { level, grid, gap, pitch, start, order }, units }: Leve
   return (
     <div data-level={level}>
       <dt>
-        {level === "block" ? "Blocks in a job" : "Jobs on the table"}: {rows} × {columns}
+        {level === "block" ? t("Blocks in a job") : t("Jobs on the table")}: {rows} × {columns}
       </dt>
-      <dd>
-        Pitch: X {length(pitch[0])}, Y {length(pitch[1])}
-      </dd>
-      <dd>
-        Gap: X {length(gap[0])}, Y {length(gap[1])}
-      </dd>
-      <dd>
-        Begins {corners[start] ?? start}, {orders[order] ?? order}
-      </dd>
+      <dd>{t("Pitch: X {0}, Y {1}", length(pitch[0]), length(pitch[1]))}</dd>
+      <dd>{t("Gap: X {0}, Y {1}", length(gap[0]), length(gap[1]))}</dd>
+      <dd>{t("Begins {0}, {1}", corners[start] ?? start, orders[order] ?? order)}</dd>
     </div>
   );
 }

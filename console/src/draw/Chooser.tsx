@@ -1,3 +1,4 @@
+import { t } from "../words/words";
 import { choices, chosen } from "./desk";
 import type { Scene } from "./scene";
 import type { Desk } from "./useDesk";
@@ -18,6 +19,7 @@ export function Chooser({ desk, scene, size }: ChooserProps) {
     <div className="chooser" role="menu" style={{ translate: `${at.x + 8}px ${at.y + 8}px` }}>
       {choices(desk.state, desk.around).map(({ number, highlighted: marked }, n) => {
         const shape = scene.shapes.find((other) => other.number === number);
+        const name = t("Shape {0}, group {1}", number, shape?.group ?? "");
         return (
           <button
             key={number}
@@ -27,8 +29,8 @@ export function Chooser({ desk, scene, size }: ChooserProps) {
             autoFocus={n === 0}
             className={marked ? "chooser-one chooser-marked" : "chooser-one"}
             style={{ background: `var(--draw-group-${shape?.group})` }}
-            title={`Shape ${number}, group ${shape?.group}`}
-            aria-label={`Shape ${number}, group ${shape?.group}${marked ? ", selected" : ""}`}
+            title={name}
+            aria-label={marked ? t("{0}, selected", name) : name}
             onClick={(event) =>
               desk.act((state, around) => chosen(state, number, chooser.at, event.shiftKey, around))
             }

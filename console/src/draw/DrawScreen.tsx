@@ -1,6 +1,7 @@
 import { useEffect, useMemo, useRef, useState, useSyncExternalStore } from "react";
 import { useScreen, useSnapshot } from "../app/context";
 import { DigitizePanel } from "../digitize/DigitizePanel";
+import { t } from "../words/words";
 import { ArrayPanel } from "./ArrayPanel";
 import { CommentPanel } from "./CommentPanel";
 import { DrawingHead } from "./DrawingHead";
@@ -73,7 +74,7 @@ export function DrawScreen() {
   );
   return (
     <div className="draw">
-      <h1 className="hidden-text">Draw</h1>
+      <h1 className="hidden-text">{t("Draw")}</h1>
       <DrawingHead desk={desk} />
       <Toolbox desk={desk} onOperation={setOperation} />
       {aspect === "top" ? (

@@ -7,6 +7,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { machine } from "../job/actions";
 import { Button } from "../ui/Button";
 import type { Op } from "../wire/messages";
+import { t } from "../words/words";
 import { FileSheet } from "./FileSheet";
 import type { Desk } from "./useDesk";
 import { fitted, type Size } from "./window";
@@ -24,7 +25,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
   const [asking, setAsking] = useState<Asking | null>(null);
   // Tool paths that were opened stay tool paths: their name is not that of their drawing.
   const isJob = drawing?.name?.toLowerCase().endsWith(".rsm") ?? false;
-  const empty = drawing?.shapes ? undefined : "The drawing has no shapes yet.";
+  const empty = drawing?.shapes ? undefined : t("The drawing has no shapes yet.");
   const draw = (op: Op) => ask(worldOf(hands), { do: "draw", op });
   /** Writes a file of the drawing; one that is there already is replaced when the person says so. */
   const write = (op: "save" | "program", name: string) =>
@@ -35,15 +36,15 @@ export function DrawingHead({ desk }: { desk: Desk }) {
     });
   const program = async (name: string) => {
     if (!(await write("program", name))) return false;
-    if (drawingOnly) hands.screen.tell(`${name} is written into the part folder.`);
+    if (drawingOnly) hands.screen.tell(t("{0} is written into the part folder.", name));
     else hands.screen.go("/");
     return true;
   };
   return (
     <header className="drawing-head">
       <p className="drawing-name">
-        {drawing?.name ?? "New drawing"}
-        {drawing?.changed && <span title="changed since it was saved"> ●</span>}
+        {drawing?.name ?? t("New drawing")}
+        {drawing?.changed && <span title={t("changed since it was saved")}> ●</span>}
       </p>
       <div className="drawing-buttons">
         <Button size="small" onPress={() => attempt(beginDrawing, worldOf(hands))}>
@@ -58,14 +59,14 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         <span className="drawing-gap" />
         <Button
           size="small"
-          refused={drawing?.canUndo ? undefined : "There is nothing to take back."}
+          refused={drawing?.canUndo ? undefined : t("There is nothing to take back.")}
           onPress={() => void draw({ op: "undo" })}
         >
           Undo
         </Button>
         <Button
           size="small"
-          refused={drawing?.canRedo ? undefined : "There is nothing to make again."}
+          refused={drawing?.canRedo ? undefined : t("There is nothing to make again.")}
           onPress={() => void draw({ op: "redo" })}
         >
           Redo
@@ -93,7 +94,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
       </div>
       {asking === "open" && (
         <FileSheet
-          title="Open a drawing"
+          title={t("Open a drawing")}
           warning={isUnsaved(worldOf(hands)) ? unsaved : undefined}
           endings={["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl"]}
           onClose={() => setAsking(null)}
@@ -102,7 +103,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
       )}
       {asking === "save" && (
         <FileSheet
-          title="Save the drawing"
+          title={t("Save the drawing")}
           endings={isJob ? ["rsm", ...savedAs] : savedAs}
           proposal={named(drawing?.name, isJob ? "rsm" : "rsg")}
           onClose={() => setAsking(null)}
@@ -111,7 +112,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
       )}
       {asking === "program" && (
         <FileSheet
-          title="Part program of the tool paths"
+          title={t("Part program of the tool paths")}
           endings={["sbp", "nc"]}
           proposal={named(drawing?.name, "sbp")}
           onClose={() => setAsking(null)}

@@ -11,6 +11,7 @@ import { paintDigitized } from "../digitize/paint";
 import { lookedAt } from "../digitize/points";
 import { useLook } from "../digitize/useLook";
 import { useSize } from "../view/useSize";
+import { t } from "../words/words";
 import { Chooser } from "./Chooser";
 import { chordOf } from "./chords";
 import { dragged, grabbed, moved, pressed, released, rightClicked } from "./desk";
@@ -65,14 +66,14 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
   const place = (event: { clientX: number; clientY: number }) =>
     toDrawing(desk.state.window, size, pixelOf(box.current, event));
   return (
-    <section className="sheet-panel" aria-label="Sheet">
+    <section className="sheet-panel" aria-label={t("Sheet")}>
       <div
         ref={box}
         className={classOf(desk)}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: the drawing is worked on with keys
         tabIndex={0}
         role="application"
-        aria-label="Shapes of the drawing"
+        aria-label={t("Shapes of the drawing")}
         onKeyDown={(event) => keyed(desk, event, units?.mm ?? 1)}
         onPointerDown={(event) =>
           pointerDown(desk, event, place(event), pixelOf(box.current, event))

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from "react";
+import { t } from "../words/words";
 import { entered } from "./enter";
 import { asked } from "./tools/running";
 import type { Desk } from "./useDesk";
@@ -26,7 +27,7 @@ export function EntryBox({ desk, size, unitMm, onDone }: EntryBoxProps) {
   if (!open) return null;
   const ask = asked(running);
   const at = toPixels(window, size, pointer ?? window.middle);
-  const label = running.bending ? "Bulge" : (ask?.prompt ?? "");
+  const label = running.bending ? t("Bulge") : (ask?.prompt ?? "");
   const close = () => {
     desk.set((state) => ({ ...state, entry: null }));
     onDone();
@@ -47,7 +48,7 @@ export function EntryBox({ desk, size, unitMm, onDone }: EntryBoxProps) {
         id="drawing-entry"
         ref={input}
         value={entry}
-        placeholder={ask?.ask === "number" || running.bending ? "" : "x,y  @dx,dy  length<angle"}
+        placeholder={ask?.ask === "number" || running.bending ? "" : t("x,y  @dx,dy  length<angle")}
         autoComplete="off"
         spellCheck={false}
         onChange={({ target }) => desk.set((state) => ({ ...state, entry: target.value }))}

@@ -5,6 +5,7 @@ import { useFiles } from "../operator/useFiles";
 import { useUploads } from "../operator/useUploads";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
+import { t } from "../words/words";
 
 interface FileSheetProps {
   title: string;
@@ -28,14 +29,14 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
   const offered = files.filter(({ name, folder }) => !folder && endings.includes(endingOf(name)));
   const use = async (chosen: string) => {
     if (!endings.includes(endingOf(chosen))) {
-      screen.tell(`The name has to end with ${endings.map((e) => `.${e}`).join(", ")}.`);
+      screen.tell(t("The name has to end with {0}.", endings.map((e) => `.${e}`).join(", ")));
       return;
     }
     if ((await onName(chosen)) !== false) onClose();
   };
   return (
     <section
-      className="file-sheet"
+      className="file-sheet card"
       role="dialog"
       aria-label={title}
       onKeyDown={(event) => event.key === "Escape" && onClose()}
@@ -54,21 +55,25 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
       >
         <Field label="Name" value={name} onChange={setName} autoFocus />
         <div className="file-sheet-names">
-          {offered.length === 0 && <p className="tail-empty">No such file in the part folder.</p>}
+          {offered.length === 0 && (
+            <p className="tail-empty">{t("No such file in the part folder.")}</p>
+          )}
           {offered.map((file) => (
             <div key={file.name} className="file-sheet-row">
               <button
                 type="button"
+                className="list-row"
                 onClick={() => (reads ? void use(file.name) : setName(file.name))}
               >
                 {file.name}
               </button>
               <button
                 type="button"
-                aria-label={`Versions of ${file.name}`}
+                className="list-row"
+                aria-label={t("Versions of {0}", file.name)}
                 onClick={() => screen.open({ kind: "versions", name: file.name })}
               >
-                Versions…
+                {t("Versions…")}
               </button>
             </div>
           ))}
@@ -80,9 +85,9 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
           <Button
             type="submit"
             look="primary"
-            refused={name.trim() === "" ? "Enter a name first." : undefined}
+            refused={name.trim() === "" ? t("Enter a name first.") : undefined}
           >
-            {reads ? "Open" : "Write"}
+            {reads ? t("Open") : t("Write")}
           </Button>
         </div>
       </form>

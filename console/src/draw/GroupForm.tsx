@@ -1,5 +1,6 @@
 import { useState } from "react";
 import type { GroupState } from "../wire/messages";
+import { t } from "../words/words";
 import { isWrong, readLength, readNumber } from "./entry";
 import { num } from "./tools/tool";
 import type { Desk } from "./useDesk";
@@ -28,16 +29,28 @@ const length = (key: string, label: string, title: string, value: Row["value"]):
 });
 
 const rows: readonly Row[] = [
-  length("offset", "Offset", "Of the tool path, right of travel", (g) => g.offset),
-  length("rough", "Rough", "What a first pass leaves", (g) => g.rough),
+  length("offset", t("Offset"), t("Of the tool path, right of travel"), (g) => g.offset),
+  length("rough", t("Rough"), t("What a first pass leaves"), (g) => g.rough),
   length(
     "tag",
-    "Tab",
-    "Left out at the path's beginning, so that the part stays in the sheet",
+    t("Tab"),
+    t("Left out at the path's beginning, so that the part stays in the sheet"),
     (g) => g.tag,
   ),
-  { key: "tool", label: "Tool", title: "Tool output, 1 to 3", value: (g) => g.tool, length: false },
-  { key: "cut", label: "Output", title: "Cut output, 1 to 3", value: (g) => g.cut, length: false },
+  {
+    key: "tool",
+    label: t("Tool"),
+    title: t("Tool output, 1 to 3"),
+    value: (g) => g.tool,
+    length: false,
+  },
+  {
+    key: "cut",
+    label: t("Output"),
+    title: t("Cut output, 1 to 3"),
+    value: (g) => g.cut,
+    length: false,
+  },
 ];
 
 /** How the shapes of a group are cut. */
@@ -58,11 +71,11 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
           }}
         />
       ))}
-      <LeadRow name="lead-in" label="Lead-in" lead={group.leadIn} mm={mm} set={set} />
-      <LeadRow name="lead-out" label="Lead-out" lead={group.leadOut} mm={mm} set={set} />
+      <LeadRow name="lead-in" label={t("Lead-in")} lead={group.leadIn} mm={mm} set={set} />
+      <LeadRow name="lead-out" label={t("Lead-out")} lead={group.leadOut} mm={mm} set={set} />
       <Entry
-        label={`Speed, ${mm === 1 ? "mm" : "in"}/min`}
-        title="Cutting speed; max is the machine's cutting speed"
+        label={t("Speed, {0}/min", mm === 1 ? "mm" : "in")}
+        title={t("Cutting speed; max is the machine's cutting speed")}
         text={group.speedMmMin === null ? "max" : shown(group.speedMmMin, mm)}
         onText={(text) => {
           const read = readLength(text, mm);
@@ -75,7 +88,7 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
           checked={group.double}
           onChange={() => set(`double=${group.double ? "off" : "on"}`)}
         />
-        Double cut, on both sides of the line
+        {t("Double cut, on both sides of the line")}
       </label>
       <label className="group-check">
         <input
@@ -83,7 +96,7 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
           checked={group.traversal}
           onChange={() => set(`traversal=${group.traversal ? "off" : "on"}`)}
         />
-        Travel only
+        {t("Travel only")}
       </label>
     </div>
   );
@@ -99,8 +112,10 @@ function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
   return (
     <>
       <Entry
-        label="Depth"
-        title="through, 3d, or the height of the cut over the surface, negative into the material"
+        label={t("Depth")}
+        title={t(
+          "through, 3d, or the height of the cut over the surface, negative into the material",
+        )}
         text={typeof group.height === "number" ? shown(group.height, mm) : depthWords(group.height)}
         onText={(text) => {
           const read = readLength(text, mm);
@@ -110,8 +125,8 @@ function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
         }}
       />
       <Entry
-        label="Per pass"
-        title="Depth of one pass; off cuts at once"
+        label={t("Per pass")}
+        title={t("Depth of one pass; off cuts at once")}
         text={group.pass === null ? "off" : shown(group.pass, mm)}
         onText={(text) => {
           const read = readLength(text, mm);
@@ -122,7 +137,7 @@ function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
   );
 }
 
-const depthWords = (height: string): string => (height === "thru" ? "through" : height);
+const depthWords = (height: string): string => (height === "thru" ? t("through") : height);
 
 interface LeadRowProps extends RowProps {
   name: string;
@@ -135,7 +150,7 @@ function LeadRow({ name, label, lead, mm, set }: LeadRowProps) {
   return (
     <Entry
       label={label}
-      title="Radius, angle in degrees"
+      title={t("Radius, angle in degrees")}
       wide
       text={`${shown(lead[0], mm)}, ${shown(lead[1], 1)}`}
       onText={(text) => {

@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import { GroupForm } from "./GroupForm";
 import type { Scene } from "./scene";
 import type { Desk } from "./useDesk";
@@ -31,7 +32,7 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
       aside={
         rows.length < groups.length || all ? (
           <button type="button" className="link-button" onClick={() => setAll(!all)}>
-            {all ? "Used layers" : `All ${groups.length}`}
+            {all ? t("Used layers") : t("All {0}", groups.length)}
           </button>
         ) : null
       }
@@ -41,7 +42,7 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
           <li key={name} className={name === open ? "group-row group-open" : "group-row"}>
             <button
               type="button"
-              className="group-name"
+              className="group-name list-row"
               aria-expanded={name === open}
               onClick={() => setOpen(name === open ? null : name)}
             >
@@ -54,28 +55,28 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
               className="link-button"
               disabled={!some}
               onClick={() => desk.send(`group ${name}`)}
-              title={`Moves the selection to the layer ${name}`}
-              aria-label={`move: the selection into ${name}`}
+              title={t("Moves the selection to the layer {0}", name)}
+              aria-label={t("move: the selection into {0}", name)}
             >
-              move
+              {t("move")}
             </button>
             <button
               type="button"
               className="link-button"
               disabled={!some}
               onClick={() => desk.send(`copy-to ${name}`)}
-              aria-label={`copy: the selection into ${name}`}
+              aria-label={t("copy: the selection into {0}", name)}
             >
-              copy
+              {t("copy")}
             </button>
             <label className="group-on">
               <input
                 type="checkbox"
                 checked={on}
                 onChange={() => desk.send(`set ${name} on=${on ? "off" : "on"}`)}
-                aria-label={`${name} is cut`}
+                aria-label={t("{0} is cut", name)}
               />
-              cut
+              {t("cut")}
             </label>
           </li>
         ))}

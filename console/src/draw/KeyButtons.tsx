@@ -1,3 +1,4 @@
+import { t } from "../words/words";
 import { type DeskKey, type KeyMenu, keysIn } from "./keys";
 import type { Desk } from "./useDesk";
 
@@ -14,9 +15,9 @@ const names: Record<string, string> = {
   arrowright: "→",
   arrowup: "↑",
   arrowdown: "↓",
-  enter: "Enter",
-  escape: "Esc",
-  delete: "Del",
+  enter: t("Enter"),
+  escape: t("Esc"),
+  delete: t("Del"),
 };
 
 const nameOf = ({ key }: DeskKey): string => names[key] ?? key.toUpperCase();

@@ -1,6 +1,7 @@
 import { useSnapshot } from "../app/context";
 import { useWords } from "../app/useWords";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import { boxOfShapes, type Shape } from "./geometry/shape";
 import { isEmpty } from "./geometry/vec";
 import type { Scene } from "./scene";
@@ -22,7 +23,7 @@ export function SelectionPanel({ desk, scene, notes }: SelectionPanelProps) {
   const told = [...(drawing?.notes ?? []), ...notes];
   return (
     <Panel
-      title={chosen.length > 0 ? "Selection" : "Drawing"}
+      title={chosen.length > 0 ? t("Selection") : t("Drawing")}
       aside={<Selecting desk={desk} some={chosen.length > 0} />}
     >
       <dl className="facts">
@@ -38,7 +39,7 @@ export function SelectionPanel({ desk, scene, notes }: SelectionPanelProps) {
           {told.slice(0, 6).map((note) => (
             <li key={note}>{words(note)}</li>
           ))}
-          {told.length > 6 && <li>and {told.length - 6} more</li>}
+          {told.length > 6 && <li>{t("and {0} more", told.length - 6)}</li>}
         </ul>
       )}
     </Panel>
@@ -52,7 +53,7 @@ function Selecting({ desk, some }: { desk: Desk; some: boolean }) {
       className="link-button"
       onClick={() => desk.send(some ? "select none" : "select all")}
     >
-      {some ? "Select none" : "Select all"}
+      {some ? t("Select none") : t("Select all")}
     </button>
   );
 }
@@ -60,21 +61,27 @@ function Selecting({ desk, some }: { desk: Desk; some: boolean }) {
 function factsOf(shapes: readonly Shape[], mm: number, unit: string): [string, string][] {
   const box = boxOfShapes(shapes);
   const text = (value: number) => (value / mm).toFixed(3);
-  const facts: [string, string][] = [["Shapes", String(shapes.length)]];
+  const facts: [string, string][] = [[t("Shapes"), String(shapes.length)]];
   if (isEmpty(box)) return facts;
-  facts.push(["Size", `${text(box.max.x - box.min.x)} × ${text(box.max.y - box.min.y)} ${unit}`]);
-  facts.push(["From", `${text(box.min.x)}, ${text(box.min.y)}`]);
+  facts.push([
+    t("Size"),
+    `${text(box.max.x - box.min.x)} × ${text(box.max.y - box.min.y)} ${unit}`,
+  ]);
+  facts.push([t("From"), `${text(box.min.x)}, ${text(box.min.y)}`]);
   const [only] = shapes;
   if (only && shapes.length === 1) facts.push(...factsOfOne(only));
   return facts;
 }
 
 function factsOfOne(shape: Shape): [string, string][] {
-  const direction = shape.area < 0 ? "clockwise" : "counter-clockwise";
+  const direction = shape.area < 0 ? t("clockwise") : t("counter-clockwise");
   return [
-    ["Number", String(shape.number)],
-    ["Group", shape.group],
-    ["Kind", `${shape.closed ? `closed, ${direction}` : "open"}${shape.z ? ", 3D" : ""}`],
-    ["Vertices", String(shape.vertices.length)],
+    [t("Number"), String(shape.number)],
+    [t("Group"), shape.group],
+    [
+      t("Kind"),
+      `${shape.closed ? t("closed, {0}", direction) : t("open")}${shape.z ? ", 3D" : ""}`,
+    ],
+    [t("Vertices"), String(shape.vertices.length)],
   ];
 }

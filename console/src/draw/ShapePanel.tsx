@@ -2,6 +2,7 @@ import { useState } from "react";
 import { useSnapshot } from "../app/context";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import type { Shape } from "./geometry/shape";
 import type { Scene } from "./scene";
 import type { Desk } from "./useDesk";
@@ -22,17 +23,18 @@ export function ShapePanel({ desk, scene }: { desk: Desk; scene: Scene }) {
       title="Shapes"
       aside={
         <Button size="small" look="quiet" aria-expanded={isOpen} onPress={() => setOpen(!isOpen)}>
-          {isOpen ? "Hide" : `List ${shapes.length}`}
+          {isOpen ? t("Hide") : t("List {0}", shapes.length)}
         </Button>
       }
     >
       {isOpen && (
         <>
-          <ul className="shape-list" aria-label="Shapes in the order of cutting">
+          <ul className="shape-list" aria-label={t("Shapes in the order of cutting")}>
             {shapes.slice(0, most).map((shape) => (
               <li key={shape.number}>
                 <button
                   type="button"
+                  className="list-row"
                   aria-pressed={selected.has(shape.number)}
                   onClick={() =>
                     desk.send(
@@ -56,13 +58,13 @@ export function ShapePanel({ desk, scene }: { desk: Desk; scene: Scene }) {
           </ul>
           {shapes.length > most && (
             <Button size="small" onPress={() => setMost(most + inSight)}>
-              More of {shapes.length}
+              {t("More of {0}", shapes.length)}
             </Button>
           )}
           <div className="shape-actions">
             <Button
               size="small"
-              refused={selected.size === 0 ? "Nothing is selected." : undefined}
+              refused={selected.size === 0 ? t("Nothing is selected.") : undefined}
               onPress={() => desk.send("erase")}
             >
               Erase the selection
@@ -84,8 +86,8 @@ function wordsOf(
   unit: string,
 ): string {
   const text = (value: number) => String(Number((value / mm).toFixed(3)));
-  const at = `at ${text(box.min.x)}, ${text(box.min.y)} ${unit}`;
-  if (vertices.length === 1) return `${number}: point, ${group}, ${at}`;
+  const at = t("at {0}, {1} {2}", text(box.min.x), text(box.min.y), unit);
+  if (vertices.length === 1) return t("{0}: point, {1}, {2}", number, group, at);
   const size = `${text(box.max.x - box.min.x)} × ${text(box.max.y - box.min.y)}`;
-  return `${number}: ${closed ? "closed" : "open"}, ${group}, ${size} ${at}`;
+  return `${number}: ${closed ? t("closed") : t("open")}, ${group}, ${size} ${at}`;
 }

@@ -14,20 +14,20 @@ interface ToolboxProps {
 
 /** Operations that are wanted often and have no tool for the hand. */
 const sheets: readonly { readonly name: string; readonly title: string; readonly doc: string }[] = [
-  { name: "engrave", title: "Engrave…", doc: "Clears areas ring by ring" },
-  { name: "pocket", title: "Pocket…", doc: "Clears areas in rings or in lines" },
-  { name: "array", title: "Array…", doc: "Of shapes, of the drawing, of the whole job" },
-  { name: "sequence", title: "Order…", doc: "By travel, by groups, by levels" },
-  { name: "set", title: "Settings…", doc: "Offset, leads, tag, depth, plunge of a group" },
-  { name: "justify", title: "Justify…", doc: "The drawing at the origin" },
+  { name: "engrave", title: t("Engrave…"), doc: t("Clears areas ring by ring") },
+  { name: "pocket", title: t("Pocket…"), doc: t("Clears areas in rings or in lines") },
+  { name: "array", title: t("Array…"), doc: t("Of shapes, of the drawing, of the whole job") },
+  { name: "sequence", title: t("Order…"), doc: t("By travel, by groups, by levels") },
+  { name: "set", title: t("Settings…"), doc: t("Offset, leads, tag, depth, plunge of a group") },
+  { name: "justify", title: t("Justify…"), doc: t("The drawing at the origin") },
 ];
 
 /** Sheets of operations, then every tool by menu. */
 export function Toolbox({ desk, onOperation }: ToolboxProps) {
   return (
-    <nav className="toolbox" aria-label="Drawing tools">
-      <section aria-label="Operations">
-        <h2>Operations</h2>
+    <nav className="toolbox" aria-label={t("Drawing tools")}>
+      <section aria-label={t("Operations")}>
+        <h2>{t("Operations")}</h2>
         <div className="toolbox-tools">
           {sheets.map(({ name, title, doc }) => (
             <button
@@ -47,7 +47,7 @@ export function Toolbox({ desk, onOperation }: ToolboxProps) {
             onClick={() => onOperation("")}
           >
             <ToolIcon id="all" />
-            <span>All operations…</span>
+            <span>{t("All operations…")}</span>
           </button>
         </div>
       </section>

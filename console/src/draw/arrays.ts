@@ -1,19 +1,20 @@
 /** The arrays of the drawing as people read them, and as the form of the operation begins with them. */
 
 import type { ArrayState, OperationPart } from "../wire/messages";
+import { t } from "../words/words";
 
 export const corners: Record<string, string> = {
-  bl: "bottom left",
-  br: "bottom right",
-  tr: "top right",
-  tl: "top left",
+  bl: t("bottom left"),
+  br: t("bottom right"),
+  tr: t("top right"),
+  tl: t("top left"),
 };
 
 export const orders: Record<string, string> = {
-  row: "row by row",
-  column: "column by column",
-  "row-snake": "rows forth and back",
-  "column-snake": "columns forth and back",
+  row: t("row by row"),
+  column: t("column by column"),
+  "row-snake": t("rows forth and back"),
+  "column-snake": t("columns forth and back"),
 };
 
 /** True where an array has more than one place. */

@@ -1,5 +1,6 @@
 /** Keys that do to the selection what they do everywhere: copy, cut, paste, nudge, delete. */
 
+import { t } from "../words/words";
 import type { Around, DeskState, Done } from "./desk";
 import { xy } from "./tools/tool";
 
@@ -20,8 +21,9 @@ const onSelection =
     return { state, clauses, ...(words ? { words: words(selected.length) } : {}) };
   };
 
-const counted = (count: number): string => (count === 1 ? "1 shape is" : `${count} shapes are`);
-const copied = (count: number): string => `${counted(count)} on the clipboard.`;
+const counted = (count: number): string =>
+  count === 1 ? t("1 shape is") : t("{0} shapes are", count);
+const copied = (count: number): string => t("{0} on the clipboard.", counted(count));
 
 /** Pastes with the lower left at the mouse, or in the middle of what is in sight. */
 const paste: Chord = (state) =>

@@ -5,6 +5,7 @@
  * server or words for the person.
  */
 
+import { t } from "../words/words";
 import type { Shape } from "./geometry/shape";
 import { type Box, distance, type Place } from "./geometry/vec";
 import { type Picking, shapesNear } from "./pick";
@@ -198,7 +199,7 @@ function clicked(state: DeskState, at: Place, adds: boolean, around: Around): Do
   const [only] = near;
   if (near.length > 1) return { state: { ...state, chooser: { at, numbers: near } } };
   if (only !== undefined) return chosen(state, only, at, adds, around);
-  if (running) return { state, words: "There is no shape within the selection radius." };
+  if (running) return { state, words: t("There is no shape within the selection radius.") };
   return adds || around.selected.length === 0 ? { state } : { state, clauses: "select none" };
 }
 
@@ -213,14 +214,14 @@ function marked(state: DeskState, running: Running, at: Place, around: Around): 
   const near = vertices(running, around).filter((mark) => distance(mark.at, at) <= radius);
   const [mark] = near.sort((a, b) => distance(a.at, at) - distance(b.at, at));
   if (mark) return taken(state, giveMark(running, mark), around);
-  return { state, words: "There is no vertex within the selection radius." };
+  return { state, words: t("There is no vertex within the selection radius.") };
 }
 
 function placed(state: DeskState, running: Running, at: Place, around: Around): Done {
   const place = pickPlace(state, at, around);
   if (place) return taken(state, givePlace(running, place, around.picking.shapes), around);
-  const name = running.snap ? snapNames[running.snap] : "place";
-  return { state, words: `There is no ${name} within the selection radius.` };
+  const name = running.snap ? snapNames[running.snap] : t("place");
+  return { state, words: t("There is no {0} within the selection radius.", name) };
 }
 
 /** One of the buttons among which a click that met several shapes lets choose. */

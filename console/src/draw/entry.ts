@@ -6,6 +6,7 @@
  */
 
 import { evaluate } from "../app/expression";
+import { t } from "../words/words";
 import { type Place, place } from "./geometry/vec";
 
 /** A reading, or words that say what is wrong. */
@@ -18,7 +19,7 @@ const finest = 1e9;
 
 const readAs = (text: string, unitMm: number): Read<number> => {
   const value = evaluate(text, { mm: unitMm });
-  if (value === undefined) return { wrong: `“${text.trim()}” is no number.` };
+  if (value === undefined) return { wrong: t("“{0}” is no number.", text.trim()) };
   // Units of units: 2mm in inches is 2 mm again, not 1.9999999999999998.
   return { value: Math.round(value * unitMm * finest) / finest };
 };
@@ -29,7 +30,7 @@ export const readLength = (text: string, unitMm: number): Read<number> => readAs
 /** A number without a unit: degrees, a factor, a count, a bulge. */
 export const readNumber = (text: string): Read<number> => readAs(text, 1);
 
-const placeWords = "A place is x,y or @dx,dy or length<angle.";
+const placeWords = t("A place is x,y or @dx,dy or length<angle.");
 
 /** A place. `base` is the last place, from which `@` and `<` count; else from the origin. */
 export function readPlace(text: string, unitMm: number, base: Place | null): Read<Place> {

@@ -3,6 +3,7 @@
  * this list.
  */
 
+import { t } from "../words/words";
 import {
   type Around,
   type DeskState,
@@ -48,10 +49,10 @@ const windowKey = (
 const pointerOf = ({ pointer, window }: DeskState) => pointer ?? window.middle;
 
 const windowKeys: readonly DeskKey[] = [
-  windowKey("z", "in", "Zoom in", (s) => zoomedTo(s.window, pointerOf(s), 2)),
-  windowKey("x", "out", "Zoom out", (s) => zoomedTo(s.window, pointerOf(s), 0.5)),
-  windowKey("s", "centre", "Centre on the mouse", (s) => centredOn(s.window, pointerOf(s))),
-  windowKey("a", "all", "Show all", (s, { box, expansion }) => fitted(box, s.size, expansion)),
+  windowKey("z", "in", t("Zoom in"), (s) => zoomedTo(s.window, pointerOf(s), 2)),
+  windowKey("x", "out", t("Zoom out"), (s) => zoomedTo(s.window, pointerOf(s), 0.5)),
+  windowKey("s", "centre", t("Centre on the mouse"), (s) => centredOn(s.window, pointerOf(s))),
+  windowKey("a", "all", t("Show all"), (s, { box, expansion }) => fitted(box, s.size, expansion)),
 ];
 
 /** Arms a snap for the next pick, or none. */
@@ -69,8 +70,10 @@ const snapKey = (key: SnapKey | "q", title: string): DeskKey => ({
 });
 
 const snapKeys: readonly DeskKey[] = [
-  ...(Object.keys(snapNames) as SnapKey[]).map((key) => snapKey(key, `Snap: ${snapNames[key]}`)),
-  snapKey("q", "No snap"),
+  ...(Object.keys(snapNames) as SnapKey[]).map((key) =>
+    snapKey(key, t("Snap: {0}", snapNames[key])),
+  ),
+  snapKey("q", t("No snap")),
 ];
 
 const turns = (key: string, sign: string, title: string, way: 1 | -1): DeskKey => ({
@@ -101,10 +104,10 @@ const steps = (
 });
 
 const turnKeys: readonly DeskKey[] = [
-  turns("arrowleft", "↺", "Turn counter-clockwise", 1),
-  turns("arrowright", "↻", "Turn clockwise", -1),
-  steps("arrowup", "⇑", "Larger steps of turning", larger),
-  steps("arrowdown", "⇓", "Smaller steps of turning", smaller),
+  turns("arrowleft", "↺", t("Turn counter-clockwise"), 1),
+  turns("arrowright", "↻", t("Turn clockwise"), -1),
+  steps("arrowup", "⇑", t("Larger steps of turning"), larger),
+  steps("arrowdown", "⇓", t("Smaller steps of turning"), smaller),
 ];
 
 /** Gives up what is there to be given up. */
@@ -116,23 +119,23 @@ const given = (state: DeskState, around: Around): Done | null =>
 const toolKeys: readonly DeskKey[] = [
   {
     key: "t",
-    sign: "Type",
-    title: "Type a place or a number",
+    sign: t("Type"),
+    title: t("Type a place or a number"),
     menu: "tool",
     press: (state) => (takesEntry(state) ? { state: { ...state, entry: "" } } : null),
   },
   {
     key: "enter",
-    sign: "Done",
-    title: "Finish, or the last tool again (right button)",
+    sign: t("Done"),
+    title: t("Finish, or the last tool again (right button)"),
     menu: "tool",
     press: (state, around) => (state.running || state.last ? rightClicked(state, around) : null),
   },
-  { key: "escape", sign: "Cancel", title: "Give the tool up", menu: "tool", press: given },
+  { key: "escape", sign: t("Cancel"), title: t("Give the tool up"), menu: "tool", press: given },
   {
     key: "delete",
-    sign: "Delete",
-    title: "Erase what is selected",
+    sign: t("Delete"),
+    title: t("Erase what is selected"),
     menu: "tool",
     press: (state, { selected }) =>
       state.running || selected.length === 0 ? null : { state, clauses: "erase" },

@@ -1,6 +1,7 @@
 /** The viewing options of the drawing, kept in this browser. */
 
 import { createStore, type Store } from "../app/store";
+import { t } from "../words/words";
 
 export interface ViewOptions {
   /** Group colours instead of those of the directions. */
@@ -28,15 +29,24 @@ interface OptionWords {
 }
 
 export const optionWords: Record<ViewOption, OptionWords> = {
-  groupColours: { title: "Layer colours", doc: "Instead of the colours of the directions" },
-  starts: { title: "Starts", doc: "Where each shape begins, its direction and the cutting side" },
-  vertices: { title: "Vertices", doc: "A small cross at each" },
-  filtered: { title: "Filtered", doc: "Vertices that are left out when paths are made" },
-  smoothed: { title: "Smoothed", doc: "Curves that short lines become when paths are made" },
-  offDashed: { title: "Layers off", doc: "Dashed; else they are not shown and not picked" },
-  toolPaths: { title: "Tool paths", doc: "As the machine would cut, made anew with every change" },
-  rough: { title: "Rough passes", doc: "The paths of rough passes besides the final ones" },
-  machine: { title: "Machine", doc: "Its bounds, home, origin and finish of the job, the tool" },
+  groupColours: { title: t("Layer colours"), doc: t("Instead of the colours of the directions") },
+  starts: {
+    title: t("Starts"),
+    doc: t("Where each shape begins, its direction and the cutting side"),
+  },
+  vertices: { title: t("Vertices"), doc: t("A small cross at each") },
+  filtered: { title: t("Filtered"), doc: t("Vertices that are left out when paths are made") },
+  smoothed: { title: t("Smoothed"), doc: t("Curves that short lines become when paths are made") },
+  offDashed: { title: t("Layers off"), doc: t("Dashed; else they are not shown and not picked") },
+  toolPaths: {
+    title: t("Tool paths"),
+    doc: t("As the machine would cut, made anew with every change"),
+  },
+  rough: { title: t("Rough passes"), doc: t("The paths of rough passes besides the final ones") },
+  machine: {
+    title: t("Machine"),
+    doc: t("Its bounds, home, origin and finish of the job, the tool"),
+  },
 };
 
 const usual: ViewOptions = {

@@ -1,5 +1,6 @@
 /** What the line below the drawing says. */
 
+import { t } from "../words/words";
 import type { DeskState } from "./desk";
 import { keysAt, snapNames } from "./snap";
 import { asked, baseOf, type Running } from "./tools/running";
@@ -14,8 +15,10 @@ export interface Prompt {
 }
 
 const idle: Prompt = {
-  title: "Select",
-  words: "Click a shape or drag a region; Shift adds. The right button does the last tool again.",
+  title: t("Select"),
+  words: t(
+    "Click a shape or drag a region; Shift adds. The right button does the last tool again.",
+  ),
   keys: "",
   snap: null,
 };
@@ -35,20 +38,28 @@ export function promptOf({ running, turnStep }: DeskState): Prompt {
 function wordsOf(running: Running): string {
   const ask = asked(running);
   if (!ask) return "";
-  if (running.bending) return "Bulge: move the mouse, or T to type it";
+  if (running.bending) return t("Bulge: move the mouse, or T to type it");
   switch (ask.ask) {
     case "shapes":
-      return `${ask.prompt} (${running.picked.length} picked), then Enter or the right button`;
+      return t(
+        "{0} ({1} picked), then Enter or the right button",
+        ask.prompt,
+        running.picked.length,
+      );
     case "vertices":
-      return `${ask.prompt} (${running.marks.length} picked), then Enter or the right button`;
+      return t(
+        "{0} ({1} picked), then Enter or the right button",
+        ask.prompt,
+        running.marks.length,
+      );
     case "path":
-      return running.vertices.length > 0 ? `${ask.prompt}; Enter ends` : "First place";
+      return running.vertices.length > 0 ? t("{0}; Enter ends", ask.prompt) : t("First place");
     case "number":
-      return ask.from ? `${ask.prompt}: with the mouse, or T to type it` : ask.prompt;
+      return ask.from ? t("{0}: with the mouse, or T to type it", ask.prompt) : ask.prompt;
     default:
       return ask.prompt;
   }
 }
 
 const turning = ({ tool, turned }: Running, step: number): string =>
-  tool.turns ? `turned ${wrapped(turned)}° by ← →, step ${step}° by ↑ ↓` : "";
+  tool.turns ? t("turned {0}° by ← →, step {1}° by ↑ ↓", wrapped(turned), step) : "";

@@ -1,5 +1,6 @@
 /** Snaps: a key before a pick makes it exact. One pick long; Q turns it off again. */
 
+import { t } from "../words/words";
 import {
   arcOf,
   isLine,
@@ -15,12 +16,12 @@ import type { Picking, Piece } from "./pick";
 export type SnapKey = "v" | "c" | "m" | "i" | "n" | "g";
 
 export const snapNames: Record<SnapKey, string> = {
-  v: "vertex",
-  c: "centre",
-  m: "midpoint",
-  i: "intersection",
-  n: "nearest",
-  g: "square to the base point",
+  v: t("vertex"),
+  c: t("centre"),
+  m: t("midpoint"),
+  i: t("intersection"),
+  n: t("nearest"),
+  g: t("square to the base point"),
 };
 
 export const isSnapKey = (key: string): key is SnapKey => key in snapNames;

@@ -11,6 +11,7 @@ import {
   lineNumbers,
 } from "@codemirror/view";
 import { useEffect, useRef } from "react";
+import { t } from "../words/words";
 import { assistance } from "./assistance";
 import { breakpoints, toggleBreakpoint } from "./breakpoints";
 import type { Check } from "./check";
@@ -103,7 +104,7 @@ function firstState(latest: { readonly current: CodeEditorProps }): EditorState 
         indentWithTab,
       ]),
       EditorView.cspNonce.of(nonceOfPage()),
-      EditorView.contentAttributes.of({ "aria-label": `Text of ${name}` }),
+      EditorView.contentAttributes.of({ "aria-label": t("Text of {0}", name) }),
       EditorView.updateListener.of((update) => {
         if (update.docChanged) latest.current.onChange(update.state.doc, update.changes);
       }),

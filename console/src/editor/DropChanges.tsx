@@ -1,5 +1,6 @@
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
+import { t } from "../words/words";
 
 interface DropChangesProps {
   name: string;
@@ -11,7 +12,7 @@ interface DropChangesProps {
 export function DropChanges({ name, onDrop, onClose }: DropChangesProps) {
   return (
     <Sheet
-      title={`Drop the changes of ${name}?`}
+      title={t("Drop the changes of {0}?", name)}
       shape="question"
       onClose={onClose}
       foot={
@@ -32,7 +33,7 @@ export function DropChanges({ name, onDrop, onClose }: DropChangesProps) {
         </>
       }
     >
-      <p className="question-text">What was typed since it was saved is lost.</p>
+      <p className="question-text">{t("What was typed since it was saved is lost.")}</p>
     </Sheet>
   );
 }

@@ -6,6 +6,7 @@ import { useRunningLine } from "../operator/useRunningLine";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import type { Opened } from "../wire/messages";
+import { t } from "../words/words";
 import { CodeEditor } from "./CodeEditor";
 import { type Check, checking } from "./check";
 import { DebugBar } from "./DebugBar";
@@ -34,8 +35,8 @@ function useSpot(name: string | null, show: (name: string) => Promise<void>): nu
 
 /** Reasons for which a new text cannot be begun, and none saved or dropped. */
 const refusals = (changed: boolean, name: string | null) => ({
-  begin: changed && name === null ? "Save the new file first, or drop its changes." : undefined,
-  save: changed ? undefined : "Nothing was changed.",
+  begin: changed && name === null ? t("Save the new file first, or drop its changes.") : undefined,
+  save: changed ? undefined : t("Nothing was changed."),
 });
 
 /** The editor of part files (FE), and the debugger in it (FG). */
@@ -60,8 +61,8 @@ export function EditScreen() {
     <div className="edit">
       <header className="edit-head">
         <h1>
-          {file.name ?? "New file"}
-          {changed && <span className="edit-changed"> · not saved</span>}
+          {file.name ?? t("New file")}
+          {changed && <span className="edit-changed"> {t("· not saved")}</span>}
         </h1>
         <NotSaved
           drafts={others}
@@ -89,7 +90,7 @@ export function EditScreen() {
       )}
       {asking === "drop" && (
         <DropChanges
-          name={file.name ?? "the new file"}
+          name={file.name ?? t("the new file")}
           onDrop={() => void drop()}
           onClose={() => setAsking(null)}
         />

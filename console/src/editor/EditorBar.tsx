@@ -1,5 +1,6 @@
 import { useEffect } from "react";
 import { ask } from "../actions/ask";
+import { t } from "../words/words";
 import "../debugger/step-bar.css";
 import { useHands, worldOf } from "../app/context";
 import { GoesOn } from "../operator/GoesOn";
@@ -14,10 +15,14 @@ export function EditorBar({ asked }: { asked: Asked }) {
   useEffect(() => screen.edit(file), [screen, file]);
   const done = asked.buttons[asked.default] ?? "OK";
   return (
-    <section className="step" aria-label="The program waits" data-react-aria-top-layer="true">
-      <p className="step-line">
-        <span>The program waits while you edit</span>
-        <code>{file || "a new file"}</code>
+    <section
+      className="step card"
+      aria-label={t("The program waits")}
+      data-react-aria-top-layer="true"
+    >
+      <p className="step-line one-line">
+        <span>{t("The program waits while you edit")}</span>
+        <code>{file || t("a new file")}</code>
       </p>
       <GoesOn />
       <Button onPress={() => screen.edit(file)}>To the editor</Button>

@@ -3,6 +3,7 @@ import type { Spot } from "../app/screen";
 import { useWords } from "../app/useWords";
 import { FindingPlace } from "../operator/FindingPlace";
 import type { Finding } from "../wire/messages";
+import { t } from "../words/words";
 import type { Check } from "./check";
 
 interface FindingListProps {
@@ -15,13 +16,15 @@ interface FindingListProps {
 /** What is wrong with the text, for those who do not hover; and whether all of it was looked at. */
 export function FindingList({ check, file, onShow }: FindingListProps) {
   return (
-    <section className="findings" aria-label="Findings" role="status">
-      {check.is === "checking" && <p className="findings-none">Checking…</p>}
-      {check.is === "unchecked" && <p className="word word-warning">Not checked: {check.why}.</p>}
+    <section className="findings" aria-label={t("Findings")} role="status">
+      {check.is === "checking" && <p className="findings-none">{t("Checking…")}</p>}
+      {check.is === "unchecked" && (
+        <p className="word word-warning">{t("Not checked: {0}.", check.why)}</p>
+      )}
       {check.is === "lines" && <Share {...check} />}
       {"findings" in check && (
         <Found findings={check.findings} file={file} onShow={onShow}>
-          {check.is === "checked" && "No mistakes found."}
+          {check.is === "checked" && t("No mistakes found.")}
         </Found>
       )}
     </section>
@@ -30,12 +33,11 @@ export function FindingList({ check, file, onShow }: FindingListProps) {
 
 /** How much of a long text was looked at, and what is not looked at in one. */
 function Share({ share }: { share: number }) {
-  const words = useWords();
   const text =
     share < 1
-      ? `Not checked yet: ${Math.ceil((1 - share) * 100)} % of the text.`
-      : "Each line was checked by itself. Not checked: jumps, variables and units.";
-  return <p className="findings-none">{words(text)}</p>;
+      ? t("Not checked yet: {0} % of the text.", Math.ceil((1 - share) * 100))
+      : t("Each line was checked by itself. Not checked: jumps, variables and units.");
+  return <p className="findings-none">{text}</p>;
 }
 
 interface FoundProps {
@@ -65,7 +67,7 @@ function Found({ findings, file, onShow, children }: FoundProps) {
           <em>{words(finding.hint)}</em>
         </li>
       ))}
-      {findings.length > most && <li>… and {findings.length - most} more</li>}
+      {findings.length > most && <li>{t("… and {0} more", findings.length - most)}</li>}
     </ul>
   );
 }

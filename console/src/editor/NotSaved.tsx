@@ -1,5 +1,6 @@
 import { Button } from "../ui/Button";
 import type { TextDraft } from "../wire/messages";
+import { phrase, t } from "../words/words";
 
 interface NotSavedProps {
   /** Texts that are not saved; a new file has an empty name. */
@@ -14,13 +15,15 @@ export function NotSaved({ drafts, file, onShow }: NotSavedProps) {
   if (drafts.length === 0) return null;
   return (
     <p className="edit-others">
-      Also not saved:
-      {drafts.map((draft) => (
-        <Button key={`${draft.name} ${draft.page}`} size="small" onPress={() => onShow(draft)}>
-          {draft.name || "New file"}
-          {draft.name === file && ", another text"}
-        </Button>
-      ))}
+      {phrase(
+        "Also not saved:{0}",
+        drafts.map((draft) => (
+          <Button key={`${draft.name} ${draft.page}`} size="small" onPress={() => onShow(draft)}>
+            {draft.name || t("New file")}
+            {draft.name === file && t(", another text")}
+          </Button>
+        )),
+      )}
     </p>
   );
 }

@@ -2,6 +2,7 @@ import { useState } from "react";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { t } from "../words/words";
 import { withEnding } from "./document";
 
 interface SaveAsProps {
@@ -25,7 +26,7 @@ export function SaveAs(props: SaveAsProps) {
       foot={
         <Button
           look="primary"
-          refused={name.trim() === "" ? "Enter a name first." : undefined}
+          refused={name.trim() === "" ? t("Enter a name first.") : undefined}
           onPress={() => save()}
         >
           {verb}

@@ -2,6 +2,7 @@
 
 import { endDraft, keepDraft } from "../link/http";
 import type { TextDraft } from "../wire/messages";
+import { t } from "../words/words";
 
 /** So long after something was typed it goes; with the way to the disk that stays below half a second. */
 const waitMs = 200;
@@ -23,7 +24,10 @@ const sizeOf = ({ text, edits }: TextDraft): number =>
 const newPage = (): string => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 
 const bothKept = (name: string): string =>
-  `Another page types into ${name || "a new file"} too. Both texts are kept; the other one is listed as not saved.`;
+  t(
+    "Another page types into {0} too. Both texts are kept; the other one is listed as not saved.",
+    name || t("a new file"),
+  );
 
 export class DraftKeeper {
   readonly #tell: (text: string) => void;
@@ -107,7 +111,7 @@ export class DraftKeeper {
       this.#told = false;
       return true;
     } catch (error) {
-      if (!this.#told) this.#tell(`What is typed is not kept by the server: ${String(error)}`);
+      if (!this.#told) this.#tell(t("What is typed is not kept by the server: {0}", String(error)));
       this.#told = true;
       return false;
     }

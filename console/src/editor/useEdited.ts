@@ -8,6 +8,7 @@ import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/cont
 import type { Screen } from "../app/screen";
 import { baseAddress, fileAddress, getJson, Refused, writeFile } from "../link/http";
 import type { FileAbout, TextDraft } from "../wire/messages";
+import { t } from "../words/words";
 import {
   drafted,
   draftOf,
@@ -39,7 +40,10 @@ export interface Edited {
 }
 
 const changedOnDisk = (name: string) =>
-  `${name} was changed on the disk since this text was typed: Save asks before it is replaced.`;
+  t(
+    "{0} was changed on the disk since this text was typed: Save asks before it is replaced.",
+    name,
+  );
 
 /** Files that were asked for (FE, FN, a program) and were shown: whoever comes back finds what he edited last. */
 const answered = new WeakSet<object>();

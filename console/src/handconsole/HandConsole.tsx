@@ -4,6 +4,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { useJog } from "../keypad/useJog";
 import { leaseOf } from "../link/shown";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import "./hand-console.css";
 import { type ConsoleKey, keyOf, pad } from "./keys";
 
@@ -41,9 +42,9 @@ export function HandConsole() {
     press(key);
   };
   return (
-    <aside className="hand-console" aria-label="Hand console">
+    <aside className="hand-console" aria-label={t("Hand console")}>
       <div className="hand-console-head">
-        <h2>Hand console</h2>
+        <h2>{t("Hand console")}</h2>
         <Button
           look="quiet"
           size="small"
@@ -53,13 +54,13 @@ export function HandConsole() {
           ✕
         </Button>
       </div>
-      <output className="hand-console-screen" aria-label="Screen of the hand console">
+      <output className="hand-console-screen" aria-label={t("Screen of the hand console")}>
         {(shown?.lines ?? ["", ""]).map((line, row) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the two lines never change places
           <span key={row}>{line.padEnd(20)}</span>
         ))}
       </output>
-      <fieldset className="hand-console-keys" aria-label="Keys of the hand console">
+      <fieldset className="hand-console-keys" aria-label={t("Keys of the hand console")}>
         {pad.map((key) => (
           <button
             key={key.key}

@@ -1,5 +1,7 @@
 /** The keys of the hand console: as they lie, and where they are on a keyboard. */
 
+import { t } from "../words/words";
+
 export interface ConsoleKey {
   /** What the server knows it by. */
   readonly key: string;
@@ -9,7 +11,7 @@ export interface ConsoleKey {
 }
 
 const digit = (n: number): ConsoleKey => ({ key: `${n}`, label: `${n}` });
-const sign: ConsoleKey = { key: "-", label: "+/−", name: "Plus minus" };
+const sign: ConsoleKey = { key: "-", label: "+/−", name: t("Plus minus") };
 const enter: ConsoleKey = { key: "\r", label: "Enter" };
 const file: ConsoleKey = { key: "F", label: "File" };
 const start: ConsoleKey = { key: "S", label: "Start" };

@@ -13,14 +13,15 @@ export function HelpScreen() {
   if (!topic) return null;
   const { page: Page } = topic;
   return (
-    <div className="help">
-      <h1>Help</h1>
+    <div className="help page">
+      <h1>{t("Help")}</h1>
       <div className="help-columns">
-        <nav className="help-topics" aria-label="Pages of the help">
+        <nav className="help-topics" aria-label={t("Pages of the help")}>
           {topics.map(({ letters, title }) => (
             <button
               key={letters}
               type="button"
+              className="list-row"
               aria-current={letters === topic.letters ? "page" : undefined}
               onClick={() => screen.explain(letters)}
             >

@@ -5,6 +5,7 @@ import { useHands, worldOf } from "../app/context";
 import { Refused, readFile, writeFile } from "../link/http";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
+import { t } from "../words/words";
 import { cards } from "./cards";
 import { pictureOf, type Sample, samples, sampleText } from "./samples";
 
@@ -29,7 +30,7 @@ export function HowDoI() {
             <Button
               size="small"
               look="quiet"
-              aria-label={`More in the book: ${question}`}
+              aria-label={t("More in the book: {0}", question)}
               onPress={() => screen.explain(`book/${place}`)}
             >
               More in the book
@@ -37,7 +38,7 @@ export function HowDoI() {
           </li>
         ))}
       </ul>
-      <h3>Jobs to try</h3>
+      <h3>{t("Jobs to try")}</h3>
       <ul className="how-samples">
         {samples.map((sample) => (
           <SampleCard key={sample.title} sample={sample} />

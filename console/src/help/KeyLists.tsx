@@ -2,12 +2,13 @@ import { actions } from "../actions/registry";
 import { keyHelp as keypadKeys } from "../keypad/keys";
 import { keyHelp as timingKeys } from "../timing/keys";
 import { KeyHelp } from "../ui/KeyHelp";
+import { t } from "../words/words";
 
 /** The keys of the console and of the keypad. */
 export function KeyLists() {
   return (
     <>
-      <h3>Everywhere</h3>
+      <h3>{t("Everywhere")}</h3>
       <dl className="help-list">
         {actions
           .filter(({ keys }) => keys && keys.length > 0)
@@ -22,9 +23,9 @@ export function KeyLists() {
             </div>
           ))}
       </dl>
-      <h3>At the keypad</h3>
+      <h3>{t("At the keypad")}</h3>
       <KeyHelp keys={keypadKeys} look="help-list" />
-      <h3>On the timing chart</h3>
+      <h3>{t("On the timing chart")}</h3>
       <KeyHelp keys={timingKeys} look="help-list" />
     </>
   );

@@ -1,6 +1,7 @@
 /** The help pages HB (the changelog) and HW (links to what this Kerf serves). */
 
 import { useEffect, useState } from "react";
+import { phrase, t } from "../words/words";
 
 /** The text of the changelog; it comes with the page and needs no network. */
 const changes = async (): Promise<string> => (await import("../../../CHANGELOG.md?raw")).default;
@@ -20,13 +21,14 @@ export function Bulletins() {
   return (
     <>
       <p>
-        What this Kerf has noticed of itself and of this machine, for whoever helps:{" "}
-        <a href="/api/problems" target="_blank" rel="noreferrer">
-          known problems here
-        </a>
-        , in a new tab.
+        {phrase(
+          "What this Kerf has noticed of itself and of this machine, for whoever helps: {0}, in a new tab.",
+          <a href="/api/problems" target="_blank" rel="noreferrer">
+            {t("known problems here")}
+          </a>,
+        )}
       </p>
-      <section className="help-news" aria-label="News">
+      <section className="help-news" aria-label={t("News")}>
         {newsOf(news).map(({ heading, text }, n) =>
           heading ? (
             // biome-ignore lint/suspicious/noArrayIndexKey: the list never changes
@@ -49,21 +51,21 @@ export function Web() {
         <a href="/" target="_blank" rel="noreferrer">
           {location.origin}
         </a>
-        : this console, for another screen in the shop (with `--lan`).
+        {t(": this console, for another screen in the shop (with `--lan`).")}
       </li>
       <li>
         <a href="/api/openapi.json" target="_blank" rel="noreferrer">
-          What programs can ask of this Kerf
+          {t("What programs can ask of this Kerf")}
         </a>
-        , as OpenAPI.
+        {t(", as OpenAPI.")}
       </li>
       <li>
         <a href="/api/problems" target="_blank" rel="noreferrer">
-          What somebody who helps has to know
+          {t("What somebody who helps has to know")}
         </a>
-        , as text.
+        {t(", as text.")}
       </li>
-      <li>The book comes with this page: see The book at the left.</li>
+      <li>{t("The book comes with this page: see The book at the left.")}</li>
     </ul>
   );
 }

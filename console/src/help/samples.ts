@@ -1,5 +1,7 @@
 /** Jobs to try: files that come with the console, each with a picture of its tool path. */
 
+import { t } from "../words/words";
+
 export interface Sample {
   readonly title: string;
   /** Its files: the first is opened, it may call the others. */
@@ -8,23 +10,35 @@ export interface Sample {
 }
 
 export const samples: readonly Sample[] = [
-  { title: "First cut", files: ["first-cut.sbp"], about: "The outline of a rectangle." },
-  { title: "Rounded sign", files: ["rounded-sign.sbp"], about: "Arcs, an arch, holes in spirals." },
-  { title: "Coaster", files: ["coaster.sbp"], about: "A circular pocket, cut out with tabs." },
-  { title: "Grid of holes", files: ["hole-grid.sbp"], about: "Variables, loops, a subroutine." },
+  { title: t("First cut"), files: ["first-cut.sbp"], about: t("The outline of a rectangle.") },
   {
-    title: "Leaves",
-    files: ["leaves.sbp", "leaf.sbp"],
-    about: "One file three times, moved and scaled.",
+    title: t("Rounded sign"),
+    files: ["rounded-sign.sbp"],
+    about: t("Arcs, an arch, holes in spirals."),
   },
-  { title: "Touch plate", files: ["touch-plate.sbp"], about: "Finds the stock and sets Z." },
-  { title: "Questions", files: ["questions.sbp"], about: "Asks for sizes, then cuts." },
-  { title: "G-code", files: ["g-code.nc"], about: "A drilling cycle, a loop, a subroutine." },
-  { title: "Slots", files: ["to-gcode.sbp"], about: "A loop that converts to G-code." },
   {
-    title: "Bracket",
+    title: t("Coaster"),
+    files: ["coaster.sbp"],
+    about: t("A circular pocket, cut out with tabs."),
+  },
+  {
+    title: t("Grid of holes"),
+    files: ["hole-grid.sbp"],
+    about: t("Variables, loops, a subroutine."),
+  },
+  {
+    title: t("Leaves"),
+    files: ["leaves.sbp", "leaf.sbp"],
+    about: t("One file three times, moved and scaled."),
+  },
+  { title: t("Touch plate"), files: ["touch-plate.sbp"], about: t("Finds the stock and sets Z.") },
+  { title: t("Questions"), files: ["questions.sbp"], about: t("Asks for sizes, then cuts.") },
+  { title: t("G-code"), files: ["g-code.nc"], about: t("A drilling cycle, a loop, a subroutine.") },
+  { title: t("Slots"), files: ["to-gcode.sbp"], about: t("A loop that converts to G-code.") },
+  {
+    title: t("Bracket"),
     files: ["from-a-drawing.rsg"],
-    about: "A drawing, with layers and an array.",
+    about: t("A drawing, with layers and an array."),
   },
 ];
 

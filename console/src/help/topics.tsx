@@ -5,6 +5,7 @@ import { useHands, useSnapshot } from "../app/context";
 import { useCommands } from "../command/table";
 import { getText } from "../link/http";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import { CommandReference } from "./CommandReference";
 import { HowDoI } from "./HowDoI";
 import { KeyLists } from "./KeyLists";
@@ -17,20 +18,20 @@ export interface Topic {
 }
 
 export const topics: readonly Topic[] = [
-  { letters: "how", title: "How do I …", page: HowDoI },
-  { letters: "book", title: "The book", page: BookPage },
-  { letters: "glossary", title: "Glossary", page: () => <BookPage place="glossary" /> },
-  { letters: "HQ", title: "Quick start", page: QuickStart },
-  { letters: "HU", title: "User guide", page: UserGuide },
-  { letters: "HC", title: "Command reference", page: CommandReference },
-  { letters: "HR", title: "Commands on a page", page: OnePage },
-  { letters: "HE", title: "For writing part files", page: ForEditing },
-  { letters: "HK", title: "Keys", page: KeyLists },
-  { letters: "HT", title: "Troubleshooting", page: Troubleshooting },
-  { letters: "HN", title: "Ask for help", page: AskForHelp },
-  { letters: "HB", title: "Bulletins", page: Bulletins },
-  { letters: "HW", title: "On the web", page: Web },
-  { letters: "HA", title: "About", page: About },
+  { letters: "how", title: t("How do I …"), page: HowDoI },
+  { letters: "book", title: t("The book"), page: BookPage },
+  { letters: "glossary", title: t("Glossary"), page: () => <BookPage place="glossary" /> },
+  { letters: "HQ", title: t("Quick start"), page: QuickStart },
+  { letters: "HU", title: t("User guide"), page: UserGuide },
+  { letters: "HC", title: t("Command reference"), page: CommandReference },
+  { letters: "HR", title: t("Commands on a page"), page: OnePage },
+  { letters: "HE", title: t("For writing part files"), page: ForEditing },
+  { letters: "HK", title: t("Keys"), page: KeyLists },
+  { letters: "HT", title: t("Troubleshooting"), page: Troubleshooting },
+  { letters: "HN", title: t("Ask for help"), page: AskForHelp },
+  { letters: "HB", title: t("Bulletins"), page: Bulletins },
+  { letters: "HW", title: t("On the web"), page: Web },
+  { letters: "HA", title: t("About"), page: About },
 ];
 
 /** The book and its reader are fetched when they are wanted. */
@@ -38,7 +39,7 @@ const Book = lazy(async () => ({ default: (await import("./book/Book")).Book }))
 
 function BookPage({ place }: { place: string }) {
   return (
-    <Suspense fallback={<p>Reading…</p>}>
+    <Suspense fallback={<p>{t("Reading…")}</p>}>
       <Book place={place} />
     </Suspense>
   );
@@ -48,20 +49,27 @@ function QuickStart() {
   return (
     <ol className="help-steps">
       <li>
-        <b>Choose a file</b> on the operator's screen (Ctrl O). Its tool path appears; ▶ plays it.
+        <b>{t("Choose a file")}</b>{" "}
+        {t("on the operator's screen (Ctrl O). Its tool path appears; ▶ plays it.")}
       </li>
       <li>
-        <b>Arm the machine</b> in the strip at the top. Until then nothing moves.
+        <b>{t("Arm the machine")}</b> {t("in the strip at the top. Until then nothing moves.")}
       </li>
       <li>
-        <b>Move the tool</b> with the keypad (K) over the corner of the stock and set the zeros of
-        X, Y and Z there.
+        <b>{t("Move the tool")}</b>{" "}
+        {t(
+          "with the keypad (K) over the corner of the stock and set the zeros of X, Y and Z there.",
+        )}
       </li>
       <li>
-        <b>Start.</b> The program asks what it has to ask; Hold pauses it, STOP ends the motion and
-        asks whether to go on.
+        <b>{t("Start.")}</b>{" "}
+        {t(
+          "The program asks what it has to ask; Hold pauses it, STOP ends the motion and asks whether to go on.",
+        )}
       </li>
-      <li>On the simulated machine all of this is done without anything that could break.</li>
+      <li>
+        {t("On the simulated machine all of this is done without anything that could break.")}
+      </li>
     </ol>
   );
 }
@@ -69,27 +77,29 @@ function QuickStart() {
 function UserGuide() {
   return (
     <div className="help-guide">
-      <h3>Operate</h3>
+      <h3>{t("Operate")}</h3>
       <p>
-        Location, tool path, program and messages of the job on one screen. EASY has buttons, FULL
-        menus and the command line. The chip PREVIEW, SIMULATED or CUT says what running a file
-        means, and changes it.
+        {t(
+          "Location, tool path, program and messages of the job on one screen. EASY has buttons, FULL menus and the command line. The chip PREVIEW, SIMULATED or CUT says what running a file means, and changes it.",
+        )}
       </p>
-      <h3>Edit</h3>
+      <h3>{t("Edit")}</h3>
       <p>
-        Part files are checked while they are written. A click beside a line number sets a
-        breakpoint; “Go line by line” asks before every line, and watched variables show what they
-        hold.
+        {t(
+          "Part files are checked while they are written. A click beside a line number sets a breakpoint; “Go line by line” asks before every line, and watched variables show what they hold.",
+        )}
       </p>
-      <h3>Draw</h3>
+      <h3>{t("Draw")}</h3>
       <p>
-        Shapes, their groups and tool paths, and the part program that is made of them: with the
-        mouse, by keys, or by typed places.
+        {t(
+          "Shapes, their groups and tool paths, and the part program that is made of them: with the mouse, by keys, or by typed places.",
+        )}
       </p>
-      <h3>Settings</h3>
+      <h3>{t("Settings")}</h3>
       <p>
-        How this browser shows things, devices that may connect, and every setting of the machine,
-        in the unit that is set.
+        {t(
+          "How this browser shows things, devices that may connect, and every setting of the machine, in the unit that is set.",
+        )}
       </p>
     </div>
   );
@@ -116,8 +126,8 @@ function OnePage() {
 function ForEditing() {
   const table = useCommands().filter(({ parameters }) => parameters.length > 0);
   return (
-    <section className="help-columns-page" aria-label="Parameters in their order">
-      <table>
+    <section className="help-columns-page" aria-label={t("Parameters in their order")}>
+      <table className="list-table">
         <tbody>
           {table.map(({ letters, parameters }) => (
             <tr key={letters}>
@@ -139,32 +149,42 @@ function ForEditing() {
 
 const troubles: readonly [string, string][] = [
   [
-    "No link to the machine",
-    "The program on the machine has ended, or the network is gone. What is shown is old; a job goes on without the page. Start Kerf again, or bring the network back: the page connects by itself.",
+    t("No link to the machine"),
+    t(
+      "The program on the machine has ended, or the network is gone. What is shown is old; a job goes on without the page. Start Kerf again, or bring the network back: the page connects by itself.",
+    ),
   ],
   [
-    "The machine is disarmed",
-    "So it is after a start, an alarm, or when the controlling browser disconnected. Look that all is clear, then press Arm.",
+    t("The machine is disarmed"),
+    t(
+      "So it is after a start, an alarm, or when the controlling browser disconnected. Look that all is clear, then press Arm.",
+    ),
   ],
   [
-    "Somebody else drives",
-    "One page drives at a time. “Take control” takes it over; STOP works from every page all the same.",
+    t("Somebody else drives"),
+    t(
+      "One page drives at a time. “Take control” takes it over; STOP works from every page all the same.",
+    ),
   ],
   [
-    "The keypad moves by steps only",
-    "The link takes longer than 150 ms: a hand that lets go would be heard too late.",
+    t("The keypad moves by steps only"),
+    t("The link takes longer than 150 ms: a hand that lets go would be heard too late."),
   ],
   [
-    "The file was changed since it was previewed",
-    "What runs is what was looked at. Open the file again.",
+    t("The file was changed since it was previewed"),
+    t("What runs is what was looked at. Open the file again."),
   ],
   [
-    "The machine does not know where it is",
-    "After a power cut its places are not verified (UD). Zero the axes or home them before you cut.",
+    t("The machine does not know where it is"),
+    t(
+      "After a power cut its places are not verified (UD). Zero the axes or home them before you cut.",
+    ),
   ],
   [
-    "Limits are reached",
-    "The table limits (VL) or a limit switch ended the motion. Acknowledge the alarm, move the tool away with the keypad.",
+    t("Limits are reached"),
+    t(
+      "The table limits (VL) or a limit switch ended the motion. Acknowledge the alarm, move the tool away with the keypad.",
+    ),
   ],
 ];
 
@@ -194,18 +214,19 @@ function useProblems(): string | null {
 /** What whoever helps has to know, to be sent by the person himself. */
 function AskForHelp() {
   const told = useProblems();
-  if (told === null) return <p>Reading…</p>;
+  if (told === null) return <p>{t("Reading…")}</p>;
   const text = `${told}Browser: ${navigator.userAgent}\n`;
   const file = `data:text/plain;charset=utf-8,${encodeURIComponent(text)}`;
   return (
     <>
       <p>
-        This is what helps others to help you. Nothing of it is sent by Kerf: save it, and add what
-        you did and what you expected.
+        {t(
+          "This is what helps others to help you. Nothing of it is sent by Kerf: save it, and add what you did and what you expected.",
+        )}
       </p>
       <pre className="help-request">{text}</pre>
       <a className="button" href={file} download="problem.log">
-        Save problem.log
+        {t("Save problem.log")}
       </a>
     </>
   );
@@ -217,20 +238,22 @@ function About() {
   return (
     <dl className="help-troubles">
       <div>
-        <dt>Version</dt>
+        <dt>{t("Version")}</dt>
         <dd>Kerf {kerf}</dd>
       </div>
       <div>
-        <dt>Driver</dt>
+        <dt>{t("Driver")}</dt>
         <dd>{machine?.name}</dd>
       </div>
       <div>
-        <dt>Licence</dt>
-        <dd>MIT or Apache-2.0, as you choose</dd>
+        <dt>{t("Licence")}</dt>
+        <dd>{t("MIT or Apache-2.0, as you choose")}</dd>
       </div>
       <div>
-        <dt>Safety</dt>
-        <dd>This page is no safety device: a machine needs an emergency stop that is wired.</dd>
+        <dt>{t("Safety")}</dt>
+        <dd>
+          {t("This page is no safety device: a machine needs an emergency stop that is wired.")}
+        </dd>
       </div>
     </dl>
   );

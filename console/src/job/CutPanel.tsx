@@ -7,6 +7,7 @@ import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import { choose } from "./actions";
 import type { Plan } from "./plan";
 import { ValueField, type ValueFieldProps } from "./ValueField";
@@ -36,27 +37,27 @@ export function CutPanel({ plan }: { plan: Plan }) {
   const perMin = `${linear}/min`;
   const fields: readonly ValueFieldProps[] = [
     {
-      label: "Cutting speed",
+      label: t("Cutting speed"),
       value: (cutMmS * 60) / mm,
       unit: perMin,
       onSet: speed("smoothing.cut_speed_mm_s"),
     },
     {
-      label: "Plunging speed",
+      label: t("Plunging speed"),
       value: (plungeMmS * 60) / mm,
       unit: perMin,
       onSet: speed("plunge.speed_mm_s"),
     },
-    { label: "Z top", value: top / mm, unit: linear, onSet: height("zpos.top_mm") },
-    { label: "Z surface", value: surface / mm, unit: linear, onSet: height("zpos.surface_mm") },
-    { label: "Z bottom", value: bottom / mm, unit: linear, onSet: height("zpos.bottom_mm") },
+    { label: t("Z top"), value: top / mm, unit: linear, onSet: height("zpos.top_mm") },
+    { label: t("Z surface"), value: surface / mm, unit: linear, onSet: height("zpos.surface_mm") },
+    { label: t("Z bottom"), value: bottom / mm, unit: linear, onSet: height("zpos.bottom_mm") },
     {
-      label: "Repeats",
+      label: t("Repeats"),
       value: view.repeats,
       onSet: (value) => set("job.repeats", String(value)),
     },
     {
-      label: "Offset of all paths",
+      label: t("Offset of all paths"),
       value: offset / mm,
       unit: linear,
       onSet: (value) => choose(worldOf(hands), { offset: value * mm }),
@@ -69,7 +70,7 @@ export function CutPanel({ plan }: { plan: Plan }) {
           <ValueField key={field.label} {...field} isDisabled={off} />
         ))}
         <div className="field">
-          <span className="field-label">Rises when paused</span>
+          <span className="field-label">{t("Rises when paused")}</span>
           <Choice
             label="Rises when paused"
             options={yesNo}
@@ -87,7 +88,7 @@ export function CutPanel({ plan }: { plan: Plan }) {
         </ActionButton>
       </div>
       <p className="cut-finish">
-        At the end the head goes to {placeText(view.finish, units)} from the origin.
+        {t("At the end the head goes to {0} from the origin.", placeText(view.finish, units))}
       </p>
     </Panel>
   );
@@ -99,8 +100,10 @@ function NotHomed() {
   if (axes === "") return null;
   return (
     <p className="cut-warning">
-      Not homed: {[...axes].join(", ")}. The origin and the bounds of the table hold from where the
-      machine was switched on, until these axes are homed.
+      {t(
+        "Not homed: {0}. The origin and the bounds of the table hold from where the machine was switched on, until these axes are homed.",
+        [...axes].join(", "),
+      )}
     </p>
   );
 }
@@ -111,16 +114,16 @@ function Origin({ plan, busy }: { plan: Plan; busy: string | undefined }) {
   const units = useSnapshot("units");
   const at = useSnapshot("motion")?.at.machine;
   const chosen = useSnapshot("opened")?.choice.origin ?? null;
-  const own = chosen ? undefined : "It lies where its file says.";
+  const own = chosen ? undefined : t("It lies where its file says.");
   if (!units || !at) return null;
   return (
     <div className="cut-origin">
       <p>
-        <span className="field-label">Origin from home</span>
+        <span className="field-label">{t("Origin from home")}</span>
         <b>{placeText(plan.view.origin, units)}</b>
       </p>
       {plan.view.originAtStart ? (
-        <p>Each start takes the present place.</p>
+        <p>{t("Each start takes the present place.")}</p>
       ) : (
         <>
           <Button

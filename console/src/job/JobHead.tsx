@@ -4,6 +4,7 @@ import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { FileSheet } from "../draw/FileSheet";
 import { busy } from "../keypad/refusal";
 import { Button } from "../ui/Button";
+import { phrase, t } from "../words/words";
 
 /** Files that lead to a job: jobs, and drawings that become one. */
 const endings = ["rsm", "rsg", "dxf", "svg"];
@@ -17,14 +18,14 @@ export function JobHead() {
   const name = opened?.kind === "program" ? "" : (opened?.name ?? "");
   return (
     <header className="job-head">
-      <p className="drawing-name">{name || "No job is open"}</p>
+      <p className="drawing-name">{name || t("No job is open")}</p>
       <Button size="small" refused={idle ? undefined : busy} onPress={() => setAsking(true)}>
         Open a job…
       </Button>
       <Added />
       {asking && (
         <FileSheet
-          title="Open a job or a drawing"
+          title={t("Open a job or a drawing")}
           endings={endings}
           onClose={() => setAsking(false)}
           onName={(name) => ask(worldOf(hands), { do: "open", name })}
@@ -41,17 +42,20 @@ function Added() {
   if (added === 0) return null;
   return (
     <p className="job-added">
-      {added === 1 ? "1 shape is" : `${added} shapes are`} not saved
-      <Button size="small" onPress={() => void ask(worldOf(hands), { do: "takeShapeBack" })}>
-        Take the last back
-      </Button>
-      <Button
-        size="small"
-        look="primary"
-        onPress={() => void ask(worldOf(hands), { do: "saveJob" })}
-      >
-        Save the job
-      </Button>
+      {phrase(
+        "{0} not saved{1}{2}",
+        added === 1 ? t("1 shape is") : t("{0} shapes are", added),
+        <Button size="small" onPress={() => void ask(worldOf(hands), { do: "takeShapeBack" })}>
+          Take the last back
+        </Button>,
+        <Button
+          size="small"
+          look="primary"
+          onPress={() => void ask(worldOf(hands), { do: "saveJob" })}
+        >
+          Save the job
+        </Button>,
+      )}
     </p>
   );
 }

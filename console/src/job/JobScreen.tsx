@@ -1,6 +1,7 @@
 import { DigitizePanel } from "../digitize/DigitizePanel";
 import { JobBar } from "../operator/JobBar";
 import { LocationDisplay } from "../operator/LocationDisplay";
+import { t } from "../words/words";
 import { CutPanel } from "./CutPanel";
 import { JobHead } from "./JobHead";
 import { JobSheet } from "./JobSheet";
@@ -16,7 +17,7 @@ export function JobScreen() {
   const standing = useStanding(plan);
   return (
     <div className="job-screen">
-      <h1 className="hidden-text">Job</h1>
+      <h1 className="hidden-text">{t("Job")}</h1>
       <div className="job-page-left">
         <LocationDisplay />
         {plan && <CutPanel plan={plan} />}

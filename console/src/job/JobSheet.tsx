@@ -23,6 +23,7 @@ import {
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { useSize } from "../view/useSize";
+import { phrase, t } from "../words/words";
 import { chooseStart } from "./actions";
 import { paintPlan, paintProgress } from "./paint";
 import { margin, type Plan, pathAt, type Standing, toolPlace } from "./plan";
@@ -68,7 +69,7 @@ export function JobSheet({ plan, standing }: JobSheetProps) {
         ref={box}
         className={hover === null ? "job-sheet" : "job-sheet job-sheet-picking"}
         role="application"
-        aria-label="Paths of the job"
+        aria-label={t("Paths of the job")}
         onPointerDown={(event) => {
           event.currentTarget.setPointerCapture(event.pointerId);
           pressed.current = { at: pixelOf(box.current, event), window };
@@ -184,7 +185,7 @@ function spots({ view }: Plan, tool: Place | null): TableItem[] {
 /** The groups that have paths, in their colours. */
 function Legend({ plan }: { plan: Plan }) {
   return (
-    <ul className="job-legend" aria-label="Groups">
+    <ul className="job-legend" aria-label={t("Groups")}>
       {plan.groups.map((group) => (
         <li key={group}>
           <i style={{ background: `var(--draw-group-${group})` }} aria-hidden="true" />
@@ -198,15 +199,21 @@ function Legend({ plan }: { plan: Plan }) {
 /** What lies under the pointer. */
 function HoverWords({ plan, number }: { plan: Plan; number: number | null }) {
   const units = useSnapshot("units");
-  const path = number === null ? undefined : plan.paths[number - 1];
-  if (!path || !units)
-    return <p className="job-hover">A click on a path begins the job with it.</p>;
+  const path = plan.paths[(number ?? 0) - 1];
+  if (number === null || !path || !units)
+    return <p className="job-hover">{t("A click on a path begins the job with it.")}</p>;
   const { box, group } = path.shape;
   const [wide, high] = [box.max.x - box.min.x, box.max.y - box.min.y];
   return (
     <p className="job-hover">
-      <b>Path {number}</b>, {group}, tool {path.tool}, {lengthText(wide, units)} ×{" "}
-      {lengthText(high, units)}
+      {phrase(
+        "{0}, {1}, tool {2}, {3} × {4}",
+        <b>{t("Path {0}", number)}</b>,
+        group,
+        path.tool,
+        lengthText(wide, units),
+        lengthText(high, units),
+      )}
     </p>
   );
 }

@@ -1,5 +1,6 @@
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import { machine } from "./actions";
 
 /** Where no job is open: a drawing has no tool path yet. */
@@ -11,8 +12,8 @@ export function NoJob() {
     return (
       <div className="job-none">
         <p>
-          <b>{opened.name}</b> is a drawing: it has no tool path yet, and the machine cuts nothing
-          of it.
+          <b>{opened.name}</b>{" "}
+          {t("is a drawing: it has no tool path yet, and the machine cuts nothing of it.")}
         </p>
         <Button look="primary" onPress={() => void machine(worldOf(hands), opened.name)}>
           Make the tool path
@@ -24,8 +25,9 @@ export function NoJob() {
   return (
     <div className="job-none">
       <p>
-        A job is the tool path of a drawing: the machine cuts it with its own heights, speeds and
-        sequence.
+        {t(
+          "A job is the tool path of a drawing: the machine cuts it with its own heights, speeds and sequence.",
+        )}
       </p>
       {drawn && (
         <Button look="primary" onPress={() => void machine(worldOf(hands), null)}>

@@ -3,6 +3,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { useBusy } from "../app/useBusy";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import { chooseStart } from "./actions";
 import { type Plan, type Share, type Standing, shareOf } from "./plan";
 import { ValueField } from "./ValueField";
@@ -11,10 +12,10 @@ import { ValueField } from "./ValueField";
 const most = 400;
 
 const words: Record<Share, string> = {
-  skipped: "left out",
+  skipped: t("left out"),
   waiting: "",
-  running: "cutting",
-  done: "done",
+  running: t("cutting"),
+  done: t("done"),
 };
 
 interface PathPanelProps {
@@ -42,14 +43,14 @@ export function PathPanel({ plan, standing }: PathPanelProps) {
 function StartChoice({ count, start }: { count: number; start: number }) {
   const hands = useHands();
   const busy = useBusy();
-  const first = start <= 1 ? "It begins with the first path." : undefined;
-  const last = start >= count ? "It begins with the last path." : undefined;
+  const first = start <= 1 ? t("It begins with the first path.") : undefined;
+  const last = start >= count ? t("It begins with the last path.") : undefined;
   const begin = (number: number) =>
     chooseStart(worldOf(hands), Math.min(Math.max(Math.round(number), 1), count));
   return (
     <div className="start-choice">
       <ValueField
-        label="Begins with path"
+        label={t("Begins with path")}
         value={start}
         isDisabled={busy !== undefined}
         onSet={begin}
@@ -89,7 +90,7 @@ function PathList({ plan, standing }: PathPanelProps) {
   }, [here]);
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a list that scrolls must be reached by key
-    <ol className="path-list" aria-label="Paths in cutting order" tabIndex={0}>
+    <ol className="path-list" aria-label={t("Paths in cutting order")} tabIndex={0}>
       {shown.map(({ shape, traversal, tool }) => {
         const share = shareOf(shape.number, standing);
         return (
@@ -102,14 +103,14 @@ function PathList({ plan, standing }: PathPanelProps) {
             <button
               type="button"
               onClick={() => void chooseStart(worldOf(hands), shape.number)}
-              title="Begin with this path"
+              title={t("Begin with this path")}
             >
               <b>{shape.number}</b>
               <i style={{ background: `var(--draw-group-${shape.group})` }} aria-hidden="true" />
               <span>
                 {shape.group}
-                {traversal ? ", way round" : `, tool ${tool}`}
-                {shape.pause && <em>pause</em>}
+                {traversal ? t(", way round") : t(", tool {0}", tool)}
+                {shape.pause && <em>{t("pause")}</em>}
               </span>
               <span className="path-share">{words[share]}</span>
             </button>
@@ -124,7 +125,7 @@ function PathList({ plan, standing }: PathPanelProps) {
 function Comments() {
   const comments = useSnapshot("opened")?.header;
   return comments ? (
-    <section className="path-comments" aria-label="Comments of the file">
+    <section className="path-comments" aria-label={t("Comments of the file")}>
       {comments}
     </section>
   ) : null;
@@ -135,7 +136,7 @@ function Findings() {
   const findings = useSnapshot("opened")?.findings ?? [];
   if (findings.length === 0) return null;
   return (
-    <ul className="path-findings" aria-label="Findings">
+    <ul className="path-findings" aria-label={t("Findings")}>
       {findings.map(({ message }) => (
         <li key={message}>{message}</li>
       ))}

@@ -7,6 +7,7 @@ import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Sheet } from "../ui/Sheet";
 import type { Asked } from "../wire/messages";
+import { phrase, t } from "../words/words";
 import { headAt, near } from "./head";
 import { useJob } from "./useJob";
 import { ValueField } from "./ValueField";
@@ -34,7 +35,7 @@ export function PausedDialog({ asked }: { asked: Asked }) {
             {ends}
           </Button>
           <Button size="large" look="go" autoFocus onPress={() => void say(goesOn)}>
-            {chooses ? "Start" : goesOn}
+            {chooses ? t("Start") : goesOn}
           </Button>
         </>
       }
@@ -54,7 +55,7 @@ function Forbidden() {
   const forbidden = useSnapshot("io")?.forbidden;
   return forbidden ? (
     <p className="paused-forbidden" role="alert">
-      Nothing moves: {forbidden}.
+      {t("Nothing moves: {0}.", forbidden)}
     </p>
   ) : null;
 }
@@ -71,7 +72,7 @@ function ChooseStart({ text, say }: Says & { text: string }) {
       <HeadWords number={number} />
       <div className="start-choice">
         <ValueField
-          label="Begins with path"
+          label={t("Begins with path")}
           value={number}
           onSet={(value) => say(String(Math.max(1, Math.round(value))))}
         />
@@ -96,17 +97,18 @@ function HeadWords({ number }: { number: number }) {
   const head = headAt(plan.view, number, [x, y]);
   if (!head) return null;
   const height = `Z ${lengthText(z, units)}`;
-  const there = `the beginning of path ${number}`;
+  const there = t("the beginning of path {0}", number);
   if (head.awayMm < near)
-    return (
-      <p>
-        The head stands over {there}, {height}. Start cuts from there.
-      </p>
-    );
+    return <p>{t("The head stands over {0}, {1}. Start cuts from there.", there, height)}</p>;
   return (
     <p>
-      The head stands at {placeText(head.at, units)}, {height}: {lengthText(head.awayMm, units)}{" "}
-      from {there}. Start takes it there first, at Z home.
+      {t(
+        "The head stands at {0}, {1}: {2} from {3}. Start takes it there first, at Z home.",
+        placeText(head.at, units),
+        height,
+        lengthText(head.awayMm, units),
+        there,
+      )}
     </p>
   );
 }
@@ -125,24 +127,25 @@ function ChangeValues({ say }: Says) {
   return (
     <>
       <p>
-        The tool goes back to where the cut was left by itself, however far it is moved. What is
-        changed here holds for the rest of the job.
+        {t(
+          "The tool goes back to where the cut was left by itself, however far it is moved. What is changed here holds for the rest of the job.",
+        )}
       </p>
       <div className="cut-grid">
         <ValueField
-          label="Cutting speed"
+          label={t("Cutting speed")}
           value={(cutMmS * 60) / mm}
           unit={perMin}
           onSet={(value) => say(`cut ${value * mm}`)}
         />
         <ValueField
-          label="Plunging speed"
+          label={t("Plunging speed")}
           value={(plungeMmS * 60) / mm}
           unit={perMin}
           onSet={(value) => say(`plunge ${value * mm}`)}
         />
         <ValueField
-          label="Move Z bottom by"
+          label={t("Move Z bottom by")}
           value={0}
           unit={linear}
           onSet={async (value) => {
@@ -152,7 +155,7 @@ function ChangeValues({ say }: Says) {
           }}
         />
         <div className="field">
-          <span className="field-label">Rises when paused</span>
+          <span className="field-label">{t("Rises when paused")}</span>
           <Choice
             label="Rises when paused"
             options={[
@@ -166,8 +169,12 @@ function ChangeValues({ say }: Says) {
       </div>
       {heights && (
         <p className="paused-heights">
-          Z top {lengthText(heights[0], units)}, surface {lengthText(heights[1], units)}, bottom{" "}
-          <b>{lengthText(heights[2], units)}</b>
+          {phrase(
+            "Z top {0}, surface {1}, bottom {2}",
+            lengthText(heights[0], units),
+            lengthText(heights[1], units),
+            <b>{lengthText(heights[2], units)}</b>,
+          )}
         </p>
       )}
     </>

@@ -1,6 +1,7 @@
 import { useEffect, useRef, useState } from "react";
 import { evaluate, resultText } from "../app/expression";
 import { Field } from "../ui/Field";
+import { t } from "../words/words";
 
 export interface ValueFieldProps {
   label: string;
@@ -46,7 +47,7 @@ export function ValueField({ label, value, unit, isDisabled = false, onSet }: Va
         onChange={setText}
         onBlur={() => void leave()}
         isDisabled={isDisabled}
-        error={wrong ? "This is no number." : undefined}
+        error={wrong ? t("This is no number.") : undefined}
         {...(unit ? { unit } : {})}
       />
     </form>

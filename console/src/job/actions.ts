@@ -4,13 +4,14 @@ import type { World } from "../actions/action";
 import { ask } from "../actions/ask";
 import { mayReplace } from "../actions/replace";
 import type { JobChoice } from "../wire/messages";
+import { t } from "../words/words";
 
 /** Cuts the job otherwise; nothing while one runs. */
 export async function choose(world: World, change: Partial<JobChoice>): Promise<boolean> {
   const snapshot = world.shown.snapshot;
   if (snapshot?.opened?.kind !== "job") return false;
   if (!["idle", "alarm"].includes(snapshot.machine.state)) {
-    world.screen.tell("A job runs: its first path is chosen before it starts.");
+    world.screen.tell(t("A job runs: its first path is chosen before it starts."));
     return false;
   }
   return ask(world, { do: "choose", choice: { ...snapshot.opened.choice, ...change } });

@@ -7,6 +7,7 @@ import { tracePoint } from "../draw/paint/lines";
 import { pixel, type Sheet, strokeDrawn, traceDrawn } from "../draw/paint/pen";
 import type { Ink } from "../draw/paint/picture";
 import { boxInSight } from "../draw/window";
+import { t } from "../words/words";
 import { type Plan, type Share, type Standing, shareOf } from "./plan";
 
 /** From so many paths in sight on, their numbers would cover each other. */
@@ -125,7 +126,7 @@ function paintNumbers(sheet: Sheet, plan: Plan, standing: Standing, ink: Ink): v
     const runs = shareOf(number, standing) === "running";
     if (!at || !(few || starts || runs)) continue;
     const { x, y } = pixel(sheet, at);
-    const words = starts ? `Start ${number}` : String(number);
+    const words = starts ? t("Start {0}", number) : String(number);
     const wide = pen.measureText(words).width + 8;
     const [left, top] = [x - wide - 6, y + 6];
     pen.fillStyle = ink(runs || starts ? "--draw-start" : "--panel");

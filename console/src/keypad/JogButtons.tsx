@@ -1,4 +1,5 @@
 import type { PointerEvent } from "react";
+import { t } from "../words/words";
 import type { Way } from "./keys";
 
 interface JogButtonsProps {
@@ -29,7 +30,7 @@ export function JogButtons({ isDisabled, onHold, onRelease }: JogButtonsProps) {
     onHold(way, event.ctrlKey || event.shiftKey);
   };
   return (
-    <fieldset className="jog" aria-label="Move while held">
+    <fieldset className="jog" aria-label={t("Move while held")}>
       {pad.map(({ way, sign, name }) => (
         <button
           key={way}

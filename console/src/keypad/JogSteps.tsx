@@ -1,6 +1,7 @@
 import { ToggleButton, ToggleButtonGroup } from "react-aria-components";
 import { resultText } from "../app/expression";
 import type { Units } from "../wire/messages";
+import { t } from "../words/words";
 
 interface JogStepsProps {
   units: Units;
@@ -19,7 +20,7 @@ export function JogSteps({ units, step, onStep }: JogStepsProps) {
   return (
     <ToggleButtonGroup
       className="choice jog-steps"
-      aria-label={`Steps, ${units.linear}`}
+      aria-label={t("Steps, {0}", units.linear)}
       selectionMode="single"
       selectedKeys={step === null ? [] : [String(step)]}
       onSelectionChange={([key]) => onStep(key === undefined ? (step ?? steps[0]) : Number(key))}

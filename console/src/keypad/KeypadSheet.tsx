@@ -6,6 +6,7 @@ import { evaluate } from "../app/expression";
 import { KeyHelp } from "../ui/KeyHelp";
 import { Sheet } from "../ui/Sheet";
 import type { Speeds } from "../wire/messages";
+import { t } from "../words/words";
 import { JogButtons } from "./JogButtons";
 import { JogManner, type Manner } from "./JogManner";
 import "./keypad.css";
@@ -18,8 +19,8 @@ import { useMayMove } from "./useMayMove";
 
 /** What else moves the tool (VD, keypad remote). */
 const otherHands: Record<number, string> = {
-  1: "The keys of a pendant on the inputs move the tool, too.",
-  2: "Another program moves the tool, too, once it has taken control.",
+  1: t("The keys of a pendant on the inputs move the tool, too."),
+  2: t("Another program moves the tool, too, once it has taken control."),
 };
 
 /** The keypad (SK): moves the tool for as long as a key or button is held. */
@@ -85,7 +86,7 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
         )}
         {onlySteps && (
           <p className="keypad-refused" role="alert">
-            The link is slow: only fixed distances move.
+            {t("The link is slow: only fixed distances move.")}
           </p>
         )}
         {units && (

@@ -1,6 +1,7 @@
 import { type PointerEvent, useState } from "react";
 import { useSnapshot } from "../app/context";
 import { usedAxes } from "../app/units";
+import { t } from "../words/words";
 import { type Direction, directionOf } from "./keys";
 
 interface PendantProps {
@@ -36,7 +37,7 @@ export function Pendant({ isDisabled, onHold, onRelease }: PendantProps) {
       onAuxClick={(event) => event.preventDefault()}
     >
       <output className="pendant-axis">{active?.axis.letter}</output>
-      left button −, right button +, middle button next axis
+      {t("left button −, right button +, middle button next axis")}
     </button>
   );
 }

@@ -1,4 +1,5 @@
 import { Button } from "../ui/Button";
+import { phrase, t } from "../words/words";
 
 interface RecordedProps {
   /** Nothing while places are not recorded. */
@@ -12,16 +13,16 @@ export function Recorded({ places, onChange, onKeep }: RecordedProps) {
   if (!places) {
     return (
       <Button size="small" onPress={() => onChange([])}>
-        Record places <kbd>#</kbd>
+        {t("Record places")} <kbd>#</kbd>
       </Button>
     );
   }
   return (
-    <section className="recorded" aria-label="Recorded places">
+    <section className="recorded" aria-label={t("Recorded places")}>
       <div className="recorded-tools">
         {[2, 3].map((axes) => (
           <Button key={axes} size="small" onPress={() => onKeep(axes)}>
-            Keep J{axes} <kbd>{axes}</kbd>
+            {phrase("Keep J{0} {1}", axes, <kbd>{axes}</kbd>)}
           </Button>
         ))}
         <Button size="small" onPress={() => void navigator.clipboard?.writeText(places.join("\n"))}>
@@ -31,7 +32,7 @@ export function Recorded({ places, onChange, onKeep }: RecordedProps) {
           End
         </Button>
       </div>
-      <pre className="recorded-list">{places.join("\n") || "Nothing is recorded yet."}</pre>
+      <pre className="recorded-list">{places.join("\n") || t("Nothing is recorded yet.")}</pre>
     </section>
   );
 }

@@ -8,6 +8,7 @@
  */
 
 import type { Act, Reply } from "../wire/messages";
+import { t } from "../words/words";
 import type { Direction } from "./keys";
 
 type Jog = Extract<Act, { do: "jogStart" | "jogRenew" | "jogStop" | "key" }>;
@@ -96,7 +97,7 @@ export class JogHand {
     if (lease === undefined) return;
     const clockMs = this.#clock();
     if (clockMs === null) {
-      this.#refused("The link is being measured: press the key again in a moment.");
+      this.#refused(t("The link is being measured: press the key again in a moment."));
       return;
     }
     jogs += 1;

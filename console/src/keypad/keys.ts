@@ -1,5 +1,7 @@
 /** What the keys of the keypad mean (SK). */
 
+import { t } from "../words/words";
+
 /** Directions of X Y Z A B C: -1, 0, 1 or between. */
 export type Direction = readonly [number, number, number, number, number, number];
 
@@ -59,12 +61,12 @@ export function wayOfKey(key: string, alt: boolean): Way | undefined {
 export const keyHelp: readonly { readonly keys: string; readonly means: string }[] = [
   { keys: "← →", means: "X" },
   { keys: "↑ ↓", means: "Y" },
-  { keys: "PgUp PgDn", means: "Z" },
-  { keys: "Ctrl + key", means: "at jog speed" },
-  { keys: "Alt + PgUp PgDn", means: "accessory axis A" },
-  { keys: "/ and \\", means: "diagonals; with Alt the other way" },
-  { keys: "D", means: "fixed distance on and off" },
-  { keys: "E", means: "the mouse as a pendant" },
-  { keys: "#", means: "record places: then 2 … 5 keeps a J2 … J5, 0 ends" },
-  { keys: "Esc", means: "leave; a part file goes on" },
+  { keys: t("PgUp PgDn"), means: "Z" },
+  { keys: t("Ctrl + key"), means: t("at jog speed") },
+  { keys: t("Alt + PgUp PgDn"), means: t("accessory axis A") },
+  { keys: t("/ and \\"), means: t("diagonals; with Alt the other way") },
+  { keys: "D", means: t("fixed distance on and off") },
+  { keys: "E", means: t("the mouse as a pendant") },
+  { keys: "#", means: t("record places: then 2 … 5 keeps a J2 … J5, 0 ends") },
+  { keys: t("Esc"), means: t("leave; a part file goes on") },
 ];

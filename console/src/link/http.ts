@@ -1,6 +1,7 @@
 /** What comes over HTTP and not over the socket: files, tool paths, the table of commands. */
 
 import type { Problem, TextDraft } from "../wire/messages";
+import { t } from "../words/words";
 
 /** A refusal of the server, in its own words. */
 export class Refused extends Error {
@@ -18,7 +19,7 @@ export class Refused extends Error {
 /** No content: something newer has taken the place of what was asked for, and the socket tells of it. */
 export class Outdated extends Error {
   constructor() {
-    super("This changed meanwhile; try again.");
+    super(t("This changed meanwhile; try again."));
   }
 }
 

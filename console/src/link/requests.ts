@@ -1,13 +1,14 @@
 /** Requests that wait for their replies. */
 
 import type { Act, Reply, Request } from "../wire/messages";
+import { t } from "../words/words";
 
 /** The reply that stands for a link that broke before the server's came. */
 const lostReply = (id: number): Reply => ({
   id,
   problem: {
     why: "server",
-    text: "The link to the machine is lost; nobody knows whether this was done.",
+    text: t("The link to the machine is lost; nobody knows whether this was done."),
   },
   notes: [],
 });

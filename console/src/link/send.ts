@@ -1,6 +1,7 @@
 /** Sends files of this computer into the part folder, as `kerf send` does: with a checksum, to a machine that stands. */
 
 import type { Problem } from "../wire/messages";
+import { t } from "../words/words";
 import { crc32Of } from "./crc32";
 import { fileAddress, problemOf } from "./http";
 
@@ -26,13 +27,14 @@ export async function sendFile(
   sending: Sending,
 ): Promise<Problem | null> {
   const sum = await crc32Of(file).catch(() => null);
-  if (sum === null) return { why: "file", text: "this computer cannot read it: is it a folder?" };
+  if (sum === null)
+    return { why: "file", text: t("this computer cannot read it: is it a folder?") };
   if (sending.signal.aborted) return stopped;
   return put(name, file, sum.toString(16).padStart(8, "0"), sending);
 }
 
 const stopped: Problem = { why: "file", text: "stopped" };
-const lost: Problem = { why: "server", text: "the server does not answer: send it again" };
+const lost: Problem = { why: "server", text: t("the server does not answer: send it again") };
 
 /** Not `fetch`, which does not tell how far it is. */
 function put(name: string, file: Blob, sum: string, sending: Sending): Promise<Problem | null> {

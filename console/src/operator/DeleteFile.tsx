@@ -5,6 +5,7 @@ import { useHands, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { FileAbout } from "../wire/messages";
+import { t } from "../words/words";
 import { aboutText } from "./fileWords";
 
 interface DeleteFileProps {
@@ -24,7 +25,7 @@ export function DeleteFile({ name, onDone }: DeleteFileProps) {
   };
   return (
     <Sheet
-      title={`Delete ${name}?`}
+      title={t("Delete {0}?", name)}
       shape="question"
       onClose={onDone}
       foot={
@@ -35,7 +36,7 @@ export function DeleteFile({ name, onDone }: DeleteFileProps) {
           <Button
             size="large"
             look="primary"
-            refused={about ? undefined : "It is being looked at."}
+            refused={about ? undefined : t("It is being looked at.")}
             onPress={() => void erase()}
           >
             Delete
@@ -44,8 +45,10 @@ export function DeleteFile({ name, onDone }: DeleteFileProps) {
       }
     >
       <p className="question-text">
-        {name}
-        {about && `: ${aboutText(about)}`}. It goes into the bin, from where it can be brought back.
+        {t(
+          "{0}. It goes into the bin, from where it can be brought back.",
+          about ? `${name}: ${aboutText(about)}` : name,
+        )}
       </p>
     </Sheet>
   );

@@ -21,7 +21,7 @@ const [, , zeroZ] = zeroAxis;
 /** Buttons that lead to a sheet or a screen of their own. */
 const openSettings: Action = {
   id: "easy.settings",
-  title: "Settings",
+  title: t("Settings"),
   section: "go",
   run: ({ screen }) => screen.go("/settings"),
 };
@@ -44,7 +44,7 @@ export function EasyButtons() {
   const previews = useShown((shown) => shown.snapshot?.machine.mode === "preview");
   const back = { action: moveMode, words: "Cut mode", command: "SM" };
   return (
-    <nav className="easy" aria-label="EASY">
+    <nav className="easy" aria-label={t("EASY")}>
       {buttons
         .map((easy) => (easy.action === preview && previews ? back : easy))
         .map(({ action, words, command }) => (

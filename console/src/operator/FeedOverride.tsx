@@ -3,6 +3,7 @@ import { Label, Slider, SliderOutput, SliderThumb, SliderTrack } from "react-ari
 import { drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import "./feed-override.css";
 
 const usual = 100;
@@ -26,14 +27,14 @@ export function FeedOverride() {
       onChange={setHeld}
       onChangeEnd={ask}
     >
-      <Label>Feed</Label>
+      <Label>{t("Feed")}</Label>
       <SliderOutput className="feed-value">{Math.round(held ?? told)} %</SliderOutput>
       <SliderTrack className="feed-track">
         <SliderThumb className="feed-thumb" />
       </SliderTrack>
       <Button
         size="small"
-        refused={told === usual ? "It is 100 % already." : undefined}
+        refused={told === usual ? t("It is 100 % already.") : undefined}
         onPress={() => ask(usual)}
       >
         100 %

@@ -11,6 +11,7 @@ import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo } from "../wire/messages";
+import { language, t } from "../words/words";
 import { DeleteFile } from "./DeleteFile";
 import { copyName, type FileUse, fileUses } from "./fileUses";
 import { sizeText } from "./fileWords";
@@ -62,13 +63,13 @@ export function FilePicker({ given }: FilePickerProps) {
     return <FileQuestion use={use} name={asking} onDone={() => setAsking(null)} />;
   return (
     <Sheet
-      title={folder ? `Part folder / ${folder}` : "Part folder"}
+      title={folder ? t("Part folder / {0}", folder) : t("Part folder")}
       shape="wide"
       onClose={close}
       foot={
         <>
           <span className="files-hint">
-            Upload brings files of this computer here, and so does dropping them on the page.
+            {t("Upload brings files of this computer here, and so does dropping them on the page.")}
           </span>
           <Button onPress={() => hands.screen.open({ kind: "todo" })}>Jobs to do…</Button>
           <Button onPress={() => hands.screen.open({ kind: "history" })}>History…</Button>
@@ -90,7 +91,7 @@ export function FilePicker({ given }: FilePickerProps) {
       <RecentFiles onOpen={(name) => void open(name)} />
       <UploadList uploads={uploads} onUse={(name) => void open(name)} />
       <ListBox
-        aria-label="Files"
+        aria-label={t("Files")}
         className="files"
         selectionMode="none"
         onAction={(key) => {
@@ -98,11 +99,11 @@ export function FilePicker({ given }: FilePickerProps) {
           const file = files.find(({ name }) => name === key);
           if (file) choose(file);
         }}
-        renderEmptyState={() => <p className="tail-empty">No file matches.</p>}
+        renderEmptyState={() => <p className="tail-empty">{t("No file matches.")}</p>}
       >
         {folder && word.trim() === "" && (
-          <ListBoxItem id=".." className="files-row" textValue="up">
-            ↑ Folder above
+          <ListBoxItem id=".." className="files-row" textValue={t("↑ Folder above")}>
+            {t("↑ Folder above")}
           </ListBoxItem>
         )}
         {shown.map((file) => (
@@ -131,8 +132,8 @@ function FileQuestion({ use, name, onDone }: FileQuestionProps) {
   };
   return (
     <SaveAs
-      title={copies ? `Copy ${name}` : `Rename ${name}`}
-      verb={copies ? "Copy" : "Rename"}
+      title={copies ? t("Copy {0}", name) : t("Rename {0}", name)}
+      verb={copies ? t("Copy") : t("Rename")}
       first={copies ? copyName(name) : name}
       onSave={(to) => void go(to)}
       onCancel={onDone}
@@ -145,7 +146,7 @@ function DrawingLost({ name, onDone }: { name: string; onDone: () => void }) {
   const hands = useHands();
   return (
     <Sheet
-      title={`Open ${name}?`}
+      title={t("Open {0}?", name)}
       shape="question"
       onClose={onDone}
       foot={
@@ -179,14 +180,16 @@ function FileRow({ file, whole }: { file: FileInfo; whole: boolean }) {
       <span className="files-kind">{kindWord(file)}</span>
       <span className="files-header" title={file.header ?? undefined}>
         {file.header && (
-          <b className="files-mark" role="img" aria-label="Its head tells about the job">
+          <b className="files-mark" role="img" aria-label={t("Its head tells about the job")}>
             !
           </b>
         )}
         {file.header?.split("\n")[0]}
       </span>
       <span className="files-size">{file.folder ? "" : sizeText(file.bytes)}</span>
-      <span className="files-date">{new Date(file.changed * 1000).toLocaleDateString()}</span>
+      <span className="files-date">
+        {new Date(file.changed * 1000).toLocaleDateString(language)}
+      </span>
     </ListBoxItem>
   );
 }

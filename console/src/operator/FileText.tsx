@@ -1,5 +1,6 @@
 import { useEffect, useState } from "react";
 import { getText } from "../link/http";
+import { t } from "../words/words";
 
 /** Characters that are shown: nobody reads more of it in a sheet. */
 const most = 40_000;
@@ -12,7 +13,7 @@ interface FileTextProps {
 
 /** The text of a file, to be looked at. */
 export function FileText({ address, label }: FileTextProps) {
-  const [text, setText] = useState("Reading…");
+  const [text, setText] = useState(t("Reading…"));
   useEffect(() => {
     const abort = new AbortController();
     getText(address, abort.signal).then(
@@ -30,4 +31,6 @@ export function FileText({ address, label }: FileTextProps) {
 }
 
 const shortened = (text: string): string =>
-  text.length > most ? `${text.slice(0, most)}\n… and ${text.length - most} characters more` : text;
+  text.length > most
+    ? `${text.slice(0, most)}\n${t("… and {0} characters more", text.length - most)}`
+    : text;

@@ -1,4 +1,5 @@
 import type { Spot } from "../app/screen";
+import { t } from "../words/words";
 
 interface FindingPlaceProps {
   /** Nothing where the finding has no line. */
@@ -10,12 +11,11 @@ interface FindingPlaceProps {
 
 /** The line of a finding; a click leads there in the editor. */
 export function FindingPlace({ place, file, onShow }: FindingPlaceProps) {
-  if (!place) return <b>All of it</b>;
-  const words = file === place.file ? "" : ` of ${place.file}`;
+  if (!place) return <b>{t("All of it")}</b>;
+  const words = file === place.file ? "" : t(" of {0}", place.file);
   return (
-    <button type="button" className="finding-place" onClick={() => onShow(place)}>
-      Line {place.line}
-      {words}
+    <button type="button" className="finding-place text-link" onClick={() => onShow(place)}>
+      {t("Line {0}{1}", place.line, words)}
     </button>
   );
 }

@@ -2,6 +2,7 @@ import { useHands } from "../app/context";
 import { CommandLine } from "../command/CommandLine";
 import { CommandMenus } from "../command/CommandMenus";
 import { RecorderMark } from "../tools/RecorderSheet";
+import { t } from "../words/words";
 import { FaceSwitch } from "./FaceSwitch";
 import "./full-bar.css";
 
@@ -15,10 +16,10 @@ export function FullBar() {
         <button
           type="button"
           className="full-recorder"
-          title="Recorded commands"
+          title={t("Recorded commands")}
           onClick={() => screen.open({ kind: "recorder" })}
         >
-          <RecorderMark /> Recorder
+          <RecorderMark /> {t("Recorder")}
         </button>
         <FaceSwitch />
       </div>

@@ -2,6 +2,7 @@ import { arm, takeControl } from "../actions/machine";
 import { useShown } from "../app/context";
 import type { Shown } from "../link/shown";
 import { ActionButton } from "../ui/ActionButton";
+import { t } from "../words/words";
 import "./goes-on.css";
 
 /** What this page lacks for an answer behind which the machine goes on. */
@@ -15,8 +16,8 @@ export function lacks({ snapshot, who }: Shown): Lacks | undefined {
 }
 
 const words: Record<Lacks, string> = {
-  control: "Another page drives. To go on from here, take control and arm the machine.",
-  arming: "To go on, arm the machine.",
+  control: t("Another page drives. To go on from here, take control and arm the machine."),
+  arming: t("To go on, arm the machine."),
 };
 
 /** Says what has to be done before the machine goes on, and does it. Values, No and Quit do without. */

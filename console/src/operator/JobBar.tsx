@@ -4,6 +4,7 @@ import { acknowledge } from "../actions/machine";
 import { useHands, useShown, useSnapshot } from "../app/context";
 import { durationText } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
+import { t } from "../words/words";
 import { FeedOverride } from "./FeedOverride";
 import { errorsOf, fileStatus, progressOf } from "./fileStatus";
 import { MachineOverrides } from "./MachineOverrides";
@@ -12,7 +13,7 @@ import "./job-bar.css";
 /** How far the job is, how long it takes, and what starts it. */
 export function JobBar() {
   return (
-    <section className="job panel" aria-label="Job">
+    <section className="job panel" aria-label={t("Job")}>
       <Interrupted />
       <Progress />
       <FeedOverride />
@@ -49,14 +50,15 @@ function Progress() {
         <strong>{name}</strong>
         <Status />
       </p>
-      <progress value={part ?? 0} max={1} aria-label="Progress" />
+      <progress value={part ?? 0} max={1} aria-label={t("Progress")} />
       <p className="job-times">
         <span>
           <b>{part === undefined ? "–" : Math.floor(part * 100)}</b> %
         </span>
         {spent !== undefined && <span className="job-spent">{spent}</span>}
         <span>
-          {words} <b className="job-left">{seconds === undefined ? "–" : durationText(seconds)}</b>
+          {t(words)}{" "}
+          <b className="job-left">{seconds === undefined ? "–" : durationText(seconds)}</b>
         </span>
       </p>
     </div>

@@ -3,6 +3,7 @@ import { outputs } from "../actions/machine";
 import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
 import { Panel } from "../ui/Panel";
 import type { Lamp } from "../wire/messages";
+import { t } from "../words/words";
 import "./lamps.css";
 
 /** The inputs and outputs of the machine. */
@@ -11,16 +12,16 @@ export function Lamps() {
   if (!io) return null;
   return (
     <Panel title="Inputs and outputs" className="lamps">
-      <Row title="In" word="Input" lamps={io.inputs} />
-      <Row title="Out" word="Output" lamps={io.outputs} />
+      <Row title={t("In")} word="Input" lamps={io.inputs} />
+      <Row title={t("Out")} word="Output" lamps={io.outputs} />
     </Panel>
   );
 }
 
 /** The sheet behind the word at the head of a row, and what it is for. */
 const behind = {
-  Input: { kind: "inputs", about: "Move the switches of the simulated machine" },
-  Output: { kind: "ports", about: "Every port of the card" },
+  Input: { kind: "inputs", about: t("Move the switches of the simulated machine") },
+  Output: { kind: "ports", about: t("Every port of the card") },
 } as const;
 
 interface RowProps {
@@ -49,7 +50,7 @@ function Row({ title, word, lamps }: RowProps) {
       )}
       <ol>
         {lamps.map((lamp) => (
-          <li key={lamp.number} title={lamp.label || `${word} ${lamp.number}`}>
+          <li key={lamp.number} title={lamp.label || `${t(word)} ${lamp.number}`}>
             <LampLight lamp={lamp} word={word} />
           </li>
         ))}
@@ -73,8 +74,14 @@ function LampLight({ lamp, word }: { lamp: Lamp; word: string }) {
         {lamp.number}
       </span>
       <span className="hidden-text">
-        {word} {lamp.number} {lamp.label} is {lamp.on ? "on" : "off"}
-        {duties[lamp.duty]}
+        {t(
+          "{0} {1} {2} is {3}{4}",
+          t(word),
+          lamp.number,
+          lamp.label,
+          lamp.on ? t("on") : t("off"),
+          duties[lamp.duty],
+        )}
       </span>
     </>
   );
@@ -94,6 +101,6 @@ function LampLight({ lamp, word }: { lamp: Lamp; word: string }) {
 
 const duties: Record<Lamp["duty"], string> = {
   standard: "",
-  limit: ", a limit switch",
-  stop: ", stops the machine",
+  limit: t(", a limit switch"),
+  stop: t(", stops the machine"),
 };

@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from "react";
 import { useSize } from "../view/useSize";
+import { t } from "../words/words";
 import { lineAt } from "./lineIndex";
 import { useLines } from "./useLines";
 import "./listing.css";
@@ -41,7 +42,7 @@ export function Listing({ name, hash, lines, running }: ListingProps) {
     <section
       ref={box}
       className="listing"
-      aria-label={`Lines of ${name}`}
+      aria-label={t("Lines of {0}", name)}
       // biome-ignore lint/a11y/noNoninteractiveTabindex: a region that scrolls must be reached by key
       tabIndex={0}
       onScroll={(event) => setTop(event.currentTarget.scrollTop)}

@@ -1,5 +1,6 @@
 import { useShown, useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
+import { t } from "../words/words";
 import { Listing } from "./Listing";
 import { filesOfTool } from "./toolLine";
 import { useRunningLine } from "./useRunningLine";
@@ -12,13 +13,13 @@ export function ListingPanel() {
     <Panel
       title="Program"
       className="listing-panel"
-      aside={<span className="listing-count">{opened ? `${opened.lines} lines` : ""}</span>}
+      aside={<span className="listing-count">{opened ? t("{0} lines", opened.lines) : ""}</span>}
     >
       <OpenFiles />
       {opened ? (
         <Listing name={opened.name} hash={opened.hash} lines={opened.lines} running={line} />
       ) : (
-        <p className="tail-empty">No file is open.</p>
+        <p className="tail-empty">{t("No file is open.")}</p>
       )}
     </Panel>
   );
@@ -30,11 +31,11 @@ function OpenFiles() {
   const files = snapshot ? filesOfTool(snapshot) : [];
   if (files.length === 0) return null;
   return (
-    <ol className="listing-calls" aria-label="Files that run">
+    <ol className="listing-calls" aria-label={t("Files that run")}>
       {files.map(({ file, line }, n) => (
         // biome-ignore lint/suspicious/noArrayIndexKey: a file can call itself
         <li key={n}>
-          {file || "command line"} {line > 0 && <b>line {line}</b>}
+          {file || t("command line")} {line > 0 && <b>{t("line {0}", line)}</b>}
         </li>
       ))}
     </ol>

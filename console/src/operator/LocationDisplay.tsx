@@ -7,6 +7,7 @@ import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import type { AxisUnits } from "../wire/messages";
+import { t } from "../words/words";
 import { type Frame, framesOf, placeIn, titles } from "./frames";
 import "./location-display.css";
 
@@ -23,6 +24,7 @@ export function LocationDisplay() {
   const frame =
     frames.find(({ value }) => value === wanted)?.value ?? frames[0]?.value ?? "working";
   const other = frame === "working" ? "base" : "working";
+  const otherName = other === "base" ? t("base") : t("working");
   return (
     <Panel
       title={titles[frame]}
@@ -37,7 +39,7 @@ export function LocationDisplay() {
               axis={axis}
               zero={frame === "job" ? undefined : zeroAxis[at]}
               value={placeIn(frame, motion, { opened, job })[at] ?? 0}
-              other={`${other} ${locationText(motion.at[other][at] ?? 0, axis)}`}
+              other={`${otherName} ${locationText(motion.at[other][at] ?? 0, axis)}`}
             />
           ))}
       </ul>

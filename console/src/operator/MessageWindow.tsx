@@ -6,6 +6,7 @@ import { type DisplaySettings, twips, useDisplay } from "../app/display";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Tail } from "../ui/Tail";
+import { t } from "../words/words";
 import "./message-window.css";
 
 /**
@@ -93,8 +94,8 @@ function Opened({ display, onClose }: { display: DisplaySettings; onClose: () =>
   return (
     <section
       ref={box}
-      className="message-window"
-      aria-label="Message screen"
+      className="message-window card"
+      aria-label={t("Message screen")}
       style={{ left: x, top: y, width, height }}
       onPointerUp={keep}
     >
@@ -105,7 +106,7 @@ function Opened({ display, onClose }: { display: DisplaySettings; onClose: () =>
         }}
         onPointerMove={move}
       >
-        <h2>Message screen</h2>
+        <h2>{t("Message screen")}</h2>
         <ActionButton action={clearPrinted} look="quiet" size="small">
           Empty
         </ActionButton>
@@ -113,7 +114,11 @@ function Opened({ display, onClose }: { display: DisplaySettings; onClose: () =>
           ✕
         </Button>
       </header>
-      <Tail label="What the program says" empty="The program said nothing." count={lines.length}>
+      <Tail
+        label={t("What the program says")}
+        empty={t("The program said nothing.")}
+        count={lines.length}
+      >
         <pre className="word-printed">{lines.join("\n")}</pre>
       </Tail>
     </section>

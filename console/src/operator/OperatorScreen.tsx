@@ -1,6 +1,7 @@
 import { lazy, Suspense } from "react";
 import { useScreen, useSnapshot } from "../app/context";
 import { ToolPathPanel } from "../view/ToolPathPanel";
+import { t } from "../words/words";
 import { EasyButtons } from "./EasyButtons";
 import { FullBar } from "./FullBar";
 import { JobBar } from "./JobBar";
@@ -25,7 +26,7 @@ export function OperatorScreen() {
   const filesOnly = useSnapshot("start")?.display === 9;
   return (
     <div className="operator">
-      <h1 className="hidden-text">Operate</h1>
+      <h1 className="hidden-text">{t("Operate")}</h1>
       <div className="operator-left">
         <LocationDisplay />
         <StatusPanel />

@@ -1,4 +1,5 @@
 import { useSnapshot } from "../app/context";
+import { t } from "../words/words";
 import "./pause-card.css";
 
 /** A pause of so many seconds: what the program says to it, and how long it still is. Nobody has to press. */
@@ -9,10 +10,10 @@ export function PauseCard() {
   // What is over at once is not worth a word.
   if (!pause || (pause.text === "" && left < 1)) return null;
   return (
-    <section className="pause-card" role="status" aria-label="Pause">
-      <p className="pause-text">{pause.text || "Pause"}</p>
+    <section className="pause-card" role="status" aria-label={t("Pause")}>
+      <p className="pause-text">{pause.text || t("Pause")}</p>
       <p className="pause-left">
-        Goes on by itself in <b>{Math.max(0, left)}</b> s
+        {t("Goes on by itself in")} <b>{Math.max(0, left)}</b> s
       </p>
     </section>
   );

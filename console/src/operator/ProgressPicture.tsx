@@ -5,6 +5,7 @@ import { timeOfMoves } from "../view/place";
 import { paletteOf } from "../view/scene/palette";
 import { useSize } from "../view/useSize";
 import { useToolPath } from "../view/useToolPath";
+import { t } from "../words/words";
 import "./progress-picture.css";
 import { Panel } from "../ui/Panel";
 import { movesMade } from "./fileStatus";
@@ -66,7 +67,7 @@ function Picture() {
         <canvas
           ref={canvas}
           role="img"
-          aria-label={`${lines?.count ?? 0} pieces of the path are cut`}
+          aria-label={t("{0} pieces of the path are cut", lines?.count ?? 0)}
         />
       </div>
     </Panel>

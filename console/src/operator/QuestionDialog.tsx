@@ -5,6 +5,7 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Asked } from "../wire/messages";
+import { t } from "../words/words";
 import { GoesOn } from "./GoesOn";
 import "./question-dialog.css";
 
@@ -48,14 +49,14 @@ export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode
         {asked.entry && <Field label="Answer" value={entry} onChange={setEntry} first />}
       </form>
       {!asked.entry && <GoesOn />}
-      <p className="question-place">{asked.file && `${asked.file}, line ${asked.line}`}</p>
+      <p className="question-place">{asked.file && t("{0}, line {1}", asked.file, asked.line)}</p>
     </Sheet>
   );
 }
 
 /** A title that is the path of the file is told by its name. */
 const titleOf = ({ title, file }: Asked): string =>
-  file !== "" && title.endsWith(file) ? file : title || "The program asks";
+  file !== "" && title.endsWith(file) ? file : title || t("The program asks");
 
 interface AnswersProps {
   asked: Asked;

@@ -5,10 +5,11 @@ import { speedText } from "../app/units";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import type { Speeds, Units } from "../wire/messages";
+import { t } from "../words/words";
 import "./status-panel.css";
 
-const absolute = command("machine.absolute", "Absolute", "SA");
-const relative = command("machine.relative", "Relative", "SR");
+const absolute = command("machine.absolute", t("Absolute"), "SA");
+const relative = command("machine.relative", t("Relative"), "SR");
 
 /** Distance mode, units, speeds in force. */
 export function StatusPanel() {
@@ -25,19 +26,19 @@ export function StatusPanel() {
             <th scope="col">XY</th>
             <th scope="col">Z</th>
             <th scope="col" className="status-now-head">
-              Now
+              {t("Now")}
             </th>
           </tr>
         </thead>
         <tbody>
           <SpeedRow
-            title="Move"
+            title={t("Move")}
             letters="MS"
             speeds={speeds.cutMmS}
             units={units}
             now={motion.speedMmS}
           />
-          <SpeedRow title="Jog" letters="JS" speeds={speeds.jogMmS} units={units} />
+          <SpeedRow title={t("Jog")} letters="JS" speeds={speeds.jogMmS} units={units} />
         </tbody>
       </table>
     </Panel>
@@ -84,7 +85,7 @@ function SpeedRow({ title, letters, speeds, units, now }: SpeedRowProps) {
         <button
           type="button"
           className="status-change"
-          title={`Change the ${title.toLowerCase()} speeds (${letters})`}
+          title={t("Change the {0} speeds ({1})", title.toLowerCase(), letters)}
           onClick={() => screen.open({ kind: "command", letters, given: [] })}
         >
           {title}

@@ -1,6 +1,7 @@
 import { useSyncExternalStore } from "react";
 import { FileTrigger } from "react-aria-components";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import { isOver, stageText, type Upload, type Uploads } from "./uploads";
 import "./upload-list.css";
 
@@ -14,7 +15,7 @@ interface UploadListProps {
 export function UploadList({ uploads, onUse }: UploadListProps) {
   const list = useSyncExternalStore(uploads.list.watch, uploads.list.get);
   return (
-    <ul className="uploads" aria-label="Uploads" aria-live="polite">
+    <ul className="uploads" aria-label={t("Uploads")} aria-live="polite">
       {list.map((upload) => (
         <li key={upload.id} className={`upload upload-${upload.stage.is}`}>
           <p className="upload-words">
@@ -41,14 +42,14 @@ function UploadButtons({ upload, uploads, onUse }: UploadListProps & { upload: U
   }
   if (stage.is === "done") {
     return (
-      <Button aria-label={`Open ${name}`} onPress={() => onUse(name)}>
+      <Button aria-label={t("Open {0}", name)} onPress={() => onUse(name)}>
         Open
       </Button>
     );
   }
   if (isOver(upload)) return null;
   return (
-    <Button aria-label={`Stop sending ${name}`} onPress={() => uploads.stop(id)}>
+    <Button aria-label={t("Stop sending {0}", name)} onPress={() => uploads.stop(id)}>
       Stop sending
     </Button>
   );

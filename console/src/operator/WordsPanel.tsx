@@ -6,6 +6,7 @@ import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Tail } from "../ui/Tail";
+import { t } from "../words/words";
 import { FindingPlace } from "./FindingPlace";
 import { errorsOf, placeOf, placeOfMessage } from "./fileStatus";
 import "./words-panel.css";
@@ -46,7 +47,7 @@ function Messages() {
   const messages = useSnapshot("messages") ?? [];
   const words = useWords();
   return (
-    <Tail label="Messages" empty="Nothing to report." count={messages.length}>
+    <Tail label={t("Messages")} empty={t("Nothing to report.")} count={messages.length}>
       {messages.map((message, n) => {
         const place = placeOfMessage(message.place);
         return (
@@ -73,7 +74,11 @@ function Printed() {
   const lines = useSnapshot("printed") ?? [];
   return (
     <>
-      <Tail label="Print window" empty="The program printed nothing." count={lines.length}>
+      <Tail
+        label={t("Print window")}
+        empty={t("The program printed nothing.")}
+        count={lines.length}
+      >
         <pre className="word-printed">{lines.join("\n")}</pre>
       </Tail>
       {lines.length > 0 && (
@@ -90,9 +95,13 @@ function FileNotes() {
   const { screen } = useHands();
   const words = useWords();
   const opened = useSnapshot("opened");
-  if (!opened) return <p className="tail-empty">No file is open.</p>;
+  if (!opened) return <p className="tail-empty">{t("No file is open.")}</p>;
   return (
-    <Tail label="About the file" empty="The file has no comments." count={opened.findings.length}>
+    <Tail
+      label={t("About the file")}
+      empty={t("The file has no comments.")}
+      count={opened.findings.length}
+    >
       {opened.header && <pre className="word-printed">{opened.header}</pre>}
       {opened.findings.map((finding) => (
         <p

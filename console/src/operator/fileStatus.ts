@@ -4,6 +4,7 @@ import type { Spot } from "../app/screen";
 import { durationText } from "../app/units";
 import type { Shown } from "../link/shown";
 import type { Call, Finding, Job, LastRun, Opened, Snapshot, State } from "../wire/messages";
+import { language, t } from "../words/words";
 import { toolLine } from "./toolLine";
 
 export interface FileStatus {
@@ -37,14 +38,16 @@ export function placeOf(finding: Finding | undefined, opened: Opened): Spot | un
 }
 
 const lineText = (place: Spot, opened: Opened): string =>
-  place.file === opened.name ? `line ${place.line}` : `line ${place.line} of ${place.file}`;
+  place.file === opened.name
+    ? t("line {0}", place.line)
+    : t("line {0} of {1}", place.line, place.file);
 
 /** `3 mistakes: see line 12`. */
 export function mistakesText(opened: Opened): string {
   const errors = errorsOf(opened);
-  const count = errors.length === 1 ? "1 mistake" : `${errors.length} mistakes`;
+  const count = errors.length === 1 ? t("1 mistake") : t("{0} mistakes", errors.length);
   const place = placeOf(errors[0], opened);
-  return place ? `${count}: see ${lineText(place, opened)}` : count;
+  return place ? t("{0}: see {1}", count, lineText(place, opened)) : count;
 }
 
 const plain = (words: string): FileStatus => ({ words, look: "plain" });
@@ -52,27 +55,27 @@ const warning = (words: string, place?: Spot): FileStatus => ({ words, look: "wa
 
 /** How a run of the open file that is under way stands. */
 const running: Partial<Record<State, string>> = {
-  held: "held",
-  asking: "waits for an answer",
-  stopped: "stopped, waits",
+  held: t("held"),
+  asking: t("waits for an answer"),
+  stopped: t("stopped, waits"),
 };
 
 /** How a run ended that belongs to no open file. */
 const outcomes: Record<string, string> = {
-  ok: "finished",
-  ended: "ended by itself",
-  limit: "ended at a limit",
+  ok: t("finished"),
+  ended: t("ended by itself"),
+  limit: t("ended at a limit"),
 };
 
 /** How what runs stands, else the file that is open; where none is, what ran last. */
 export function fileStatus(told: Told, now = new Date()): FileStatus {
   const { opened, job, machine, interrupted } = told;
   if (isUnderWay(job)) {
-    return plain(`${running[machine.state] ?? "running"}${toolText(told)}`);
+    return plain(`${running[machine.state] ?? t("running")}${toolText(told)}`);
   }
   if (!opened) return plain(job?.ended ? (outcomes[job.ended] ?? job.ended) : "");
-  if (opened.kind === "drawing") return plain("no tool path yet");
-  if (opened.preview.state === "working") return plain("being checked");
+  if (opened.kind === "drawing") return plain(t("no tool path yet"));
+  if (opened.preview.state === "working") return plain(t("being checked"));
   if (opened.broken) return broken(opened);
   const same = interrupted?.hash === null || interrupted?.hash === opened.content;
   if (interrupted?.file === opened.name && same) {
@@ -81,8 +84,8 @@ export function fileStatus(told: Told, now = new Date()): FileStatus {
   if (opened.ran) return ranStatus(opened.ran, opened, now);
   const place = placeOf(errorsOf(opened)[0], opened);
   return place
-    ? warning(`its preview ends at ${lineText(place, opened)}`, place)
-    : plain("ready, never run");
+    ? warning(t("its preview ends at {0}", lineText(place, opened)), place)
+    : plain(t("ready, never run"));
 }
 
 /** The place of the tool in words: `, line 14`, `, path 3`; nothing where no line tells it. */
@@ -90,9 +93,9 @@ function toolText(told: Told): string {
   const { opened, job } = told;
   const tool = toolLine(told);
   if (!tool || tool.line === 0 || tool.file === "") return "";
-  if (!opened || !isOpenFile(told)) return `, line ${tool.line}`;
+  if (!opened || !isOpenFile(told)) return t(", line {0}", tool.line);
   const own = tool.file === opened.name || tool.file === job?.file;
-  return `, ${unitOf(opened)} ${tool.line}${own ? "" : ` of ${tool.file}`}`;
+  return `, ${unitOf(opened)} ${tool.line}${own ? "" : t(" of {0}", tool.file)}`;
 }
 
 /** A line of the open file that the editor can show: the paths of a job are no lines. */
@@ -105,36 +108,42 @@ export const placeOfMessage = (place: Call | null): Spot | undefined =>
 
 function broken(opened: Opened): FileStatus {
   const [first] = errorsOf(opened);
-  const words = first ? mistakesText(opened) : "it cannot run";
+  const words = first ? mistakesText(opened) : t("it cannot run");
   return { words, look: "error", place: placeOf(first, opened) };
 }
 
-const unitOf = ({ kind }: Opened): string => (kind === "job" ? "path" : "line");
+const unitOf = ({ kind }: Opened): string => (kind === "job" ? t("path") : t("line"));
 
 const behind = (line: number, opened: Opened): string =>
-  line > 0 ? `interrupted behind ${unitOf(opened)} ${line}` : "interrupted before its first move";
+  line > 0
+    ? t("interrupted behind {0} {1}", unitOf(opened), line)
+    : t("interrupted before its first move");
 
 function ranStatus({ ended, at, line }: LastRun, opened: Opened, now: Date): FileStatus {
   const when = timeText(new Date(at * 1000), now);
-  const behind = line > 0 ? ` behind ${unitOf(opened)} ${line}` : "";
+  const behind = line > 0 ? t(" behind {0} {1}", unitOf(opened), line) : "";
   const place = lineOf(line, opened);
   switch (ended) {
     case "ok":
-      return plain(`finished at ${when}`);
+      return plain(t("finished at {0}", when));
     case "ended":
-      return plain(`ended by itself${behind} at ${when}`);
+      return plain(t("ended by itself{0} at {1}", behind, when));
     case "limit":
-      return warning(`ended at a limit${behind} at ${when}`, place);
+      return warning(t("ended at a limit{0} at {1}", behind, when), place);
     default:
-      return warning(`${ended}${behind} at ${when}`, place);
+      return warning(t("{0}{1} at {2}", ended, behind, when), place);
   }
 }
 
 /** `14:03`, with the day where it is another. */
 function timeText(then: Date, now: Date): string {
-  const time = then.toLocaleTimeString([], { hour: "2-digit", minute: "2-digit", hour12: false });
+  const time = then.toLocaleTimeString(language, {
+    hour: "2-digit",
+    minute: "2-digit",
+    hour12: false,
+  });
   const today = then.toDateString() === now.toDateString();
-  return today ? time : `${time}, ${then.toLocaleDateString()}`;
+  return today ? time : `${time}, ${then.toLocaleDateString(language)}`;
 }
 
 export interface RunProgress {
@@ -154,7 +163,7 @@ export interface RunProgress {
 export function progressOf(told: Told): RunProgress {
   const { opened, job, motion } = told;
   const ran = job && (job.command ?? job.file);
-  const name = opened?.name ?? ran ?? "No file is open";
+  const name = opened?.name ?? ran ?? t("No file is open");
   if (isUnderWay(job)) {
     const known = job.seconds > 0;
     return {
@@ -162,7 +171,7 @@ export function progressOf(told: Told): RunProgress {
       part: known ? motion.progress : undefined,
       words: "left",
       seconds: known ? motion.remaining : undefined,
-      spent: `so far ${durationText(motion.elapsed)}`,
+      spent: t("so far {0}", durationText(motion.elapsed)),
     };
   }
   return atRest(told, name);
@@ -180,6 +189,6 @@ function atRest(told: Told, name: string): RunProgress {
     part: isOpenFile(told) ? made : 0,
     words: "planned",
     seconds: ready ? opened.seconds : undefined,
-    spent: opened?.ran?.seconds ? `took ${durationText(opened.ran.seconds)}` : undefined,
+    spent: opened?.ran?.seconds ? t("took {0}", durationText(opened.ran.seconds)) : undefined,
   };
 }

@@ -1,22 +1,23 @@
 /** Sizes and times of files, for people. */
 
 import type { FileAbout } from "../wire/messages";
+import { language, t } from "../words/words";
 
 export const sizeText = (bytes: number): string =>
   bytes < 1e3
     ? `${bytes} B`
     : bytes < 1e6
-      ? `${(bytes / 1e3).toFixed(0)} kB`
-      : `${(bytes / 1e6).toFixed(1)} MB`;
+      ? t("{0} kB", (bytes / 1e3).toFixed(0))
+      : t("{0} MB", (bytes / 1e6).toFixed(1));
 
 /** A time, seconds since 1970, as it is said now: `today 14:03`, else with the day. */
 export function timeText(seconds: number, now = new Date()): string {
   const time = new Date(seconds * 1000);
-  const clock = time.toLocaleTimeString([], { hour: "2-digit", minute: "2-digit" });
+  const clock = time.toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" });
   const isToday = time.toDateString() === now.toDateString();
-  return isToday ? `today ${clock}` : `${time.toLocaleDateString()} ${clock}`;
+  return isToday ? t("today {0}", clock) : `${time.toLocaleDateString(language)} ${clock}`;
 }
 
 /** `a part program of 412 lines, 8 kB, changed today 14:03`. */
 export const aboutText = ({ what, bytes, changed }: FileAbout): string =>
-  `${what}, ${sizeText(bytes)}, changed ${timeText(changed)}`;
+  t("{0}, {1}, changed {2}", what, sizeText(bytes), timeText(changed));

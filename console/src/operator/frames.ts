@@ -1,15 +1,16 @@
 /** The frames in which the location display tells where the tool is. */
 
 import type { Motion, Opened, Snapshot } from "../wire/messages";
+import { t } from "../words/words";
 import { isUnderWay } from "./fileStatus";
 
 /** `job` counts X and Y from the origin of the open job, the others from home, as jobs do. */
 export type Frame = "job" | "working" | "base";
 
 export const titles: Record<Frame, string> = {
-  job: "From the job origin",
-  working: "Location",
-  base: "Table base location",
+  job: t("From the job origin"),
+  working: t("Location"),
+  base: t("Table base location"),
 };
 
 interface FrameChoice {

@@ -4,6 +4,7 @@ import { type Question, written } from "../actions/replace";
 import { createStore } from "../app/store";
 import { mostBytes, type Sending } from "../link/send";
 import type { FileAbout, Problem } from "../wire/messages";
+import { t } from "../words/words";
 import { aboutText, sizeText } from "./fileWords";
 
 /** Progress of a file on its way. */
@@ -33,28 +34,28 @@ export const isOver = ({ stage }: Upload): boolean => over.includes(stage.is);
 export function stageText({ stage, bytes }: Upload): string {
   switch (stage.is) {
     case "waits":
-      return "waits for the one before it";
+      return t("waits for the one before it");
     case "held":
-      return "held: the machine moves, and files are taken when it stands";
+      return t("held: the machine moves, and files are taken when it stands");
     case "sends":
-      return `${sizeText(stage.sent)} of ${sizeText(bytes)} are sent`;
+      return t("{0} of {1} are sent", sizeText(stage.sent), sizeText(bytes));
     case "asks":
-      return `is there already: ${aboutText(stage.about)}. Replace it?`;
+      return t("is there already: {0}. Replace it?", aboutText(stage.about));
     case "done":
-      return `is in the part folder, ${sizeText(bytes)}`;
+      return t("is in the part folder, {0}", sizeText(bytes));
     case "left":
-      return "is not sent: the file that is there is as it was";
+      return t("is not sent: the file that is there is as it was");
     case "stopped":
-      return "stopped: nothing is kept of a file that has not come whole";
+      return t("stopped: nothing is kept of a file that has not come whole");
     case "failed":
-      return `is not sent: ${stage.text}`;
+      return t("is not sent: {0}", stage.text);
   }
 }
 
 /** Reason for which a file is not tried; `null` where it is. */
 const tooLarge = (bytes: number): string | null =>
   bytes > mostBytes
-    ? `it has ${Math.ceil(bytes / 2 ** 20)} MB, and ${mostBytes >> 20} MB is the most`
+    ? t("it has {0} MB, and {1} MB is the most", Math.ceil(bytes / 2 ** 20), mostBytes >> 20)
     : null;
 
 /** Services that uploads need of their page. */

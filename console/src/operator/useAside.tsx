@@ -4,13 +4,14 @@ import { KeypadSheet } from "../keypad/KeypadSheet";
 import { InputsSheet } from "../tools/InputsSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 
 type Aside = "keypad" | "nudge" | "inputs";
 
 const words: Record<Aside, string> = {
-  keypad: "Move the tool…",
-  nudge: "Nudge…",
-  inputs: "Inputs…",
+  keypad: t("Move the tool…"),
+  nudge: t("Nudge…"),
+  inputs: t("Inputs…"),
 };
 
 interface Asides {
@@ -40,7 +41,7 @@ function AsideSheet({ aside, onClose }: { aside: Aside; onClose: () => void }) {
     case "keypad":
       return (
         <KeypadSheet
-          words="The job stands. Where it goes on, the tool goes back by itself."
+          words={t("The job stands. Where it goes on, the tool goes back by itself.")}
           onClose={onClose}
         />
       );

@@ -1,6 +1,7 @@
 import { useEffect, useState } from "react";
 import { useHands } from "../app/context";
 import { sendFile } from "../link/send";
+import { t } from "../words/words";
 import { Uploads } from "./uploads";
 
 /** Uploads that stand on this part of the page: what is not over ends with it, and the person is told. */
@@ -13,7 +14,7 @@ export function useUploads(): Uploads {
   useEffect(
     () => () => {
       for (const name of uploads.close())
-        screen.tell(`${name} is not uploaded: its list was closed before.`);
+        screen.tell(t("{0} is not uploaded: its list was closed before.", name));
     },
     [uploads, screen],
   );

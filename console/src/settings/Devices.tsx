@@ -4,6 +4,7 @@ import { deleteAt, getJson, postJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import type { Role } from "../wire/messages";
+import { t } from "../words/words";
 
 interface Device {
   readonly number: number;
@@ -12,11 +13,19 @@ interface Device {
 }
 
 const roles: readonly { readonly role: Role; readonly may: string }[] = [
-  { role: "observer", may: "looks, stops, holds" },
-  { role: "operator", may: "runs and drives" },
-  { role: "setter", may: "changes settings" },
-  { role: "owner", may: "lets devices in" },
+  { role: "observer", may: t("looks, stops, holds") },
+  { role: "operator", may: t("runs and drives") },
+  { role: "setter", may: t("changes settings") },
+  { role: "owner", may: t("lets devices in") },
 ];
+
+/** The names of the roles; the server tells the English ones. */
+const names: Readonly<Record<Role, string>> = {
+  observer: t("observer"),
+  operator: t("operator"),
+  setter: t("setter"),
+  owner: t("owner"),
+};
 
 /** Devices that may connect over the network, and the code that lets a new one in. */
 export function Devices() {
@@ -43,11 +52,11 @@ export function Devices() {
   const revoke = (number: number) => deleteAt(`/api/devices/${number}`).then(read, refused);
   return (
     <Panel title="Devices">
-      {devices.length === 0 && <p className="settings-words">No other device is paired.</p>}
+      {devices.length === 0 && <p className="settings-words">{t("No other device is paired.")}</p>}
       {devices.map(({ number, name, role }) => (
         <div key={number} className="devices-row">
           <span>
-            <b>{name}</b> · {role}
+            <b>{name}</b> · {names[role]}
           </span>
           <Button size="small" onPress={() => void revoke(number)}>
             Revoke
@@ -56,11 +65,14 @@ export function Devices() {
       ))}
       {code && (
         <>
-          <output className="devices-code" aria-label="Code for the new device">
+          <output className="devices-code" aria-label={t("Code for the new device")}>
             {code.code}
           </output>
           <p className="settings-words">
-            Enter it on the new device within five minutes. It comes in as {code.role}.
+            {t(
+              "Enter it on the new device within five minutes. It comes in as {0}.",
+              names[code.role],
+            )}
           </p>
           {wrongCode && (
             <p className="settings-words" role="status">
@@ -69,10 +81,10 @@ export function Devices() {
           )}
         </>
       )}
-      <fieldset className="devices-new" aria-label="Let a device in">
+      <fieldset className="devices-new" aria-label={t("Let a device in")}>
         {roles.map(({ role, may }) => (
           <Button key={role} size="small" onPress={() => void invite(role)}>
-            New {role}: {may}
+            {t("New {0}: {1}", names[role], may)}
           </Button>
         ))}
       </fieldset>

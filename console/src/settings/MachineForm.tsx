@@ -5,6 +5,7 @@ import { Field } from "../ui/Field";
 import { Panel } from "../ui/Panel";
 import { Pick } from "../ui/Pick";
 import type { SettingArea, SettingEntry } from "../wire/messages";
+import { t } from "../words/words";
 import { isMeant } from "./names";
 import { TopicTables } from "./TopicTables";
 import { topicOf } from "./tables";
@@ -50,13 +51,13 @@ export function MachineForm({ areas }: { areas: readonly SettingArea[] }) {
 
 /** Things that people look for here and that are not settings. */
 const elsewhere: readonly (readonly [string, string, string])[] = [
-  ["probe touch plate zero tool length", "Zero Z with a touch plate (C2)", "C2"],
+  ["probe touch plate zero tool length", t("Zero Z with a touch plate (C2)"), "C2"],
   [
     "backup save load restore export import file profile",
-    "Save and load all settings: Backup, on this page",
+    t("Save and load all settings: Backup, on this page"),
     "",
   ],
-  ["inch metric millimetre unit imperial", "Inches or millimetres: Units, below", ""],
+  ["inch metric millimetre unit imperial", t("Inches or millimetres: Units, below"), ""],
 ];
 
 function OtherPlaces({ wanted }: { wanted: string }) {

@@ -5,6 +5,7 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Panel } from "../ui/Panel";
 import type { Act } from "../wire/messages";
+import { t } from "../words/words";
 
 /** Who may change settings: everybody, or whoever knows the password. */
 export function Password() {
@@ -35,18 +36,18 @@ function Free() {
         void send({ do: "protect", password: null, new: [first, again] });
       }}
     >
-      <p>Without a password everybody who may change settings changes them at once.</p>
+      <p>{t("Without a password everybody who may change settings changes them at once.")}</p>
       <Field label="New password" type="password" value={first} onChange={setFirst} />
       <Field
         label="Once more"
         type="password"
         value={again}
         onChange={setAgain}
-        error={differ ? "The two are not the same." : undefined}
+        error={differ ? t("The two are not the same.") : undefined}
       />
       <Button
         type="submit"
-        refused={first === "" || first !== again ? "Enter the same password twice." : undefined}
+        refused={first === "" || first !== again ? t("Enter the same password twice.") : undefined}
       >
         Protect the settings
       </Button>
@@ -59,7 +60,8 @@ function Locked() {
   const { screen } = useHands();
   const [password, setPassword] = useState("");
   const unlock = async () => {
-    if (await send({ do: "unlock", password })) screen.tell("This page may change settings now.");
+    if (await send({ do: "unlock", password }))
+      screen.tell(t("This page may change settings now."));
     setPassword("");
   };
   return (
@@ -70,19 +72,21 @@ function Locked() {
       }}
     >
       <p>
-        Settings are protected. The password opens them for this page, for a quarter of an hour.
+        {t(
+          "Settings are protected. The password opens them for this page, for a quarter of an hour.",
+        )}
       </p>
       <Field label="Password" type="password" value={password} onChange={setPassword} />
       <div className="password-buttons">
         <Button
           type="submit"
           look="primary"
-          refused={password === "" ? "Enter the password first." : undefined}
+          refused={password === "" ? t("Enter the password first.") : undefined}
         >
           Open
         </Button>
         <Button
-          refused={password === "" ? "Enter the password first." : undefined}
+          refused={password === "" ? t("Enter the password first.") : undefined}
           onPress={() => void send({ do: "protect", password, new: null })}
         >
           Take the protection away

@@ -4,6 +4,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { Choice } from "../ui/Choice";
 import { Pick } from "../ui/Pick";
 import type { SettingEntry, Units } from "../wire/messages";
+import { t } from "../words/words";
 import { type Cell, partsOf } from "./tables";
 import { shownUnit, shownValue, writtenValue } from "./value";
 
@@ -75,7 +76,7 @@ export function SettingValue({ cell, column = "", label }: SettingValueProps) {
       className="setting-entry"
       aria-label={label}
       aria-invalid={wrong || undefined}
-      title={wrong ? "This is not a value of it." : `usual: ${usualText(entry, mm)}`}
+      title={wrong ? t("This is not a value of it.") : t("usual: {0}", usualText(entry, mm))}
       value={text}
       spellCheck={false}
       autoComplete="off"

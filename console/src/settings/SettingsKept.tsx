@@ -6,6 +6,7 @@ import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import { Sheet } from "../ui/Sheet";
 import type { SettingArea, SettingChange } from "../wire/messages";
+import { t } from "../words/words";
 import { fullName } from "./names";
 import { useSet } from "./SettingValue";
 import { fileOf, type Loaded, readFile, type Wanted } from "./settingsFile";
@@ -19,19 +20,20 @@ export function SettingsKept({ areas }: { areas: readonly SettingArea[] }) {
     if (!file) return;
     const found = readFile(await file.text(), areas);
     if (found.wanted.length > 0 || found.unknown.length > 0) setLoaded(found);
-    else screen.tell(`${file.name}: every setting is as in this file already.`);
+    else screen.tell(t("{0}: every setting is as in this file already.", file.name));
   };
   const save = () => downloadText("machine-settings.txt", fileOf(areas, machine));
   return (
     <Panel title="Backup">
       <p className="settings-words">
-        All settings of the machine as a text file, to be kept, compared, or brought to another
-        machine.
+        {t(
+          "All settings of the machine as a text file, to be kept, compared, or brought to another machine.",
+        )}
       </p>
       <div className="settings-kept">
         <Button onPress={save}>Save settings</Button>
         <label className="button">
-          Load settings…
+          {t("Load settings…")}
           <input
             type="file"
             className="hidden-text"
@@ -58,13 +60,13 @@ function LoadSheet({ loaded, onClose }: { loaded: Loaded; onClose: () => void })
       <Button onPress={onClose}>Cancel</Button>
       <Button
         look="primary"
-        refused={wanted.length === 0 ? "Nothing in this file is another value." : undefined}
+        refused={wanted.length === 0 ? t("Nothing in this file is another value.") : undefined}
         onPress={() => {
           onClose();
           void load(wanted);
         }}
       >
-        {wanted.length === 1 ? "Change 1 setting" : `Change ${wanted.length} settings`}
+        {wanted.length === 1 ? t("Change 1 setting") : t("Change {0} settings", wanted.length)}
       </Button>
     </>
   );
@@ -78,7 +80,7 @@ function LoadSheet({ loaded, onClose }: { loaded: Loaded; onClose: () => void })
         ))}
         {unknown.map((line) => (
           <li key={line} className="settings-unknown">
-            This machine has no such setting, it is left out: {line}
+            {t("This machine has no such setting, it is left out: {0}", line)}
           </li>
         ))}
       </ul>
@@ -106,7 +108,9 @@ function useLoad() {
     }
     const done = wanted.length - left.length;
     const names = left.map(({ key }) => fullName(key)).join("; ");
-    screen.tell(left.length === 0 ? `${done} settings are loaded.` : `Not loaded: ${names}.`);
+    screen.tell(
+      left.length === 0 ? t("{0} settings are loaded.", done) : t("Not loaded: {0}.", names),
+    );
   };
 }
 
@@ -122,9 +126,9 @@ function Changes() {
   const [all, setAll] = useState(false);
   const shown = all ? changes : changes.slice(0, fewChanges);
   return (
-    <section aria-label="Changes of settings">
-      <h3 className="settings-head">Changes</h3>
-      {changes.length === 0 && <p className="settings-words">Nothing was changed so far.</p>}
+    <section aria-label={t("Changes of settings")}>
+      <h3 className="settings-head">{t("Changes")}</h3>
+      {changes.length === 0 && <p className="settings-words">{t("Nothing was changed so far.")}</p>}
       <ol className="settings-changes">
         {shown.map(({ at, key, from, to, by, through }, n) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same setting may change twice in a second
@@ -134,13 +138,13 @@ function Changes() {
             </time>{" "}
             <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
             <span className="settings-words">
-              by {by || "this machine"}
-              {through && `, with ${through}`}
+              {t("by {0}", by || t("this machine"))}
+              {through && t(", with {0}", through)}
             </span>
             <Button
               size="small"
               look="quiet"
-              aria-label={`Take back: ${fullName(key)}, ${from}`}
+              aria-label={t("Take back: {0}, {1}", fullName(key), from)}
               onPress={() => void set(key, from)}
             >
               Take back
@@ -150,7 +154,7 @@ function Changes() {
       </ol>
       {!all && changes.length > fewChanges && (
         <Button size="small" onPress={() => setAll(true)}>
-          All {changes.length} changes
+          {t("All {0} changes", changes.length)}
         </Button>
       )}
     </section>

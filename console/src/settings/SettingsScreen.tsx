@@ -22,8 +22,8 @@ export function SettingsScreen() {
   const areas = useSettings();
   const owner = useShown((shown) => shown.who?.role === "owner");
   return (
-    <div className="settings">
-      <h1>Settings</h1>
+    <div className="settings page">
+      <h1>{t("Settings")}</h1>
       <div className="settings-columns">
         <div className="settings-column">
           <ThisBrowser />
@@ -48,11 +48,16 @@ function FirstStart({ areas }: { areas: readonly SettingArea[] }) {
   if (entries.length === 0) return null;
   const fresh = entries.every((entry) => entry.value === entry.default);
   return (
-    <section className={`first-start ${fresh ? "first-start-new" : ""}`} aria-label="First start">
+    <section
+      className={`first-start ${fresh ? "first-start-new" : ""}`}
+      aria-label={t("First start")}
+    >
       <p>
         {fresh
-          ? "This machine was not set up yet: units, table size, axes, limits, spindle, and what is wired."
-          : "Units, table size, axes, limits, spindle and what is wired, one after the other."}
+          ? t(
+              "This machine was not set up yet: units, table size, axes, limits, spindle, and what is wired.",
+            )
+          : t("Units, table size, axes, limits, spindle and what is wired, one after the other.")}
       </p>
       <ActionButton action={openSetup} look={fresh ? "primary" : "plain"}>
         Set up…
@@ -133,8 +138,11 @@ function About() {
   return (
     <Panel title="About">
       <p className="settings-about">
-        Kerf {kerf}, machine: {machine?.name}. This page is not a safety device: a machine needs an
-        emergency stop that is wired.
+        {t(
+          "Kerf {0}, machine: {1}. This page is not a safety device: a machine needs an emergency stop that is wired.",
+          kerf ?? "",
+          machine?.name ?? "",
+        )}
       </p>
     </Panel>
   );

@@ -5,7 +5,7 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { SettingArea } from "../wire/messages";
-import { t } from "../words/words";
+import { phrase, t } from "../words/words";
 import { useSet } from "./SettingValue";
 import { TopicTables } from "./TopicTables";
 import { partsOf, topicOf } from "./tables";
@@ -21,37 +21,36 @@ interface Step {
 /** The steps of setting up a machine, in order. */
 const steps: readonly Step[] = [
   {
-    title: "Units",
+    title: t("Units"),
     words: "Lengths are read and typed in this unit from now on, also in the next questions.",
     keys: ["units"],
   },
   {
-    title: "Axes",
+    title: t("Axes"),
     words: "Three axes are X, Y and Z. A fourth is A: a second head, or an axis that turns.",
     keys: ["axes", "rotary"],
   },
   {
-    title: "Table size",
+    title: t("Table size"),
     words:
       "How far X and Y reach from the corner at zero, and how far Z goes up and down from its zero.",
     keys: [],
   },
   {
-    title: "Limits",
+    title: t("Limits"),
     words: "With the check on, a program that leaves the table is refused before it starts.",
     keys: ["limits."],
   },
   {
-    title: "Spindle",
+    title: t("Spindle"),
     words:
       "Does the operator switch the spindle on, or does Kerf? The height is where the tool travels above the work.",
     keys: ["ask_spindle", "spindle_device", "cutter.safe_z_mm", "cutter.diameter_mm"],
   },
   {
-    title: "What is wired",
+    title: t("What is wired"),
     words:
-      "Switches: 0 is a plain input, 1 and 2 are limit switches, 3 and 4 stop the machine. " +
-      "Homing: which axes have a switch. An emergency stop that cuts the power is wired, never software alone.",
+      "Switches: 0 is a plain input, 1 and 2 are limit switches, 3 and 4 stop the machine. Homing: which axes have a switch. An emergency stop that cuts the power is wired, never software alone.",
     keys: [
       "io.limits_active",
       "io.input4_normally_open",
@@ -73,20 +72,20 @@ export function SetupSheet({ onClose }: { onClose: () => void }) {
   const foot = (
     <>
       <Button
-        refused={at === 0 ? "This is the first step." : undefined}
+        refused={at === 0 ? t("This is the first step.") : undefined}
         onPress={() => setAt(at - 1)}
       >
         Back
       </Button>
       <Button look="primary" onPress={() => (isLast ? onClose() : setAt(at + 1))}>
-        {isLast ? "Done" : "Next"}
+        {isLast ? t("Done") : t("Next")}
       </Button>
     </>
   );
   return (
     <Sheet title="Set up the machine" shape="wide" onClose={onClose} foot={foot}>
       <p className="setup-steps">
-        Step {at + 1} of {steps.length}: <b>{t(step.title)}</b>
+        {phrase("Step {0} of {1}: {2}", at + 1, steps.length, <b>{t(step.title)}</b>)}
       </p>
       <p className="tool-words">{t(step.words)}</p>
       {step.keys.length === 0 ? <TableSize areas={areas} /> : <Asked areas={areas} step={step} />}
@@ -138,7 +137,7 @@ function TableSize({ areas }: { areas: readonly SettingArea[] }) {
       {sides.map((side, n) => (
         <Field
           key={side}
-          label={`Size in ${side}`}
+          label={t("Size in {0}", side)}
           unit={units?.linear ?? "mm"}
           value={typed[side] ?? shown(n)}
           onChange={(text) => setTyped({ ...typed, [side]: text })}

@@ -1,6 +1,7 @@
 import { useSnapshot } from "../app/context";
 import { Button } from "../ui/Button";
 import type { SettingEntry } from "../wire/messages";
+import { t } from "../words/words";
 import { fullName, shortName } from "./names";
 import { cellValue, SettingValue, useSet, usualText } from "./SettingValue";
 import { partsOf, type Row, type Table, type Topic } from "./tables";
@@ -103,7 +104,7 @@ function SingleSetting({ entry }: { entry: SettingEntry }) {
       <div>
         <b>{shortName(entry.key)}</b> <span className="setting-unit">{unit}</span>
         <p className="setting-doc">
-          {entry.doc} {entry.bound && `Allowed: ${entry.bound}.`}
+          {entry.doc} {entry.bound && t("Allowed: {0}.", entry.bound)}
         </p>
       </div>
       <SettingValue cell={{ entry }} label={fullName(entry.key)} />
@@ -119,7 +120,7 @@ function Usual({ entries, name }: { entries: readonly SettingEntry[]; name: stri
   const changed = entries.filter(isChanged);
   const [first] = changed;
   if (!first) return null;
-  const words = changed.length === 1 ? usualText(first, mm) : "the usual values";
+  const words = changed.length === 1 ? usualText(first, mm) : t("the usual values");
   const reset = async () => {
     for (const { key, default: usual } of changed) if (!(await set(key, usual))) return;
   };
@@ -128,7 +129,7 @@ function Usual({ entries, name }: { entries: readonly SettingEntry[]; name: stri
       size="small"
       look="quiet"
       className="setting-usual"
-      aria-label={`Usual: ${name}`}
+      aria-label={t("Usual: {0}", name)}
       onPress={() => void reset()}
     >
       ↺ {words}

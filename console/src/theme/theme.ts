@@ -1,12 +1,14 @@
 /** Themes: which values the design tokens have. */
 
+import { t } from "../words/words";
+
 export const themes = ["light", "dark", "contrast"] as const;
 export type Theme = (typeof themes)[number];
 
 export const themeNames: Record<Theme, string> = {
-  light: "Light",
-  dark: "Dark",
-  contrast: "High contrast",
+  light: t("Light"),
+  dark: t("Dark"),
+  contrast: t("High contrast"),
 };
 
 const key = "kerf.theme";

@@ -3,6 +3,7 @@ import { useSnapshot } from "../app/context";
 import { Button } from "../ui/Button";
 import { useSize } from "../view/useSize";
 import type { Timing } from "../wire/messages";
+import { t } from "../words/words";
 import { grainWords } from "./grains";
 import { all, closer, cursorOfKey, earlier, further, later, moveOfKey } from "./keys";
 import { momentOf, panned, pixelOf, type Span, ticksOf, zoomed } from "./span";
@@ -54,7 +55,7 @@ export function TimingChart({ timing, busy }: { timing: Timing; busy: boolean })
         ref={chart}
         className="timing-chart"
         role="group"
-        aria-label="Timing chart"
+        aria-label={t("Timing chart")}
         aria-busy={busy}
         // biome-ignore lint/a11y/noNoninteractiveTabindex: its keys are heard while it has the focus
         tabIndex={0}
@@ -93,17 +94,17 @@ interface TimingBarProps {
 }
 
 const buttons = [
-  { words: "◀", name: "Earlier", move: earlier },
-  { words: "▶", name: "Later", move: later },
-  { words: "+", name: "More detail", move: closer },
-  { words: "−", name: "Less detail", move: further },
-  { words: "All", name: "All of it", move: all },
+  { words: "◀", name: t("Earlier"), move: earlier },
+  { words: "▶", name: t("Later"), move: later },
+  { words: "+", name: t("More detail"), move: closer },
+  { words: "−", name: t("Less detail"), move: further },
+  { words: "All", name: t("All of it"), move: all },
 ] as const;
 
 /** What moves the time, and which stretch is shown. */
 function TimingBar({ span, end, at, onSpan }: TimingBarProps) {
   return (
-    <div className="timing-bar" role="toolbar" aria-label="Time">
+    <div className="timing-bar" role="toolbar" aria-label={t("Time")}>
       {buttons.map(({ words, name, move }) => (
         <Button
           key={name}
@@ -115,7 +116,7 @@ function TimingBar({ span, end, at, onSpan }: TimingBarProps) {
         </Button>
       ))}
       <span className="timing-span">
-        {at === null ? `${seconds(span.from)} … ${seconds(span.to)}` : `at ${seconds(at)}`}
+        {at === null ? `${seconds(span.from)} … ${seconds(span.to)}` : t("at {0}", seconds(at))}
       </span>
     </div>
   );

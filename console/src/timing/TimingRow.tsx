@@ -1,4 +1,5 @@
 import type { TimingLine } from "../wire/messages";
+import { t } from "../words/words";
 import { bitWords, coursePath, isBit, labelled, nameOf, rangeOf } from "./course";
 import { bandPath } from "./grains";
 import { pixelOf, type Span } from "./span";
@@ -30,7 +31,7 @@ export function TimingRow({ line, span, ticks, width, at, units }: TimingRowProp
   const read = readOf(line, units);
   const words = bit
     ? bitWords(line, span)
-    : `${nameOf(line)} from ${read(range[0])} to ${read(range[1])}`;
+    : t("{0} from {1} to {2}", nameOf(line), read(range[0]), read(range[1]));
   return (
     <div className="timing-row" data-line={line.name}>
       <span className="timing-name">

@@ -4,6 +4,7 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Opened, Timing } from "../wire/messages";
+import { t } from "../words/words";
 import { TimingChart } from "./TimingChart";
 import { type Reading, timingOf, useTiming } from "./useTiming";
 import { endWords } from "./words";
@@ -18,7 +19,7 @@ export function TimingSheet({ onClose }: { onClose: () => void }) {
   const timing = timingOf(reading);
   const busy = reading.state === "reading";
   const words = wordsFor(opened, reading, timing);
-  const title = opened ? `Timing of ${opened.name}` : "Timing";
+  const title = opened ? t("Timing of {0}", opened.name) : t("Timing");
   return (
     <Sheet title={title} shape="wide" onClose={onClose}>
       {words !== undefined && (
@@ -64,14 +65,14 @@ function wordsFor(
   reading: Reading,
   timing: Timing | undefined,
 ): string | undefined {
-  if (!opened) return "Choose a file to see its timing.";
-  if (opened.kind === "drawing") return "A drawing has no tool path yet, and so no timing.";
+  if (!opened) return t("Choose a file to see its timing.");
+  if (opened.kind === "drawing") return t("A drawing has no tool path yet, and so no timing.");
   if (opened.preview.state === "failed") return opened.preview.why;
   if (reading.state === "failed") return reading.why;
   if (timing) return timing.lines.length === 0 ? nothingWords(timing) : undefined;
   const made = opened.preview.state === "ready";
-  return made ? "It runs on the simulated machine…" : "Its preview is being made…";
+  return made ? t("It runs on the simulated machine…") : t("Its preview is being made…");
 }
 
 const nothingWords = (timing: Timing): string =>
-  endWords(timing) ?? "Nothing moves in this file, and nothing is switched.";
+  endWords(timing) ?? t("Nothing moves in this file, and nothing is switched.");

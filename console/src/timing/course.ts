@@ -1,6 +1,7 @@
 /** The lines of a chart as paths of pixels, and what they are at a moment. */
 
 import type { TimingLine } from "../wire/messages";
+import { t } from "../words/words";
 import { pixelOf, type Span } from "./span";
 
 export type Point = readonly [at: number, value: number];
@@ -161,14 +162,14 @@ const mostTold = 12;
 export function bitWords(line: TimingLine, span: Span): string {
   const edges = edgesIn(line, span);
   const on = (line.points[before(line.points, span.from - slack) - 1]?.[1] ?? 0) > 0;
-  if (edges.length === 0) return `${line.name} is ${onOff(on)} all the time`;
-  const begins = span.from > 0 ? [`${onOff(on)} at ${span.from.toFixed(3)} s`] : [];
+  if (edges.length === 0) return t("{0} is {1} all the time", line.name, onOff(on));
+  const begins = span.from > 0 ? [t("{0} at {1} s", onOff(on), span.from.toFixed(3))] : [];
   const told = edges.slice(0, mostTold).map(edgeWords);
-  const more = edges.length > mostTold ? ` and ${edges.length - mostTold} more` : "";
+  const more = edges.length > mostTold ? t(" and {0} more", edges.length - mostTold) : "";
   return `${line.name}: ${[...begins, ...told].join(", ")}${more}`;
 }
 
-const onOff = (on: boolean): string => (on ? "on" : "off");
+const onOff = (on: boolean): string => (on ? t("on") : t("off"));
 
 const edgeWords = ([at, on]: Point): string =>
-  at === 0 ? `${onOff(on > 0)} from the beginning` : `${onOff(on > 0)} ${at.toFixed(3)} s`;
+  at === 0 ? t("{0} from the beginning", onOff(on > 0)) : `${onOff(on > 0)} ${at.toFixed(3)} s`;

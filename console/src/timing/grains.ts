@@ -4,6 +4,7 @@
  */
 
 import type { TimingLine } from "../wire/messages";
+import { t } from "../words/words";
 import { type Box, edgesIn, heightOf, nameOf, type Range, spread, valueAt } from "./course";
 import { pixelOf, type Span } from "./span";
 
@@ -55,6 +56,11 @@ export function grainWords(
 ): string | undefined {
   const coarse = lines.filter(({ grain }) => grain > 0);
   if (coarse.length === 0) return undefined;
-  const each = coarse.map((line) => `${nameOf(line)} every ${Number(line.grain.toFixed(3))} s`);
-  return `More happens than a chart holds: only the least and the greatest are shown of ${each.join(", ")}.`;
+  const each = coarse.map((line) =>
+    t("{0} every {1} s", nameOf(line), Number(line.grain.toFixed(3))),
+  );
+  return t(
+    "More happens than a chart holds: only the least and the greatest are shown of {0}.",
+    each.join(", "),
+  );
 }

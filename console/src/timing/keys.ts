@@ -1,5 +1,6 @@
 /** The keys of the timing chart. */
 
+import { t } from "../words/words";
 import { panned, type Span, whole, zoomed } from "./span";
 
 /** What a key does to the stretch that is shown; `end` is that of the run. */
@@ -43,10 +44,10 @@ export const moveOfKey = (key: string): Move | undefined => moves[key];
 
 /** The keys as the help lists them. */
 export const keyHelp: readonly { keys: string; means: string }[] = [
-  { keys: "+ −", means: "More or less detail" },
-  { keys: "← →", means: "Earlier, later" },
-  { keys: "Shift with ← →", means: "What everything is, a little earlier, later" },
-  { keys: "Page Up, Page Down", means: "A whole width earlier, later" },
-  { keys: "Home, End", means: "The beginning, the end" },
-  { keys: "0", means: "All of it" },
+  { keys: "+ −", means: t("More or less detail") },
+  { keys: "← →", means: t("Earlier, later") },
+  { keys: t("Shift with ← →"), means: t("What everything is, a little earlier, later") },
+  { keys: t("Page Up, Page Down"), means: t("A whole width earlier, later") },
+  { keys: t("Home, End"), means: t("The beginning, the end") },
+  { keys: "0", means: t("All of it") },
 ];

@@ -1,6 +1,7 @@
 import { useEffect, useState } from "react";
 import { getJson, Outdated, Refused } from "../link/http";
 import type { Timing } from "../wire/messages";
+import { t } from "../words/words";
 
 /** What is known of the timing of a file; while it is made anew, what it was before. */
 export type Reading = { readonly of: string | undefined } & (
@@ -36,7 +37,7 @@ export function useTiming(
     if (key === undefined) return;
     const gone = new AbortController();
     const failed = (error: Error) => {
-      const why = error instanceof Refused ? error.message : "The server does not answer.";
+      const why = error instanceof Refused ? error.message : t("The server does not answer.");
       // In the place of a preview that is outdated the next one comes.
       if (gone.signal.aborted || error instanceof Outdated) return;
       setReading({ of: name, state: "failed", why });

@@ -7,6 +7,7 @@ import { answersOf } from "../operator/folder";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { FileInfo, FileVersion } from "../wire/messages";
+import { t } from "../words/words";
 
 const none: readonly FileInfo[] = [];
 
@@ -37,7 +38,7 @@ export function BinSheet({ onClose }: { onClose: () => void }) {
       onClose={onClose}
       foot={
         <Button
-          refused={bin.length === 0 ? "The bin is empty." : undefined}
+          refused={bin.length === 0 ? t("The bin is empty.") : undefined}
           onPress={() => setAsks(true)}
         >
           Empty the bin…
@@ -45,18 +46,19 @@ export function BinSheet({ onClose }: { onClose: () => void }) {
       }
     >
       <p className="tool-words">
-        A file that is deleted is kept here, with what it was before, until the bin is emptied or
-        newer versions of other files need the room.
+        {t(
+          "A file that is deleted is kept here, with what it was before, until the bin is emptied or newer versions of other files need the room.",
+        )}
       </p>
-      {bin.length === 0 && <p className="tail-empty">Nothing was deleted.</p>}
-      <ol className="versions" aria-label="Deleted files">
+      {bin.length === 0 && <p className="tail-empty">{t("Nothing was deleted.")}</p>}
+      <ol className="versions" aria-label={t("Deleted files")}>
         {bin.map(({ name, bytes, changed }) => (
-          <li key={name}>
+          <li key={name} className="list-line">
             <span>{name}</span>
             <span className="versions-size">{`${sizeText(bytes)}, ${timeText(changed)}`}</span>
             <Button
               size="small"
-              aria-label={`Bring back ${name}`}
+              aria-label={t("Bring back {0}", name)}
               onPress={() => void does(bringBack(name, bin))}
             >
               Bring back
@@ -94,7 +96,7 @@ function EmptyBin({ bin, onEmpty, onCancel }: EmptyBinProps) {
       }
     >
       <p className="question-text">
-        {names}: lost for good, with every version that was kept of them.
+        {t("{0}: lost for good, with every version that was kept of them.", names)}
       </p>
     </Sheet>
   );

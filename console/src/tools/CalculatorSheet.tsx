@@ -4,6 +4,7 @@ import { evaluate, resultText } from "../app/expression";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { t } from "../words/words";
 import "./tools.css";
 
 /**
@@ -29,13 +30,13 @@ export function CalculatorSheet({ field }: { field: HTMLInputElement | null }) {
         field?.isConnected && (
           <Button
             look="primary"
-            refused={value === undefined ? "There is no result yet." : undefined}
+            refused={value === undefined ? t("There is no result yet.") : undefined}
             onPress={() => {
               if (value !== undefined) enter(field, resultText(value));
               close();
             }}
           >
-            Paste into {nameOf(field)}
+            {t("Paste into {0}", nameOf(field))}
           </Button>
         )
       }
@@ -69,7 +70,7 @@ export function CalculatorSheet({ field }: { field: HTMLInputElement | null }) {
 const nameOf = (field: HTMLInputElement): string =>
   field.labels?.[0]?.querySelector(".hidden-text")?.textContent?.toLowerCase() ??
   field.labels?.[0]?.firstChild?.textContent ??
-  "the field";
+  t("the field");
 
 /** Enters a result as typing would: it takes the place of a value, or joins what the field has more of. */
 function enter(field: HTMLInputElement, text: string) {

@@ -8,6 +8,7 @@ import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Sheet } from "../ui/Sheet";
 import type { RunRecord } from "../wire/messages";
+import { phrase, t } from "../words/words";
 import { endText, partsMade } from "./runs";
 import { useKept } from "./useKept";
 
@@ -19,7 +20,7 @@ export function HistorySheet({ onClose }: { onClose: () => void }) {
   const runs = useKept<RunRecord>("/api/history");
   return (
     <Sheet title="History of runs" shape="wide" onClose={onClose} foot={<NotifyChoice />}>
-      {runs?.length === 0 && <p className="tail-empty">No file has run yet.</p>}
+      {runs?.length === 0 && <p className="tail-empty">{t("No file has run yet.")}</p>}
       {runs && runs.length > 0 && (
         <>
           <Counters runs={runs} />
@@ -42,12 +43,12 @@ function NotifyChoice() {
   const choose = async (value: string) => {
     if (value === "no") endNotifying();
     else if (!(await beginNotifying()))
-      screen.tell("This browser does not allow notifications here: allow them in its settings.");
+      screen.tell(t("This browser does not allow notifications here: allow them in its settings."));
     setOn(notifies());
   };
   return (
-    <div className="runs-notify">
-      <span>When somebody is needed, and when a run is done or fails:</span>
+    <div className="list-line">
+      <span>{t("When somebody is needed, and when a run is done or fails:")}</span>
       <Choice
         label="Notifications of this browser"
         options={choices}
@@ -60,13 +61,11 @@ function NotifyChoice() {
 
 function Counters({ runs }: { runs: readonly RunRecord[] }) {
   return (
-    <ul className="runs-made" aria-label="Parts made">
+    <ul className="runs-made" aria-label={t("Parts made")}>
       {partsMade(runs)
         .slice(0, 12)
         .map(({ file, today, all }) => (
-          <li key={file}>
-            <b>{file}</b> {today} today, {all} in all
-          </li>
+          <li key={file}>{phrase("{0} {1} today, {2} in all", <b>{file}</b>, today, all)}</li>
         ))}
     </ul>
   );
@@ -78,10 +77,10 @@ function Runs({ runs }: { runs: readonly RunRecord[] }) {
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what is longer than its box is scrolled by keys
     <div className="runs" tabIndex={0}>
-      <table aria-label="Runs">
+      <table className="list-table" aria-label={t("Runs")}>
         <thead>
           <tr>
-            {["When", "File", "End", "Time", "By"].map((title) => (
+            {[t("When"), t("File"), t("End"), t("Time"), t("By")].map((title) => (
               <th key={title} scope="col">
                 {title}
               </th>
@@ -105,7 +104,7 @@ function Runs({ runs }: { runs: readonly RunRecord[] }) {
                 {endText(run)}
               </td>
               <td>{run.seconds > 0 ? durationText(run.seconds) : "–"}</td>
-              <td>{run.by || "this machine"}</td>
+              <td>{run.by || t("this machine")}</td>
             </tr>
           ))}
         </tbody>

@@ -3,12 +3,13 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { useFetched } from "../app/useFetched";
 import { Sheet } from "../ui/Sheet";
 import type { Duty, Lamp } from "../wire/messages";
+import { t } from "../words/words";
 import "./tools.css";
 
 const duties: Record<Duty, string> = {
   standard: "",
-  limit: "limit switch",
-  stop: "stops the machine",
+  limit: t("limit switch"),
+  stop: t("stops the machine"),
 };
 
 /** The switches of the simulated machine, to be moved by hand: also while a file runs. */
@@ -19,7 +20,7 @@ export function InputsSheet({ onClose }: { onClose: () => void }) {
     void drive(worldOf(hands), { do: "input", number, on: !on });
   return (
     <Sheet title="Inputs of the simulated machine" shape="side" onClose={onClose}>
-      <p className="tool-words">A switch stays as it is put.</p>
+      <p className="tool-words">{t("A switch stays as it is put.")}</p>
       <ul className="inputs">
         {inputs.map((lamp) => (
           <li key={lamp.number}>
@@ -27,13 +28,13 @@ export function InputsSheet({ onClose }: { onClose: () => void }) {
               type="button"
               role="switch"
               aria-checked={lamp.on}
-              aria-label={`Input ${lamp.number}`}
+              aria-label={t("Input {0}", lamp.number)}
               className="inputs-switch"
               onClick={() => press(lamp)}
             >
               <b>{lamp.number}</b>
               <span>{[lamp.label, duties[lamp.duty]].filter(Boolean).join(", ")}</span>
-              <i aria-hidden="true">{lamp.on ? "on" : "off"}</i>
+              <i aria-hidden="true">{lamp.on ? t("on") : t("off")}</i>
             </button>
           </li>
         ))}

@@ -7,6 +7,7 @@ import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { phrase, t } from "../words/words";
 import { filledIn, keepMacros, type Macro, readMacros, valuesOf } from "./macros";
 
 /** Ways of the machine and macros of this browser, a button each. */
@@ -33,7 +34,7 @@ export function MacrosSheet({ onClose }: { onClose: () => void }) {
         <ActionButton action={findHome}>Find the machine's home</ActionButton>
         <ActionButton action={frameJob}>Frame the job</ActionButton>
       </div>
-      <ul className="macros-own" aria-label="Macros">
+      <ul className="macros-own" aria-label={t("Macros")}>
         {macros.map(({ name }, n) => (
           <li key={name}>
             <Button look="primary" onPress={() => setChosen({ at: n, is: "runs" })}>
@@ -41,7 +42,7 @@ export function MacrosSheet({ onClose }: { onClose: () => void }) {
             </Button>
             <Button
               size="small"
-              aria-label={`Edit ${name}`}
+              aria-label={t("Edit {0}", name)}
               onPress={() => setChosen({ at: n, is: "edits" })}
             >
               Edit…
@@ -72,7 +73,7 @@ function MacroRun({ macro, onDone }: { macro: Macro; onDone: () => void }) {
   );
   const unready = useShown((shown) => unlessReady({ ...worldOf(hands), shown }));
   const lacking = asked.find(({ name }) => (values[name] ?? "").trim() === "");
-  const refused = lacking ? `Enter ${lacking.name} first.` : unready;
+  const refused = lacking ? t("Enter {0} first.", lacking.name) : unready;
   const line = filledIn(macro.lines, values);
   const run = async () => {
     if (refused === undefined && (await drive(worldOf(hands), { do: "command", line }))) onDone();
@@ -80,7 +81,7 @@ function MacroRun({ macro, onDone }: { macro: Macro; onDone: () => void }) {
   return (
     <form
       className="macro"
-      aria-label={`Run ${macro.name}`}
+      aria-label={t("Run {0}", macro.name)}
       onSubmit={(event) => {
         event.preventDefault();
         void run();
@@ -97,7 +98,7 @@ function MacroRun({ macro, onDone }: { macro: Macro; onDone: () => void }) {
       ))}
       <pre>{line}</pre>
       <Button look="go" refused={refused} onPress={() => void run()}>
-        Run {macro.name}
+        {t("Run {0}", macro.name)}
       </Button>
     </form>
   );
@@ -116,16 +117,16 @@ function MacroForm({ macro, taken, onKeep, onRemove }: MacroFormProps) {
   const [lines, setLines] = useState(macro.lines);
   const refused =
     name.trim() === ""
-      ? "Enter a name first."
+      ? t("Enter a name first.")
       : taken.includes(name.trim())
-        ? "Another macro has this name."
+        ? t("Another macro has this name.")
         : lines.trim() === ""
-          ? "Enter its lines first."
+          ? t("Enter its lines first.")
           : undefined;
   return (
     <form
       className="macro"
-      aria-label="Macro"
+      aria-label={t("Macro")}
       onSubmit={(event) => {
         event.preventDefault();
         if (refused === undefined) onKeep({ name: name.trim(), lines: lines.trim() });
@@ -133,14 +134,17 @@ function MacroForm({ macro, taken, onKeep, onRemove }: MacroFormProps) {
     >
       <Field label="Name" value={name} onChange={setName} first />
       <label className="macro-lines">
-        Lines of OpenSBP; {"{depth=0.25}"} asks for depth
+        {phrase("Lines of OpenSBP; {0} asks for depth", <code>{"{depth=0.25}"}</code>)}
         <textarea rows={5} value={lines} onChange={(event) => setLines(event.target.value)} />
       </label>
       <div className="macros">
         <Button type="submit" look="primary" refused={refused}>
           Keep
         </Button>
-        <Button refused={macro.name === "" ? "It is not kept yet." : undefined} onPress={onRemove}>
+        <Button
+          refused={macro.name === "" ? t("It is not kept yet.") : undefined}
+          onPress={onRemove}
+        >
           Remove
         </Button>
       </div>

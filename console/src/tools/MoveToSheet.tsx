@@ -9,6 +9,7 @@ import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { AxisUnits, ByHand, Units } from "../wire/messages";
+import { t } from "../words/words";
 import { cutMove, isWrong, type Made, moveTo } from "./moveTo";
 import "./tools.css";
 
@@ -38,7 +39,7 @@ export function MoveToSheet({ onClose }: { onClose: () => void }) {
   return (
     <Sheet title="Move the tool to" shape="side" onClose={onClose}>
       <p className="tool-words">
-        X and Y count from the job origin, the other axes from home. STOP ends every move.
+        {t("X and Y count from the job origin, the other axes from home. STOP ends every move.")}
       </p>
       <MoveTo {...shared} />
       <CutMoveTo {...shared} />
@@ -78,14 +79,14 @@ function MoveTo({ units, busy, go }: WayProps) {
     go,
   );
   return (
-    <section className="move-to" aria-label="MoveTo">
-      <h3>MoveTo</h3>
+    <section className="move-to" aria-label={t("MoveTo")}>
+      <h3>{t("MoveTo")}</h3>
       <div className="move-to-axes">
         {axes.map(({ axis }, n) => (
           <AxisField
             key={axis.letter}
             {...{ axis, entries, enter }}
-            placeholder="stays"
+            placeholder={t("stays")}
             first={n === 0}
           />
         ))}
@@ -108,20 +109,20 @@ function CutMoveTo({ units, busy, go }: WayProps) {
     go,
   );
   return (
-    <section className="move-to" aria-label="CutMoveTo">
-      <h3>CutMoveTo</h3>
+    <section className="move-to" aria-label={t("CutMoveTo")}>
+      <h3>{t("CutMoveTo")}</h3>
       <div className="move-to-axes">
         {axes.map(({ axis }) => (
           <AxisField key={axis.letter} {...{ axis, entries, enter }} />
         ))}
       </div>
       <div className="move-to-cut">
-        Cuts on the way
+        {t("Cuts on the way")}
         <Choice label="Cuts on the way" options={cuts} value={cut} onChange={setCut} />
       </div>
       <Wrong text={wrong} />
       <Button look={cut === "yes" ? "hold" : "primary"} refused={busy} onPress={send}>
-        {cut === "yes" ? "Cut there" : "Move there"}
+        {cut === "yes" ? t("Cut there") : t("Move there")}
       </Button>
     </section>
   );
@@ -134,8 +135,8 @@ function Home({ units, busy, go }: WayProps) {
   const turn = (letter: string) =>
     setLeft(left.includes(letter) ? left.filter((one) => one !== letter) : [...left, letter]);
   return (
-    <section className="move-to" aria-label="Move to home">
-      <h3>Move to home, Z first</h3>
+    <section className="move-to" aria-label={t("Move to home")}>
+      <h3>{t("Move to home, Z first")}</h3>
       <div className="move-to-axes">
         {letters.map((letter) => (
           <label key={letter}>
@@ -150,7 +151,7 @@ function Home({ units, busy, go }: WayProps) {
       </div>
       <Button
         look="primary"
-        refused={busy ?? (chosen.length === 0 ? "Choose an axis first." : undefined)}
+        refused={busy ?? (chosen.length === 0 ? t("Choose an axis first.") : undefined)}
         onPress={() => go({ to: "home", axes: chosen.join("") })}
       >
         Move home

@@ -7,6 +7,7 @@ import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { AxisUnits } from "../wire/messages";
+import { t } from "../words/words";
 import "./tools.css";
 
 /** Shifts the workpiece a little (MN), also while a part file is stopped. */
@@ -27,8 +28,9 @@ export function NudgeSheet({ onClose }: { onClose: () => void }) {
   return (
     <Sheet title="Nudge" shape="side" onClose={onClose}>
       <p className="tool-words">
-        Moves tool and working zero together: what is cut next is shifted, what the display calls a
-        place stays.
+        {t(
+          "Moves tool and working zero together: what is cut next is shifted, what the display calls a place stays.",
+        )}
       </p>
       <Field label="Distance" value={step} onChange={setStep} unit={units.linear} first />
       <div className="nudge">

@@ -5,6 +5,7 @@ import { actions } from "../actions/registry";
 import { useHands, worldOf } from "../app/context";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { t } from "../words/words";
 import "./tools.css";
 
 /** Every action by its name (Ctrl K). */
@@ -28,7 +29,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
         <Field label="What to do" value={wanted} onChange={setWanted} first />
       </form>
       <ListBox
-        aria-label="Actions"
+        aria-label={t("Actions")}
         className="palette"
         selectionMode="none"
         onAction={(id) => run(found.find((action) => action.id === id))}
@@ -37,7 +38,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
           <ListBoxItem
             key={action.id}
             id={action.id}
-            className="palette-row"
+            className="palette-row list-row"
             textValue={action.title}
           >
             <span>{action.title}</span>

@@ -5,6 +5,7 @@ import { useFetched } from "../app/useFetched";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { PortBit, Ports } from "../wire/messages";
+import { t } from "../words/words";
 import "./ports.css";
 
 /** The bits of one port, and its byte. */
@@ -28,7 +29,7 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
   return (
     <Sheet title="Ports of the card" shape="wide" onClose={onClose}>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reached by key */}
-      <section className="ports" aria-label="Lamps" tabIndex={0} data-first>
+      <section className="ports" aria-label={t("Lamps")} tabIndex={0} data-first>
         {ports &&
           portsOf(bits, ports).map(({ title, byte, bits }) => (
             <section key={title} aria-label={title}>
@@ -49,11 +50,12 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
             </section>
           ))}
         {simulated && (
-          <section aria-label="Motors">
-            <h3>Motors</h3>
+          <section aria-label={t("Motors")}>
+            <h3>{t("Motors")}</h3>
             <p className="ports-words">
-              One step at a time. An output that is switched on starts what hangs on it: is
-              everybody clear of it?
+              {t(
+                "One step at a time. An output that is switched on starts what hangs on it: is everybody clear of it?",
+              )}
             </p>
             <ul className="port-motors">
               {motorsOf(bits).map((motor) => (
@@ -64,7 +66,7 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
                       key={String(forward)}
                       size="small"
                       refused={busy}
-                      aria-label={`Step ${motor} ${forward ? "forward" : "back"}`}
+                      aria-label={t("Step {0} {1}", motor, forward ? t("forward") : t("back"))}
                       onPress={() => step(motor, forward)}
                     >
                       {forward ? "+" : "−"}
@@ -113,12 +115,12 @@ function Light({ bit, on, busy, onSwitch }: LightProps) {
         {name}
         <small>{about}</small>
       </span>
-      <em>{on ? "on" : "off"}</em>
+      <em>{on ? t("on") : t("off")}</em>
       {onSwitch && (
         <Button
           size="small"
           refused={busy}
-          aria-label={`Switch ${name} ${on ? "off" : "on"}`}
+          aria-label={t("Switch {0} {1}", name, on ? t("off") : t("on"))}
           onPress={() => onSwitch(bit, !on)}
         >
           Switch
@@ -131,7 +133,7 @@ function Light({ bit, on, busy, onSwitch }: LightProps) {
 /** Inputs first: they are what is looked for when something does not work. */
 export function portsOf(bits: readonly PortBit[], ports: Ports): PortLamps[] {
   const one = (output: boolean, letter: string, byte: number): PortLamps => ({
-    title: `${output ? "Output" : "Input"} port ${letter}`,
+    title: t("{0} port {1}", output ? t("Output") : t("Input"), letter),
     byte,
     bits: bits.filter((bit) => bit.output === output && bit.port === letter),
   });

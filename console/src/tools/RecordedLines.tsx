@@ -1,5 +1,6 @@
 import { ListBox, ListBoxItem } from "react-aria-components";
 import { Tail } from "../ui/Tail";
+import { t } from "../words/words";
 
 interface RecordedLinesProps {
   lines: readonly string[];
@@ -9,9 +10,9 @@ interface RecordedLinesProps {
 /** Recorded lines, the newest last: a double click or Enter runs one again. */
 export function RecordedLines({ lines, onRun }: RecordedLinesProps) {
   return (
-    <Tail label="Recorded lines" empty="Nothing is recorded yet." count={lines.length}>
+    <Tail label={t("Recorded lines")} empty={t("Nothing is recorded yet.")} count={lines.length}>
       <ListBox
-        aria-label="Recorded commands"
+        aria-label={t("Recorded commands")}
         className="recorder-list"
         selectionMode="single"
         selectionBehavior="replace"
@@ -22,7 +23,7 @@ export function RecordedLines({ lines, onRun }: RecordedLinesProps) {
       >
         {lines.map((line, n) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same line may be there twice
-          <ListBoxItem key={n} id={String(n)} className="recorder-line" textValue={line}>
+          <ListBoxItem key={n} id={String(n)} className="recorder-line list-row" textValue={line}>
             <code>{line}</code>
           </ListBoxItem>
         ))}

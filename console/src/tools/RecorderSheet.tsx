@@ -6,13 +6,14 @@ import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { phrase, t } from "../words/words";
 import { RecordedLines } from "./RecordedLines";
 import "./tools.css";
 
-const playAll = command("recorder.all", "Play all (RP)", "RP");
-const on = command("recorder.on", "Record (RA)", "RA");
-const off = command("recorder.off", "Do not record (RI)", "RI");
-const empty = command("recorder.empty", "Empty the list (RZ)", "RZ");
+const playAll = command("recorder.all", t("Play all (RP)"), "RP");
+const on = command("recorder.on", t("Record (RA)"), "RA");
+const off = command("recorder.off", t("Do not record (RI)"), "RI");
+const empty = command("recorder.empty", t("Empty the list (RZ)"), "RZ");
 
 /** What was typed, to be run again and to be kept as a part file: RA, RI, RP, RR, RS, RZ. */
 export function RecorderSheet({ onClose }: { onClose: () => void }) {
@@ -37,8 +38,11 @@ export function RecorderSheet({ onClose }: { onClose: () => void }) {
       }
     >
       <p className="tool-words">
-        <RecorderMark /> {recorder.on ? "What is typed is recorded." : "Nothing is recorded now."} A
-        double click runs a line again.
+        {phrase(
+          "{0} {1} A double click runs a line again.",
+          <RecorderMark />,
+          recorder.on ? t("What is typed is recorded.") : t("Nothing is recorded now."),
+        )}
       </p>
       <RecordedLines lines={recorder.lines} onRun={run} />
       <form
@@ -60,7 +64,7 @@ export function RecorderSheet({ onClose }: { onClose: () => void }) {
         }}
       >
         <Field label="Part file" value={name} onChange={setName} placeholder="recorded.sbp" />
-        <Button type="submit" refused={name.trim() === "" ? "Enter a name first." : undefined}>
+        <Button type="submit" refused={name.trim() === "" ? t("Enter a name first.") : undefined}>
           Save
         </Button>
       </form>
@@ -71,7 +75,7 @@ export function RecorderSheet({ onClose }: { onClose: () => void }) {
 /** A full dot while commands are recorded, an open circle while they are not. */
 export function RecorderMark() {
   const on = useSnapshot("recorder")?.on;
-  const words = on ? "Commands are recorded" : "Commands are not recorded";
+  const words = on ? t("Commands are recorded") : t("Commands are not recorded");
   return (
     <span className={`recorder-mark recorder-${on ? "on" : "off"}`} role="img" aria-label={words} />
   );

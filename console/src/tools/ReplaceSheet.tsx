@@ -4,6 +4,7 @@ import { aboutText } from "../operator/fileWords";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { FileAbout } from "../wire/messages";
+import { t } from "../words/words";
 
 interface ReplaceSheetProps {
   about: FileAbout;
@@ -19,7 +20,7 @@ export function ReplaceSheet({ about, onAnswer, onClose }: ReplaceSheetProps) {
   };
   return (
     <Sheet
-      title={`Replace ${about.name}?`}
+      title={t("Replace {0}?", about.name)}
       shape="question"
       onClose={() => answer(false)}
       foot={
@@ -34,10 +35,13 @@ export function ReplaceSheet({ about, onAnswer, onClose }: ReplaceSheetProps) {
       }
     >
       <p className="question-text">
-        {about.name} is there already: {aboutText(about)}. It is replaced as a whole; the last 20
-        versions of it are kept.
+        {t(
+          "{0} is there already: {1}. It is replaced as a whole; the last 20 versions of it are kept.",
+          about.name,
+          aboutText(about),
+        )}
       </p>
-      <FileText address={fileAddress(about.name)} label="What is replaced" />
+      <FileText address={fileAddress(about.name)} label={t("What is replaced")} />
     </Sheet>
   );
 }

@@ -9,6 +9,7 @@ import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Opened, SampleAnswer } from "../wire/messages";
+import { t } from "../words/words";
 import { answersText } from "./samples";
 
 /** The questions of the open program, with the answers that its preview gets. They are kept beside the file. */
@@ -17,7 +18,7 @@ export function SamplesSheet({ onClose }: { onClose: () => void }) {
   if (!opened || opened.samples.length === 0) {
     return (
       <Sheet title="Sample answers" onClose={onClose}>
-        <p className="tail-empty">The open file asks nothing.</p>
+        <p className="tail-empty">{t("The open file asks nothing.")}</p>
       </Sheet>
     );
   }
@@ -40,7 +41,7 @@ function Samples({ opened, onClose }: { opened: Opened; onClose: () => void }) {
   };
   return (
     <Sheet
-      title={`Sample answers of ${name}`}
+      title={t("Sample answers of {0}", name)}
       onClose={onClose}
       foot={
         <Button look="primary" size="large" onPress={() => void draw()}>
@@ -49,8 +50,9 @@ function Samples({ opened, onClose }: { opened: Opened; onClose: () => void }) {
       }
     >
       <p className="tool-words">
-        The preview and its times are made with these answers. When the file runs it asks whoever
-        drives. A value that is left empty counts as 0.
+        {t(
+          "The preview and its times are made with these answers. When the file runs it asks whoever drives. A value that is left empty counts as 0.",
+        )}
       </p>
       <form
         className="samples"
@@ -83,7 +85,7 @@ interface SampleFieldProps {
 }
 
 function SampleField({ sample, answer, first, onChange }: SampleFieldProps) {
-  const label = `${sample.text || "A value"} (line ${sample.line})`;
+  const label = t("{0} (line {1})", sample.text || t("A value"), sample.line);
   if (sample.buttons.length === 0) {
     return <Field label={label} value={answer} onChange={onChange} placeholder="0" first={first} />;
   }

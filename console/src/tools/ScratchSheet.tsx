@@ -4,6 +4,7 @@ import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { refusal } from "../keypad/refusal";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
+import { t } from "../words/words";
 import { RecordedLines } from "./RecordedLines";
 import "./tools.css";
 
@@ -33,12 +34,12 @@ export function ScratchSheet({ onClose }: { onClose: () => void }) {
         <>
           <span className="scratch-refused">{refused}</span>
           <Button onPress={() => setListed((now) => !now)} aria-keyshortcuts="Alt+L">
-            Last lines <kbd>Alt L</kbd>
+            {t("Last lines")} <kbd>{t("Alt L")}</kbd>
           </Button>
           <Button onPress={() => write("")}>Empty</Button>
           <Button
             look="go"
-            refused={refused ?? (text.trim() === "" ? "Enter a line first." : undefined)}
+            refused={refused ?? (text.trim() === "" ? t("Enter a line first.") : undefined)}
             onPress={() => run(text)}
           >
             Run
@@ -48,7 +49,7 @@ export function ScratchSheet({ onClose }: { onClose: () => void }) {
     >
       <textarea
         className="scratch"
-        aria-label="Lines to run"
+        aria-label={t("Lines to run")}
         data-first
         rows={10}
         spellCheck={false}

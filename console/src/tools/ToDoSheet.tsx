@@ -5,6 +5,7 @@ import { Thumbnail } from "../operator/Thumbnail";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { ToDo } from "../wire/messages";
+import { t } from "../words/words";
 import { earlier, wanting, withOneMore } from "./runs";
 import { useKept } from "./useKept";
 
@@ -30,14 +31,14 @@ export function ToDoSheet({ onClose }: { onClose: () => void }) {
       foot={
         <>
           <Button
-            refused={list.some(isDone) ? undefined : "Nothing on the list is done yet."}
+            refused={list.some(isDone) ? undefined : t("Nothing on the list is done yet.")}
             onPress={() => put(list.filter((one) => !isDone(one)))}
           >
             Remove what is done
           </Button>
           <Button
             look="primary"
-            refused={name === undefined ? "Open a program or a job first." : undefined}
+            refused={name === undefined ? t("Open a program or a job first.") : undefined}
             onPress={() => name !== undefined && put(withOneMore(list, name))}
           >
             Add the open file
@@ -45,8 +46,8 @@ export function ToDoSheet({ onClose }: { onClose: () => void }) {
         </>
       }
     >
-      {list.length === 0 && <p className="tail-empty">Nothing is to be done.</p>}
-      <ol className="todo" aria-label="Jobs to do">
+      {list.length === 0 && <p className="tail-empty">{t("Nothing is to be done.")}</p>}
+      <ol className="todo" aria-label={t("Jobs to do")}>
         {list.map((one, n) => (
           <ToDoRow key={one.file} one={one} first={n === 0} list={list} put={put} />
         ))}
@@ -69,45 +70,43 @@ function ToDoRow({ one, first, list, put }: ToDoRowProps) {
   const folder = useSnapshot("folder")?.name ?? "";
   const { file, wanted, made } = one;
   return (
-    <li className={isDone(one) ? "todo-done" : ""}>
+    <li className={isDone(one) ? "list-line todo-done" : "list-line"}>
       <Thumbnail name={file} />
       <b className="todo-name">{file}</b>
-      <span>
-        {made} of {wanted} made
-      </span>
+      <span>{t("{0} of {1} made", made, wanted)}</span>
       <Button
         size="small"
-        aria-label={`One less of ${file}`}
-        refused={wanted > 1 ? undefined : "One at least is wanted; remove it."}
+        aria-label={t("One less of {0}", file)}
+        refused={wanted > 1 ? undefined : t("One at least is wanted; remove it.")}
         onPress={() => put(wanting(list, file, -1))}
       >
         −
       </Button>
       <Button
         size="small"
-        aria-label={`One more of ${file}`}
+        aria-label={t("One more of {0}", file)}
         onPress={() => put(wanting(list, file, 1))}
       >
         +
       </Button>
       <Button
         size="small"
-        aria-label={`${file} earlier`}
-        refused={first ? "It is the first." : undefined}
+        aria-label={t("{0} earlier", file)}
+        refused={first ? t("It is the first.") : undefined}
         onPress={() => put(earlier(list, file))}
       >
         ↑
       </Button>
       <Button
         size="small"
-        aria-label={`Open ${file}`}
+        aria-label={t("Open {0}", file)}
         onPress={() => void openToRun(hands, file, folder)}
       >
         Open
       </Button>
       <Button
         size="small"
-        aria-label={`Remove ${file}`}
+        aria-label={t("Remove {0}", file)}
         onPress={() => put(list.filter((other) => other.file !== file))}
       >
         Remove

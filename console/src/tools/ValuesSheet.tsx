@@ -7,6 +7,7 @@ import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { CommandEntry, Values } from "../wire/messages";
+import { t } from "../words/words";
 import "./tools.css";
 import { VariableLines } from "./VariableLines";
 
@@ -43,8 +44,8 @@ export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onCl
       {kind === "variables" && values && editing && (
         <VariableLines variables={values.variables} onDone={() => setEditing(false)} />
       )}
-      <section className="values" aria-label="Values" hidden={kind === "variables" && editing}>
-        <table>
+      <section className="values" aria-label={t("Values")} hidden={kind === "variables" && editing}>
+        <table className="list-table">
           <tbody>
             {found.map(([name, value, words]) => (
               <tr key={name}>
@@ -55,7 +56,7 @@ export function ValuesSheet({ first, onClose }: { first?: Kind | undefined; onCl
             ))}
           </tbody>
         </table>
-        {found.length === 0 && <p className="tail-empty">Nothing here has a value.</p>}
+        {found.length === 0 && <p className="tail-empty">{t("Nothing here has a value.")}</p>}
       </section>
     </Sheet>
   );
@@ -76,8 +77,8 @@ function rowsOf(values: Values, kind: Kind, table: readonly CommandEntry[]): Row
       ]);
     case "settings":
       return [
-        ["Part folder", values.parts, values.folder.mask],
-        ["Data folder", values.data, ""],
+        [t("Part folder"), values.parts, values.folder.mask],
+        [t("Data folder"), values.data, ""],
         ...values.settings.flatMap((line) => settingRows(line, table)),
       ];
     case "diagnostics":

@@ -3,6 +3,7 @@ import { drive } from "../actions/ask";
 import { useHands, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import type { NamedValue } from "../wire/messages";
+import { t } from "../words/words";
 import { changedLines, linesOf, notAVariable } from "./variableLines";
 
 interface VariableLinesProps {
@@ -24,23 +25,23 @@ export function VariableLines({ variables, onDone }: VariableLinesProps) {
     <div className="variable-lines">
       <textarea
         className="scratch"
-        aria-label="Variables, a line each"
+        aria-label={t("Variables, a line each")}
         rows={12}
         spellCheck={false}
-        placeholder="&name = 4"
+        placeholder={t("&name = 4")}
         value={text}
         onChange={(event) => setText(event.target.value)}
       />
       <p className="tool-words" role="status">
         {wrong === undefined
-          ? "A line changes a variable or adds one; a line that is taken away changes nothing."
-          : `This sets no variable: ${wrong}`}
+          ? t("A line changes a variable or adds one; a line that is taken away changes nothing.")
+          : t("This sets no variable: {0}", wrong)}
       </p>
       <div className="variable-tools">
         <Button onPress={onDone}>Cancel</Button>
         <Button
           look="primary"
-          refused={wrong && `This sets no variable: ${wrong}`}
+          refused={wrong && t("This sets no variable: {0}", wrong)}
           onPress={() => void save()}
         >
           Save

@@ -1,6 +1,7 @@
 /** Moves to places that are given in numbers, as the machine is asked for them. */
 
 import type { AxisUnits, ByHand } from "../wire/messages";
+import { t } from "../words/words";
 
 type Axes = readonly { readonly axis: AxisUnits; readonly at: number }[];
 type Entries = Readonly<Record<string, string>>;
@@ -19,7 +20,7 @@ function placeOf(axes: Axes, entries: Entries, read: Reader): (number | null)[] 
     const text = (entries[axis.letter] ?? "").trim();
     if (text === "") continue;
     const value = read(text, axis);
-    if (value === undefined) return `${axis.letter}: ${text} is no number.`;
+    if (value === undefined) return t("{0}: {1} is no number.", axis.letter, text);
     place[at] = value;
   }
   return place;
@@ -34,7 +35,7 @@ export function moveTo(
   const place = placeOf(axes, entries, read);
   if (typeof place === "string") return { wrong: place };
   if (place.every((value) => value === null))
-    return { wrong: "Give a place for one axis at least." };
+    return { wrong: t("Give a place for one axis at least.") };
   return { to: "place", place: place as Extract<ByHand, { to: "place" }>["place"], ...how };
 }
 
@@ -42,6 +43,6 @@ export function cutMove(axes: Axes, entries: Entries, read: Reader, cut: boolean
   const place = placeOf(axes, entries, read);
   if (typeof place === "string") return { wrong: place };
   const [x, y] = place;
-  if (x == null || y == null) return { wrong: "Give X and Y." };
+  if (x == null || y == null) return { wrong: t("Give X and Y.") };
   return { to: "cutMove", at: [x, y], cut };
 }

@@ -1,18 +1,19 @@
 /** Runs as people read them, and parts that were made. */
 
 import type { RunRecord, ToDo } from "../wire/messages";
+import { t } from "../words/words";
 
 const words: Record<string, string> = {
-  ok: "finished",
-  ended: "ended by itself",
-  limit: "ended at a limit",
+  ok: t("finished"),
+  ended: t("ended by itself"),
+  limit: t("ended at a limit"),
 };
 
 /** `finished`, `stopped behind line 12`, `runs`. */
 export function endText({ ended, line }: RunRecord): string {
-  if (ended === null) return "runs";
+  if (ended === null) return t("runs");
   const word = words[ended] ?? ended;
-  return ended === "ok" || line === 0 ? word : `${word} behind line ${line}`;
+  return ended === "ok" || line === 0 ? word : t("{0} behind line {1}", word, line);
 }
 
 export interface Made {

@@ -14,6 +14,14 @@ export interface ButtonProps extends Omit<AriaProps, "isDisabled"> {
   onRefused?: (() => void) | undefined;
 }
 
+/** What of a button is a text, in the language of the page. */
+function spoken({ children, "aria-label": label }: AriaProps) {
+  return {
+    ...(typeof children === "string" ? { children: t(children) } : {}),
+    ...(label === undefined ? {} : { "aria-label": t(label) }),
+  };
+}
+
 /** A button. One that may be refused stands in a place that tells why. */
 export function Button(props: ButtonProps) {
   const { look = "plain", size = "normal", className, refused, onRefused, ...rest } = props;
@@ -22,7 +30,7 @@ export function Button(props: ButtonProps) {
   const button = (
     <AriaButton
       {...rest}
-      {...(typeof rest.children === "string" ? { children: t(rest.children) } : {})}
+      {...spoken(rest)}
       isDisabled={refused !== undefined}
       className={`button button-${look} button-${size} ${extra}`}
     />
@@ -33,7 +41,7 @@ export function Button(props: ButtonProps) {
     // biome-ignore lint/a11y/useKeyWithClickEvents: what has the focus can be pressed
     <span
       className="action-place"
-      title={refused}
+      title={refused && t(refused)}
       onClick={() => {
         if (refused === undefined) return;
         screen?.tell(refused);

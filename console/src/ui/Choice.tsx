@@ -24,7 +24,7 @@ export function Choice<T extends string>({
   return (
     <ToggleButtonGroup
       className="choice"
-      aria-label={label}
+      aria-label={t(label)}
       selectionMode="single"
       disallowEmptySelection
       isDisabled={isDisabled ?? false}

@@ -31,7 +31,7 @@ export function Field({ label, unit, hint, error, placeholder, first, ...rest }:
       </Label>
       <div className="field-box">
         <Input
-          placeholder={placeholder ?? ""}
+          placeholder={t(placeholder ?? "")}
           data-first={first || undefined}
           autoComplete="off"
           spellCheck={false}
@@ -40,7 +40,7 @@ export function Field({ label, unit, hint, error, placeholder, first, ...rest }:
       </div>
       {hint && (
         <Text slot="description" className="field-hint">
-          {hint}
+          {typeof hint === "string" ? t(hint) : hint}
         </Text>
       )}
       <FieldError className="field-error">{error}</FieldError>
@@ -50,7 +50,7 @@ export function Field({ label, unit, hint, error, placeholder, first, ...rest }:
 
 /** The mark of what has to be given. */
 export const Required = () => (
-  <span className="field-required" title="has to be given">
+  <span className="field-required" title={t("has to be given")}>
     *
   </span>
 );

@@ -1,6 +1,7 @@
 import { useContext } from "react";
 import { HandsContext } from "../app/context";
 import { places } from "../help/places";
+import { t } from "../words/words";
 
 /** Opens the place of the book that tells of a panel; nothing where the book does not. */
 export function PanelHelp({ title, heading }: { title: string; heading: string }) {
@@ -11,9 +12,9 @@ export function PanelHelp({ title, heading }: { title: string; heading: string }
     <button
       type="button"
       className="panel-help"
-      aria-label="What is this?"
+      aria-label={t("What is this?")}
       aria-describedby={heading}
-      title="Opens the book here"
+      title={t("Opens the book here")}
       onClick={() => screen.explain(`book/${place}`)}
     >
       ?

@@ -1,5 +1,6 @@
 import { durationText, lengthText } from "../app/units";
 import type { PreviewInfo, Units } from "../wire/messages";
+import { t } from "../words/words";
 
 /** How far the cuts reach, in working locations, and how long all of it takes. */
 export function PathFacts({ info, units }: { info: PreviewInfo; units: Units }) {
@@ -9,7 +10,7 @@ export function PathFacts({ info, units }: { info: PreviewInfo; units: Units }) 
     return `${from(info.bounds[0][n])} … ${from(info.bounds[1][n])}`;
   };
   return (
-    <dl className="path-facts" aria-label="Extents and time">
+    <dl className="path-facts" aria-label={t("Extents and time")}>
       {(["X", "Y", "Z"] as const).map((letter, n) => (
         <div key={letter}>
           <dt>{letter}</dt>
@@ -17,11 +18,11 @@ export function PathFacts({ info, units }: { info: PreviewInfo; units: Units }) 
         </div>
       ))}
       <div>
-        <dt>Cut</dt>
+        <dt>{t("Cut")}</dt>
         <dd>{lengthText(info.cut, units, 1)}</dd>
       </div>
       <div>
-        <dt>Time</dt>
+        <dt>{t("Time")}</dt>
         <dd>{durationText(info.seconds)}</dd>
       </div>
     </dl>

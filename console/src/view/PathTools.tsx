@@ -5,6 +5,7 @@ import { useHands, useScreen, useShown } from "../app/context";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
+import { t } from "../words/words";
 import type { Aspect } from "./camera";
 
 const aspectWords: readonly { value: Aspect; words: string }[] = [
@@ -35,8 +36,8 @@ export function PathTools({ aspect, look, stock, rotary }: PathToolsProps) {
   return (
     <div className="path-tools">
       <Choice label="View" options={aspectWords} value={aspect} onChange={look} />
-      {rotary && <Toggle words="Rotary" {...rotary} />}
-      <Toggle words="Stock" {...stock} />
+      {rotary && <Toggle words={t("Rotary")} {...rotary} />}
+      <Toggle words={t("Stock")} {...stock} />
       <Button size="small" onPress={() => look(aspect)}>
         Fit
       </Button>
@@ -48,7 +49,7 @@ export function PathTools({ aspect, look, stock, rotary }: PathToolsProps) {
           Clear
         </ActionButton>
       )}
-      <Toggle words="Large" on={large} set={screen.enlarge} />
+      <Toggle words={t("Large")} on={large} set={screen.enlarge} />
     </div>
   );
 }

@@ -1,6 +1,7 @@
 import { Slider, SliderThumb, SliderTrack } from "react-aria-components";
 import { durationText } from "../app/units";
 import { Button } from "../ui/Button";
+import { t } from "../words/words";
 import { live, type Playback, speeds, toggled, wound } from "./playback";
 import "./play-bar.css";
 
@@ -16,16 +17,16 @@ export function PlayBar({ playback, seconds, onChange }: PlayBarProps) {
   const place = speeds.findIndex((speed) => speed >= playback.speed);
   const faster = speeds[(place + 1) % speeds.length];
   return (
-    <div className="play" role="toolbar" aria-label="Simulation">
+    <div className="play" role="toolbar" aria-label={t("Simulation")}>
       <Button
         size="small"
-        aria-label={playback.playing ? "Hold the simulation" : "Play the simulation"}
+        aria-label={playback.playing ? t("Hold the simulation") : t("Play the simulation")}
         onPress={() => onChange(toggled(playback, seconds))}
       >
         {playback.playing ? "❚❚" : "▶"}
       </Button>
       <Slider
-        aria-label="Planned time"
+        aria-label={t("Planned time")}
         className="play-slider"
         minValue={0}
         maxValue={seconds}
@@ -42,14 +43,14 @@ export function PlayBar({ playback, seconds, onChange }: PlayBarProps) {
       </span>
       <Button
         size="small"
-        aria-label={`Speed ${playback.speed} times`}
+        aria-label={t("Speed {0} times", playback.speed)}
         onPress={() => onChange({ ...playback, speed: faster ?? 1 })}
       >
         ×{playback.speed}
       </Button>
       <Button
         size="small"
-        refused={playback.at === null ? "The machine as it is now is shown already." : undefined}
+        refused={playback.at === null ? t("The machine as it is now is shown already.") : undefined}
         onPress={() => onChange(live)}
       >
         Live

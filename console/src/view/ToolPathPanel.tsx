@@ -6,6 +6,7 @@ import { errorsOf, mistakesText, movesMade, placeOf } from "../operator/fileStat
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import type { Motion, Opened, PreviewInfo } from "../wire/messages";
+import { phrase, t } from "../words/words";
 import type { Bounds, Vec3 } from "./camera";
 import type { Marks } from "./overlay";
 import { PathFacts } from "./PathFacts";
@@ -111,11 +112,13 @@ function SampledWith({ count }: { count: number }) {
   if (count === 0) return null;
   return (
     <p className="path-samples">
-      It asks {count === 1 ? "a question" : `${count} questions`}: this is drawn with sample
-      answers.
-      <Button size="small" onPress={() => screen.open({ kind: "samples" })}>
-        Sample answers…
-      </Button>
+      {phrase(
+        "It asks {0}: this is drawn with sample answers.{1}",
+        count === 1 ? t("a question") : t("{0} questions", count),
+        <Button size="small" onPress={() => screen.open({ kind: "samples" })}>
+          Sample answers…
+        </Button>,
+      )}
     </p>
   );
 }
@@ -157,7 +160,7 @@ function PathWords(props: PathWordsProps) {
       {place ? (
         <button
           type="button"
-          className="finding-place"
+          className="finding-place text-link"
           // The box behind it takes a press for the beginning of a turn.
           onPointerDown={(event) => event.stopPropagation()}
           onClick={() => screen.showLine(place)}
@@ -173,11 +176,11 @@ function PathWords(props: PathWordsProps) {
 
 function wordsFor({ path, typed, opened, recorded }: PathWordsProps): string | undefined {
   if ((typed.path.segments > 0 || recorded) && (!opened || opened.cleared)) return undefined;
-  if (!opened) return "Choose a file to see its tool path.";
+  if (!opened) return t("Choose a file to see its tool path.");
   if (opened.preview.state === "failed") return opened.preview.why;
-  if (opened.broken) return `No tool path: ${mistakesText(opened)}.`;
-  if (opened.cleared) return "The preview is cleared. Start draws the file again.";
-  return path === null ? "Reading…" : undefined;
+  if (opened.broken) return t("No tool path: {0}.", mistakesText(opened));
+  if (opened.cleared) return t("The preview is cleared. Start draws the file again.");
+  return path === null ? t("Reading…") : undefined;
 }
 
 /** The bounds of the open file and of the typed moves together. */

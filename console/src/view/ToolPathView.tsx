@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import { useScreen, useSnapshot } from "../app/context";
 import { lengthText } from "../app/units";
 import type { Units } from "../wire/messages";
+import { t } from "../words/words";
 import type { Camera, Size } from "./camera";
 import { type Marks, paintMarks } from "./overlay";
 import type { Told } from "./scene/orders";
@@ -82,8 +83,8 @@ const baredWords = ({ area, min, max }: Bared): string =>
 
 /** What somebody who does not see the picture is told of it. */
 function describe(path: ToolPath | null, typed: number, units: Units | undefined): string {
-  if (!path) return typed > 0 ? "What was typed" : "No tool path";
+  if (!path) return typed > 0 ? t("What was typed") : t("No tool path");
   const { moves, cut } = path.info;
-  const long = units ? `, ${lengthText(cut, units, 0)} of cuts` : "";
-  return `Tool path of ${moves} moves${long}`;
+  const long = units ? t(", {0} of cuts", lengthText(cut, units, 0)) : "";
+  return t("Tool path of {0} moves{1}", moves, long);
 }

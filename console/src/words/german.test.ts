@@ -1,44 +1,48 @@
-import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
 import { expect, it } from "vitest";
-import { german } from "./german";
-import { languageOf } from "./words";
+import { german } from "./german/german";
+import { textsOfPage } from "./testing";
+import { inTable, languageOf } from "./words";
 
-const sources = join(import.meta.dirname, "..");
+const { spoken, bare } = textsOfPage();
 
-/** Folders whose titles, labels and buttons are in every language. */
-const spoken = ["app", "draw", "editor", "help", "keypad", "settings", "ui"];
+/** Names, signs and keys that are the same in every language. */
+const names = ["Kerf", "STOP", "kerf serve", "Alt D", "Alt L", "Alt R", "XY", "VD"];
 
-/** Files whose titles are those of tools, screens and pages. */
-const titled = /draw\/tools\/\w+\.ts$|draw\/Toolbox|app\/routes|help\/topics/;
-
-/** Texts of components that are put into the language of the page. */
-const patterns = [
-  /<(?:Panel|Sheet|Field)\b[^>]*?\b(?:title|label)="([^"]+)"/gs,
-  /\bwords: "([^"]+)"/g,
-  /<(?:Action)?Button\b(?:[^<>]|=>)*>\s*([^<>{}]+?)\s*<\/(?:Action)?Button>/gs,
-];
-
-function textsIn(folder: string): string[] {
-  const files = readdirSync(join(sources, folder), { recursive: true, encoding: "utf8" });
-  return files
-    .filter((file) => /\.tsx?$/.test(file) && !/test/.test(file))
-    .flatMap((file) => {
-      const source = readFileSync(join(sources, folder, file), "utf8");
-      const titles = titled.test(`${folder}/${file}`) ? [/\btitle: "([^"]+)"/g] : [];
-      const all = [...patterns, ...titles].flatMap((pattern) => [...source.matchAll(pattern)]);
-      return all.map(([, text = ""]) => text.replace(/\s+/g, " "));
-    });
-}
-
-/** Signs and numbers are the same everywhere. */
 const hasWords = (text: string): boolean => /\p{L}{2}/u.test(text);
 
-it("every title, label and button has German words", () => {
-  const texts = spoken.flatMap(textsIn);
-  expect(texts.length).toBeGreaterThan(100);
-  const missing = texts.filter((text) => hasWords(text) && german[text] === undefined);
-  expect([...new Set(missing)].sort()).toEqual([]);
+it("every text of the page is put into its language", () => {
+  expect([...bare].filter((text) => !names.includes(text)).sort()).toEqual([]);
+});
+
+it("every text of the page has German words", () => {
+  expect(spoken.size).toBeGreaterThan(1000);
+  const missing = [...spoken].filter((text) => hasWords(text) && german[text] === undefined);
+  expect(missing.sort()).toEqual([]);
+});
+
+it("every German text is one of the page", () => {
+  expect(Object.keys(german).filter((text) => !spoken.has(text))).toEqual([]);
+});
+
+it("no German text is an English one that has another meaning", () => {
+  const twice = Object.values(german).filter((words) => (german[words] ?? words) !== words);
+  expect(twice).toEqual([]);
+});
+
+const places = (text: string): string[] => (text.match(/\{\d\}/g) ?? []).sort();
+
+it("German texts have the places of the English ones", () => {
+  const other = Object.entries(german).filter(([en, de]) => `${places(en)}` !== `${places(de)}`);
+  expect(other).toEqual([]);
+});
+
+it.each([
+  ["{0} of {1}", [1, "a.sbp"], "1 aus a.sbp"],
+  ["{0} of {1}", ["{1}", 2], "{1} aus 2"],
+  ["not there {0}", ["x"], "not there x"],
+  ["{0} and {1}", [1], "1 and {1}"],
+])("%s with %j: %s", (text, values, expected) => {
+  expect(inTable({ "{0} of {1}": "{0} aus {1}" }, text, values)).toBe(expected);
 });
 
 it.each([

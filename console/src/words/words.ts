@@ -1,6 +1,7 @@
 /** The language of the page: English as it is written in the sources, or another by its table. */
 
-import { german } from "./german";
+import { createElement, Fragment, type ReactNode } from "react";
+import { german } from "./german/german";
 
 export const languages = [
   { value: "en", words: "English" },
@@ -30,8 +31,22 @@ const here = (): Language =>
 /** The language of this page, for as long as it is open. */
 export const language: Language = here();
 
-/** A text in the language of the page; one that has no other stays English. */
-export const t = (text: string): string => tables[language][text] ?? text;
+const place = /\{(\d)\}/;
+
+/** A text in a language, with values in its places `{0}`, `{1}`; one that the table does not have stays English. */
+export const inTable = (table: Table, text: string, values: readonly (string | number)[]): string =>
+  (table[text] ?? text).replace(new RegExp(place, "g"), (kept, at) => String(values[at] ?? kept));
+
+/** A text in the language of the page. */
+export const t = (text: string, ...values: (string | number)[]): string =>
+  inTable(tables[language], text, values);
+
+/** A text in the language of the page with parts of the page in its places. */
+export const phrase = (text: string, ...parts: ReactNode[]): ReactNode => {
+  const pieces = t(text).split(place);
+  const shown = pieces.map((piece, n) => (n % 2 === 0 ? piece : parts[Number(piece)]));
+  return createElement(Fragment, null, ...shown);
+};
 
 /** Chooses another language: the page is loaded again in it. */
 export function speak(next: Language): void {

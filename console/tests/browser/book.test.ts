@@ -24,13 +24,13 @@ it("? on a panel opens the book at its place", async () => {
 
 it("the book is searched, and its links lead to its pages", async () => {
   await page.getByLabel("Search the book").fill("touch plate");
-  const found = page.locator(".book-found .book-link");
+  const found = page.locator(".book-found .text-link");
   await found.first().waitFor();
   await found.first().click();
   await page.locator(".book-text").waitFor();
   await page.getByLabel("Chapter").selectOption("console");
   await page.getByRole("img", { name: /operator's screen/ }).waitFor();
-  await page.locator(".book-text .book-link", { hasText: "answer" }).first().click();
+  await page.locator(".book-text .text-link", { hasText: "answer" }).first().click();
   await page.getByRole("heading", { name: "Questions without a person" }).waitFor();
   await expect.poll(() => page.getByLabel("Chapter").inputValue()).toBe("running");
 });
@@ -40,7 +40,7 @@ it("the glossary tells the words of the workshop, and none of the code's", async
   await page.getByRole("cell", { name: "material left to hold a part" }).waitFor();
   expect(await page.getByText("Nouns of the code").count()).toBe(0);
   await page.getByLabel("Search the book").fill("material left to hold");
-  await page.locator(".book-found .book-link", { hasText: "Words" }).first().waitFor();
+  await page.locator(".book-found .text-link", { hasText: "Words" }).first().waitFor();
   expect(await violations(page)).toEqual([]);
 });
 

@@ -1,9 +1,9 @@
-import { type ChildProcess, spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
+import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
+import { Controller } from "./controller";
 import {
   arm,
   hold,
@@ -15,42 +15,6 @@ import {
   violations,
   type Workshop,
 } from "./workshop";
-
-const pretended = resolve(import.meta.dirname, "../../../target/debug/examples/grbl");
-
-/** A controller of the grbl family on a pseudo terminal, which moves in real time. */
-class Controller {
-  private readonly child: ChildProcess;
-  private readonly lines: string[] = [];
-  private said = "";
-
-  constructor(...settings: string[]) {
-    this.child = spawn(pretended, settings);
-    this.child.stdout?.on("data", (data: Buffer) => {
-      const [last = "", ...before] = (this.said + data.toString()).split("\n").reverse();
-      this.said = last;
-      this.lines.push(...before.reverse());
-    });
-  }
-
-  async line(): Promise<string> {
-    await until(async () => this.lines.length > 0, "the controller says something");
-    return this.lines.shift() ?? "";
-  }
-
-  /** Its place, mm, and the speed of its spindle, revolutions a minute; nothing where that is off. */
-  async look(): Promise<{ place: number[]; rpm: number | null }> {
-    this.child.stdin?.write("where\n");
-    const line = await this.line();
-    const place = line.split(" ")[0]?.split(",").map(Number) ?? [];
-    const rpm = /spindle Some\(([\d.]+)\)/.exec(line)?.[1];
-    return { place, rpm: rpm === undefined ? null : Number(rpm) };
-  }
-
-  unplug(): void {
-    this.child.kill();
-  }
-}
 
 let controller: Controller;
 let workshop: Workshop;

@@ -83,7 +83,7 @@ impl<I: Interpreter> Station<'_, I> {
             return None;
         }
         loop {
-            match self.meet(end_s, watched, Some(going), Self::pass)? {
+            match self.meet(end_s, watched, Some(&going), Self::pass)? {
                 (t_s, Turn::Operator(request @ OperatorRequest::Feed(_))) => {
                     self.postpone((t_s, request));
                 }

@@ -201,7 +201,9 @@ impl<'a> Drive<'a> {
     /// Notes what went wrong; tells whether anything has.
     fn notes_fault(&mut self) -> bool {
         if self.fault.is_none() {
-            self.fault = self.machine.borrow().fault().cloned();
+            let machine = self.machine.borrow();
+            let Some(fault) = machine.fault() else { return false };
+            self.fault = Some(fault.clone());
         }
         self.fault.is_some()
     }
@@ -248,6 +250,11 @@ impl<'a> Drive<'a> {
     /// Returns `true` if the machine changes the speed of moves by itself: the plan stays what it is.
     pub fn overrides(&self) -> bool {
         self.machine.borrow().facts().overrides
+    }
+
+    /// Returns `true` if another feed waits while inputs are watched.
+    pub fn feed_waits(&self) -> bool {
+        self.machine.borrow().facts().feed_waits
     }
 
     /// Returns `true` if the machine holds on its path and goes on from there by itself.

@@ -28,6 +28,9 @@ pub(crate) fn follow_plan<I: Interpreter>(
     let watched = station.watched(t0_s);
     let watches = pins(&watched, t0_s, &station.world.model.settings().io);
     station.world.tracked().follows(&plan, t0_s);
+    if watches.is_empty() {
+        station.take_waiting_feed();
+    }
     let mut left: Option<Left> = None;
     let mut index = 0;
     while index < plan.moves().len() {
@@ -49,12 +52,11 @@ pub(crate) fn follow_plan<I: Interpreter>(
                 let (part, watches) = (1.0, &*watches);
                 let going = Going { plan: &plan, index, t0_s, until, part, watches };
                 let ask = Station::ask_pace;
-                let met = station.meet(end_s, &watched, Some(going), ask);
+                let met = station.meet(end_s, &watched, Some(&going), ask);
                 if let Some((t_s, turn)) = met {
                     if let Turn::Operator(OperatorRequest::Feed(share)) = turn
-                        && station.drive.overrides()
+                        && station.leaves_plan(share, watches)
                     {
-                        station.override_feed(share);
                         continue;
                     }
                     if station.overtakes(turn) {

@@ -5,8 +5,8 @@ use crate::drive::Heard;
 use crate::station::Station;
 use crate::turn::{Turn, link_lost};
 use kerf_journal::{Kind, Placed, Turn as Teller};
-use kerf_machine::Going;
 use kerf_machine::state::RELEASE_S;
+use kerf_machine::{Going, Watch};
 use kerf_model::{Change, HaltCause, Watched};
 use kerf_motion::Move;
 use kerf_program::Interpreter;
@@ -20,7 +20,7 @@ const RECORDED_EVERY_S: f64 = 0.02;
 const POWER_S: f64 = 5.0;
 
 /// A way to let time pass that heeds the operator: also what he asked for before, or only what he asks for now.
-pub(crate) type Ask<S> = fn(&mut S, f64, f64, Option<Going<'_>>) -> Option<(f64, Heard)>;
+pub(crate) type Ask<S> = fn(&mut S, f64, f64, Option<&Going<'_>>) -> Option<(f64, Heard)>;
 
 impl<I: Interpreter> Station<'_, I> {
     /// Lets machine time pass. What was made before it is on record; while the machine moves, soon. A switch that the
@@ -29,7 +29,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
     ) -> Option<(f64, Heard)> {
         if to_s > from_s && self.drive.is_real() {
             self.world.workspace.tape.write();
@@ -61,7 +61,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         end_s: f64,
         watched: &[Watched],
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
         ask: Ask<Self>,
     ) -> Option<(f64, Turn)> {
         let now_s = self.world.now();
@@ -100,7 +100,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
     ) -> Option<(f64, OperatorRequest)> {
         loop {
             match self.pass(from_s, to_s, going)? {
@@ -151,7 +151,7 @@ impl<I: Interpreter> Station<'_, I> {
         }
     }
 
-    fn watch(&mut self, from_s: f64, to_s: f64, going: Option<Going<'_>>) -> Option<(f64, Heard)> {
+    fn watch(&mut self, from_s: f64, to_s: f64, going: Option<&Going<'_>>) -> Option<(f64, Heard)> {
         self.world.pass(&mut self.drive, from_s, to_s, going, self.feed)
     }
 
@@ -161,7 +161,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
     ) -> Option<(f64, Heard)> {
         let Some(under_way) = going.filter(|_| self.drive.is_real()) else {
             return self.watch(from_s, to_s, going);
@@ -194,7 +194,7 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
     ) -> Option<(f64, Heard)> {
         let Some((t_s, request)) = self.requests.pop_front() else {
             return self.pass(from_s, to_s, going);
@@ -226,6 +226,33 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn postpone(&mut self, request: (f64, OperatorRequest)) {
         if !self.requests.iter().any(|(_, other)| *other == request.1) {
             self.requests.push_back(request);
+        }
+    }
+
+    /// Does what another feed asks for where the plan stays what it is: the machine changes the speed by itself, or the
+    /// request waits until nothing is watched. Returns `false` where the plan is made anew.
+    pub(crate) fn leaves_plan(&mut self, share: f32, watches: &[Watch]) -> bool {
+        if self.drive.overrides() {
+            self.override_feed(share);
+            return true;
+        }
+        let waits = !watches.is_empty() && self.drive.feed_waits();
+        if waits {
+            self.world.workspace.tape.unhear_request();
+            self.world.workspace.tape.asks_again();
+            if self.waiting_feed.replace(share).is_none() {
+                let text =
+                    "while an input is watched the speed stays: it changes at the next stand";
+                self.world.tell(&Event::Message { text: text.into(), t: self.world.now() });
+            }
+        }
+        waits
+    }
+
+    /// The feed that waited is asked for now.
+    pub(crate) fn take_waiting_feed(&mut self) {
+        if let Some(share) = self.waiting_feed.take() {
+            self.postpone((self.world.now(), OperatorRequest::Feed(share)));
         }
     }
 
@@ -263,7 +290,7 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn slow_down(&mut self, why: Turn, end_s: f64, going: Going<'_>) {
         let mut from_s = self.world.now();
         let mut before = None;
-        while let Some(told) = self.pass_learning(from_s, end_s, Some(going)) {
+        while let Some(told) = self.pass_learning(from_s, end_s, Some(&going)) {
             let (t_s, request) = told;
             // Whoever tells the same at the same moment goes on doing so until the machine stands.
             let repeats = before.replace(told) == Some(told);
@@ -353,6 +380,7 @@ impl<I: Interpreter> Station<'_, I> {
     pub(crate) fn stand(&mut self) {
         self.drive.stands();
         self.world.model.rest();
+        self.take_waiting_feed();
         self.world.tell_log();
         self.world.workspace.tape.moves(false, self.world.placed());
     }

@@ -11,7 +11,6 @@ use crate::world::World;
 use crate::{OperatorRequest, Requests};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::Placed;
-use kerf_machine::Going;
 use kerf_machine::Lift;
 use kerf_machine::lines::Input;
 use kerf_model::Watched;
@@ -33,6 +32,8 @@ pub(crate) struct Station<'a, I> {
     pub stack: Stack,
     /// The operator's override: share of the speed asked for at which cuts run.
     pub feed: f32,
+    /// The override that waits until no input is watched.
+    pub waiting_feed: Option<f32>,
     /// Requests of the operator that he has not got yet.
     pub requests: VecDeque<(f64, OperatorRequest)>,
     /// Distance by which the workpiece was nudged since the commands at hand were given.
@@ -59,6 +60,7 @@ impl<'a, I: Interpreter> Station<'a, I> {
             mover,
             stack: Stack::default(),
             feed: 1.0,
+            waiting_feed: None,
             requests: VecDeque::new(),
             nudged: None,
             last_move: At::default(),
@@ -96,8 +98,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.trail.moves(span.made.at);
         let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
         let alone = self.world.model.alone();
-        let going = Going { plan, index, t0_s, until: index + 1, part: 1.0, watches: &[] };
-        let lift = self.world.tracked().move_made(&going);
+        let lift = self.world.tracked().move_made(t0_s, plan, &span);
         let made = carried(span.made, &lift);
         if self.world.tells_motion() {
             let event = self.move_event(&made, begin_s, end_s);

@@ -4,9 +4,9 @@
 //! in its stead; the machine tells it in the moment in which it happens.
 
 use kerf_machine::Lift;
-use kerf_machine::{Ahead, Driven, Going, News};
+use kerf_machine::{Ahead, Driven, News};
 use kerf_model::{Change, Model, WasOn, contact};
-use kerf_motion::Plan;
+use kerf_motion::{Plan, Span};
 use kerf_program::{Axes, Axis, HeightLaw};
 use kerf_sim::Hands;
 
@@ -52,15 +52,14 @@ impl Tracked<'_> {
     }
 
     /// A move of a plan is made: everything that happened on the way is known. Returns how far height control carried Z.
-    pub fn move_made(&mut self, going: &Going<'_>) -> Lift {
-        let Some(span) = going.plan.span(going.index) else { return Lift::default() };
+    pub fn move_made(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Lift {
         let carried = if self.model.draws() {
             self.model.not_carried()
         } else {
-            self.learn_until(going.t0_s + span.t1_s);
-            self.driven.borrow_mut().made(going)
+            self.learn_until(t0_s + span.t1_s);
+            self.driven.borrow_mut().made(t0_s, plan, span)
         };
-        self.model.make(going.t0_s, going.plan, &span, &carried);
+        self.model.make(t0_s, plan, span, &carried);
         self.follow_pushes();
         carried.lift
     }

@@ -156,7 +156,7 @@ impl<'a> World<'a> {
         drive: &mut Drive<'_>,
         from_s: f64,
         to_s: f64,
-        going: Option<Going<'_>>,
+        going: Option<&Going<'_>>,
         feed: f32,
     ) -> Option<(f64, Heard)> {
         let doing = Doing { machine: &self.model, going, feed, files: &self.files };
@@ -165,7 +165,7 @@ impl<'a> World<'a> {
 
     /// Shows the machine where it stands on its way.
     pub fn shows(&mut self, going: &Going<'_>, at_s: f64, feed: f32) {
-        let doing = Doing { machine: &self.model, going: Some(*going), feed, files: &self.files };
+        let doing = Doing { machine: &self.model, going: Some(going), feed, files: &self.files };
         self.sink.under_way(&doing, at_s, at_s);
     }
 

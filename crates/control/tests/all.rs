@@ -16,6 +16,7 @@ mod no_switch;
 mod queued;
 mod queued_homing;
 mod queued_stops;
+mod queued_watched;
 mod references;
 mod registry;
 mod runs;

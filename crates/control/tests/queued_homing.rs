@@ -1,17 +1,9 @@
-//! Homing and probing on a board with step queues, in time that is none.
+//! Homing on a board with step queues, in time that is none.
 
 use crate::queued::{Shop, machine_of};
-use kerf_control::answers::Operator;
-use kerf_control::{OperatorRequest, Requests, RunContext, Script, Session};
 use kerf_driver_klipper::fake::Faults;
-use kerf_files::MemoryDisk;
-use kerf_journal::RunOptions;
-use kerf_machine::{Configuration, Driven, Machine};
+use kerf_machine::{Configuration, Machine};
 use kerf_program::{Axes, Axis};
-use kerf_trace::{Event, Sink, Summary};
-use kerf_workspace::Workspace;
-use std::cell::RefCell;
-use std::rc::Rc;
 
 /// Two motors turn Y, each with a switch. The edge is found at 20 mm/s.
 const FILE: &str = "units = \"mm\"\n[steps]\nper_unit = [100, 100, 200, 100, 100, 100]\n[motors]\ny2 = \"w\"\n\
@@ -25,7 +17,7 @@ const FILE: &str = "units = \"mm\"\n[steps]\nper_unit = [100, 100, 200, 100, 100
 /// Counts at which the switches of X and of both motors of Y close.
 const SWITCHES: [i64; 3] = [-731, -402, -455];
 
-fn machine() -> Configuration {
+pub fn machine() -> Configuration {
     machine_of(FILE)
 }
 
@@ -100,81 +92,4 @@ fn a_stop_input_stops_homing() {
     while shop.queued.settle() {}
     assert!(shop.queued.fault().unwrap().message.contains("input 4"), "{:?}", shop.queued.fault());
     assert!(counts(&shop)[0] > -400, "{:?}", counts(&shop));
-}
-
-/// Notes where motion ended.
-#[derive(Default)]
-struct Notes(Vec<Event>);
-
-impl Sink for Notes {
-    fn event(&mut self, event: &Event) {
-        self.0.push(event.clone());
-    }
-}
-
-/// Runs lines on a board whose pin 13, input 1, closes at a count of a motor.
-fn probes(lines: &str, at: (u8, i64), faults: Faults) -> (Summary, Session, Vec<i64>) {
-    probes_asked(lines, at, faults, &mut ())
-}
-
-/// The same with somebody who asks for something meanwhile.
-fn probes_asked(
-    lines: &str,
-    (motor, count): (u8, i64),
-    faults: Faults,
-    requests: &mut dyn Requests,
-) -> (Summary, Session, Vec<i64>) {
-    let shop = Shop::of(&machine(), 8, faults, |fake| {
-        fake.stops_at = vec![(10, 0, -9999), (11, 1, -9999), (12, 3, -9999), (13, motor, count)];
-    });
-    let world = shop.world.clone();
-    let mut session = Session::default();
-    session.hold(machine());
-    let mut workspace = Workspace::in_memory(MemoryDisk::default());
-    let program = kerf_sbp::read("part.sbp".into(), lines.as_bytes());
-    let mut notes = Notes::default();
-    let queued = Rc::new(RefCell::new(shop.queued));
-    let operator: &mut dyn Operator = &mut ();
-    let driven: Driven = queued.clone();
-    let context = RunContext { sink: &mut notes, operator, requests, machine: driven.into() };
-    let summary = session.run(program, RunOptions::default(), &mut workspace, context);
-    assert_eq!(queued.borrow().fault(), None);
-    queued.borrow_mut().close(true, || false);
-    let counts = world.borrow().fake.steppers.values().map(|it| it.position).collect();
-    (summary, session, counts)
-}
-
-#[test]
-fn a_probe_stops_the_machine_in_the_board_and_the_place_is_that_of_the_edge() {
-    for (share, steps) in [(0.0, 1234), (0.01, 1100), (0.01, 777)] {
-        let lines = "VS,30,30\nON INPUT(1,1) GOTO touched\nM3,20,10,0\nEND\ntouched:\nJZ,1\n";
-        let (summary, session, counts) = probes(lines, (0, steps), Faults::all(share / 4.0));
-        let x_mm = session.memory.position[Axis::X];
-        let off = counts[0] - steps;
-        assert!((0..=2).contains(&off), "{off} steps behind the edge, {:?}", summary.error);
-        assert!((x_mm - counts[0] as f64 / 100.0).abs() < 0.006, "{x_mm} {counts:?}");
-        assert_eq!(counts[2], 200, "the program went on from there");
-    }
-}
-
-#[test]
-fn the_plate_of_z_zero_is_found_by_the_board() {
-    let lines = "VL,0,96,0,48,-60,50\nC2\n";
-    let (summary, session, counts) = probes(lines, (2, -2500), Faults::default());
-    assert!(summary.error.is_none(), "{:?}", summary.error);
-    let (z_mm, zero_mm) =
-        (session.memory.position[Axis::Z], session.memory.frame.working_zero[Axis::Z]);
-    assert!((z_mm - counts[2] as f64 / 200.0).abs() < 0.003, "{z_mm} {counts:?}");
-    // The plate is an eighth of an inch thick.
-    assert!((zero_mm - (-12.5 - 3.175)).abs() < 0.01, "{zero_mm}");
-}
-
-#[test]
-fn a_hold_while_an_input_is_watched_stands_where_the_counts_say_and_goes_on() {
-    let lines = "VS,30,30\nON INPUT(1,1) GOTO touched\nM3,40,20,0\nEND\ntouched:\nJZ,1\n";
-    let script = Script::new(vec![(0.6, OperatorRequest::Hold)], vec![0.0]);
-    let (summary, session, counts) =
-        probes_asked(lines, (0, 99_999), Faults::default(), &mut { script });
-    assert!(summary.error.is_none(), "{:?}", summary.error);
-    assert_eq!((session.memory.position[Axis::X], counts[0], counts[1]), (40.0, 4000, 2000));
 }

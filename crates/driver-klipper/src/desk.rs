@@ -35,8 +35,6 @@ pub enum Request {
     },
     /// All motors stop at once, without a ramp.
     Stop,
-    /// The same, and outputs stay as they are.
-    StandStill,
     /// Motion that is over is ended and counted, and not waited on for more.
     LetRest,
     /// The state of a switch is asked for.
@@ -111,7 +109,6 @@ impl Desk {
             Request::Watch(watched) => board.watch(&watched, now_s),
             Request::Output { output, share } => board.set_output(output, share, now_s),
             Request::Stop => board.stop(),
-            Request::StandStill => board.stand_still(),
             Request::LetRest => {
                 board.let_rest();
                 Ok(())

@@ -18,7 +18,7 @@
 use crate::driver::{Facts, Override};
 use crate::homing::Which;
 use crate::lift::Carried;
-use kerf_motion::{Move, Plan, State};
+use kerf_motion::{Move, Plan, Span, State};
 use kerf_program::{At, Axes, Axis, HeightLaw, OutputReason, Settings, Turn};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -187,7 +187,7 @@ pub trait Machine {
     }
 
     /// A move of the plan is made: returns the way of its height control beside the plan.
-    fn made(&mut self, _going: &Going<'_>) -> Carried {
+    fn made(&mut self, _t0_s: f64, _plan: &Plan, _span: &Span<'_>) -> Carried {
         Carried::default()
     }
 

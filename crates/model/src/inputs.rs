@@ -276,18 +276,19 @@ impl Inputs {
     }
 
     /// The next change, of the script or foreseen.
+    #[inline]
     pub fn next(&self) -> Option<Change> {
-        let scripted = self.script.get(self.done).copied();
-        let foreseen = self.foreseen.front().copied();
-        if self.is_foreseen_first() { foreseen } else { scripted }
+        match self.is_foreseen_first() {
+            true => self.foreseen.front().copied(),
+            false => self.script.get(self.done).copied(),
+        }
     }
 
     /// Returns `true` if a sensor tells the next change, and no script.
+    #[inline]
     pub fn is_foreseen_first(&self) -> bool {
-        match (self.script.get(self.done), self.foreseen.front()) {
-            (Some(scripted), Some(foreseen)) => foreseen.at_s < scripted.at_s,
-            (scripted, foreseen) => scripted.is_none() && foreseen.is_some(),
-        }
+        let Some(foreseen) = self.foreseen.front() else { return false };
+        self.script.get(self.done).is_none_or(|scripted| foreseen.at_s < scripted.at_s)
     }
 
     /// Has the next change happen, and returns it, not later than a time: the contact from then on, of a pin its level.

@@ -239,7 +239,7 @@ fn what_is_typed_is_there_again_when_kerf_begins_anew() {
         let text = text.as_object_mut().unwrap();
         assert_eq!(text.remove("page"), Some(json!("")), "no page wrote it");
         assert!(text.remove("revision").is_some());
-        assert_eq!(text.remove("edits"), Some(json!(null)), "the text is told as a whole");
+        assert_eq!(text.remove("edits"), Some(json!(null)), "a short text is kept whole");
     }
     assert_eq!(texts, json!([of_new, of_file]), "the newest first");
     shop.write("a.sbp", b"MX,7");

@@ -21,6 +21,8 @@ const EXACT_S: f64 = 1e-9;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Carriages {
     axes: [Vec<Carriage>; AXES],
+    /// Any of them has a switch.
+    has_switch: bool,
     hysteresis: f64,
     /// The motor that moves while the others of its axis stand.
     alone: Option<(Axis, usize)>,
@@ -63,7 +65,8 @@ impl Carriages {
             machine.motors.of_axis(axis).into_iter().map(carriage).collect()
         };
         let axes = Axis::ALL.map(of_axis);
-        Self { axes, hysteresis: simulated.hysteresis, alone: None }
+        let has_switch = axes.iter().flatten().any(|it: &Carriage| it.switch_at.is_some());
+        Self { axes, has_switch, hysteresis: simulated.hysteresis, alone: None }
     }
 
     /// Returns how far each carriage is off.
@@ -128,6 +131,9 @@ impl Carriages {
 
     /// Switches read what they read at these places.
     pub fn settle(&mut self, believed: Axes) {
+        if !self.has_switch {
+            return;
+        }
         let hysteresis = self.hysteresis;
         for axis in Axis::ALL {
             for it in &mut self.axes[axis.index()] {
@@ -138,7 +144,7 @@ impl Carriages {
 
     /// Returns when lines of switches change while a plan is carried out: seconds of the plan, line, state.
     pub fn foresee(&self, plan: &Plan) -> Vec<(f64, u8, bool)> {
-        if self.axes.iter().flatten().all(|it| it.switch_at.is_none()) {
+        if !self.has_switch {
             return Vec::new();
         }
         let mut ahead = self.clone();

@@ -10,9 +10,10 @@ use crate::scene::{self, Touch};
 use crate::sheet::Sheet;
 use kerf_machine::homing::Which;
 use kerf_machine::lines::Input;
-use kerf_machine::{Ahead, Carried, Configuration, Going};
+use kerf_machine::{Ahead, Carried, Configuration};
 use kerf_model::flips;
 use kerf_model::{Change, Inputs};
+use kerf_motion::{Plan, Span};
 use kerf_program::{Axes, Axis, HeightLaw, Settings};
 use std::sync::Arc;
 
@@ -169,8 +170,8 @@ impl Physics {
     /// not told again by the next one.
     pub(crate) fn tell(&mut self, until_s: f64) -> Option<Change> {
         loop {
-            let felt = self.ahead.is_foreseen_first();
-            let known = self.ahead.next().is_some_and(|change| self.ahead.is_known(&change));
+            let next = self.ahead.next().filter(|change| change.at_s <= until_s)?;
+            let (felt, known) = (self.ahead.is_foreseen_first(), self.ahead.is_known(&next));
             let change = self.ahead.happen(until_s)?;
             if self.plan_ends_s.is_none_or(|end_s| change.at_s > end_s) {
                 self.inputs = self.ahead.clone();
@@ -219,11 +220,9 @@ impl Physics {
     }
 
     /// A move was made.
-    pub(crate) fn made(&mut self, going: &Going<'_>) -> Carried {
-        let Going { plan, t0_s, index, .. } = *going;
-        let Some(span) = plan.span(index) else { return Carried::default() };
+    pub(crate) fn made(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Carried {
         let lent = Lent { inputs: &self.inputs, modes: &self.settings.io };
-        let carried = self.head.follow_sheet(lent, t0_s, plan, &span);
+        let carried = self.head.follow_sheet(lent, t0_s, plan, span);
         self.carriages.moved(span.made.from, span.made.to);
         while self.inputs.step(t0_s + span.t1_s, &self.settings.io).is_some() {}
         carried

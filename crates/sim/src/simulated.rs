@@ -6,7 +6,7 @@ use kerf_machine::driver::Facts;
 use kerf_machine::homing::Which;
 use kerf_machine::{Actuator, Ahead, Carried, Fault, Going, Machine, News};
 use kerf_model::{Change, triggers};
-use kerf_motion::Move;
+use kerf_motion::{Move, Plan, Span};
 use kerf_program::{AXES, Axes, Axis, HeightLaw, Settings};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -131,8 +131,8 @@ impl<C: Clock> Machine for Simulated<C> {
         self.physics.borrow_mut().foresee(ahead);
     }
 
-    fn made(&mut self, going: &Going<'_>) -> Carried {
-        self.physics.borrow_mut().made(going)
+    fn made(&mut self, t0_s: f64, plan: &Plan, span: &Span<'_>) -> Carried {
+        self.physics.borrow_mut().made(t0_s, plan, span)
     }
 
     fn height_control(&mut self, law: Option<HeightLaw>, at: &Axes) -> Vec<(u8, bool)> {

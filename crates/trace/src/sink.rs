@@ -40,7 +40,7 @@ pub struct Doing<'a> {
     /// The machine as it is before.
     pub machine: &'a Model,
     /// The move that it makes; `None` while it stands.
-    pub going: Option<Going<'a>>,
+    pub going: Option<&'a Going<'a>>,
     /// The share of the speed asked for at which the plan has cuts run.
     pub feed: f32,
     /// The files of the run, in the order in which they were opened first.

@@ -21,7 +21,7 @@ export function OperationList({ table, onChoose, onClose }: OperationListProps) 
       <ul className="operation-list">
         {found.map((entry) => (
           <li key={entry.name}>
-            <button type="button" onClick={() => onChoose(entry.name)}>
+            <button type="button" className="list-row" onClick={() => onChoose(entry.name)}>
               <b>{titleOf(entry)}</b>
               <span>{entry.doc}</span>
             </button>

@@ -6,6 +6,7 @@ import { Field } from "../../ui/Field";
 import { Pick } from "../../ui/Pick";
 import { Sheet } from "../../ui/Sheet";
 import type { ArrayState, OperationEntry, OperationPart } from "../../wire/messages";
+import { t } from "../../words/words";
 import { isOfArrays, repeats, withArray } from "../arrays";
 import { groups } from "../colours";
 import { clauseOf, type Entries, exampleOf, firstEntries, labelsOf } from "./form";
@@ -61,7 +62,9 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
       onClose={onClose}
       foot={
         <>
-          <code className="operation-clause">{"clause" in made ? made.clause : entry.name}</code>
+          <code className="operation-clause one-line">
+            {"clause" in made ? made.clause : entry.name}
+          </code>
           <Button onPress={onClose}>Close</Button>
           <Button look="primary" onPress={() => void apply()}>
             Apply
@@ -126,7 +129,7 @@ function Outcome({ told: { refused, texts } }: { told: Told }) {
       className={refused ? "operation-told operation-refused" : "operation-told operation-done"}
       role="alert"
     >
-      <p>{refused ? "Nothing was changed:" : "Done. What was noticed:"}</p>
+      <p>{refused ? t("Nothing was changed:") : t("Done. What was noticed:")}</p>
       <ul>
         {texts.map((text) => (
           <li key={text}>{sentence(text)}</li>

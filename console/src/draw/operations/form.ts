@@ -1,6 +1,7 @@
 /** The form of an operation as values: what is entered, what is wrong with it, the clause it makes. */
 
 import type { OperationEntry, OperationPart, OperationValue } from "../../wire/messages";
+import { t } from "../../words/words";
 import { isWrong, type Read, readLength, readNumber } from "../entry";
 import { num } from "../tools/tool";
 
@@ -35,26 +36,26 @@ function firstEntry({ value, optional }: OperationPart, { selected }: Given): st
 }
 
 const titles: Record<string, string> = {
-  D: "Diameter",
-  MM: "Length",
-  Z: "Height",
-  B: "Bulge",
-  N: "Number",
+  D: t("Diameter"),
+  MM: t("Length"),
+  Z: t("Height"),
+  B: t("Bulge"),
+  N: t("Number"),
 };
 
 const named: Partial<Record<OperationValue["is"], string>> = {
-  pair: "Place",
-  vertex: "Vertices",
-  triple: "Places",
-  arc: "Radius, angle",
-  grid: "Rows x columns",
-  shape: "Shape",
-  shapes: "Shapes",
-  group: "Group",
-  groups: "Groups",
-  words: "Which",
-  file: "File",
-  text: "Words",
+  pair: t("Place"),
+  vertex: t("Vertices"),
+  triple: t("Places"),
+  arc: t("Radius, angle"),
+  grid: t("Rows x columns"),
+  shape: t("Shape"),
+  shapes: t("Shapes"),
+  group: t("Group"),
+  groups: t("Groups"),
+  words: t("Which"),
+  file: t("File"),
+  text: t("Words"),
 };
 
 const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
@@ -91,9 +92,9 @@ export function exampleOf({ value, repeats }: OperationPart): string {
     groups: "red,black",
     file: "part.dxf",
   };
-  if (value?.is === "wordsOr") return `${value.words.join(" or ")}, or a number`;
+  if (value?.is === "wordsOr") return t("{0}, or a number", value.words.join(t(" or ")));
   const example = (value && one[value.is]) ?? "";
-  return repeats && value ? `${example} …, blanks between` : example;
+  return repeats && value ? t("{0} …, blanks between", example) : example;
 }
 
 /** A clause, or what is wrong with the parts, by their places. */
@@ -121,7 +122,7 @@ function said(
   text: string,
   mm: number,
 ): Read<string[]> {
-  if (text === "") return optional ? { value: [] } : { wrong: "This has to be given." };
+  if (text === "") return optional ? { value: [] } : { wrong: t("This has to be given.") };
   if (!value) return { value: [lead] };
   const pieces = repeats ? text.split(/\s+/) : [text];
   const found: string[] = [];
@@ -155,7 +156,7 @@ function written(value: OperationValue, text: string, mm: number): Read<string> 
     case "grid":
       return /^\d+x\d+$/i.test(text)
         ? { value: text.toLowerCase() }
-        : { wrong: "Rows x columns, such as 2x3." };
+        : { wrong: t("Rows x columns, such as 2x3.") };
     case "shapes":
     case "groups":
       return { value: text.replaceAll(" ", "") };
@@ -172,7 +173,7 @@ function number(text: string, unit: number): Read<string> {
 function list(text: string, units: readonly number[]): Read<string> {
   const pieces = text.split(",");
   if (pieces.length !== units.length)
-    return { wrong: `${units.length} numbers with commas between.` };
+    return { wrong: t("{0} numbers with commas between.", units.length) };
   const found: string[] = [];
   for (const [n, piece] of pieces.entries()) {
     const read = number(piece, units[n] ?? 1);

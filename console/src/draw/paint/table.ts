@@ -1,5 +1,6 @@
 /** Paints the machine round the drawing. */
 
+import { t } from "../../words/words";
 import type { TableItem } from "../table";
 import { pixel, type Sheet } from "./pen";
 import type { Ink } from "./picture";
@@ -22,9 +23,9 @@ type Spot = Exclude<TableItem, { kind: "bounds" }>;
 
 /** Names, and where they stand, so that spots in one place can still be read. */
 const names: Record<Spot["kind"], readonly [string, number, number]> = {
-  home: ["Home", -42, 8],
-  origin: ["Origin", 9, 8],
-  finish: ["Finish", 9, -20],
+  home: [t("Home"), -42, 8],
+  origin: [t("Origin"), 9, 8],
+  finish: [t("Finish"), 9, -20],
   tool: ["", 0, 0],
 };
 

@@ -10,6 +10,7 @@ import {
 import { useScreen, useSnapshot } from "../../app/context";
 import { useSize } from "../../view/useSize";
 import type { ZHeights } from "../../wire/messages";
+import { t } from "../../words/words";
 import { type Place, place } from "../geometry/vec";
 import { inkOf, pixelOf } from "../ink";
 import { sheetOn } from "../paint/pen";
@@ -60,14 +61,14 @@ export function SpaceSheet({ scene, aspect, plane, children }: SpaceSheetProps) 
   useEffect(() => box.current?.focus(), [aspect]);
   const at = (event: { clientX: number; clientY: number }) => pixelOf(box.current, event);
   return (
-    <section className="sheet-panel" aria-label="Sheet">
+    <section className="sheet-panel" aria-label={t("Sheet")}>
       <div
         ref={box}
         className="sheet-box"
         // biome-ignore lint/a11y/noNoninteractiveTabindex: the view is zoomed with keys
         tabIndex={0}
         role="application"
-        aria-label="View of the drawing"
+        aria-label={t("View of the drawing")}
         onKeyDown={(event) => {
           if (event.ctrlKey || event.metaKey || event.altKey) return;
           const next = keyed(space, event.key.toLowerCase(), bounds);
@@ -138,17 +139,17 @@ function SpaceStatus({ space }: { space: Space }) {
   return (
     <footer className="sheet-status">
       <p className="sheet-status-prompt" role="status">
-        <strong>View</strong>{" "}
+        <strong>{t("View")}</strong>{" "}
         {space.aspect === "solid"
-          ? "Drag turns, with Shift or the middle button it moves; the wheel zooms."
-          : "Drag moves, the wheel zooms; both set the z-plane to where the mouse is."}
+          ? t("Drag turns, with Shift or the middle button it moves; the wheel zooms.")
+          : t("Drag moves, the wheel zooms; both set the z-plane to where the mouse is.")}
       </p>
       <p className="sheet-status-place">
         {flat && `${text(flat.x)}, ${text(flat.y)} ${units?.linear ?? "mm"}`}
         {!flat && side && `${across} ${text(side.along)}, Z ${text(side.z)}`}
       </p>
       <p className="sheet-status-plane">
-        z-plane {text(space.zPlane)} {units?.linear ?? "mm"}
+        {t("z-plane {0} {1}", text(space.zPlane), units?.linear ?? "mm")}
       </p>
     </footer>
   );

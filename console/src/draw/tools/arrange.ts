@@ -1,5 +1,6 @@
 /** Tools that put shapes elsewhere or make more of them. */
 
+import { t } from "../../words/words";
 import { distance, minus } from "../geometry/vec";
 import { after, grown, mirrored, shifted, spun } from "./matrix";
 import {
@@ -15,9 +16,9 @@ import {
 } from "./tool";
 import { wrapped } from "./turn";
 
-const shapes = { ask: "shapes", prompt: "Shapes" } as const;
-const basePlace = { ask: "place", prompt: "Base place" } as const;
-const target = { ask: "place", prompt: "Where it goes" } as const;
+const shapes = { ask: "shapes", prompt: t("Shapes") } as const;
+const basePlace = { ask: "place", prompt: t("Base place") } as const;
+const target = { ask: "place", prompt: t("Where it goes") } as const;
 
 /** What the arrow keys turned, as an operation about the place where the shapes went. */
 const turning = (turned: number, about: string): string =>
@@ -48,20 +49,20 @@ const carry = (id: "move" | "copy", title: string, doc: string): Tool => ({
   ghost: carrying,
 });
 
-const move = carry("move", "Move", "From a base place to another; arrow keys turn.");
-const copy = carry("copy", "Copy", "Copies, from a base place to another; arrow keys turn.");
+const move = carry("move", t("Move"), t("From a base place to another; arrow keys turn."));
+const copy = carry("copy", t("Copy"), t("Copies, from a base place to another; arrow keys turn."));
 
 const rotate: Tool = {
   id: "rotate",
-  title: "Rotate",
-  doc: "Counter-clockwise about a place, by the mouse or a typed angle.",
+  title: t("Rotate"),
+  doc: t("Counter-clockwise about a place, by the mouse or a typed angle."),
   menu: "arrange",
   asks: [
     shapes,
-    { ask: "place", prompt: "Centre" },
+    { ask: "place", prompt: t("Centre") },
     {
       ask: "number",
-      prompt: "Angle",
+      prompt: t("Angle"),
       kind: "angle",
       usual: 90,
       from: (at, [, centre]) => angleTo(placeOf(centre), at),
@@ -85,18 +86,18 @@ function angleTo(centre: At, at: At): number {
 
 const scale: Tool = {
   id: "scale",
-  title: "Scale",
-  doc: "By a factor about a place; 25.4 makes millimetres of inches.",
+  title: t("Scale"),
+  doc: t("By a factor about a place; 25.4 makes millimetres of inches."),
   menu: "arrange",
   asks: [
     shapes,
-    { ask: "place", prompt: "Centre" },
+    { ask: "place", prompt: t("Centre") },
     {
       ask: "number",
-      prompt: "Factor",
+      prompt: t("Factor"),
       kind: "plain",
       usual: 2,
-      accepts: (value) => (value > 0 ? undefined : "has to be greater than 0"),
+      accepts: (value) => (value > 0 ? undefined : t("has to be greater than 0")),
     },
   ],
   clauses: ([picked, centre, factor]) =>
@@ -111,8 +112,8 @@ const scale: Tool = {
   },
 };
 
-const basisFrom = { ask: "place", prompt: "Start of the base line" } as const;
-const basisTo = { ask: "place", prompt: "Its end" } as const;
+const basisFrom = { ask: "place", prompt: t("Start of the base line") } as const;
+const basisTo = { ask: "place", prompt: t("Its end") } as const;
 
 /** The base line that was given: its ends, and the words that name them. */
 function basis(from: Answer | undefined, to: Answer | undefined) {
@@ -122,8 +123,8 @@ function basis(from: Answer | undefined, to: Answer | undefined) {
 
 const rotateTo: Tool = {
   id: "rotate-to",
-  title: "Rotate to",
-  doc: "Turns the shapes so that a line of theirs gets an angle, by the mouse or typed.",
+  title: t("Rotate to"),
+  doc: t("Turns the shapes so that a line of theirs gets an angle, by the mouse or typed."),
   menu: "arrange",
   asks: [
     shapes,
@@ -131,7 +132,7 @@ const rotateTo: Tool = {
     basisTo,
     {
       ask: "number",
-      prompt: "Angle it gets",
+      prompt: t("Angle it gets"),
       kind: "angle",
       usual: 90,
       from: (at, [, from]) => angleTo(placeOf(from), at),
@@ -149,8 +150,8 @@ const rotateTo: Tool = {
 
 const scaleTo: Tool = {
   id: "scale-to",
-  title: "Scale to",
-  doc: "Makes the shapes larger so that a line of theirs gets a length, by the mouse or typed.",
+  title: t("Scale to"),
+  doc: t("Makes the shapes larger so that a line of theirs gets a length, by the mouse or typed."),
   menu: "arrange",
   asks: [
     shapes,
@@ -158,10 +159,10 @@ const scaleTo: Tool = {
     basisTo,
     {
       ask: "number",
-      prompt: "Length it gets",
+      prompt: t("Length it gets"),
       kind: "length",
       usual: 100,
-      accepts: (value) => (value > 0 ? undefined : "has to be greater than 0"),
+      accepts: (value) => (value > 0 ? undefined : t("has to be greater than 0")),
       from: (at, [, from]) => distance(placeOf(from), at),
     },
   ],
@@ -178,13 +179,13 @@ const scaleTo: Tool = {
 
 const mirror: Tool = {
   id: "mirror",
-  title: "Mirror",
-  doc: "At the line through two places.",
+  title: t("Mirror"),
+  doc: t("At the line through two places."),
   menu: "arrange",
   asks: [
     shapes,
-    { ask: "place", prompt: "A place of the mirror line" },
-    { ask: "place", prompt: "Another place of it" },
+    { ask: "place", prompt: t("A place of the mirror line") },
+    { ask: "place", prompt: t("Another place of it") },
   ],
   clauses: ([picked, a, b]) =>
     `${select(numbersOf(picked))}; mirror ${xy(placeOf(a))} ${xy(placeOf(b))}`,
@@ -195,19 +196,19 @@ const mirror: Tool = {
 };
 
 const whole = (value: number) =>
-  Number.isInteger(value) && value >= 1 ? undefined : "has to be a whole number from 1";
+  Number.isInteger(value) && value >= 1 ? undefined : t("has to be a whole number from 1");
 
 const arrayInRows: Tool = {
   id: "array-rect",
-  title: "Array in rows",
-  doc: "Rows and columns of the shapes, with gaps between them.",
+  title: t("Array in rows"),
+  doc: t("Rows and columns of the shapes, with gaps between them."),
   menu: "arrange",
   asks: [
     shapes,
-    { ask: "number", prompt: "Rows", kind: "plain", usual: 2, accepts: whole },
-    { ask: "number", prompt: "Columns", kind: "plain", usual: 2, accepts: whole },
-    { ask: "number", prompt: "Gap between columns", kind: "length", usual: 10 },
-    { ask: "number", prompt: "Gap between rows", kind: "length", usual: 10 },
+    { ask: "number", prompt: t("Rows"), kind: "plain", usual: 2, accepts: whole },
+    { ask: "number", prompt: t("Columns"), kind: "plain", usual: 2, accepts: whole },
+    { ask: "number", prompt: t("Gap between columns"), kind: "length", usual: 10 },
+    { ask: "number", prompt: t("Gap between rows"), kind: "length", usual: 10 },
   ],
   clauses: ([picked, rows, columns, across, up]) =>
     `${select(numbersOf(picked))}; array rect ${amountOf(rows)}x${amountOf(columns)} ` +
@@ -216,13 +217,13 @@ const arrayInRows: Tool = {
 
 const arrayRound: Tool = {
   id: "array-round",
-  title: "Array round a centre",
-  doc: "So many of the shapes on a circle, the first one counted.",
+  title: t("Array round a centre"),
+  doc: t("So many of the shapes on a circle, the first one counted."),
   menu: "arrange",
   asks: [
     shapes,
-    { ask: "number", prompt: "How many", kind: "plain", usual: 6, accepts: whole },
-    { ask: "place", prompt: "Centre" },
+    { ask: "number", prompt: t("How many"), kind: "plain", usual: 6, accepts: whole },
+    { ask: "place", prompt: t("Centre") },
   ],
   clauses: ([picked, count, centre]) =>
     `${select(numbersOf(picked))}; array round ${amountOf(count)} about ${xy(placeOf(centre))}`,
@@ -230,8 +231,8 @@ const arrayRound: Tool = {
 
 const clip: Tool = {
   id: "clip",
-  title: "To clipboard",
-  doc: "Puts copies of shapes onto the clipboard.",
+  title: t("To clipboard"),
+  doc: t("Puts copies of shapes onto the clipboard."),
   menu: "arrange",
   asks: [shapes],
   clauses: ([picked]) => `${select(numbersOf(picked))}; clip`,
@@ -239,29 +240,29 @@ const clip: Tool = {
 
 const paste: Tool = {
   id: "paste",
-  title: "Paste",
-  doc: "The clipboard's shapes, their lower left at a place; arrow keys turn.",
+  title: t("Paste"),
+  doc: t("The clipboard's shapes, their lower left at a place; arrow keys turn."),
   menu: "arrange",
-  asks: [{ ask: "place", prompt: "Lower left" }],
+  asks: [{ ask: "place", prompt: t("Lower left") }],
   turns: true,
   clauses: ([to], turned) => `paste ${xy(placeOf(to))}${turning(turned, xy(placeOf(to)))}`,
 };
 
 const pasteAbsolute: Tool = {
   id: "paste-absolute",
-  title: "Paste absolute",
-  doc: "The clipboard's shapes as far from a place as they were from their own origin.",
+  title: t("Paste absolute"),
+  doc: t("The clipboard's shapes as far from a place as they were from their own origin."),
   menu: "arrange",
-  asks: [{ ask: "place", prompt: "Their origin" }],
+  asks: [{ ask: "place", prompt: t("Their origin") }],
   clauses: ([to]) => `paste absolute ${xy(placeOf(to))}`,
 };
 
 const origin: Tool = {
   id: "origin",
-  title: "Origin",
-  doc: "Makes a place the origin of the drawing.",
+  title: t("Origin"),
+  doc: t("Makes a place the origin of the drawing."),
   menu: "arrange",
-  asks: [{ ask: "place", prompt: "The new origin" }],
+  asks: [{ ask: "place", prompt: t("The new origin") }],
   clauses: ([at]) => `origin ${xy(placeOf(at))}`,
 };
 

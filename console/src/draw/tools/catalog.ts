@@ -1,5 +1,6 @@
 /** Every tool of the drawing. */
 
+import { t } from "../../words/words";
 import { arrangeTools } from "./arrange";
 import { editTools } from "./edit";
 import { insertTools } from "./insert";
@@ -16,12 +17,12 @@ export const tools: readonly Tool[] = [
 ];
 
 export const menus: readonly { readonly menu: Menu; readonly title: string }[] = [
-  { menu: "insert", title: "Draw" },
-  { menu: "edit", title: "Edit" },
-  { menu: "arrange", title: "Arrange" },
-  { menu: "path", title: "Cutting" },
-  { menu: "sequence", title: "Order" },
-  { menu: "view", title: "Look" },
+  { menu: "insert", title: t("Draw") },
+  { menu: "edit", title: t("Change") },
+  { menu: "arrange", title: t("Arrange") },
+  { menu: "path", title: t("Cutting") },
+  { menu: "sequence", title: t("Order") },
+  { menu: "view", title: t("Look") },
 ];
 
 export const toolsOf = (menu: Menu): readonly Tool[] => tools.filter((tool) => tool.menu === menu);

@@ -1,5 +1,6 @@
 /** Tools that change shapes where they are. */
 
+import { t } from "../../words/words";
 import { bulgeThrough, distanceTo, type Segment } from "../geometry/segment";
 import type { Shape } from "../geometry/shape";
 import type { Place } from "../geometry/vec";
@@ -17,13 +18,13 @@ import {
   xy,
 } from "./tool";
 
-const shapes = { ask: "shapes", prompt: "Shapes" } as const;
-const notNegative = (value: number) => (value >= 0 ? undefined : "cannot be negative");
+const shapes = { ask: "shapes", prompt: t("Shapes") } as const;
+const notNegative = (value: number) => (value >= 0 ? undefined : t("cannot be negative"));
 
 const erase: Tool = {
   id: "erase",
-  title: "Erase",
-  doc: "Removes shapes.",
+  title: t("Erase"),
+  doc: t("Removes shapes."),
   menu: "edit",
   asks: [shapes],
   clauses: ([picked]) => `${select(numbersOf(picked))}; erase`,
@@ -31,12 +32,12 @@ const erase: Tool = {
 
 const fillet: Tool = {
   id: "fillet",
-  title: "Fillet",
-  doc: "Rounds the corner nearest to a place.",
+  title: t("Fillet"),
+  doc: t("Rounds the corner nearest to a place."),
   menu: "edit",
   asks: [
-    { ask: "number", prompt: "Radius", kind: "length", usual: 5, accepts: notNegative },
-    { ask: "shape", prompt: "Corner" },
+    { ask: "number", prompt: t("Radius"), kind: "length", usual: 5, accepts: notNegative },
+    { ask: "shape", prompt: t("Corner") },
   ],
   repeats: true,
   clauses: ([radius, corner]) => {
@@ -47,12 +48,12 @@ const fillet: Tool = {
 
 const chamfer: Tool = {
   id: "chamfer",
-  title: "Chamfer",
-  doc: "Cuts the corner nearest to a place off.",
+  title: t("Chamfer"),
+  doc: t("Cuts the corner nearest to a place off."),
   menu: "edit",
   asks: [
-    { ask: "number", prompt: "Length", kind: "length", usual: 5, accepts: notNegative },
-    { ask: "shape", prompt: "Corner" },
+    { ask: "number", prompt: t("Length"), kind: "length", usual: 5, accepts: notNegative },
+    { ask: "shape", prompt: t("Corner") },
   ],
   repeats: true,
   clauses: ([length, corner]) => {
@@ -63,31 +64,34 @@ const chamfer: Tool = {
 
 const offset: Tool = {
   id: "offset",
-  title: "Offset",
-  doc: "Paths beside the shapes, to the right of travel; a negative distance to the left.",
+  title: t("Offset"),
+  doc: t("Paths beside the shapes, to the right of travel; a negative distance to the left."),
   menu: "edit",
-  asks: [shapes, { ask: "number", prompt: "Distance, right of travel", kind: "length", usual: 3 }],
+  asks: [
+    shapes,
+    { ask: "number", prompt: t("Distance, right of travel"), kind: "length", usual: 3 },
+  ],
   clauses: ([picked, by]) => `${select(numbersOf(picked))}; offset ${num(amountOf(by))} keep`,
 };
 
 const join: Tool = {
   id: "join",
-  title: "Join",
-  doc: "Makes one of open shapes whose ends are that near.",
+  title: t("Join"),
+  doc: t("Makes one of open shapes whose ends are that near."),
   menu: "edit",
   asks: [
     shapes,
-    { ask: "number", prompt: "Largest gap", kind: "length", usual: 0.1, accepts: notNegative },
+    { ask: "number", prompt: t("Largest gap"), kind: "length", usual: 0.1, accepts: notNegative },
   ],
   clauses: ([picked, gap]) => `${select(numbersOf(picked))}; join ${num(amountOf(gap))}`,
 };
 
 const breakTool: Tool = {
   id: "break",
-  title: "Break",
-  doc: "Opens a closed shape at a place; makes two of an open one.",
+  title: t("Break"),
+  doc: t("Opens a closed shape at a place; makes two of an open one."),
   menu: "edit",
-  asks: [{ ask: "shape", prompt: "Place of the break" }],
+  asks: [{ ask: "shape", prompt: t("Place of the break") }],
   repeats: true,
   clauses: ([where]) => {
     const { number, at } = shapeAt(where);
@@ -97,26 +101,26 @@ const breakTool: Tool = {
 
 const trim: Tool = {
   id: "trim",
-  title: "Trim",
-  doc: "Takes out the part between the shapes picked first.",
+  title: t("Trim"),
+  doc: t("Takes out the part between the shapes picked first."),
   menu: "edit",
   asks: [
-    { ask: "shapes", prompt: "Cutting shapes" },
-    { ask: "shape", prompt: "Part to take out" },
+    { ask: "shapes", prompt: t("Cutting shapes") },
+    { ask: "shape", prompt: t("Part to take out") },
   ],
   clauses: ([edges, part]) => `${select(numbersOf(edges))}; trim ${xy(shapeAt(part).at)}`,
 };
 
 const stretch: Tool = {
   id: "stretch",
-  title: "Stretch",
-  doc: "Moves vertices that are picked one by one, or by a window.",
+  title: t("Stretch"),
+  doc: t("Moves vertices that are picked one by one, or by a window."),
   menu: "edit",
   asks: [
     shapes,
-    { ask: "vertices", prompt: "Vertices, or a window round them" },
-    { ask: "place", prompt: "Base place" },
-    { ask: "place", prompt: "Where it goes" },
+    { ask: "vertices", prompt: t("Vertices, or a window round them") },
+    { ask: "place", prompt: t("Base place") },
+    { ask: "place", prompt: t("Where it goes") },
   ],
   clauses: ([picked, marks, base, to]) => {
     const [a, b] = [placeOf(base), placeOf(to)];
@@ -128,12 +132,12 @@ const stretch: Tool = {
 
 const vertex: Tool = {
   id: "vertex",
-  title: "Move vertex",
-  doc: "Moves the vertex nearest to a place.",
+  title: t("Move vertex"),
+  doc: t("Moves the vertex nearest to a place."),
   menu: "edit",
   asks: [
-    { ask: "shape", prompt: "Vertex" },
-    { ask: "place", prompt: "Where it goes" },
+    { ask: "shape", prompt: t("Vertex") },
+    { ask: "place", prompt: t("Where it goes") },
   ],
   clauses: ([which, to]) => {
     const { number, at } = shapeAt(which);
@@ -143,10 +147,10 @@ const vertex: Tool = {
 
 const deleteVertex: Tool = {
   id: "delete-vertex",
-  title: "Delete vertex",
-  doc: "Takes vertices out that are picked one by one, or by a window.",
+  title: t("Delete vertex"),
+  doc: t("Takes vertices out that are picked one by one, or by a window."),
   menu: "edit",
-  asks: [{ ask: "vertices", prompt: "Vertices, or a window round them" }],
+  asks: [{ ask: "vertices", prompt: t("Vertices, or a window round them") }],
   repeats: true,
   clauses: ([picked]) => {
     const marks = marksOf(picked);
@@ -161,14 +165,14 @@ const deleteVertex: Tool = {
 
 const bulge: Tool = {
   id: "bulge",
-  title: "Bulge",
-  doc: "Bends a segment with the mouse, or by a typed bulge; 0 is a line.",
+  title: t("Bulge"),
+  doc: t("Bends a segment with the mouse, or by a typed bulge; 0 is a line."),
   menu: "edit",
   asks: [
-    { ask: "shape", prompt: "Segment" },
+    { ask: "shape", prompt: t("Segment") },
     {
       ask: "number",
-      prompt: "Bulge",
+      prompt: t("Bulge"),
       kind: "plain",
       usual: 0,
       from: (at, [which], all) => bulgeAt(all, which, at),

@@ -1,21 +1,22 @@
 /** Tools that draw something new. */
 
+import { t } from "../../words/words";
 import type { Segment } from "../geometry/segment";
 import { distance, type Place, place } from "../geometry/vec";
 import { amountOf, num, pathOf, placeOf, type Tool, xy } from "./tool";
 
-const positive = (value: number) => (value > 0 ? undefined : "has to be greater than 0");
+const positive = (value: number) => (value > 0 ? undefined : t("has to be greater than 0"));
 
 const circle: Tool = {
   id: "circle",
-  title: "Circle",
-  doc: "Centre, then radius with the mouse or typed.",
+  title: t("Circle"),
+  doc: t("Centre, then radius with the mouse or typed."),
   menu: "insert",
   asks: [
-    { ask: "place", prompt: "Centre" },
+    { ask: "place", prompt: t("Centre") },
     {
       ask: "number",
-      prompt: "Radius",
+      prompt: t("Radius"),
       kind: "length",
       usual: 10,
       accepts: positive,
@@ -37,12 +38,12 @@ const ring = ({ x, y }: Place, radius: number): Segment[] => [
 
 const rectangle: Tool = {
   id: "rectangle",
-  title: "Rectangle",
-  doc: "Two opposite corners; @width,height types the second.",
+  title: t("Rectangle"),
+  doc: t("Two opposite corners; @width,height types the second."),
   menu: "insert",
   asks: [
-    { ask: "place", prompt: "First corner" },
-    { ask: "place", prompt: "Opposite corner (or @width,height)" },
+    { ask: "place", prompt: t("First corner") },
+    { ask: "place", prompt: t("Opposite corner (or @width,height)") },
   ],
   clauses: ([a, b]) => `rect ${xy(placeOf(a))} ${xy(placeOf(b))}`,
   ghost: ([a], at) =>
@@ -57,10 +58,10 @@ export function frame(a: Place, b: Place): Segment[] {
 
 const point: Tool = {
   id: "point",
-  title: "Point",
-  doc: "A place to drill.",
+  title: t("Point"),
+  doc: t("A place to drill."),
   menu: "insert",
-  asks: [{ ask: "place", prompt: "Place" }],
+  asks: [{ ask: "place", prompt: t("Place") }],
   repeats: true,
   clauses: ([at]) => `point ${xy(placeOf(at))}`,
 };
@@ -77,19 +78,19 @@ const drawn = (arcs: boolean): Tool["clauses"] => {
 
 const line: Tool = {
   id: "line",
-  title: "Line",
-  doc: "Lines from place to place; V on the start closes, the right button ends.",
+  title: t("Line"),
+  doc: t("Lines from place to place; V on the start closes, the right button ends."),
   menu: "insert",
-  asks: [{ ask: "path", prompt: "Next place", arcs: false }],
+  asks: [{ ask: "path", prompt: t("Next place"), arcs: false }],
   clauses: drawn(false),
 };
 
 const polyarc: Tool = {
   id: "polyarc",
-  title: "Arc",
-  doc: "Each segment's end, then its bulge with the mouse.",
+  title: t("Arc"),
+  doc: t("Each segment's end, then its bulge with the mouse."),
   menu: "insert",
-  asks: [{ ask: "path", prompt: "Next place", arcs: true }],
+  asks: [{ ask: "path", prompt: t("Next place"), arcs: true }],
   clauses: drawn(true),
 };
 

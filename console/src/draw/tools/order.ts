@@ -1,8 +1,9 @@
 /** Tools for the way in which shapes are cut: starts, directions, pauses, order, groups. */
 
+import { t } from "../../words/words";
 import { numbersOf, placeOf, select, shapeAt, type Tool, xy } from "./tool";
 
-const shapes = { ask: "shapes", prompt: "Shapes" } as const;
+const shapes = { ask: "shapes", prompt: t("Shapes") } as const;
 
 /** An operation on the shapes that were picked. */
 const onShapes = (id: string, title: string, doc: string, operation: string): Tool => ({
@@ -16,10 +17,10 @@ const onShapes = (id: string, title: string, doc: string, operation: string): To
 
 const start: Tool = {
   id: "start",
-  title: "Start",
-  doc: "Where the cut of a shape begins; of an open one, at which end.",
+  title: t("Start"),
+  doc: t("Where the cut of a shape begins; of an open one, at which end."),
   menu: "path",
-  asks: [{ ask: "shape", prompt: "Place of the start" }],
+  asks: [{ ask: "shape", prompt: t("Place of the start") }],
   repeats: true,
   clauses: ([where]) => {
     const { number, at } = shapeAt(where);
@@ -29,8 +30,8 @@ const start: Tool = {
 
 const directions: Tool = {
   id: "directions",
-  title: "Directions",
-  doc: "Outer shapes counter-clockwise, those within clockwise.",
+  title: t("Directions"),
+  doc: t("Outer shapes counter-clockwise, those within clockwise."),
   menu: "path",
   asks: [],
   clauses: () => "directions auto",
@@ -38,44 +39,46 @@ const directions: Tool = {
 
 const inOrder: Tool = {
   id: "sequence",
-  title: "Order by hand",
-  doc: "Pick the shapes in the order of cutting; picked again, a shape is taken out.",
+  title: t("Order by hand"),
+  doc: t("Pick the shapes in the order of cutting; picked again, a shape is taken out."),
   menu: "sequence",
-  asks: [{ ask: "shapes", prompt: "Shapes in cutting order", numbered: true }],
+  asks: [{ ask: "shapes", prompt: t("Shapes in cutting order"), numbered: true }],
   clauses: ([picked]) => `sequence ${numbersOf(picked).join(",")}`,
 };
 
 const byGroups: Tool = {
   id: "sequence-groups",
-  title: "Order of groups",
-  doc: "Pick a shape of each group in the order of cutting.",
+  title: t("Order of groups"),
+  doc: t("Pick a shape of each group in the order of cutting."),
   menu: "sequence",
-  asks: [{ ask: "shapes", prompt: "A shape of each group", numbered: true }],
+  asks: [{ ask: "shapes", prompt: t("A shape of each group"), numbered: true }],
   clauses: ([picked]) => `sequence groups of ${numbersOf(picked).join(",")}`,
 };
 
 const inLevel: Tool = {
   id: "sequence-level",
-  title: "Order of a level",
-  doc: "Pick shapes that lie in the same shape in the order of cutting; what lies in them goes along.",
+  title: t("Order of a level"),
+  doc: t(
+    "Pick shapes that lie in the same shape in the order of cutting; what lies in them goes along.",
+  ),
   menu: "sequence",
-  asks: [{ ask: "shapes", prompt: "Shapes of one level", numbered: true }],
+  asks: [{ ask: "shapes", prompt: t("Shapes of one level"), numbered: true }],
   clauses: ([picked]) => `sequence level ${numbersOf(picked).join(",")}`,
 };
 
 const fromPlace: Tool = {
   id: "sequence-auto",
-  title: "Order from a place",
-  doc: "Nearest to the place first, inner shapes before those round them.",
+  title: t("Order from a place"),
+  doc: t("Nearest to the place first, inner shapes before those round them."),
   menu: "sequence",
-  asks: [{ ask: "place", prompt: "Place S" }],
+  asks: [{ ask: "place", prompt: t("Place S") }],
   clauses: ([at]) => `sequence auto ${xy(placeOf(at))}`,
 };
 
 const reversed: Tool = {
   id: "sequence-reverse",
-  title: "Reverse the order",
-  doc: "The last shape is cut first.",
+  title: t("Reverse the order"),
+  doc: t("The last shape is cut first."),
   menu: "sequence",
   asks: [],
   clauses: () => "sequence reverse",
@@ -83,10 +86,15 @@ const reversed: Tool = {
 
 export const orderTools: readonly Tool[] = [
   start,
-  onShapes("reverse", "Reverse", "Turns the cutting direction.", "reverse"),
+  onShapes("reverse", t("Reverse"), t("Turns the cutting direction."), "reverse"),
   directions,
-  onShapes("pause", "Pause before", "The machine halts before the shapes.", "pause on"),
-  onShapes("no-pause", "No pause", "The machine does not halt before the shapes.", "pause off"),
+  onShapes("pause", t("Pause before"), t("The machine halts before the shapes."), "pause on"),
+  onShapes(
+    "no-pause",
+    t("No pause"),
+    t("The machine does not halt before the shapes."),
+    "pause off",
+  ),
   inOrder,
   byGroups,
   inLevel,

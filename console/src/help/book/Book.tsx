@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from "react";
 import { useHands } from "../../app/context";
 import { Field } from "../../ui/Field";
 import { Pick } from "../../ui/Pick";
+import { t } from "../../words/words";
 import "./book.css";
 import { Markdown } from "./Markdown";
 import {
@@ -100,15 +101,16 @@ function Results({ wanted, chapters, onGo }: ResultsProps) {
       isWanted = false;
     };
   }, [wanted]);
-  if (found === null) return <p>Reading…</p>;
-  if (found.length === 0) return <p role="status">The book says nothing of “{wanted}”.</p>;
+  if (found === null) return <p>{t("Reading…")}</p>;
+  if (found.length === 0)
+    return <p role="status">{t("The book says nothing of “{0}”.", wanted)}</p>;
   return (
     <ol className="book-found">
       {found.map((part) => (
         <li key={`${part.page}${part.heading}`}>
           <button
             type="button"
-            className="book-link"
+            className="text-link"
             onClick={() => onGo(`${part.page}#${anchorOf(part.heading)}`)}
           >
             {part.heading}

@@ -1,5 +1,6 @@
 import { marked, type Token, type Tokens } from "marked";
 import { Fragment, type ReactNode } from "react";
+import { t } from "../../words/words";
 import { anchorOf, figureAddress } from "./pages";
 
 interface MarkdownProps {
@@ -93,7 +94,7 @@ function List({ token, draw }: { token: Tokens.List; draw: Draw }) {
 function Table({ token, draw }: { token: Tokens.Table; draw: Draw }) {
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: it scrolls, also by keys
-    <section className="book-table" tabIndex={0} aria-label="Table">
+    <section className="book-table" tabIndex={0} aria-label={t("Table")}>
       <table>
         <thead>
           <tr>
@@ -131,7 +132,7 @@ function Way({ href, go, words }: { href: string; go: (href: string) => void; wo
     );
   if (!/^([\w-]+\.md)?(#.*)?$/.test(href)) return <i>{words}</i>;
   return (
-    <button type="button" className="book-link" onClick={() => go(href)}>
+    <button type="button" className="text-link" onClick={() => go(href)}>
       {words}
     </button>
   );

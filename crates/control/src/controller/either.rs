@@ -78,11 +78,21 @@ impl Controller {
     }
 
     /// Returns `true` if it has kept count of its place since it was driven last: a run can be taken up there.
-    pub const fn knows_place(&self) -> bool {
+    const fn knows_place(&self) -> bool {
         match self {
             Self::Followed(controller) => controller.knows_place(),
             Self::Queued(attached) => attached.knows_place(),
         }
+    }
+
+    /// Tells in words why a run is not taken up on it: nobody knows where it stands.
+    pub fn doubts_place(&self) -> Option<String> {
+        (!self.knows_place()).then(|| {
+            format!(
+                "{} has not kept count of where it stands: a run is taken up at the very place, and nobody knows it",
+                self.name()
+            )
+        })
     }
 
     /// Its name, as people give it.

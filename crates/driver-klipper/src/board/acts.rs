@@ -51,11 +51,6 @@ impl Session {
         self.motion.stop(&mut self.channel, Ended::Asked)
     }
 
-    /// The same, with outputs as they are.
-    pub fn stand_still(&mut self) -> Result<(), OrderError> {
-        self.motion.stop(&mut self.channel, Ended::Touched)
-    }
-
     pub fn emergency_stop(&mut self) -> Result<(), OrderError> {
         self.channel.link.forget();
         self.channel.hurry(Order::EmergencyStop, [])

@@ -205,15 +205,6 @@ impl Board {
         self.open()?.stop().map_err(NotNow::Order)
     }
 
-    /// Stops all motors at once, without a ramp, as a switch does that is watched: outputs stay as they are.
-    ///
-    /// # Errors
-    ///
-    /// The board is not there.
-    pub fn stand_still(&mut self) -> Result<(), NotNow> {
-        self.open()?.stand_still().map_err(NotNow::Order)
-    }
-
     /// Motion that is over is ended and counted, and latches are disarmed without waiting for more of it.
     pub fn let_rest(&mut self) {
         if let Phase::Open(open) = &mut self.phase {

@@ -230,11 +230,10 @@ fn controller_of(
 ) -> Result<Option<Controller>> {
     let Some(name) = run.place.machine.controller() else { return Ok(None) };
     let ready = controller::ready(name, args.first, args.quiet(), session, workspace)?;
-    if !ready.knows_place() {
+    if let Some(why) = ready.doubts_place() {
         ready.detach(workspace);
         bail!(
-            "{name} has not kept count of where it stands: a run is taken up at the very place, and nobody knows it. Home \
-             the controller (--home) where it can be, or set its location and begin at a line with --from-line"
+            "{why}. Home the controller (--home) where it can be, or set its location and begin at a line with --from-line"
         );
     }
     ready.begins(workspace);
@@ -298,10 +297,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
             false => Ok(session.run(work, options, workspace, context)),
         })?;
         moved = summary.tally.moves > 0;
-        if let Some(controller) = &controller {
-            controller.ends(summary.status == kerf_sbp::Status::Ok, workspace, || stop.is_wanted());
-            controller.detach(workspace);
-        }
+        leave(controller.as_ref(), &summary, workspace, &stop);
         Ok((summary, &session, unkept))
     })?;
     if let Some(at) = takes.filter(|_| moved) {
@@ -313,6 +309,19 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     match kept {
         true => closes(exit, &visit, (&mut session, &mut workspace), args, run),
         false => Ok(exit),
+    }
+}
+
+/// The run is over: the controller that made it, if one did, is left as it was found.
+fn leave(
+    controller: Option<&Controller>,
+    summary: &Summary,
+    workspace: &mut Workspace,
+    stop: &Stop,
+) {
+    if let Some(controller) = controller {
+        controller.ends(summary.status == kerf_sbp::Status::Ok, workspace, || stop.is_wanted());
+        controller.detach(workspace);
     }
 }
 

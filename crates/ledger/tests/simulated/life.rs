@@ -110,7 +110,7 @@ fn cuts_flat(going: &Going<'_>) -> bool {
 }
 
 /// Where the machine comes by from one moment to another, in the middle of a cut in the plane.
-fn cut_under_way(from_s: f64, to_s: f64, going: Going<'_>) -> Vec<Axes> {
+fn cut_under_way(from_s: f64, to_s: f64, going: &Going<'_>) -> Vec<Axes> {
     let ends_s = going.t0_s + going.plan.span_s(going.index).1;
     if !cuts_flat(&going) || to_s > ends_s - 1e-6 {
         return Vec::new();

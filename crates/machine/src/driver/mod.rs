@@ -217,6 +217,8 @@ pub struct Facts {
     pub spindle_rpm: f64,
     /// It changes the speed of moves that it has (feed override).
     pub overrides: bool,
+    /// While it watches inputs it makes what it has as it was planned: another feed waits until it stands.
+    pub feed_waits: bool,
     /// It changes the speed of its rapid moves, and that of its spindle, by itself ([`Override`]).
     pub overrides_more: bool,
     /// It stops on its path and goes on from there, with its outputs as they are (feed hold).

@@ -39,15 +39,15 @@ impl WasOn {
 impl Model {
     /// The heater is held at its temperature, or cools.
     pub(super) fn heat(&mut self, to_s: f64) {
-        let (mut heater, height) = (self.heater, self.settings.height);
-        if heater::active(&height, &self.settings.io) {
-            heater.hold(to_s, &height, |t_s, percent| self.pwm_at(t_s, HEATER_CHANNEL, percent));
-        } else {
-            if heater.heats() {
+        if !heater::active(&self.settings.height, &self.settings.io) {
+            if self.heater.heats() {
                 self.pwm(HEATER_CHANNEL, 0.0);
             }
-            heater.cool(to_s);
+            self.heater.cool(to_s);
+            return;
         }
+        let (mut heater, height) = (self.heater, self.settings.height);
+        heater.hold(to_s, &height, |t_s, percent| self.pwm_at(t_s, HEATER_CHANNEL, percent));
         self.heater = heater;
     }
 

@@ -213,8 +213,9 @@ impl Owner {
 
     /// The same as pages show it. A journal that cannot be read was told when it was opened.
     fn interrupted(&self) -> Option<Interrupted> {
-        // What ran on a controller is not taken up by the simulated machine.
-        let cut = self.cut_short().ok().flatten().filter(|cut| cut.controller().is_none())?;
+        // What ran on another machine is taken up there.
+        let here = |cut: &CutShort| cut.controller() == self.controller_name();
+        let cut = self.cut_short().ok().flatten().filter(here)?;
         let name = |path: &str| self.parts.name_of(path);
         Some(Interrupted {
             file: name(cut.file()),

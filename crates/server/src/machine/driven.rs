@@ -64,21 +64,44 @@ impl Owner {
         }
     }
 
+    /// Attaches the controller once more where it was lost or had an alarm.
+    fn reach(&mut self) -> Result<(), String> {
+        let Workshop { controller, session, workspace, .. } = &mut self.workshop;
+        if let Some(controller) = controller.as_mut().filter(|it| it.fault().is_some()) {
+            let told = controller.attach_again(session, workspace)?;
+            self.tell_attached(&told);
+        }
+        Ok(())
+    }
+
+    /// Returns the name of the controller; nothing where the machine is simulated.
+    pub(super) fn controller_name(&self) -> Option<&str> {
+        self.workshop.controller.as_ref().map(Controller::name)
+    }
+
+    /// Tells why no run is taken up on the controller, in words.
+    pub(super) fn bars_taking_up(&mut self) -> Option<String> {
+        if let Err(why) = self.reach() {
+            return Some(why);
+        }
+        let controller = self.workshop.controller.as_ref()?;
+        let unknown = || {
+            let why = controller.doubts_place()?;
+            Some(format!(
+                "{why}. Find home where the controller has homing, or set its location and begin at a line"
+            ))
+        };
+        controller.locked().or_else(unknown)
+    }
+
     /// Returns the summary of a run that is not begun: the controller is gone, or lacks what the run needs.
     pub(super) fn refuses(&mut self, work: &Work, options: &RunOptions) -> Option<Summary> {
-        let Workshop { controller, session, workspace, .. } = &mut self.workshop;
-        let controller = controller.as_mut()?;
-        let unit = session.memory.settings.linear_unit;
-        if controller.fault().is_some() {
-            match controller.attach_again(session, workspace) {
-                Ok(told) => self.tell_attached(&told),
-                Err(why) => {
-                    let place = Place::line(work.name(), 0);
-                    let hint = "look at its cable, its power and its port";
-                    let error = Diagnostic::new(Code::NotConnected, place, why).hint(hint);
-                    return Some(Summary::not_begun(unit, Some(Box::new(error))));
-                }
-            }
+        let unit = self.workshop.session.memory.settings.linear_unit;
+        if let Err(why) = self.reach() {
+            let hint = "look at its cable, its power and its port";
+            let place = Place::line(work.name(), 0);
+            let error = Diagnostic::new(Code::NotConnected, place, why).hint(hint);
+            return Some(Summary::not_begun(unit, Some(Box::new(error))));
         }
         let homes = matches!(work, Work::Hand(Errand::FindHome(_), _));
         let Workshop { controller, session, .. } = &self.workshop;

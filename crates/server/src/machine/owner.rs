@@ -180,7 +180,7 @@ impl Owner {
     }
 
     fn options(&self) -> RunOptions {
-        let controller = self.workshop.controller.as_ref().map(|it| it.name().to_owned());
+        let controller = self.controller_name().map(str::to_owned);
         RunOptions { started: (self.workshop.started)(), controller, ..RunOptions::default() }
     }
 
@@ -200,6 +200,9 @@ impl Owner {
             Ok(None) => return self.rest(State::Idle, None),
             Err(error) => return self.rest(State::Idle, Some(error.to_string())),
         };
+        if let Some(why) = self.bars_taking_up() {
+            return self.rest(State::Idle, Some(why));
+        }
         let file = self.parts.name_of(cut.file());
         let job = self.tell_begun(Job { file, hash, ..Job::default() }, &planned);
         let driven = self.in_context(planned, None, |workshop, context| {

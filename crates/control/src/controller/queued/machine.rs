@@ -469,6 +469,7 @@ fn facts(version: &str, wiring: &Wiring) -> Facts {
         outputs: outputs | wiring.spindle.map_or(0, |_| 1),
         homes: !wiring.homes.is_empty(),
         spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),
+        feed_waits: true,
         ..Facts::default()
     }
 }

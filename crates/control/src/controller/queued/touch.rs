@@ -21,8 +21,6 @@ const SOUGHT_S: f64 = 1e-5;
 const TOUCH_S: f64 = 5e-3;
 /// Farthest that a place is from the count of a motor, steps: half a step, and the rounding of a time.
 const STEP: f64 = 0.55;
-/// Longest time around the present in which a machine that was told to stands, seconds.
-const STILL_S: f64 = 0.2;
 
 /// Inputs at whose change the machine stands by itself, and the one that did it.
 #[derive(Clone, Debug, Default)]
@@ -33,8 +31,8 @@ pub struct Probe {
     told: Vec<Watched>,
     /// Motion that began without them is over first.
     waits: bool,
-    /// The machine was told to stand.
-    stills: bool,
+    /// The machine comes to rest because it was asked to.
+    slows: bool,
     /// The change that stopped the machine.
     touch: Option<Touch>,
 }
@@ -189,7 +187,6 @@ impl Queued {
             self.probe.watches = going.watches.to_vec();
             (self.probe.waits, self.probe.touch) = (true, None);
         }
-        self.facts.overrides = self.probe.is_armed();
         let told = self.switches(going.watches);
         if self.probe.waits && self.feeder.rests && self.state != State::Rest {
             self.berth.request(Request::LetRest);
@@ -219,7 +216,7 @@ impl Queued {
 
     /// A switch stopped all motors: learns which input that was, and when. Returns `false` where the run is past that.
     pub(super) fn is_touched(&mut self, edges: &[(usize, u64, Vec<i64>)]) -> bool {
-        if std::mem::take(&mut self.probe.stills) {
+        if std::mem::take(&mut self.probe.slows) {
             return true;
         }
         let (State::Moving(scale, _), Some((switch, clock, _))) = (self.state, edges.first())
@@ -258,38 +255,50 @@ impl Queued {
         }
     }
 
-    /// Returns the moment of the plan at which the machine stands after an input stopped it, or has it stand at once while
+    /// Returns the moment of the plan at which the machine stands after an input stopped it, or has it come to rest while
     /// inputs are watched; nothing where it stops by the ramp that is planned for it.
     pub(super) fn stands_s(&mut self, going: &Going<'_>) -> Option<f64> {
         let [from_s, until_s] = match (self.probe.touch.take(), self.probe.is_armed()) {
             (Some(Touch { at_s, .. }), _) => [at_s, at_s + TOUCH_S],
-            (None, true) => self.stand_still()?,
+            (None, true) => self.comes_to_rest()?,
             (None, false) => return None,
         };
         let counted = self.counted();
         let axes = self.wiring.axes();
-        let is_there = |t_s: &f64| {
-            let place = going.at(*t_s).position;
-            axes.iter()
-                .all(|axis| ((place[axis] - counted[axis]) * self.per_unit[axis]).abs() <= STEP)
+        let off = |t_s: f64| {
+            let place = going.at(t_s).position;
+            let steps = |axis| ((place[axis] - counted[axis]) * self.per_unit[axis]).abs();
+            axes.iter().map(steps).fold(0.0, f64::max)
         };
         let many = ((until_s - from_s) / SOUGHT_S) as u32;
-        let mut moments = (0..many).map(|n| from_s + f64::from(n) * SOUGHT_S);
-        let stands_s = moments.find(is_there).unwrap_or(from_s);
+        let moments = (0..many).map(|n| from_s + f64::from(n) * SOUGHT_S);
+        let places = moments.map(|t_s| (t_s, off(t_s)));
+        // The nearest one: what goes on from the edge of a step would begin with that step.
+        let passes = places.skip_while(|(_, off)| *off > STEP).take_while(|(_, off)| *off <= STEP);
+        let nearest = passes.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        let stands_s = nearest.map_or(from_s, |(t_s, _)| t_s);
         self.feeder.forget();
         self.feeder.is_at(counted);
         self.feeder.handed_s = stands_s;
         Some(stands_s)
     }
 
-    /// All motors stand at once, outputs stay. Returns the moments between which that was.
-    fn stand_still(&mut self) -> Option<[f64; 2]> {
+    /// Nothing is handed over any more: the board makes the way to rest behind what it has, on the path, or an input stops
+    /// it before. Returns the moments between which the plan has the place where it stands.
+    fn comes_to_rest(&mut self) -> Option<[f64; 2]> {
+        while self.state == State::Starting && self.fault.is_none() {
+            self.tend(NAP);
+        }
         let State::Moving(scale, _) = self.state else { return None };
+        self.probe.slows = true;
+        self.berth.request(Request::LetRest);
+        while self.state != State::Rest && self.fault.is_none() {
+            self.tend(NAP);
+        }
+        let is_touched = !std::mem::take(&mut self.probe.slows);
+        self.late = false;
         let (now, _) = self.progress.clock?;
-        self.probe.stills = true;
-        self.berth.request(Request::StandStill);
-        let stands = self.wait_until(|it| it.state == State::Rest);
-        let now_s = scale.moment(now);
-        stands.then_some([now_s - STILL_S, now_s + STILL_S])
+        let from_s = if is_touched { self.told_s } else { self.feeder.handed_s - SAME_S };
+        Some([from_s.max(self.told_s), scale.moment(now)])
     }
 }

@@ -1,0 +1,21 @@
+/** The texts of the console in German, by their English ones. Numbers and commands stay as they are. */
+
+import { actions } from "./actions";
+import { drawing } from "./drawing";
+import { files } from "./files";
+import { help } from "./help";
+import { operating } from "./operating";
+import { settings } from "./settings";
+import { shared } from "./shared";
+import { tools } from "./tools";
+
+export const german: Readonly<Record<string, string>> = {
+  ...actions,
+  ...drawing,
+  ...files,
+  ...help,
+  ...operating,
+  ...settings,
+  ...shared,
+  ...tools,
+};

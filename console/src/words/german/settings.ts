@@ -1,0 +1,103 @@
+/** Texts of the settings in German, by their English ones. */
+export const settings: Readonly<Record<string, string>> = {
+  "All settings of the machine as a text file, to be kept, compared, or brought to another machine.":
+    "Alle Einstellungen der Maschine als Textdatei: zum Aufheben, zum Vergleichen oder für eine andere Maschine.",
+  "All {0} changes": "Alle {0} Änderungen",
+  Axes: "Achsen",
+  Backup: "Sicherung",
+  "Change 1 setting": "1 Einstellung ändern",
+  "Change {0} settings": "{0} Einstellungen ändern",
+  Changes: "Änderungen",
+  "Changes of settings": "Änderungen der Einstellungen",
+  "Code for the new device": "Code für das neue Gerät",
+  "Commands that change settings": "Befehle, die Einstellungen ändern",
+  Dark: "Dunkel",
+  Devices: "Geräte",
+  "Does the operator switch the spindle on, or does Kerf? The height is where the tool travels above the work.":
+    "Schaltet der Bediener die Spindel ein oder Kerf? Die Höhe ist die, in der das Werkzeug über dem Werkstück verfährt.",
+  "Enter it on the new device within five minutes. It comes in as {0}.":
+    "Auf dem neuen Gerät binnen fünf Minuten eingeben. Es kommt als {0} herein.",
+  "Enter the password first.": "Erst das Passwort eingeben.",
+  "Enter the same password twice.": "Zweimal das gleiche Passwort eingeben.",
+  "First start": "Erster Start",
+  "High contrast": "Hoher Kontrast",
+  "How far X and Y reach from the corner at zero, and how far Z goes up and down from its zero.":
+    "Wie weit X und Y von der Ecke am Nullpunkt reichen, und wie weit Z von seinem Nullpunkt auf und ab fährt.",
+  "Inches or millimetres: Units, below": "Zoll oder Millimeter: Einheiten, unten",
+  "Kerf {0}, machine: {1}. This page is not a safety device: a machine needs an emergency stop that is wired.":
+    "Kerf {0}, Maschine: {1}. Diese Seite ist keine Sicherheitseinrichtung: eine Maschine braucht einen verdrahteten Not-Halt.",
+  Language: "Sprache",
+  Layout: "Layout",
+  "Lengths are read and typed in this unit from now on, also in the next questions.":
+    "Längen werden ab jetzt in dieser Einheit gezeigt und eingegeben, auch in den nächsten Fragen.",
+  "Let a device in": "Ein Gerät zulassen",
+  Light: "Hell",
+  Limits: "Grenzen",
+  "Load settings?": "Einstellungen laden?",
+  "Load settings…": "Einstellungen laden…",
+  "New password": "Neues Passwort",
+  "New {0}: {1}": "Neu {0}: {1}",
+  Next: "Weiter",
+  "No other device is paired.": "Kein anderes Gerät ist gekoppelt.",
+  "Not loaded: {0}.": "Nicht geladen: {0}.",
+  "Nothing in this file is another value.": "Nichts in dieser Datei ist ein anderer Wert.",
+  "Nothing was changed so far.": "Bisher wurde nichts geändert.",
+  "Once more": "Noch einmal",
+  Password: "Passwort",
+  "Protect the settings": "Einstellungen schützen",
+  Revoke: "Entziehen",
+  "Save and load all settings: Backup, on this page":
+    "Alle Einstellungen sichern und laden: Sicherung, auf dieser Seite",
+  "Save settings": "Einstellungen sichern",
+  "Search settings": "Einstellungen suchen",
+  "Set the size": "Größe setzen",
+  "Set up…": "Einrichten…",
+  "Settings are protected. The password opens them for this page, for a quarter of an hour.":
+    "Die Einstellungen sind geschützt. Das Passwort öffnet sie für diese Seite, eine Viertelstunde lang.",
+  "Size in {0}": "Größe in {0}",
+  "Step {0} of {1}: {2}": "Schritt {0} von {1}: {2}",
+  "Switches: 0 is a plain input, 1 and 2 are limit switches, 3 and 4 stop the machine. Homing: which axes have a switch. An emergency stop that cuts the power is wired, never software alone.":
+    "Schalter: 0 ist ein einfacher Eingang, 1 und 2 sind Endschalter, 3 und 4 halten die Maschine an. Referenzfahrt: welche Achsen einen Schalter haben. Ein Not-Halt, der den Strom trennt, wird verdrahtet, nie Software allein.",
+  "Table size": "Größe des Tisches",
+  "Take back": "Zurücknehmen",
+  "Take back: {0}, {1}": "Zurücknehmen: {0}, {1}",
+  "Take the protection away": "Schutz aufheben",
+  "The two are not the same.": "Die beiden sind nicht gleich.",
+  Theme: "Farben",
+  "This is not a value of it.": "Diesen Wert kann sie nicht haben.",
+  "This is the first step.": "Das ist der erste Schritt.",
+  "This machine has no such setting, it is left out: {0}":
+    "Diese Maschine hat keine solche Einstellung, sie bleibt weg: {0}",
+  "This machine was not set up yet: units, table size, axes, limits, spindle, and what is wired.":
+    "Diese Maschine wurde noch nicht eingerichtet: Einheiten, Tischgröße, Achsen, Grenzen, Spindel, und was verdrahtet ist.",
+  "This page may change settings now.": "Diese Seite darf jetzt Einstellungen ändern.",
+  "Three axes are X, Y and Z. A fourth is A: a second head, or an axis that turns.":
+    "Drei Achsen sind X, Y und Z. Eine vierte ist A: ein zweiter Kopf oder eine Drehachse.",
+  Topic: "Thema",
+  Units: "Einheiten",
+  "Units, table size, axes, limits, spindle and what is wired, one after the other.":
+    "Einheiten, Tischgröße, Achsen, Grenzen, Spindel und was verdrahtet ist, eins nach dem anderen.",
+  "Usual: {0}": "Üblich: {0}",
+  "What is wired": "Was verdrahtet ist",
+  "With the check on, a program that leaves the table is refused before it starts.":
+    "Mit der Prüfung wird ein Programm, das den Tisch verlässt, vor dem Start abgelehnt.",
+  "Without a password everybody who may change settings changes them at once.":
+    "Ohne Passwort ändert jeder, der Einstellungen ändern darf, sie sofort.",
+  "Zero Z with a touch plate (C2)": "Z mit einer Tastplatte nullen (C2)",
+  "backup, inch, probe": "backup, inch, probe",
+  ", with {0}": ", mit {0}",
+  "by {0}": "von {0}",
+  "changes settings": "ändert Einstellungen",
+  "lets devices in": "lässt Geräte herein",
+  "looks, stops, holds": "sieht zu, stoppt, hält an",
+  "runs and drives": "startet und steuert",
+  "the usual values": "die üblichen Werte",
+  "usual: {0}": "üblich: {0}",
+  "{0} settings are loaded.": "{0} Einstellungen sind geladen.",
+  "{0}: every setting is as in this file already.":
+    "{0}: jede Einstellung ist schon wie in dieser Datei.",
+  observer: "Beobachter",
+  operator: "Bediener",
+  owner: "Besitzer",
+  setter: "Einrichter",
+};

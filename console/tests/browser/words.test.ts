@@ -1,0 +1,117 @@
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { german } from "../../src/words/german/german";
+import { overlaps } from "./overlaps";
+import { openWorkshop, violations, type Workshop } from "./workshop";
+
+let workshop: Workshop;
+
+beforeAll(async () => {
+  workshop = await openWorkshop({ parts: ["01-first-cut/first-cut.sbp"], open: "first-cut.sbp" });
+});
+afterAll(() => workshop?.close());
+
+/** Texts that have another form in German; a text with a value in it counts by what stands around the value. */
+const others = Object.entries(german)
+  .filter(([english, words]) => english !== words && !Object.values(german).includes(english))
+  .map(([english]) => english);
+
+/** The English texts that a page shows, or tells whoever does not see it. */
+const englishOn = (page: Page): Promise<string[]> =>
+  page.evaluate((known) => {
+    const exact = new Set(known.filter((text) => !/\{\d\}/.test(text)));
+    const patterns = known
+      .filter((text) => /\{\d\}/.test(text) && text.replace(/\{\d\}|[^a-z]/gi, "").length > 5)
+      .map((text) =>
+        text
+          .split(/\{\d\}/)
+          .map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&"))
+          .join(".*"),
+      );
+    const pattern = new RegExp(`^(?:${patterns.join("|")})$`);
+    const said: string[] = [];
+    // The server says these in its own language: the names of commands and settings, the book, the changelog.
+    const others =
+      "script, style, kbd, .book, .help-news, .topic, .settings-sheets, .machine-form option";
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode())
+      if (!node.parentElement?.closest(others)) said.push(node.textContent ?? "");
+    for (const element of document.querySelectorAll(`:not(:is(${others}) *, :is(${others}))`))
+      for (const name of ["aria-label", "title", "placeholder", "alt"])
+        said.push(element.getAttribute(name) ?? "");
+    const texts = said.map((text) => text.replace(/\s+/g, " ").trim()).filter((text) => text);
+    return [...new Set(texts.filter((text) => exact.has(text) || pattern.test(text)))];
+  }, others);
+
+const screens = ["Bedienen", "Auftrag", "Text", "Zeichnen", "Setup", "Hilfe"];
+
+const sheets = [
+  "Datei öffnen",
+  "Tastenfeld",
+  "Notizblock",
+  "Rechner",
+  "Werte und Variablen",
+  "Werkstück rücken",
+  "Werkzeug zu einem Ort",
+  "Aufgezeichnete Befehle",
+  "Virtuelle Werkzeuge",
+  "Eingänge der simulierten",
+  "Anschlüsse der Karte",
+  "Zeitverlauf",
+  "Maschine einrichten",
+  "Verlauf der Läufe",
+  "Aufträge zu erledigen",
+  "Beispielantworten",
+  "Makros",
+];
+
+async function speakGerman(page: Page): Promise<void> {
+  await page.getByRole("link", { name: "Settings" }).click();
+  await page.getByRole("radio", { name: "Deutsch" }).click();
+  await page.getByRole("link", { name: "Bedienen" }).waitFor();
+}
+
+it.each([
+  { width: 390, height: 844 },
+  { width: 1440, height: 900 },
+])("every screen speaks German when it is chosen, at $width by $height", async (size) => {
+  const page = await workshop.page(size);
+  await speakGerman(page);
+  expect(await page.locator("html").getAttribute("lang")).toBe("de");
+  const found: string[] = [];
+  for (const name of screens) {
+    await page.getByRole("link", { name, exact: true }).click();
+    await page.getByRole("heading", { level: 1 }).waitFor({ state: "attached" });
+    const faults = [...(await overlaps(page)), ...(await violations(page))];
+    found.push(...[...faults, ...(await englishOn(page))].map((fault) => `${name}: ${fault}`));
+    if (process.env.PICTURES)
+      await page.screenshot({ path: `${process.env.PICTURES}/${name}-${size.width}.png` });
+  }
+  expect(found).toEqual([]);
+  await page.close();
+});
+
+it("every sheet speaks German, and the page after it was loaded again", async () => {
+  const page = await workshop.page({ width: 1440, height: 900 });
+  await speakGerman(page);
+  await page.reload();
+  await page.getByRole("link", { name: "Bedienen", exact: true }).click();
+  const found: string[] = [];
+  for (const name of sheets) {
+    await page.keyboard.press("Control+k");
+    await page.getByRole("dialog", { name: "Alle Aktionen" }).waitFor();
+    await page.keyboard.type(name);
+    await page.getByRole("option", { name }).first().waitFor();
+    await page.keyboard.press("Enter");
+    await page.getByRole("dialog", { name: "Alle Aktionen" }).waitFor({ state: "detached" });
+    await page.getByRole("dialog").first().waitFor();
+    const faults = [...(await overlaps(page)), ...(await violations(page))];
+    found.push(...[...faults, ...(await englishOn(page))].map((fault) => `${name}: ${fault}`));
+    if (process.env.PICTURES)
+      await page.screenshot({ path: `${process.env.PICTURES}/sheet-${name.split(" ")[0]}.png` });
+    await page.keyboard.press("Escape");
+    await page.getByRole("dialog").first().waitFor({ state: "detached" });
+  }
+  expect(found).toEqual([]);
+  await page.close();
+});
