@@ -45,12 +45,16 @@ export const mayReplace = async (world: World, name: string): Promise<boolean> =
 export const aboutFile = (name: string): Promise<FileAbout> =>
   getJson<FileAbout>(`${fileAddress(name)}?about`);
 
-/** Looks for a file under a name: true where one lies there. */
-export async function isThere(name: string): Promise<boolean> {
+/** Looks for a file under a name; nothing where none lies there. */
+export async function fileNamed(name: string): Promise<FileInfo | undefined> {
   const query = new URLSearchParams({ folder: parentOf(name), mask: baseOf({ name }) });
   const there = await getJson<FileInfo[]>(`/api/files?${query}`);
-  return there.some((file) => file.name === name && !file.folder);
+  return there.find((file) => file.name === name && !file.folder);
 }
+
+/** Looks for a file under a name: true where one lies there. */
+export const isThere = async (name: string): Promise<boolean> =>
+  (await fileNamed(name)) !== undefined;
 
 /** Asks; another sheet in the way is no leave. */
 function asked({ screen }: World, about: FileAbout): Promise<boolean> {

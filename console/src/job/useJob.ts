@@ -1,10 +1,10 @@
 /** The job that is open, read again when it or the machine changed. */
 
-import { useEffect, useState } from "react";
-import { useHands, useSnapshot } from "../app/context";
+import { useEffect, useMemo, useState } from "react";
+import { useHands, useShown, useSnapshot } from "../app/context";
 import { getJson } from "../link/http";
 import type { JobView } from "../wire/messages";
-import { type Plan, planOf } from "./plan";
+import { type Plan, planOf, type Standing, standingOf } from "./plan";
 
 /** Nothing while no job is open. */
 export function useJob(): Plan | null {
@@ -23,4 +23,14 @@ export function useJob(): Plan | null {
     return () => gone.abort();
   }, [wanted, settings, screen]);
   return plan;
+}
+
+/** How far the machine is with the paths of a job. */
+export function useStanding(plan: Plan | null): Standing {
+  const job = useSnapshot("job");
+  const line = useShown((shown) => shown.snapshot?.motion.line ?? 0);
+  const opened = useSnapshot("opened");
+  const snapshot = useShown((shown) => shown.snapshot);
+  // biome-ignore lint/correctness/useExhaustiveDependencies: only what a standing is made of
+  return useMemo(() => standingOf(snapshot, plan), [job, line, opened, plan]);
 }

@@ -2,6 +2,7 @@ import { useEffect, useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import { isUnsaved, unsaved } from "../actions/draw";
 import { copied, renamed } from "../actions/files";
+import { fileNamed } from "../actions/replace";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { SaveAs } from "../editor/SaveAs";
 import { download } from "../link/download";
@@ -42,8 +43,8 @@ export function FilePicker({ given }: FilePickerProps) {
   // biome-ignore lint/correctness/useExhaustiveDependencies: once for each time that files are given
   useEffect(() => uploads.add(folder, given ?? []), [given]);
   const close = () => hands.screen.open(null);
-  const open = (name: string) => {
-    const as = files.find((file) => file.name === name)?.opens;
+  const open = async (name: string) => {
+    const as = (files.find((file) => file.name === name) ?? (await fileNamed(name)))?.opens;
     if (as === null) return hands.screen.edit(name);
     if (as !== "drawing") return void openToRun(hands, name, kept?.name ?? "");
     if (isUnsaved(worldOf(hands))) setLost(name);
@@ -51,7 +52,7 @@ export function FilePicker({ given }: FilePickerProps) {
   };
   const choose = ({ folder, name }: FileInfo) => {
     if (folder) return setFolder(name);
-    if (use === "open") open(name);
+    if (use === "open") void open(name);
     else if (use === "download") download(name);
     else if (use === "versions") hands.screen.open({ kind: "versions", name });
     else setAsking(name);
@@ -87,8 +88,8 @@ export function FilePicker({ given }: FilePickerProps) {
         />
         <Choice label="A file that is chosen" options={fileUses} value={use} onChange={setUse} />
       </div>
-      <RecentFiles onOpen={open} />
-      <UploadList uploads={uploads} onUse={open} />
+      <RecentFiles onOpen={(name) => void open(name)} />
+      <UploadList uploads={uploads} onUse={(name) => void open(name)} />
       <ListBox
         aria-label={t("Files")}
         className="files"

@@ -1,6 +1,5 @@
-import { useHands, useShown, useSnapshot } from "../app/context";
+import { useShown, useSnapshot } from "../app/context";
 import { Panel } from "../ui/Panel";
-import type { Opened } from "../wire/messages";
 import { t } from "../words/words";
 import { Listing } from "./Listing";
 import { filesOfTool } from "./toolLine";
@@ -14,37 +13,15 @@ export function ListingPanel() {
     <Panel
       title="Program"
       className="listing-panel"
-      aside={<span className="listing-count">{opened ? countOf(opened) : ""}</span>}
+      aside={<span className="listing-count">{opened ? t("{0} lines", opened.lines) : ""}</span>}
     >
       <OpenFiles />
-      {opened && opened.kind !== "program" ? (
-        <NoLines kind={opened.kind} />
-      ) : opened ? (
+      {opened ? (
         <Listing name={opened.name} hash={opened.hash} lines={opened.lines} running={line} />
       ) : (
         <p className="tail-empty">{t("No file is open.")}</p>
       )}
     </Panel>
-  );
-}
-
-const countOf = ({ kind, lines }: Opened): string =>
-  kind === "job" ? t("{0} paths", lines) : kind === "drawing" ? "" : t("{0} lines", lines);
-
-/** A job has paths where a program has lines; they are on its own screen. */
-function NoLines({ kind }: { kind: "job" | "drawing" }) {
-  const { screen } = useHands();
-  const words =
-    kind === "job"
-      ? t("A job: the tool path of a drawing. Its paths are on the screen of jobs.")
-      : t("A drawing, which has no tool path yet.");
-  return (
-    <p className="tail-empty">
-      {words}{" "}
-      <button type="button" className="text-link" onClick={() => screen.go("/job")}>
-        {t("Go to the job")}
-      </button>
-    </p>
   );
 }
 

@@ -1,3 +1,4 @@
+import { lazy, Suspense } from "react";
 import { useScreen, useSnapshot } from "../app/context";
 import { ToolPathPanel } from "../view/ToolPathPanel";
 import { t } from "../words/words";
@@ -12,9 +13,15 @@ import { StatusPanel } from "./StatusPanel";
 import { WordsPanel } from "./WordsPanel";
 import "./operator-screen.css";
 
+/** Jobs come with what draws them: fetched when one is open. */
+const JobColumns = lazy(async () => ({
+  default: (await import("../job/JobColumns")).JobColumns,
+}));
+
 /** Everything needed while a machine runs, on one screen without scrolling. */
 export function OperatorScreen() {
   const face = useScreen("face");
+  const kind = useSnapshot("opened")?.kind ?? "program";
   // Started for files only: no command keys.
   const filesOnly = useSnapshot("start")?.display === 9;
   return (
@@ -26,6 +33,24 @@ export function OperatorScreen() {
         <Lamps />
         <ProgressPicture />
       </div>
+      {kind === "program" ? (
+        <ProgramColumns />
+      ) : (
+        <Suspense fallback={<ProgramColumns />}>
+          <JobColumns />
+        </Suspense>
+      )}
+      {!filesOnly && (
+        <div className="operator-foot">{face === "easy" ? <EasyButtons /> : <FullBar />}</div>
+      )}
+    </div>
+  );
+}
+
+/** The picture and the lines of a program. */
+function ProgramColumns() {
+  return (
+    <>
       <div className="operator-middle">
         <ToolPathPanel />
         <JobBar />
@@ -34,9 +59,6 @@ export function OperatorScreen() {
         <ListingPanel />
         <WordsPanel />
       </div>
-      {!filesOnly && (
-        <div className="operator-foot">{face === "easy" ? <EasyButtons /> : <FullBar />}</div>
-      )}
-    </div>
+    </>
   );
 }

@@ -6,7 +6,7 @@ interface ThumbnailProps {
   changed?: number;
 }
 
-/** A small picture of a file's tool path; empty where it was never previewed. */
+/** A small picture of a drawing, or of a file's tool path; empty where that was never previewed. */
 export function Thumbnail({ name, changed }: ThumbnailProps) {
   const version = changed === undefined ? "" : `=${changed}`;
   return (

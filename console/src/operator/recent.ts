@@ -22,11 +22,16 @@ export function recentFiles(): readonly string[] {
   }
 }
 
-/** Keeps the names of files as they are opened, by whomever. */
+/** Keeps the names of files and of drawings as they are opened, by whomever. */
 export function keepRecent(shown: Store<Shown>): void {
+  keepNames(shown, (now) => now.snapshot?.opened?.name);
+  keepNames(shown, (now) => now.snapshot?.drawing?.name);
+}
+
+function keepNames(shown: Store<Shown>, of: (now: Shown) => string | null | undefined): void {
   let open = "";
   shown.watch(() => {
-    const name = shown.get().snapshot?.opened?.name ?? "";
+    const name = of(shown.get()) ?? "";
     if (name === open) return;
     open = name;
     if (name !== "") localStorage.setItem(key, JSON.stringify(withNewest(recentFiles(), name)));

@@ -130,14 +130,17 @@ function Changes() {
       <h3 className="settings-head">{t("Changes")}</h3>
       {changes.length === 0 && <p className="settings-words">{t("Nothing was changed so far.")}</p>}
       <ol className="settings-changes">
-        {shown.map(({ at, key, from, to, by }, n) => (
+        {shown.map(({ at, key, from, to, by, through }, n) => (
           // biome-ignore lint/suspicious/noArrayIndexKey: the same setting may change twice in a second
           <li key={n}>
             <time dateTime={new Date(at * 1000).toISOString()}>
               {new Date(at * 1000).toLocaleString()}
             </time>{" "}
             <b>{fullName(key)}</b> <ChangeText from={from} to={to} />
-            <span className="settings-words">{t("by {0}", by || t("this machine"))}</span>
+            <span className="settings-words">
+              {t("by {0}", by || t("this machine"))}
+              {through && t(", with {0}", through)}
+            </span>
             <Button
               size="small"
               look="quiet"

@@ -1347,7 +1347,9 @@ from: string,
 /** Its value since, as it is written. */
 to: string,
 /** Name of the device of whoever changed it; empty for a page on the machine itself. */
-by: string, };
+by: string,
+/** The typed line, or the part file, that changed it; empty where a form did. */
+through: string, };
 
 /** A setting of the machine. */
 export type SettingEntry = {

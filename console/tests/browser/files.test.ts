@@ -181,13 +181,14 @@ it("a file is looked for in all folders; a log is no program, and a mask shows i
   await script(workshop, "folder", { name: "", mask: null });
 });
 
+const picture = async (name: string) =>
+  (await fetch(`${workshop.address}/api/files/${name}?thumb`)).text();
+
 it("a file that was previewed has a small picture", async () => {
   await script(workshop, "open", { name: "cut.sbp" });
   await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
   await page.keyboard.press("Escape");
   await page.keyboard.press("Control+o");
-  const picture = async (name: string) =>
-    (await fetch(`${workshop.address}/api/files/${name}?thumb`)).text();
   await expect.poll(() => picture("cut.sbp")).toContain("<path");
   expect(await picture("door.sbp")).not.toContain("<path");
   await row(/cut\.sbp/)
@@ -212,6 +213,26 @@ it("a drawing is opened where it is drawn, and one that is not saved is not lost
   expect((await stateOf(workshop)).drawing?.changed).toBe(true);
   await page.keyboard.press("Escape");
   await script(workshop, "draw", { op: { op: "new" } });
+  await page.getByRole("link", { name: "Operate" }).click();
+  await page.keyboard.press("Control+o");
+});
+
+it("a drawing has a small picture, where files are listed and where it was opened last", async () => {
+  writeFileSync(place("frame.plt"), "IN;SP1;PU0,0;PD800,0,800,400,0,400,0,0;PU;");
+  expect(await picture("frame.plt")).toContain("<path");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+o");
+  await row(/frame\.plt/).click();
+  await page.locator(".drawing-name", { hasText: "frame" }).waitFor();
+  await page.getByRole("link", { name: "Operate" }).click();
+  await script(workshop, "draw", { op: { op: "new" } });
+  await page.keyboard.press("Control+o");
+  const last = page.getByLabel("Opened last").getByRole("button", { name: "frame.plt" });
+  const isDrawn = (image: SVGElement | HTMLElement) => (image as HTMLImageElement).complete;
+  await expect.poll(() => last.locator("img").evaluate(isDrawn)).toBe(true);
+  await shot("drawings");
+  await last.click();
+  await page.locator(".drawing-name", { hasText: "frame" }).waitFor();
   await page.getByRole("link", { name: "Operate" }).click();
   await page.keyboard.press("Control+o");
 });

@@ -37,7 +37,6 @@ use crate::thumbnails::Thumbnails;
 use crate::turn::Turn;
 use kerf_wire::Tone;
 use std::io;
-use std::path::Path;
 use std::sync::atomic::AtomicU32;
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -99,6 +98,7 @@ pub struct Parts {
     pub orders: Sender<Order>,
     pub left: Arc<Mutex<Left>>,
     pub builders: Builders,
+    pub changes: Arc<SettingChanges>,
 }
 
 impl App {
@@ -107,7 +107,7 @@ impl App {
     /// # Errors
     /// The part folder or the list of devices cannot be read.
     pub fn new(options: Options, parts: Parts) -> io::Result<Self> {
-        let Parts { hub, link, orders, left, builders } = parts;
+        let Parts { hub, link, orders, left, builders, changes } = parts;
         let clock = link.clock().clone();
         let (devices, told) = Devices::read(&options.data, clock.clone())?;
         told.into_iter().for_each(|told| hub.say(Tone::Warning, told));
@@ -124,7 +124,7 @@ impl App {
         let (pages, turn) = (Arc::new(Pages::default()), Arc::new(Turn::by(clock.clone())));
         let orders = Arc::new(Orders::new(hub.clone(), link.clone(), turn.clone(), orders));
         let driving = Driving::new(hub.clone(), link.clone(), pages.clone(), turn);
-        let settings = Arc::new(lent.settings(&options.data, &orders, &clock));
+        let settings = Arc::new(lent.settings(changes, &orders, &clock));
         let loader = Arc::new(lent.loader(&options, &pool, builders)?);
         let drawing = Arc::new(lent.drawing(&options, &loader, &settings));
         let jobs = Arc::new(lent.jobs(&drawing));
@@ -195,7 +195,12 @@ struct Lent {
 }
 
 impl Lent {
-    fn settings(&self, data: &Path, orders: &Arc<Orders>, clock: &Clock) -> MachineSettings {
+    fn settings(
+        &self,
+        changes: Arc<SettingChanges>,
+        orders: &Arc<Orders>,
+        clock: &Clock,
+    ) -> MachineSettings {
         MachineSettings {
             hub: self.hub.clone(),
             left: self.left.clone(),
@@ -203,7 +208,7 @@ impl Lent {
             unlocked: Unlocked::by(clock.clone()),
             clock: clock.clone(),
             passwords: Mutex::default(),
-            changes: SettingChanges::new(data),
+            changes,
         }
     }
 

@@ -6,6 +6,7 @@ use crate::app::{App, Parts};
 use crate::hub::Hub;
 use crate::machine::{Link, Order};
 use crate::machine_and_app;
+use crate::setting_changes::SettingChanges;
 use crate::setup::{Builders, Options, Workshop};
 use kerf_control::Session;
 use kerf_files::{Folders, RealDisk};
@@ -61,7 +62,8 @@ pub fn bench() -> Bench {
     };
     let hub = Arc::new(Hub::new(Snapshot::default()));
     let (link, left) = (Arc::<Link>::default(), Arc::default());
-    let parts = Parts { hub, link, orders: sender, left, builders };
+    let changes = Arc::new(SettingChanges::new(folder.path()));
+    let parts = Parts { hub, link, orders: sender, left, builders, changes };
     driven(Arc::new(App::new(options(&folder), parts).unwrap()), orders, folder)
 }
 

@@ -113,6 +113,33 @@ const fn is_of_axes(setting: &Setting) -> bool {
 }
 
 /// A value as a person types it.
+/// The change of a setting between two configurations, now.
+fn change_of(setting: &Setting, before: &Configuration, after: &Configuration) -> SettingChange {
+    SettingChange {
+        at: now_s(),
+        key: setting.key.into(),
+        from: written(&setting.get(before)),
+        to: written(&setting.get(after)),
+        by: String::new(),
+        through: String::new(),
+    }
+}
+
+/// The changes that a typed line or a part file made, by whose hands it ran.
+pub fn changes_through(
+    through: &str,
+    by: &str,
+    [before, after]: [&Configuration; 2],
+) -> Vec<SettingChange> {
+    let made = |setting| SettingChange {
+        by: by.into(),
+        through: through.into(),
+        ..change_of(setting, before, after)
+    };
+    let shown = |change: &SettingChange| change.key != PASSWORD && change.from != change.to;
+    table::changed(before, after).map(made).filter(shown).collect()
+}
+
 fn written(value: &Value) -> String {
     match value {
         Value::Text(text) => text.clone(),
@@ -131,7 +158,7 @@ pub struct MachineSettings {
     /// Wrong passwords, by the device that they came from. It is held while one is tried: one at a time.
     pub passwords: Mutex<Tries<String>>,
     /// The changes made so far.
-    pub changes: SettingChanges,
+    pub changes: Arc<SettingChanges>,
 }
 
 impl MachineSettings {
@@ -144,10 +171,9 @@ impl MachineSettings {
         let before = wanted.clone();
         let setting = set(&mut wanted, key, value)?;
         check(&wanted)?;
-        let (from, to) = (written(&setting.get(&before)), written(&setting.get(&wanted)));
+        let change = change_of(setting, &before, &wanted);
         self.keep_on_disk(setting, wanted)?;
-        let change =
-            SettingChange { at: now_s(), key: key.into(), from, to, by: by.device.clone() };
+        let change = SettingChange { key: key.into(), by: by.device.clone(), ..change };
         if change.from != change.to && !self.changes.add(&change) {
             let text =
                 format!("{key} is changed, but not in the history of changes: the disk refuses");

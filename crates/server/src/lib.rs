@@ -99,6 +99,7 @@ use pool::{KERF, Lane};
 use priority::Yields;
 use problems::ProblemLog;
 use refusal::problem;
+use setting_changes::SettingChanges;
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -292,6 +293,8 @@ fn machine_and_app(
     let (owned, build) = ((hub.clone(), link.clone(), left.clone()), builders.workshop.clone());
     let previews = builders.preview.clone();
     let (rate, data) = (options.rate, options.data.clone());
+    let changes = Arc::new(SettingChanges::new(&data));
+    let noted = changes.clone();
     let run = move |waiting: Receiver<Order>| {
         let workshop = match build() {
             Ok(mut workshop) => {
@@ -311,6 +314,7 @@ fn machine_and_app(
             left,
             rate,
             done,
+            changes: noted,
             screen,
             closing,
             asked: 0,
@@ -325,7 +329,7 @@ fn machine_and_app(
     };
     let machine = thread::Builder::new().name("machine".into()).spawn(move || run(waiting))?;
     started.recv().map_err(io::Error::other)??;
-    let made = Arc::new(App::new(options, Parts { hub, link, orders, left, builders })?);
+    let made = Arc::new(App::new(options, Parts { hub, link, orders, left, builders, changes })?);
     drop(app.set(Arc::downgrade(&made)));
     Ok((made, machine))
 }

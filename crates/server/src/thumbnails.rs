@@ -1,6 +1,8 @@
-//! Small pictures of files that were previewed, kept in the data folder for lists of files.
+//! Small pictures of files that were previewed and of drawings, kept in the data folder for lists of files.
 
+use crate::desk::drawing_in;
 use crate::files::PartFolder;
+use crate::preview::thumbnail_of;
 use kerf_files::{Disk, RealDisk};
 use kerf_wire::Problem;
 use std::fs;
@@ -10,6 +12,9 @@ use std::time::SystemTime;
 
 /// So many are kept; the oldest one goes first.
 const MOST: usize = 500;
+
+/// Longest drawing of which a picture is made, bytes: a longer one is read when it is opened.
+const LONGEST: u64 = 16 << 20;
 
 /// Drawn where there is none.
 const NOTHING: &str = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"96\" height=\"96\"/>";
@@ -33,18 +38,35 @@ impl Thumbnails {
     /// Whatever the disk says.
     pub fn keep(&self, parts: &PartFolder, name: &str, picture: &str) -> io::Result<()> {
         let Ok(place) = self.place(parts, name) else { return Ok(()) };
-        if place.is_file() {
-            return Ok(());
-        }
-        RealDisk.make_folder(&self.folder)?;
-        self.forget_oldest()?;
-        RealDisk.write(&place, picture.as_bytes())
+        if place.is_file() { Ok(()) } else { self.write(&place, picture) }
     }
 
-    /// The picture of a file as it is now; an empty one where it was not previewed.
+    fn write(&self, place: &Path, picture: &str) -> io::Result<()> {
+        RealDisk.make_folder(&self.folder)?;
+        self.forget_oldest()?;
+        RealDisk.write(place, picture.as_bytes())
+    }
+
+    /// The picture of a file as it is now, where one is kept.
+    pub fn kept(&self, parts: &PartFolder, name: &str) -> Option<Vec<u8>> {
+        self.place(parts, name).ok().and_then(|place| fs::read(place).ok()).map(shown)
+    }
+
+    /// The same; an empty one where none is kept.
     pub fn of(&self, parts: &PartFolder, name: &str) -> Vec<u8> {
-        let known = self.place(parts, name).ok().and_then(|place| fs::read(place).ok());
-        known.filter(|picture| !picture.is_empty()).unwrap_or_else(|| NOTHING.into())
+        self.kept(parts, name).unwrap_or_else(|| NOTHING.into())
+    }
+
+    /// Makes the picture of a drawing as it is now, and keeps it; an empty one of what cannot be read.
+    pub fn of_drawing(&self, parts: &PartFolder, name: &str) -> Vec<u8> {
+        let Ok(place) = self.place(parts, name) else { return NOTHING.into() };
+        let is_short = fs::metadata(parts.root().join(name)).is_ok_and(|it| it.len() <= LONGEST);
+        let bytes = parts.read(name).ok().filter(|_| is_short);
+        let read = bytes.and_then(|bytes| drawing_in(name, &bytes).ok());
+        let picture = read.map(|read| thumbnail_of(&read.drawing)).unwrap_or_default();
+        // One that cannot be kept is made anew when it is asked for again.
+        _ = self.write(&place, &picture);
+        shown(picture.into_bytes())
     }
 
     fn place(&self, parts: &PartFolder, name: &str) -> Result<PathBuf, Problem> {
@@ -67,6 +89,11 @@ impl Thumbnails {
     }
 }
 
+/// A picture as it is shown: an empty one too.
+fn shown(picture: Vec<u8>) -> Vec<u8> {
+    if picture.is_empty() { NOTHING.into() } else { picture }
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
@@ -84,6 +111,21 @@ mod tests {
         parts.write("a.sbp", b"MX,12").unwrap();
         assert_eq!(kept.of(&parts, "a.sbp"), NOTHING.as_bytes());
         assert_eq!(kept.of(&parts, "none.sbp"), NOTHING.as_bytes());
+    }
+
+    #[test]
+    fn the_picture_of_a_drawing_is_made_once() {
+        let dir = tempfile::tempdir().unwrap();
+        let (parts, kept) =
+            (PartFolder::new(dir.path()).unwrap(), Thumbnails::in_data(&dir.path().join("data")));
+        parts.write("a.plt", b"IN;PU0,0;PD400,0,400,400;PU;").unwrap();
+        parts.write("b.rsg", b"no drawing at all").unwrap();
+        assert_eq!(kept.kept(&parts, "a.plt"), None);
+        let made = kept.of_drawing(&parts, "a.plt");
+        assert!(String::from_utf8(made.clone()).unwrap().contains("<path d=\"M"));
+        assert_eq!(kept.kept(&parts, "a.plt"), Some(made));
+        assert_eq!(kept.of_drawing(&parts, "b.rsg"), NOTHING.as_bytes());
+        assert_eq!(kept.kept(&parts, "b.rsg"), Some(NOTHING.into()), "it is not read again");
     }
 
     #[test]

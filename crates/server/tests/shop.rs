@@ -214,6 +214,11 @@ fn the_configuration_is_a_form_and_a_change_names_what_is_wrong() {
     assert!(lines.contains("VC,0.3740157"), "{lines}");
     page.command("VC,.5");
     assert_eq!(find("cutter.diameter_mm")["value"], "12.7");
+    let changes = shop.get("/api/settings?changes").json();
+    assert_eq!(changes.as_array().unwrap().len(), 2, "{changes}");
+    let typed = &changes[0];
+    assert_eq!((&typed["from"], &typed["to"]), (&json!("9.5"), &json!("12.7")));
+    assert_eq!((&typed["key"], &typed["through"]), (&json!("cutter.diameter_mm"), &json!("VC,.5")));
     assert_eq!(drive(&mut page, set("delays.router_start_s", "3")), None);
     page.until_state("idle");
     assert_eq!(find("delays.router_start_s")["value"], "3");

@@ -32,6 +32,9 @@ pub struct SettingChange {
     /// Name of the device of whoever changed it; empty for a page on the machine itself.
     #[serde(default)]
     pub by: String,
+    /// The typed line, or the part file, that changed it; empty where a form did.
+    #[serde(default)]
+    pub through: String,
 }
 
 /// A setting of the machine.

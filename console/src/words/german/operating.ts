@@ -17,14 +17,11 @@ export const operating: Readonly<Record<string, string>> = {
     "Ein Klick auf einen Weg beginnt den Auftrag mit ihm.",
   "A drawing has no tool path yet, and so no timing.":
     "Eine Zeichnung hat noch keinen Werkzeugweg und darum keinen Zeitverlauf.",
-  "A drawing, which has no tool path yet.": "Eine Zeichnung, die noch keinen Werkzeugweg hat.",
   "A file that is chosen": "Eine gewählte Datei",
   "A job is the tool path of a drawing: the machine cuts it with its own heights, speeds and sequence.":
     "Ein Auftrag ist der Werkzeugweg einer Zeichnung: die Maschine schneidet ihn mit eigenen Höhen, Geschwindigkeiten und eigener Reihenfolge.",
   "A job runs: its first path is chosen before it starts.":
     "Ein Auftrag läuft: sein erster Weg wird vor dem Start gewählt.",
-  "A job: the tool path of a drawing. Its paths are on the screen of jobs.":
-    "Ein Auftrag: der Werkzeugweg einer Zeichnung. Seine Wege stehen auf der Seite der Aufträge.",
   "A whole width earlier, later": "Eine ganze Breite früher, später",
   "About the file": "Über die Datei",
   Absolute: "Absolut",
@@ -95,7 +92,6 @@ export const operating: Readonly<Record<string, string>> = {
   "From the job origin": "Vom Nullpunkt des Auftrags",
   Front: "Vorn",
   "Go to": "Gehe zu",
-  "Go to the job": "Zum Auftrag",
   "Goes on by itself in": "Geht von selbst weiter in",
   Halt: "Halt",
   "History…": "Verlauf…",
@@ -361,7 +357,6 @@ export const operating: Readonly<Record<string, string>> = {
   "{0} mistakes": "{0} Fehler",
   "{0} not saved{1}{2}": "{0} nicht gesichert{1}{2}",
   "{0} of {1} are sent": "{0} von {1} sind gesendet",
-  "{0} paths": "{0} Wege",
   "{0} pieces of the path are cut": "{0} Stücke des Wegs sind geschnitten",
   "{0} questions": "{0} Fragen",
   "{0} to {1}": "{0} bis {1}",

@@ -85,6 +85,7 @@ export const settings: Readonly<Record<string, string>> = {
     "Ohne Passwort ändert jeder, der Einstellungen ändern darf, sie sofort.",
   "Zero Z with a touch plate (C2)": "Z mit einer Tastplatte nullen (C2)",
   "backup, inch, probe": "backup, inch, probe",
+  ", with {0}": ", mit {0}",
   "by {0}": "von {0}",
   "changes settings": "ändert Einstellungen",
   "lets devices in": "lässt Geräte herein",

@@ -15,7 +15,7 @@ use axum::extract::{Path, Query, State};
 use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
-use kerf_wire::{self as wire, FileInfo, Problem, Role, Why};
+use kerf_wire::{self as wire, FileInfo, FileKind, Problem, Role, Why};
 use kerf_workspace::parts;
 use serde::Deserialize;
 use std::sync::Arc;
@@ -119,16 +119,15 @@ pub async fn read(
     Path(name): Path<String>,
     Query(look): Query<Look>,
 ) -> Result<Response, Refused> {
+    if look.thumb.is_some() {
+        return thumbnail(app, name).await;
+    }
     let look = move || {
         if look.about.is_some() {
             return Ok(Json(saving::about(&app.files.folder, &name)?).into_response());
         }
         if look.versions.is_some() {
             return Ok(Json(app.files.saves.versions(&app.files.folder, &name)?).into_response());
-        }
-        if look.thumb.is_some() {
-            let picture = app.loader.thumbnails.of(&app.files.folder, &name);
-            return Ok(([(header::CONTENT_TYPE, "image/svg+xml")], picture).into_response());
         }
         let bytes = match look.version {
             Some(number) => app.files.saves.version(&app.files.folder, &name, number)?,
@@ -141,6 +140,21 @@ pub async fn read(
     };
     // Behind a preview of a large file the page would wait for its lines.
     soon(look).await
+}
+
+/// The small picture of a file. That of a drawing is made when somebody asks for it first.
+async fn thumbnail(app: Arc<App>, name: String) -> Result<Response, Refused> {
+    let (shop, of) = (app.clone(), name.clone());
+    let kept = soon(move || Ok(shop.loader.thumbnails.kept(&shop.files.folder, &of))).await?;
+    let pictures = move || match kind::kind_of(&name) {
+        FileKind::Drawing => app.loader.thumbnails.of_drawing(&app.files.folder, &name),
+        _ => app.loader.thumbnails.of(&app.files.folder, &name),
+    };
+    let picture = match kept {
+        Some(picture) => picture,
+        None => aside(move || Ok(pictures())).await?,
+    };
+    Ok(([(header::CONTENT_TYPE, "image/svg+xml")], picture).into_response())
 }
 
 /// A hash as an entity tag.

@@ -170,7 +170,7 @@ fn files() -> Vec<Route> {
         looks(
             "/api/files/{name}",
             "A file of the part folder; with ?about what it is, with ?versions what it was before the last \
-             saves, with ?version=NUMBER one of those; with ?thumb a small picture of its tool path, SVG",
+             saves, with ?version=NUMBER one of those; with ?thumb a small picture of its tool path or of the drawing, SVG",
             None,
         ),
         acts(

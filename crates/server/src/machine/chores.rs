@@ -2,15 +2,19 @@
 
 use super::arrived::Stops;
 use super::owner::Owner;
+use crate::configure::changes_through;
 use crate::gate::{self, Way};
 use crate::handconsole::Happening;
+use crate::locks::lock;
 use crate::setup::Workshop;
 use crate::told;
 use kerf_control::AtRest;
 use kerf_journal::{CutShort, Journal, JournalError};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
-use kerf_wire::{Change, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone, Who};
+use kerf_wire::{
+    Change, Folder, Interrupted, Job, Machine, NamedValue, Recorder, State, Tone, Who,
+};
 use kerf_workspace::command_passing;
 use std::path::Path;
 use std::sync::mpsc::Sender;
@@ -252,6 +256,21 @@ impl Owner {
         });
     }
 
+    /// Enters in the history which settings the run has made others, by whoever drives.
+    pub(super) fn note_settings(&self, job: &Job) {
+        let (before, after) =
+            (lock(&self.left).session.configuration(), self.workshop.session.configuration());
+        let by = self.hub.read(|now| now.lease.as_ref().map(|lease| lease.device.clone()));
+        let through = job.command.as_ref().unwrap_or(&job.file);
+        let made = changes_through(through, &by.unwrap_or_default(), [&before, &after]);
+        if !made.iter().all(|change| self.changes.add(change)) {
+            let text = format!(
+                "settings that {through} changed are not in their history: the disk refuses"
+            );
+            self.hub.say(Tone::Warning, text);
+        }
+    }
+
     /// The watched variables as the last run left them.
     fn watched(&self) -> Vec<NamedValue> {
         let Workshop { session, workspace, .. } = &self.workshop;
@@ -272,6 +291,7 @@ mod tests {
     use crate::files::PartFolder;
     use crate::hub::Hub;
     use crate::machine::{Link, Order, Screen};
+    use crate::setting_changes::SettingChanges;
     use kerf_control::{RunContext, Session};
     use kerf_files::{Folders, RealDisk};
     use kerf_journal::{Press, RunOptions};
@@ -300,6 +320,7 @@ mod tests {
             left: Arc::default(),
             rate: 1.0,
             done: Box::new(drop),
+            changes: Arc::new(SettingChanges::new(folder)),
             screen: Screen(Arc::new(drop)),
             closing: None,
             asked: 0,

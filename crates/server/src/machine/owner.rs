@@ -11,6 +11,7 @@ use super::typing::{Screen, Typing};
 use crate::files::PartFolder;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
+use crate::setting_changes::SettingChanges;
 use crate::setup::Workshop;
 use crate::told;
 use kerf_control::{AtRest, RunContext};
@@ -52,6 +53,8 @@ pub struct Owner {
     pub rate: f64,
     /// Told after each order, with the file that a tool made.
     pub done: Box<dyn Fn(Option<String>) + Send>,
+    /// The history of changes of settings.
+    pub changes: Arc<SettingChanges>,
     /// Screen on which a file gets that a typed line runs.
     pub screen: Screen,
     /// Told when a part file closes Kerf (EXIT SHOPBOT), where it may.
@@ -231,6 +234,7 @@ impl Owner {
         };
         let (ended, error) = (Some(ended.into()), error.map(kerf_language::finding));
         let summary = driven.as_ref().ok().map(told::summary);
+        self.note_settings(&job);
         // Whoever hears of the end reads what the run left: variables, settings, places.
         self.tell_workspace();
         self.hub.ended(Job { ended, error, summary, ..job });

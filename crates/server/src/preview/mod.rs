@@ -21,7 +21,7 @@ mod typed;
 pub use basis::Basis;
 pub use charts::{Answer, Asked, Chart, Charts};
 pub use path::Path;
-pub use thumbnail::thumbnail;
+pub use thumbnail::{thumbnail, thumbnail_of};
 pub use timing::timing;
 pub use typed::Typed;
 

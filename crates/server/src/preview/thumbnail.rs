@@ -1,7 +1,10 @@
-//! A small picture of a tool path from above, for lists of files.
+//! A small picture of a tool path, or of a drawing, from above, for lists of files.
 
 use super::Path;
-use kerf_wire::preview::CUT;
+use super::path::Segment;
+use kerf_drawing::Drawing;
+use kerf_geom::Point2;
+use kerf_wire::preview::{CUT, JOG};
 use std::fmt::Write;
 
 /// Segments that a small picture has at most.
@@ -9,6 +12,25 @@ const MOST: usize = 1500;
 
 /// Share of its size by which vertices may be nearer than they are drawn.
 const FINE: f64 = 1.0 / 200.0;
+
+/// Chords that an arc of a drawing becomes.
+const CHORDS: u32 = 16;
+
+/// The shapes of a drawing, as [`thumbnail`] draws what is cut.
+pub fn thumbnail_of(drawing: &Drawing) -> String {
+    let mut path = Path::new([0.0; 3], 0.0);
+    let mut to = |at: Point2, kind| {
+        path.push([at.x, at.y, 0.0], Segment { end_s: 0.0, line: 0, made: 0, kind });
+    };
+    for shape in &drawing.shapes {
+        shape.path.start().into_iter().for_each(|start| to(start, JOG));
+        for segment in shape.path.segments() {
+            let chords = if segment.arc().is_some() { CHORDS } else { 1 };
+            (1..=chords).for_each(|n| to(segment.at(f64::from(n) / f64::from(chords)), CUT));
+        }
+    }
+    thumbnail(&path)
+}
 
 /// The cuts of a path from above, as SVG without a colour for its ground; empty where nothing is cut.
 pub fn thumbnail(path: &Path) -> String {
@@ -45,9 +67,9 @@ pub fn thumbnail(path: &Path) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::path::Segment;
     use super::*;
-    use kerf_wire::preview::JOG;
+    use kerf_drawing::Shape;
+    use kerf_geom::Polyarc;
 
     fn path(ends: &[([f64; 2], u8)]) -> Path {
         let mut path = Path::new([0.0; 3], 0.0);
@@ -77,6 +99,19 @@ mod tests {
             "M0.0000 5.0000L10.0000 5.0000L10.0000 0.0000M0.0000 0.0000L0.0000 5.0000",
         );
         check(&[([10.0, 0.0], JOG)], "");
+    }
+
+    #[test]
+    fn a_drawing_is_its_shapes_with_arcs() {
+        let circle = Polyarc::circle(Point2::new(5.0, 5.0), 5.0);
+        let lines = Polyarc::lines([Point2::new(0.0, 0.0), Point2::new(10.0, 0.0)], false);
+        let shapes = [circle, lines].map(Shape::flat);
+        let drawing = Drawing::of(shapes);
+        let svg = thumbnail_of(&drawing);
+        assert!(svg.contains("viewBox=\"-0.4000 -0.4000 10.8000 10.8000\""), "{svg}");
+        assert_eq!(svg.matches('M').count(), 2, "{svg}");
+        assert!(svg.matches('L').count() > 20, "{svg}");
+        assert_eq!(thumbnail_of(&Drawing::default()), "");
     }
 
     #[test]
