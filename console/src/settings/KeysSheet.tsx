@@ -92,4 +92,8 @@ function KeyOf({ action, onChange }: { action: Action; onChange: () => void }) {
 }
 
 const Keys = ({ keys }: { keys: readonly string[] }) =>
-  keys.map((key) => <kbd key={key}>{key}</kbd>);
+  keys.map((key) => (
+    <span key={key}>
+      <kbd>{key}</kbd>{" "}
+    </span>
+  ));
