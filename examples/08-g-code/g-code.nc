@@ -11,19 +11,19 @@ G0 Z0.5
 #<rows> = 2
 #<row> = 0
 O100 while [#<row> LT #<rows>]
-  G99 G83 X1 Y[1 + #<row>] Z-0.4 R0.1 Q0.15 F30
+  G99 G83 X1 Y[1+#<row>] Z-0.4 R0.1 Q0.15 F30
   X2
   X3
   X4
   G80
-  #<row> = [#<row> + 1]
+  #<row> = [#<row>+1]
 O100 endwhile
 
 (Toolpath: slot)
 G0 Z0.5
 G0 X1 Y3.25
 O200 sub
-  G1 Z[0 - #1] F20
+  G1 Z[0-#1] F20
   G1 X4 F60
   G3 X4 Y3.75 J0.25
   G1 X1

@@ -1,21 +1,19 @@
 //! The search for part files and drawings that tests read: the project's own beside this file, and real ones where they
 //! are at hand.
 //!
-//! Real files are no part of the project. They are looked for in `shared/corpus` beside the checkout or beside one of its
-//! parents; `KERF_SHARED` names another place of `shared`. A test that lacks them says that it was skipped.
+//! Real files are no part of the project: they are in the folder `corpus` of [`shared`]. A test that lacks them says that
+//! it was skipped.
 
 #![allow(dead_code, clippy::unwrap_used, clippy::print_stdout)]
+
+#[path = "shared.rs"]
+mod shared;
 
 use std::path::{Path, PathBuf};
 
 /// The folder of real files of a kind (`sbp`, `gcode`, `dxf`), if it is at hand; says so if not.
 pub fn real(kind: &str) -> Option<PathBuf> {
-    let named = std::env::var_os("KERF_SHARED").map(PathBuf::from);
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let around = here.ancestors().map(|folder| folder.join("shared"));
-    let shared: Vec<PathBuf> = named.map_or_else(|| around.collect(), |folder| vec![folder]);
-    let found =
-        shared.into_iter().map(|folder| folder.join("corpus").join(kind)).find(|f| f.is_dir());
+    let found = shared::shared(&format!("corpus/{kind}"));
     if found.is_none() {
         println!("skipped: no real files of kind {kind}");
     }

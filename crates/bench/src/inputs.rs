@@ -1,9 +1,10 @@
 //! The part files that are measured: made here, the same on every machine, or real ones when they
 //! lie beside the checkout.
 
+use crate::shared::shared;
 use std::fmt::Write;
+use std::fs;
 use std::path::PathBuf;
-use std::{env, fs};
 
 /// A named part file, or several.
 #[derive(Debug)]
@@ -121,17 +122,9 @@ fn arcs(lines: u32) -> String {
     text
 }
 
-/// Real part files, in order of names: `shared/corpus/sbp` beside the checkout or beside one of its
-/// parents, or where `KERF_SHARED` says.
+/// Real part files, in order of names.
 fn corpus() -> Option<Input> {
-    let here = env::current_dir().unwrap_or_default();
-    let named = env::var_os("KERF_SHARED").map(PathBuf::from);
-    let beside = here.ancestors().map(|folder| folder.join("shared"));
-    let folder = named
-        .into_iter()
-        .chain(beside)
-        .map(|shared| shared.join("corpus/sbp"))
-        .find(|f| f.is_dir())?;
+    let folder = shared("corpus/sbp")?;
     let mut paths: Vec<PathBuf> = fs::read_dir(folder).ok()?.flatten().map(|e| e.path()).collect();
     paths.sort();
     let name = |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();

@@ -14,6 +14,8 @@ mod record;
 mod references;
 mod replan;
 mod ruckig;
+#[path = "../../../tests/corpus/shared.rs"]
+mod shared;
 mod stages;
 mod table;
 mod usage;

@@ -2,12 +2,13 @@
 
 use crate::machine::{cut, dynamics};
 use crate::replan::machine;
+use crate::shared::shared;
 use anyhow::{Context, Result};
 use kerf_motion::{Model, Move, Mover, Optimal, planner};
 use kerf_program::{At, Axes, RampModel, Settings};
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-use std::{env, fs};
+use std::fs;
+use std::path::Path;
 
 /// A reference program, with the seconds published for others: the lower bound, LinuxCNC 2.9 and 2.10 with
 /// G64 P0.01, and LinuxCNC 2.10 with its S-curve; and the best along parabolic blends for each of the
@@ -54,7 +55,7 @@ const fn reference(
 
 /// The times of the reference programs, as tables; nothing where they are not at hand.
 pub fn tables() -> Result<String> {
-    let Some(folder) = folder() else { return Ok(String::new()) };
+    let Some(folder) = shared("anchors/motion") else { return Ok(String::new()) };
     let mut beside = String::from(
         "\nSeconds of machine time at 100 mm/s, 200 mm/s and 500 mm/s² an axis, tolerance 0.01 mm, from rest \
          to rest. *LB*: no motion within the limits is faster. *TOPP*: the fastest speed along parabolic \
@@ -112,16 +113,7 @@ fn by_rules(moves: &[Move], model: RampModel) -> f64 {
 
 /// The moves of R5, the 3D raster; nothing where it is not at hand.
 pub fn raster3d() -> Result<Option<Vec<Move>>> {
-    folder().map(|folder| moves(&folder.join("R5_raster3d_5000.xyz"))).transpose()
-}
-
-/// `anchors/motion` in the folder `shared` beside the checkout or one of its parents, or where
-/// `KERF_SHARED` says.
-fn folder() -> Option<PathBuf> {
-    let here = env::current_dir().unwrap_or_default();
-    let named = env::var_os("KERF_SHARED").map(PathBuf::from);
-    let beside = here.ancestors().map(|folder| folder.join("shared"));
-    named.into_iter().chain(beside).map(|shared| shared.join("anchors/motion")).find(|f| f.is_dir())
+    shared("anchors/motion").map(|folder| moves(&folder.join("R5_raster3d_5000.xyz"))).transpose()
 }
 
 fn moves(file: &Path) -> Result<Vec<Move>> {

@@ -308,8 +308,8 @@ impl<'a> Drive<'a> {
     }
 
     /// Returns `true` if it takes the time of the world.
-    pub fn is_real(&self) -> bool {
-        self.machine.borrow().is_real()
+    pub fn in_real_time(&self) -> bool {
+        self.machine.borrow().in_real_time()
     }
 }
 
@@ -349,7 +349,7 @@ mod tests {
             &self.facts
         }
 
-        fn is_real(&self) -> bool {
+        fn in_real_time(&self) -> bool {
             true
         }
 

@@ -390,9 +390,9 @@ fn in_time(
     tape: &mut Tape,
     context: &RunContext<'_>,
 ) -> Result<(), JournalError> {
-    let is_real = context.machine.machine.borrow().is_real();
-    journal.each_commit_lasts(is_real)?;
-    if is_real {
+    let in_real_time = context.machine.machine.borrow().in_real_time();
+    journal.each_commit_lasts(in_real_time)?;
+    if in_real_time {
         tape.writes_behind(context.requests.hurry());
     }
     let leads_s = context.machine.machine.borrow().facts().leads_s;

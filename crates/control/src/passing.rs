@@ -31,7 +31,7 @@ impl<I: Interpreter> Station<'_, I> {
         to_s: f64,
         going: Option<&Going<'_>>,
     ) -> Option<(f64, Heard)> {
-        if to_s > from_s && self.drive.is_real() {
+        if to_s > from_s && self.drive.in_real_time() {
             self.world.workspace.tape.write();
             // What moves waits for no disk.
             if going.is_none() {
@@ -163,7 +163,7 @@ impl<I: Interpreter> Station<'_, I> {
         to_s: f64,
         going: Option<&Going<'_>>,
     ) -> Option<(f64, Heard)> {
-        let Some(under_way) = going.filter(|_| self.drive.is_real()) else {
+        let Some(under_way) = going.filter(|_| self.drive.in_real_time()) else {
             return self.watch(from_s, to_s, going);
         };
         let slices = ((to_s - from_s) / RECORDED_EVERY_S).ceil().max(1.0) as u64;

@@ -19,7 +19,7 @@ use kerf_trace::{Event, flag};
 
 /// A place that is come back to, and what was on there.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Kept {
+pub(crate) struct ReturnPlace {
     /// Place where the machine stood.
     stood: Axes,
     /// Place that the commands that were read lead to.
@@ -38,7 +38,7 @@ pub(crate) struct Stops<'a, I> {
     /// State of the machine. A job, or a move by hand, knows more of it.
     pub state: State,
     /// Place to which a run that was stopped comes back.
-    pub kept: Kept,
+    pub kept: ReturnPlace,
     /// The operator took the tool out of the cut while the program waits.
     pub away: bool,
     /// End of the run that came while the machine moved beside the program.
@@ -51,7 +51,7 @@ pub(crate) struct Stops<'a, I> {
 impl<'a, I> Stops<'a, I> {
     /// Nothing has begun.
     pub fn new(station: Station<'a, I>, limits: LimitPolicy) -> Self {
-        let (state, kept) = (State::Idle, Kept::default());
+        let (state, kept) = (State::Idle, ReturnPlace::default());
         Self { station, state, kept, away: false, ends: None, settled: false, limits }
     }
 }
@@ -131,7 +131,8 @@ impl<I: Interpreter> Stops<'_, I> {
         self.station.world.tracked().land();
         let stood = self.station.world.model.position();
         let ahead = self.station.mover.position();
-        self.kept = Kept { stood, ahead, lifted_mm: stood[Axis::Z], ..Kept::default() };
+        self.kept =
+            ReturnPlace { stood, ahead, lifted_mm: stood[Axis::Z], ..ReturnPlace::default() };
     }
 
     /// Stops what turns; it comes on again with what was stopped before.
@@ -150,7 +151,8 @@ impl<I: Interpreter> Stops<'_, I> {
     /// comes on again, then over the place at the height to which the tool was lifted, or higher, and
     /// down. What was planned follows the workpiece.
     fn come_back(&mut self) {
-        let Kept { stood, ahead, lifted_mm, nudged, turned } = std::mem::take(&mut self.kept);
+        let ReturnPlace { stood, ahead, lifted_mm, nudged, turned } =
+            std::mem::take(&mut self.kept);
         let moved = self.station.world.model.position() != stood.plus(nudged);
         self.station.world.model.resumed();
         if moved {

@@ -159,6 +159,9 @@ impl<'a> World<'a> {
         going: Option<&Going<'_>>,
         feed: f32,
     ) -> Option<(f64, Heard)> {
+        if !self.silent && !self.model.draws() {
+            self.driven.borrow_mut().beam(self.model.shines());
+        }
         let doing = Doing { machine: &self.model, going, feed, files: &self.files };
         drive.pass(from_s, to_s, &doing, self.sink)
     }

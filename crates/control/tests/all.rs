@@ -15,12 +15,15 @@ mod machine_file;
 mod no_switch;
 mod queued;
 mod queued_homing;
+mod queued_laser;
 mod queued_stops;
 mod queued_watched;
 mod references;
 mod registry;
 mod runs;
 mod settings_files;
+#[path = "../../../tests/corpus/shared.rs"]
+mod shared;
 mod standing;
 mod streaming;
 mod taken_up;

@@ -1,9 +1,10 @@
 //! The reference programs R1 to R7 on a board that is none, in time that is none: the numbers of
 //! docs/how-boards-with-step-queues-are-driven.md.
 //!
-//! `KERF_SHARED=… cargo test -p kerf-control --test all -- references --nocapture`; `PROGRAM=R7` makes one of them.
+//! `cargo test -p kerf-control --test all -- references --nocapture`; `PROGRAM=R7` makes one of them.
 
 use crate::queued::{Shop, machine};
+use crate::shared;
 use kerf_driver_klipper::fake::Faults;
 use kerf_machine::{Going, Machine};
 use kerf_motion::{Model, Move, Mover, Optimal, Plan, Stepper};
@@ -21,9 +22,9 @@ fn dynamics() -> Dynamics {
 }
 
 fn files() -> Vec<PathBuf> {
-    let shared = std::env::var_os("KERF_SHARED").map(PathBuf::from);
     let only = std::env::var("PROGRAM").unwrap_or_else(|_| "R7".into());
-    let Some(folder) = shared.map(|shared| shared.join("anchors/motion")) else {
+    let Some(folder) = shared::shared("anchors/motion") else {
+        println!("skipped: no reference programs");
         return Vec::new();
     };
     let entries = std::fs::read_dir(folder).unwrap();

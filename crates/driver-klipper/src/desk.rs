@@ -24,8 +24,9 @@ pub enum Request {
     Start(Vec<Home>),
     /// From now on these switches stop all motors, and no others.
     Watch(Vec<Watched>),
-    /// A piece of motion behind those that it has, with the outputs that change in it, in order of time.
-    Offer(Piece, Vec<Set>),
+    /// A piece of motion behind those that it has, with the outputs that change in it and on its way to rest, each in
+    /// order of time.
+    Offer(Piece, [Vec<Set>; 2]),
     /// An output changes now, counted as in the setup: those that go on and off, then those with a share of time.
     Output {
         /// Its place among the outputs.
@@ -67,6 +68,10 @@ pub struct Progress {
     pub rests: bool,
     /// Longest stall of the host, and the lead that follows from it, seconds.
     pub lead_s: [f64; 2],
+    /// Shortest time by which a step was sent before it was due, seconds.
+    pub latest_s: Option<f64>,
+    /// Smoothed round trip of the line and its deviation, seconds.
+    pub trip_s: Option<[f64; 2]>,
 }
 
 /// A board with the requests of its owner.
@@ -98,7 +103,9 @@ impl Desk {
                     let value = board.output_value(set.output, set.share)?;
                     Some(Change { output: set.output, clock: set.clock, value })
                 };
-                piece.changes.extend(sets.iter().filter_map(change));
+                let [changes, tail_changes] =
+                    sets.map(|sets| sets.iter().filter_map(change).collect());
+                (piece.changes, piece.tail_changes) = (changes, tail_changes);
                 match board.offer(&piece) {
                     // Motion has ended meanwhile: its end is told with the reason.
                     Ok(()) | Err(Refused::Stopping) => {}
@@ -137,6 +144,8 @@ impl Desk {
             moves: self.board.is_moving(),
             rests: self.board.is_at_rest(),
             lead_s: self.board.lead_s().unwrap_or_default(),
+            latest_s: self.board.latest_s(),
+            trip_s: self.board.trip_s(),
         }
     }
 }

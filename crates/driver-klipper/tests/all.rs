@@ -12,4 +12,6 @@ mod mutated;
 mod queue;
 mod recorded;
 mod session;
+#[path = "../../../tests/corpus/shared.rs"]
+mod shared;
 mod world;

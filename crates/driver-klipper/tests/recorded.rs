@@ -1,6 +1,7 @@
 //! Sessions that were recorded of a real board, where they lie beside the checkout: the crate reads and writes the same
 //! bytes, and the board that is none does what the real one did.
 
+use crate::shared;
 use kerf_driver_klipper::dictionary::{Dictionary, Value, Wanted};
 use kerf_driver_klipper::fake::words::Words;
 use kerf_driver_klipper::fake::{Board, reader};
@@ -11,13 +12,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 fn folder() -> Option<PathBuf> {
-    let folder =
-        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/anchors/step-queue");
-    if !folder.is_dir() {
-        eprintln!("skipped: no ../shared beside the checkout");
-        return None;
+    let folder = shared::shared("anchors/step-queue");
+    if folder.is_none() {
+        println!("skipped: no recorded sessions");
     }
-    Some(folder)
+    folder
 }
 
 /// A line of a record.

@@ -242,7 +242,7 @@ impl Motion {
         let rests = clock(to_s + slow_s).ceil() as u64;
         feed.made = made;
         feed.planned.iter_mut().zip(&steps).for_each(|(all, new)| all.extend(new));
-        Piece { steps, changes, ends, tail, rests }
+        Piece { steps, changes, ends, tail, rests, ..Piece::default() }
     }
 }
 

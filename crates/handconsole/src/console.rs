@@ -5,7 +5,7 @@ use crate::file::Choosing;
 use crate::functions::{Selecting, Stepping};
 use crate::next::{Next, Note, To};
 use crate::start::Starting;
-use crate::{Key, Screen, View, Waits, Wish, idle, running, start};
+use crate::{ConsoleRequest, Key, Screen, View, Waits, idle, running, start};
 use kerf_digitize::Digitizer;
 use kerf_wire::State;
 
@@ -50,16 +50,16 @@ impl Console {
         Self { left: Some(points), ..Self::default() }
     }
 
-    /// Takes a key and returns its wishes. A key that means nothing now changes nothing.
-    pub fn press(&mut self, key: Key, view: &View) -> Vec<Wish> {
+    /// Takes a key and returns its requests. A key that means nothing now changes nothing.
+    pub fn press(&mut self, key: Key, view: &View) -> Vec<ConsoleRequest> {
         if key == Key::Stop && view.is_moving() {
-            return vec![Wish::Stop];
+            return vec![ConsoleRequest::Stop];
         }
         if let Some(note) = self.note.take()
             && key == Key::Enter
         {
             if note.control {
-                return vec![Wish::TakeControl];
+                return vec![ConsoleRequest::TakeControl];
             }
             // Points that are being digitized are not put away by a key that says "I have read it".
             if !matches!(self.mode, Mode::Digitizing(_)) {
@@ -79,10 +79,10 @@ impl Console {
         }
         self.note = next.note;
         self.beeps += u32::from(next.beeps);
-        next.wishes
+        next.requests
     }
 
-    /// Takes the outcome of a wish: its finding, where that is more than that it is done; or why it is refused.
+    /// Takes the outcome of a request: its finding, where that is more than that it is done; or why it is refused.
     /// Both are shown until the next key. Enter returns from there to what the machine shows.
     pub fn told(&mut self, outcome: Result<String, String>) {
         let name = match &mut self.mode {
@@ -101,7 +101,7 @@ impl Console {
         }
     }
 
-    /// A wish is refused because somebody else drives, or the machine is disarmed: Enter takes control.
+    /// A request is refused because somebody else drives, or the machine is disarmed: Enter takes control.
     pub fn needs_control(&mut self, why: &str) {
         self.stand();
         self.show(Screen::new(why, "Enter takes control"), true);
@@ -172,7 +172,7 @@ impl Mode {
                     (State::Idle, _) => idle::press(key, view),
                     // The key before was let go, and the tool slows down.
                     (State::Jogging, Key::Digit(digit)) => {
-                        Next::wish(idle::jog(digit, view).map(Wish::Jog))
+                        Next::request(idle::jog(digit, view).map(ConsoleRequest::Jog))
                     }
                     (state, _) => running::press(key, state),
                 },

@@ -1,7 +1,7 @@
 //! A job is chosen from the current folder.
 
 use crate::next::Next;
-use crate::{Key, Screen, Wish};
+use crate::{ConsoleRequest, Key, Screen};
 
 /// So many files the keys 3 and 9 go on.
 const PAGE: usize = 5;
@@ -31,7 +31,9 @@ impl Choosing {
             Key::Digit(8) => self.at.saturating_sub(1),
             Key::Digit(3) => self.at + PAGE,
             Key::Digit(9) => self.at.saturating_sub(PAGE),
-            Key::Enter => return Next::wish(self.files.get(self.at).cloned().map(Wish::Open)),
+            Key::Enter => {
+                return Next::request(self.files.get(self.at).cloned().map(ConsoleRequest::Open));
+            }
             Key::File | Key::Func => return Next::default(),
             _ => self.at,
         };

@@ -1,7 +1,7 @@
 //! The machine stands and nothing is typed: the digits move the tool.
 
 use crate::next::{Next, To};
-use crate::{COLUMNS, Key, Screen, View, Wish};
+use crate::{COLUMNS, ConsoleRequest, Key, Screen, View};
 use kerf_machine::Held;
 use kerf_program::AXES;
 
@@ -32,9 +32,9 @@ fn rounded(mm: f64, decimals: i32) -> f64 {
 
 pub(crate) fn press<M>(key: Key, view: &View) -> Next<M> {
     match key {
-        Key::Digit(digit) => Next::wish(jog(digit, view).map(Wish::Jog)),
+        Key::Digit(digit) => Next::request(jog(digit, view).map(ConsoleRequest::Jog)),
         Key::File => Next::to(To::File),
-        Key::Start => Next::wish([Wish::Start]),
+        Key::Start => Next::request([ConsoleRequest::Start]),
         Key::Func => Next::to(To::Selecting),
         Key::PlusMinus | Key::Enter | Key::Stop => Next::default(),
     }

@@ -1,7 +1,7 @@
 //! Consequences of a key.
 
 use crate::functions::Function;
-use crate::{Screen, Wish};
+use crate::{ConsoleRequest, Screen};
 
 /// The mode that a key leads to.
 #[derive(Debug, Default)]
@@ -25,11 +25,11 @@ pub(crate) enum To<M> {
     Doing(&'static str),
 }
 
-/// Consequences of a key that a mode took: the mode after it, wishes, a note, a beep.
+/// Consequences of a key that a mode took: the mode after it, requests, a note, a beep.
 #[derive(Debug)]
 pub(crate) struct Next<M> {
     pub to: To<M>,
-    pub wishes: Vec<Wish>,
+    pub requests: Vec<ConsoleRequest>,
     pub note: Option<Note>,
     pub beeps: bool,
 }
@@ -51,7 +51,7 @@ impl<M> Default for Next<M> {
 impl<M> Next<M> {
     /// Another mode.
     pub fn to(to: To<M>) -> Self {
-        Self { to, wishes: Vec::new(), note: None, beeps: false }
+        Self { to, requests: Vec::new(), note: None, beeps: false }
     }
 
     /// The same mode.
@@ -59,14 +59,14 @@ impl<M> Next<M> {
         Self::to(To::Stay(mode))
     }
 
-    /// The mode in which the machine decides what is shown, and wishes.
-    pub fn wish(wishes: impl IntoIterator<Item = Wish>) -> Self {
-        Self::default().and(wishes)
+    /// The mode in which the machine decides what is shown, and requests.
+    pub fn request(requests: impl IntoIterator<Item = ConsoleRequest>) -> Self {
+        Self::default().and(requests)
     }
 
-    /// The same with wishes.
-    pub fn and(self, wishes: impl IntoIterator<Item = Wish>) -> Self {
-        Self { wishes: wishes.into_iter().collect(), ..self }
+    /// The same with requests.
+    pub fn and(self, requests: impl IntoIterator<Item = ConsoleRequest>) -> Self {
+        Self { requests: requests.into_iter().collect(), ..self }
     }
 
     /// The same with a text that is shown until the next key, and a beep.
@@ -88,8 +88,8 @@ impl<M> Next<M> {
 
     /// The same, with the mode of an outer one that holds this.
     pub fn within<N>(self, wrap: impl FnOnce(To<M>) -> To<N>) -> Next<N> {
-        let Self { to, wishes, note, beeps } = self;
-        Next { to: wrap(to), wishes, note, beeps }
+        let Self { to, requests, note, beeps } = self;
+        Next { to: wrap(to), requests, note, beeps }
     }
 
     /// The same, where a mode that stays is one of several.

@@ -2,7 +2,7 @@
 
 use crate::next::{Next, To};
 use crate::start::GO_ON;
-use crate::{COLUMNS, Key, Screen, View, Wish};
+use crate::{COLUMNS, ConsoleRequest, Key, Screen, View};
 use kerf_wire::{Asked, State};
 
 pub(crate) fn screen(view: &View) -> Screen {
@@ -24,8 +24,8 @@ pub(crate) fn screen_of_shape(action: &str, view: &View) -> Screen {
 
 pub(crate) fn press<M>(key: Key, state: State) -> Next<M> {
     match (key, state) {
-        (Key::Enter, State::Alarm) => Next::wish([Wish::Acknowledge]),
-        (Key::Start, State::Held) => Next::wish([Wish::Resume]),
+        (Key::Enter, State::Alarm) => Next::request([ConsoleRequest::Acknowledge]),
+        (Key::Start, State::Held) => Next::request([ConsoleRequest::Resume]),
         _ => Next::default(),
     }
 }
@@ -33,7 +33,7 @@ pub(crate) fn press<M>(key: Key, state: State) -> Next<M> {
 /// Start goes on, Func gives up if Enter says so.
 pub(crate) fn press_paused<M>(key: Key) -> Next<M> {
     match key {
-        Key::Start => Next::wish([Wish::Answer(GO_ON.into())]),
+        Key::Start => Next::request([ConsoleRequest::Answer(GO_ON.into())]),
         Key::Func => Next::to(To::Aborting),
         _ => Next::default(),
     }
@@ -50,5 +50,5 @@ pub(crate) fn question(asked: &Asked) -> Screen {
 pub(crate) fn press_asked<M>(key: Key, asked: &Asked) -> Next<M> {
     let Key::Digit(digit) = key else { return Next::default() };
     let button = usize::from(digit).checked_sub(1).and_then(|at| asked.buttons.get(at));
-    Next::wish(button.cloned().map(Wish::Answer))
+    Next::request(button.cloned().map(ConsoleRequest::Answer))
 }

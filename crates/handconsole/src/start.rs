@@ -2,7 +2,7 @@
 
 use crate::entry::Typed;
 use crate::next::{Next, To};
-use crate::{JobWish, Key, Screen, Waits, Wish};
+use crate::{ConsoleRequest, JobRequest, Key, Screen, Waits};
 use kerf_machine::Errand;
 
 /// Answer with which a job that waits goes on, as with any question after a stop.
@@ -26,7 +26,7 @@ impl Starting {
     }
 
     pub fn press(self, key: Key, shape: u32, shapes: u32) -> Next<Self> {
-        let goes = |word: String| Next::wish([Wish::Answer(word)]);
+        let goes = |word: String| Next::request([ConsoleRequest::Answer(word)]);
         match key {
             Key::Digit(_) | Key::Stop => Next::stay(Self { typed: self.typed.press_whole(key) }),
             Key::Start => goes(GO_ON.into()),
@@ -46,13 +46,13 @@ impl Starting {
 /// was chosen is the one with which the job begins from now on.
 pub(crate) fn press_aborting<M>(key: Key, waits: &Waits) -> Next<M> {
     let start = match waits {
-        Waits::Start(shape) => Some(Wish::Job(JobWish::Start(*shape))),
+        Waits::Start(shape) => Some(ConsoleRequest::Job(JobRequest::Start(*shape))),
         _ => None,
     };
     match key {
         Key::Enter => {
-            let goes = [Wish::Answer(QUIT.into())].into_iter().chain(start);
-            Next::wish(goes.chain([Wish::Go(Errand::Origin)]))
+            let goes = [ConsoleRequest::Answer(QUIT.into())].into_iter().chain(start);
+            Next::request(goes.chain([ConsoleRequest::Go(Errand::Origin)]))
         }
         _ => Next::default(),
     }

@@ -1,14 +1,14 @@
-//! The console as a value: what keys wish and what the screen shows, without a machine.
+//! The console as a value: what keys request and what the screen shows, without a machine.
 
 #![allow(clippy::unwrap_used, non_snake_case)]
 
 use kerf_handconsole::functions::{FUNCTIONS, function};
-use kerf_handconsole::{COLUMNS, Console, Job, Key, View, Waits, Wish};
+use kerf_handconsole::{COLUMNS, Console, ConsoleRequest, Job, Key, View, Waits};
 use kerf_wire::{Asked, State};
 use proptest::prelude::*;
 
-/// Presses keys, `E` for Enter; gives what they wish.
-fn press(console: &mut Console, keys: &str, view: &View) -> Vec<Wish> {
+/// Presses keys, `E` for Enter; gives what they request.
+fn press(console: &mut Console, keys: &str, view: &View) -> Vec<ConsoleRequest> {
     let key = |key| Key::of(if key == 'E' { '\r' } else { key }).unwrap();
     keys.chars().flat_map(|it| console.press(key(it), view)).collect()
 }
@@ -75,19 +75,19 @@ fn pro_console_file_page() {
     assert_eq!(shown("F", &folder(0)), ["Select File (0):", "no RSM files"]);
     let mut console = Console::default();
     assert_eq!(press(&mut console, "FE", &folder(0)), []);
-    assert_eq!(press(&mut console, "F3E", &view), [Wish::Open("6.RSM".into())]);
+    assert_eq!(press(&mut console, "F3E", &view), [ConsoleRequest::Open("6.RSM".into())]);
 }
 
 #[test]
 fn pro_console_stop() {
     let running = View { state: State::Running, shape: 1, ..sample() };
     let mut console = Console::default();
-    assert_eq!(press(&mut console, "P", &running), [Wish::Stop]);
+    assert_eq!(press(&mut console, "P", &running), [ConsoleRequest::Stop]);
     assert_eq!(press(&mut console, "P", &sample()), [], "idle");
     assert_eq!(press(&mut console, "U15P", &sample()), []);
     assert_eq!(console.screen(&sample()).lines[1], "1 Plunge speed");
     // What moves is stopped, whatever is typed.
-    assert_eq!(press(&mut console, "P", &running), [Wish::Stop]);
+    assert_eq!(press(&mut console, "P", &running), [ConsoleRequest::Stop]);
 }
 
 #[test]
@@ -127,7 +127,7 @@ fn a_question_is_answered_with_the_digit_of_its_button() {
     assert_eq!(shown("", &view), ["Home now?", "1Yes 2No 3Cancel"]);
     let mut console = Console::default();
     assert_eq!(press(&mut console, "049", &view), []);
-    assert_eq!(press(&mut console, "2", &view), [Wish::Answer("No".into())]);
+    assert_eq!(press(&mut console, "2", &view), [ConsoleRequest::Answer("No".into())]);
 }
 
 #[test]
@@ -137,7 +137,7 @@ fn an_alarm_is_taken_note_of_with_enter() {
     assert_eq!(shown("", &view), ["stopped by limit", "input 3 of the machi"]);
     let mut console = Console::default();
     assert_eq!(press(&mut console, "8S4U", &view), [], "nothing moves");
-    assert_eq!(press(&mut console, "E", &view), [Wish::Acknowledge]);
+    assert_eq!(press(&mut console, "E", &view), [ConsoleRequest::Acknowledge]);
 }
 
 fn any_view() -> impl Strategy<Value = View> {
@@ -173,15 +173,15 @@ proptest! {
         for (key, view) in walk {
             let key = Key::ALL[key];
             prop_assert_eq!(Key::of(key.character()), Some(key));
-            let wishes = console.press(key, &view);
+            let requests = console.press(key, &view);
             let stops = key == Key::Stop && view.is_moving();
-            prop_assert_eq!(wishes == [Wish::Stop], stops);
+            prop_assert_eq!(requests == [ConsoleRequest::Stop], stops);
             let screen = console.screen(&view);
             for line in &screen.lines {
                 prop_assert!(line.chars().count() <= COLUMNS, "{line}");
             }
             prop_assert_eq!(screen.bytes().len(), 41);
-            console.told(if wishes.len() % 2 == 0 { Ok(String::new()) } else { Err("no, not at all, never ever".into()) });
+            console.told(if requests.len() % 2 == 0 { Ok(String::new()) } else { Err("no, not at all, never ever".into()) });
         }
     }
 }
@@ -196,7 +196,7 @@ fn pro_console_entry() {
     assert_eq!(console.screen(&view).lines[1], "0.5");
     press(&mut console, "-", &view);
     let lowered = view.machine.zpos.bottom_mm - 0.5;
-    let wanted = Wish::Set(vec![("zpos.bottom_mm", lowered.to_string())]);
+    let wanted = ConsoleRequest::Set(vec![("zpos.bottom_mm", lowered.to_string())]);
     assert_eq!(press(&mut console, "E", &view), [wanted]);
     // A sign alone is no number.
     press(&mut console, "U3E-E", &view);

@@ -189,7 +189,7 @@ impl kerf_sim::Clock for RealTime {
         self.0.pass(from_s, until_s, NAP, sleep)
     }
 
-    fn is_real(&self) -> bool {
+    fn in_real_time(&self) -> bool {
         true
     }
 

@@ -79,8 +79,6 @@ fn places_that_are_no_files() {
         "plot -o x.svg",
         "timing -o x.svg",
         "heights --sheet=-20",
-        "fmt",
-        "fmt --check",
         "draw -o x.rsg",
         "toolpath -o x.rsm",
         "wavlength",
@@ -91,6 +89,7 @@ fn places_that_are_no_files() {
         shop.kerf(&format!("{command} none.sbp")).exits(2).complains("cannot read none.sbp");
         shop.kerf(&format!("{command} folder")).exits(2).complains("is a folder");
     }
+    shop.kerf("fmt none.sbp").exits(2).complains("cannot read none.sbp");
     for line in ["convert none.sbp x.nc", "convert none.bmp x.sbp", "send none.sbp com2"] {
         shop.kerf(line).exits(2).complains("cannot read none.");
     }

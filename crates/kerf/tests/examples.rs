@@ -25,6 +25,25 @@ fn examples_are_free_of_warnings() {
     }
 }
 
+/// Formatting changes none of them, of either language.
+#[test]
+fn examples_are_formatted() {
+    let kerf = || Command::new(env!("CARGO_BIN_EXE_kerf"));
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let told = kerf().args(["fmt", "--check"]).arg(&examples).output().unwrap();
+    assert!(told.status.success(), "run kerf fmt: {}", String::from_utf8_lossy(&told.stdout));
+    let scratch = tempfile::tempdir().unwrap();
+    std::fs::create_dir(scratch.path().join("inside")).unwrap();
+    std::fs::write(scratch.path().join("inside/part.sbp"), "m2,1 , 2\n").unwrap();
+    std::fs::write(scratch.path().join("notes.txt"), "m2,1 , 2\n").unwrap();
+    let told = kerf().args(["fmt", "--check"]).arg(scratch.path()).output().unwrap();
+    let told = (told.status.code(), String::from_utf8_lossy(&told.stdout).into_owned());
+    assert!(
+        told.0 == Some(1) && told.1.contains("part.sbp") && !told.1.contains("notes"),
+        "{told:?}"
+    );
+}
+
 /// With KERF_TRACES: the trace of each example is the recorded one.
 #[test]
 fn traces_are_the_recorded_ones() {

@@ -1,9 +1,9 @@
-//! The hand console on SIM: keys are pressed, wishes come true at once, and what moves is traced.
+//! The hand console on SIM: keys are pressed, requests come true at once, and what moves is traced.
 
 use crate::jobs::{JobRun, JobTrace, sim};
 use kerf_digitize::Digitizer;
 use kerf_drawing::Shape;
-use kerf_handconsole::{Console, Key, View, Wish};
+use kerf_handconsole::{Console, ConsoleRequest, Key, View};
 use kerf_machine::{Configuration, Errand, Held, Value, table};
 use kerf_program::job::Job;
 use kerf_program::{Axes, AxisSet};
@@ -69,8 +69,8 @@ impl HandConsole {
     pub fn press(&mut self, keys: &str) {
         for word in keys.split(' ') {
             for key in keys_of(word) {
-                let wishes = self.console.press(key, &self.view());
-                wishes.into_iter().for_each(|wish| self.grant(wish));
+                let requests = self.console.press(key, &self.view());
+                requests.into_iter().for_each(|request| self.grant(request));
             }
         }
     }
@@ -102,8 +102,10 @@ impl HandConsole {
 
     /// Holds a key for some seconds; gives what the machine did.
     pub fn hold(&mut self, digit: u8, seconds: f64) -> &JobTrace {
-        let wishes = self.console.press(Key::Digit(digit), &self.view());
-        let [Wish::Jog(held)] = wishes[..] else { panic!("key {digit} moves nothing: {wishes:?}") };
+        let requests = self.console.press(Key::Digit(digit), &self.view());
+        let [ConsoleRequest::Jog(held)] = requests[..] else {
+            panic!("key {digit} moves nothing: {requests:?}")
+        };
         self.jog(held, seconds)
     }
 
@@ -125,15 +127,15 @@ impl HandConsole {
         self.last.as_ref().map_or(self.at, |last| last.session.memory.position)
     }
 
-    fn grant(&mut self, wish: Wish) {
-        match wish {
-            Wish::Set(values) => self.set(&values),
-            Wish::Go(errand) => self.go(errand),
-            Wish::AddShape(shape) => {
+    fn grant(&mut self, request: ConsoleRequest) {
+        match request {
+            ConsoleRequest::Set(values) => self.set(&values),
+            ConsoleRequest::Go(errand) => self.go(errand),
+            ConsoleRequest::AddShape(shape) => {
                 self.shapes.push(shape);
                 self.console.told(Ok(format!("{} shapes", self.shapes.len())));
             }
-            Wish::Look(look) => self.looks.push(look),
+            ConsoleRequest::Look(look) => self.looks.push(look),
             other => panic!("there is nobody to grant {other:?}"),
         }
     }

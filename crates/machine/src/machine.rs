@@ -19,7 +19,7 @@ use crate::driver::{Facts, Override};
 use crate::homing::Which;
 use crate::lift::Carried;
 use kerf_motion::{Move, Plan, Span, State};
-use kerf_program::{At, Axes, Axis, HeightLaw, OutputReason, Settings, Turn};
+use kerf_program::{At, Axes, Axis, Beam, HeightLaw, OutputReason, Settings, Turn};
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -151,7 +151,7 @@ pub trait Machine {
     fn facts(&self) -> &Facts;
 
     /// Returns `true` if it takes the time of the world: what it makes is put on record while it makes it.
-    fn is_real(&self) -> bool;
+    fn in_real_time(&self) -> bool;
 
     /// Returns in words why it cannot make a move; asked before anything of its stack moves.
     fn refuses(&self, mv: &Move) -> Option<String>;
@@ -172,6 +172,10 @@ pub trait Machine {
     /// Sets something behind every move that it has, and before every one that it gets later. What it lacks becomes its
     /// [fault](Machine::fault).
     fn set(&mut self, actuator: &Actuator);
+
+    /// Has the intensity of a beam be so behind every move that it has. What it lacks is told by the intensities that it is
+    /// [set](Machine::set) to.
+    fn beam(&mut self, _: &Beam) {}
 
     /// Takes moves of the plan as far as there is room, waits for news for a moment at most, and tells how far it has come
     /// from one moment towards another. A moment that is reached is not waited for.

@@ -5,6 +5,9 @@
 //! `cargo run --release -p kerf-motion --example reference`
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
+#[path = "../../../tests/corpus/shared.rs"]
+mod shared;
+
 use kerf_motion::{Model, Move, Mover, Optimal};
 use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, Settings};
 use std::path::{Path, PathBuf};
@@ -17,13 +20,6 @@ const TARGETS: [(f64, Option<f64>, [f64; 7]); 4] = [
     (0.5, None, [6.579, 3.340, 8.457, 14.289, 33.297, 44.514, 9.100]),
     (0.01, Some(10_000.0), [6.94, 14.5, 49.7, 23.5, 96.1, 118.2, 28.8]),
 ];
-
-fn folder() -> Option<PathBuf> {
-    let shared = std::env::var_os("KERF_SHARED").map(PathBuf::from);
-    let here = std::env::current_dir().ok()?;
-    let beside = here.ancestors().map(|a| a.join("../shared"));
-    shared.into_iter().chain(beside).map(|s| s.join("anchors/motion")).find(|f| f.is_dir())
-}
 
 fn moves(file: &Path) -> Vec<Move> {
     let text = std::fs::read_to_string(file).unwrap();
@@ -51,7 +47,7 @@ fn plan(moves: &[Move], dynamics: &Dynamics) -> (f64, f64) {
 }
 
 fn main() {
-    let Some(folder) = folder() else {
+    let Some(folder) = shared::shared("anchors/motion") else {
         println!("skipped: no reference programs beside the checkout");
         return;
     };

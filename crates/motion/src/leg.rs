@@ -10,9 +10,10 @@
 
 use crate::chain::{Clocked, plain_clock};
 use crate::plan::{Law, Plan};
+use crate::state::State;
 use crate::steps::{Step, Stepper};
 use crate::stop::Braked;
-use kerf_program::Axes;
+use kerf_program::{Axes, MoveKind};
 
 /// A speed this close to that of a ramp's end is a stand, as a share of it.
 const STAND: f64 = 1.001;
@@ -51,6 +52,13 @@ impl Leg {
     /// Place of every axis at a time of the plan, seconds.
     pub fn at(&self, t_s: f64) -> Axes {
         self.0.at(t_s).position
+    }
+
+    /// Speed at a time of the plan, as a share of what its move asks for; nothing in a jog.
+    pub fn pace(&self, t_s: f64) -> Option<f64> {
+        let state = self.0.at(t_s);
+        let made = self.0.moves().get(state.move_index)?;
+        (made.kind != MoveKind::Jog).then(|| state.path_speed_mm_s / made.top_mm_s())
     }
 
     /// The steps of the motors from one time of the plan to another, in order of time.
@@ -94,9 +102,18 @@ impl Leg {
 impl Rest {
     /// Place of every axis at a time of the plan, seconds.
     pub fn at(&self, t_s: f64) -> Axes {
+        self.state(t_s).position
+    }
+
+    /// Speed of all axes together at a time of the plan, mm/s.
+    pub fn speed_mm_s(&self, t_s: f64) -> f64 {
+        crate::splice::speed(&self.state(t_s))
+    }
+
+    fn state(&self, t_s: f64) -> State {
         match &self.law {
-            RestLaw::Ramped(plan) => plan.at(t_s).position,
-            RestLaw::Clocked(law) => law.at(t_s).position,
+            RestLaw::Ramped(plan) => plan.at(t_s),
+            RestLaw::Clocked(law) => law.at(t_s),
         }
     }
 

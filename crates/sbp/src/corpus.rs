@@ -80,25 +80,6 @@ fn with_all<T>(of_real: &[T], look: impl FnOnce(BTreeMap<String, Vec<u8>>, &[T])
     look(files, if real.is_some() { of_real } else { &[] });
 }
 
-/// Formatting changes none of the examples, as `kerf fmt --check` asks.
-#[test]
-fn examples_are_formatted() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    let entries = |folder: &Path| {
-        let entries = std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{folder:?}: {e}"));
-        entries.map(|entry| entry.expect("an entry").path()).collect::<Vec<_>>()
-    };
-    let folders = entries(&folder).into_iter().filter(|path| path.is_dir());
-    let files = folders.flat_map(|folder| entries(&folder));
-    let part_files: Vec<_> =
-        files.filter(|path| path.extension().is_some_and(|ending| ending == "sbp")).collect();
-    assert!(part_files.len() >= 9, "{part_files:?}");
-    for path in part_files {
-        let text = std::fs::read_to_string(&path).expect("text");
-        assert_eq!(crate::format(&text), text, "{path:?}: run kerf fmt");
-    }
-}
-
 #[test]
 fn the_corpus_of_real_files_is_whole() {
     with_real(|files| assert!(files.len() >= 150, "{}", files.len()));

@@ -43,12 +43,7 @@ impl App {
         match act {
             Act::Ping => {}
             Act::GiveUp => self.works.give_up(who.client),
-            Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } => {
-                if let Some(halt) = Halt::of(&act) {
-                    halt.press(self, who.client);
-                    halt.settle(self);
-                }
-            }
+            Act::Stop | Act::Hold | Act::Disarm | Act::JogStop { .. } => self.halt(who, &act),
             Act::Resume { .. } => self.runs.resume(asker)?,
             Act::Answer { question, answer } => self.runs.answer(asker, question, answer)?,
             Act::TakeLease { force } => self.driving.take_lease(who, force)?,
@@ -86,32 +81,19 @@ impl App {
             Act::TakeUp { .. } => self.runs.take_up(asker)?,
             Act::Command { line, .. } => self.runs.command(asker, line)?,
             Act::JogStart { seq, clock_ms, direction, distance, speed_share: speed, .. } => {
-                let order = Order::Jog { direction, distance, speed };
-                if !makes_sense(&order) {
-                    let text = "a jog has a direction, a share of the speed above 0, and perhaps a distance";
-                    return Err(problem(Why::Malformed, text));
-                }
-                self.hands.jog(asker, self.hands.grip(who, seq, clock_ms)?, order)?;
+                self.jog(asker, (seq, clock_ms), Order::Jog { direction, distance, speed })?;
             }
             Act::JogRenew { seq, clock_ms, .. } => {
                 self.hands.renew(who, self.hands.grip(who, seq, clock_ms)?)?;
             }
-            Act::Key { seq, key, clock_ms, .. } => {
-                let stamp = clock_ms.filter(|_| key != STOP_KEY);
-                let grip = stamp.map_or(Ok(Grip { seq, at: self.clock.now() }), |ms| {
-                    self.hands.grip(who, seq, ms)
-                })?;
-                self.keys.press(asker, grip, key)?;
-            }
+            Act::Key { seq, key, clock_ms, .. } => self.press_key(asker, (seq, clock_ms), key)?,
             Act::Lift { question, .. } => self.hands.lift(asker, question)?,
             Act::Nudge { axis, distance, .. } => self.hands.nudge(asker, axis, distance)?,
             Act::Go { way, .. } => self.hands.go(asker, way)?,
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
-                feed_percent.map_or(Ok(()), |percent| self.runs.override_feed(percent))?;
-                let rapid = rapid_percent.map(Override::Rapid);
-                self.runs.turn(rapid.into_iter().chain(spindle_percent.map(Override::Spindle)))?;
+                self.turn_overrides(feed_percent, [rapid_percent, spindle_percent])?;
             }
             Act::SheetDone => self.sheet_done(),
             Act::ClearPrinted => self.hub.change(vec![Change::ClearPrinted]),
@@ -123,6 +105,47 @@ impl App {
             Act::Unlock { password } => self.settings.unlock(who, &password)?,
         }
         Ok(Vec::new())
+    }
+
+    fn halt(&self, who: &Who, act: &Act) {
+        if let Some(halt) = Halt::of(act) {
+            halt.press(self, who.client);
+            halt.settle(self);
+        }
+    }
+
+    /// Begins a jog by a key that was pressed at a moment of the page's clock.
+    fn jog(&self, asker: &Asker, (seq, clock_ms): (u64, f64), order: Order) -> Result<(), Problem> {
+        if !makes_sense(&order) {
+            let text =
+                "a jog has a direction, a share of the speed above 0, and perhaps a distance";
+            return Err(problem(Why::Malformed, text));
+        }
+        self.hands.jog(asker, self.hands.grip(&asker.who, seq, clock_ms)?, order)
+    }
+
+    /// Passes on a key of the hand console; its STOP key is heard however late it comes.
+    fn press_key(
+        &self,
+        asker: &Asker,
+        (seq, clock_ms): (u64, Option<f64>),
+        key: char,
+    ) -> Result<(), Problem> {
+        let stamp = clock_ms.filter(|_| key != STOP_KEY);
+        let now = || Ok(Grip { seq, at: self.clock.now() });
+        let grip = stamp.map_or_else(now, |ms| self.hands.grip(&asker.who, seq, ms))?;
+        self.keys.press(asker, grip, key)
+    }
+
+    /// Turns the overrides that are given: of the feed, of rapid moves and of the spindle, percent.
+    fn turn_overrides(
+        &self,
+        feed: Option<f64>,
+        [rapid, spindle]: [Option<u8>; 2],
+    ) -> Result<(), Problem> {
+        feed.map_or(Ok(()), |percent| self.runs.override_feed(percent))?;
+        let rapid = rapid.map(Override::Rapid);
+        self.runs.turn(rapid.into_iter().chain(spindle.map(Override::Spindle)))
     }
 
     /// Carries out what the start-up line says, for whoever started Kerf here.

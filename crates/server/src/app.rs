@@ -48,7 +48,7 @@ pub struct App {
     pub options: Options,
     /// State that pages show.
     pub hub: Arc<Hub>,
-    /// Wishes for the running machine.
+    /// Requests for the running machine.
     pub link: Arc<Link>,
     /// The machine and its files as the last run left them.
     pub left: Arc<Mutex<Left>>,

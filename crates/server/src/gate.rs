@@ -3,7 +3,7 @@
 //! ```text
 //!  act (socket, HTTP) ──┐
 //!  answer to a question ┤
-//!  wish of a key ───────┤   needs: role, turn at driving,      met by whoever asks?
+//!  request of a key ───────┤   needs: role, turn at driving,      met by whoever asks?
 //!  value of the registry┼─►        arming, password ─────────► yes: done, unless a stop came since it was asked
 //!  order that begins ───┤                                      no:  the reason, and how it is mended
 //!  command passed in ───┘
@@ -16,7 +16,7 @@ use crate::machine::Order;
 use crate::refusal::problem;
 use crate::setup::Options;
 use kerf_control::answers::{self, Effect};
-use kerf_handconsole::{Key, Wish};
+use kerf_handconsole::{ConsoleRequest, Key};
 use kerf_wire::{Act, Asked, Lease, Problem, Role, Snapshot, State, Who, Why};
 use kerf_workspace::stored;
 
@@ -26,7 +26,7 @@ pub enum Way<'a> {
     /// A page or a script asks for it.
     Act(&'a Act),
     /// A key of the hand console asks for it.
-    Wish(&'a Wish),
+    Console(&'a ConsoleRequest),
     /// The machine's thread begins it.
     Order(&'a Order),
     /// The run goes on.
@@ -66,7 +66,7 @@ const fn need(role: Role) -> Need {
 }
 
 /// Returns the conditions for an act of the driver, also while the machine is disarmed.
-const fn holding(lease: u32) -> Need {
+const fn with_lease(lease: u32) -> Need {
     Need { turn: Turn::Number(lease), ..need(Role::Operator) }
 }
 
@@ -90,7 +90,7 @@ pub const STOP_KEY: char = Key::Stop.character();
 fn needs(now: &Snapshot, way: Way<'_>) -> Result<Need, Problem> {
     Ok(match way {
         Way::Act(act) => return needs_of_act(now, act),
-        Way::Wish(wish) => return needs_of_wish(now, wish),
+        Way::Console(request) => return needs_of_request(now, request),
         Way::Order(order) if order.moves() => driving(Turn::Own),
         Way::Order(_) | Way::StartUp => need(Role::Observer),
         Way::GoOn => driving(Turn::Own),
@@ -131,8 +131,8 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Arm { lease }
         | Act::Override { lease, .. }
         | Act::Key { lease, .. }
-        | Act::Input { lease, .. } => holding(*lease),
-        Act::Set { lease, .. } => setting(holding(*lease)),
+        | Act::Input { lease, .. } => with_lease(*lease),
+        Act::Set { lease, .. } => setting(with_lease(*lease)),
         Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
         Act::TakeLease { .. }
         | Act::Open { .. }
@@ -153,19 +153,21 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
     })
 }
 
-fn needs_of_wish(now: &Snapshot, wish: &Wish) -> Result<Need, Problem> {
-    Ok(match wish {
-        Wish::Stop => need(Role::Observer),
-        Wish::Answer(words) => return needs_of_answer(now, None, words),
-        Wish::Resume | Wish::Start | Wish::Jog(_) | Wish::Go(_) | Wish::Job(_) => {
-            driving(Turn::Own)
-        }
-        Wish::Set(_) | Wish::KeepSettings => setting(driving(Turn::Own)),
-        Wish::Acknowledge
-        | Wish::TakeControl
-        | Wish::Open(_)
-        | Wish::AddShape(_)
-        | Wish::Look(_) => need(Role::Operator),
+fn needs_of_request(now: &Snapshot, request: &ConsoleRequest) -> Result<Need, Problem> {
+    Ok(match request {
+        ConsoleRequest::Stop => need(Role::Observer),
+        ConsoleRequest::Answer(words) => return needs_of_answer(now, None, words),
+        ConsoleRequest::Resume
+        | ConsoleRequest::Start
+        | ConsoleRequest::Jog(_)
+        | ConsoleRequest::Go(_)
+        | ConsoleRequest::Job(_) => driving(Turn::Own),
+        ConsoleRequest::Set(_) | ConsoleRequest::KeepSettings => setting(driving(Turn::Own)),
+        ConsoleRequest::Acknowledge
+        | ConsoleRequest::TakeControl
+        | ConsoleRequest::Open(_)
+        | ConsoleRequest::AddShape(_)
+        | ConsoleRequest::Look(_) => need(Role::Operator),
     })
 }
 

@@ -247,6 +247,31 @@ fn from_here(mut address: SocketAddr) -> SocketAddr {
     address
 }
 
+/// What requests share, once it is made.
+type Made = Arc<OnceLock<Weak<App>>>;
+
+/// Returns what follows a run: the machine waits for nobody who looks at files or drawings.
+fn after_runs(app: Made) -> Box<dyn Fn(Option<String>) + Send> {
+    Box::new(move |made| {
+        let Some(app) = app.get().and_then(Weak::upgrade) else { return };
+        let (later, own) = (app.clone(), made.clone());
+        let given = app.pool.give(Lane::Short, KERF, move || later.after_run(own));
+        if given.is_err() {
+            app.after_run(made);
+        }
+    })
+}
+
+/// Returns what shows the file that a program calls.
+fn screen(app: Made) -> Screen {
+    Screen(Arc::new(move |called| {
+        let Some(app) = app.get().and_then(Weak::upgrade) else { return };
+        let (later, file) = (app.clone(), called);
+        // Where too much is being done the picture stays what it was: the machine goes on.
+        drop(app.pool.give(Lane::Short, KERF, move || later.loader.show_called(file)));
+    }))
+}
+
 /// Starts the machine's thread, and makes what requests share.
 fn machine_and_app(
     options: Options,
@@ -260,28 +285,8 @@ fn machine_and_app(
     let hub = Arc::new(Hub::new(snapshot));
     let (link, left) = (Arc::<Link>::default(), Arc::<Mutex<Left>>::default());
     let (orders, waiting) = channel();
-    let app: Arc<OnceLock<Weak<App>>> = Arc::default();
-    let done = {
-        let app = app.clone();
-        // The machine waits for nobody who looks at files or drawings.
-        move |made: Option<String>| {
-            let Some(app) = app.get().and_then(Weak::upgrade) else { return };
-            let (later, own) = (app.clone(), made.clone());
-            let given = app.pool.give(Lane::Short, KERF, move || later.after_run(own));
-            if given.is_err() {
-                app.after_run(made);
-            }
-        }
-    };
-    let screen = {
-        let app = app.clone();
-        Screen(Arc::new(move |called| {
-            let Some(app) = app.get().and_then(Weak::upgrade) else { return };
-            let (later, file) = (app.clone(), called);
-            // Where too much is being done the picture stays what it was: the machine goes on.
-            drop(app.pool.give(Lane::Short, KERF, move || later.loader.show_called(file)));
-        }))
-    };
+    let app = Made::default();
+    let (done, screen) = (after_runs(app.clone()), screen(app.clone()));
     let parts = PartFolder::new(&options.parts)?;
     let (ready, started) = channel();
     let (owned, build) = ((hub.clone(), link.clone(), left.clone()), builders.workshop.clone());
@@ -297,7 +302,7 @@ fn machine_and_app(
             }
             Err(error) => return drop(ready.send(Err(error))),
         };
-        let ((hub, link, left), done) = (owned, Box::new(done));
+        let (hub, link, left) = owned;
         let mut owner = Owner {
             hub,
             link,

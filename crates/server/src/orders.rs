@@ -18,7 +18,7 @@ use kerf_wire::{Change, Machine, Problem, Snapshot, State, Why};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex};
 
-/// The way to the machine's thread: orders for it, and wishes of what it runs.
+/// The way to the machine's thread: orders for it, and requests about what it runs.
 pub struct Orders {
     hub: Arc<Hub>,
     link: Arc<Link>,

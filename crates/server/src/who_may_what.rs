@@ -1,4 +1,4 @@
-//! Table of who may what, where no request names it: wishes of the hand console, and every kind of question. Each
+//! Table of who may what, where no request names it: requests of the hand console, and every kind of question. Each
 //! cell is tried at an app without a network; what acts, values and routes are told over the network is tried in
 //! `tests/who_may_what`.
 
@@ -8,7 +8,7 @@ use crate::people::Grip;
 use kerf_control::answers::{KINDS, kind_word};
 use kerf_drawing::Shape;
 use kerf_geom::Point2;
-use kerf_handconsole::{JobWish, Wish};
+use kerf_handconsole::{ConsoleRequest, JobRequest};
 use kerf_machine::{Errand, Held, Keypad};
 use kerf_program::QuestionKind;
 use kerf_wire::{Act, Asked, Change, Lease, Look, Machine, Problem, Role, State, Who, Why};
@@ -41,7 +41,7 @@ const STATES: [(char, State, bool); 8] = [
 
 /// The request of a row.
 enum Asks {
-    Wish(Wish),
+    Console(ConsoleRequest),
     Answer(QuestionKind, &'static str),
 }
 
@@ -53,48 +53,48 @@ struct Row {
     moves: bool,
 }
 
-/// Returns the name of a wish, and whether it takes whoever drives. A wish that is none of these does not compile.
-const fn of_wish(wish: &Wish) -> (&'static str, bool) {
-    match wish {
-        Wish::Stop => ("stop", false),
-        Wish::Resume => ("resume", true),
-        Wish::Start => ("start the job", true),
-        Wish::Answer(_) => ("answer", false),
-        Wish::Acknowledge => ("take note of an alarm", false),
-        Wish::TakeControl => ("take control", false),
-        Wish::Open(_) => ("open a job", false),
-        Wish::Jog(_) => ("move while a key is held", true),
-        Wish::Go(_) => ("an errand", true),
-        Wish::Set(_) => ("change settings", true),
-        Wish::KeepSettings => ("keep settings", true),
-        Wish::Job(_) => ("change the job", true),
-        Wish::AddShape(_) => ("add a shape", false),
-        Wish::Look(_) => ("show something else", false),
+/// Returns the name of a request, and whether it takes whoever drives. A request that is none of these does not compile.
+const fn of_request(request: &ConsoleRequest) -> (&'static str, bool) {
+    match request {
+        ConsoleRequest::Stop => ("stop", false),
+        ConsoleRequest::Resume => ("resume", true),
+        ConsoleRequest::Start => ("start the job", true),
+        ConsoleRequest::Answer(_) => ("answer", false),
+        ConsoleRequest::Acknowledge => ("take note of an alarm", false),
+        ConsoleRequest::TakeControl => ("take control", false),
+        ConsoleRequest::Open(_) => ("open a job", false),
+        ConsoleRequest::Jog(_) => ("move while a key is held", true),
+        ConsoleRequest::Go(_) => ("an errand", true),
+        ConsoleRequest::Set(_) => ("change settings", true),
+        ConsoleRequest::KeepSettings => ("keep settings", true),
+        ConsoleRequest::Job(_) => ("change the job", true),
+        ConsoleRequest::AddShape(_) => ("add a shape", false),
+        ConsoleRequest::Look(_) => ("show something else", false),
     }
 }
 
-fn wishes() -> Vec<Row> {
+fn requests() -> Vec<Row> {
     let held = Held { way: [1, 0, 0, 0, 0, 0], speed: 1.0, accel: 1.0, sets_bottom: false };
     let way = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     let keypad = Keypad { way, times: Some(1.0), speed: 1.0, homed: Default::default() };
     let all = [
-        Wish::Stop,
-        Wish::Resume,
-        Wish::Start,
-        Wish::Acknowledge,
-        Wish::TakeControl,
-        Wish::Open("none".into()),
-        Wish::Jog(held),
-        Wish::Go(Errand::Keypad(keypad)),
-        Wish::Set(Vec::new()),
-        Wish::KeepSettings,
-        Wish::Job(JobWish::Nearest),
-        Wish::AddShape(Arc::new(Shape::point(Point2::new(1.0, 1.0)))),
-        Wish::Look(Look::Data),
+        ConsoleRequest::Stop,
+        ConsoleRequest::Resume,
+        ConsoleRequest::Start,
+        ConsoleRequest::Acknowledge,
+        ConsoleRequest::TakeControl,
+        ConsoleRequest::Open("none".into()),
+        ConsoleRequest::Jog(held),
+        ConsoleRequest::Go(Errand::Keypad(keypad)),
+        ConsoleRequest::Set(Vec::new()),
+        ConsoleRequest::KeepSettings,
+        ConsoleRequest::Job(JobRequest::Nearest),
+        ConsoleRequest::AddShape(Arc::new(Shape::point(Point2::new(1.0, 1.0)))),
+        ConsoleRequest::Look(Look::Data),
     ];
-    let row = |wish: Wish| {
-        let (name, moves) = of_wish(&wish);
-        Row { name: name.into(), asks: Asks::Wish(wish), moves }
+    let row = |request: ConsoleRequest| {
+        let (name, moves) = of_request(&request);
+        Row { name: name.into(), asks: Asks::Console(request), moves }
     };
     all.into_iter().map(row).collect()
 }
@@ -149,7 +149,7 @@ fn told(
     let open = matches!(state, State::Stopped | State::Asking);
     let kind = match row.asks {
         Asks::Answer(kind, _) => kind_word(kind),
-        Asks::Wish(_) => "msgbox",
+        Asks::Console(_) => "msgbox",
     };
     let asked = open.then(|| Asked { number: 5, kind: kind.into(), ..asked() });
     let lease = Some(Lease { number: 3, client: 1, device: String::new() });
@@ -163,9 +163,9 @@ fn told(
     app.link.lock().ask(5);
     let asker = app.hears(&who);
     let done = match &row.asks {
-        Asks::Wish(wish) => {
+        Asks::Console(request) => {
             let grip = Grip { seq: 1, at: app.clock.now() };
-            grant(app, &asker, grip, wish.clone(), &channel().0)
+            grant(app, &asker, grip, request.clone(), &channel().0)
         }
         Asks::Answer(_, words) => {
             let answer = Act::Answer { question: 5, answer: (*words).into() };
@@ -225,10 +225,10 @@ fn cell(told: &[(char, String)]) -> String {
 
 const HEAD: &str = "# Who may what: the hand console and questions
 
-What [Who may what](who-may-what.md) is for acts, values and routes, this page is for wishes of the hand console and for
+What [Who may what](who-may-what.md) is for acts, values and routes, this page is for requests of the hand console and for
 every kind of question, with the same words. Whoever presses a key of the hand console is who asks: a page, a script, or the console's own
 cable, which is a setter's. Each cell was tried; the page is made by a test (`KERF_WRITE_PAGES=1 cargo test -p kerf-server --lib
-who_may_what`), which fails where one is another, and does not compile where a wish or a kind of question is missing.
+who_may_what`), which fails where one is another, and does not compile where a request or a kind of question is missing.
 
 States: **D** disarmed, **A** armed and idle, **R** running, **J** a jog is made, **S** stopped in the middle, **Q** a question is
 open, **s** and **q** the same with the machine disarmed. Questions are open in **Q** and **q** only.
@@ -262,9 +262,9 @@ fn place() -> PathBuf {
 }
 
 #[test]
-fn what_the_book_says_of_wishes_and_questions_is_so() {
+fn what_the_book_says_of_requests_and_questions_is_so() {
     let mut page = HEAD.to_owned();
-    part(&mut page, "Wishes of the hand console", &wishes(), &STATES);
+    part(&mut page, "Requests of the hand console", &requests(), &STATES);
     let open: Vec<_> = STATES.into_iter().filter(|(_, state, _)| *state == State::Asking).collect();
     part(&mut page, "Answers to each kind of question", &questions(), &open);
     if std::env::var_os("KERF_WRITE_PAGES").is_some() {

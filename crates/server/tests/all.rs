@@ -13,6 +13,7 @@ mod hand_functions;
 mod job;
 mod jobs;
 mod jog;
+mod jog_board;
 mod language;
 mod ran;
 mod requests;

@@ -19,7 +19,7 @@ pub trait Clock {
     fn pass(&mut self, from_s: f64, until_s: f64) -> f64;
 
     /// Returns `true` if a second of machine time takes a second, or longer.
-    fn is_real(&self) -> bool {
+    fn in_real_time(&self) -> bool {
         false
     }
 
@@ -93,8 +93,8 @@ impl<C: Clock> Machine for Simulated<C> {
         &self.facts
     }
 
-    fn is_real(&self) -> bool {
-        self.clock.is_real()
+    fn in_real_time(&self) -> bool {
+        self.clock.in_real_time()
     }
 
     fn refuses(&self, _: &Move) -> Option<String> {

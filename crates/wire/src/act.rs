@@ -191,7 +191,7 @@ pub enum Act {
         #[ts(type = "number")]
         seq: u64,
     },
-    /// Presses a key of the hand console. What the key wishes is granted to whoever presses it; one that moves
+    /// Presses a key of the hand console. What the key requests is granted to whoever presses it; one that moves
     /// the tool does so for as long as a jog of this number is renewed. Stop is always allowed, to everybody.
     Key {
         /// Number of the lease.

@@ -215,7 +215,7 @@ impl Machine for Connection {
         Some(format!("{} {why}", self.name))
     }
 
-    fn is_real(&self) -> bool {
+    fn in_real_time(&self) -> bool {
         true
     }
 

@@ -199,7 +199,7 @@ pub(super) fn dry_run(
     if let Work::Job(_, machine) = &again
         && (machine.plasma.use_sequence || machine.laser.use_laser)
     {
-        lacks.burns();
+        lacks.burns(machine.plasma.use_sequence);
     }
     let mut options = RunOptions { started: None, ..options.clone() };
     options.program.preview = true;

@@ -52,7 +52,10 @@ impl Lacks {
     }
 
     /// The machine of the job is a plasma table or a laser.
-    pub fn burns(&mut self) {
+    pub fn burns(&mut self, plasma: bool) {
+        if self.facts.follows_speed && !plasma {
+            return;
+        }
         let what = "has no output for a torch or a beam: it drives machines with a spindle";
         self.tell(Severity::Error, what);
     }
@@ -154,7 +157,12 @@ impl Sink for Lacks {
             }
             Event::Height { .. } => self.tell(Severity::Error, "has no height control"),
             other => {
-                if let Some(what) = set_by(other).as_ref().and_then(lacked) {
+                let beam = matches!(
+                    other,
+                    Event::Intensity { .. } | Event::Turn { turn: Turn::Dynamic, .. }
+                );
+                let set = set_by(other).filter(|_| !(beam && self.facts.follows_speed));
+                if let Some(what) = set.as_ref().and_then(lacked) {
                     self.tell(Severity::Error, &format!("has no {what}"));
                 }
             }

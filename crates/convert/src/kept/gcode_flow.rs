@@ -34,13 +34,6 @@ impl Keeper<'_> {
                 self.line(&format!("AGAIN_{label}:"));
                 self.leave(line, flow, false, &format!("DONE_{label}"))
             }
-            Keyword::Endwhile => {
-                let label = self.scoped(&name);
-                self.line(&format!("GOTO AGAIN_{label}"));
-                self.line(&format!("DONE_{label}:"));
-                self.ways.end_loop();
-                Ok(())
-            }
             Keyword::Do => {
                 let label = self.begin_loop(line, &name, flow)?;
                 self.line(&format!("AGAIN_{label}:"));
@@ -53,15 +46,8 @@ impl Keeper<'_> {
                 self.ways.end_loop();
                 Ok(())
             }
-            Keyword::Repeat => {
-                let label = self.begin_loop(line, &name, flow)?;
-                self.count(line, flow, &label)?;
-                self.line(&format!("AGAIN_{label}:"));
-                self.line(&format!("IF &turns_{label} < 1 THEN GOTO DONE_{label}"));
-                self.line(&format!("&turns_{label} = &turns_{label} - 1"));
-                Ok(())
-            }
-            Keyword::Endrepeat => {
+            Keyword::Repeat => self.begin_repeat(line, &name, flow),
+            Keyword::Endwhile | Keyword::Endrepeat => {
                 let label = self.scoped(&name);
                 self.line(&format!("GOTO AGAIN_{label}"));
                 self.line(&format!("DONE_{label}:"));
@@ -82,16 +68,29 @@ impl Keeper<'_> {
             }
             Keyword::Elseif | Keyword::Else => self.other_branch(line, flow),
             Keyword::Endif => {
-                let Some((label, branch)) = self.branches.pop() else { return Ok(()) };
-                if branch > 0 {
-                    self.line(&format!("ELSE_{label}_{branch}:"));
-                }
-                self.line(&format!("ENDIF_{label}:"));
-                self.ways.end_branches(branch == 0);
+                self.end_branches();
                 Ok(())
             }
             _ => Err(Unkept::new(line, "this O-word")),
         }
+    }
+
+    fn begin_repeat(&mut self, line: u32, name: &str, flow: &Flow) -> Result<(), Unkept> {
+        let label = self.begin_loop(line, name, flow)?;
+        self.count(line, flow, &label)?;
+        self.line(&format!("AGAIN_{label}:"));
+        self.line(&format!("IF &turns_{label} < 1 THEN GOTO DONE_{label}"));
+        self.line(&format!("&turns_{label} = &turns_{label} - 1"));
+        Ok(())
+    }
+
+    fn end_branches(&mut self) {
+        let Some((label, branch)) = self.branches.pop() else { return };
+        if branch > 0 {
+            self.line(&format!("ELSE_{label}_{branch}:"));
+        }
+        self.line(&format!("ENDIF_{label}:"));
+        self.ways.end_branches(branch == 0);
     }
 
     /// Writes how often a loop turns: a count is rounded to the nearest whole number, halves to the even one.

@@ -12,55 +12,41 @@ impl Display for Operation {
             Self::Select { choice, how } => select(f, choice, *how),
             Self::Move { by } => write!(f, "move {}", V(*by)),
             Self::Copy { by } => write!(f, "copy {}", V(*by)),
-            Self::Rotate { angle_deg, about } => {
-                write!(f, "rotate {angle_deg} about {}", P(*about))
-            }
-            Self::Scale { factor, about } => write!(f, "scale {factor} about {}", P(*about)),
-            Self::Mirror { a, b, raw } => {
-                write!(f, "mirror {} {}{}", P(*a), P(*b), if *raw { " raw" } else { "" })
-            }
+            Self::Rotate { angle_deg, about: at } => about(f, "rotate", angle_deg, *at),
+            Self::Scale { factor, about: at } => about(f, "scale", factor, *at),
+            Self::Mirror { a, b, raw } => spaced(f, "mirror", [P(*a), P(*b)], flag(*raw, " raw")),
             Self::Erase => f.write_str("erase"),
             Self::Fillet { radius_mm, at } => near(f, "fillet", *radius_mm, *at),
             Self::Chamfer { length_mm, at } => near(f, "chamfer", *length_mm, *at),
             Self::Offset { distance_mm, keep } => {
-                write!(f, "offset {distance_mm}{}", if *keep { " keep" } else { "" })
+                write!(f, "offset {distance_mm}{}", flag(*keep, " keep"))
             }
             Self::Join { distance_mm, merge } => {
-                f.write_str("join")?;
-                distance_mm.iter().try_for_each(|distance| write!(f, " {distance}"))?;
-                f.write_str(if *merge { " merge" } else { " keep" })
+                spaced(f, "join", distance_mm, if *merge { " merge" } else { " keep" })
             }
             Self::Break { shape, at } => write!(f, "break {shape} {}", P(*at)),
             Self::Trim { at } => write!(f, "trim {}", P(*at)),
             Self::ArrayRect { rows, columns, gap } => {
                 write!(f, "array rect {rows}x{columns} spacing {}", V(*gap))
             }
-            Self::ArrayRound { count, centre } => {
-                write!(f, "array round {count} about {}", P(*centre))
-            }
+            Self::ArrayRound { count, centre } => about(f, "array round", count, *centre),
             Self::Bulge { shape, at, bulge } => write!(f, "bulge {shape} {} {bulge}", P(*at)),
-            Self::Radius { shape, at, radius_mm } => {
-                write!(f, "radius {shape} {} {radius_mm}", P(*at))
-            }
+            Self::Radius { shape, at, radius_mm: r } => write!(f, "radius {shape} {} {r}", P(*at)),
             Self::Vertex { shape, at, to } => write!(f, "vertex {shape} {} {}", P(*at), P(*to)),
             Self::Stretch { a, b, by } => write!(f, "stretch {} {} by {}", P(*a), P(*b), V(*by)),
             Self::StretchAt { at, by } => {
-                f.write_str("stretch at")?;
-                at.iter().try_for_each(|at| write!(f, " {}", P(*at)))?;
-                write!(f, " by {}", V(*by))
+                spaced(f, "stretch at", at.iter().map(|at| P(*at)), &format!(" by {}", V(*by)))
             }
             Self::DeleteVertices { shape, at } => {
-                write!(f, "delete-vertices {shape}")?;
-                at.iter().try_for_each(|at| write!(f, " {}", P(*at)))
+                spaced(f, &format!("delete-vertices {shape}"), at.iter().map(|at| P(*at)), "")
             }
             Self::Circle { centre, radius_mm } => write!(f, "circle {} {radius_mm}", P(*centre)),
             Self::Rectangle { a, b } => write!(f, "rect {} {}", P(*a), P(*b)),
             Self::Point { at } => write!(f, "point {}", P(*at)),
             Self::Polyarc { vertices, closed } => line(f, vertices, *closed),
             Self::SpaceLine { places, closed } => {
-                f.write_str("line3d")?;
-                places.iter().try_for_each(|[x, y, z]| write!(f, " {x},{y},{z}"))?;
-                f.write_str(if *closed { " close" } else { "" })
+                let places = places.iter().map(|[x, y, z]| format!("{x},{y},{z}"));
+                spaced(f, "line3d", places, flag(*closed, " close"))
             }
             Self::Reverse => f.write_str("reverse"),
             Self::Directions => f.write_str("directions auto"),
@@ -68,10 +54,7 @@ impl Display for Operation {
             Self::Pause { on } => write!(f, "pause {}", on_off(*on)),
             Self::Group { group } => write!(f, "group {group}"),
             Self::CopyToGroup { group } => write!(f, "copy-to {group}"),
-            Self::Set { group, changes } => {
-                write!(f, "set {group}")?;
-                changes.iter().try_for_each(|change| write!(f, " {change}"))
-            }
+            Self::Set { group, changes } => spaced(f, &format!("set {group}"), changes, ""),
             Self::Pocket { clearing, pattern } => write!(f, "pocket {clearing}{pattern}"),
             Self::Engrave(clearing) => write!(f, "engrave {clearing}"),
             Self::Pick { picking } => write!(f, "pick {picking}"),
@@ -88,11 +71,33 @@ impl Display for Operation {
             Self::LoadClipboard { file, .. } => write!(f, "load-clipboard {file}"),
             Self::ClearClipboard => f.write_str("clear-clipboard"),
             Self::Paste { at, absolute } => {
-                write!(f, "paste {}{}", if *absolute { "absolute " } else { "" }, P(*at))
+                write!(f, "paste {}{}", flag(*absolute, "absolute "), P(*at))
             }
             Self::Comment { lines } => write!(f, "comment {}", lines.join(" | ")),
         }
     }
+}
+
+/// Writes what is done by a value about a place.
+fn about(f: &mut Formatter<'_>, word: &str, value: impl Display, at: Point2) -> Result {
+    write!(f, "{word} {value} about {}", P(at))
+}
+
+/// A word where something is so.
+const fn flag(is_so: bool, word: &str) -> &str {
+    if is_so { word } else { "" }
+}
+
+/// Writes words with a blank before each, between a head and a tail.
+fn spaced(
+    f: &mut Formatter<'_>,
+    head: &str,
+    words: impl IntoIterator<Item = impl Display>,
+    tail: &str,
+) -> Result {
+    f.write_str(head)?;
+    words.into_iter().try_for_each(|word| write!(f, " {word}"))?;
+    f.write_str(tail)
 }
 
 /// A place as `x,y`.

@@ -105,6 +105,35 @@ impl Default for Fake {
     }
 }
 
+/// Settings of a controller that nobody has changed.
+const USUAL: [(u16, f64); 25] = [
+    (0, 10.0),
+    (1, 25.0),
+    (10, 1.0),
+    (11, 0.01),
+    (12, 0.002),
+    (13, 0.0),
+    (20, 0.0),
+    (21, 0.0),
+    (22, 0.0),
+    (23, 0.0),
+    (30, 24_000.0),
+    (31, 0.0),
+    (32, 0.0),
+    (100, 250.0),
+    (101, 250.0),
+    (102, 250.0),
+    (110, 6000.0),
+    (111, 6000.0),
+    (112, 3000.0),
+    (120, 400.0),
+    (121, 400.0),
+    (122, 400.0),
+    (130, 600.0),
+    (131, 400.0),
+    (132, 100.0),
+];
+
 impl Fake {
     /// grbl that was just switched on, with some of its settings.
     pub fn new(settings: &[(u16, f64)]) -> Self {
@@ -113,37 +142,10 @@ impl Fake {
 
     /// A controller that was just switched on, with some of its settings.
     pub fn of(board: Board, settings: &[(u16, f64)]) -> Self {
-        let usual = [
-            (0, 10.0),
-            (1, 25.0),
-            (10, 1.0),
-            (11, 0.01),
-            (12, 0.002),
-            (13, 0.0),
-            (20, 0.0),
-            (21, 0.0),
-            (22, 0.0),
-            (23, 0.0),
-            (30, 24_000.0),
-            (31, 0.0),
-            (32, 0.0),
-            (100, 250.0),
-            (101, 250.0),
-            (102, 250.0),
-            (110, 6000.0),
-            (111, 6000.0),
-            (112, 3000.0),
-            (120, 400.0),
-            (121, 400.0),
-            (122, 400.0),
-            (130, 600.0),
-            (131, 400.0),
-            (132, 100.0),
-        ];
         let mut fake = Self {
             clock_s: 0.0,
             state: State::Ready,
-            settings: usual.into_iter().chain(settings.iter().copied()).collect(),
+            settings: USUAL.into_iter().chain(settings.iter().copied()).collect(),
             motion: Motion::new(board.planner),
             board,
             buffer: VecDeque::new(),

@@ -9,7 +9,9 @@
 
 mod acts;
 mod channel;
+mod greeting;
 mod inputs;
+mod introduction;
 mod latch;
 mod learn;
 mod motion;
@@ -18,22 +20,22 @@ mod options;
 mod questions;
 mod session;
 
+pub use introduction::{Held, Introduced, Introduction};
 pub use latch::{Home, Watched};
 pub use news::{Ended, Fault, News, NotNow, Start};
 pub use options::Options;
 
 use crate::clock::Clock;
-use crate::identify::Identify;
-use crate::link::{Join, Link, Outgoing};
+use crate::link::Outgoing;
 use crate::queue::{Piece, Refused};
 use crate::setup::Setup;
+use greeting::Greeting;
 use session::Session;
 use std::collections::VecDeque;
 
 /// The state of a session.
 enum Phase {
-    Joining(Join),
-    Identifying(Box<(Link, Identify)>),
+    Greeting(Greeting),
     Open(Box<Session>),
     Over,
 }
@@ -49,25 +51,18 @@ pub struct Board {
 impl Board {
     /// Begins to look for a board.
     pub fn new(setup: Setup, options: Options, now_s: f64) -> Self {
-        let (phase, news) = (Phase::Joining(Join::new(now_s)), VecDeque::new());
+        let (phase, news) = (Phase::Greeting(Greeting::new(options.baud, now_s)), VecDeque::new());
         Self { setup, options, phase, news }
     }
 
     /// Reads bytes that came.
     pub fn receive(&mut self, bytes: &[u8], now_s: f64) {
         let next = match &mut self.phase {
-            Phase::Joining(join) => join.receive(bytes, now_s).map(|expected| {
-                let link = Link::new(expected, self.options.baud);
-                Ok(Phase::Identifying(Box::new((link, Identify::new(now_s)))))
+            Phase::Greeting(greeting) => greeting.receive(bytes, now_s).transpose().map(|found| {
+                let (link, dictionary) = found?;
+                Session::new(self.setup.clone(), self.options, link, dictionary)
+                    .map(|open| Phase::Open(Box::new(open)))
             }),
-            Phase::Identifying(pair) => {
-                Self::identified(pair, bytes, now_s).transpose().map(|found| {
-                    let (link, dictionary) = found?;
-                    let (setup, options) = (self.setup.clone(), self.options);
-                    Session::new(setup, options, link, dictionary)
-                        .map(|open| Phase::Open(Box::new(open)))
-                })
-            }
             Phase::Open(open) => open.receive(bytes, now_s, &mut self.news).err().map(Err),
             Phase::Over => None,
         };
@@ -81,14 +76,7 @@ impl Board {
     /// Returns the bytes to be written now.
     pub fn transmit(&mut self, now_s: f64) -> Outgoing {
         let written = match &mut self.phase {
-            Phase::Joining(join) if join.is_vain(now_s) => Err(Fault::NoBoard),
-            Phase::Joining(join) => Ok(Outgoing { bytes: join.transmit(now_s), replaces: false }),
-            Phase::Identifying(pair) => {
-                let (link, identify) = pair.as_mut();
-                let asked = identify.ask(now_s).is_none_or(|question| link.send(question, None));
-                let silent = !asked || link.silent_s(now_s) > session::SILENCE_S;
-                if silent { Err(Fault::Silent) } else { Ok(link.transmit(now_s)) }
-            }
+            Phase::Greeting(greeting) => greeting.transmit(now_s),
             Phase::Open(open) => open.transmit(now_s, &mut self.news),
             Phase::Over => Ok(Outgoing::default()),
         };
@@ -101,8 +89,7 @@ impl Board {
     /// Returns the moment at which [`transmit`](Self::transmit) has something to do, if nothing comes before.
     pub fn due_s(&self) -> f64 {
         match &self.phase {
-            Phase::Joining(join) => join.due_s(),
-            Phase::Identifying(pair) => pair.0.due_s().min(pair.1.due_s()),
+            Phase::Greeting(greeting) => greeting.due_s(),
             Phase::Open(open) => open.due_s(),
             Phase::Over => f64::INFINITY,
         }
@@ -298,6 +285,17 @@ impl Board {
         self.shown()?.motion.queue.count_at(motor, clock)
     }
 
+    /// Shortest time by which a step was sent before it was due, seconds; nothing before one was.
+    pub fn latest_s(&self) -> Option<f64> {
+        let open = self.shown()?;
+        Some(open.motion.queue.latest()? as f64 / open.channel.frequency)
+    }
+
+    /// Smoothed round trip of the line and its deviation, seconds.
+    pub fn trip_s(&self) -> Option<[f64; 2]> {
+        self.shown()?.channel.link.trip_s()
+    }
+
     /// Longest stall of the host that was seen, and the lead that follows from it, seconds.
     pub fn lead_s(&self) -> Option<[f64; 2]> {
         self.shown().map(|open| open.lead_s())
@@ -320,20 +318,5 @@ impl Board {
     fn over(&mut self, fault: Fault) {
         self.phase = Phase::Over;
         self.news.push_back(News::Fault(fault));
-    }
-
-    /// Reads pieces of the dictionary; returns it with the line once it is whole.
-    fn identified(
-        (link, identify): &mut (Link, Identify),
-        bytes: &[u8],
-        now_s: f64,
-    ) -> Result<Option<(Link, crate::dictionary::Dictionary)>, Fault> {
-        for heard in link.receive(bytes, now_s) {
-            let crate::link::Heard::Message(message) = heard else { continue };
-            if let Some(dictionary) = identify.heard(&message)? {
-                return Ok(Some((link.clone(), dictionary)));
-            }
-        }
-        Ok(None)
     }
 }

@@ -110,6 +110,13 @@ impl Dictionary {
         self.texts.iter().map(|(name, text)| (name.as_str(), text.as_str()))
     }
 
+    /// Returns the words of an enumeration in the order of their numbers.
+    pub fn words(&self, kind: &str) -> Vec<&str> {
+        let mut words: Vec<_> = self.enumerations.get(kind).into_iter().flatten().collect();
+        words.sort_by_key(|(_, number)| **number);
+        words.into_iter().map(|(word, _)| word.as_str()).collect()
+    }
+
     /// Returns the number of a word in an enumeration: of a pin, a bus.
     ///
     /// # Errors

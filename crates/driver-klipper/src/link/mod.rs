@@ -207,6 +207,11 @@ impl Link {
         self.flight.oldest_s().map_or(0.0, |sent_s| now_s - sent_s)
     }
 
+    /// Smoothed round trip and its deviation, seconds.
+    pub const fn trip_s(&self) -> Option<[f64; 2]> {
+        self.round_trip.smooth_s()
+    }
+
     /// Moment at which the board was heard last.
     pub const fn heard_s(&self) -> f64 {
         self.heard_s

@@ -44,6 +44,11 @@ impl RoundTrip {
         self.smooth_s = Some([smooth_s, deviation_s]);
     }
 
+    /// Smoothed round trip and its deviation, seconds.
+    pub const fn smooth_s(&self) -> Option<[f64; 2]> {
+        self.smooth_s
+    }
+
     /// Something was acknowledged: the timer runs anew, as patient as the round trip asks for.
     pub fn progressed(&mut self, since_s: f64) {
         let patience_s =

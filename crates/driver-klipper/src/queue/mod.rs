@@ -116,6 +116,8 @@ pub struct Queue {
     told: Vec<Told>,
     places: Places,
     outputs: Outputs,
+    /// Shortest time by which a step was sent before it was due, ticks.
+    latest: Option<u64>,
 }
 
 impl Queue {
@@ -136,6 +138,7 @@ impl Queue {
             stopping: false,
             places: Places::new(places.saturating_sub(outputs.len())),
             outputs: Outputs::new(outputs),
+            latest: None,
         }
     }
 
@@ -251,6 +254,10 @@ impl Queue {
                 return Err(Late);
             }
             self.sending.pop_front();
+            if matches!(next, Release::Steps { .. }) {
+                let before = due(&next).saturating_sub(now + off);
+                self.latest = Some(self.latest.map_or(before, |latest| latest.min(before)));
+            }
             self.tell(next, now + off, &mut out);
         }
         Ok(out)
@@ -268,6 +275,11 @@ impl Queue {
             count -= if steps.forward { later } else { -later };
         }
         Some(count)
+    }
+
+    /// Shortest time by which a step was sent before it was due, ticks.
+    pub const fn latest(&self) -> Option<u64> {
+        self.latest
     }
 
     /// Counts of all motors once they have made what was sent.

@@ -23,6 +23,8 @@ pub struct Piece {
     pub ends: u64,
     /// The steps that bring each motor to rest from there; none where they stand.
     pub tail: Vec<Vec<Step>>,
+    /// Changes of outputs on the way to rest.
+    pub tail_changes: Vec<Change>,
     /// End of the tail.
     pub rests: u64,
 }
@@ -46,17 +48,24 @@ impl Prepared {
         }
         let span = [starts, piece.ends];
         let mut prepared = Self::of(&piece.steps, span, before)?;
-        let inside = |change: &Change| span[0] <= change.clock && change.clock <= span[1];
-        if !piece.changes.iter().all(inside) {
-            return Err(Refused::Order);
-        }
-        prepared.releases.extend(piece.changes.iter().copied().map(Release::Output));
-        prepared.releases.sort_by_key(due);
-        if piece.tail.iter().any(|steps| !steps.is_empty()) {
-            let tail = Self::of(&piece.tail, [piece.ends, piece.rests], &prepared.behind)?;
+        prepared.switch(&piece.changes)?;
+        if piece.tail.iter().any(|steps| !steps.is_empty()) || !piece.tail_changes.is_empty() {
+            let mut tail = Self::of(&piece.tail, [piece.ends, piece.rests], &prepared.behind)?;
+            tail.switch(&piece.tail_changes)?;
             prepared.tail = Some(Box::new(tail));
         }
         Ok(prepared)
+    }
+
+    /// Outputs change within it.
+    fn switch(&mut self, changes: &[Change]) -> Result<(), Refused> {
+        let inside = |change: &Change| (self.starts..=self.ends).contains(&change.clock);
+        if !changes.iter().all(inside) {
+            return Err(Refused::Order);
+        }
+        self.releases.extend(changes.iter().copied().map(Release::Output));
+        self.releases.sort_by_key(due);
+        Ok(())
     }
 
     fn of(motors: &[Vec<Step>], span: [u64; 2], before: &[Compressor]) -> Result<Self, Refused> {

@@ -29,10 +29,20 @@ impl Gathered {
 
     /// Reports what is missing or out of range whatever the state is. Values may be unknown (not a number).
     pub(crate) fn needs(&self, span: Span, fault: &mut dyn FnMut(Fault)) {
+        self.check_dwell(span, fault);
+        self.check_words(span, fault);
+        self.check_numbers(span, fault);
+        self.check_axis_words(span, fault);
+    }
+
+    fn check_dwell(&self, span: Span, fault: &mut dyn FnMut(Fault)) {
         if self.g[ONCE] == Some(40) && [b'P', b'X', b'S'].iter().any(|l| self.or_zero(*l) < 0.0) {
             let fault_at = Fault::new(Code::OutOfRange, span, "G4 with a time below zero");
             fault(fault_at.hint("G4 P1.5 waits for one and a half seconds"));
         }
+    }
+
+    fn check_words(&self, span: Span, fault: &mut dyn FnMut(Fault)) {
         if self.m[IO] == Some(66) && self.has(b'P') && self.has(b'E') {
             let both = Fault::new(Code::ModalConflict, span, "M66 with P and E");
             fault(both.hint("P is a switch and E an analog input: one M66 reads one of them"));
@@ -82,6 +92,9 @@ impl Gathered {
             "a probe move without a place",
             "name the axis to move, as in G38.2 Z-10 F50",
         );
+    }
+
+    fn check_numbers(&self, span: Span, fault: &mut dyn FnMut(Fault)) {
         for letter in [b'F', b'S', b'T', b'D', b'H', b'L'] {
             let h_unset = letter == b'H' && self.or_zero(letter) == -1.0;
             // A diameter below zero is the other side.
@@ -98,6 +111,9 @@ impl Gathered {
                 fault(Fault::new(Code::OutOfRange, span, message).hint(hint));
             }
         }
+    }
+
+    fn check_axis_words(&self, span: Span, fault: &mut dyn FnMut(Fault)) {
         let home = matches!(self.g[ONCE], Some(280 | 300));
         let free = |motion: i32| motion == 800 || home && matches!(motion, 0 | 10);
         if self.axes_taken()

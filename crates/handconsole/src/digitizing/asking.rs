@@ -121,7 +121,7 @@ impl Digitizing {
                     _ => self.lose(losing, view),
                 }
             }
-            Does::Looks(look) => self.stay().and([crate::Wish::Look(look)]),
+            Does::Looks(look) => self.stay().and([crate::ConsoleRequest::Look(look)]),
             Does::Place => self.ask(Asks::Place),
             Does::Moves { flat, in_space } => {
                 let three = self.points.dimension() == kerf_digitize::Dimension::Three;
@@ -149,7 +149,7 @@ impl Digitizing {
         }
     }
 
-    /// A function of the console asks its numbers in here, and what it wishes is done from here.
+    /// A function of the console asks its numbers in here, and what it requests is done from here.
     fn within(self, next: Next<Stepping>) -> Next<Self> {
         next.within(|to| {
             let asks = match to {

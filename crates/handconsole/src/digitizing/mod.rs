@@ -6,7 +6,7 @@ mod table;
 pub use table::{Entry, FUNCTIONS};
 
 use crate::next::{Next, To};
-use crate::{Key, Screen, View, Waits, Wish, idle, running};
+use crate::{ConsoleRequest, Key, Screen, View, Waits, idle, running};
 use asking::Asks;
 use kerf_digitize::{Digitizer, Dimension, Kind, Leg, Stand};
 use kerf_machine::{Errand, Stretch};
@@ -45,7 +45,7 @@ impl Digitizing {
         }
     }
 
-    /// Takes the outcome of the last wish; returns its name where a shape was being saved, else an empty text.
+    /// Takes the outcome of the last request; returns its name where a shape was being saved, else an empty text.
     pub fn told(&mut self, done: bool) -> &'static str {
         if !std::mem::take(&mut self.saving) {
             return "";
@@ -89,7 +89,7 @@ impl Digitizing {
             self.asks = Asks::Nothing;
         }
         match key {
-            Key::Digit(digit) => self.stay().and(idle::jog(digit, view).map(Wish::Jog)),
+            Key::Digit(digit) => self.stay().and(idle::jog(digit, view).map(ConsoleRequest::Jog)),
             Key::PlusMinus => self.edit(Digitizer::toggle),
             Key::Enter => self.edit(|points| points.append(tool)),
             Key::File => {
@@ -131,13 +131,15 @@ impl Digitizing {
         }
         let stretches = way.iter().map(|leg| Stretch { path: leg.path, z_mm: leg.z_mm });
         let errand = Errand::Along(stretches.collect());
-        Self { way, ..self }.stay().and([Wish::Go(errand)])
+        Self { way, ..self }.stay().and([ConsoleRequest::Go(errand)])
     }
 
     /// The points become a shape of the drawing or the job.
     fn save(self, closed: bool, view: &View) -> Next<Self> {
         match self.points.shape(closed, view.machine.zpos.surface_mm) {
-            Ok(shape) => Self { saving: true, ..self }.stay().and([Wish::AddShape(shape.into())]),
+            Ok(shape) => {
+                Self { saving: true, ..self }.stay().and([ConsoleRequest::AddShape(shape.into())])
+            }
             Err(why) => self.stay().refused(why.to_string()),
         }
     }

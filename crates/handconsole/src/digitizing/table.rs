@@ -3,7 +3,7 @@
 use super::asking::Losing;
 use super::stand;
 use crate::functions::{Done, Function, Step};
-use crate::{View, Wish};
+use crate::{ConsoleRequest, View};
 use kerf_digitize::{Digitizer, Dimension, Leg, Refusal, Stand};
 use kerf_geom::{Point2, Segment};
 use kerf_machine::{Errand, Stretch};
@@ -195,5 +195,5 @@ fn straight(view: &View, typed: &[f64], from: Stand) -> Done {
     let end = Point2::new(from.at.x + typed[0], from.at.y + typed[1]);
     let path = Segment::line(stand(view).at, end);
     let z_mm = typed.get(2).map(|z| from.z_mm + z);
-    vec![Wish::Go(Errand::Along([Stretch { path, z_mm }].into()))].into()
+    vec![ConsoleRequest::Go(Errand::Along([Stretch { path, z_mm }].into()))].into()
 }

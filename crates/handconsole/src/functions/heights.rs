@@ -4,7 +4,7 @@ use super::moves::to_height;
 use super::settings::{set, with};
 use super::spec::Step::{Height, Number};
 use super::spec::{Done, Function, Refusal, shown, tidy};
-use crate::{JobWish, View, Wish};
+use crate::{ConsoleRequest, JobRequest, View};
 use kerf_machine::Errand;
 use kerf_program::{Axis, AxisSet};
 
@@ -54,7 +54,7 @@ pub(super) const BOTTOM_JUSTIFY: Function = Function {
     steps: &[Number { prompt: "ZBottom adjust mm:", now: |_| Some(0.0) }],
     does: |typed, view| {
         let mut done = lowered(view, typed[0])?;
-        done.wishes.push(Wish::Job(JobWish::Justify));
+        done.requests.push(ConsoleRequest::Job(JobRequest::Justify));
         Ok(done)
     },
 };
@@ -89,8 +89,8 @@ pub(super) const ADJUST_Y: Function =
 /// Z bottom by a distance.
 fn lowered(view: &View, by_mm: f64) -> Result<Done, Refusal> {
     let bottom_mm = tidy(view.machine.zpos.bottom_mm + by_mm);
-    let wishes = with(view, &["zpos.bottom_mm"], bottom_mm)?;
-    Ok(Done::from(wishes).saying(format!("ZBottom {}", shown(bottom_mm))))
+    let requests = with(view, &["zpos.bottom_mm"], bottom_mm)?;
+    Ok(Done::from(requests).saying(format!("ZBottom {}", shown(bottom_mm))))
 }
 
 /// The set points by distances.
@@ -99,7 +99,7 @@ fn adjusted(view: &View, by_mm: [f64; 2]) -> Result<Done, Refusal> {
     let free = height.adjust(by_mm);
     let [x, y] = [height.x_set_point, height.y_set_point];
     let points = [("height.x_set_point", x), ("height.y_set_point", y)];
-    let wishes = set(view, points.map(|(key, point)| (key, point.to_string())).into())?;
+    let requests = set(view, points.map(|(key, point)| (key, point.to_string())).into())?;
     let held = if free { "" } else { " (limit)" };
-    Ok(Done::from(wishes).saying(format!("X {x} Y {y}{held}")))
+    Ok(Done::from(requests).saying(format!("X {x} Y {y}{held}")))
 }

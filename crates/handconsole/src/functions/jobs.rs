@@ -2,7 +2,7 @@
 
 use super::spec::Step::Number;
 use super::spec::{Done, Function, shown, tidy};
-use crate::{JobWish, View, Wish};
+use crate::{ConsoleRequest, JobRequest, View};
 use kerf_program::Axis;
 
 pub(super) const SET_ORIGIN: Function = Function {
@@ -11,7 +11,7 @@ pub(super) const SET_ORIGIN: Function = Function {
     doc: "The origin of the open job is where the tool is; also that of the machine, for jobs that have none. \
          `job.origin_mm`",
     steps: &[],
-    does: |_, view| Ok(placed(JobWish::Origin(here(view)), "Origin", here(view))),
+    does: |_, view| Ok(placed(JobRequest::Origin(here(view)), "Origin", here(view))),
 };
 
 pub(super) const SET_FINISH: Function = Function {
@@ -22,7 +22,7 @@ pub(super) const SET_FINISH: Function = Function {
     does: |_, view| {
         let ([x, y], [x0, y0]) = (here(view), view.machine.job.origin_mm);
         let finish = [x - x0, y - y0].map(tidy);
-        Ok(placed(JobWish::Finish(finish), "Finish", finish))
+        Ok(placed(JobRequest::Finish(finish), "Finish", finish))
     },
 };
 
@@ -32,7 +32,7 @@ pub(super) const SAVE: Function = Function {
     doc: "The open job is written into its file, with the origin, the finish position and the start shape that hold. Its \
          paths stay as they were made: neither 60 nor 300 goes into the file. Shapes that were digitized are among them",
     steps: &[],
-    does: |_, _| Ok(Done::from(vec![Wish::Job(JobWish::Save)]).saying("Job saved")),
+    does: |_, _| Ok(Done::from(vec![ConsoleRequest::Job(JobRequest::Save)]).saying("Job saved")),
 };
 
 pub(super) const SAVE_MACHINE: Function = Function {
@@ -40,7 +40,7 @@ pub(super) const SAVE_MACHINE: Function = Function {
     name: "Save machine",
     doc: "The settings of the machine are kept as they are now",
     steps: &[],
-    does: |_, _| Ok(vec![Wish::KeepSettings].into()),
+    does: |_, _| Ok(vec![ConsoleRequest::KeepSettings].into()),
 };
 
 pub(super) const NEAREST: Function = Function {
@@ -48,7 +48,7 @@ pub(super) const NEAREST: Function = Function {
     name: "Nearest shape",
     doc: "Which shape of the job is nearest to the tool: its number, to be typed behind Start",
     steps: &[],
-    does: |_, _| Ok(vec![Wish::Job(JobWish::Nearest)].into()),
+    does: |_, _| Ok(vec![ConsoleRequest::Job(JobRequest::Nearest)].into()),
 };
 
 pub(super) const OFFSET: Function = Function {
@@ -59,12 +59,12 @@ pub(super) const OFFSET: Function = Function {
         prompt: "Offset job mm:",
         now: |view| view.job.as_ref().map(|job| job.offset_mm),
     }],
-    does: |typed, _| Ok(vec![Wish::Job(JobWish::Offset(typed[0]))].into()),
+    does: |typed, _| Ok(vec![ConsoleRequest::Job(JobRequest::Offset(typed[0]))].into()),
 };
 
-fn placed(wish: JobWish, what: &str, [x, y]: [f64; 2]) -> Done {
+fn placed(request: JobRequest, what: &str, [x, y]: [f64; 2]) -> Done {
     let said = format!("{what} {},{}", shown(x), shown(y));
-    Done::from(vec![Wish::Job(wish)]).saying(said)
+    Done::from(vec![ConsoleRequest::Job(request)]).saying(said)
 }
 
 /// Returns the place of the tool in the plane, from home.

@@ -2,7 +2,7 @@
 
 use super::spec::Step::Number;
 use super::spec::{Done, Function, Refusal};
-use crate::{View, Wish};
+use crate::{ConsoleRequest, View};
 use kerf_machine::Errand;
 use kerf_machine::settings::axes::W;
 use kerf_program::{AXES, Axis, AxisSet};
@@ -88,7 +88,7 @@ pub(super) const FIND_XY: Function = Function {
 };
 
 fn go(errands: impl IntoIterator<Item = Errand>) -> Done {
-    errands.into_iter().map(Wish::Go).collect::<Vec<_>>().into()
+    errands.into_iter().map(ConsoleRequest::Go).collect::<Vec<_>>().into()
 }
 
 /// The way to a place in the plane and a height: Z first where it rises, last where it sinks, so that the tool

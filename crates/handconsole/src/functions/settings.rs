@@ -2,7 +2,7 @@
 
 use super::spec::Step::Number;
 use super::spec::{Done, Function, Refusal, shown};
-use crate::{View, Wish};
+use crate::{ConsoleRequest, View};
 use kerf_machine::contradictions::{Contradiction, contradictions};
 use kerf_machine::{Configuration, Value, table};
 use kerf_program::Axis;
@@ -192,14 +192,21 @@ fn now(view: &View, key: &str, per: f64) -> Option<f64> {
 }
 
 /// Settings get a number.
-pub(super) fn with(view: &View, keys: &[&'static str], value: f64) -> Result<Vec<Wish>, Refusal> {
+pub(super) fn with(
+    view: &View,
+    keys: &[&'static str],
+    value: f64,
+) -> Result<Vec<ConsoleRequest>, Refusal> {
     set(view, keys.iter().map(|key| (*key, value.to_string())).collect())
 }
 
 /// Settings get values, all of them or none.
-pub(super) fn set(view: &View, values: Vec<(&'static str, String)>) -> Result<Vec<Wish>, Refusal> {
+pub(super) fn set(
+    view: &View,
+    values: Vec<(&'static str, String)>,
+) -> Result<Vec<ConsoleRequest>, Refusal> {
     changed(view, &values)?;
-    Ok(vec![Wish::Set(values)])
+    Ok(vec![ConsoleRequest::Set(values)])
 }
 
 /// The machine with these values, if it takes them.
@@ -239,7 +246,7 @@ fn decided(
     key: &'static str,
     [no, yes]: NoYes,
     typed: f64,
-) -> Result<Vec<Wish>, Refusal> {
+) -> Result<Vec<ConsoleRequest>, Refusal> {
     let word = match typed {
         0.0 => no,
         1.0 => yes,

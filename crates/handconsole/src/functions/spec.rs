@@ -1,6 +1,6 @@
 //! What a function is: its steps, and what it wants done.
 
-use crate::{View, Wish};
+use crate::{ConsoleRequest, View};
 use kerf_machine::Errand;
 
 /// One function.
@@ -21,11 +21,11 @@ pub struct Function {
 /// Reason why something cannot be, in words that a small screen has room for.
 pub type Refusal = String;
 
-/// Wishes of a function, and a line about them.
+/// Requests of a function, and a line about them.
 #[derive(Debug)]
 pub struct Done {
-    /// The wishes, in this order.
-    pub wishes: Vec<Wish>,
+    /// The requests, in this order.
+    pub requests: Vec<ConsoleRequest>,
     /// Text of the second line afterwards, until the next key: 20 characters at most.
     pub says: String,
 }
@@ -36,9 +36,9 @@ impl Done {
     }
 }
 
-impl From<Vec<Wish>> for Done {
-    fn from(wishes: Vec<Wish>) -> Self {
-        Self { wishes, says: String::new() }
+impl From<Vec<ConsoleRequest>> for Done {
+    fn from(requests: Vec<ConsoleRequest>) -> Self {
+        Self { requests, says: String::new() }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::spec::{Function, Step, shown};
 use crate::entry::Typed;
 use crate::next::{Next, To};
-use crate::{Key, Screen, View, Wish, idle};
+use crate::{ConsoleRequest, Key, Screen, View, idle};
 use kerf_machine::Held;
 use kerf_program::Axis;
 
@@ -31,7 +31,7 @@ impl Stepping {
             None => self.finish(view),
             Some(Step::Number { .. }) => Next::stay(self),
             Some(Step::Height { there, .. }) => {
-                let ways = there(view).into_iter().map(Wish::Go);
+                let ways = there(view).into_iter().map(ConsoleRequest::Go);
                 Next::stay(self).and(ways)
             }
         }
@@ -40,10 +40,10 @@ impl Stepping {
     fn finish(self, view: &View) -> Next<Self> {
         let Self { function, mut answers, .. } = self;
         match (function.does)(&answers, view) {
-            Ok(done) if done.wishes.iter().any(Wish::lasts) => {
-                Next::to(To::Doing(function.name)).and(done.wishes)
+            Ok(done) if done.requests.iter().any(ConsoleRequest::lasts) => {
+                Next::to(To::Doing(function.name)).and(done.requests)
             }
-            Ok(done) => Next::wish(done.wishes).said(function.name, &done.says),
+            Ok(done) => Next::request(done.requests).said(function.name, &done.says),
             Err(why) => {
                 // The last number is asked for again.
                 answers.pop();
@@ -94,7 +94,7 @@ impl Stepping {
             (Some(Step::Height { .. }), Key::Enter) => self.answered(view.position[Axis::Z], view),
             (Some(Step::Height { .. }), Key::Digit(digit)) => {
                 let jog = idle::jog(digit, view).map(|held| Held { sets_bottom: true, ..held });
-                Next::stay(self).and(jog.map(Wish::Jog))
+                Next::stay(self).and(jog.map(ConsoleRequest::Jog))
             }
             (Some(Step::Height { .. }), _) => Next::stay(self),
         }

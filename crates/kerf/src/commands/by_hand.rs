@@ -34,12 +34,12 @@ pub struct MoveArgs {
     #[arg(long, global = true)]
     real: bool,
     #[command(flatten)]
-    beside: Beside,
+    there: ServerArgs,
 }
 
 /// Options for where a running `kerf serve` has the machine, which then moves it.
 #[derive(Args, Clone, Copy)]
-pub struct Beside {
+pub struct ServerArgs {
     /// Arms the machine first, where a running kerf serve has it
     #[arg(long, global = true)]
     pub arm: bool,
@@ -236,10 +236,10 @@ fn went(ended: &Ended) -> Exit {
 }
 
 /// Homes axes; all that have a switch when not told which.
-pub fn home(which: &Which, letters: Option<&str>, beside: Beside) -> Result<Exit> {
+pub fn home(which: &Which, letters: Option<&str>, there: ServerArgs) -> Result<Exit> {
     if let Some(server) = server(which)? {
         let way = ByHand::FindHome { axes: letters.map(str::to_owned) };
-        return Ok(went(&server.go(&way, beside.arm)?));
+        return Ok(went(&server.go(&way, there.arm)?));
     }
     if which.machine.controller().is_some() {
         return home_controller(which);
@@ -263,7 +263,7 @@ fn home_controller(which: &Which) -> Result<Exit> {
 
 pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
     if let Some(server) = server(which)? {
-        return Ok(went(&server.go(&args.way.by_hand()?, args.beside.arm)?));
+        return Ok(went(&server.go(&args.way.by_hand()?, args.there.arm)?));
     }
     let mut shop = Shop::open(which, args.real)?;
     let mut requests = Vec::new();

@@ -17,11 +17,11 @@ use std::path::{Path, PathBuf};
 /// Files are rewritten in place, whole or not at all. Lines that cannot be read stay as they are.
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  kerf fmt box.sbp\n  kerf fmt --check *.sbp\n  kerf fmt - < box.sbp\
+    after_help = "Examples:\n  kerf fmt box.sbp\n  kerf fmt --check parts/\n  kerf fmt - < box.sbp\
     \n\nExit codes: 0 done, 1 with --check when a file would change, or no text, 2 the command line was wrong"
 )]
 pub struct FmtArgs {
-    /// The part files; - reads standard input and writes standard output
+    /// Part files, or folders with part files in them; - reads standard input and writes standard output
     #[arg(required = true)]
     files: Vec<PathBuf>,
     /// Only tells which files would change
@@ -35,7 +35,7 @@ pub struct FmtArgs {
 pub fn run(args: &FmtArgs) -> Result<Exit> {
     args.files.iter().try_for_each(|file| refuse_others(file))?;
     let mut failed = false;
-    for file in &args.files {
+    for file in &part_files(&args.files)? {
         let outcome = one(file, args)?;
         failed |= outcome == Outcome::Refused || args.check && outcome == Outcome::Changes;
     }
@@ -48,10 +48,7 @@ const STREAM: &str = "-";
 /// Refuses what is no part file by its name: to a formatter every text is one.
 fn refuse_others(file: &Path) -> Result<()> {
     let name = file.to_string_lossy();
-    if file.is_dir() {
-        bail!(Usage(format!("{name} is a folder, not a file")));
-    }
-    if name != STREAM && !kerf_sbp::is_part_name(&name) && !kerf_sbp::is_gcode_name(&name) {
+    if name != STREAM && !file.is_dir() && !is_part_file(file) {
         let known: Vec<_> = kerf_sbp::PART_ENDINGS.iter().chain(&kerf_sbp::GCODE_ENDINGS).collect();
         let known = known.iter().map(|it| format!(".{it}")).collect::<Vec<_>>().join(" ");
         bail!(Usage(format!(
@@ -60,6 +57,31 @@ fn refuse_others(file: &Path) -> Result<()> {
         )));
     }
     Ok(())
+}
+
+fn is_part_file(file: &Path) -> bool {
+    let name = file.to_string_lossy();
+    kerf_sbp::is_part_name(&name) || kerf_sbp::is_gcode_name(&name)
+}
+
+/// The files, and in place of each folder the part files in it and in those within, by their names.
+fn part_files(named: &[PathBuf]) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for path in named {
+        if !path.is_dir() {
+            files.push(path.clone());
+            continue;
+        }
+        let entries = fs::read_dir(path).and_then(Iterator::collect::<io::Result<Vec<_>>>);
+        let entries =
+            entries.with_context(|| format!("cannot read the folder {}", path.display()))?;
+        let mut inside: Vec<PathBuf> = entries.iter().map(fs::DirEntry::path).collect();
+        // A link to a folder may lead back.
+        inside.retain(|it| if it.is_dir() { !it.is_symlink() } else { is_part_file(it) });
+        inside.sort();
+        files.extend(part_files(&inside)?);
+    }
+    Ok(files)
 }
 
 /// Outcome of formatting a file.

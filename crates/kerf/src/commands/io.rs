@@ -1,6 +1,6 @@
 //! `kerf io`: the inputs and outputs of the simulated machine, by hand.
 
-use super::by_hand::Beside;
+use super::by_hand::ServerArgs;
 use super::card::{self, CardArgs};
 use crate::exit::{Exit, Usage};
 use crate::summary::told_by_server;
@@ -52,7 +52,7 @@ enum Action {
         #[command(flatten)]
         vcd: VcdArgs,
         #[command(flatten)]
-        beside: Beside,
+        there: ServerArgs,
     },
     /// Steps a motor once
     Step {
@@ -62,7 +62,7 @@ enum Action {
         #[arg(value_enum, allow_hyphen_values = true)]
         way: Way,
         #[command(flatten)]
-        beside: Beside,
+        there: ServerArgs,
     },
     /// Prints every change of a bit as it happens
     Watch {
@@ -102,9 +102,9 @@ pub fn run(args: &IoArgs) -> Result<Exit> {
             let (is_output, bit) = card::known(name)?;
             out::print(&format!("{}\n", u8::from(args.card.ports()?.is_on(is_output, bit))));
         }
-        Action::Set { name, value, vcd, beside } => set(args, name, *value == 1, vcd, *beside)?,
-        Action::Step { motor, way, beside } => {
-            return step(args, motor, *way == Way::Forward, *beside);
+        Action::Set { name, value, vcd, there } => set(args, name, *value == 1, vcd, *there)?,
+        Action::Step { motor, way, there } => {
+            return step(args, motor, *way == Way::Forward, *there);
         }
         Action::Watch { seconds } => watch(args, *seconds)?,
         Action::Map { card, notes } => map(card, *notes)?,
@@ -130,9 +130,9 @@ fn list(ports: &Ports, machine: &Configuration) {
     out::print(&lines);
 }
 
-fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs, beside: Beside) -> Result<()> {
+fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs, there: ServerArgs) -> Result<()> {
     let (is_output, bit) = card::known(name)?;
-    let ports = args.card.switch((is_output, bit), on, beside.arm)?;
+    let ports = args.card.switch((is_output, bit), on, there.arm)?;
     let byte = if is_output { ports.output(bit.port) } else { ports.input(bit.port) };
     let side = if is_output { "output" } else { "input" };
     out::print(&format!("{side} port {} = 0x{byte:02X}\n", bit.port.letter()));
@@ -163,7 +163,7 @@ fn traced(args: &IoArgs, vcd: &VcdArgs, is_output: bool, name: &str, on: bool) -
     vcd.finish(signals)
 }
 
-fn step(args: &IoArgs, name: &str, forward: bool, beside: Beside) -> Result<Exit> {
+fn step(args: &IoArgs, name: &str, forward: bool, there: ServerArgs) -> Result<Exit> {
     let Some(motor) = Motor::ALL.into_iter().find(|it| it.word().eq_ignore_ascii_case(name)) else {
         bail!(Usage(format!("there is no motor {name}: x, y, z, w, q or r")));
     };
@@ -172,7 +172,7 @@ fn step(args: &IoArgs, name: &str, forward: bool, beside: Beside) -> Result<Exit
         let by = 1.0 / machine.program.resolution.steps_per_unit[axis];
         format!(", {} {:+.4}", machine.motors.axis_name(axis), if forward { by } else { -by })
     });
-    if let Some(card) = args.card.served(beside.arm)? {
+    if let Some(card) = args.card.served(there.arm)? {
         let exit = told_by_server(&card.step(motor.word(), forward)?, true);
         if exit == Exit::Good {
             out::print(&format!("{name} step{}\n", way.unwrap_or_default()));

@@ -3,8 +3,8 @@
 use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
-use crate::commands::by_hand::{self, Beside, Height, MoveArgs};
-use crate::commands::{protect, prove};
+use crate::commands::by_hand::{self, Height, MoveArgs, ServerArgs};
+use crate::commands::{protect, prove, step_board};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
@@ -86,7 +86,7 @@ enum Action {
         /// Their letters, as xyz; all that have a switch when not given
         axes: Option<String>,
         #[command(flatten)]
-        beside: Beside,
+        there: ServerArgs,
     },
     /// Moves the machine by hand: to home, to the job origin, to a place, as a key that is held
     Move(MoveArgs),
@@ -106,7 +106,8 @@ enum Action {
     Pos,
     /// Looks for controllers at all serial ports and in the network, in three seconds, and shows their firmware
     Connect {
-        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]
+        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]; or the one board with step queues to show,
+        /// klipper:PORT
         more: Vec<String>,
     },
     /// Runs the list that every machine has to hold against the board that --machine names, and writes a report: on the
@@ -167,14 +168,30 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             replace(&file, &file::write(&args.which.machine()?))?;
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
-        Action::Home { axes, beside } => {
-            return by_hand::home(&args.which, axes.as_deref(), *beside);
+        Action::Home { axes, there } => {
+            return by_hand::home(&args.which, axes.as_deref(), *there);
         }
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
-        Action::Connect { more } => return board::connect(more),
-        Action::Prove { report } => return prove::prove(controller(&args.which)?, report),
+        Action::Connect { more } => {
+            return match &more[..] {
+                [name] => match MachineName::read(name) {
+                    Ok(MachineName::Controller(name)) if name.is_board() => {
+                        step_board::connect(&name)
+                    }
+                    _ => board::connect(more),
+                },
+                _ => board::connect(more),
+            };
+        }
+        Action::Prove { report } => {
+            let name = controller(&args.which)?;
+            if name.is_board() {
+                return step_board::prove(name, &args.which.machine()?, report);
+            }
+            return prove::prove(name, report);
+        }
         Action::Settings { action } => {
             return board::settings(controller(&args.which)?, action.as_ref());
         }

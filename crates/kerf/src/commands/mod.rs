@@ -27,6 +27,7 @@ mod sb3;
 mod send;
 mod serve;
 mod settings;
+mod step_board;
 mod sysvars;
 mod time;
 mod timing;

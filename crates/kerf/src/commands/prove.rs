@@ -54,7 +54,7 @@ impl OnBench {
     /// A board that stands, at what is called zero from here on.
     fn open(name: &DriverName) -> Result<Self> {
         let Place::Followed(socket) = controller::socket(name) else {
-            bail!("{name}: Kerf has no proof for boards with step queues yet, only for grbl");
+            bail!("{name}: a board with step queues is proved by itself");
         };
         let (driver, line) = (socket.opens)().map_err(|why| anyhow!(why))?;
         let opened = Connection::open(&socket.name, driver, line);
@@ -76,9 +76,21 @@ impl OnBench {
 pub fn prove(name: &DriverName, report: &Path) -> Result<Exit> {
     let facts = OnBench::open(name)?.connection.facts().clone();
     let mut text = head(name, &facts);
+    let open = || OnBench::open(name);
+    let all_hold = cases(open, &mut text, |bench| bench.connection.close(false, || false))?;
+    write(report, &text)?;
+    Ok(if all_hold { Exit::Good } else { Exit::Failed })
+}
+
+/// Runs the list, each case on a board that is opened for it, and adds a row each to the report; tells whether all hold.
+pub fn cases<B: Bench>(
+    open: impl Fn() -> Result<B>,
+    text: &mut String,
+    close: impl Fn(&mut B),
+) -> Result<bool> {
     let mut all_hold = true;
     for case in CASES {
-        let mut bench = OnBench::open(name)?;
+        let mut bench = open()?;
         let begin = Instant::now();
         let outcome = match case.run(&mut bench) {
             Ok(Outcome::Held) => "held".to_owned(),
@@ -89,14 +101,20 @@ pub fn prove(name: &DriverName, report: &Path) -> Result<Exit> {
         let seconds = begin.elapsed().as_secs_f64();
         out::print(&format!("{}: {outcome}\n", case.name));
         let _ = writeln!(text, "| {} | {outcome} | {seconds:.1} |", case.name);
-        bench.connection.close(false, || false);
+        close(&mut bench);
     }
-    std::fs::write(report, text).with_context(|| format!("cannot write {}", report.display()))?;
-    eprintln!("kerf: the report is in {}", report.display());
-    Ok(if all_hold { Exit::Good } else { Exit::Failed })
+    Ok(all_hold)
 }
 
-fn head(name: &DriverName, facts: &Facts) -> String {
+/// Writes the report, and tells where.
+pub fn write(report: &Path, text: &str) -> Result<()> {
+    std::fs::write(report, text).with_context(|| format!("cannot write {}", report.display()))?;
+    eprintln!("kerf: the report is in {}", report.display());
+    Ok(())
+}
+
+/// The head of a report: what the board is.
+pub fn head(name: &DriverName, facts: &Facts) -> String {
     let version = env!("CARGO_PKG_VERSION");
     let mut text = format!("# {} on {name}\n\nKerf {version}.\n\n", facts.name);
     let _ = writeln!(text, "- axes: {}", facts.axes);

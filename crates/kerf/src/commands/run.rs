@@ -297,10 +297,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
             false => Ok(session.run(work, options, workspace, context)),
         })?;
         moved = summary.tally.moves > 0;
-        if let Some(controller) = &controller {
-            controller.ends(summary.status == kerf_sbp::Status::Ok, workspace, || stop.is_wanted());
-            controller.detach(workspace);
-        }
+        leave(controller.as_ref(), &summary, workspace, &stop);
         Ok((summary, &session, unkept))
     })?;
     if let Some(at) = takes.filter(|_| moved) {
@@ -312,6 +309,19 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     match kept {
         true => closes(exit, &visit, (&mut session, &mut workspace), args, run),
         false => Ok(exit),
+    }
+}
+
+/// The run is over: the controller that made it, if one did, is left as it was found.
+fn leave(
+    controller: Option<&Controller>,
+    summary: &Summary,
+    workspace: &mut Workspace,
+    stop: &Stop,
+) {
+    if let Some(controller) = controller {
+        controller.ends(summary.status == kerf_sbp::Status::Ok, workspace, || stop.is_wanted());
+        controller.detach(workspace);
     }
 }
 

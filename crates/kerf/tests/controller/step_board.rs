@@ -144,3 +144,34 @@ fn a_host_that_is_killed_leaves_motors_and_spindle_off_and_the_place_known() {
         format!("stands at {:.3}, {:.3}", counts[0] as f64 / 100.0, counts[1] as f64 / 100.0);
     bench.run(&shop, "run stay.sbp --unlock").complains(&place);
 }
+
+#[test]
+fn who_a_board_is_is_told_and_nothing_of_it_changes() {
+    let (shop, bench) = (shop(), Bench::new());
+    let connect = || shop.kerf(&format!("machine connect klipper:{}", bench.port));
+    connect().exits(0).says("fake-1").says("none since it was powered").says("gpio0…gpio");
+    assert!(bench.look(|board| board.steppers.is_empty()), "nothing was configured");
+    bench.run(&shop, "run square.sbp").exits(0);
+    connect().exits(0).says("another one needs a reset");
+    bench.look(|board| board.shut("ADC out of range"));
+    connect().exits(0).says("shut down");
+}
+
+#[test]
+fn a_board_is_proved_with_its_steps_its_lead_and_its_stops() {
+    let (shop, bench) = (shop(), Bench::new());
+    let port = &bench.port;
+    let prove =
+        format!("machine prove --report prove.md --machine klipper:{port} --machine board.toml");
+    shop.kerf(&prove)
+        .exits(0)
+        .says("a stop on the way stands within the plan, outputs off: held")
+        .says("steps of X: 20000 planned and made")
+        .says("latest step: sent")
+        .says("round trip:")
+        .says("stop without a ramp, longest of 5");
+    let report = shop.read("prove.md");
+    assert!(report.contains("| a plan is made whole") && report.contains("- lead:"), "{report}");
+    let stands = bench.look(|board| board.outputs.values().all(|it| it.value == 0));
+    assert!(stands, "outputs are off");
+}

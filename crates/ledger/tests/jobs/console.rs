@@ -1,7 +1,7 @@
 //! Area `console`: functions that set something, and what the machine does then.
 
 use kerf_geom::{Point2, Polyarc, Vertex};
-use kerf_handconsole::{Console, Key, View, Wish};
+use kerf_handconsole::{Console, ConsoleRequest, Key, View};
 use kerf_ledger::hand_console::HandConsole;
 use kerf_ledger::jobs::{JobRun, job, line, t1, t2};
 use kerf_machine::settings::delays::BottomDelayType;
@@ -260,9 +260,9 @@ fn pro_console_f100_2() {
 #[test]
 fn pro_console_stop__stands_where_it_slowed_down_to() {
     let running = View { state: State::Running, shape: 1, ..View::default() };
-    let wishes = Console::default().press(Key::Stop, &running);
-    assert_eq!(wishes, [Wish::Stop]);
-    let paused = wishes.iter().fold(JobRun::new(t1()), |run, _| run.stop(5.34)).run();
+    let requests = Console::default().press(Key::Stop, &running);
+    assert_eq!(requests, [ConsoleRequest::Stop]);
+    let paused = requests.iter().fold(JobRun::new(t1()), |run, _| run.stop(5.34)).run();
     assert!(paused.moves().contains(&"4.840-5.440 x50".into()), "{:?}", paused.moves());
     // It stands, then rises.
     assert!(paused.states().contains(&"5.940 paused".into()), "{:?}", paused.states());

@@ -294,7 +294,7 @@ impl fmt::Display for Case {
         }
         writeln!(f, "{:?} limits {}", self.settings.ramp_model, self.settings.limits.check)?;
         let (inputs, requests) = (&self.inputs, &self.requests);
-        writeln!(f, "inputs {inputs:?}\nwishes {requests:?}\nkills {:?}", self.kills)?;
+        writeln!(f, "inputs {inputs:?}\nrequests {requests:?}\nkills {:?}", self.kills)?;
         writeln!(f, "gives up {:?}\npushed {:?}", self.gives_up, self.pushed)?;
         writeln!(f, "sheet {:?}", self.sheet)
     }

@@ -96,7 +96,7 @@ impl Clock for AtOnce {
         until_s
     }
 
-    fn is_real(&self) -> bool {
+    fn in_real_time(&self) -> bool {
         true
     }
 }

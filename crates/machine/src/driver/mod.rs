@@ -219,6 +219,8 @@ pub struct Facts {
     pub overrides: bool,
     /// While it watches inputs it makes what it has as it was planned: another feed waits until it stands.
     pub feed_waits: bool,
+    /// The output of its spindle can be a laser's, whose power follows the speed.
+    pub follows_speed: bool,
     /// It changes the speed of its rapid moves, and that of its spindle, by itself ([`Override`]).
     pub overrides_more: bool,
     /// It stops on its path and goes on from there, with its outputs as they are (feed hold).

@@ -22,6 +22,10 @@ impl Default for Shine {
 }
 
 impl Shine {
+    pub const fn beam(&self) -> &Beam {
+        &self.beam
+    }
+
     /// From a moment on the output does this.
     pub fn set(&mut self, beam: Beam, t_s: f64, log: Option<&mut Log>) {
         let given = match &beam {

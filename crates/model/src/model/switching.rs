@@ -271,6 +271,11 @@ impl Model {
         }
     }
 
+    /// Returns the behaviour of the intensity output.
+    pub const fn shines(&self) -> &Beam {
+        self.shine.beam()
+    }
+
     /// From here on the intensity output does this.
     pub fn beam(&mut self, beam: Beam) {
         let log = (!self.draws()).then_some(&mut self.log);

@@ -20,7 +20,7 @@ pub enum Happening {
         /// Which.
         key: Key,
     },
-    /// Outcome of a wish that lasts: what was found out, or why it is not done.
+    /// Outcome of a request that lasts: what was found out, or why it is not done.
     Told(Result<String, String>),
 }
 

@@ -7,7 +7,7 @@ use crate::app::App;
 use crate::asker::Asker;
 use crate::people::Grip;
 use crate::told;
-use kerf_handconsole::{Console, Key, Wish};
+use kerf_handconsole::{Console, ConsoleRequest, Key};
 use kerf_wire::{Change, HandConsole, Problem, State, Why};
 use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
@@ -23,9 +23,9 @@ pub struct Keeper {
     app: Weak<App>,
     happens: Sender<Happening>,
     console: Console,
-    /// Wishes of a key that wait until the machine has done those before them.
-    waiting: VecDeque<(Asker, Grip, Wish)>,
-    /// The outcome of a wish is still to be told.
+    /// Requests of a key that wait until the machine has done those before them.
+    waiting: VecDeque<(Asker, Grip, ConsoleRequest)>,
+    /// The outcome of a request is still to be told.
     doing: bool,
     /// It will be in a moment: keys wait for it.
     settling: bool,
@@ -85,11 +85,11 @@ impl Keeper {
 
     fn press(&mut self, app: &Arc<App>, asker: &Asker, grip: Grip, key: Key) {
         let view = self.facts.view(app, true);
-        let mut wishes = self.console.press(key, &view).into_iter();
-        let Some(first) = wishes.next() else { return };
-        self.waiting = wishes.map(|wish| (asker.clone(), grip, wish)).collect();
+        let mut requests = self.console.press(key, &view).into_iter();
+        let Some(first) = requests.next() else { return };
+        self.waiting = requests.map(|request| (asker.clone(), grip, request)).collect();
         // The key before was let go, and the tool slows down: it moves anew as soon as it stands.
-        if matches!(first, Wish::Jog(_)) && app.hub.state() == State::Jogging {
+        if matches!(first, ConsoleRequest::Jog(_)) && app.hub.state() == State::Jogging {
             self.waiting.push_front((asker.clone(), grip, first));
         } else {
             self.grant(app, asker, grip, first);
@@ -99,21 +99,21 @@ impl Keeper {
     /// Grants what waits, as far as the machine is ready for it.
     fn go_on(&mut self, app: &Arc<App>) {
         while app.hub.state() == State::Idle && !self.doing {
-            let Some((asker, grip, wish)) = self.waiting.pop_front() else { return };
-            self.grant(app, &asker, grip, wish);
+            let Some((asker, grip, request)) = self.waiting.pop_front() else { return };
+            self.grant(app, &asker, grip, request);
         }
         if app.hub.state() == State::Alarm {
             self.waiting.clear();
         }
     }
 
-    fn grant(&mut self, app: &Arc<App>, asker: &Asker, grip: Grip, wish: Wish) {
-        let wish = match wish {
-            Wish::Open(job) => Wish::Open(self.facts.named(&job)),
-            wish => wish,
+    fn grant(&mut self, app: &Arc<App>, asker: &Asker, grip: Grip, request: ConsoleRequest) {
+        let request = match request {
+            ConsoleRequest::Open(job) => ConsoleRequest::Open(self.facts.named(&job)),
+            request => request,
         };
-        let (lasts, settles) = (wish.lasts(), wish.settles());
-        match super::grant(app, asker, grip, wish, &self.happens) {
+        let (lasts, settles) = (request.lasts(), request.settles());
+        match super::grant(app, asker, grip, request, &self.happens) {
             Ok(()) => (self.doing, self.settling) = (lasts || settles, settles),
             Err(problem) => {
                 self.waiting.clear();

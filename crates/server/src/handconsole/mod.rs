@@ -1,24 +1,24 @@
 //! The hand console of the machine: one, whose keys come from pages and from a serial link.
 //!
 //! ```text
-//!  pages ── Act::Key ──┐                    ┌── Wish ──► App: acts, orders
+//!  pages ── Act::Key ──┐                    ┌── ConsoleRequest ──► App: acts, orders
 //!                      ├─► Keeper: Console ─┤
 //!  serial link ────────┘    ▲               └── Screen ─► Hub ─► pages, serial link
 //!  machine's thread ─ Told ─┘
 //! ```
 //!
 //! Its thread owns the [`Console`](kerf_handconsole::Console): keys are pressed one after the other, and what
-//! one wishes is granted to whoever pressed it, under the same rules as everything that this somebody asks for.
+//! one requests is granted to whoever pressed it, under the same rules as everything that this somebody asks for.
 
 mod happening;
 mod keeper;
 mod left;
 mod port;
+mod requests;
 mod view;
-mod wishes;
 
 pub use happening::{Happening, Keys};
-pub use wishes::grant;
+pub use requests::grant;
 
 use crate::app::App;
 use crate::priority::Yields;

@@ -118,24 +118,54 @@ const fn asks(path: &'static str, doc: &'static str, body: Schema, answer: Schem
     Route { path, method: "post", doc, body: Some(body), answer: Some(answer) }
 }
 
+const fn acts(
+    path: &'static str,
+    method: &'static str,
+    doc: &'static str,
+    body: Option<Schema>,
+    answer: Option<Schema>,
+) -> Route {
+    Route { path, method, doc, body, answer }
+}
+
 /// Every route that scripts may like.
 fn routes() -> Vec<Route> {
-    let list = schema::<Vec<FileInfo>>;
-    let operations = schema::<Vec<OperationEntry>>;
+    let all = [
+        machine(),
+        files(),
+        planned(),
+        runs(),
+        drawing(),
+        kept(),
+        lines(),
+        language_of_parts(),
+        devices(),
+    ];
+    all.into_iter().flatten().collect()
+}
+
+/// What pages show, and what they do.
+fn machine() -> Vec<Route> {
     vec![
         looks("/api/state", "Everything that pages show", Some(schema::<Snapshot>)),
-        Route {
-            path: "/api/do/{act}",
-            method: "post",
-            doc: "Does something: the name of the act in the path, its other fields in the body",
-            body: Some(schema::<Act>),
-            answer: Some(schema::<Reply>),
-        },
+        acts(
+            "/api/do/{act}",
+            "post",
+            "Does something: the name of the act in the path, its other fields in the body",
+            Some(schema::<Act>),
+            Some(schema::<Reply>),
+        ),
+    ]
+}
+
+/// Files of the part folder, and drafts.
+fn files() -> Vec<Route> {
+    vec![
         looks(
             "/api/files",
             "What a folder of the part folder holds: ?folder=NAME, and ?mask=*.sb?; with ?find=WORD also the \
              folders below; with ?bin the files that were deleted",
-            Some(list),
+            Some(schema::<Vec<FileInfo>>),
         ),
         looks(
             "/api/files/{name}",
@@ -143,48 +173,42 @@ fn routes() -> Vec<Route> {
              saves, with ?version=NUMBER one of those; with ?thumb a small picture of its tool path, SVG",
             None,
         ),
-        Route {
-            path: "/api/files/{name}",
-            method: "put",
-            doc: "Writes a file into the part folder; another one that is there is replaced only with \
+        acts(
+            "/api/files/{name}",
+            "put",
+            "Writes a file into the part folder; another one that is there is replaced only with \
                   If-Match: its hash, or with ?replace=1",
-            body: None,
-            answer: None,
-        },
-        Route {
-            path: "/api/files/{name}",
-            method: "post",
-            doc: "Brings a version back: ?restore=NUMBER",
-            body: None,
-            answer: None,
-        },
-        Route {
-            path: "/api/files/{name}",
-            method: "delete",
-            doc: "Moves the file with the hash that If-Match names into the bin; with ?forget it leaves the bin for good",
-            body: None,
-            answer: None,
-        },
+            None,
+            None,
+        ),
+        acts("/api/files/{name}", "post", "Brings a version back: ?restore=NUMBER", None, None),
+        acts(
+            "/api/files/{name}",
+            "delete",
+            "Moves the file with the hash that If-Match names into the bin; with ?forget it leaves the bin for good",
+            None,
+            None,
+        ),
         looks(
             "/api/texts",
             "Text of the editor that is not saved, a draft for each file, the newest first; with ?base=HASH the text \
              that edits of a draft are of",
             Some(schema::<Vec<TextDraft>>),
         ),
-        Route {
-            path: "/api/texts",
-            method: "put",
-            doc: "Keeps a draft in the place of an earlier one of the same file",
-            body: Some(schema::<TextDraft>),
-            answer: None,
-        },
-        Route {
-            path: "/api/texts",
-            method: "delete",
-            doc: "Ends the draft of a file: ?name=NAME",
-            body: None,
-            answer: None,
-        },
+        acts(
+            "/api/texts",
+            "put",
+            "Keeps a draft in the place of an earlier one of the same file",
+            Some(schema::<TextDraft>),
+            None,
+        ),
+        acts("/api/texts", "delete", "Ends the draft of a file: ?name=NAME", None, None),
+    ]
+}
+
+/// Paths that were planned or typed.
+fn planned() -> Vec<Route> {
+    vec![
         looks("/api/preview/{key}", "The preview of the open file", Some(schema::<PreviewInfo>)),
         looks(
             "/api/preview/{key}/timing",
@@ -198,27 +222,49 @@ fn routes() -> Vec<Route> {
             "The path of what was typed, from a segment on, binary",
             None,
         ),
+    ]
+}
+
+/// Runs: those that were, those to come, the open job.
+fn runs() -> Vec<Route> {
+    vec![
         looks("/api/history", "Runs of files, the newest first", Some(schema::<Vec<RunRecord>>)),
         looks("/api/todo", "Files that are to be run, and how often", Some(schema::<Vec<ToDo>>)),
-        Route {
-            path: "/api/todo",
-            method: "put",
-            doc: "Puts another list in the place of that one",
-            body: Some(schema::<Vec<ToDo>>),
-            answer: None,
-        },
+        acts(
+            "/api/todo",
+            "put",
+            "Puts another list in the place of that one",
+            Some(schema::<Vec<ToDo>>),
+            None,
+        ),
         looks("/api/job", "The paths of the open job, and how it is cut", Some(schema::<JobView>)),
-        Route {
-            path: "/api/job/start",
-            method: "post",
-            doc: "Starts the open file, as the Start key does: lease and hash, as the act run; a job that is \
+        acts(
+            "/api/job/start",
+            "post",
+            "Starts the open file, as the Start key does: lease and hash, as the act run; a job that is \
                   paused goes on",
-            body: Some(schema::<Value>),
-            answer: Some(schema::<Reply>),
-        },
+            Some(schema::<Value>),
+            Some(schema::<Reply>),
+        ),
+    ]
+}
+
+/// The drawing.
+fn drawing() -> Vec<Route> {
+    vec![
         looks("/api/drawing/shapes", "The shapes of the drawing", Some(schema::<ShapeList>)),
         looks("/api/drawing/paths", "The tool paths of the drawing", Some(schema::<ToolPaths>)),
-        looks("/api/drawing/operations", "What can be done to a drawing", Some(operations)),
+        looks(
+            "/api/drawing/operations",
+            "What can be done to a drawing",
+            Some(schema::<Vec<OperationEntry>>),
+        ),
+    ]
+}
+
+/// What the machine remembers.
+fn kept() -> Vec<Route> {
+    vec![
         looks("/api/values", "What the machine remembers", Some(schema::<Values>)),
         looks("/api/media/{name}", "A sound of the part folder or the folder of sounds", None),
         looks("/api/problems", "What somebody who helps has to know, as text", None),
@@ -233,16 +279,28 @@ fn routes() -> Vec<Route> {
             Some(schema::<Vec<NamedValue>>),
         ),
         looks("/api/registry/{key}", "One of them, as text", None),
-        Route {
-            path: "/api/registry/{key}",
-            method: "put",
-            doc: "Sets one of them to the text of the body; an empty one removes it",
-            body: None,
-            answer: None,
-        },
+        acts(
+            "/api/registry/{key}",
+            "put",
+            "Sets one of them to the text of the body; an empty one removes it",
+            None,
+            None,
+        ),
+    ]
+}
+
+/// Inputs and ports.
+fn lines() -> Vec<Route> {
+    vec![
         looks("/api/inputs", "Every input of the simulated machine", Some(schema::<Vec<Lamp>>)),
         looks("/api/ports", "Every bit of the card's ports", Some(schema::<Vec<PortBit>>)),
         looks("/api/commands", "The commands of OpenSBP", Some(schema::<Vec<CommandEntry>>)),
+    ]
+}
+
+/// Questions of an editor.
+fn language_of_parts() -> Vec<Route> {
+    vec![
         asks(
             "/api/language/check",
             "What is wrong with a text",
@@ -267,28 +325,28 @@ fn routes() -> Vec<Route> {
             schema::<language::Text>,
             schema::<Formatted>,
         ),
-        Route {
-            path: "/api/pair",
-            method: "post",
-            doc: "Pairs the device that asks, by the code that the machine shows",
-            body: Some(schema::<people::Pair>),
-            answer: Some(schema::<people::Paired>),
-        },
-        Route {
-            path: "/api/pair/code",
-            method: "post",
-            doc: "Shows a code for a new device (owner)",
-            body: Some(schema::<people::Wanted>),
-            answer: Some(schema::<people::Code>),
-        },
+    ]
+}
+
+/// Devices.
+fn devices() -> Vec<Route> {
+    vec![
+        acts(
+            "/api/pair",
+            "post",
+            "Pairs the device that asks, by the code that the machine shows",
+            Some(schema::<people::Pair>),
+            Some(schema::<people::Paired>),
+        ),
+        acts(
+            "/api/pair/code",
+            "post",
+            "Shows a code for a new device (owner)",
+            Some(schema::<people::Wanted>),
+            Some(schema::<people::Code>),
+        ),
         looks("/api/devices", "Paired devices (owner)", Some(schema::<Vec<people::Listed>>)),
-        Route {
-            path: "/api/devices/{number}",
-            method: "delete",
-            doc: "Revokes a device (owner)",
-            body: None,
-            answer: None,
-        },
+        acts("/api/devices/{number}", "delete", "Revokes a device (owner)", None, None),
     ]
 }
 

@@ -139,7 +139,7 @@ impl kerf_sim::Clock for Clock {
         self.world.pass(from_s, until_s, NAP, |most| Self::nap(shared, most))
     }
 
-    fn is_real(&self) -> bool {
+    fn in_real_time(&self) -> bool {
         self.rate <= 1.0
     }
 

@@ -2,6 +2,7 @@
 
 #![allow(dead_code, clippy::unwrap_used)]
 
+pub mod board;
 pub mod hand;
 pub mod rough;
 
@@ -70,6 +71,9 @@ pub struct Shop {
 /// What a test changes of a machine.
 pub type Change = fn(&mut kerf_machine::Configuration);
 
+/// Attaches a controller to a workshop.
+pub type Attach = Arc<dyn Fn(&mut Workshop) + Send + Sync>;
+
 /// How a test's server differs from the usual.
 pub struct Wanted {
     pub rate: f64,
@@ -78,6 +82,8 @@ pub struct Wanted {
     pub settings: fn(&mut kerf_program::Settings),
     /// A ready-made machine, and what is changed of it.
     pub machine: Option<(&'static str, Change)>,
+    /// The controller that makes what is planned.
+    pub attach: Option<Attach>,
     /// Its axes were homed.
     pub homed: bool,
     pub drawing_only: bool,
@@ -94,6 +100,7 @@ impl Default for Wanted {
             files: Vec::new(),
             settings: |_| {},
             machine: None,
+            attach: None,
             homed: true,
             drawing_only: false,
             start: None,
@@ -135,6 +142,14 @@ pub fn start(wanted: Wanted) -> Shop {
         builders.workshop = Arc::new(move || {
             let mut workshop = equipped(plain()?, name, change);
             workshop.session.homed = homed;
+            Ok(workshop)
+        });
+    }
+    if let Some(attach) = wanted.attach {
+        let plain = builders.workshop;
+        builders.workshop = Arc::new(move || {
+            let mut workshop = plain()?;
+            attach(&mut workshop);
             Ok(workshop)
         });
     }

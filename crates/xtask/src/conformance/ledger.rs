@@ -1,7 +1,9 @@
 //! The ledgers, where they lie beside the checkout.
 
+#[path = "../../../../tests/corpus/shared.rs"]
+mod shared;
+
 use anyhow::{Context, Result};
-use std::path::{Path, PathBuf};
 
 /// The suites of rows, in the order of the score, with how many rows each has.
 pub const SUITES: &[(&str, usize)] = &[("opensbp", 776), ("profiler", 770)];
@@ -23,8 +25,8 @@ pub struct Row {
 ///
 /// # Errors
 /// When a ledger is there but cannot be read.
-pub fn beside(root: &Path) -> Result<Option<Vec<Row>>> {
-    let Some(folder) = folder(root) else { return Ok(None) };
+pub fn beside() -> Result<Option<Vec<Row>>> {
+    let Some(folder) = shared::shared("ledger") else { return Ok(None) };
     let mut rows = Vec::new();
     for (suite, _) in SUITES {
         let path = folder.join(format!("{suite}.tsv"));
@@ -32,14 +34,6 @@ pub fn beside(root: &Path) -> Result<Option<Vec<Row>>> {
         rows.extend(read(suite, &text));
     }
     Ok(Some(rows))
-}
-
-/// `shared/ledger` beside the checkout or beside one of its parents; `KERF_SHARED` names another.
-fn folder(root: &Path) -> Option<PathBuf> {
-    let named = std::env::var_os("KERF_SHARED").map(PathBuf::from);
-    let around = root.ancestors().skip(1).map(|parent| parent.join("shared"));
-    let mut candidates = named.into_iter().chain(around).map(|shared| shared.join("ledger"));
-    candidates.find(|folder| folder.is_dir())
 }
 
 fn read(suite: &str, text: &str) -> Vec<Row> {

@@ -31,7 +31,7 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
     let score = read(tree)?;
     let tests = tests_found::names(tree);
     let mut findings = check::rows(&score, &tests);
-    match ledger::beside(tree.root())? {
+    match ledger::beside()? {
         Some(ledger) => {
             findings.extend(check::against_ledger(&score, &ledger));
             findings.extend(shown(tree)?.check(&score, &ledger));
@@ -66,7 +66,7 @@ pub fn page(tree: &Tree) -> Result<String> {
 /// # Errors
 /// When there is no ledger, or the score cannot be read or written.
 pub fn sync(tree: &Tree) -> Result<String> {
-    let ledger = ledger::beside(tree.root())?.context("there is no ledger beside the checkout")?;
+    let ledger = ledger::beside()?.context("there is no ledger beside the checkout")?;
     let mut score = Score::read(tree.text(SCORE).unwrap_or_default())?;
     let added = score.follow(&ledger);
     write(tree, SCORE, &score.to_toml())?;

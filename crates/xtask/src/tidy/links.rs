@@ -37,7 +37,7 @@ fn leads_somewhere(tree: &Tree, page: &str, target: &str) -> bool {
 }
 
 /// The path of a link, seen from the page that has it.
-fn resolve(page: &str, link: &str) -> String {
+pub(super) fn resolve(page: &str, link: &str) -> String {
     let folder = page.rsplit_once('/').map_or("", |(folder, _)| folder);
     let mut parts: Vec<&str> = folder.split('/').filter(|p| !p.is_empty()).collect();
     for part in link.trim_end_matches('/').split('/') {

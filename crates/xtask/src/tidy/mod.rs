@@ -2,7 +2,9 @@
 
 mod dependencies;
 mod examples;
+mod functions;
 mod links;
+mod named;
 mod openings;
 mod sources;
 mod test_programs;
@@ -22,7 +24,9 @@ pub fn check(tree: &Tree) -> Result<Vec<Finding>> {
         sources::check(tree),
         dependencies::check(tree)?,
         examples::check(tree),
+        functions::check(tree),
         links::check(tree),
+        named::check(tree),
         openings::check(tree),
         test_programs::check(tree),
         wall_clock::check(tree),

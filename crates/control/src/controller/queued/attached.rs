@@ -8,7 +8,7 @@ use crate::controller::{First, Told};
 use crate::session::DrivenBy;
 use kerf_driver_klipper::board::Options;
 use kerf_journal::facts::Fact;
-use kerf_machine::{Driven, Machine};
+use kerf_machine::{Configuration, Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
@@ -30,6 +30,23 @@ pub struct Socket {
     pub port: String,
     /// Opens the port.
     pub opens: OpensLine,
+}
+
+impl Socket {
+    /// Opens the port and waits until the board is ready; a shutdown is cleared where somebody has looked why.
+    ///
+    /// # Errors
+    /// The machine's file names no motors, nobody answers, or a board that does not fit; in words.
+    pub fn open(&self, machine: &Configuration, clears: bool) -> Result<Queued, String> {
+        let named = |why: String| format!("{}: {why}", self.name);
+        let wiring = Wiring::of(machine).map_err(named)?;
+        let deadline_s = machine.board.deadline_s;
+        let options = Options { deadline_s, clears, ..Options::default() };
+        let opened = Threaded::open(wiring.setup.clone(), options, self.opens.clone());
+        let Greeted { berth, version, counts } = opened.map_err(named)?;
+        let parts = (wiring, machine.program.resolution.steps_per_unit);
+        Ok(Queued::new(&self.name, &version, parts, counts, Box::new(berth)))
+    }
 }
 
 impl fmt::Debug for Socket {
@@ -62,6 +79,7 @@ impl Attached {
         let named = |why: String| format!("{}: {why}", socket.name);
         let machine = session.configuration();
         let wiring = Wiring::of(&machine).map_err(named)?;
+        let motors = wiring.motors.len();
         let homes = wiring.homes.iter().fold(AxisSet::EMPTY, |all, home| all.with(home.axis));
         if first.home && homes.is_empty() {
             return Err(named(
@@ -69,15 +87,9 @@ impl Attached {
                     .into(),
             ));
         }
-        let deadline_s = machine.board.deadline_s;
-        let options = Options { deadline_s, clears: first.unlock, ..Options::default() };
-        let opened = Threaded::open(wiring.setup.clone(), options, socket.opens.clone());
-        let Greeted { berth, version, counts } = opened.map_err(named)?;
-        let per_unit = machine.program.resolution.steps_per_unit;
-        let motors = wiring.motors.len();
-        let parts = (wiring, per_unit);
-        let mut queued = Queued::new(&socket.name, &version, parts, counts, Box::new(berth));
+        let mut queued = socket.open(&machine, first.unlock)?;
         let mut told = Told::default();
+        let version = &queued.facts().name;
         told.notes.push(format!("{}: {version}, motors: {motors}", socket.name));
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
         let counts = find_place(&socket, &mut queued, abandoned, (session, workspace), &mut told);

@@ -2,6 +2,8 @@
 //!
 //! Times are seconds of machine time; clocks are ticks of the board.
 
+use super::beam::Follow;
+use kerf_driver_klipper::desk::Set;
 use kerf_driver_klipper::queue::{Piece, Step};
 use kerf_machine::Going;
 use kerf_motion::{Leg, Rest, Stepper};
@@ -68,6 +70,8 @@ pub struct Feeder {
     pub rests: bool,
     /// Motors that move; nothing for all.
     pub only: Option<Vec<usize>>,
+    /// The output that follows the speed.
+    pub follow: Option<Follow>,
     /// The plan that follows has to be known first: the way to rest would lead beyond this one.
     pub starves: bool,
 }
@@ -86,6 +90,7 @@ impl Feeder {
             limit_s: f64::INFINITY,
             rests: true,
             only: None,
+            follow: None,
             starves: false,
         }
     }
@@ -146,7 +151,8 @@ impl Feeder {
     }
 
     /// Cuts the next piece off, which begins at a moment and a clock; nothing where more has to be known or done first.
-    pub fn piece(&mut self, scale: &Scale, starts: u64) -> Option<Piece> {
+    /// With it go the changes of the output that follows the speed, in it and on its way to rest.
+    pub fn piece(&mut self, scale: &Scale, starts: u64) -> Option<(Piece, [Vec<Set>; 2])> {
         let from_s = self.begins_s()?;
         let front = self.followed.front()?;
         let [_, end_s] = front.span_s();
@@ -166,11 +172,41 @@ impl Feeder {
         let made = front.leg.steps(&mut self.stepper, [from_s - t0_s, to_s - t0_s]);
         let steps = self.of_motors(&made, t0_s, scale, [starts, ends]);
         let (tail, at_rest) = self.tail(&rests, scale, ends);
+        let sets = self.beam([from_s, to_s], scale, [starts, ends, at_rest], &rests);
         (self.handed_s, self.rests, self.starves) = (to_s, stands, false);
         if is_whole {
             self.followed.pop_front();
         }
-        Some(Piece { steps, changes: Vec::new(), ends, tail, rests: at_rest })
+        Some((Piece { steps, ends, tail, rests: at_rest, ..Piece::default() }, sets))
+    }
+
+    /// Changes of the output that follows the speed: between two moments, and on the ways to rest behind them.
+    fn beam(
+        &mut self,
+        span_s: [f64; 2],
+        scale: &Scale,
+        [starts, ends, at_rest]: [u64; 3],
+        ways: &[(f64, Way)],
+    ) -> [Vec<Set>; 2] {
+        let (Some(follow), Some(front)) = (&mut self.follow, self.followed.front()) else {
+            return Default::default();
+        };
+        let pace = |t_s: f64| front.leg.pace(t_s - front.t0_s);
+        let clock = |t_s: f64| (scale.at(t_s) as u64).clamp(starts, ends);
+        let mut sets = follow.changes(span_s, pace, clock);
+        if ways.is_empty() {
+            sets.push(follow.off(ends));
+            return [sets, Vec::new()];
+        }
+        let (mut behind, mut pace) = (follow.clone(), pace(span_s[1]));
+        let mut tail = Vec::new();
+        for (t0_s, way) in ways {
+            let clock = |t_s: f64| (scale.at(t0_s + t_s) as u64).clamp(ends, at_rest);
+            tail.extend(behind.changes(way.span_s(), |t_s| way.pace(t_s, pace), clock));
+            pace = way.pace(way.span_s()[1], pace);
+        }
+        tail.push(behind.off(at_rest));
+        [sets, tail]
     }
 
     /// The ways to rest from a moment on, one behind the other: as planned to the end of what cannot brake in time, then
@@ -235,6 +271,26 @@ enum Way {
 }
 
 impl Way {
+    /// The times of the plan at which it begins and ends.
+    const fn span_s(&self) -> [f64; 2] {
+        match self {
+            Self::Planned(_, span_s) => *span_s,
+            Self::Brakes(from_s, rest) => [*from_s, rest.end_s],
+        }
+    }
+
+    /// The speed at a time of the plan as a share of what is asked for, from that at the beginning on where it brakes.
+    fn pace(&self, t_s: f64, begin: Option<f64>) -> Option<f64> {
+        match self {
+            Self::Planned(leg, _) => leg.pace(t_s),
+            Self::Brakes(from_s, rest) => {
+                let full_mm_s = rest.speed_mm_s(*from_s);
+                let share = if full_mm_s > 0.0 { rest.speed_mm_s(t_s) / full_mm_s } else { 0.0 };
+                Some(begin? * share)
+            }
+        }
+    }
+
     /// The steps of it, and the time of the plan at its end.
     fn steps(&self, stepper: &mut Stepper) -> (Vec<kerf_motion::Step>, f64) {
         match self {

@@ -181,6 +181,18 @@ impl Queued {
         self.wiring.axes()
     }
 
+    /// Counts of its motors, as the board told last, and as they are planned from the place that is zero on.
+    pub fn counts(&self) -> [Vec<i64>; 2] {
+        let made = self.wiring.motors.iter().zip(&self.zeros);
+        let planned = made.map(|(motor, zero)| zero + self.feeder.made(motor.axis));
+        [self.counts.clone(), planned.collect()]
+    }
+
+    /// Progress of the board, as it was told last.
+    pub const fn progress(&self) -> Progress {
+        self.progress
+    }
+
     /// Inputs that changed and were not told, in order: by number, and whether active.
     pub fn take_inputs(&mut self) -> Vec<(u8, bool)> {
         self.inputs.drain(..).collect()
@@ -288,6 +300,12 @@ impl Queued {
             self.came = Some(Came { why, counts: self.counts.clone(), edges });
             return;
         }
+        if why == Ended::Touched && self.feeder.follow.is_some() {
+            // An input leaves outputs as they are, but nothing burns where it stands.
+            let off = self.outputs.rests(&self.wiring);
+            off.into_iter()
+                .for_each(|(output, share)| self.berth.request(Request::Output { output, share }));
+        }
         if why == Ended::Touched && self.is_touched(&edges) {
             self.state = State::Rest;
             return;
@@ -378,12 +396,12 @@ impl Queued {
         if clock > now + off + self.ticks(self.ahead_s()) || self.fault.is_some() {
             return None;
         }
-        let piece = self.feeder.piece(&scale, starts)?;
+        let (piece, [followed, behind]) = self.feeder.piece(&scale, starts)?;
         let clock = clock.min(piece.ends);
         let set = |(output, share)| Set { output, share, clock };
-        let sets = self.changes.drain(..).map(set).collect();
+        let sets = self.changes.drain(..).map(set).chain(followed).collect();
         self.state = State::Moving(scale, piece.ends);
-        self.berth.request(Request::Offer(piece, sets));
+        self.berth.request(Request::Offer(piece, [sets, behind]));
         Some(())
     }
 
@@ -469,6 +487,7 @@ fn facts(version: &str, wiring: &Wiring) -> Facts {
         outputs: outputs | wiring.spindle.map_or(0, |_| 1),
         homes: !wiring.homes.is_empty(),
         spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),
+        follows_speed: wiring.spindle.is_some(),
         feed_waits: true,
         ..Facts::default()
     }

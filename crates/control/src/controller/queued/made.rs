@@ -7,7 +7,7 @@ use kerf_driver_klipper::desk::Request;
 use kerf_machine::driver::Facts;
 use kerf_machine::{Actuator, Fault, Going, Machine, News};
 use kerf_motion::Move;
-use kerf_program::{Axes, Axis};
+use kerf_program::{Axes, Axis, Beam};
 use std::time::Duration;
 
 impl Machine for Queued {
@@ -19,7 +19,7 @@ impl Machine for Queued {
         &self.facts
     }
 
-    fn is_real(&self) -> bool {
+    fn in_real_time(&self) -> bool {
         true
     }
 
@@ -45,8 +45,19 @@ impl Machine for Queued {
             Ok(changes) => self.changes.extend(changes),
             Err(why) => self.fail(why, "", false),
         }
+        self.feeder.follow = self.outputs.follow(&self.wiring);
         if self.is_made() {
             self.switch_now();
+        }
+    }
+
+    fn beam(&mut self, beam: &Beam) {
+        if let Some(changes) = self.outputs.shine(beam, &self.wiring) {
+            self.changes.extend(changes);
+            self.feeder.follow = self.outputs.follow(&self.wiring);
+            if self.is_made() {
+                self.switch_now();
+            }
         }
     }
 

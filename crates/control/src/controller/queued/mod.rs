@@ -11,6 +11,7 @@
 //! changes (a stop, another feed) it changes from there on.
 
 mod attached;
+mod beam;
 mod berth;
 mod feeder;
 mod homing;

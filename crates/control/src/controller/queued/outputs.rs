@@ -1,10 +1,11 @@
 //! Outputs of a board: actuators of a run, each with its share.
 
+use super::beam::{Follow, Law, level};
 use super::wiring::Wiring;
 use crate::controller::lacks::{lacked, no_output, wired};
 use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
-use kerf_program::{OutputReason, Turn};
+use kerf_program::{Beam, OutputReason, Turn};
 
 /// Number of the spindle's output.
 const SPINDLE: u8 = 1;
@@ -20,6 +21,10 @@ pub struct Outputs {
     turns: bool,
     /// Its speed, revolutions a minute; the highest where nobody said.
     rpm: Option<f64>,
+    /// It is a laser whose power follows the speed.
+    is_dynamic: bool,
+    /// The beam of a job.
+    beam: Beam,
 }
 
 impl Outputs {
@@ -50,7 +55,14 @@ impl Outputs {
                 let all = [self.switch(FLOOD, flood, wiring), self.switch(MIST, mist, wiring)];
                 Ok(all.concat())
             }
-            Actuator::Turn(Turn::Clockwise) => Ok(Vec::new()),
+            Actuator::Turn(turn @ (Turn::Clockwise | Turn::Dynamic))
+                if turn == Turn::Clockwise || wiring.spindle.is_some() =>
+            {
+                self.is_dynamic = turn == Turn::Dynamic;
+                Ok(self.spins(wiring).into_iter().collect())
+            }
+            // The beam itself is told.
+            Actuator::Intensity { .. } if wiring.spindle.is_some() => Ok(Vec::new()),
             other => match lacked(&other) {
                 Some(what) => Err(format!("has no {what}")),
                 None => Ok(Vec::new()),
@@ -60,9 +72,34 @@ impl Outputs {
 
     /// All outputs that go off at a stop.
     pub fn off(&mut self, wiring: &Wiring) -> Vec<(usize, f64)> {
-        self.turns = false;
+        (self.turns, self.beam) = (false, Beam::Off);
         let switched = wiring.outputs.iter().map(|(_, place)| (*place, 0.0));
         switched.chain(wiring.spindle.map(|(place, _)| (place, 0.0))).collect()
+    }
+
+    /// Returns the outputs that change with another beam; nothing where it is the one that is.
+    pub fn shine(&mut self, beam: &Beam, wiring: &Wiring) -> Option<Vec<(usize, f64)>> {
+        if *beam == self.beam {
+            return None;
+        }
+        self.beam = beam.clone();
+        Some(self.spins(wiring).into_iter().collect())
+    }
+
+    /// The output that follows the speed.
+    pub fn follow(&self, wiring: &Wiring) -> Option<Follow> {
+        let (place, most) = wiring.spindle?;
+        let law = match &self.beam {
+            Beam::Follow(law) => Law::Table(law.clone()),
+            _ if self.turns && self.is_dynamic => Law::Proportional(self.at_speed(most)),
+            _ => return None,
+        };
+        Some(Follow::new(place, law))
+    }
+
+    /// Outputs that follow the speed have no share where the machine stands.
+    pub fn rests(&self, wiring: &Wiring) -> Option<(usize, f64)> {
+        self.follow(wiring).and(wiring.spindle).map(|(place, _)| (place, 0.0))
     }
 
     fn switch(&mut self, line: u8, on: bool, wiring: &Wiring) -> Vec<(usize, f64)> {
@@ -76,10 +113,20 @@ impl Outputs {
         changes
     }
 
-    /// The share of the spindle's speed.
+    /// The share of the spindle's speed, or of a laser's power where the machine stands.
     fn spins(&self, wiring: &Wiring) -> Option<(usize, f64)> {
         let (place, most) = wiring.spindle?;
-        let share = self.rpm.map_or(1.0, |rpm| (rpm / most).clamp(0.0, 1.0));
-        Some((place, if self.turns { share } else { 0.0 }))
+        let share = match &self.beam {
+            Beam::Level { value, .. } => level(*value),
+            Beam::Follow(_) => 0.0,
+            Beam::Off if self.turns && !self.is_dynamic => self.at_speed(most),
+            Beam::Off => 0.0,
+        };
+        Some((place, share))
+    }
+
+    /// The share of the speed that is asked for.
+    fn at_speed(&self, most: f64) -> f64 {
+        self.rpm.map_or(1.0, |rpm| (rpm / most).clamp(0.0, 1.0))
     }
 }

@@ -1,4 +1,4 @@
-//! Grants the wishes of the console, as if whoever pressed its keys had asked for them at a page.
+//! Grants the requests of the console, as if whoever pressed its keys had asked for them at a page.
 
 use super::Happening;
 use crate::app::App;
@@ -7,13 +7,13 @@ use crate::gate::Way;
 use crate::machine::Order;
 use crate::people::Grip;
 use crate::refusal::problem;
-use kerf_handconsole::{JobWish, Wish};
+use kerf_handconsole::{ConsoleRequest, JobRequest};
 use kerf_machine::Errand;
 use kerf_wire::{Act, Change, FileParameters, JobChoice, Look, Looked, Problem, State, Why};
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
 
-/// Grants a wish, if whoever has it may have that done.
+/// Grants a request, if whoever has it may have that done.
 ///
 /// # Errors
 /// Why not.
@@ -21,42 +21,42 @@ pub fn grant(
     app: &Arc<App>,
     asker: &Asker,
     grip: Grip,
-    wish: Wish,
+    request: ConsoleRequest,
     tells: &Sender<Happening>,
 ) -> Result<(), Problem> {
     let who = &asker.who;
-    app.gate(who, Way::Wish(&wish))?;
-    let act = match wish {
-        Wish::Stop => Act::Stop,
-        Wish::Acknowledge => Act::Acknowledge,
-        Wish::TakeControl => return take_control(app, asker),
-        Wish::Open(name) => Act::Open { name, parameters: FileParameters::default() },
-        Wish::Resume => Act::Resume { lease: app.driving.drives(who)? },
-        Wish::Start => {
+    app.gate(who, Way::Console(&request))?;
+    let act = match request {
+        ConsoleRequest::Stop => Act::Stop,
+        ConsoleRequest::Acknowledge => Act::Acknowledge,
+        ConsoleRequest::TakeControl => return take_control(app, asker),
+        ConsoleRequest::Open(name) => Act::Open { name, parameters: FileParameters::default() },
+        ConsoleRequest::Resume => Act::Resume { lease: app.driving.drives(who)? },
+        ConsoleRequest::Start => {
             let (lease, hash) = (app.driving.drives(who)?, app.loader.open.lock().hash.clone());
             Act::Run { lease, hash, step: false }
         }
-        Wish::Answer(answer) => {
+        ConsoleRequest::Answer(answer) => {
             let question = app.hub.read(|now| now.asked.as_ref().map(|asked| asked.number));
             Act::Answer { question: question.unwrap_or_default(), answer }
         }
-        Wish::Set(settings) => return app.settings.hold(&settings, tells),
-        Wish::KeepSettings => return app.orders.order(Order::Keep(tells.clone())),
-        Wish::Job(wish) => return grant_of_job(app, wish, tells),
-        Wish::AddShape(shape) => {
+        ConsoleRequest::Set(settings) => return app.settings.hold(&settings, tells),
+        ConsoleRequest::KeepSettings => return app.orders.order(Order::Keep(tells.clone())),
+        ConsoleRequest::Job(request) => return grant_of_job(app, request, tells),
+        ConsoleRequest::AddShape(shape) => {
             let added = app.jobs.add_shape(shape)?;
             // The console waits for it as long as the server runs.
             drop(tells.send(Happening::Told(Ok(added))));
             return Ok(());
         }
-        Wish::Look(at) => {
+        ConsoleRequest::Look(at) => {
             look_at(app, at);
             return Ok(());
         }
-        Wish::Jog(held) => {
+        ConsoleRequest::Jog(held) => {
             return app.hands.jog(asker, grip, errand(app, Errand::Held(held), tells));
         }
-        Wish::Go(to) => return app.orders.order_of(asker, errand(app, to, tells)),
+        ConsoleRequest::Go(to) => return app.orders.order_of(asker, errand(app, to, tells)),
     };
     app.act(asker, act).map(drop)
 }
@@ -74,21 +74,23 @@ fn errand(app: &App, errand: Errand, tells: &Sender<Happening>) -> Order {
 }
 
 /// Does something about the open job.
-fn grant_of_job(app: &Arc<App>, wish: JobWish, tells: &Sender<Happening>) -> Result<(), Problem> {
-    match wish {
-        JobWish::Origin(at) => app.jobs.place_job("job.origin_mm", at, tells, |choice| JobChoice {
-            origin: Some(at),
-            ..choice
+fn grant_of_job(
+    app: &Arc<App>,
+    request: JobRequest,
+    tells: &Sender<Happening>,
+) -> Result<(), Problem> {
+    match request {
+        JobRequest::Origin(at) => app.jobs.place_job("job.origin_mm", at, tells, |choice| {
+            JobChoice { origin: Some(at), ..choice }
         }),
-        JobWish::Finish(at) => app.jobs.place_job("job.finish_mm", at, tells, |choice| JobChoice {
-            finish: Some(at),
-            ..choice
+        JobRequest::Finish(at) => app.jobs.place_job("job.finish_mm", at, tells, |choice| {
+            JobChoice { finish: Some(at), ..choice }
         }),
-        JobWish::Offset(offset) => app.jobs.choose_anew(|choice| JobChoice { offset, ..choice }),
-        JobWish::Start(shape) => app.jobs.begin_with(shape),
-        JobWish::Justify => app.jobs.justify_bottom(),
-        JobWish::Save => app.jobs.save_job(),
-        JobWish::Nearest => {
+        JobRequest::Offset(offset) => app.jobs.choose_anew(|choice| JobChoice { offset, ..choice }),
+        JobRequest::Start(shape) => app.jobs.begin_with(shape),
+        JobRequest::Justify => app.jobs.justify_bottom(),
+        JobRequest::Save => app.jobs.save_job(),
+        JobRequest::Nearest => {
             let (shape, shapes) = app.jobs.nearest_path()?;
             let found = format!("{shape} of {shapes}");
             // The console waits for it as long as the server runs.

@@ -1,14 +1,14 @@
-//! Wishes of the console.
+//! Requests of the console.
 
 use kerf_drawing::Shape;
 use kerf_machine::{Errand, Held};
 use kerf_wire::Look;
 use std::sync::Arc;
 
-/// A wish of the console, for whoever owns machine and files. Wishes of one key are granted one after the
+/// A request of the console, for whoever owns machine and files. Requests of one key are granted one after the
 /// other; when one is refused, those behind it are dropped.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Wish {
+pub enum ConsoleRequest {
     /// The machine stops.
     Stop,
     /// It goes on after a hold.
@@ -33,16 +33,16 @@ pub enum Wish {
     /// The settings that hold are kept.
     KeepSettings,
     /// Something about the open job.
-    Job(JobWish),
+    Job(JobRequest),
     /// A shape is added, last: to the job that is open, else to the drawing, else to a new job.
     AddShape(Arc<Shape>),
     /// Pages have something else in sight.
     Look(Look),
 }
 
-/// A wish of the console about the open job.
+/// A request of the console about the open job.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum JobWish {
+pub enum JobRequest {
     /// Its origin lies there, X and Y from home, mm. Without a job that is where jobs lie that say nothing.
     Origin([f64; 2]),
     /// The head goes there at its end, X and Y from its origin, mm; without a job as with the origin.
@@ -59,10 +59,10 @@ pub enum JobWish {
     Nearest,
 }
 
-impl Wish {
+impl ConsoleRequest {
     /// Returns `true` if its outcome is told in a moment, for which keys wait.
     pub const fn settles(&self) -> bool {
-        let placed = matches!(self, Self::Job(JobWish::Origin(_) | JobWish::Finish(_)));
+        let placed = matches!(self, Self::Job(JobRequest::Origin(_) | JobRequest::Finish(_)));
         placed || matches!(self, Self::Set(_) | Self::KeepSettings)
     }
 
@@ -70,7 +70,7 @@ impl Wish {
     pub const fn lasts(&self) -> bool {
         matches!(
             self,
-            Self::Go(_) | Self::KeepSettings | Self::AddShape(_) | Self::Job(JobWish::Nearest)
+            Self::Go(_) | Self::KeepSettings | Self::AddShape(_) | Self::Job(JobRequest::Nearest)
         )
     }
 }

@@ -1,0 +1,279 @@
+//! Boards with step queues on the bench: who they are, and a proof that they make what is planned, with numbers.
+
+use crate::commands::prove;
+use crate::controller;
+use crate::exit::Exit;
+use crate::machine_name::DriverName;
+use crate::out;
+use anyhow::{Result, anyhow, bail};
+use kerf_control::controller::Place;
+use kerf_control::controller::queued::{Queued, Socket};
+use kerf_driver_klipper::board::{Held, Introduced, Introduction};
+use kerf_driver_klipper::dictionary::Dictionary;
+use kerf_machine::conformance::{Bench, Seen};
+use kerf_machine::{Configuration, Going, Machine};
+use kerf_motion::{Mover, Plan, planner};
+use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};
+use std::fmt::Write;
+use std::path::Path;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// A board that has not told who it is by then is none.
+const GREETING: Duration = Duration::from_secs(12);
+/// One look at a line.
+const NAP: Duration = Duration::from_millis(5);
+/// Between two looks at a machine.
+const GLANCE: Duration = Duration::from_millis(1);
+/// A case takes no longer than this.
+const PATIENCE: Duration = Duration::from_secs(60);
+/// X goes there and back so far and so often, mm, at a speed in mm/s.
+const WAY_MM: f64 = 20.0;
+const TIMES: usize = 5;
+const SPEED_MM_S: f64 = 30.0;
+/// Stops on the way of X that are measured.
+const STOPS: usize = 5;
+
+fn socket(name: &DriverName) -> Result<Socket> {
+    match controller::socket(name) {
+        Place::Queued(socket) => Ok(socket),
+        Place::Followed(_) => bail!("{name}: this is no board with step queues"),
+    }
+}
+
+/// Prints who a board is: its firmware, its chip, its configuration, its pins. Nothing of it changes.
+pub fn connect(name: &DriverName) -> Result<Exit> {
+    let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
+    out::print(&described(name, &introduced));
+    Ok(Exit::Good)
+}
+
+fn introduced(socket: &Socket) -> Result<Introduced, String> {
+    let mut line = (socket.opens)()?;
+    let (since, mut board) = (Instant::now(), Introduction::new(None, 0.0));
+    let mut bytes = [0; 1024];
+    while since.elapsed() < GREETING {
+        let out = board.transmit(since.elapsed().as_secs_f64());
+        if !out.bytes.is_empty() {
+            line.write(&out.bytes).map_err(|why| why.to_string())?;
+        }
+        let count = line.read(&mut bytes, NAP).map_err(|why| why.to_string())?;
+        board.receive(&bytes[..count], since.elapsed().as_secs_f64());
+        if let Some(told) = board.take() {
+            return told.map_err(|why| why.to_string());
+        }
+    }
+    Err("no board answers: is this its port and its rate?".into())
+}
+
+fn described(name: &DriverName, Introduced { dictionary, held }: &Introduced) -> String {
+    let held = match held {
+        Held::None => "none since it was powered".to_owned(),
+        Held::Some(crc) => format!("{crc:08x}; another one needs a reset"),
+        Held::ShutDown => "shut down: look why, then --unlock, or reset it".to_owned(),
+    };
+    let number = |key| dictionary.constant(key).unwrap_or_default();
+    let edges = if number("STEPPER_STEP_BOTH_EDGE") == 1.0 { "yes" } else { "no" };
+    let mut text = format!("{name}\n");
+    let mut row = |what: &str, told: &str| {
+        let _ = writeln!(text, "  {what:<16}{told}");
+    };
+    row("firmware", dictionary.version());
+    let chip = dictionary.text("MCU").unwrap_or("unknown");
+    row("chip", &format!("{chip}, {:.0} MHz", number("CLOCK_FREQ") / 1e6));
+    row("configuration", &held);
+    row("both edges", edges);
+    row("pins", &ranges(&dictionary.words("pin")));
+    for (use_of, pins) in reserved(dictionary) {
+        row("taken by itself", &format!("{pins} ({use_of})"));
+    }
+    text
+}
+
+/// Pins that the board needs itself, with what for.
+fn reserved(dictionary: &Dictionary) -> impl Iterator<Item = (&str, &str)> {
+    let texts = dictionary.texts();
+    texts.filter_map(|(key, pins)| Some((key.strip_prefix("RESERVE_PINS_")?, pins)))
+}
+
+/// Names that count up, as `gpio0…gpio29`.
+fn ranges(names: &[&str]) -> String {
+    let split = |name: &str| {
+        let digits = name.chars().rev().take_while(char::is_ascii_digit).count();
+        let (stem, number) = name.split_at(name.len() - digits);
+        number.parse::<u32>().ok().map(|number| (stem.to_owned(), number))
+    };
+    let follows = |a: &str, b: &str| {
+        split(a).zip(split(b)).is_some_and(|(a, b)| a.0 == b.0 && a.1 + 1 == b.1)
+    };
+    let rows = names.chunk_by(|a, b| follows(a, b)).map(|row| match row {
+        [one] => (*one).to_owned(),
+        [first, .., last] => format!("{first}…{last}"),
+        [] => String::new(),
+    });
+    rows.collect::<Vec<_>>().join(" ")
+}
+
+/// A board on the bench.
+struct OnBench {
+    queued: Queued,
+    begin: Instant,
+}
+
+impl Bench for OnBench {
+    fn machine(&mut self) -> &mut dyn Machine {
+        &mut self.queued
+    }
+
+    fn waits(&mut self) -> bool {
+        self.queued.look();
+        sleep(GLANCE);
+        self.begin.elapsed() < PATIENCE
+    }
+
+    fn seen(&mut self) -> Option<Seen> {
+        None
+    }
+
+    fn breaks(&mut self) -> bool {
+        false
+    }
+}
+
+/// Runs the list and the measurements, and writes the report.
+pub fn prove(name: &DriverName, machine: &Configuration, report: &Path) -> Result<Exit> {
+    let socket = socket(name)?;
+    let open = || -> Result<OnBench> {
+        let mut queued = socket.open(machine, false).map_err(|why| anyhow!(why))?;
+        queued.is_at(Axes::default());
+        Ok(OnBench { queued, begin: Instant::now() })
+    };
+    let mut bench = open()?;
+    let mut text = prove::head(name, bench.queued.facts());
+    let measured = measured(&mut bench.queued, machine);
+    drop(bench);
+    let all_hold = prove::cases(open, &mut text, |bench| bench.queued.close(false, || false))?;
+    let told = match &measured {
+        Ok(told) => told.clone(),
+        Err(why) => format!("not measured: {why}\n"),
+    };
+    out::print(&told);
+    prove::write(report, &(text + "\n" + &told))?;
+    Ok(if all_hold && measured.is_ok() { Exit::Good } else { Exit::Failed })
+}
+
+/// Moves X and stops it, and tells what came of it, a line each.
+fn measured(queued: &mut Queued, machine: &Configuration) -> Result<String, String> {
+    let [before, _] = queued.counts();
+    for _ in 0..TIMES {
+        moves(queued, machine, WAY_MM)?;
+        moves(queued, machine, 0.0)?;
+    }
+    queued.close(true, || false);
+    let [made, planned] = queued.counts();
+    if made != planned {
+        return Err(format!("the board made {made:?} steps, {planned:?} were planned"));
+    }
+    let steps_mm = machine.program.resolution.steps_per_unit[Axis::X];
+    let each = (2.0 * TIMES as f64 * WAY_MM * steps_mm).round();
+    let mut told =
+        format!("- steps of X: {each:.0} planned and made, counts {before:?} and {made:?}\n");
+    let progress = queued.progress();
+    let ms = |time_s: f64| time_s * 1e3;
+    let [stall_s, lead_s] = progress.lead_s;
+    let _ = writeln!(told, "- lead: {:.0} ms, longest stall {:.1} ms", ms(lead_s), ms(stall_s));
+    if let Some(latest_s) = progress.latest_s {
+        let _ = writeln!(told, "- latest step: sent {:.0} ms before it was due", ms(latest_s));
+    }
+    if let Some([trip_s, deviation_s]) = progress.trip_s {
+        let _ = writeln!(told, "- round trip: {:.2} ms ± {:.2} ms", ms(trip_s), ms(deviation_s));
+    }
+    let mut stops_s = Vec::new();
+    for _ in 0..STOPS {
+        stops_s.push(stop_s(queued, machine)?);
+        moves(queued, machine, 0.0)?;
+    }
+    let longest_s = stops_s.into_iter().fold(0.0, f64::max);
+    let _ = writeln!(
+        told,
+        "- stop without a ramp, longest of {STOPS}: {:.1} ms until the board told its counts",
+        ms(longest_s)
+    );
+    Ok(told)
+}
+
+/// A plan of X to a place, from where it stands.
+fn plan_to(queued: &Queued, machine: &Configuration, x_mm: f64) -> Option<Plan> {
+    let settings = &machine.program;
+    let (from, mut to) = (queued.counted(), queued.counted());
+    to[Axis::X] = x_mm;
+    let line = Line { kind: MoveKind::Cut, to, feed: Feed::Path(SPEED_MM_S) };
+    let made = Mover::new(from, settings).line(At::default(), &line)?;
+    let mut planner = planner(settings);
+    planner.push(made);
+    planner.finish()
+}
+
+/// Moves X to a place, and waits until it stands.
+fn moves(queued: &mut Queued, machine: &Configuration, x_mm: f64) -> Result<(), String> {
+    goes(queued, machine, x_mm, |_| false)?;
+    while queued.settle() {}
+    queued.close(true, || false);
+    queued.fault().map_or(Ok(()), |fault| Err(fault.message.clone()))
+}
+
+/// Moves X towards a place until something holds, or it is there.
+fn goes(
+    queued: &mut Queued,
+    machine: &Configuration,
+    x_mm: f64,
+    ends: impl Fn(f64) -> bool,
+) -> Result<(), String> {
+    let Some(plan) = plan_to(queued, machine, x_mm) else { return Ok(()) };
+    let (t0_s, end_s) = (queued.progress().at_s, plan.duration_s());
+    let (moves, begin) = (plan.moves().len(), Instant::now());
+    let mut index = 0;
+    queued.begin_plan();
+    while index < moves {
+        let going = Going { plan: &plan, index, t0_s, until: moves, part: 1.0, watches: &[] };
+        let news = queued.advance(&going, t0_s, t0_s + end_s);
+        if let Some(fault) = queued.fault() {
+            return Err(fault.message.clone());
+        }
+        if begin.elapsed() > PATIENCE {
+            return Err("X does not come to its place".into());
+        }
+        if ends(begin.elapsed().as_secs_f64()) {
+            return Ok(());
+        }
+        index += usize::from(news.reached_s >= t0_s + plan.span_s(index).1);
+    }
+    Ok(())
+}
+
+/// Stops X on its way at once; returns the time until the board told where, seconds.
+fn stop_s(queued: &mut Queued, machine: &Configuration) -> Result<f64, String> {
+    goes(queued, machine, WAY_MM, |since_s| since_s > 0.6)?;
+    let begin = Instant::now();
+    queued.halt();
+    let stood_s = begin.elapsed().as_secs_f64();
+    if let Some(fault) = queued.fault() {
+        return Err(fault.message.clone());
+    }
+    let place = queued.counted();
+    queued.is_at(place);
+    Ok(stood_s)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_that_count_up_are_a_range() {
+        assert_eq!(
+            ranges(&["gpio0", "gpio1", "gpio2", "PA0", "PA2", "nc"]),
+            "gpio0…gpio2 PA0 PA2 nc"
+        );
+    }
+}
