@@ -191,7 +191,8 @@ const NO_MOTION: &str = "no answer moves the tool: hold a key of the keypad (jog
 /// Typed lines need an armed machine where they can move or switch something.
 fn needs_of_typed(lease: u32, lines: &str) -> Need {
     let program = kerf_sbp::read_typed("command".into(), &format!("{lines}\n"));
-    let need = if program.moves_nothing() { holding(lease) } else { driving(Turn::Number(lease)) };
+    let need =
+        if program.moves_nothing() { with_lease(lease) } else { driving(Turn::Number(lease)) };
     if program.sets_machine() { setting(need) } else { need }
 }
 
