@@ -34,7 +34,7 @@ export const isUnsaved = ({ shown }: World): boolean => {
 
 export const unsaved = t("The drawing on the sheet has changes that are not saved: they are lost.");
 
-const begin = onDrawing("drop", "drop it and begin a new one", { op: "new" }, []);
+const begin = onDrawing("drop", t("drop it and begin a new one"), { op: "new" }, []);
 const drop: Action = { ...begin, warns: () => unsaved };
 
 /** An empty sheet; asks first where something would be lost. */
@@ -52,7 +52,7 @@ export const drawActions: readonly Action[] = [
   ...toolActions,
   beginDrawing,
   drop,
-  onDrawing("undo", "undo", { op: "undo" }, ["Ctrl+Z"]),
-  onDrawing("redo", "redo", { op: "redo" }, ["Ctrl+Y", "Ctrl+Shift+Z"]),
-  onDrawing("select-all", "select all", { op: "do", clauses: "select all" }, ["Ctrl+A"]),
+  onDrawing("undo", t("undo"), { op: "undo" }, ["Ctrl+Z"]),
+  onDrawing("redo", t("redo"), { op: "redo" }, ["Ctrl+Y", "Ctrl+Shift+Z"]),
+  onDrawing("select-all", t("select all"), { op: "do", clauses: "select all" }, ["Ctrl+A"]),
 ];

@@ -84,6 +84,7 @@ export const openTiming: Action = {
   refused: ({ shown }) => (shown.snapshot?.opened ? undefined : t("Open a file first.")),
 };
 export const openSetup = sheetAction({ kind: "setup" }, t("Set up the machine, step by step"), []);
+const openKeys = sheetAction({ kind: "keys" }, t("Keys of actions"), []);
 const openHistory = sheetAction({ kind: "history" }, t("History of runs"), []);
 const openToDo = sheetAction({ kind: "todo" }, t("Jobs to do"), []);
 const openSamples = sheetAction({ kind: "samples" }, t("Sample answers of the open file"), []);
@@ -131,6 +132,7 @@ export const goActions: readonly Action[] = [
   openTools,
   openTiming,
   openSetup,
+  openKeys,
   openHistory,
   openToDo,
   openSamples,

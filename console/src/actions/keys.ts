@@ -2,6 +2,7 @@
 
 import type { Route } from "../app/routes";
 import type { Action } from "./action";
+import { keysOf } from "./bindings";
 
 /** The parts of a `KeyboardEvent` that tell which key it is. */
 export interface KeyPress {
@@ -36,6 +37,8 @@ export function actionOfKey(
 ): Action | undefined {
   if (press.repeat) return undefined;
   const name = keyName(press);
-  const found = actions.filter((a) => a.keys?.includes(name) && (!typing || a.everywhere === true));
+  const found = actions.filter(
+    (a) => keysOf(a).includes(name) && (!typing || a.everywhere === true),
+  );
   return found.find(({ where }) => where === route) ?? found.find(({ where }) => !where);
 }

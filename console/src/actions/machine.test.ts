@@ -4,7 +4,7 @@ import type { LinkStatus } from "../link/shown";
 import type { Mode, State } from "../wire/messages";
 import type { Action, World } from "./action";
 import { start } from "./job";
-import { arm, hold, resume, stop } from "./machine";
+import { arm, hold, home, moveMode, preview, resume, stop } from "./machine";
 
 const states: State[] = ["idle", "running", "jogging", "held", "asking", "stopped", "alarm"];
 
@@ -51,6 +51,12 @@ describe("what can be done when", () => {
   it("arm what stands disarmed", () => {
     expect(allowed(arm, false)).toEqual(["idle", "held", "asking", "stopped"]);
     expect(allowed(arm, true)).toEqual([]);
+  });
+
+  it("modes also while it is disarmed; moves only armed", () => {
+    expect(allowed(preview, false)).toEqual(["idle"]);
+    expect(allowed(moveMode, false)).toEqual(["idle"]);
+    expect(allowed(home, false)).toEqual([]);
   });
 
   it("nothing that moves without a link", () =>

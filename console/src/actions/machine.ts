@@ -132,9 +132,15 @@ export function command(id: string, title: string, line: string): Action {
   };
 }
 
-export const preview = command("machine.preview", t("Preview mode: files are only drawn"), "SP");
-export const moveMode = command("machine.move", t("Move mode: files are cut"), "SM");
-export const clearPreview = command("machine.clear", t("Clear the preview"), "SP");
+/** A line that moves nothing: it needs no armed machine. */
+export const modeOf = (id: string, title: string, line: string): Action => ({
+  ...command(id, title, line),
+  refused: whenIdle,
+});
+
+export const preview = modeOf("machine.preview", t("Preview mode: files are only drawn"), "SP");
+export const moveMode = modeOf("machine.move", t("Move mode: files are cut"), "SM");
+export const clearPreview = modeOf("machine.clear", t("Clear the preview"), "SP");
 const zero = (id: string, title: string, line: string): Action => ({
   ...command(id, title, line),
   warns: () => t("The place where the tool is becomes the new zero."),

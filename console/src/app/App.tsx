@@ -13,6 +13,7 @@ import { Asking, covers } from "./Asking";
 import { ComingScreen } from "./ComingScreen";
 import { type Hands, HandsContext, useScreen, useShown, useSnapshot } from "./context";
 import { DropFiles } from "./DropFiles";
+import { FirstVisit } from "./FirstVisit";
 import { FollowedFace } from "./FollowedFace";
 import { Guard } from "./Guard";
 import { Keys } from "./Keys";
@@ -92,6 +93,7 @@ function Body() {
         <PauseCard />
         <FollowedFace />
         <StartedUp />
+        <FirstVisit />
       </Guard>
       <Guard about={sheet?.kind}>{sheet && <OpenSheet sheet={sheet} />}</Guard>
       <Guard about={asked?.number}>{asked && <Asking asked={asked} />}</Guard>

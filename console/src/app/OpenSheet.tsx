@@ -1,6 +1,7 @@
 import { CommandSheet } from "../command/CommandSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
+import { KeysSheet } from "../settings/KeysSheet";
 import { SetupSheet } from "../settings/SetupSheet";
 import { TimingSheet } from "../timing/TimingSheet";
 import { BinSheet } from "../tools/BinSheet";
@@ -69,6 +70,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <VersionsSheet name={sheet.name} onClose={close} />;
     case "setup":
       return <SetupSheet onClose={close} />;
+    case "keys":
+      return <KeysSheet onClose={close} />;
     case "bin":
       return <BinSheet onClose={close} />;
     case "confirm":

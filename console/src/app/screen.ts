@@ -31,6 +31,7 @@ export type Sheet =
   | { readonly kind: "versions"; readonly name: string }
   | { readonly kind: "bin" }
   | { readonly kind: "setup" }
+  | { readonly kind: "keys" }
   | { readonly kind: "confirm"; readonly action: string }
   | {
       readonly kind: "replace";

@@ -1,7 +1,6 @@
 /**
  * From the millimetres and degrees of messages to what a person reads, and back.
- *
- * Branded types keep the two apart: a number of the server is never shown without passing here.
+ * A number of the server is never shown without passing here.
  */
 
 import type { AxisUnits, Units } from "../wire/messages";

@@ -1,3 +1,4 @@
+import { keysOf } from "../actions/bindings";
 import { actions } from "../actions/registry";
 import { keyHelp as keypadKeys } from "../keypad/keys";
 import { keyHelp as timingKeys } from "../timing/keys";
@@ -11,15 +12,15 @@ export function KeyLists() {
       <h3>{t("Everywhere")}</h3>
       <dl className="help-list">
         {actions
-          .filter(({ keys }) => keys && keys.length > 0)
-          .map(({ id, keys, title }) => (
-            <div key={id}>
+          .filter((action) => keysOf(action).length > 0)
+          .map((action) => (
+            <div key={action.id}>
               <dt>
-                {keys?.map((key) => (
+                {keysOf(action).map((key) => (
                   <kbd key={key}>{key}</kbd>
                 ))}
               </dt>
-              <dd>{title}</dd>
+              <dd>{action.title}</dd>
             </div>
           ))}
       </dl>

@@ -70,6 +70,11 @@ export async function putJson(path: string, body: unknown): Promise<void> {
   await request(path, { method: "PUT", headers, body: JSON.stringify(body) });
 }
 
+/** Puts plain text in the place of what lies there. */
+export async function putText(path: string, text: string): Promise<void> {
+  await request(path, { method: "PUT", body: text });
+}
+
 export async function deleteAt(path: string, headers: Record<string, string> = {}): Promise<void> {
   await request(path, { method: "DELETE", headers });
 }

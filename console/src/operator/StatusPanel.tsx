@@ -1,5 +1,5 @@
 import { attempt } from "../actions/action";
-import { command } from "../actions/machine";
+import { modeOf } from "../actions/machine";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { speedText } from "../app/units";
 import { Choice } from "../ui/Choice";
@@ -8,8 +8,8 @@ import type { Speeds, Units } from "../wire/messages";
 import { t } from "../words/words";
 import "./status-panel.css";
 
-const absolute = command("machine.absolute", t("Absolute"), "SA");
-const relative = command("machine.relative", t("Relative"), "SR");
+const absolute = modeOf("machine.absolute", t("Absolute"), "SA");
+const relative = modeOf("machine.relative", t("Relative"), "SR");
 
 /** Distance mode, units, speeds in force. */
 export function StatusPanel() {

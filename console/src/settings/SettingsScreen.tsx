@@ -13,6 +13,7 @@ import { Devices } from "./Devices";
 import { MachineForm } from "./MachineForm";
 import { Password } from "./Password";
 import { SettingsKept } from "./SettingsKept";
+import { isFresh } from "./setUp";
 import "./settings.css";
 import { SheetsAppearChoice } from "./SheetsAppearChoice";
 import { useSettings } from "./useSettings";
@@ -44,9 +45,8 @@ export function SettingsScreen() {
 
 /** Leads through the settings of a new machine; in short where something was set already. */
 function FirstStart({ areas }: { areas: readonly SettingArea[] }) {
-  const entries = areas.flatMap((area) => area.settings);
-  if (entries.length === 0) return null;
-  const fresh = entries.every((entry) => entry.value === entry.default);
+  if (areas.length === 0) return null;
+  const fresh = isFresh(areas);
   return (
     <section
       className={`first-start ${fresh ? "first-start-new" : ""}`}
@@ -99,6 +99,12 @@ function ThisBrowser() {
           <dt>{t("Fill-in sheets appear")}</dt>
           <dd>
             <SheetsAppearChoice />
+          </dd>
+        </div>
+        <div>
+          <dt>{t("Keys")}</dt>
+          <dd>
+            <Button onPress={() => screen.open({ kind: "keys" })}>Change…</Button>
           </dd>
         </div>
       </dl>

@@ -1,5 +1,5 @@
 import { useState } from "react";
-import { useSnapshot } from "../app/context";
+import { useHands, useSnapshot } from "../app/context";
 import { evaluate, resultText } from "../app/expression";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
@@ -7,6 +7,7 @@ import { Sheet } from "../ui/Sheet";
 import type { SettingArea } from "../wire/messages";
 import { phrase, t } from "../words/words";
 import { useSet } from "./SettingValue";
+import { keepSetUp } from "./setUp";
 import { TopicTables } from "./TopicTables";
 import { partsOf, topicOf } from "./tables";
 import { useSettings } from "./useSettings";
@@ -65,25 +66,33 @@ const steps: readonly Step[] = [
 /** Asks for what a new machine needs: a step at a time, each answer holds at once. */
 export function SetupSheet({ onClose }: { onClose: () => void }) {
   const areas = useSettings();
+  const { screen } = useHands();
   const [at, setAt] = useState(0);
   const step = steps[at] ?? steps[0];
   if (!step) return null;
   const isLast = at === steps.length - 1;
+  const end = () => {
+    keepSetUp().catch((error: Error) => screen.tell(error.message));
+    onClose();
+  };
   const foot = (
     <>
+      <Button look="quiet" onPress={end}>
+        Skip
+      </Button>
       <Button
         refused={at === 0 ? t("This is the first step.") : undefined}
         onPress={() => setAt(at - 1)}
       >
         Back
       </Button>
-      <Button look="primary" onPress={() => (isLast ? onClose() : setAt(at + 1))}>
+      <Button look="primary" onPress={() => (isLast ? end() : setAt(at + 1))}>
         {isLast ? t("Done") : t("Next")}
       </Button>
     </>
   );
   return (
-    <Sheet title="Set up the machine" shape="wide" onClose={onClose} foot={foot}>
+    <Sheet title="Set up the machine" shape="wide" onClose={end} foot={foot}>
       <p className="setup-steps">
         {phrase("Step {0} of {1}: {2}", at + 1, steps.length, <b>{t(step.title)}</b>)}
       </p>

@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { ListBox, ListBoxItem } from "react-aria-components";
 import { type Action, attempt } from "../actions/action";
+import { keysOf } from "../actions/bindings";
 import { actions } from "../actions/registry";
 import { useHands, worldOf } from "../app/context";
 import { Field } from "../ui/Field";
@@ -43,7 +44,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
           >
             <span>{action.title}</span>
             <span>
-              {action.keys?.map((key) => (
+              {keysOf(action).map((key) => (
                 <kbd key={key}>{key}</kbd>
               ))}
             </span>

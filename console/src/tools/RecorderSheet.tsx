@@ -1,6 +1,6 @@
 import { useState } from "react";
 import { drive } from "../actions/ask";
-import { command } from "../actions/machine";
+import { command, modeOf } from "../actions/machine";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
@@ -11,9 +11,9 @@ import { RecordedLines } from "./RecordedLines";
 import "./tools.css";
 
 const playAll = command("recorder.all", t("Play all (RP)"), "RP");
-const on = command("recorder.on", t("Record (RA)"), "RA");
-const off = command("recorder.off", t("Do not record (RI)"), "RI");
-const empty = command("recorder.empty", t("Empty the list (RZ)"), "RZ");
+const on = modeOf("recorder.on", t("Record (RA)"), "RA");
+const off = modeOf("recorder.off", t("Do not record (RI)"), "RI");
+const empty = modeOf("recorder.empty", t("Empty the list (RZ)"), "RZ");
 
 /** What was typed, to be run again and to be kept as a part file: RA, RI, RP, RR, RS, RZ. */
 export function RecorderSheet({ onClose }: { onClose: () => void }) {

@@ -63,6 +63,7 @@ const sheets = [
   "Aufträge zu erledigen",
   "Beispielantworten",
   "Makros",
+  "Tasten der Aktionen",
 ];
 
 async function speakGerman(page: Page): Promise<void> {

@@ -1,7 +1,7 @@
 /** A real server on the simulated machine and a real browser, for tests. */
 
 import { type ChildProcess, execFileSync, spawn } from "node:child_process";
-import { copyFileSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { copyFileSync, existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -253,6 +253,8 @@ export interface WorkshopOptions {
   readonly line?: string;
   /** Where it listens; a free port unless told. */
   readonly listen?: string;
+  /** A machine that nobody was asked about yet: the page leads through its settings by itself. */
+  readonly isNew?: boolean;
   /** The profile of the machine that it has, as `kerf machine use` names it. */
   readonly machine?: string;
   /** The controller that it drives, as `--machine` names it. */
@@ -292,12 +294,21 @@ async function delayed(page: Page, lagMs: number): Promise<void> {
   });
 }
 
-export async function openWorkshop(options: WorkshopOptions = {}): Promise<Workshop> {
-  const folder = options.folder ?? mkdtempSync(join(tmpdir(), "kerf-console-"));
-  for (const part of options.parts ?? []) {
+/** The folder of parts and data, with all that is in it at the start. */
+function folderOf({ folder: kept, parts = [], machine, isNew }: WorkshopOptions): string {
+  const folder = kept ?? mkdtempSync(join(tmpdir(), "kerf-console-"));
+  for (const part of parts) {
     copyFileSync(join(root, "examples", part), join(folder, part.split("/").at(-1) ?? part));
   }
-  if (options.machine) execFileSync(kerf, ["machine", "--data", folder, "use", options.machine]);
+  if (machine) execFileSync(kerf, ["machine", "--data", folder, "use", machine]);
+  // What an earlier server left is for the next one alone.
+  const isFirst = !isNew && !existsSync(join(folder, "journal.db"));
+  if (isFirst) execFileSync(kerf, ["set", "--data", folder, "uMachineSetUp=done"]);
+  return folder;
+}
+
+export async function openWorkshop(options: WorkshopOptions = {}): Promise<Workshop> {
+  const folder = folderOf(options);
   const file = options.open ? [options.open] : [];
   const rate = String(options.rate ?? 1);
   const listen = options.listen ?? `${options.lan ? "0.0.0.0" : "127.0.0.1"}:0`;

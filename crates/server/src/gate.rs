@@ -122,10 +122,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Go { lease, .. }
         | Act::Bit { lease, .. }
         | Act::Step { lease, .. } => driving(Turn::Number(*lease)),
-        Act::Command { lease, line } if changes_settings(line) => {
-            setting(driving(Turn::Number(*lease)))
-        }
-        Act::Command { lease, .. } => driving(Turn::Number(*lease)),
+        Act::Command { lease, line } => needs_of_typed(*lease, line),
         // A question may wait for that very switch.
         Act::Input { lease, .. } if now.machine.state == State::Asking => {
             driving(Turn::Number(*lease))
@@ -191,9 +188,12 @@ fn needs_of_answer(now: &Snapshot, question: Option<u32>, words: &str) -> Result
 const NO_MOTION: &str = "no answer moves the tool: hold a key of the keypad (jogStart), or nudge (nudge); both \
                          work while the question is open";
 
-/// Returns `true` if lines change what the machine is set to: the V commands and others that set it.
-fn changes_settings(lines: &str) -> bool {
-    kerf_sbp::read_typed("command".into(), &format!("{lines}\n")).sets_machine()
+/// Typed lines need an armed machine where they can move or switch something.
+fn needs_of_typed(lease: u32, lines: &str) -> Need {
+    let program = kerf_sbp::read_typed("command".into(), &format!("{lines}\n"));
+    let need =
+        if program.moves_nothing() { with_lease(lease) } else { driving(Turn::Number(lease)) };
+    if program.sets_machine() { setting(need) } else { need }
 }
 
 impl Need {

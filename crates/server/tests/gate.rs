@@ -305,3 +305,20 @@ fn a_stop_while_the_tool_slows_down_for_an_input_asks_once() {
     page.until_state("idle");
     assert!((at(&page)[0] - 2.5 * 25.4).abs() < 1e-6, "{:?}", at(&page));
 }
+
+#[test]
+fn lines_that_move_nothing_are_typed_at_a_disarmed_machine() {
+    let shop = shop(1.0, &[]);
+    let mut driver = shop.driver();
+    driver.act(json!({ "do": "disarm" }));
+    driver.until("it is disarmed", |page| page.shown["machine"]["armed"] == false);
+    let lease = driver.shown["lease"]["number"].clone();
+    let mut typed =
+        |line: &str| driver.act(json!({ "do": "command", "lease": lease, "line": line }));
+    for line in ["MX,1", "SO,1,1", "ZX", "SK", "VA,1", "MS,2\nMX,1", "&a=1\nFP,cut.sbp"] {
+        assert_eq!(typed(line), because("disarmed"), "{line}");
+    }
+    assert_eq!(typed("MS,2,1\nSA\nSP"), None);
+    driver.until("it previews", |page| page.shown["machine"]["mode"] == "preview");
+    assert_eq!(driver.shown["machine"]["armed"], false);
+}

@@ -134,4 +134,10 @@ export const actions: Readonly<Record<string, string>> = {
   "{0} failed: {1}": "{0} misslang: {1}",
   "{0} is done": "{0} ist fertig",
   "{0} needs you: {1}": "{0} braucht dich: {1}",
+  "drop it and begin a new one": "verwerfen und neu beginnen",
+  redo: "wiederholen",
+  "select all": "alles auswählen",
+  undo: "rückgängig",
+  "{0} keeps its meaning.": "{0} behält seine Bedeutung.",
+  "{0} means: {1}. Take it away there first.": "{0} bedeutet: {1}. Dort erst wegnehmen.",
 };

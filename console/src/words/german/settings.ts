@@ -100,4 +100,12 @@ export const settings: Readonly<Record<string, string>> = {
   operator: "Bediener",
   owner: "Besitzer",
   setter: "Einrichter",
+  "Key of {0}: {1}": "Taste für {0}: {1}",
+  "Keys of actions": "Tasten der Aktionen",
+  "No key was changed.": "Keine Taste wurde geändert.",
+  "Press a button, then the key; Delete takes it away. The space bar is STOP and stays it.":
+    "Einen Knopf drücken, dann die Taste; Entf nimmt sie weg. Die Leertaste ist und bleibt STOP.",
+  "Press a key": "Taste drücken",
+  "Usual keys": "Übliche Tasten",
+  Skip: "Überspringen",
 };

@@ -50,6 +50,19 @@ impl Program {
     pub fn sets_machine(&self) -> bool {
         self.statements.iter().any(sets_machine)
     }
+
+    /// Returns `true` if no line of it can move or switch anything: values, speeds, modes, variables.
+    pub fn moves_nothing(&self) -> bool {
+        self.lines.iter().all(|line| match line.node {
+            Node::Blank | Node::Comment => true,
+            Node::Statement(index) => match self.statements.get(index as usize) {
+                Some(Statement::Command { spec, .. }) => spec.moves_nothing(),
+                Some(Statement::Assign { .. }) => true,
+                _ => false,
+            },
+            Node::Label(_) | Node::Move { .. } | Node::Bad => false,
+        })
+    }
 }
 
 fn sets_machine(statement: &Statement) -> bool {
@@ -91,6 +104,45 @@ mod tests {
         }
         for typed in ["MX,1", "VA,0", "&VC=1", "SR", "SO,1,1", "FP,a.sbp", "US,mine", "C9"] {
             assert!(!sets(typed), "{typed}");
+        }
+    }
+
+    #[test]
+    fn lines_that_move_nothing_are_known() {
+        let still = |typed: &str| read_typed("typed".into(), typed).moves_nothing();
+        for typed in [
+            "VC,.375",
+            "vs,2",
+            "MS,1",
+            "JS,2",
+            "SA",
+            "SP",
+            "SM",
+            "&a=5",
+            "VS,2\nVR,,5",
+            "UV",
+            "'x",
+            "",
+        ] {
+            assert!(still(typed), "{typed}");
+        }
+        for typed in [
+            "MX,1",
+            "VA,0",
+            "SO,1,1",
+            "TR,9000",
+            "ZX",
+            "SK",
+            "FP,a.sbp",
+            "UR,mine",
+            "C9",
+            "VS,2\nMX,1",
+            "M3",
+            "G1 X1",
+            "RP",
+            "VL,",
+        ] {
+            assert_eq!(still(typed), typed == "VL,", "{typed}");
         }
     }
 }

@@ -118,11 +118,13 @@ pub enum Order {
 
 impl Order {
     /// Returns `true` if it may move the machine: whoever asks for it drives, with the machine armed, when it begins.
-    pub const fn moves(&self) -> bool {
+    pub fn moves(&self) -> bool {
         match self {
+            Self::Command { line, .. } => {
+                !kerf_sbp::read_typed("command".into(), &format!("{line}\n")).moves_nothing()
+            }
             Self::File { .. }
             | Self::TakeUp { .. }
-            | Self::Command { .. }
             | Self::StartUp { .. }
             | Self::Jog { .. }
             | Self::Hand { .. }

@@ -105,12 +105,11 @@ const STOPS: [&str; 7] = [
 ];
 
 /// What moves the machine, or makes it go on.
-const MOVES: [&str; 23] = [
+const MOVES: [&str; 21] = [
     "act `run`",
     "act `takeUp`",
     "act `resume`",
     "act `command`",
-    "act `command` with a V command",
     "act `jogStart`",
     "act `jogRenew`",
     "act `nudge`",
@@ -128,7 +127,6 @@ const MOVES: [&str; 23] = [
     "answer `Resume` after a stop",
     "answer `nudge x 1` after a stop",
     "value `uCommand` = MX,0",
-    "value `uCommand` = VS,1",
 ];
 
 /// Whatever the page says: this holds.

@@ -274,6 +274,29 @@ impl CommandSpec {
         Self { letters, name, group, params, stack, doc, act }
     }
 
+    /// Returns `true` if it can neither move nor switch anything, nor call a place by another number.
+    pub const fn moves_nothing(&self) -> bool {
+        use super::act::{Mode, Move, Record, Utility, Value};
+        match self.act {
+            Act::Help | Act::Move(Move::Speeds) => true,
+            Act::Mode(mode) => matches!(
+                mode,
+                Mode::Distance(_)
+                    | Mode::MoveCut
+                    | Mode::Preview
+                    | Mode::ClearVariables
+                    | Mode::Warning
+            ),
+            // Torch, laser and heater are switched by their values.
+            Act::Value(value) => !matches!(value, Value::Locations(_) | Value::Height),
+            Act::Record(record) => {
+                matches!(record, Record::Switch(_) | Record::Save | Record::Clear)
+            }
+            Act::Utility(utility) => !matches!(utility, Utility::LoadSettings | Utility::Firmware),
+            _ => false,
+        }
+    }
+
     /// Returns `true` if it changes what the machine is set to, which a password may protect.
     pub fn sets_machine(&self) -> bool {
         let value = self.group == Group::Values && self.letters != "VA";
