@@ -13,7 +13,7 @@ use kerf_model::contact;
 use kerf_motion::Move;
 use kerf_program::Axes;
 use kerf_program::settings::IoModes;
-use kerf_trace::{Doing, Sink};
+use kerf_trace::{Doing, Event, Sink};
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
@@ -131,6 +131,9 @@ impl<'a> Drive<'a> {
             let before_s = std::mem::replace(&mut now_s, reached_s.min(until_s));
             self.reached_s = now_s;
             sink.under_way(doing, before_s, now_s);
+            if let Some(text) = self.machine.borrow_mut().tells() {
+                sink.event(&Event::Message { text: text.into(), t: now_s });
+            }
             if self.notes_fault() {
                 return Err(Fails);
             }

@@ -2,7 +2,7 @@
 //! down for a stop, an input or a late host.
 
 use crate::queued::{Shop, World, machine_of};
-use kerf_control::{OperatorRequest, Requests, RunContext, Script, Session};
+use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_driver_klipper::fake::Faults;
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
@@ -107,14 +107,28 @@ fn the_power_of_a_laser_follows_the_speed_along_every_ramp() {
     }
 }
 
+/// Holds the machine from a moment on, as somebody does who sees it there, and resumes at once.
+struct Holds(Option<f64>);
+
+impl Requests for Holds {
+    fn take(&mut self, from_s: f64, _: f64) -> Option<(f64, OperatorRequest)> {
+        self.0.take_if(|at_s| *at_s <= from_s).map(|_| (from_s, OperatorRequest::Hold))
+    }
+
+    fn resumes(&mut self, held_s: f64) -> Option<f64> {
+        Some(held_s)
+    }
+}
+
 #[test]
 fn a_hold_takes_the_power_down_with_the_speed() {
-    let mut script = Script::new(vec![(0.5, OperatorRequest::Hold)], vec![0.0]);
-    let world = burns(LINES, Faults::default(), &mut script);
-    let world = world.borrow();
-    assert!(check(&world) > 5_000);
-    let stands = steps_s(&world).windows(2).filter(|pair| pair[1] - pair[0] > 0.05).count();
-    assert!(stands >= 2, "{stands}");
+    for at_s in [0.21, 0.37, 0.5, 0.583, 0.611] {
+        let world = burns(LINES, Faults::default(), &mut Holds(Some(at_s)));
+        let world = world.borrow();
+        assert!(check(&world) > 5_000);
+        let stands = steps_s(&world).windows(2).filter(|pair| pair[1] - pair[0] > 0.05).count();
+        assert!(stands >= 2, "{stands}");
+    }
 }
 
 /// The run does nothing for a time, while the link goes on.

@@ -54,6 +54,18 @@ impl Sink for Quiet {
     fn event(&mut self, _: &Event) {}
 }
 
+/// Notes what the operator is told.
+#[derive(Default)]
+struct Told(Vec<String>);
+
+impl Sink for Told {
+    fn event(&mut self, event: &Event) {
+        if let Event::Message { text, .. } = event {
+            self.0.push(text.to_string());
+        }
+    }
+}
+
 /// Runs lines, asks for something on the way; returns the moment of that, the steps of X by the clock of the world, and the place.
 fn asked(
     lines: &str,
@@ -184,8 +196,8 @@ impl Requests for Stalls {
 }
 
 /// Makes a move of 9 s while the host stalls, first for so long, in the end for so long; returns `true` where it comes to
-/// its end. In either case the board was late for nothing, and its counts are known.
-fn bears(deadline_s: f64, first_s: f64, most_s: f64) -> bool {
+/// its end, and what the operator was told. In either case the board was late for nothing, and its counts are known.
+fn bears(deadline_s: f64, first_s: f64, most_s: f64) -> (bool, Vec<String>) {
     let mut machine = machine();
     machine.board.deadline_s = deadline_s;
     let shop = Shop::of(&machine, 3, Faults::default(), |_| {});
@@ -200,21 +212,32 @@ fn bears(deadline_s: f64, first_s: f64, most_s: f64) -> bool {
     let mut stalls = Stalls { world: world_of, stall_s, grows_s: 0.02, most_s, next_s };
     let (operator, requests) = (&mut (), &mut stalls);
     let driven: Driven = queued.clone();
-    let context = RunContext { sink: &mut Quiet, operator, requests, machine: driven.into() };
+    let mut told = Told::default();
+    let context = RunContext { sink: &mut told, operator, requests, machine: driven.into() };
     session.run(program, RunOptions::default(), &mut workspace, context);
     let bears = queued.borrow().fault().is_none();
     queued.borrow_mut().close(bears, || false);
     assert_eq!(world.borrow().fake.reason(), None);
     let counted = (queued.borrow().counted()[Axis::X] * 100.0).round() as i64;
     assert_eq!(counted, world.borrow().fake.steppers[&0].position);
-    bears
+    (bears, told.0)
 }
 
 #[test]
 fn stalls_of_the_host_are_borne_and_the_lead_follows_them() {
     for (deadline_s, at_once_s, grown_s) in [(0.1, 0.06, 0.08), (0.3, 0.14, 0.24)] {
-        assert!(bears(deadline_s, at_once_s, at_once_s), "{deadline_s} {at_once_s}");
-        assert!(bears(deadline_s, 0.02, grown_s), "{deadline_s}, growing to {grown_s}");
-        assert!(!bears(deadline_s, deadline_s, deadline_s), "a host as late as this is dead");
+        assert!(bears(deadline_s, at_once_s, at_once_s).0, "{deadline_s} {at_once_s}");
+        let (bears_it, told) = bears(deadline_s, 0.02, grown_s);
+        assert!(bears_it, "{deadline_s}, growing to {grown_s}");
+        let tells =
+            |text: &String| text.contains("the computer stalled for") && text.contains("ms ahead");
+        assert!(told.iter().any(tells), "{told:?}");
+        assert!(!bears(deadline_s, deadline_s, deadline_s).0, "a host as late as this is dead");
     }
+}
+
+#[test]
+fn a_host_that_stalls_for_no_time_is_told_of_no_lead() {
+    let (bears_it, told) = bears(0.1, 0.0, 0.0);
+    assert!(bears_it && told.is_empty(), "{told:?}");
 }

@@ -22,6 +22,7 @@ pub mod lines;
 pub mod machine;
 pub mod password;
 pub mod planning;
+pub mod printer_cfg;
 pub mod profile;
 pub mod settings;
 pub mod state;

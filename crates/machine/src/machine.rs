@@ -218,6 +218,11 @@ pub trait Machine {
     /// Looks at it in passing, without waiting. An input that changes is told by the next call that tells news.
     fn look(&mut self);
 
+    /// Takes a sentence for the operator, where it has one.
+    fn tells(&mut self) -> Option<String> {
+        None
+    }
+
     /// Makes what it has, waiting for a moment at most; returns `true` while something is not made yet.
     fn settle(&mut self) -> bool;
 

@@ -110,6 +110,12 @@ enum Action {
         /// klipper:PORT
         more: Vec<String>,
     },
+    /// Prints what a printer's configuration (printer.cfg) tells of a board with step queues, as the lines of a machine's
+    /// file; notes tell what was left out
+    Import {
+        /// The configuration
+        file: PathBuf,
+    },
     /// Runs the list that every machine has to hold against the board that --machine names, and writes a report: on the
     /// bench, without a tool; X moves 50 mm, the spindle turns
     Prove {
@@ -188,6 +194,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
                 _ => board::connect(more),
             };
         }
+        Action::Import { file } => return step_board::import(file),
         Action::Prove { report, home } => {
             let name = controller(&args.which)?;
             if name.is_board() {

@@ -4,13 +4,14 @@ use crate::commands::prove::Report;
 use crate::controller;
 use crate::exit::Exit;
 use crate::machine_name::DriverName;
-use crate::out;
+use crate::{given, out};
 use anyhow::{Result, anyhow, bail};
 use kerf_control::controller::Place;
 use kerf_control::controller::queued::{Queued, Socket};
 use kerf_driver_klipper::board::{Held, Introduced, Introduction};
 use kerf_driver_klipper::dictionary::Dictionary;
 use kerf_machine::conformance::{Bench, Seen};
+use kerf_machine::printer_cfg;
 use kerf_machine::{Configuration, Going, Machine};
 use kerf_motion::{Mover, Plan, planner};
 use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};
@@ -45,6 +46,15 @@ fn socket(name: &DriverName) -> Result<Socket> {
 pub fn connect(name: &DriverName) -> Result<Exit> {
     let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
     out::print(&described(name, &introduced));
+    Ok(Exit::Good)
+}
+
+/// Prints the pins of a printer's configuration as lines of a machine's file.
+pub fn import(file: &Path) -> Result<Exit> {
+    let imported = printer_cfg::read(&given::text(file)?)
+        .map_err(|why| anyhow!("{}: {why}", file.display()))?;
+    imported.notes.iter().for_each(|note| eprintln!("kerf: {note}"));
+    out::print(&imported.file);
     Ok(Exit::Good)
 }
 

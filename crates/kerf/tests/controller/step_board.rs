@@ -175,3 +175,19 @@ fn a_board_is_proved_with_its_steps_its_lead_and_its_stops() {
     let stands = bench.look(|board| board.outputs.values().all(|it| it.value == 0));
     assert!(stands, "outputs are off");
 }
+
+#[test]
+fn the_pins_of_a_printer_are_lines_of_a_machine() {
+    let shop = shop();
+    let printer =
+        b"[stepper_x]\nstep_pin: gpio0\ndir_pin: !gpio1\nmicrosteps: 16\nrotation_distance: 32\n\
+        [stepper_y]\nstep_pin: gpio2\ndir_pin: gpio3\nendstop_pin: probe:y\n";
+    shop.write("printer.cfg", printer);
+    shop.kerf("machine import printer.cfg")
+        .exits(0)
+        .says("x = \"gpio0 !gpio1\"")
+        .says("per_unit = [100, ")
+        .complains("probe is no pin of this board");
+    shop.write("printer.cfg", b"[printer]\n");
+    shop.kerf("machine import printer.cfg").exits(1).complains("names no motors");
+}

@@ -11,7 +11,7 @@ use kerf_program::AXES;
 pub struct Board {
     /// Pins of step and direction of each motor X, Y, Z, W, Q, R: `gpio0 gpio1`. Empty where there is none.
     pub motors: [String; MOTORS],
-    /// Pin that gives all motors their current. Empty where they always have it.
+    /// Pins that give motors their current: `!PA1, !PA2`. Empty where they always have it.
     pub enable: String,
     /// Pin of the home switch of each axis X, Y, Z, A, B, C.
     pub homes: [String; AXES],

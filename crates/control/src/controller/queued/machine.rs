@@ -19,6 +19,8 @@ use std::time::Duration;
 const HANDING_S: f64 = 0.02;
 /// Share of the board's lead that the run may stall for, whatever was measured.
 const SPARE: f64 = 0.34;
+/// A lead that is so many times the one that was told, or that part of it, is told.
+const TOLD: f64 = 1.5;
 /// Times the longest one that is provided for.
 const SAFETY: f64 = 2.0;
 /// Longest one that is, seconds.
@@ -74,6 +76,8 @@ pub struct Queued {
     pub(super) at: Option<At>,
     /// Longest time for which the run did not look, slowly forgotten, seconds.
     pub(super) stall_s: f64,
+    /// The lead that the operator was told of, seconds; nothing before the first motion.
+    pub(super) lead_told_s: Option<f64>,
     /// While nothing moves: the moment of machine time that was told last, and when.
     pub(super) stood: Option<(f64, f64)>,
     /// Switches that stop motors of their own in the motion that begins next.
@@ -126,6 +130,7 @@ impl Queued {
             late: false,
             at: None,
             stall_s: 0.0,
+            lead_told_s: None,
             stood: None,
             homes: Vec::new(),
             edges: Vec::new(),
@@ -138,8 +143,8 @@ impl Queued {
             tells_s: f64::INFINITY,
         };
         queued.count_anew();
-        if let Some(enable) = queued.wiring.enable {
-            queued.berth.request(Request::Output { output: enable, share: 1.0 });
+        for enable in &queued.wiring.enables {
+            queued.berth.request(Request::Output { output: *enable, share: 1.0 });
         }
         queued
     }
@@ -228,6 +233,27 @@ impl Queued {
         self.stall_s =
             (self.stall_s * forgotten).max(if self.state == State::Rest { 0.0 } else { stalled_s });
         progress
+    }
+
+    /// A sentence about the lead where it is another than was told.
+    pub(super) fn lead_changed(&mut self) -> Option<String> {
+        let [stall_s, lead_s] = self.progress.lead_s;
+        let is_known = matches!(self.state, State::Moving(..)) && lead_s > 0.0;
+        let told_s = is_known.then(|| *self.lead_told_s.get_or_insert(lead_s))?;
+        if (1.0 / TOLD..TOLD).contains(&(lead_s / told_s)) {
+            return None;
+        }
+        self.lead_told_s = Some(lead_s);
+        let why = if lead_s > told_s {
+            "the computer stalled for"
+        } else {
+            "the computer stalls no longer than"
+        };
+        let [stall_ms, lead_ms] = [stall_s, lead_s].map(|time_s| time_s * 1e3);
+        Some(format!(
+            "{}: {why} {stall_ms:.0} ms; motion is sent {lead_ms:.0} ms ahead from now on, and a hold begins as much later",
+            self.name
+        ))
     }
 
     /// Time by which pieces are handed over before they begin, seconds: so much before the way to rest would be sent in

@@ -110,6 +110,10 @@ impl Machine for Queued {
         News { reached_s, input: self.inputs.pop_front() }
     }
 
+    fn tells(&mut self) -> Option<String> {
+        self.lead_changed()
+    }
+
     fn look(&mut self) {
         self.tend(Duration::ZERO);
     }

@@ -26,8 +26,8 @@ pub struct Wiring {
     pub motors: Vec<Turns>,
     /// Outputs that go on and off: number of part files, place in the setup.
     pub outputs: Vec<(u8, usize)>,
-    /// Output that gives the motors their current.
-    pub enable: Option<usize>,
+    /// Outputs that give the motors their current.
+    pub enables: Vec<usize>,
     /// Output of the spindle's speed, and revolutions a minute at a share of all the time.
     pub spindle: Option<(usize, f64)>,
     /// Inputs that are looked at all the time, in the order of the setup.
@@ -150,9 +150,9 @@ impl Wiring {
             self.outputs.push((number, self.setup.outputs.len()));
             self.setup.outputs.push(Switched { pin, watch_s });
         }
-        if !board.enable.trim().is_empty() {
-            self.enable = Some(self.setup.outputs.len());
-            let pin = pin("board.enable", board.enable.trim())?;
+        for name in board.enable.split(',').map(str::trim).filter(|name| !name.is_empty()) {
+            self.enables.push(self.setup.outputs.len());
+            let pin = pin("board.enable", name)?;
             // Motors that lose their current lose their place: they keep it while the host is silent.
             self.setup.outputs.push(Switched { pin, watch_s: None });
         }
