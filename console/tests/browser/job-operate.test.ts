@@ -60,7 +60,7 @@ it("a program opened after it stands in the same place", async () => {
   expect(await page.getByLabel("Paths of the job").count()).toBe(0);
 });
 
-it("a drawing that is opened to be run says that it has no tool path, and makes it", async () => {
+it("a drawing that is opened to be run says that it has no tool path", async () => {
   expect(await script(workshop, "open", { name: "part.rsg" })).toBe(200);
   await page.getByText("is a drawing: it has no tool path yet").waitFor();
   expect(workshop.mistakes).toEqual([]);
