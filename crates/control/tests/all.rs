@@ -1,6 +1,6 @@
 //! The tests of this crate from outside, one program: linking one a file would cost more than running them.
 
-#![allow(clippy::expect_used, clippy::unwrap_used, non_snake_case)]
+#![allow(clippy::expect_used, clippy::unwrap_used, clippy::print_stdout, non_snake_case)]
 
 mod away;
 mod conformance;

@@ -1,6 +1,6 @@
 //! The tests of this crate from outside, one program: linking one a file would cost more than running them.
 
-#![allow(clippy::expect_used, clippy::unwrap_used, missing_docs, dead_code)]
+#![allow(clippy::expect_used, clippy::unwrap_used, clippy::print_stdout, missing_docs, dead_code)]
 
 mod bytes;
 mod compress;

@@ -75,7 +75,7 @@ impl Sink for Onlooker<'_> {
 
     fn under_way(&mut self, doing: &Doing<'_>, from_s: f64, to_s: f64) {
         if to_s > self.looked_s || doing.going.is_none() {
-            self.cut |= doing.going.is_some_and(|going| cuts_flat(&going));
+            self.cut |= doing.going.is_some_and(|going| cuts_flat(going));
             let near = doing.going.filter(|_| self.doom.is_near());
             self.under_way = near.map_or_else(Vec::new, |it| cut_under_way(from_s, to_s, it));
             self.looked_s = to_s;
@@ -112,7 +112,7 @@ fn cuts_flat(going: &Going<'_>) -> bool {
 /// Where the machine comes by from one moment to another, in the middle of a cut in the plane.
 fn cut_under_way(from_s: f64, to_s: f64, going: &Going<'_>) -> Vec<Axes> {
     let ends_s = going.t0_s + going.plan.span_s(going.index).1;
-    if !cuts_flat(&going) || to_s > ends_s - 1e-6 {
+    if !cuts_flat(going) || to_s > ends_s - 1e-6 {
         return Vec::new();
     }
     let share = |n: u32| f64::from(n) / f64::from(PLACES);
