@@ -123,7 +123,7 @@ const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${tex
 /** Goes on with a run that was cut short: by a stop, a killed program, a power cut. */
 export const takeUp: Action = {
   id: "job.takeUp",
-  title: t("Take up the run"),
+  title: t("Recover job"),
   section: "job",
   refused: (world) => (interruptedOf(world) ? unlessReady(world) : t("No run was cut short.")),
   warns: warnings,

@@ -34,7 +34,7 @@ function Interrupted() {
     <p className="job-interrupted">
       <span>{interrupted.text}</span>
       <ActionButton action={asksToTakeUp} size="small">
-        Take it up…
+        Recover job…
       </ActionButton>
     </p>
   );

@@ -40,9 +40,9 @@ it("a run on a controller goes on at the very place after the server died", asyn
   expect((await stateOf(workshop)).interrupted).toMatchObject({ file: "cut.sbp", moved: true });
   const page = await workshop.page();
   await arm(page);
-  await page.getByRole("button", { name: "Take it up…" }).click();
-  const sheet = page.getByRole("dialog", { name: "Take up the run?" });
-  await sheet.getByRole("button", { name: "Take up the run" }).click();
+  await page.getByRole("button", { name: "Recover job…" }).click();
+  const sheet = page.getByRole("dialog", { name: "Recover job?" });
+  await sheet.getByRole("button", { name: "Recover job" }).click();
   await page.getByText("Is everything ready?").waitFor();
   const lifted = await controller.look();
   expect(lifted.place[2], "the tool is up").toBeGreaterThan(0);

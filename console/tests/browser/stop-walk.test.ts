@@ -152,7 +152,7 @@ const places: Record<string, () => Promise<void>> = {
   recorder: chosen("Recorded commands"),
   "virtual tools": chosen("Virtual tools"),
   inputs: chosen("Inputs of the simulated machine"),
-  confirmation: chosen("Take up the run"),
+  confirmation: chosen("Recover job"),
   "large picture": () => page.getByRole("button", { name: "Large" }).click({ timeout: 5000 }),
   values: key("Control+Shift+V"),
   nudge: key("Control+Shift+N"),

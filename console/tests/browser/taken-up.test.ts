@@ -43,13 +43,13 @@ it("a run that a power cut ended is taken up after the safe way back, in each br
     await one.locator(".state", { hasText: "not verified: home X Y Z, or zero them" }).waitFor();
   }
   await other.getByText("the run of cut.sbp was cut short behind line").waitFor();
-  const offer = page.getByRole("button", { name: "Take it up…" });
+  const offer = page.getByRole("button", { name: "Recover job…" });
   expect(await offer.isDisabled(), "not before somebody arms the machine").toBe(true);
   await arm(page);
   await offer.click();
-  const sheet = page.getByRole("dialog", { name: "Take up the run?" });
+  const sheet = page.getByRole("dialog", { name: "Recover job?" });
   expect(await sheet.textContent()).toContain("make sure that it is where the display says");
-  await sheet.getByRole("button", { name: "Take up the run" }).click();
+  await sheet.getByRole("button", { name: "Recover job" }).click();
   // The tool is up; nothing turns before somebody says that all is ready.
   await state("stopped");
   for (const one of [page, other]) await one.getByText("Is everything ready?").waitFor();
@@ -89,7 +89,7 @@ it("whoever is not ready can take it up later, with keys only", async () => {
   const takesUp = async () => {
     await page.keyboard.press("Control+k");
     await page.keyboard.type("take up");
-    await page.getByRole("option", { name: "Take up the run" }).waitFor();
+    await page.getByRole("option", { name: "Recover job" }).waitFor();
     await page.keyboard.press("Enter");
     await page.getByText("Is everything ready?").waitFor();
   };
@@ -127,8 +127,8 @@ it("a job that a power cut ended is taken up by the page at the very place", asy
   const next = await workshop.page();
   await next.getByRole("link", { name: "Job" }).click();
   await arm(next);
-  await next.getByRole("button", { name: "Take it up…" }).click();
-  await next.getByRole("button", { name: "Take up the run", exact: true }).click();
+  await next.getByRole("button", { name: "Recover job…" }).click();
+  await next.getByRole("button", { name: "Recover job", exact: true }).click();
   await next.getByText("Is everything ready?").waitFor();
   expect((await stateOf(workshop)).io.outputs.some(({ on }) => on)).toBe(false);
   await next.getByRole("button", { name: "Resume" }).last().click();

@@ -1,7 +1,7 @@
 //! Orders as lines of G-code.
 
 use crate::driver::MODES;
-use kerf_machine::driver::{Axes, Facts, Order, Shares, way_mm};
+use kerf_machine::driver::{Axes, Facts, Order, Shares, decimal, way_mm};
 use std::f64::consts::TAU;
 
 /// Words that hold from line to line.
@@ -200,9 +200,7 @@ fn output(line: u8, state: bool, on: u32) -> Vec<String> {
 
 /// A number as short as three decimals allow: a thousandth of a millimetre is less than a step.
 fn number(value: f64) -> String {
-    let text = format!("{value:.3}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.into() }
+    decimal(value, 3)
 }
 
 #[cfg(test)]

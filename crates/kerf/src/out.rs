@@ -2,6 +2,7 @@
 
 use anyhow::{Context, Result};
 use kerf_files::{Disk, RealDisk};
+use kerf_program::decimal;
 use kerf_trace::Summary;
 use std::io::{self, Write};
 use std::path::Path;
@@ -41,13 +42,6 @@ pub fn duration(seconds: f64) -> String {
     }
 }
 
-/// A number as people write it: at most so many decimals, no zeros at the end.
-pub fn number(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" || text.is_empty() { "0".into() } else { text.into() }
-}
-
 /// So many of something: `1 arc`, `2 arcs`.
 pub fn count(number: u64, thing: &str) -> String {
     let s = if number == 1 { "" } else { "s" };
@@ -59,7 +53,7 @@ pub fn bounds(summary: &Summary) -> Option<String> {
     let bounds = &summary.tally.bounds;
     let mm = summary.unit.mm();
     let axis = |i: usize| {
-        let [low, high] = [bounds.min[i], bounds.max[i]].map(|v| number(v / mm, 3));
+        let [low, high] = [bounds.min[i], bounds.max[i]].map(|v| decimal(v / mm, 3));
         format!("{low} … {high}")
     };
     let unit = summary.unit.symbol();
@@ -91,14 +85,5 @@ mod tests {
     #[test]
     fn one_is_no_plural() {
         assert_eq!((count(1, "arc"), count(0, "arc")), ("1 arc".into(), "0 arcs".into()));
-    }
-
-    #[test]
-    fn numbers_have_no_idle_zeros() {
-        for (value, text) in
-            [(1.0, "1"), (-0.0001, "0"), (10.0, "10"), (2.5, "2.5"), (0.1239, "0.124")]
-        {
-            assert_eq!(number(value, 3), text);
-        }
     }
 }

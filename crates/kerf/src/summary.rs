@@ -27,7 +27,7 @@ fn told(summary: &Summary) -> String {
     let tally = &summary.tally;
     let (mm, unit) = (summary.unit.mm(), summary.unit.symbol());
     let decimals = if summary.unit == LinearUnit::Mm { 1 } else { 2 };
-    let length = |v: f64| format!("{} {unit}", out::number(v / mm, decimals));
+    let length = |v: f64| format!("{} {unit}", kerf_program::decimal(v / mm, decimals));
     let status = match summary.status {
         kerf_sbp::Status::Ok => "ran to its end",
         kerf_sbp::Status::Ended => "ended by the program",

@@ -70,6 +70,7 @@ pub trait Printer {
 /// ```
 /// assert_eq!(kerf_program::decimal(2.50, 3), "2.5");
 /// assert_eq!(kerf_program::decimal(-0.0001, 3), "0");
+/// assert_eq!(kerf_program::decimal(10.0, 3), "10");
 /// ```
 pub fn decimal(value: f64, places: usize) -> String {
     let text = format!("{value:.places$}");

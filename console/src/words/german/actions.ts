@@ -92,7 +92,7 @@ export const actions: Readonly<Record<string, string>> = {
   "Switch output {0}": "Ausgang {0} schalten",
   Tablet: "Tablet",
   "Take control": "Steuerung übernehmen",
-  "Take up the run": "Lauf wieder aufnehmen",
+  "Recover job": "Auftrag wieder aufnehmen",
   "The drawing is not in sight.": "Die Zeichnung ist nicht zu sehen.",
   "The drawing on the sheet has changes that are not saved: they are lost.":
     "Die Zeichnung auf dem Blatt hat Änderungen, die nicht gesichert sind: sie gehen verloren.",

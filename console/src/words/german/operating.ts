@@ -225,7 +225,7 @@ export const operating: Readonly<Record<string, string>> = {
   "Stop sending": "Senden abbrechen",
   "Stop sending {0}": "Senden von {0} abbrechen",
   "Table base location": "Maschinenposition",
-  "Take it up…": "Auftrag fortsetzen…",
+  "Recover job…": "Auftrag wieder aufnehmen…",
   "Take the last back": "Letztes zurücknehmen",
   "The beginning, the end": "Anfang, Ende",
   "The chart ends here: the file switches more often than a chart holds.":

@@ -157,7 +157,7 @@ fn tell_fresh(place: &PlaceArgs) {
 fn in_force(job: &Job, machine: &Configuration) -> String {
     let speeds = &machine.program.speeds;
     let cut = machine.program.smoothing.cut_speed_mm_s.unwrap_or(speeds.cut.xy);
-    let mm_min = |mm_s: f64| out::number(mm_s * 60.0, 1);
+    let mm_min = |mm_s: f64| kerf_program::decimal(mm_s * 60.0, 1);
     let (z, [origin, _]) = (machine.zpos, kerf_sequence::lies(job, machine));
     let origin = match machine.job.change_origin_at_start {
         true => "where the tool is".to_owned(),

@@ -20,7 +20,7 @@ pub fn run(args: &WavlengthArgs) -> Result<Exit> {
     let name = args.file.display();
     let bytes = given::bytes(&args.file)?;
     let Some(seconds) = seconds(&bytes) else { bail!("{name} is no .wav file") };
-    out::print(&format!("{}\n", out::number(seconds, 3)));
+    out::print(&format!("{}\n", kerf_program::decimal(seconds, 3)));
     Ok(Exit::Good)
 }
 

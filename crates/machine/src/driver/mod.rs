@@ -18,7 +18,7 @@ mod link;
 
 pub use link::{Link, LinkState, Told, Troubles};
 
-pub use kerf_program::{AXES, Axes, Axis};
+pub use kerf_program::{AXES, Axes, Axis, decimal};
 use std::borrow::Cow;
 
 /// The number of an order; they count up from 1.
