@@ -292,8 +292,7 @@ fn is_silence(kind: ErrorKind) -> bool {
 fn play(mut end: Box<dyn End>, fake: &Mutex<Fake>, plugged: &Mutex<bool>, pulled: &Mutex<bool>) {
     let since = Instant::now();
     while *plugged.lock().unwrap() {
-        let is_pulled = *pulled.lock().unwrap();
-        let came = if is_pulled {
+        let came = if *pulled.lock().unwrap() {
             end.is_gone();
             sleep(LOOK);
             Vec::new()
@@ -301,10 +300,11 @@ fn play(mut end: Box<dyn End>, fake: &Mutex<Fake>, plugged: &Mutex<bool>, pulled
             end.hear()
         };
         let now_s = since.elapsed().as_secs_f64();
-        let out = {
+        let (out, is_pulled) = {
             let mut fake = fake.lock().unwrap();
             fake.hear(&came, now_s);
-            fake.speak(now_s)
+            // What it says after the cable was pulled is heard by nobody.
+            (fake.speak(now_s), *pulled.lock().unwrap())
         };
         if !out.is_empty() && !is_pulled {
             end.say(&out);
