@@ -111,9 +111,11 @@ it("STOP lies in its place on a tablet beside all that two pages show", async ()
     const stop = await page.getByRole("button", { name: "STOP", exact: true }).boundingBox();
     expect(stop).toMatchObject({ x: wide - 150, width: 150 });
     const strip = page.locator(".strip a, .strip .mode, .strip .state, .strip button:not(.stop)");
-    const boxes = (await Promise.all((await strip.all()).map((part) => part.boundingBox())))
-      .filter((box) => box !== null)
-      .sort((a, b) => a.x - b.x);
+    // Measured in one moment: the strip may change while one part after the other is asked.
+    const measured = await strip.evaluateAll((all) =>
+      all.map((one) => one.getBoundingClientRect()).map(({ x, width }) => ({ x, width })),
+    );
+    const boxes = measured.filter(({ width }) => width > 0).sort((a, b) => a.x - b.x);
     const right = boxes.map(({ x, width }) => x + width);
     const left = [...boxes.slice(1).map(({ x }) => x), stop?.x ?? 0];
     right.forEach((end, n) => {

@@ -88,7 +88,7 @@ it("whoever is not ready can take it up later, with keys only", async () => {
   await arm(page);
   const takesUp = async () => {
     await page.keyboard.press("Control+k");
-    await page.keyboard.type("take up");
+    await page.keyboard.type("recover");
     await page.getByRole("option", { name: "Recover job" }).waitFor();
     await page.keyboard.press("Enter");
     await page.getByText("Is everything ready?").waitFor();
