@@ -1,6 +1,6 @@
 //! Boards with step queues on the bench: who they are, and a proof that they make what is planned, with numbers.
 
-use crate::commands::prove::Report;
+use crate::commands::prove::{OnBench, Report};
 use crate::controller;
 use crate::exit::Exit;
 use crate::machine_name::DriverName;
@@ -10,22 +10,18 @@ use kerf_control::controller::Place;
 use kerf_control::controller::queued::{Queued, Socket};
 use kerf_driver_klipper::board::{Held, Introduced, Introduction};
 use kerf_driver_klipper::dictionary::Dictionary;
-use kerf_machine::conformance::{Bench, Seen};
 use kerf_machine::printer_cfg;
 use kerf_machine::{Configuration, Going, Machine};
 use kerf_motion::{Mover, Plan, planner};
 use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};
 use std::fmt::Write;
 use std::path::Path;
-use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// A board that has not told who it is by then is none.
 const GREETING: Duration = Duration::from_secs(12);
 /// One look at a line.
 const NAP: Duration = Duration::from_millis(5);
-/// Between two looks at a machine.
-const GLANCE: Duration = Duration::from_millis(1);
 /// A case takes no longer than this.
 const PATIENCE: Duration = Duration::from_secs(60);
 /// X goes there and back so far and so often, mm, at a speed in mm/s.
@@ -124,54 +120,20 @@ fn ranges(names: &[&str]) -> String {
     rows.collect::<Vec<_>>().join(" ")
 }
 
-/// A board on the bench.
-struct OnBench {
-    queued: Queued,
-    begin: Instant,
-    /// Things that a case asked for, and that nobody can do on a bench.
-    lacks: Option<&'static str>,
-}
-
-impl Bench for OnBench {
-    fn machine(&mut self) -> &mut dyn Machine {
-        &mut self.queued
-    }
-
-    fn waits(&mut self) -> bool {
-        self.queued.look();
-        sleep(GLANCE);
-        self.begin.elapsed() < PATIENCE
-    }
-
-    fn seen(&mut self) -> Option<Seen> {
-        None
-    }
-
-    fn breaks(&mut self) -> bool {
-        self.lacks = Some("nothing is broken on a bench");
-        false
-    }
-
-    fn moves_switch(&mut self, _: bool) -> Option<u8> {
-        self.lacks = Some("nobody moves a switch on a bench");
-        None
-    }
-}
-
 /// Runs the list and the measurements, and writes the report.
 pub fn prove(name: &DriverName, machine: &Configuration, report: &Path) -> Result<Exit> {
     let socket = socket(name)?;
-    let open = || -> Result<OnBench> {
+    let open = || -> Result<OnBench<Queued>> {
         let mut queued = socket.open(machine, false).map_err(|why| anyhow!(why))?;
         queued.is_at(Axes::default());
-        Ok(OnBench { queued, begin: Instant::now(), lacks: None })
+        Ok(OnBench::new(queued))
     };
     let mut bench = open()?;
-    let mut told = Report::of(name, bench.queued.facts());
-    let measured = measured(&mut bench.queued, machine);
+    let mut told = Report::of(name, bench.board.facts());
+    let measured = measured(&mut bench.board, machine);
     drop(bench);
     told.takes_list(open, |bench| {
-        bench.queued.close(false, || false);
+        bench.board.close(false, || false);
         bench.lacks
     });
     told.fails |= measured.is_err();

@@ -21,20 +21,27 @@ const GLANCE: Duration = Duration::from_millis(1);
 const ROOM_MM: f64 = 50.0;
 
 /// A board on the bench.
-pub struct OnBench {
-    pub connection: Connection,
+pub struct OnBench<M = Connection> {
+    pub board: M,
     begin: Instant,
     /// Things that a case asked for, and that nobody can do on a bench.
     pub lacks: Option<&'static str>,
 }
 
-impl Bench for OnBench {
+impl<M: Machine> OnBench<M> {
+    /// A board for one case.
+    pub fn new(board: M) -> Self {
+        Self { board, begin: Instant::now(), lacks: None }
+    }
+}
+
+impl<M: Machine> Bench for OnBench<M> {
     fn machine(&mut self) -> &mut dyn Machine {
-        &mut self.connection
+        &mut self.board
     }
 
     fn waits(&mut self) -> bool {
-        self.connection.look();
+        self.board.look();
         sleep(GLANCE);
         self.begin.elapsed() < PATIENCE
     }
@@ -92,13 +99,13 @@ impl OnBench {
         let opened = Connection::open(&socket.name, driver, line);
         let mut connection = opened.map_err(|why| anyhow!(why))?;
         connection.is_at(Axes::default());
-        Ok(Self { connection, begin: Instant::now(), lacks: None })
+        Ok(Self::new(connection))
     }
 
     /// A board that takes orders, with room for the list.
     pub fn open(name: &DriverName) -> Result<Self> {
         let mut bench = Self::as_it_stands(name)?;
-        if let Some(locked) = bench.connection.locked() {
+        if let Some(locked) = bench.board.locked() {
             bail!(locked);
         }
         if bench.lacks_room() {
@@ -108,15 +115,15 @@ impl OnBench {
     }
 
     fn lacks_room(&mut self) -> bool {
-        let x_mm = self.connection.stands().0[0];
-        let most_mm = self.connection.facts().travel_mm[0].map(|(_, most_mm)| most_mm);
+        let x_mm = self.board.stands().0[0];
+        let most_mm = self.board.facts().travel_mm[0].map(|(_, most_mm)| most_mm);
         most_mm.is_some_and(|most_mm| x_mm + ROOM_MM > most_mm)
     }
 
     /// Goes home, and from there to where it has room.
     pub fn homes(&mut self) -> Result<()> {
-        self.connection.go_home(|| false).map_err(|why| anyhow!(why))?;
-        self.connection.is_at(Axes::default());
+        self.board.go_home(|| false).map_err(|why| anyhow!(why))?;
+        self.board.is_at(Axes::default());
         if self.lacks_room() {
             let (to_mm, kind) = (-1.2 * ROOM_MM, MoveKind::Cut);
             self.goes(Way { from_mm: 0.0, to_mm, kind, speed_mm_s: 10.0 }, |_, _| {})?;
@@ -134,16 +141,16 @@ impl OnBench {
         let (mut now_s, end_s, mut is_due) = (0.0, plan.duration_s(), true);
         let watches = &[];
         let going = Going { plan: &plan, index: 0, t0_s: 0.0, until: 1, part: 1.0, watches };
-        self.connection.begin_plan();
+        self.board.begin_plan();
         while now_s < end_s {
-            now_s = self.connection.advance(&going, now_s, end_s).reached_s.min(end_s);
+            now_s = self.board.advance(&going, now_s, end_s).reached_s.min(end_s);
             if is_due && now_s > 0.4 * end_s {
                 is_due = false;
-                midway(&mut self.connection, &going);
+                midway(&mut self.board, &going);
             }
             self.goes_on()?;
         }
-        while self.connection.settle() {
+        while self.board.settle() {
             self.goes_on()?;
         }
         self.goes_on()?;
@@ -151,7 +158,7 @@ impl OnBench {
     }
 
     fn goes_on(&self) -> Result<()> {
-        if let Some(fault) = self.connection.fault() {
+        if let Some(fault) = self.board.fault() {
             bail!("{}", fault.message);
         }
         if self.begin.elapsed() > PATIENCE {
@@ -164,13 +171,13 @@ impl OnBench {
     pub fn looks(&mut self, seconds: f64) {
         let begin = Instant::now();
         while begin.elapsed().as_secs_f64() < seconds {
-            self.connection.look();
+            self.board.look();
             sleep(GLANCE);
         }
     }
 
     /// Where X stands, mm.
     pub fn x_mm(&mut self) -> f64 {
-        Machine::place(&mut self.connection).map_or(f64::NAN, |place| place.0[0])
+        Machine::place(&mut self.board).map_or(f64::NAN, |place| place.0[0])
     }
 }

@@ -8,7 +8,7 @@ use crate::exit::Exit;
 use crate::machine_name::DriverName;
 use crate::out;
 use anyhow::{Context, Result};
-use bench::OnBench;
+pub use bench::OnBench;
 use kerf_machine::Machine;
 use kerf_machine::conformance::{self, Bench, CASES};
 use kerf_machine::driver::Facts;
@@ -20,13 +20,13 @@ use std::time::Instant;
 
 /// Runs the list and writes the report; the board goes home first where that is wanted.
 pub fn prove(name: &DriverName, report: &Path, home: bool) -> Result<Exit> {
-    let facts = OnBench::as_it_stands(name)?.connection.facts().clone();
+    let facts = OnBench::as_it_stands(name)?.board.facts().clone();
     let mut told = Report::of(name, &facts);
     told.takes("it goes home", || homes(name, home));
     told.takes_list(
         || OnBench::open(name),
         |bench| {
-            bench.connection.close(false, || false);
+            bench.board.close(false, || false);
             bench.lacks
         },
     );

@@ -85,9 +85,9 @@ fn turned(
     let mut bench = OnBench::open(name)?;
     let back = Way { from_mm: there.to_mm, to_mm: 0.0, ..there };
     let plain_s = bench.goes(there, |_, _| {})?;
-    turns(&mut bench.connection, true);
+    turns(&mut bench.board, true);
     let slow_s = bench.goes(back, |_, _| {});
-    turns(&mut bench.connection, false);
+    turns(&mut bench.board, false);
     let slow_s = slow_s?;
     if slow_s < LONGER * plain_s {
         return Ok(Outcome::Wrong(format!("{plain_s:.2} s have become {slow_s:.2} s")));
@@ -100,7 +100,7 @@ fn feed(name: &DriverName) -> Result<Outcome> {
 }
 
 fn rapid(name: &DriverName) -> Result<Outcome> {
-    let quickest_mm_s = OnBench::open(name)?.connection.facts().speed_mm_s[0].unwrap_or(1000.0);
+    let quickest_mm_s = OnBench::open(name)?.board.facts().speed_mm_s[0].unwrap_or(1000.0);
     let (kind, speed_mm_s) = (MoveKind::Jog, 2.0 * quickest_mm_s);
     turned(name, Way { to_mm: 40.0, kind, speed_mm_s, ..CUT }, |connection, down| {
         connection.turn(Override::Rapid(if down { 25 } else { 100 }));
@@ -109,7 +109,7 @@ fn rapid(name: &DriverName) -> Result<Outcome> {
 
 fn plugged(name: &DriverName) -> Result<Outcome> {
     let mut bench = OnBench::open(name)?;
-    bench.connection.opens_again(socket(name)?.opens);
+    bench.board.opens_again(socket(name)?.opens);
     match bench.goes(CUT, |connection, _| connection.is_unplugged()) {
         Ok(_) => arrives(&mut bench, 20.0),
         Err(told) => Ok(Outcome::Held(format!("it ends, and says so: {told}"))),
@@ -120,17 +120,17 @@ fn zeros(name: &DriverName) -> Result<Outcome> {
     let mut bench = OnBench::open(name)?;
     let (system, by_mm) = KEPT;
     let of = |zeros: Vec<Zero>| zeros.into_iter().find(|zero| zero.name == system).map(|it| it.at);
-    let Some(before) = of(bench.connection.zeros()) else {
+    let Some(before) = of(bench.board.zeros()) else {
         return Ok(Outcome::NotTried(format!("it tells no {system} ($#)")));
     };
     let moved = before.plus(Axes::xyz(by_mm, by_mm, 0.0));
     let x_mm = bench.x_mm();
     for at in [moved, before] {
-        if !bench.connection.keeps_zero(system, at) {
+        if !bench.board.keeps_zero(system, at) {
             bail!("{system} cannot be written");
         }
         bench.looks(1.0);
-        let told = of(bench.connection.zeros());
+        let told = of(bench.board.zeros());
         let holds = told.is_some_and(|told| (told.0[0] - at.0[0]).abs() < NEAR_MM);
         if !holds {
             return Ok(Outcome::Wrong(format!("{system} is told to be {told:?}, not {at:?}")));
@@ -169,7 +169,7 @@ fn first_case(name: &DriverName) -> Result<Outcome> {
 /// Goes home, where it is asked for: its axes move to their switches.
 pub fn homes(name: &DriverName, wanted: bool) -> Result<Outcome> {
     let mut bench = OnBench::as_it_stands(name)?;
-    if !bench.connection.facts().homes {
+    if !bench.board.facts().homes {
         return Ok(Outcome::NotTried("it has no homing ($22)".into()));
     }
     if !wanted {
