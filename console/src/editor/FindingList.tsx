@@ -31,7 +31,7 @@ export function FindingList({ check, file, onShow }: FindingListProps) {
   );
 }
 
-/** How much of a long text was looked at, and what is not looked at in one. */
+/** The share of a long text that was looked at, and the checks that a long text does without. */
 function Share({ share }: { share: number }) {
   const text =
     share < 1
@@ -44,7 +44,7 @@ interface FoundProps {
   findings: readonly Finding[];
   file: string;
   onShow: (place: Spot) => void;
-  /** What is said where there are none. */
+  /** The words where there are none. */
   children: ReactNode;
 }
 

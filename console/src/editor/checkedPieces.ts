@@ -101,6 +101,6 @@ export function findingsOf(pieces: Pieces, text: Text): Finding[] {
   });
 }
 
-/** How much of the text was looked at, from 0 to 1. */
+/** The share of the text that was looked at, from 0 to 1. */
 export const shareOf = (pieces: Pieces): number =>
   lengthOf(pieces.filter(({ findings }) => findings)) / Math.max(lengthOf(pieces), 1);

@@ -78,7 +78,7 @@ interface ChangedLines {
   nowTo: number;
 }
 
-/** What was typed, by lines. */
+/** The typed changes, by lines. */
 function editsOf({ kept, text, typed }: EditedFile): TextEdit[] {
   const all: ChangedLines[] = [];
   typed.iterChangedRanges((keptFrom, keptTo, from, to) => {

@@ -5,12 +5,12 @@ import { Refused } from "../link/http";
 import { type LineEnd, textOf } from "./storedText";
 import type { Answer } from "./textWorker";
 
-/** What a file holds. */
+/** The content of a file. */
 export interface Content {
   readonly text: Text;
-  /** What ends its lines. */
+  /** The end of its lines. */
   readonly ends: LineEnd;
-  /** Which content it is. */
+  /** The hash of the content. */
   readonly hash: string;
 }
 

@@ -17,18 +17,18 @@ const [lineFeed, carriageReturn] = [10, 13];
 /** Lines of a leaf: more than the editor's own have, which are made anew where somebody types. */
 const leafLines = 128;
 
-/** What stands before a text to tell that it is UTF-8. */
+/** The bytes before a text that tell that it is UTF-8. */
 const mark = [0xef, 0xbb, 0xbf];
 
 /** A text as bytes; its lines end with a line feed. */
 export interface StoredText {
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** Where each leaf begins; one more for where another one would. */
+  /** The beginning of each leaf, and that of one more. */
   readonly starts: Uint32Array<ArrayBuffer>;
   /** Characters of each leaf, as strings count them. */
   readonly lengths: Uint32Array<ArrayBuffer>;
   readonly lines: number;
-  /** What ended its first line. */
+  /** The end of its first line. */
   readonly ends: LineEnd;
 }
 

@@ -3,7 +3,7 @@ import { Button } from "../ui/Button";
 import { t } from "../words/words";
 import { machine } from "./actions";
 
-/** Where no job is open: a drawing has no tool path yet. */
+/** The place of a job while none is open: a drawing has no tool path yet. */
 export function NoJob() {
   const hands = useHands();
   const opened = useSnapshot("opened");

@@ -25,7 +25,7 @@ export function useJob(): Plan | null {
   return plan;
 }
 
-/** How far the machine is with the paths of a job. */
+/** The progress of the machine in the paths of a job. */
 export function useStanding(plan: Plan | null): Standing {
   const job = useSnapshot("job");
   const line = useShown((shown) => shown.snapshot?.motion.line ?? 0);

@@ -1,4 +1,4 @@
-/** Whether somebody was led through the settings of this machine, or did not want to be. The server keeps it. */
+/** `true` once somebody was led through the settings of this machine, or did not want to be. The server keeps it. */
 
 import { getJson, putText } from "../link/http";
 import type { NamedValue, SettingArea } from "../wire/messages";

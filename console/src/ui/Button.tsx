@@ -14,7 +14,7 @@ export interface ButtonProps extends Omit<AriaProps, "isDisabled"> {
   onRefused?: (() => void) | undefined;
 }
 
-/** What of a button is a text, in the language of the page. */
+/** The texts of a button, in the language of the page. */
 function spoken({ children, "aria-label": label }: AriaProps) {
   return {
     ...(typeof children === "string" ? { children: t(children) } : {}),

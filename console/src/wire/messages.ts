@@ -1555,7 +1555,7 @@ export type TextDraft = {
 name: string,
 /** The text; its lines end with a line feed. Empty where its edits tell it. */
 text: string,
-/** What was typed into the file as it was read, in order of lines; nothing where the text is told as a whole. */
+/** The changes to the file as it was read, in order of lines; nothing where the text is told as a whole. */
 edits: Array<TextEdit> | null,
 /** Line ending of the file. */
 ends: string,
@@ -1574,7 +1574,7 @@ export type TextEdit = {
 line: number,
 /** Lines that are others. */
 count: number,
-/** What stands there now. */
+/** The lines that stand there now. */
 lines: Array<string>, };
 
 /** Inputs and outputs of a run on the simulated machine, beside its motion. */

@@ -44,7 +44,7 @@ pub struct TextEdit {
     pub line: u32,
     /// Lines that are others.
     pub count: u32,
-    /// What stands there now.
+    /// The lines that stand there now.
     pub lines: Vec<String>,
 }
 
@@ -56,7 +56,7 @@ pub struct TextDraft {
     pub name: String,
     /// The text; its lines end with a line feed. Empty where its edits tell it.
     pub text: String,
-    /// What was typed into the file as it was read, in order of lines; nothing where the text is told as a whole.
+    /// The changes to the file as it was read, in order of lines; nothing where the text is told as a whole.
     #[serde(default)]
     pub edits: Option<Vec<TextEdit>>,
     /// Line ending of the file.

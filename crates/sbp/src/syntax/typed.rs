@@ -129,6 +129,9 @@ mod tests {
         for typed in [
             "MX,1",
             "VA,0",
+            "VN,,,3",
+            "VO,1",
+            "VH,,,,1",
             "SO,1,1",
             "TR,9000",
             "ZX",

@@ -275,7 +275,7 @@ impl CommandSpec {
     }
 
     /// Returns `true` if it can neither move nor switch anything, nor call a place by another number.
-    pub const fn moves_nothing(&self) -> bool {
+    pub fn moves_nothing(&self) -> bool {
         use super::act::{Mode, Move, Record, Utility, Value};
         match self.act {
             Act::Help | Act::Move(Move::Speeds) => true,
@@ -287,8 +287,11 @@ impl CommandSpec {
                     | Mode::ClearVariables
                     | Mode::Warning
             ),
-            // Torch, laser and heater are switched by their values.
-            Act::Value(value) => !matches!(value, Value::Locations(_) | Value::Height),
+            // Torch, laser and heater are switched by their values, outputs by their modes; the tool offset is a place.
+            Act::Value(value) => {
+                !matches!(value, Value::Locations(_) | Value::Height)
+                    && !matches!(self.letters, "VN" | "VO")
+            }
             Act::Record(record) => {
                 matches!(record, Record::Switch(_) | Record::Save | Record::Clear)
             }
