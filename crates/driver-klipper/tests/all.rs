@@ -4,7 +4,7 @@
 
 mod bytes;
 mod compress;
-mod convoy;
+mod crew;
 mod line;
 mod measured;
 mod motion;

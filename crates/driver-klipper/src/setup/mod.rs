@@ -5,8 +5,10 @@
 //! number.
 
 mod pins;
+mod share;
 
 pub use pins::{Pin, Pull};
+pub use share::{Share, own};
 
 use crate::dictionary::Dictionary;
 use crate::orders::{Order, OrderError, Orders};
@@ -81,6 +83,8 @@ pub struct Setup {
     pub buttons: Vec<Pin>,
     /// Wires to motor drivers.
     pub drivers: Vec<DriverWire>,
+    /// Switches on other boards that may stop motors of this one.
+    pub away: usize,
 }
 
 /// The reason for which a setup does not fit a board.
@@ -92,6 +96,9 @@ pub enum SetupError {
     /// A pin has two tasks.
     #[error("pin `{0}` is used twice: give each motor, switch and output pins of its own")]
     Twice(String),
+    /// Two pins that belong together are on two boards.
+    #[error("pins `{}` and `{}` are on two boards: step and direction of a motor, or both ends of a wire, go to one", .0[0], .0[1])]
+    Split([String; 2]),
     /// The board needs a pin for itself.
     #[error("pin `{pin}` is used by the board itself ({by}): take another one")]
     Reserved {
@@ -149,6 +156,11 @@ pub enum Object {
 }
 
 impl Setup {
+    /// Number of its latches: one over all motion, one for each switch that may stop motors.
+    pub fn latches(&self) -> usize {
+        1 + self.switches.len() + self.away
+    }
+
     /// Number of an object in the board.
     pub fn oid(&self, object: Object) -> u32 {
         let rows = [
@@ -183,7 +195,7 @@ impl Setup {
             .constant("CLOCK_FREQ")
             .filter(|f| FREQUENCIES.contains(f))
             .ok_or(SetupError::Frequency)?;
-        let count = self.oid(Object::Latch(self.switches.len())) as usize + 1;
+        let count = self.oid(Object::Latch(0)) as usize + self.latches();
         let many = |what, most, count| SetupError::Many { what, most, count };
         if count > 255 {
             return Err(many("objects", 255, count));
@@ -238,7 +250,7 @@ impl Setup {
             let (oid, bit) = (self.oid(Object::Driver(n)), to.ticks(1.0 / crate::tmc::BAUD));
             to.write(Order::ConfigDriverUart, [oid, rx, wire.rx.pull.number(), tx, bit])?;
         }
-        for n in 0..=self.switches.len() {
+        for n in 0..self.latches() {
             to.write(Order::ConfigTrsync, [self.oid(Object::Latch(n))])?;
         }
         for (n, button) in self.buttons.iter().enumerate() {
