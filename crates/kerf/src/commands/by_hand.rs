@@ -18,7 +18,7 @@ use kerf_control::{AtRest, OperatorRequest, RunContext, Script, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
-use kerf_program::{AXES, Axis, AxisSet, MoveKind, Status};
+use kerf_program::{AXES, Axis, AxisSet, MoveKind, Status, rounded};
 use kerf_trace::{Event, Sink};
 use kerf_wire::ByHand;
 use kerf_workspace::{Workspace, unverified};
@@ -349,7 +349,7 @@ pub fn zset(which: &Which, height: Height, to: Option<f64>, by: Option<f64>) -> 
     let Some(setting) = setting else { bail!("no setting {}", height.key()) };
     if by.is_none() {
         let z = to.unwrap_or(shop.session.memory.position[Axis::Z]);
-        changed(&shop.machine, setting, &Value::Number(out::tidy(z)))?;
+        changed(&shop.machine, setting, &Value::Number(rounded(z, 6)))?;
         let exit = drive_there(&mut shop, height, to)?;
         if exit != Exit::Good {
             return Ok(exit);
@@ -360,7 +360,7 @@ pub fn zset(which: &Which, height: Height, to: Option<f64>, by: Option<f64>) -> 
         (Some(by), Value::Number(before)) => before + by,
         _ => shop.session.memory.position[Axis::Z],
     };
-    keep(which, &shop.machine, setting, Value::Number(out::tidy(z)))
+    keep(which, &shop.machine, setting, Value::Number(rounded(z, 6)))
 }
 
 /// Changes a setting in the file of the machine, and tells it.
@@ -420,7 +420,7 @@ pub fn origin(which: &Which, place: Option<&str>) -> Result<Exit> {
             [x, y]
         }
     };
-    let value = Value::List(at.map(|v| Value::Number(out::tidy(v))).into());
+    let value = Value::List(at.map(|v| Value::Number(rounded(v, 6))).into());
     keep(which, &shop.machine, setting, value)
 }
 

@@ -38,6 +38,7 @@ use kerf_control::{RunContext, Session};
 use kerf_journal::{JournalError, RunOptions, Whereabouts, Work};
 use kerf_machine::{Configuration, table};
 use kerf_program::job::Job;
+use kerf_program::rounded;
 use kerf_trace::{Summary, json::JsonLines};
 use kerf_workspace::Workspace;
 use on_server::{REACHES_SERVERS, remotely};
@@ -349,7 +350,7 @@ fn tell_preview(session: &Session, workspace: &mut Workspace, quiet: bool) {
 fn keep_origin(at: [f64; 2], session: &Session, place: &PlaceArgs) -> Result<()> {
     let Some(setting) = table::setting("job.origin_mm") else { bail!("no setting job.origin_mm") };
     let mut machine = session.configuration();
-    machine.job.origin_mm = at.map(out::tidy);
+    machine.job.origin_mm = at.map(|mm| rounded(mm, 6));
     Ok(machine_file::of_data_to_change(&place.data)?.keep_one(setting, &machine)?)
 }
 

@@ -18,7 +18,7 @@ mod link;
 
 pub use link::{Link, LinkState, Told, Troubles};
 
-pub use kerf_program::{AXES, Axes, Axis, decimal};
+pub use kerf_program::{AXES, Axes, Axis, decimal, rounded};
 use std::borrow::Cow;
 
 /// The number of an order; they count up from 1.
