@@ -11,6 +11,7 @@ mod motion;
 mod mutated;
 mod queue;
 mod recorded;
+mod refused;
 mod session;
 #[path = "../../../tests/corpus/shared.rs"]
 mod shared;

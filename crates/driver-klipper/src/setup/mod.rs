@@ -4,13 +4,14 @@
 //! made of the configuration's text, so a board that was configured by someone else, or otherwise, is known by its
 //! number.
 
+mod needs;
 mod pins;
 mod share;
 
 pub use pins::{Pin, Pull};
 pub use share::{Share, own};
 
-use crate::dictionary::Dictionary;
+use crate::dictionary::{Dictionary, DictionaryError};
 use crate::orders::{Order, OrderError, Orders};
 use pins::{Look, Pins};
 
@@ -93,6 +94,9 @@ pub enum SetupError {
     /// The board lacks a pin or a command, or a value is out of bounds.
     #[error(transparent)]
     Order(#[from] OrderError),
+    /// The board lacks an answer, or a field of it.
+    #[error(transparent)]
+    Answer(#[from] DictionaryError),
     /// A pin has two tasks.
     #[error("pin `{0}` is used twice: give each motor, switch and output pins of its own")]
     Twice(String),
@@ -203,6 +207,7 @@ impl Setup {
         if self.buttons.len() > 8 {
             return Err(many("inputs that are looked at", 8, self.buttons.len()));
         }
+        self.needs(board, orders)?;
         let mut writer =
             Writer { board, orders, frequency, pins: Pins::new(board), commands: Vec::new() };
         writer.write(Order::Allocate, [count as u32])?;
