@@ -1,5 +1,6 @@
 //! The errors of cuts, and the bounds that keep absurd numbers from exhausting memory.
 
+use kerf_program::rounded;
 use kerf_program::settings::LinearUnit;
 
 /// The largest length, location or depth accepted: a kilometre.
@@ -108,8 +109,8 @@ impl CutError {
             Self::CutterLargerThanHole { cutter_mm: a, hole_mm: b }
             | Self::EndNotOnCircle { start_radius_mm: a, end_radius_mm: b }
             | Self::ChordLongerThanDiameter { chord_mm: a, diameter_mm: b } => {
-                *a = rounded(*a / factor);
-                *b = rounded(*b / factor);
+                *a = rounded(*a / factor, PLACES);
+                *b = rounded(*b / factor, PLACES);
             }
             _ => return self.to_string(),
         }
@@ -117,10 +118,8 @@ impl CutError {
     }
 }
 
-/// Four decimals are what a person can compare.
-fn rounded(v: f64) -> f64 {
-    (v * 1e4).round() / 1e4
-}
+/// Decimals of lengths in messages: four are what a person can compare.
+const PLACES: i32 = 4;
 
 /// Refuses what is no usable length; `what` names it.
 pub(crate) fn check_length(what: &'static str, value_mm: f64) -> Result<(), CutError> {

@@ -1,6 +1,7 @@
 //! Digitized points.
 
 use kerf_geom::Point2;
+use kerf_program::rounded;
 use serde::{Deserialize, Serialize};
 
 /// Place where the tool stands, millimetres: X and Y from the job origin, Z from home.
@@ -20,7 +21,7 @@ impl Stand {
     /// assert_eq!(Stand::new(333.3 - 300.0, 0.0, -5.0).at.x, 33.3);
     /// ```
     pub fn new(x_mm: f64, y_mm: f64, z_mm: f64) -> Self {
-        let [x, y, z_mm] = [x_mm, y_mm, z_mm].map(|mm| (mm * 1e6).round() / 1e6 + 0.0);
+        let [x, y, z_mm] = [x_mm, y_mm, z_mm].map(|mm| rounded(mm, 6));
         Self { at: Point2::new(x, y), z_mm }
     }
 }

@@ -1,7 +1,7 @@
 //! Orders as lines of G-code.
 
 use crate::driver::MODES;
-use kerf_machine::driver::{Axes, Facts, Order, Shares, decimal, way_mm};
+use kerf_machine::driver::{Axes, Facts, Order, Shares, decimal, rounded, way_mm};
 use std::f64::consts::TAU;
 
 /// Words that hold from line to line.
@@ -102,7 +102,7 @@ fn arc(
     feed: &str,
     modal: &mut Modal,
 ) -> Vec<String> {
-    let way = |axis: usize, to: f64| number(rounded(to) - rounded(from.0[axis]));
+    let way = |axis: usize, to: f64| number(rounded(to, 3) - rounded(from.0[axis], 3));
     let place = |axis: usize| way(axis, to.0[axis]);
     let z = place(2);
     let z = if z == "0" { String::new() } else { format!("Z{z}") };
@@ -111,11 +111,6 @@ fn arc(
     feed.clone_into(&mut modal.feed);
     modal.begins(turn);
     vec![format!("G91{turn}X{}Y{}{z}I{i}J{j}{rate}", place(0), place(1)), "G90".into()]
-}
-
-/// A place as it is told.
-fn rounded(place_mm: f64) -> f64 {
-    (place_mm * 1000.0).round() / 1000.0
 }
 
 /// A rapid move in the machine frame.

@@ -3,11 +3,14 @@
 //! A reader gives back what could be read, and [`Finding`]s with the line of everything that could
 //! not: a file that is broken in one place is read in all others, and nothing is invented. A drawing
 //! is refused only when there is nothing of a drawing in the file.
+//!
+//! [`open`] and [`Format`] choose the reader and the writer by the ending of a file's name.
 
 pub mod bitmap;
 pub mod dxf;
 mod effort;
 mod finding;
+mod format;
 pub mod hpgl;
 mod layers;
 pub mod motion;
@@ -19,7 +22,10 @@ mod unkept;
 
 pub use effort::{Ended, MOST_PLACED, MOST_PLACED_VERTICES};
 pub use finding::{Finding, Weight};
-pub use unkept::unkept;
+pub use format::{
+    Content, FORMATS, Format, JOB_ENDING, Opening, ending, is_drawing, open, readable, writable,
+};
+use unkept::unkept;
 
 use kerf_drawing::{Drawing, Heightened};
 

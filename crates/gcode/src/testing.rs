@@ -9,7 +9,7 @@ use kerf_program::settings::{LinearUnit, SWITCHES};
 use kerf_program::testing::Bystander;
 use kerf_program::{
     Answer, Axis, Command, FileRequest, HostError, MoveKind, Question, SourceFile, Sourced, Status,
-    Step,
+    Step, decimal,
 };
 use std::collections::BTreeMap;
 use std::task::Poll;
@@ -93,9 +93,7 @@ pub(crate) fn run_with(text: &str, mut host: FakeHost, session: Session, options
 }
 
 fn shown(v: f64) -> String {
-    let text = format!("{:.4}", v + 0.0);
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.into() }
+    decimal(v, 4)
 }
 
 impl Ran {

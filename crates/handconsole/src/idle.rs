@@ -3,7 +3,7 @@
 use crate::next::{Next, To};
 use crate::{COLUMNS, ConsoleRequest, Key, Screen, View};
 use kerf_machine::Held;
-use kerf_program::AXES;
+use kerf_program::{AXES, rounded};
 
 /// Job and its size.
 pub(crate) fn screen(view: &View) -> Screen {
@@ -23,11 +23,6 @@ pub(crate) fn screen(view: &View) -> Screen {
         }
     };
     Screen::new(format!("JOB: {}", job.name), size)
-}
-
-fn rounded(mm: f64, decimals: i32) -> f64 {
-    let unit = 10.0_f64.powi(decimals);
-    (mm * unit).round() / unit + 0.0
 }
 
 pub(crate) fn press<M>(key: Key, view: &View) -> Next<M> {

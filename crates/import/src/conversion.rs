@@ -3,6 +3,7 @@
 use crate::desk::Desk;
 use crate::drawn::{self, Drawn};
 use kerf_convert::{Conversion, Language, Source};
+use kerf_formats::{Format, ending};
 use kerf_gcode::Dialect;
 use kerf_journal::Kind;
 use kerf_program::{
@@ -39,9 +40,9 @@ fn converted(
 ) -> Result<FileConversion, HostError> {
     let (name, mut settings) = (&request.name, settings.clone());
     let file = workspace.source(&FileRequest { folder: Folder::Parts, name: name.clone() })?;
-    let kind = request.kind.as_deref().map_or_else(|| extension(name), extension_of_answer);
+    let kind = request.kind.as_deref().map_or_else(|| ending(name), extension_of_answer);
     let language = Language::of_file(&format!("x.{kind}"), Dialect::Generic);
-    let is_drawn = drawn::KINDS.contains(&kind.as_str());
+    let is_drawn = Format::of_ending(&kind).is_some();
     if !is_drawn && !matches!(language, Some(Language::Gcode(_))) {
         return Ok(FileConversion::Unknown);
     }
@@ -102,11 +103,6 @@ fn drawn_part_file(
     drawn::print(bytes, kind, &how, &mut printer).map_err(refused)?;
     let printer: Box<dyn Printer> = Box::new(printer);
     Ok(printer.finish().text)
-}
-
-fn extension(name: &str) -> String {
-    let extension = Path::new(name).extension().unwrap_or_default();
-    extension.to_string_lossy().to_ascii_lowercase()
 }
 
 /// The text of the part file.

@@ -2,7 +2,8 @@
 
 use crate::job_file;
 use kerf_drawing::{Drawing, Editor, Operation, Shape};
-use kerf_formats::{Finding, Imported, Weight, bitmap, dxf, hpgl, rsg, svg};
+use kerf_formats::bitmap::{Bitmap, BitmapError};
+use kerf_formats::{Content, Finding, Format, Imported, Opening, Weight};
 use kerf_geom::{Point2, Vec2};
 use kerf_machine::Configuration;
 use kerf_machine::settings::zpos::ZPositions;
@@ -82,13 +83,13 @@ pub enum DrawnError {
 /// Millimetres from dot to dot of a picture when nothing is said.
 const DOT_MM: f64 = 0.1;
 
-/// Kinds of files that become programs, as extensions.
-pub const KINDS: [&str; 11] =
-    ["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl", "bmp", "jpg", "jpeg", "png"];
+/// The content of files with an ending.
+fn content(kind: &str) -> Option<Content> {
+    Format::of_ending(kind).map(Format::content)
+}
 
-/// Tells whether files of a kind are pictures.
-pub fn is_picture(kind: &str) -> bool {
-    matches!(kind, "bmp" | "jpg" | "jpeg" | "png")
+fn is_picture(kind: &str) -> bool {
+    content(kind) == Some(Content::Picture)
 }
 
 /// Returns the choices that a person has for a kind of file, with their usual values. A job has its own size.
@@ -97,7 +98,7 @@ pub fn usual_choice(kind: &str, unit: LinearUnit) -> CutChoice {
     CutChoice {
         depth_mm: usual.depth_mm,
         safe_mm: usual.safe_mm,
-        scale: (kind != "rsm").then_some(usual.scale),
+        scale: (content(kind) != Some(Content::Job)).then_some(usual.scale),
         white_deepest: is_picture(kind).then_some(usual.white_deepest),
     }
 }
@@ -105,35 +106,28 @@ pub fn usual_choice(kind: &str, unit: LinearUnit) -> CutChoice {
 /// Writes the program of a drawing or a picture, and tells what was noticed.
 ///
 /// # Errors
-/// There is nothing to cut in the file, or it cannot be cut so.
+/// The ending is of neither, there is nothing to cut in the file, or it cannot be cut so.
 pub fn print(
     bytes: &[u8],
     kind: &str,
     how: &Drawn,
     printer: &mut dyn Printer,
 ) -> Result<Vec<Finding>, DrawnError> {
-    if is_picture(kind) {
-        return picture(bytes, how, printer);
+    let format = Format::of_ending(kind);
+    let format = format.ok_or_else(|| DrawnError::Nothing(format!("{kind} is no drawing")))?;
+    if let Some(dots) = format.picture(bytes) {
+        return picture(dots, how, printer);
     }
-    let (job, findings) = if kind == "rsm" {
+    let (job, findings) = if format.content() == Content::Job {
         let (job, read) = kerf_toolpath::read_whole(bytes)?;
         (job, read.findings)
     } else {
-        job(drawing(bytes, kind), how)?
+        job(format.open(bytes, &Opening::default()).unwrap_or_default(), how)?
     };
     let zpos = ZPositions { top_mm: how.safe_mm, surface_mm: 0.0, bottom_mm: -how.depth_mm };
     let machine = Configuration { zpos, ..Configuration::default() };
     job_file::print(&job, &machine, Speeds::OfRun, printer).map_err(DrawnError::Uncut)?;
     Ok(findings)
-}
-
-fn drawing(bytes: &[u8], kind: &str) -> Imported {
-    match kind {
-        "dxf" => dxf::read(bytes, &dxf::Options::default()),
-        "svg" => svg::read(bytes),
-        "rsg" => rsg::read(bytes),
-        _ => hpgl::read(bytes),
-    }
 }
 
 fn job(read: Imported, how: &Drawn) -> Result<(DrawnJob, Vec<Finding>), DrawnError> {
@@ -175,11 +169,11 @@ fn scaled(drawing: Drawing, factor: f64) -> Result<Drawing, DrawnError> {
 }
 
 fn picture(
-    bytes: &[u8],
+    dots: Result<Bitmap, BitmapError>,
     how: &Drawn,
     printer: &mut dyn Printer,
 ) -> Result<Vec<Finding>, DrawnError> {
-    let read = bitmap::read(bytes).map_err(|error| DrawnError::Nothing(error.to_string()))?;
+    let read = dots.map_err(|error| DrawnError::Nothing(error.to_string()))?;
     let steps = |dots: usize| (dots.max(1) - 1) as f64 * DOT_MM;
     let plain = Vec2::new(steps(read.columns), steps(read.rows));
     let size = how.size.unwrap_or(plain * how.scale);

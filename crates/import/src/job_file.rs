@@ -12,7 +12,7 @@ use kerf_toolpath::{Damaged, DrawnJob, NoRoom, too_deep};
 use std::sync::Arc;
 
 /// The extension of jobs.
-pub const EXTENSION: &str = "rsm";
+pub const EXTENSION: &str = kerf_formats::JOB_ENDING;
 
 /// Message where a drawing is started that has no tool path yet.
 pub const NO_TOOL_PATH: &str = "create the tool path first";

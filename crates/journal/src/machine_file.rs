@@ -177,8 +177,9 @@ impl MachineFile {
         let said = self.read(&before)?;
         let mut wanted = said.clone();
         // A value that the table does not allow holds for this visit only.
-        let mut takes =
-            |setting: &table::Setting| setting.set(&mut wanted, &tidy(setting.get(&ended))).is_ok();
+        let mut takes = |setting: &table::Setting| {
+            setting.set(&mut wanted, &without_noise(setting.get(&ended))).is_ok()
+        };
         let mut changed: Vec<_> =
             table::changed(&began, &ended).filter(|setting| takes(setting)).collect();
         // The unit takes that of A, B and C with it, unless they have another.
@@ -250,13 +251,13 @@ fn not_known(error: JournalError) -> MachineFileError {
 }
 
 /// Numbers without the noise in the last digit that a conversion from inches leaves.
-fn tidy(value: Value) -> Value {
+fn without_noise(value: Value) -> Value {
     let short = |n: f64| format!("{n:.11e}").parse().unwrap_or(n);
     match value {
         Value::Number(n) if (short(n) - n).abs() <= 2.0 * f64::EPSILON * n.abs() => {
             Value::Number(short(n))
         }
-        Value::List(values) => Value::List(values.into_iter().map(tidy).collect()),
+        Value::List(values) => Value::List(values.into_iter().map(without_noise).collect()),
         value => value,
     }
 }

@@ -60,11 +60,6 @@ pub fn bounds(summary: &Summary) -> Option<String> {
     (!bounds.is_empty()).then(|| format!("X {}, Y {}, Z {} {unit}", axis(0), axis(1), axis(2)))
 }
 
-/// To a millionth, as settings are kept.
-pub fn tidy(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6 + 0.0
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,7 @@
 //! The lines of files that diagnostics point to. In drawings and jobs they are shapes.
 
-use crate::drawings::kind::is_drawing;
 use kerf_diag::Sources;
+use kerf_formats::is_drawing;
 use kerf_journal::Work;
 use std::cell::RefCell;
 use std::collections::BTreeMap;

@@ -6,7 +6,7 @@ use kerf_drawing::Shape;
 use kerf_handconsole::{Console, ConsoleRequest, Key, View};
 use kerf_machine::{Configuration, Errand, Held, Value, table};
 use kerf_program::job::Job;
-use kerf_program::{Axes, AxisSet};
+use kerf_program::{Axes, AxisSet, rounded};
 use kerf_wire::Look;
 use std::sync::Arc;
 
@@ -97,7 +97,7 @@ impl HandConsole {
 
     /// Returns the place of the tool, to a millionth.
     pub fn position(&self) -> [f64; 3] {
-        self.place().first3().map(|mm| (mm * 1e6).round() / 1e6 + 0.0)
+        self.place().first3().map(|mm| rounded(mm, 6))
     }
 
     /// Holds a key for some seconds; gives what the machine did.

@@ -11,7 +11,7 @@ use kerf_machine::profile::profile;
 use kerf_machine::{Configuration, Errand, file};
 use kerf_model::Change;
 use kerf_program::job::{Job, JobShape};
-use kerf_program::{Axes, AxisSet, MoveKind};
+use kerf_program::{Axes, AxisSet, MoveKind, rounded};
 use kerf_sim::Sheet;
 use kerf_trace::{Event, Sink, Summary, event::MoveEvent, vcd::VcdSink};
 use kerf_workspace::Workspace;
@@ -345,7 +345,7 @@ impl JobTrace {
             ];
             let moved = pairs.into_iter().filter(|(_, from, to)| (from - to).abs() > 1e-9);
             let ends: String =
-                moved.map(|(axis, _, to)| format!(" {axis}{}", rounded(to))).collect();
+                moved.map(|(axis, _, to)| format!(" {axis}{}", rounded(to, 3))).collect();
             format!("{:.3}-{:.3}{ends}", made.t0, made.t1)
         };
         self.events.iter().filter_map(motion).map(shown).collect()
@@ -394,7 +394,7 @@ impl JobTrace {
             let flat = (made.from.x, made.from.y) != (made.to.x, made.to.y);
             flat && made.kind == MoveKind::Cut
         });
-        cuts.map(|made| rounded(made.speed)).collect()
+        cuts.map(|made| rounded(made.speed, 3)).collect()
     }
 
     /// Returns the reason why the job was refused.
@@ -406,11 +406,6 @@ impl JobTrace {
     pub fn rests(&self) -> [f64; 3] {
         self.session.memory.position.first3()
     }
-}
-
-/// To a thousandth, without needless zeros.
-fn rounded(value: f64) -> f64 {
-    (value * 1e3).round() / 1e3 + 0.0
 }
 
 /// Returns the move that an event tells of: a straight one, or that of an arc.

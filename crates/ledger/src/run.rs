@@ -4,6 +4,7 @@
 //! can follow each other.
 
 use crate::read::{events, line_of, location, number, text};
+use kerf_program::rounded;
 use kerf_workspace::Workspace;
 use serde_json::Value;
 
@@ -203,7 +204,7 @@ impl Run {
         let ends: Vec<[f64; 6]> = ends.collect();
         let level = |end: &[f64; 6]| (end[2] - z).abs() < LOCATION;
         let pairs = ends.windows(2).filter(|pair| level(&pair[0]) && level(&pair[1]));
-        pairs.map(|pair| [rounded(pair[0][0]), rounded(pair[1][0])]).collect()
+        pairs.map(|pair| [rounded(pair[0][0], 4), rounded(pair[1][0], 4)]).collect()
     }
 
     /// The run takes this long in machine time, seconds, within a thousandth.
@@ -223,9 +224,4 @@ impl std::fmt::Display for Run {
 
 fn near(found: &[f64], expected: &[f64]) -> bool {
     found.iter().zip(expected).all(|(a, b)| (a - b).abs() < LOCATION)
-}
-
-/// To a ten-thousandth, for comparison.
-fn rounded(value: f64) -> f64 {
-    (value * 1e4).round() / 1e4
 }

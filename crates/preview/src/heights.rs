@@ -11,6 +11,7 @@ use crate::png::{self, PngError};
 use crate::sheet::{Anchor, Frame, Layer, Mark, Outline, Paint, Rect, Sheet, Text};
 use crate::svg;
 use kerf_geom::Point2;
+use kerf_program::rounded;
 
 /// Width of the page, mm.
 const WIDTH: f64 = 250.0;
@@ -164,13 +165,13 @@ impl Panel {
             let y = self.y(value);
             lines.segment(Point2::new(frame.x, y), Point2::new(frame.right(), y));
             let at = Point2::new(frame.x - 1.5, y + 0.9);
-            layer.marks.push(small(at, Anchor::End, shown(value)));
+            layer.marks.push(small(at, Anchor::End, rounded(value, 6).to_string()));
         }
         for at_mm in round_values(self.along, 12.0) {
             let x = self.x(at_mm);
             lines.segment(Point2::new(x, frame.y), Point2::new(x, frame.bottom()));
             let at = Point2::new(x, frame.bottom() + 4.0);
-            layer.marks.push(small(at, Anchor::Middle, shown(at_mm)));
+            layer.marks.push(small(at, Anchor::Middle, rounded(at_mm, 6).to_string()));
         }
         layer.path(lines, Paint::line(FINE, 0.2));
         layer.path(Outline::of_rect(frame), Paint::line(EDGE, 0.2));
@@ -207,10 +208,6 @@ fn span(values: impl Iterator<Item = f64>) -> [f64; 2] {
 
 fn share(value: f64, [low, high]: [f64; 2]) -> f64 {
     (value - low) / (high - low).max(1e-9)
-}
-
-fn shown(value: f64) -> String {
-    format!("{}", (value * 1e6).round() / 1e6 + 0.0)
 }
 
 fn small(at: Point2, anchor: Anchor, words: String) -> Mark {

@@ -11,6 +11,7 @@ use crate::png::{self, PngError};
 use crate::sheet::{Anchor, Frame, Layer, Mark, Outline, Paint, Rect, Sheet, Text};
 use crate::svg;
 use kerf_geom::Point2;
+use kerf_program::rounded;
 
 /// Width of the page, mm.
 const WIDTH: f64 = 250.0;
@@ -221,14 +222,10 @@ impl Heights {
         let rests =
             points.windows(2).filter(|pair| pair[0].1 == pair[1].1 && pair[1].0 > pair[0].0);
         let mut told: Vec<(f64, String)> =
-            rests.map(|pair| (pair[0].0, shown(pair[0].1))).collect();
+            rests.map(|pair| (pair[0].0, rounded(pair[0].1, 3).to_string())).collect();
         told.dedup_by(|later, first| later.1 == first.1);
         told
     }
-}
-
-fn shown(value: f64) -> String {
-    format!("{}", (value * 1e3).round() / 1e3 + 0.0)
 }
 
 fn steps(changes: &[(f64, bool)], over: &Over, top: f64, bottom: f64) -> Outline {

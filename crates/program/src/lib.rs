@@ -23,6 +23,7 @@ mod height;
 mod host;
 mod interpreter;
 pub mod job;
+mod number;
 mod printer;
 pub mod settings;
 mod shift;
@@ -47,7 +48,8 @@ pub use host::{
     ToolCall, no_such_tool,
 };
 pub use interpreter::{FileCall, Halted, Interpreter, Status, Step, StoppedBy, Watch};
-pub use printer::{Hold, Lost, Printer, Written, decimal, length_places};
+pub use number::{decimal, rounded};
+pub use printer::{Hold, Lost, Printer, Written, length_places};
 pub use settings::Settings;
 pub use smoothing::{FACTOR_MM, RampModel, Smoothing};
 pub use tool_change::{ChangeWords, Changing};

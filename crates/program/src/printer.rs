@@ -65,20 +65,6 @@ pub trait Printer {
     fn finish(self: Box<Self>) -> Written;
 }
 
-/// A number as programs hold it: at most so many decimals, no needless zeros, never an exponent.
-///
-/// ```
-/// assert_eq!(kerf_program::decimal(2.50, 3), "2.5");
-/// assert_eq!(kerf_program::decimal(-0.0001, 3), "0");
-/// assert_eq!(kerf_program::decimal(10.0, 3), "10");
-/// ```
-pub fn decimal(value: f64, places: usize) -> String {
-    let text = format!("{value:.places$}");
-    let text =
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".into() } else { text.into() }
-}
-
 /// Decimals of a length in a file, so that a program that is read again lies within 1e-6 mm of the
 /// path.
 pub const fn length_places(unit: LinearUnit) -> usize {

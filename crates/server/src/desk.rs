@@ -5,7 +5,6 @@ use crate::configure::MachineSettings;
 use crate::counted::Counted;
 use crate::digested::hash;
 use crate::hub::Hub;
-use crate::kind::extension;
 use crate::loader::Loader;
 use crate::locks::{DESK, Lock, lock};
 use crate::machine::Left;
@@ -15,7 +14,7 @@ use crate::reading::Readings;
 use crate::refusal::{Done, problem};
 use crate::saving::Leave;
 use kerf_drawing::{Drawing, Editor, Operation, script};
-use kerf_formats::{Imported, dxf, hpgl, rsg, svg};
+use kerf_formats::{Content, Format, Imported, Opening, ending, readable, writable};
 use kerf_gcode::{Writer, Writing};
 use kerf_geom::Point2;
 use kerf_import::job_file;
@@ -155,17 +154,18 @@ impl DrawingDesk {
     fn read_to_open(&self, name: &str, awaited: &Awaited) -> Result<Read, Problem> {
         let (reading, bytes) = (self.reading.begin(), self.files.folder.read(name)?);
         let given_up = || reading.is_given_up() || awaited.is_given_up();
-        let job = (extension(name) == "rsm").then(|| kerf_toolpath::read_until(&bytes, &given_up));
-        let (job, imported) = match job {
-            Some((job, read)) => {
+        let format = Format::of_file(name);
+        let (job, imported) = match format.map(Format::content) {
+            Some(Content::Job) => {
+                let (job, read) = kerf_toolpath::read_until(&bytes, &given_up);
                 let read = reading::whole(name, read)?;
                 let imported = Imported { drawing: job.as_drawing(), ..read };
                 (Some(job), imported)
             }
-            None => (None, drawing_until(name, &bytes, &given_up)?),
+            _ => (None, drawing_until(name, &bytes, &given_up)?),
         };
         // What was imported is not what the file holds: who writes over that is asked.
-        let kept = ["rsg", "rsm"].contains(&extension(name).as_str()).then(|| hash(&bytes));
+        let kept = format.filter(|format| format.keeps_all).map(|_| hash(&bytes));
         Ok(Read { job, imported, kept })
     }
 
@@ -203,16 +203,15 @@ impl DrawingDesk {
 
     fn save_drawing(&self, desk: &mut Desk, name: String, replaces: Option<&str>) -> Done {
         let drawing = &desk.editor.drawing;
-        let text = match extension(&name).as_str() {
-            "rsg" => rsg::write(drawing),
-            "dxf" => dxf::write(drawing),
-            "svg" => svg::write(drawing),
-            "rsm" => kerf_toolpath::write(&desk.edited_job()?),
-            _ => return Err(problem(Why::File, "a drawing is written as .rsg, .dxf or .svg")),
+        let format = Format::of_file(&name)
+            .filter(|format| format.is_written())
+            .ok_or_else(|| problem(Why::File, format!("a drawing is written as {}", writable())))?;
+        let text = match format.write(drawing) {
+            Some(text) => text,
+            None => kerf_toolpath::write(&desk.edited_job()?),
         };
         let hash = self.files.save(&name, text.as_bytes(), &desk.leave(&name, replaces))?;
-        let lost = unkept(&name, drawing);
-        if let Some(lost) = lost {
+        if let Some(lost) = format.unkept(drawing) {
             return Ok(vec![format!("{name}: {lost}")]);
         }
         desk.saved = desk.editor.drawing.clone();
@@ -235,7 +234,7 @@ impl DrawingDesk {
         let unit = if inches { LinearUnit::Inch } else { LinearUnit::Mm };
         let printing = Printing { unit, title: title.clone(), ..Printing::default() };
         let writing = Writing { unit, title, ..Writing::default() };
-        let mut printer: Box<dyn Printer> = match extension(name).as_str() {
+        let mut printer: Box<dyn Printer> = match ending(name).as_str() {
             "sbp" => Box::new(SbpPrinter::new(&printing)),
             "nc" => Box::new(Writer::new(&writing)),
             _ => return Err(problem(Why::File, "a program is written as .sbp or .nc")),
@@ -314,29 +313,9 @@ fn drawing_until(
     bytes: &[u8],
     given_up: &dyn Fn() -> bool,
 ) -> Result<Imported, Problem> {
-    let read = match extension(name).as_str() {
-        "dxf" => {
-            let options = dxf::Options { scale: true, explode: true, ..Default::default() };
-            dxf::read_until(bytes, &options, given_up)
-        }
-        "rsg" => rsg::read_until(bytes, given_up),
-        "rsm" => rsg::read_with_until(bytes, given_up).0,
-        "svg" => svg::read_until(bytes, given_up),
-        "plt" | "hpg" | "hpgl" => hpgl::read(bytes),
-        _ => {
-            return Err(problem(
-                Why::File,
-                "a drawing is .dxf, .svg, .rsg, .rsm, .plt, .hpg or .hpgl",
-            ));
-        }
-    };
+    let read = kerf_formats::open(name, bytes, &Opening { given_up, ..Opening::default() });
+    let read = read.ok_or_else(|| problem(Why::File, format!("a drawing is {}", readable())))?;
     reading::whole(name, read)
-}
-
-/// Tells what is lost of a drawing in a file of this name.
-fn unkept(name: &str, drawing: &Drawing) -> Option<&'static str> {
-    let foreign = ["dxf", "svg"].contains(&extension(name).as_str());
-    foreign.then(|| kerf_formats::unkept(drawing)).flatten()
 }
 
 /// The job of a drawing, and what was noticed.

@@ -1,15 +1,15 @@
 //! Sorts of files, by their names.
 
-use kerf_import::job_file;
+use kerf_formats::{Content, Format, ending};
 use kerf_wire::FileKind;
 use kerf_workspace::parts;
 
 /// Returns the sort of file that a name belongs to.
 pub fn kind_of(name: &str) -> FileKind {
-    match extension(name).as_str() {
-        job_file::EXTENSION => FileKind::Job,
-        "rsg" | "dxf" | "svg" | "plt" | "hpg" | "hpgl" => FileKind::Drawing,
-        _ => FileKind::Program,
+    match Format::of_file(name).map(Format::content) {
+        Some(Content::Job) => FileKind::Job,
+        Some(Content::Drawing) => FileKind::Drawing,
+        Some(Content::Picture) | None => FileKind::Program,
     }
 }
 
@@ -17,14 +17,9 @@ pub fn kind_of(name: &str) -> FileKind {
 pub fn opens(name: &str, mask: &str) -> Option<FileKind> {
     let is_part = kerf_sbp::is_gcode_name(name) || parts::fits(mask, name);
     match kind_of(name) {
-        FileKind::Program => (is_part && extension(name) != "log").then_some(FileKind::Program),
+        FileKind::Program => (is_part && ending(name) != "log").then_some(FileKind::Program),
         kind => Some(kind),
     }
-}
-
-/// The extension of a name, in small letters.
-pub fn extension(name: &str) -> String {
-    name.rsplit_once('.').map(|(_, extension)| extension.to_ascii_lowercase()).unwrap_or_default()
 }
 
 #[cfg(test)]

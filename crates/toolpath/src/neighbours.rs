@@ -16,6 +16,7 @@ use crate::shape_paths::Pass;
 use crate::warning::Warning;
 use kerf_drawing::{ArrayLevel, Arrays, Drawing};
 use kerf_geom::{Bounds2, Transform2, Vec2};
+use kerf_program::rounded;
 use std::collections::BTreeMap;
 
 /// The most steps looked at in one direction: blocks that overlap so often are told long before.
@@ -80,7 +81,7 @@ pub(crate) fn away(by: Vec2) -> String {
     if by == Vec2::default() {
         return String::new();
     }
-    let [x, y] = [by.x, by.y].map(|value| (value * 1e3).round() / 1e3 + 0.0);
+    let [x, y] = [by.x, by.y].map(|value| rounded(value, 3));
     format!(" of the block {x},{y} away")
 }
 

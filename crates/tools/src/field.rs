@@ -1,5 +1,7 @@
 //! The fields of a form.
 
+use kerf_program::rounded;
+
 /// Millimetres in an inch.
 pub const INCH_MM: f64 = 25.4;
 
@@ -93,7 +95,7 @@ impl Field {
     pub fn shown_default(&self, metric: bool) -> String {
         let Kind::Length(_) = self.kind else { return self.default.into() };
         match self.default.parse::<f64>() {
-            Ok(inches) if metric => format!("{}", (inches * INCH_MM * 1e4).round() / 1e4),
+            Ok(inches) if metric => rounded(inches * INCH_MM, 4).to_string(),
             _ => self.default.into(),
         }
     }

@@ -1,12 +1,11 @@
 //! Lines of OpenSBP that several tools write.
 
 use crate::Entries;
+use kerf_program::decimal;
 
 /// A number as part files have it: ten thousandths are enough for wood and metal.
 pub fn number(value: f64) -> String {
-    let text = format!("{:.4}", value + 0.0);
-    let short = text.trim_end_matches('0').trim_end_matches('.');
-    if short == "-0" { "0".into() } else { short.into() }
+    decimal(value, 4)
 }
 
 /// The head of a part file: what made it, the check of units, absolute distances.

@@ -4,6 +4,7 @@
 //! machines, can be compared as text and read by the simplest tools.
 
 use crate::{Event, Sink};
+use kerf_program::decimal;
 use serde::Serialize;
 use serde_json::ser::{CompactFormatter, Formatter};
 use std::io::{self, Write};
@@ -113,10 +114,7 @@ fn write_fast<W: ?Sized + Write>(out: &mut W, value: f64) -> io::Result<()> {
 }
 
 fn write_decimal<W: ?Sized + Write>(out: &mut W, value: f64) -> io::Result<()> {
-    let text = format!("{value:.PLACES$}");
-    let text =
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    out.write_all(text.as_bytes())
+    out.write_all(decimal(value, PLACES).as_bytes())
 }
 
 #[cfg(test)]

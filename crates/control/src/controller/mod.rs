@@ -32,5 +32,5 @@ mod ways;
 pub use attached::{First, Told};
 pub use connection::Connection;
 pub use either::{Controller, Place};
-pub use lacks::Lacks;
+pub use lacks::{Lacks, lines, output_name, output_of_name, wired};
 pub use socket::{Ends, Opens, Socket};

@@ -2,6 +2,7 @@
 
 use crate::{CommentError, GapError, SettingsError};
 use kerf_geom::Point2;
+use kerf_program::rounded;
 use thiserror::Error;
 
 /// Messages of an operation that succeeded.
@@ -15,8 +16,7 @@ pub struct Outcome {
 
 /// A place as it stands behind the number of a shape: ` at 10,5.25`; nothing for none.
 pub fn spot(at: Option<Point2>) -> String {
-    let thousandths = |value: f64| (value * 1e3).round() / 1e3 + 0.0;
-    at.map_or_else(String::new, |at| format!(" at {},{}", thousandths(at.x), thousandths(at.y)))
+    at.map_or_else(String::new, |at| format!(" at {},{}", rounded(at.x, 3), rounded(at.y, 3)))
 }
 
 /// Reason why an operation was not carried out. The drawing is as it was.

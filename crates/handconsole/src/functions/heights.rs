@@ -3,7 +3,7 @@
 use super::moves::to_height;
 use super::settings::{set, with};
 use super::spec::Step::{Height, Number};
-use super::spec::{Done, Function, Refusal, shown, tidy};
+use super::spec::{Done, Function, Refusal, shown, to_millionth};
 use crate::{ConsoleRequest, JobRequest, View};
 use kerf_machine::Errand;
 use kerf_program::{Axis, AxisSet};
@@ -34,7 +34,8 @@ pub(super) const SETTING: Function = Function {
     ],
     does: |heights, view| {
         let keys = ["zpos.top_mm", "zpos.surface_mm", "zpos.bottom_mm"];
-        let values = keys.into_iter().zip(heights).map(|(key, z)| (key, tidy(*z).to_string()));
+        let values =
+            keys.into_iter().zip(heights).map(|(key, z)| (key, to_millionth(*z).to_string()));
         Ok(set(view, values.collect())?.into())
     },
 };
@@ -88,7 +89,7 @@ pub(super) const ADJUST_Y: Function =
 
 /// Z bottom by a distance.
 fn lowered(view: &View, by_mm: f64) -> Result<Done, Refusal> {
-    let bottom_mm = tidy(view.machine.zpos.bottom_mm + by_mm);
+    let bottom_mm = to_millionth(view.machine.zpos.bottom_mm + by_mm);
     let requests = with(view, &["zpos.bottom_mm"], bottom_mm)?;
     Ok(Done::from(requests).saying(format!("ZBottom {}", shown(bottom_mm))))
 }

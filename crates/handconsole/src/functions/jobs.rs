@@ -1,7 +1,7 @@
 //! Functions of the open job, and of what is kept.
 
 use super::spec::Step::Number;
-use super::spec::{Done, Function, shown, tidy};
+use super::spec::{Done, Function, shown, to_millionth};
 use crate::{ConsoleRequest, JobRequest, View};
 use kerf_program::Axis;
 
@@ -21,7 +21,7 @@ pub(super) const SET_FINISH: Function = Function {
     steps: &[],
     does: |_, view| {
         let ([x, y], [x0, y0]) = (here(view), view.machine.job.origin_mm);
-        let finish = [x - x0, y - y0].map(tidy);
+        let finish = [x - x0, y - y0].map(to_millionth);
         Ok(placed(JobRequest::Finish(finish), "Finish", finish))
     },
 };
@@ -69,5 +69,5 @@ fn placed(request: JobRequest, what: &str, [x, y]: [f64; 2]) -> Done {
 
 /// Returns the place of the tool in the plane, from home.
 fn here(view: &View) -> [f64; 2] {
-    [Axis::X, Axis::Y].map(|axis| tidy(view.position[axis]))
+    [Axis::X, Axis::Y].map(|axis| to_millionth(view.position[axis]))
 }

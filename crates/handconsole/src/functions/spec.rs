@@ -2,6 +2,7 @@
 
 use crate::{ConsoleRequest, View};
 use kerf_machine::Errand;
+use kerf_program::rounded;
 
 /// One function.
 #[derive(Debug)]
@@ -63,11 +64,10 @@ pub enum Step {
 
 /// A number as the screen shows it: to a thousandth, without zeros at its end.
 pub fn shown(value: f64) -> String {
-    let thousandths = (value * 1000.0).round() / 1000.0 + 0.0;
-    thousandths.to_string()
+    rounded(value, 3).to_string()
 }
 
-/// To a millionth of a millimetre: places are sums of moves.
-pub(super) fn tidy(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6 + 0.0
+/// A place to a millionth of a millimetre: places are sums of moves.
+pub(super) fn to_millionth(mm: f64) -> f64 {
+    rounded(mm, 6)
 }

@@ -9,6 +9,7 @@ use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use kerf_control::answers::{Answers, Operator as _, meaning};
 use kerf_convert::{Conversion, Language, Passage, Source};
+use kerf_formats::{FORMATS, Format, ending};
 use kerf_gcode::Dialect;
 use kerf_gcode::{Writer, Writing};
 use kerf_geom::Vec2;
@@ -149,8 +150,8 @@ impl Controller {
 }
 
 pub fn run(args: &ConvertArgs) -> Result<Exit> {
-    let kind = args.kind.clone().unwrap_or_else(|| drawings::extension(&args.source));
-    if drawn::KINDS.contains(&kind.as_str()) {
+    let kind = args.kind.clone().unwrap_or_else(|| ending(&args.source));
+    if Format::of_ending(&kind).is_some() {
         return drawing(args, &kind);
     }
     let from = match &args.kind {
@@ -232,7 +233,8 @@ fn keep(args: &ConvertArgs, text: &str) -> Result<Exit> {
 fn language(file: &Path, controller: Controller) -> Result<Language> {
     let name = file.display().to_string();
     let Some(language) = Language::of_file(&name, controller.dialect()) else {
-        let drawn = drawn::KINDS.join(" .");
+        let drawn: Vec<_> = FORMATS.iter().flat_map(|format| format.endings).copied().collect();
+        let drawn = drawn.join(" .");
         bail!(Usage(format!(
             "{name}: .sbp .nc .tap .ngc .gcode are converted to each other, .{drawn} to .sbp"
         )));

@@ -78,7 +78,7 @@ pub fn run(args: &DrawArgs) -> Result<Exit> {
         )));
     }
     if let (Some(output), [file]) = (&args.output, args.files.as_slice())
-        && [output.as_path(), file].iter().all(|it| drawings::extension(it) == "rsm")
+        && [output.as_path(), file].iter().all(|it| drawings::is_job(it))
     {
         return edit_job(args, file, output);
     }

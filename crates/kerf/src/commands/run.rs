@@ -35,9 +35,10 @@ use clap::Args;
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
 use kerf_control::{RunContext, Session};
-use kerf_journal::{JournalError, Whereabouts, Work};
+use kerf_journal::{JournalError, RunOptions, Whereabouts, Work};
 use kerf_machine::{Configuration, table};
 use kerf_program::job::Job;
+use kerf_program::rounded;
 use kerf_trace::{Summary, json::JsonLines};
 use kerf_workspace::Workspace;
 use on_server::{REACHES_SERVERS, remotely};
@@ -259,9 +260,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     if let Some(name) = name {
         let ready =
             controller::ready(name, args.first, args.quiet(), &mut session, &mut workspace)?;
-        if let Some(exit) =
-            controller::look_through(&ready, &work, &session, &options, &workspace, run)?
-        {
+        if let Some(exit) = lacks(&ready, &work, &session, &options, &workspace, run)? {
             ready.detach(&mut workspace);
             return Ok(exit);
         }
@@ -312,6 +311,20 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     }
 }
 
+/// Looks through a run for what its controller lacks, before anything moves.
+fn lacks(
+    controller: &Controller,
+    work: &Work,
+    session: &Session,
+    options: &RunOptions,
+    workspace: &Workspace,
+    run: &RunArgs,
+) -> Result<Option<Exit>> {
+    let files = setup::workspace(workspace.part_folder(), &run.place, true)?;
+    let answers = setup::answers(run)?;
+    Ok(controller::look_through(controller, work, session, options, files, answers))
+}
+
 /// The run is over: the controller that made it, if one did, is left as it was found.
 fn leave(
     controller: Option<&Controller>,
@@ -337,7 +350,7 @@ fn tell_preview(session: &Session, workspace: &mut Workspace, quiet: bool) {
 fn keep_origin(at: [f64; 2], session: &Session, place: &PlaceArgs) -> Result<()> {
     let Some(setting) = table::setting("job.origin_mm") else { bail!("no setting job.origin_mm") };
     let mut machine = session.configuration();
-    machine.job.origin_mm = at.map(out::tidy);
+    machine.job.origin_mm = at.map(|mm| rounded(mm, 6));
     Ok(machine_file::of_data_to_change(&place.data)?.keep_one(setting, &machine)?)
 }
 

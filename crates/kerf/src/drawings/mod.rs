@@ -1,16 +1,15 @@
 //! Drawings from files and into files, by extension.
 
-pub mod kind;
 pub mod programs;
 
-pub use kind::{extension, is_drawing};
+pub use kerf_formats::is_drawing;
 
 use crate::exit::Usage;
 use crate::given;
 use crate::out;
 use anyhow::{Result, anyhow, bail};
 use kerf_drawing::{Drawing, Group, Shape};
-use kerf_formats::{Finding, Imported, Weight, dxf, hpgl, rsg, svg};
+use kerf_formats::{Content, Finding, Format, Imported, Opening, Weight, dxf, readable, writable};
 use kerf_gcode::{Writer, Writing};
 use kerf_import::job_file;
 use kerf_machine::Configuration;
@@ -63,20 +62,17 @@ pub fn open(files: &[impl AsRef<Path>], reading: &Reading) -> Result<Drawing> {
 }
 
 fn read(file: &Path, reading: &Reading) -> Result<Drawing> {
-    let extension = extension(file);
     let bytes = given::bytes(file)?;
     let Reading { scale, explode, hidden, .. } = *reading;
     let options = dxf::Options { scale, explode, unseen: hidden, ..dxf::Options::default() };
-    let mut read = match extension.as_str() {
-        "dxf" => dxf::read(&bytes, &options),
-        "rsg" => rsg::read(&bytes),
-        "rsm" => rsg::read_with(&bytes).0,
-        "svg" => svg::read(&bytes),
-        "plt" | "hpg" | "hpgl" => hpgl::read(&bytes),
-        _ if programs::is_program(file) => programs::read(file, &bytes, reading.units)?,
-        _ => bail!(Usage(format!(
-            "{}: a drawing is .dxf, .svg, .plt, .hpg, .hpgl, .rsg or .rsm, or a program: .nc or .sbp",
-            file.display()
+    let opening = Opening { dxf: options, ..Opening::default() };
+    let mut read = match kerf_formats::open(file, &bytes, &opening) {
+        Some(read) => read,
+        None if programs::is_program(file) => programs::read(file, &bytes, reading.units)?,
+        None => bail!(Usage(format!(
+            "{}: a drawing is {}, or a program: .nc or .sbp",
+            file.display(),
+            readable()
         ))),
     };
     tell(file, &read);
@@ -160,7 +156,7 @@ pub fn job_with_warnings(
     shaping: Shaping,
     units: Option<LinearUnit>,
 ) -> Result<(DrawnJob, Vec<Warning>)> {
-    if extension(file) == "rsm" {
+    if is_job(file) {
         let (job, findings) =
             job_file::read(&given::bytes(file)?, shaping.factor).map_err(of_file(file))?;
         tell_all(file, &findings);
@@ -232,31 +228,30 @@ pub fn job_to_edit(file: &Path) -> Result<DrawnJob> {
     Ok(job)
 }
 
+/// Returns `true` if a file is a job.
+pub fn is_job(file: &Path) -> bool {
+    Format::of_file(file).is_some_and(|format| format.content() == Content::Job)
+}
+
 /// Returns `true` if a file is a job that was changed by hand.
 pub fn is_edited(file: &Path) -> bool {
-    extension(file) == "rsm"
-        && fs::read(file).is_ok_and(|bytes| kerf_toolpath::read(&bytes).0.edited)
+    is_job(file) && fs::read(file).is_ok_and(|bytes| kerf_toolpath::read(&bytes).0.edited)
 }
 
 /// Returns `true` if the shapes of a file can be put onto the clipboard.
 pub fn is_loadable(file: &Path) -> bool {
-    matches!(extension(file).as_str(), "dxf" | "svg" | "rsg" | "rsm")
+    Format::of_file(file).is_some_and(Format::is_written)
 }
 
 /// Writes a drawing, whole or not at all.
 pub fn write(drawing: &Drawing, file: &Path) -> Result<()> {
-    let extension = extension(file);
-    let text = match extension.as_str() {
-        "rsg" => rsg::write(drawing),
-        "dxf" | "svg" => {
-            if let Some(lost) = kerf_formats::unkept(drawing) {
-                eprintln!("{}: {lost}", file.display());
-            }
-            if extension == "dxf" { dxf::write(drawing) } else { svg::write(drawing) }
-        }
-        _ => {
-            bail!(Usage(format!("{}: a drawing is written as .rsg, .dxf or .svg", file.display())))
-        }
+    let format = Format::of_file(file);
+    let Some((format, text)) = format.and_then(|format| Some((format, format.write(drawing)?)))
+    else {
+        bail!(Usage(format!("{}: a drawing is written as {}", file.display(), writable())))
     };
+    if let Some(lost) = format.unkept(drawing) {
+        eprintln!("{}: {lost}", file.display());
+    }
     out::file(file, text)
 }

@@ -6,7 +6,7 @@ use crate::homing::{bounds_by_hand, soft_bounds, table_bounds, words_of_end};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_geom::{Arc2, Point2};
 use kerf_program::settings::Mode;
-use kerf_program::{AXES, Axes, Axis};
+use kerf_program::{AXES, Axes, Axis, rounded};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -138,7 +138,7 @@ impl Hand {
             return format!("Out of bounds: {name} ends at {end:.3}").into();
         }
         let shown = self.settings.to_user(self.frame.working(Axes::splat(end)))[axis];
-        let shown = (shown * 1e4).round() / 1e4;
+        let shown = rounded(shown, 4);
         let words = words_of_end(&self.machine, axis, end);
         format!("Out of bounds: {} ends at {shown}{words}", axis.letter()).into()
     }

@@ -25,7 +25,7 @@ pub(crate) use words::Words;
 use words::words;
 
 use crate::lines::Input;
-use kerf_program::{Axis, Settings};
+use kerf_program::{Axis, Settings, rounded};
 
 /// Everything that is set of one machine.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -96,7 +96,11 @@ impl Configuration {
             "height.k" => {
                 let steps = self.program.resolution.steps_per_unit[Axis::Z];
                 let k = self.height.suggested_k(steps);
-                Some(format!("{} suits this Z axis, half of it is {}", tidy(k), tidy(0.5 * k)))
+                Some(format!(
+                    "{} suits this Z axis, half of it is {}",
+                    rounded(k, 3),
+                    rounded(0.5 * k, 3)
+                ))
             }
             "height.port" => self.device(self.height.port).map(str::to_owned),
             "options.console_port" => self.device(self.options.console_port).map(str::to_owned),
@@ -110,9 +114,4 @@ impl Configuration {
     pub const fn step_pulse_ns(&self) -> u32 {
         self.simulated.output_delay_ns.saturating_add(self.motors.step_delay_ns)
     }
-}
-
-/// To a thousandth.
-fn tidy(value: f64) -> f64 {
-    (value * 1e3).round() / 1e3
 }

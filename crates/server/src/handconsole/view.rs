@@ -1,7 +1,6 @@
 //! The machine and the open job as the console shows them.
 
 use crate::app::App;
-use crate::kind::extension;
 use crate::kind::kind_of;
 use crate::locks::lock;
 use crate::open::Open;
@@ -9,7 +8,6 @@ use crate::work::with_job;
 use kerf_drawing::Shape;
 use kerf_geom::{Bounds2, Vec2};
 use kerf_handconsole::{Job, View, Waits};
-use kerf_import::job_file;
 use kerf_journal::Work;
 use kerf_program::Axes;
 use kerf_wire::{Asked, FileKind, Snapshot};
@@ -121,15 +119,12 @@ fn job(app: &App, open: &Open) -> (Option<Job>, kerf_program::job::Job) {
 /// The names of the jobs of a folder, as people sort them.
 fn jobs_in(app: &App, folder: &str) -> Vec<String> {
     let listed = app.files.folder.list(folder).unwrap_or_default();
-    let jobs = listed.into_iter().filter(|file| !file.folder && is_job(&file.name));
+    let jobs =
+        listed.into_iter().filter(|file| !file.folder && kind_of(&file.name) == FileKind::Job);
     let short = |name: String| name.rsplit('/').next().unwrap_or_default().to_owned();
     let mut names: Vec<String> = jobs.map(|file| short(file.name)).collect();
     names.sort_by_key(|name| (name.to_lowercase(), name.clone()));
     names
-}
-
-fn is_job(name: &str) -> bool {
-    extension(name) == job_file::EXTENSION
 }
 
 #[cfg(test)]

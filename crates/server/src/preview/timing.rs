@@ -6,6 +6,7 @@ use kerf_control::Session;
 use kerf_journal::{RunOptions, Work};
 use kerf_model::Change;
 use kerf_preview::timing::{Course, Track};
+use kerf_program::rounded;
 use kerf_sbp::{FileParameters, Status};
 use kerf_trace::{Summary, timing::Lines};
 use kerf_wire::preview::{TIMING_POINTS, Timing, TimingKind, TimingLine};
@@ -14,7 +15,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 /// Finer than any page draws: a tenth of a microsecond, a tenth of a micrometre.
-const DIGITS: f64 = 1e7;
+const PLACES: i32 = 7;
 
 /// Makes the chart on a copy of a session, with these changes of the inputs; nothing when it was given up.
 pub fn timing(
@@ -37,7 +38,7 @@ fn charted(lines: Lines, summary: &Summary) -> Timing {
     let full = !lines.is_whole();
     let timing = lines.timing(String::new());
     Timing {
-        seconds: rounded(timing.end_s),
+        seconds: rounded(timing.end_s, PLACES),
         whole: !full && matches!(summary.status, Status::Ok | Status::Ended),
         full,
         status: told::status(summary.status).into(),
@@ -54,10 +55,7 @@ fn line(Track { name, course, grain_s }: Track) -> TimingLine {
         Course::Output(edges) => (TimingKind::Output, bits(edges).collect()),
         Course::Input(edges) => (TimingKind::Input, bits(edges).collect()),
     };
-    let points = points.into_iter().map(|(t, value)| [rounded(t), rounded(value)]).collect();
+    let points =
+        points.into_iter().map(|(t, value)| [rounded(t, PLACES), rounded(value, PLACES)]).collect();
     TimingLine { kind, name, grain: grain_s, points }
-}
-
-fn rounded(value: f64) -> f64 {
-    (value * DIGITS).round() / DIGITS
 }

@@ -11,6 +11,7 @@ use crate::picture::{self, Format as Picture};
 use crate::{drawings, job_options, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::Args;
+use kerf_formats::ending;
 use kerf_geom::{Bounds2, Point2};
 use kerf_journal::Work;
 use kerf_machine::Configuration;
@@ -166,7 +167,7 @@ enum Kind {
 
 impl Kind {
     fn of(output: &Path) -> Result<Self> {
-        match drawings::extension(output).as_str() {
+        match ending(output).as_str() {
             "rsm" => Ok(Self::Job),
             "sbp" | "nc" | "ngc" | "tap" | "gcode" => Ok(Self::Program),
             "svg" | "png" => Ok(Self::Picture),
@@ -222,7 +223,7 @@ fn keep(
             output.display()
         );
     }
-    let text = match drawings::extension(output).as_str() {
+    let text = match ending(output).as_str() {
         _ if kind == Kind::Job => write(job),
         "sbp" => told(output, drawings::part_program(&args.drawing, job, machine)?),
         _ => told(output, drawings::gcode_program(&args.drawing, job, machine)?),
