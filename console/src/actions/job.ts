@@ -29,9 +29,9 @@ function showMistake(world: World): void {
   if (place) world.screen.showLine(place);
 }
 
-/** A simulated machine hurts nobody: it is armed by starting. */
-const arms = ({ shown }: World): boolean =>
-  shown.snapshot?.machine.mode === "simulated" && !shown.snapshot.machine.armed;
+/** A machine that hurts nobody is armed by starting. */
+const arms = ({ shown: { snapshot } }: World): boolean =>
+  (snapshot?.machine.offers.startArms && !snapshot.machine.armed) ?? false;
 
 const whenReady = (world: World) =>
   notPreviewed(world) ?? (arms(world) ? whenIdle(world) : unlessReady(world));

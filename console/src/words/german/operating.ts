@@ -140,7 +140,7 @@ export const operating: Readonly<Record<string, string>> = {
   "More or less detail": "Mehr oder weniger Einzelheiten",
   Motion: "Bewegung",
   "Move Z bottom by": "Z-Grund verschieben um",
-  "Move the switches of the simulated machine": "Die Schalter der simulierten Maschine stellen",
+  "Move the switches of the machine": "Die Schalter der Maschine stellen",
   "Move the tool…": "Werkzeug bewegen…",
   "Move tool": "Bewegen",
   "Move to…": "Bewegen nach…",
