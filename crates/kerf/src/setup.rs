@@ -48,6 +48,11 @@ pub struct Job {
 
 /// Reads the part file and prepares its run.
 pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
+    if let (true, Some(name)) = (preview, args.place.machine.controller()) {
+        eprintln!(
+            "kerf: {name} is not opened: what only looks begins with the machine as it was left"
+        );
+    }
     let parts = file.parent().unwrap_or(Path::new(""));
     let mut drawing = None;
     let work = if drawings::is_drawing(file) {

@@ -11,10 +11,9 @@ use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::Zero;
 use kerf_machine::{Driven, Errand};
-use kerf_program::{AXES, Axes, Axis};
+use kerf_program::Axes;
 use kerf_trace::Summary;
 use kerf_wire::{Change, Machine, State, Tone};
-use std::sync::Arc;
 
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
@@ -134,18 +133,5 @@ impl Owner {
         found.iter().for_each(|it| self.hub.say(told::tone(it), told::sentence(it)));
         let error = found.into_iter().find(Diagnostic::is_error)?;
         Some(Summary::not_begun(unit, Some(Box::new(error))))
-    }
-
-    /// Moves the tool a little, and the working zero as far as it came.
-    pub(super) fn nudge_driven(&mut self, axis: Axis, distance: f64) {
-        let session = &self.workshop.session;
-        let (before, machine) = (session.memory.position, Arc::new(session.configuration()));
-        let mut place = [None; AXES];
-        place[axis.index()] = Some(distance);
-        let errand = Errand::To { place, relative: true, flat: false };
-        let driven = self.held(Work::Hand(errand, machine));
-        let memory = &mut self.workshop.session.memory;
-        memory.frame.working_zero[axis] += memory.position[axis] - before[axis];
-        self.come_to_rest(driven);
     }
 }

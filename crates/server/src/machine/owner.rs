@@ -443,21 +443,24 @@ impl Owner {
         self.rest(State::Idle, None);
     }
 
+    /// Moves the tool a little, and the working zero as far as it came.
     fn nudge(&mut self, axis: Axis, distance: f64) {
         self.catch_up();
-        if self.workshop.controller.is_some() {
-            return self.nudge_driven(axis, distance);
-        }
-        let Workshop { session, workspace, kept, .. } = &mut self.workshop;
-        let why = match session.nudge(axis, distance) {
-            Err(outside) => Some(outside.to_string()),
-            Ok(()) if *kept => session.keep_place(workspace).err().map(|error| {
-                format!("the nudge holds until Kerf ends, it cannot be kept: {error}")
-            }),
-            Ok(()) => None,
+        let session = &self.workshop.session;
+        let (before, machine) = (session.memory.position, Arc::new(session.configuration()));
+        let driven = match session.nudge(axis, distance) {
+            Ok(errand) => self.held(Work::Hand(errand, machine)),
+            Err(outside) => {
+                self.rest(State::Idle, None);
+                return self.hub.say(Tone::Error, outside.to_string());
+            }
         };
-        self.rest(State::Idle, None);
-        if let Some(why) = why {
+        let Workshop { session, workspace, kept, .. } = &mut self.workshop;
+        session.nudged(before);
+        let unkept = if *kept { session.keep_place(workspace).err() } else { None };
+        self.come_to_rest(driven);
+        if let Some(error) = unkept {
+            let why = format!("the nudge holds until Kerf ends, it cannot be kept: {error}");
             self.hub.say(Tone::Error, why);
         }
     }
