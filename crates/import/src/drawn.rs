@@ -6,7 +6,7 @@ use kerf_formats::bitmap::{Bitmap, BitmapError};
 use kerf_formats::{Content, Finding, Format, Imported, Opening, Weight};
 use kerf_geom::{Point2, Vec2};
 use kerf_machine::Configuration;
-use kerf_machine::settings::zpos::ZPositions;
+use kerf_program::job::Heights;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
 use kerf_program::{CutChoice, Printer, decimal};
 use kerf_sequence::Speeds;
@@ -124,7 +124,7 @@ pub fn print(
     } else {
         job(format.open(bytes, &Opening::default()).unwrap_or_default(), how)?
     };
-    let zpos = ZPositions { top_mm: how.safe_mm, surface_mm: 0.0, bottom_mm: -how.depth_mm };
+    let zpos = Heights { top_mm: how.safe_mm, surface_mm: 0.0, bottom_mm: -how.depth_mm };
     let machine = Configuration { zpos, ..Configuration::default() };
     job_file::print(&job, &machine, Speeds::OfRun, printer).map_err(DrawnError::Uncut)?;
     Ok(findings)

@@ -3,7 +3,7 @@
 use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
-use crate::commands::by_hand::{self, Height, MoveArgs, ServerArgs};
+use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
 use crate::commands::{protect, prove, step_board};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
@@ -94,7 +94,7 @@ enum Action {
     Zset {
         /// Which
         #[arg(value_enum)]
-        height: Height,
+        height: SpecialHeight,
         /// Goes to this height first, millimetres from home
         #[arg(allow_hyphen_values = true, value_parser = parse::number, conflicts_with = "by")]
         to: Option<f64>,

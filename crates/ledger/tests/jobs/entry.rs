@@ -3,7 +3,7 @@
 use kerf_ledger::jobs::{JobRun, job, line, square};
 use kerf_machine::settings::height::HeightMode;
 use kerf_machine::settings::laser::LaserType;
-use kerf_program::job::{Height, Job, JobShape, Plunge};
+use kerf_program::job::{CutDepth, Job, JobShape, Plunge};
 use kerf_sim::Sheet;
 use kerf_trace::Event;
 
@@ -60,7 +60,7 @@ fn height_control_takes_no_ramp_and_says_so() {
     assert_eq!(told(run()), straight("height control follows the sheet"));
     // It follows THRU shapes only.
     let shallow = |job: &mut Job| {
-        let height = Height::Mm(-3.0);
+        let height = CutDepth::Mm(-3.0);
         job.shapes = job.shapes.iter().map(|s| JobShape { height, ..s.clone() }).collect();
     };
     assert_eq!(told(run().job(shallow)), Vec::<String>::new());

@@ -24,9 +24,7 @@ pub struct Left {
 impl Left {
     /// The heights that the machine is set to.
     pub fn heights(left: &Mutex<Self>) -> Heights {
-        let zpos = lock(left).session.machine_is.zpos;
-        let (top_mm, surface_mm, bottom_mm) = (zpos.top_mm, zpos.surface_mm, zpos.bottom_mm);
-        Heights { top_mm, surface_mm, bottom_mm }
+        lock(left).session.machine_is.zpos
     }
 
     /// Returns what is done to shapes before paths are made of them.
