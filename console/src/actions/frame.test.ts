@@ -1,14 +1,16 @@
 import { expect, it } from "vitest";
 import { firstSnapshot } from "../../tests/standin/snapshot";
+import { mm } from "../units/quantity";
+import { message } from "../units/testing";
 import type { PreviewInfo } from "../wire/messages";
 import { frameLines, tooLow } from "./frame";
 
 const info = (bounds: PreviewInfo["bounds"]) =>
   ({ bounds, zero: [25.4, 0, 10] }) as unknown as PreviewInfo;
-const bounds: PreviewInfo["bounds"] = [
+const bounds = message<PreviewInfo["bounds"]>([
   [25.4, 0, 4],
   [76.2, 25.4, 12],
-];
+]);
 
 it("goes round the bounds in working locations, whatever numbers mean", () => {
   const round =
@@ -20,7 +22,7 @@ it("goes round the bounds in working locations, whatever numbers mean", () => {
 });
 
 it("goes round above the surface and the highest cut only", () => {
-  expect(tooLow(2.9, info(bounds))).toMatch(/Raise the tool/);
-  expect(tooLow(3, info(bounds))).toBeUndefined();
-  expect(tooLow(0.5, info(null))).toMatch(/Raise the tool/);
+  expect(tooLow(mm(2.9), info(bounds))).toMatch(/Raise the tool/);
+  expect(tooLow(mm(3), info(bounds))).toBeUndefined();
+  expect(tooLow(mm(0.5), info(null))).toMatch(/Raise the tool/);
 });

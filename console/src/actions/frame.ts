@@ -1,6 +1,8 @@
 /** The frame of a job: the tool goes round its bounds, at the height where it is. */
 
+import { numberText } from "../app/units";
 import { getJson } from "../link/http";
+import { difference, type Mm } from "../units/quantity";
 import type { PreviewInfo, Units } from "../wire/messages";
 import { t } from "../words/words";
 import type { Action, World } from "./action";
@@ -14,8 +16,8 @@ const clearMm = 1;
 export function frameLines(info: PreviewInfo, units: Units): string | undefined {
   if (!info.bounds) return undefined;
   const [low, high] = info.bounds;
-  const at = (place: readonly number[], n: 0 | 1) =>
-    (((place[n] ?? 0) - info.zero[n]) / units.mm).toFixed(4);
+  const at = (place: readonly [Mm, Mm, Mm], n: 0 | 1) =>
+    numberText(difference(place[n], info.zero[n]), units, 4);
   const [x0, y0, x1, y1] = [at(low, 0), at(low, 1), at(high, 0), at(high, 1)];
   const corners = [`${x0},${y0}`, `${x1},${y0}`, `${x1},${y1}`, `${x0},${y1}`, `${x0},${y0}`];
   const round = corners.map((corner) => `J2,${corner}`);
@@ -25,9 +27,9 @@ export function frameLines(info: PreviewInfo, units: Units): string | undefined 
 }
 
 /** The reason for which the tool may not go round at its height; nothing when it may. */
-export function tooLow(zMm: number, info: PreviewInfo): string | undefined {
+export function tooLow(z: Mm, info: PreviewInfo): string | undefined {
   const top = Math.max(0, (info.bounds?.[1][2] ?? 0) - info.zero[2]);
-  return zMm >= top + clearMm
+  return z >= top + clearMm
     ? undefined
     : t("Raise the tool above the work first: it goes round at this height.");
 }

@@ -1,6 +1,7 @@
 /** What the machine's display settings (VD) say about this page. */
 
 import { useMemo } from "react";
+import { type Mm, mm } from "../units/quantity";
 import type { SettingArea } from "../wire/messages";
 import { useSnapshot } from "./context";
 import { useFetched } from "./useFetched";
@@ -9,7 +10,7 @@ export interface DisplaySettings {
   /** Comments of files are shown in the message screen (7). */
   readonly comments: boolean;
   /** The distance that the keypad moves, mm (8). */
-  readonly fixedMm: number;
+  readonly fixedMm: Mm;
   /** Place and size of the message screen, pixels (12 to 15). */
   readonly message: readonly [number, number, number, number];
   /** What moves the tool at the keypad (9): 0 this page, 1 a pendant on the inputs, 2 another program. */
@@ -40,7 +41,7 @@ export function readDisplay(areas: readonly SettingArea[]): DisplaySettings {
   const [x = 0, y = 0, width = 8800, height = 4600] = numbersIn(value("display.message_twips"));
   return {
     comments: value("display.comments") === "true",
-    fixedMm: Number(value("display.keypad_fixed_mm")) || 2.54,
+    fixedMm: mm(Number(value("display.keypad_fixed_mm")) || 2.54),
     message: [x / twips, y / twips, width / twips, height / twips],
     remote: Number(value("display.keypad_remote")) || 0,
     progress: value("display.progress") === "true",

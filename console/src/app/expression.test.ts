@@ -1,7 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { evaluate, isExpression, resultText } from "./expression";
-
-const inches = { mm: 25.4 };
+import { inches, millimetres } from "../units/quantity";
+import { evaluate, isExpression, lengthOf, resultText } from "./expression";
 
 describe("arithmetic in a field", () => {
   const cases: [string, number][] = [
@@ -38,6 +37,12 @@ describe("arithmetic in a field", () => {
     "%s has no value",
     (text) => expect(evaluate(text)).toBeUndefined(),
   );
+
+  it("is a length of the page's unit where it says none", () => {
+    expect(lengthOf("3/4", inches)).toBeCloseTo(19.05, 9);
+    expect(lengthOf("3/4in", millimetres)).toBeCloseTo(19.05, 9);
+    expect(lengthOf("two", inches)).toBeUndefined();
+  });
 
   it("tells a number from an expression", () => {
     expect(isExpression("12")).toBe(false);

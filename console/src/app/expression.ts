@@ -5,23 +5,16 @@
  * part files.
  */
 
-export interface ExpressionUnit {
-  /** Millimetres in one unit of the field. */
-  readonly mm: number;
-}
-
-const unitless: ExpressionUnit = { mm: 1 };
-
-/** Millimetres in the units that may be written. */
-const units: Record<string, number> = {
-  mm: 1,
-  cm: 10,
-  m: 1000,
-  in: 25.4,
-  '"': 25.4,
-  ft: 304.8,
-  "'": 304.8,
-};
+import {
+  inUnit,
+  type LengthUnit,
+  type Mm,
+  millimetres,
+  mm,
+  ofUnit,
+  oneOf,
+  shown,
+} from "../units/quantity";
 
 const functions: Record<string, (x: number) => number> = {
   sqrt: Math.sqrt,
@@ -53,10 +46,10 @@ function tokensOf(text: string): string[] | undefined {
 
 class Parser {
   readonly #tokens: readonly string[];
-  readonly #unit: ExpressionUnit;
+  readonly #unit: LengthUnit;
   #at = 0;
 
-  constructor(tokens: readonly string[], unit: ExpressionUnit) {
+  constructor(tokens: readonly string[], unit: LengthUnit) {
     this.#tokens = tokens;
     this.#unit = unit;
   }
@@ -94,11 +87,10 @@ class Parser {
 
   /** A unit behind a product belongs to all of it: `3/4in` is three quarters of an inch. */
   #inUnit(value: number): number {
-    const name = this.#tokens[this.#at]?.toLowerCase() ?? "";
-    const mm = units[name];
-    if (mm === undefined) return value;
+    const one = oneOf(this.#tokens[this.#at] ?? "");
+    if (one === undefined) return value;
     this.#at += 1;
-    return (value * mm) / this.#unit.mm;
+    return inUnit(mm(value * one), this.#unit);
   }
 
   #signed(): number {
@@ -129,7 +121,7 @@ class Parser {
 }
 
 /** The value of an expression in the unit of the field; nothing when it has none. */
-export function evaluate(text: string, unit: ExpressionUnit = unitless): number | undefined {
+export function evaluate(text: string, unit: LengthUnit = millimetres): number | undefined {
   const tokens = tokensOf(text);
   if (!tokens || tokens.length === 0) return undefined;
   const value = new Parser(tokens, unit).whole();
@@ -142,3 +134,9 @@ export const resultText = (value: number): string => String(Number(value.toFixed
 /** Whether a text is more than a plain number. */
 export const isExpression = (text: string): boolean =>
   text.trim() !== "" && Number.isNaN(Number(text)) && evaluate(text) !== undefined;
+
+/** The length that an expression gives in a field of lengths; nothing when it has none. */
+export function lengthOf(text: string, unit: LengthUnit): Mm | undefined {
+  const value = evaluate(text, unit);
+  return value === undefined ? undefined : ofUnit(shown(value), unit);
+}

@@ -1,9 +1,10 @@
 import { describe, expect, it } from "vitest";
+import { inches, millimetres } from "../units/quantity";
 import type { Units } from "../wire/messages";
 import { inUnits } from "./inUnits";
 
-const inches: Units = { linear: "in", mm: 25.4, axes: [], absolute: true };
-const millimetres: Units = { ...inches, linear: "mm", mm: 1 };
+const imperial: Units = { ...inches, axes: [], absolute: true };
+const metric: Units = { ...imperial, ...millimetres };
 
 describe("a sentence in the unit of the page", () => {
   it.each([
@@ -20,11 +21,11 @@ describe("a sentence in the unit of the page", () => {
     ["X reaches 25.4 mm/s", "X reaches 1 in/s"],
     ["line 12: 3 moves, tool 25 of 30", "line 12: 3 moves, tool 25 of 30"],
     ["a2.5 mm and 5 mmx stay", "a2.5 mm and 5 mmx stay"],
-  ])("%s", (text, wanted) => expect(inUnits(text, inches)).toBe(wanted));
+  ])("%s", (text, wanted) => expect(inUnits(text, imperial)).toBe(wanted));
 
   it("stays in millimetres where those are read", () => {
     const text = "its helix of 5 mm would cut into shape 2 at 1,2: one of 3 mm is cut";
-    expect(inUnits(text, millimetres)).toBe(
+    expect(inUnits(text, metric)).toBe(
       "its helix of 5 mm would cut into shape 2 at 1,2 mm: one of 3 mm is cut",
     );
     expect(inUnits(text, undefined)).toBe(text);

@@ -3,6 +3,7 @@
  * lengths; where a person reads inches they are put into inches here, in one place.
  */
 
+import { isMetric, namedUnit } from "../units/quantity";
 import type { Units } from "../wire/messages";
 
 const number = String.raw`-?\d+(?:\.\d+)?`;
@@ -18,9 +19,9 @@ const places = new RegExp(`(shape \\d+ at )(${number}),(${number})`, "gi");
 /** Digits behind the point: a ten thousandth of an inch is 3 µm. */
 const decimals = 4;
 
-const inInches = (text: string, mm: number): string =>
+const inInches = (text: string, size: number): string =>
   text.replace(new RegExp(number, "g"), (one) =>
-    String(Number((Number(one) / mm).toFixed(decimals))),
+    String(Number((Number(one) / size).toFixed(decimals))),
   );
 
 /** A sentence of the server as the person at this page reads it. */
@@ -28,10 +29,9 @@ export function inUnits(text: string, units: Units | undefined): string {
   if (!units) return text;
   const place = (_: string, words: string, x: string, y: string) => `${words}${x},${y} mm`;
   const told = text.replace(places, place);
-  if (units.mm === 1) return told;
-  return told.replace(
-    lengths,
-    (_, all: string, per: string | undefined) =>
-      `${inInches(all, units.mm)} ${units.linear}${per ?? ""}`,
-  );
+  if (isMetric(units)) return told;
+  return told.replace(lengths, (_, all: string, per: string | undefined) => {
+    const { name, size } = namedUnit(`mm${per ?? ""}`, units);
+    return `${inInches(all, size)} ${name}`;
+  });
 }

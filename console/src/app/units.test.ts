@@ -1,29 +1,25 @@
 import { describe, expect, it } from "vitest";
-import type { Units } from "../wire/messages";
+import { inches, millimetres, mm, mmPerS, seconds } from "../units/quantity";
+import type { AxisUnits, Units } from "../wire/messages";
 import { durationText, lengthText, locationText, speedText, usedAxes } from "./units";
 
-const x = { letter: "X", unit: "in", scale: 25.4, used: true };
-const inches: Units = {
-  linear: "in",
-  mm: 25.4,
-  axes: [x, { ...x, letter: "A", used: false }],
-  absolute: true,
-};
-const millimetres: Units = { ...inches, linear: "mm", mm: 1 };
+const x: AxisUnits = { letter: "X", unit: "in", scale: inches.mm, used: true };
+const axes = [x, { ...x, letter: "A", used: false }];
+const imperial: Units = { ...inches, axes, absolute: true };
 
 describe("what a person reads", () => {
   it("shows locations in the unit of the axis", () => {
-    expect(locationText(50.8, x)).toBe("2.000");
-    expect(locationText(-3.175, x)).toBe("-0.125");
-    expect(locationText(50.8, { ...x, unit: "mm", scale: 1 })).toBe("50.800");
+    expect(locationText(mm(50.8), x)).toBe("2.000");
+    expect(locationText(mm(-3.175), x)).toBe("-0.125");
+    expect(locationText(mm(50.8), { ...x, unit: "mm", scale: millimetres.mm })).toBe("50.800");
   });
 
-  it("shows no minus before nothing", () => expect(locationText(-1e-9, x)).toBe("0.000"));
+  it("shows no minus before nothing", () => expect(locationText(mm(-1e-9), x)).toBe("0.000"));
 
   it("shows speeds and lengths", () => {
-    expect(speedText(38.1, inches)).toBe("1.50");
-    expect(speedText(38.1, millimetres)).toBe("38.1");
-    expect(lengthText(254, inches)).toBe("10.00 in");
+    expect(speedText(mmPerS(38.1), inches)).toBe("1.50");
+    expect(speedText(mmPerS(38.1), millimetres)).toBe("38.1");
+    expect(lengthText(mm(254), inches)).toBe("10.00 in");
   });
 
   it("shows durations", () => {
@@ -34,8 +30,8 @@ describe("what a person reads", () => {
       [61, "1:01"],
       [3723, "1:02:03"],
     ];
-    for (const [seconds, text] of cases) expect(durationText(seconds)).toBe(text);
+    for (const [time, text] of cases) expect(durationText(seconds(time))).toBe(text);
   });
 
-  it("shows the axes there are", () => expect(usedAxes(inches).map(({ at }) => at)).toEqual([0]));
+  it("shows the axes there are", () => expect(usedAxes(imperial).map(({ at }) => at)).toEqual([0]));
 });

@@ -3,32 +3,51 @@
  * A number of the server is never shown without passing here.
  */
 
+import {
+  type AxisValue,
+  inAxisUnit,
+  inUnit,
+  isMetric,
+  type LengthUnit,
+  type Mm,
+  type MmPerS,
+  perSecondInUnit,
+  type Seconds,
+} from "../units/quantity";
 import type { AxisUnits, Units } from "../wire/messages";
 
 /** Digits behind the point of a location, as the location display of the manual has them. */
 const decimals = 3;
 
 /** A number in the unit of an axis, `-0` shown as `0`. */
-export function locationText(internal: number, axis: AxisUnits): string {
-  const text = (internal / axis.scale).toFixed(decimals);
+export function locationText(internal: AxisValue, axis: AxisUnits): string {
+  const text = inAxisUnit(internal, axis).toFixed(decimals);
   return Number(text) === 0 ? text.replace("-", "") : text;
 }
 
 /** A speed as `1.50`, in linear units a second. */
-export const speedText = (mmPerSecond: number, units: Units): string =>
-  (mmPerSecond / units.mm).toFixed(units.mm === 1 ? 1 : 2);
+export const speedText = (speed: MmPerS, unit: LengthUnit): string =>
+  perSecondInUnit(speed, unit).toFixed(isMetric(unit) ? 1 : 2);
 
-/** Millimetres as a length with its unit. */
-export const lengthText = (mm: number, units: Units, digits = 2): string =>
-  `${(mm / units.mm).toFixed(digits)} ${units.linear}`;
+/** The number of a length, as `12.700`. */
+export const numberText = (length: Mm, unit: LengthUnit, digits = 3): string =>
+  inUnit(length, unit).toFixed(digits);
 
-/** A place in the plane, mm, as people read it. */
-export const placeText = ([x, y]: readonly [number, number], units: Units): string =>
-  `${(x / units.mm).toFixed(2)}, ${lengthText(y, units)}`;
+/** The number of a length with no zeros at its end, as `12.7`. */
+export const shortText = (length: Mm, unit: LengthUnit, digits = 4): string =>
+  String(Number(numberText(length, unit, digits)));
+
+/** A length with its unit. */
+export const lengthText = (length: Mm, unit: LengthUnit, digits = 2): string =>
+  `${numberText(length, unit, digits)} ${unit.linear}`;
+
+/** A place in the plane as people read it. */
+export const placeText = ([x, y]: readonly [Mm, Mm], unit: LengthUnit, digits = 2): string =>
+  `${numberText(x, unit, digits)}, ${lengthText(y, unit, digits)}`;
 
 /** Seconds as `1:02:03`, or `2:03` below an hour. */
-export function durationText(seconds: number): string {
-  const whole = Math.max(0, Math.ceil(seconds));
+export function durationText(time: Seconds): string {
+  const whole = Math.max(0, Math.ceil(time));
   const [h, m, s] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
   const two = (n: number) => String(n).padStart(2, "0");
   return h > 0 ? `${h}:${two(m)}:${two(s)}` : `${m}:${two(s)}`;

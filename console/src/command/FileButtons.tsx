@@ -1,5 +1,6 @@
 import { ask, drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { Button } from "../ui/Button";
 import { t } from "../words/words";
 import { type Entries, fileParameters } from "./sheet";
@@ -16,10 +17,10 @@ export function FileButtons({ line, entries, onDone }: FileButtonsProps) {
   const hands = useHands();
   const name = (entries[0] ?? "").trim();
   const folder = useSnapshot("folder")?.name ?? "";
-  const units = useSnapshot("units");
+  const unit = useLengthUnit();
   const preview = async () => {
     const below = folder === "" ? name : `${folder}/${name}`;
-    const parameters = fileParameters(entries, units?.mm ?? 1);
+    const parameters = fileParameters(entries, unit);
     if (await ask(worldOf(hands), { do: "open", name: below, parameters })) onDone();
   };
   const step = async () => {

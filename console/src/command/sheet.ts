@@ -1,6 +1,7 @@
 /** A fill-in sheet as values: what is entered, what is wrong with it, the line it makes. */
 
 import { evaluate } from "../app/expression";
+import { type LengthUnit, ofUnit, shown } from "../units/quantity";
 import type { CommandEntry, FileParameters, Parameter } from "../wire/messages";
 import { t } from "../words/words";
 
@@ -94,14 +95,14 @@ export function parted(text: string, first: boolean): { kept: string; goesOn: bo
   return { kept: goesOn ? written.slice(0, -1) : written, goesOn };
 }
 
-/** What the sheet of FP says about how a file is run; lengths are in a unit of so many millimetres. */
-export function fileParameters(entries: Entries, mm: number): FileParameters {
+/** What the sheet of FP says about how a file is run; lengths are in the unit of the page. */
+export function fileParameters(entries: Entries, unit: LengthUnit): FileParameters {
   const number = (n: number, usual: number) => evaluate(entries[n]?.trim() ?? "") ?? usual;
   return {
     proportion: [number(1, 1), number(2, 1), number(3, 1)],
     repetitions: number(4, 1),
     offset: number(5, 0),
-    plunge: number(6, 0) * mm,
+    plunge: ofUnit(shown(number(6, 0)), unit),
     tabs: number(7, 0) !== 0,
     plungeFromZero: number(8, 0) !== 0,
   };

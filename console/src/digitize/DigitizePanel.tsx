@@ -1,8 +1,10 @@
 import { type FormEvent, useState } from "react";
 import type { World } from "../actions/action";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { numberText } from "../app/units";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
+import { isMetric, type Mm, ofUnit, shown } from "../units/quantity";
 import type { Digitized, Units } from "../wire/messages";
 import { t } from "../words/words";
 import {
@@ -112,7 +114,7 @@ function Answers({ world, lines }: { world: World; lines: readonly string[] }) {
 function Points({ digitized, units }: { digitized: Digitized; units: Units }) {
   const { points, current, threeD } = digitized;
   if (points.length === 0) return <p className="digitize-words">{t("No points yet.")}</p>;
-  const shown = (mm: number) => (mm / units.mm).toFixed(units.mm === 1 ? 2 : 4);
+  const text = (length: Mm) => numberText(length, units, isMetric(units) ? 2 : 4);
   return (
     <div className="digitize-points">
       <table>
@@ -134,9 +136,9 @@ function Points({ digitized, units }: { digitized: Digitized; units: Units }) {
               <th scope="row">
                 {n + 1} {arc ? t("arc") : t("line")}
               </th>
-              <td>{shown(x)}</td>
-              <td>{shown(y)}</td>
-              {threeD && <td>{shown(z)}</td>}
+              <td>{text(x)}</td>
+              <td>{text(y)}</td>
+              {threeD && <td>{text(z)}</td>}
             </tr>
           ))}
         </tbody>
@@ -153,7 +155,7 @@ function MoveTo({ world, units }: { world: World; units: Units }) {
   const ready = place.x !== "" && place.y !== "" && numbers.every(Number.isFinite);
   const go = (event: FormEvent) => {
     event.preventDefault();
-    if (ready) void press(world, moveTo(x * units.mm, y * units.mm));
+    if (ready) void press(world, moveTo(ofUnit(shown(x), units), ofUnit(shown(y), units)));
   };
   const entry = (axis: "x" | "y") => (
     <input

@@ -2,6 +2,7 @@
 
 import type { World } from "../actions/action";
 import { drive } from "../actions/ask";
+import type { Mm } from "../units/quantity";
 import { t } from "../words/words";
 
 export interface DigitizingKey {
@@ -59,12 +60,12 @@ export const dimensions = {
 
 export const exit = run("Exit", 99, "Ends digitizing");
 
-/** A place that is typed, from the job origin, mm. */
-export const moveTo = (x: number, y: number): DigitizingKey =>
+/** A place that is typed, from the job origin. */
+export const moveTo = (x: Mm, y: Mm): DigitizingKey =>
   key(t("Move to"), `U20E${typed(x)}E${typed(y)}E`, t("To a place from the job origin"));
 
 /** A number as keys: File types the point, there is room for nine characters. */
-const typed = (mm: number): string => mm.toFixed(3).slice(0, 9).replace(".", "F");
+const typed = (length: Mm): string => length.toFixed(3).slice(0, 9).replace(".", "F");
 
 /** What is pressed goes on until here: keys of two buttons must not mix. */
 let before: Promise<void> = Promise.resolve();

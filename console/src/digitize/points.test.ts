@@ -1,11 +1,13 @@
 import { describe, expect, it } from "vitest";
 import { boxOf, noBox, place } from "../draw/geometry/vec";
 import { boxInSight, fitted } from "../draw/window";
+import { mm } from "../units/quantity";
+import { message } from "../units/testing";
 import type { Digitized } from "../wire/messages";
 import { digitizedItem, type InSight, lookedAt } from "./points";
 
 /** L(0,0), A(5,-5), L(10,0), L(10,10), the third one current. */
-const digitized: Digitized = {
+const digitized = message<Digitized>({
   origin: [0, 0],
   points: [
     { at: [0, 0, -5], arc: false },
@@ -18,7 +20,7 @@ const digitized: Digitized = {
   threeD: false,
   nextArc: false,
   unsaved: true,
-};
+});
 
 const size = { width: 200, height: 200 };
 const square = boxOf(place(0, 0), place(100, 100));
@@ -51,7 +53,10 @@ describe("digitized points", () => {
   it("pro_digitize_d31: data limits are all shapes and 5 % more", () => {
     const { wide, high } = sides("data");
     expect([wide, high]).toEqual([105, 105]);
-    const points = digitizedItem({ ...digitized, points: [{ at: [300, 50, 0], arc: false }] });
+    const points = digitizedItem({
+      ...digitized,
+      points: [{ at: [mm(300), mm(50), mm(0)], arc: false }],
+    });
     const more = sides("data", { points });
     expect(more.max.x).toBeGreaterThan(300);
     expect(more.min.x).toBeLessThan(0);

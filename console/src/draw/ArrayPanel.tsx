@@ -2,6 +2,7 @@ import { useSnapshot } from "../app/context";
 import { lengthText } from "../app/units";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
+import type { Mm } from "../units/quantity";
 import type { ArrayState, Units } from "../wire/messages";
 import { t } from "../words/words";
 import { corners, orders, repeats } from "./arrays";
@@ -32,7 +33,7 @@ export function ArrayPanel({ onChange }: { onChange: () => void }) {
 
 function Level({ array: { level, grid, gap, pitch, start, order }, units }: LevelProps) {
   const [rows, columns] = grid;
-  const length = (mm: number) => lengthText(mm, units, 3);
+  const length = (one: Mm) => lengthText(one, units, 3);
   return (
     <div data-level={level}>
       <dt>

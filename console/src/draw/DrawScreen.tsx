@@ -1,6 +1,8 @@
 import { useEffect, useMemo, useRef, useState, useSyncExternalStore } from "react";
 import { useScreen, useSnapshot } from "../app/context";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { DigitizePanel } from "../digitize/DigitizePanel";
+import { inUnit, mm } from "../units/quantity";
 import { t } from "../words/words";
 import { ArrayPanel } from "./ArrayPanel";
 import { CommentPanel } from "./CommentPanel";
@@ -29,7 +31,7 @@ import "./draw-screen.css";
 const usualRadius = 8;
 
 /** And ends are joined that are so near, mm. */
-const usualJoin = 0.1;
+const usualJoin = mm(0.1);
 
 const nothingPicked: readonly number[] = [];
 
@@ -49,7 +51,7 @@ export function DrawScreen() {
     () => sceneOf(loaded, drawing, machined, options, digitized),
     [loaded, drawing, machined, options, digitized],
   );
-  const lastJoin = round((drawing?.join ?? usualJoin) / (useSnapshot("units")?.mm ?? 1));
+  const lastJoin = round(inUnit(drawing?.join ?? usualJoin, useLengthUnit()));
   const picked = drawing?.picked ?? nothingPicked;
   const ways = { pickRadius, lastJoin, picked, expansion: expansionFactor(percent) };
   const desk = useDesk(scene, ways, fresh);

@@ -7,9 +7,11 @@ import {
   useRef,
 } from "react";
 import { useScreen, useSnapshot } from "../app/context";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { paintDigitized } from "../digitize/paint";
 import { lookedAt } from "../digitize/points";
 import { useLook } from "../digitize/useLook";
+import { type LengthUnit, type Mm, mm } from "../units/quantity";
 import { useSize } from "../view/useSize";
 import { t } from "../words/words";
 import { Chooser } from "./Chooser";
@@ -62,7 +64,7 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
   useEffect(() => {
     if (running && entry === null) box.current?.focus();
   }, [running, entry]);
-  const units = useSnapshot("units");
+  const unit = useLengthUnit();
   const place = (event: { clientX: number; clientY: number }) =>
     toDrawing(desk.state.window, size, pixelOf(box.current, event));
   return (
@@ -74,7 +76,7 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
         tabIndex={0}
         role="application"
         aria-label={t("Shapes of the drawing")}
-        onKeyDown={(event) => keyed(desk, event, units?.mm ?? 1)}
+        onKeyDown={(event) => keyed(desk, event, unit)}
         onPointerDown={(event) =>
           pointerDown(desk, event, place(event), pixelOf(box.current, event))
         }
@@ -97,17 +99,12 @@ export function DrawingSheet({ desk, scene, revision, children }: DrawingSheetPr
           desk.set((state) => ({ ...state, window: zoomedAbout(state.window, at, factor) }));
         }}
       >
-        <Canvases desk={desk} scene={scene} unitMm={units?.mm ?? 1} />
+        <Canvases desk={desk} scene={scene} unit={unit} />
       </div>
-      <EntryBox
-        desk={desk}
-        size={size}
-        unitMm={units?.mm ?? 1}
-        onDone={() => box.current?.focus()}
-      />
+      <EntryBox desk={desk} size={size} unit={unit} onDone={() => box.current?.focus()} />
       <Chooser desk={desk} scene={scene} size={size} />
       {children}
-      <StatusBar desk={desk} units={units} onPress={() => box.current?.focus()} />
+      <StatusBar desk={desk} unit={unit} onPress={() => box.current?.focus()} />
     </section>
   );
 }
@@ -138,9 +135,9 @@ function useWindow(desk: Desk, scene: Scene, revision: number, { width, height }
   }, [width, height]);
 }
 
-type CanvasesProps = Pick<DrawingSheetProps, "desk" | "scene"> & { unitMm: number };
+type CanvasesProps = Pick<DrawingSheetProps, "desk" | "scene"> & { unit: LengthUnit };
 
-function Canvases({ desk, scene, unitMm }: CanvasesProps) {
+function Canvases({ desk, scene, unit }: CanvasesProps) {
   const [base, over] = [useRef<HTMLCanvasElement>(null), useRef<HTMLCanvasElement>(null)];
   const theme = useScreen("theme");
   const { window, size } = desk.state;
@@ -150,9 +147,9 @@ function Canvases({ desk, scene, unitMm }: CanvasesProps) {
     const sheet = base.current && sheetOn(base.current, window, size);
     if (!sheet) return;
     const ink = inkOf(sheet.pen.canvas);
-    paintPaper(sheet, unitMm, ink);
+    paintPaper(sheet, unit, ink);
     paintPicture(sheet, picture, ink);
-  }, [picture, window, size, unitMm, theme]);
+  }, [picture, window, size, unit, theme]);
   const table = useTable(scene.options.machine);
   const overlay = useMemo(() => overlayOf(desk.state, desk.around), [desk.state, desk.around]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the inks
@@ -173,6 +170,7 @@ function Canvases({ desk, scene, unitMm }: CanvasesProps) {
 }
 
 const noTable: readonly TableItem[] = [];
+const noReach: [Mm, Mm] = [mm(0), mm(0)];
 
 /** The machine round the drawing, where it is wanted. */
 function useTable(wanted: boolean): readonly TableItem[] {
@@ -184,7 +182,7 @@ function useTable(wanted: boolean): readonly TableItem[] {
     const [origin, { machine }] = [originOf(motion), motion.at];
     const [x, y] = finish ?? [0, 0];
     const tool = place(machine[0], machine[1]);
-    const on = { reach: reach ?? [0, 0], origin, finish: place(x, y), tool };
+    const on = { reach: reach ?? noReach, origin, finish: place(x, y), tool };
     return inDrawing(tableItems(on), origin);
   }, [wanted, motion, reach, finish]);
 }
@@ -199,9 +197,9 @@ function pointerDown(desk: Desk, event: PointerEvent<HTMLElement>, at: Place, pi
 }
 
 /** Keys of the drawing; what they mean nothing to goes on to the page. */
-function keyed(desk: Desk, event: KeyboardEvent, unitMm: number): void {
+function keyed(desk: Desk, event: KeyboardEvent, unit: LengthUnit): void {
   const key = event.key.toLowerCase();
-  const chord = chordOf(key, event, unitMm);
+  const chord = chordOf(key, event, unit);
   if (chord?.(desk.state, desk.around)) {
     event.preventDefault();
     desk.act(chord);

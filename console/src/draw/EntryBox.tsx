@@ -1,4 +1,5 @@
 import { useEffect, useRef } from "react";
+import type { LengthUnit } from "../units/quantity";
 import { t } from "../words/words";
 import { entered } from "./enter";
 import { asked } from "./tools/running";
@@ -8,12 +9,12 @@ import { type Size, toPixels } from "./window";
 interface EntryBoxProps {
   desk: Desk;
   size: Size;
-  unitMm: number;
+  unit: LengthUnit;
   onDone: () => void;
 }
 
 /** Where a place or a number is typed, at the cursor. */
-export function EntryBox({ desk, size, unitMm, onDone }: EntryBoxProps) {
+export function EntryBox({ desk, size, unit, onDone }: EntryBoxProps) {
   const input = useRef<HTMLInputElement>(null);
   const { entry, running, window, pointer } = desk.state;
   const open = entry !== null && running !== null;
@@ -39,7 +40,7 @@ export function EntryBox({ desk, size, unitMm, onDone }: EntryBoxProps) {
       style={{ translate: `${Math.max(x, 4)}px ${Math.max(y, 4)}px` }}
       onSubmit={(event) => {
         event.preventDefault();
-        desk.act((state, around) => entered(state, entry, unitMm, around));
+        desk.act((state, around) => entered(state, entry, unit, around));
         onDone();
       }}
     >

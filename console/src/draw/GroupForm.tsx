@@ -1,14 +1,15 @@
 import { useState } from "react";
+import { shortText } from "../app/units";
+import { type Degrees, type LengthUnit, type Mm, perMinuteInUnit } from "../units/quantity";
 import type { GroupState } from "../wire/messages";
 import { t } from "../words/words";
-import { isWrong, readLength, readNumber } from "./entry";
+import { isWrong, type Read, readAngle, readLength, readNumber, readSpeed } from "./entry";
 import { num } from "./tools/tool";
 import type { Desk } from "./useDesk";
 
 interface GroupFormProps {
   group: GroupState;
-  /** Millimetres in the user's unit. */
-  mm: number;
+  unit: LengthUnit;
   desk: Desk;
 }
 
@@ -16,69 +17,66 @@ interface Row {
   readonly key: string;
   readonly label: string;
   readonly title: string;
-  readonly value: (group: GroupState) => number;
-  readonly length: boolean;
+  readonly text: (group: GroupState, unit: LengthUnit) => string;
+  readonly read: (text: string, unit: LengthUnit) => Read<number>;
 }
 
-const length = (key: string, label: string, title: string, value: Row["value"]): Row => ({
+type Words = readonly [label: string, title: string];
+
+const length = (key: string, [label, title]: Words, value: (group: GroupState) => Mm): Row => ({
   key,
   label,
   title,
-  value,
-  length: true,
+  text: (group, unit) => shortText(value(group), unit),
+  read: readLength,
+});
+
+const output = (key: "tool" | "cut", [label, title]: Words): Row => ({
+  key,
+  label,
+  title,
+  text: (group) => String(group[key]),
+  read: readNumber,
 });
 
 const rows: readonly Row[] = [
-  length("offset", t("Offset"), t("Of the tool path, right of travel"), (g) => g.offset),
-  length("rough", t("Rough"), t("What a first pass leaves"), (g) => g.rough),
+  length("offset", [t("Offset"), t("Of the tool path, right of travel")], (g) => g.offset),
+  length("rough", [t("Rough"), t("What a first pass leaves")], (g) => g.rough),
   length(
     "tag",
-    t("Tab"),
-    t("Left out at the path's beginning, so that the part stays in the sheet"),
+    [t("Tab"), t("Left out at the path's beginning, so that the part stays in the sheet")],
     (g) => g.tag,
   ),
-  {
-    key: "tool",
-    label: t("Tool"),
-    title: t("Tool output, 1 to 3"),
-    value: (g) => g.tool,
-    length: false,
-  },
-  {
-    key: "cut",
-    label: t("Output"),
-    title: t("Cut output, 1 to 3"),
-    value: (g) => g.cut,
-    length: false,
-  },
+  output("tool", [t("Tool"), t("Tool output, 1 to 3")]),
+  output("cut", [t("Output"), t("Cut output, 1 to 3")]),
 ];
 
 /** How the shapes of a group are cut. */
-export function GroupForm({ group, mm, desk }: GroupFormProps) {
+export function GroupForm({ group, unit, desk }: GroupFormProps) {
   const set = (words: string) => desk.send(`set ${group.name} ${words}`);
   return (
     <div className="group-form">
-      <DepthRow group={group} mm={mm} set={set} />
+      <DepthRow group={group} unit={unit} set={set} />
       {rows.map((row) => (
         <Entry
           key={row.key}
           label={row.label}
           title={row.title}
-          text={shown(row.value(group), row.length ? mm : 1)}
+          text={row.text(group, unit)}
           onText={(text) => {
-            const read = row.length ? readLength(text, mm) : readNumber(text);
+            const read = row.read(text, unit);
             if (!isWrong(read)) set(`${row.key}=${num(read.value)}`);
           }}
         />
       ))}
-      <LeadRow name="lead-in" label={t("Lead-in")} lead={group.leadIn} mm={mm} set={set} />
-      <LeadRow name="lead-out" label={t("Lead-out")} lead={group.leadOut} mm={mm} set={set} />
+      <LeadRow name="lead-in" label={t("Lead-in")} lead={group.leadIn} unit={unit} set={set} />
+      <LeadRow name="lead-out" label={t("Lead-out")} lead={group.leadOut} unit={unit} set={set} />
       <Entry
-        label={t("Speed, {0}/min", mm === 1 ? "mm" : "in")}
+        label={t("Speed, {0}/min", unit.linear)}
         title={t("Cutting speed; max is the machine's cutting speed")}
-        text={group.speedMmMin === null ? "max" : shown(group.speedMmMin, mm)}
+        text={group.speedMmMin === null ? "max" : tidy(perMinuteInUnit(group.speedMmMin, unit))}
         onText={(text) => {
-          const read = readLength(text, mm);
+          const read = readSpeed(text, unit);
           set(`speed=${isWrong(read) ? "max" : num(read.value)}`);
         }}
       />
@@ -103,12 +101,12 @@ export function GroupForm({ group, mm, desk }: GroupFormProps) {
 }
 
 interface RowProps {
-  mm: number;
+  unit: LengthUnit;
   set: (words: string) => void;
 }
 
 /** Through, by the heights of the shape, or so deep; in passes. */
-function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
+function DepthRow({ group, unit, set }: RowProps & { group: GroupState }) {
   return (
     <>
       <Entry
@@ -116,9 +114,13 @@ function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
         title={t(
           "through, 3d, or the height of the cut over the surface, negative into the material",
         )}
-        text={typeof group.height === "number" ? shown(group.height, mm) : depthWords(group.height)}
+        text={
+          typeof group.height === "number"
+            ? shortText(group.height, unit)
+            : depthWords(group.height)
+        }
         onText={(text) => {
-          const read = readLength(text, mm);
+          const read = readLength(text, unit);
           const [word] = /^(thru|through|3d)$/i.exec(text.trim()) ?? [];
           if (word) set(`height=${/^3d$/i.test(word) ? "3d" : "thru"}`);
           else if (!isWrong(read)) set(`height=${num(read.value)}`);
@@ -127,9 +129,9 @@ function DepthRow({ group, mm, set }: RowProps & { group: GroupState }) {
       <Entry
         label={t("Per pass")}
         title={t("Depth of one pass; off cuts at once")}
-        text={group.pass === null ? "off" : shown(group.pass, mm)}
+        text={group.pass === null ? "off" : shortText(group.pass, unit)}
         onText={(text) => {
-          const read = readLength(text, mm);
+          const read = readLength(text, unit);
           set(`pass=${isWrong(read) ? "off" : num(read.value)}`);
         }}
       />
@@ -142,20 +144,20 @@ const depthWords = (height: string): string => (height === "thru" ? t("through")
 interface LeadRowProps extends RowProps {
   name: string;
   label: string;
-  lead: readonly [number, number];
+  lead: readonly [Mm, Degrees];
 }
 
 /** Radius and angle of an arc onto the path, or off it. */
-function LeadRow({ name, label, lead, mm, set }: LeadRowProps) {
+function LeadRow({ name, label, lead, unit, set }: LeadRowProps) {
   return (
     <Entry
       label={label}
       title={t("Radius, angle in degrees")}
       wide
-      text={`${shown(lead[0], mm)}, ${shown(lead[1], 1)}`}
+      text={`${shortText(lead[0], unit)}, ${tidy(lead[1])}`}
       onText={(text) => {
         const [radius = "", angle = "90"] = text.split(",");
-        const [r, a] = [readLength(radius, mm), readNumber(angle)];
+        const [r, a] = [readLength(radius, unit), readAngle(angle)];
         if (!isWrong(r) && !isWrong(a)) set(`${name}=${num(r.value)},${num(a.value)}`);
       }}
     />
@@ -192,4 +194,4 @@ function Entry({ label, title, text, wide, onText }: EntryProps) {
   );
 }
 
-const shown = (value: number, mm: number): string => String(Number((value / mm).toFixed(4)));
+const tidy = (value: number): string => String(Number(value.toFixed(4)));

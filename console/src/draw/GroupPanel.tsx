@@ -1,5 +1,6 @@
 import { useState } from "react";
 import { useSnapshot } from "../app/context";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { Panel } from "../ui/Panel";
 import { t } from "../words/words";
 import { GroupForm } from "./GroupForm";
@@ -14,7 +15,7 @@ interface GroupPanelProps {
 /** The eight layers, those without shapes when asked for: how many shapes, whether they are cut, how. */
 export function GroupPanel({ desk, scene }: GroupPanelProps) {
   const groups = useSnapshot("drawing")?.groups ?? [];
-  const units = useSnapshot("units");
+  const unit = useLengthUnit();
   const [open, setOpen] = useState<string | null>(null);
   const [all, setAll] = useState(false);
   const some = scene.selected.size > 0;
@@ -82,12 +83,7 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
         ))}
       </ul>
       {shown && (
-        <GroupForm
-          key={`${shown.name} ${units?.linear}`}
-          group={shown}
-          mm={units?.mm ?? 1}
-          desk={desk}
-        />
+        <GroupForm key={`${shown.name} ${unit.linear}`} group={shown} unit={unit} desk={desk} />
       )}
     </Panel>
   );

@@ -1,6 +1,9 @@
 import { useSnapshot } from "../app/context";
+import { lengthText, numberText } from "../app/units";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { useWords } from "../app/useWords";
 import { Panel } from "../ui/Panel";
+import { type LengthUnit, mm } from "../units/quantity";
 import { t } from "../words/words";
 import { boxOfShapes, type Shape } from "./geometry/shape";
 import { isEmpty } from "./geometry/vec";
@@ -15,10 +18,9 @@ interface SelectionPanelProps {
 
 /** What is selected: how many, how large, which way; and what the drawing has to tell. */
 export function SelectionPanel({ desk, scene, notes }: SelectionPanelProps) {
-  const units = useSnapshot("units");
+  const unit = useLengthUnit();
   const drawing = useSnapshot("drawing");
   const words = useWords();
-  const [mm, unit] = [units?.mm ?? 1, units?.linear ?? "mm"];
   const chosen = scene.shapes.filter(({ number }) => scene.selected.has(number));
   const told = [...(drawing?.notes ?? []), ...notes];
   return (
@@ -27,7 +29,7 @@ export function SelectionPanel({ desk, scene, notes }: SelectionPanelProps) {
       aside={<Selecting desk={desk} some={chosen.length > 0} />}
     >
       <dl className="facts">
-        {factsOf(chosen.length > 0 ? chosen : scene.shapes, mm, unit).map(([name, value]) => (
+        {factsOf(chosen.length > 0 ? chosen : scene.shapes, unit).map(([name, value]) => (
           <div key={name}>
             <dt>{name}</dt>
             <dd>{value}</dd>
@@ -58,14 +60,14 @@ function Selecting({ desk, some }: { desk: Desk; some: boolean }) {
   );
 }
 
-function factsOf(shapes: readonly Shape[], mm: number, unit: string): [string, string][] {
+function factsOf(shapes: readonly Shape[], unit: LengthUnit): [string, string][] {
   const box = boxOfShapes(shapes);
-  const text = (value: number) => (value / mm).toFixed(3);
+  const text = (value: number) => numberText(mm(value), unit);
   const facts: [string, string][] = [[t("Shapes"), String(shapes.length)]];
   if (isEmpty(box)) return facts;
   facts.push([
     t("Size"),
-    `${text(box.max.x - box.min.x)} × ${text(box.max.y - box.min.y)} ${unit}`,
+    `${text(box.max.x - box.min.x)} × ${lengthText(mm(box.max.y - box.min.y), unit, 3)}`,
   ]);
   facts.push([t("From"), `${text(box.min.x)}, ${text(box.min.y)}`]);
   const [only] = shapes;

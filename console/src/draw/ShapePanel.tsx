@@ -1,7 +1,9 @@
 import { useState } from "react";
-import { useSnapshot } from "../app/context";
+import { shortText } from "../app/units";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
+import { type LengthUnit, mm } from "../units/quantity";
 import { t } from "../words/words";
 import type { Shape } from "./geometry/shape";
 import type { Scene } from "./scene";
@@ -12,12 +14,11 @@ const inSight = 100;
 
 /** The shapes in the order of cutting, to be walked through, selected and erased without seeing the picture. */
 export function ShapePanel({ desk, scene }: { desk: Desk; scene: Scene }) {
-  const units = useSnapshot("units");
+  const unit = useLengthUnit();
   const [isOpen, setOpen] = useState(false);
   const [most, setMost] = useState(inSight);
   const { shapes, selected } = scene;
   if (shapes.length === 0) return null;
-  const [mm, unit] = [units?.mm ?? 1, units?.linear ?? "mm"];
   return (
     <Panel
       title="Shapes"
@@ -51,7 +52,7 @@ export function ShapePanel({ desk, scene }: { desk: Desk; scene: Scene }) {
                     className="swatch"
                     style={{ background: `var(--draw-group-${shape.group})` }}
                   />
-                  {wordsOf(shape, mm, unit)}
+                  {wordsOf(shape, unit)}
                 </button>
               </li>
             ))}
@@ -80,13 +81,9 @@ export function ShapePanel({ desk, scene }: { desk: Desk; scene: Scene }) {
 }
 
 /** A shape in a line: number, kind, layer, size, place. */
-function wordsOf(
-  { number, closed, group, box, vertices }: Shape,
-  mm: number,
-  unit: string,
-): string {
-  const text = (value: number) => String(Number((value / mm).toFixed(3)));
-  const at = t("at {0}, {1} {2}", text(box.min.x), text(box.min.y), unit);
+function wordsOf({ number, closed, group, box, vertices }: Shape, unit: LengthUnit): string {
+  const text = (value: number) => shortText(mm(value), unit, 3);
+  const at = t("at {0}, {1} {2}", text(box.min.x), text(box.min.y), unit.linear);
   if (vertices.length === 1) return t("{0}: point, {1}, {2}", number, group, at);
   const size = `${text(box.max.x - box.min.x)} × ${text(box.max.y - box.min.y)}`;
   return `${number}: ${closed ? t("closed") : t("open")}, ${group}, ${size} ${at}`;

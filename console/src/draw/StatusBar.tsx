@@ -1,29 +1,27 @@
-import type { Units } from "../wire/messages";
+import { placeText } from "../app/units";
+import { type LengthUnit, mm } from "../units/quantity";
 import { KeyButtons } from "./KeyButtons";
 import { promptOf } from "./prompt";
 import type { Desk } from "./useDesk";
 
 interface StatusBarProps {
   desk: Desk;
-  units: Units | undefined;
+  unit: LengthUnit;
   /** After a button was pressed: keys are heard by the sheet again. */
   onPress: () => void;
 }
 
 /** What is asked, which keys there are, and where the mouse is. */
-export function StatusBar({ desk, units, onPress }: StatusBarProps) {
+export function StatusBar({ desk, unit, onPress }: StatusBarProps) {
   const { state } = desk;
   const { title, words, snap } = promptOf(state);
-  const mm = units?.mm ?? 1;
-  const text = (value: number) => (value / mm).toFixed(3);
   return (
     <footer className="sheet-status">
       <p className="sheet-status-prompt" role="status">
         <strong>{title}</strong> {words}
       </p>
       <p className="sheet-status-place">
-        {state.pointer &&
-          `${text(state.pointer.x)}, ${text(state.pointer.y)} ${units?.linear ?? "mm"}`}
+        {state.pointer && placeText([mm(state.pointer.x), mm(state.pointer.y)], unit, 3)}
       </p>
       <div className="sheet-status-keys">
         <KeyButtons desk={desk} menu="snap" pressed={state.running?.snap ?? null} after={onPress} />

@@ -1,5 +1,7 @@
 /** The arrays of the drawing as people read them, and as the form of the operation begins with them. */
 
+import { shortText } from "../app/units";
+import type { LengthUnit } from "../units/quantity";
 import type { ArrayState, OperationPart } from "../wire/messages";
 import { t } from "../words/words";
 
@@ -20,8 +22,6 @@ export const orders: Record<string, string> = {
 /** True where an array has more than one place. */
 export const repeats = ({ grid: [rows, columns] }: ArrayState): boolean => rows * columns > 1;
 
-const round = (value: number): string => String(Number(value.toFixed(6)));
-
 /** The part of a form that says which level it is about. */
 const isLevel = ({ value }: OperationPart): boolean =>
   value?.is === "words" && value.words.includes("block") && value.words.includes("job");
@@ -34,12 +34,12 @@ export function withArray(
   parts: readonly OperationPart[],
   entries: readonly string[],
   arrays: readonly ArrayState[],
-  mm: number,
+  unit: LengthUnit,
 ): readonly string[] {
   const level = entries[parts.findIndex(isLevel)];
   const array = arrays.find((array) => array.level === level);
   return array
-    ? entries.map((entry, n) => (parts[n] && saidOf(parts[n], array, mm)) ?? entry)
+    ? entries.map((entry, n) => (parts[n] && saidOf(parts[n], array, unit)) ?? entry)
     : entries;
 }
 
@@ -47,11 +47,11 @@ export function withArray(
 function saidOf(
   { lead, value }: OperationPart,
   { grid, gap, start, order }: ArrayState,
-  mm: number,
+  unit: LengthUnit,
 ): string | undefined {
   if (value?.is === "grid") return grid.join("x");
   const said: Record<string, string> = {
-    gap: gap.map((length) => round(length / mm)).join(","),
+    gap: gap.map((length) => shortText(length, unit, 6)).join(","),
     start,
     order,
   };

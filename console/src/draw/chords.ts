@@ -1,5 +1,6 @@
 /** Keys that do to the selection what they do everywhere: copy, cut, paste, nudge, delete. */
 
+import { isMetric, type LengthUnit, type Mm, ofUnit, shown } from "../units/quantity";
 import { t } from "../words/words";
 import type { Around, DeskState, Done } from "./desk";
 import { xy } from "./tools/tool";
@@ -43,15 +44,15 @@ const arrows: Readonly<Record<string, readonly [number, number]>> = {
 };
 
 /** The step of an arrow key, in the unit of the page: a millimetre, or a sixteenth of an inch. */
-const stepIn = (unitMm: number): number => (unitMm === 1 ? 1 : unitMm / 16);
+const stepIn = (unit: LengthUnit): Mm => ofUnit(shown(isMetric(unit) ? 1 : 1 / 16), unit);
 
 /** The chord of a press; nothing where it is none. Shift nudges ten times as far, Alt a tenth. */
-export function chordOf(key: string, press: Modifiers, unitMm: number): Chord | undefined {
+export function chordOf(key: string, press: Modifiers, unit: LengthUnit): Chord | undefined {
   if (press.ctrlKey || press.metaKey)
     return press.shiftKey || press.altKey ? undefined : withCtrl[key];
   const way = arrows[key];
   if (way) {
-    const step = stepIn(unitMm) * (press.shiftKey ? 10 : press.altKey ? 0.1 : 1);
+    const step = stepIn(unit) * (press.shiftKey ? 10 : press.altKey ? 0.1 : 1);
     const to = { x: way[0] * step, y: way[1] * step };
     return onSelection(`move from 0,0 to ${xy(to)}`);
   }

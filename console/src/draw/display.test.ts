@@ -2,6 +2,7 @@
 
 import { describe, expect, it } from "vitest";
 import { firstSnapshot } from "../../tests/standin/snapshot";
+import { type Mm, mm } from "../units/quantity";
 import type { GroupState, ToolPaths } from "../wire/messages";
 import { boxOfShapes, type Shape, shapeOf } from "./geometry/shape";
 import { place } from "./geometry/vec";
@@ -92,7 +93,8 @@ describe("the sheet", () => {
   it("pro_display_starts: only when wanted, with the side of the tool", () => {
     expect(marks("start", nothing)).toEqual([]);
     const side = (offset: number) =>
-      marks("start", showing("starts"), { groups: [{ name: "black", offset }] })[0]?.side;
+      marks("start", showing("starts"), { groups: [{ name: "black", offset: mm(offset) }] })[0]
+        ?.side;
     expect([side(3), side(0), side(-3)]).toEqual(["right", "right", "left"]);
   });
 
@@ -162,7 +164,7 @@ const raw = (points: number[]) => ({
 });
 
 describe("the job on the machine", () => {
-  const on = { reach: [2500, 1250] as [number, number], origin: place(300, 200), tool: null };
+  const on = { reach: [mm(2500), mm(1250)] as [Mm, Mm], origin: place(300, 200), tool: null };
 
   it("pro_display_machbounds: bounds, home, origin and finish in the machine's coordinates", () => {
     const items = tableItems({ ...on, finish: place(25, 20) });
@@ -182,7 +184,7 @@ describe("the job on the machine", () => {
   });
 
   it("has no bounds where the machine has none", () => {
-    const items = tableItems({ ...on, reach: [0, 0], finish: place(0, 0) });
+    const items = tableItems({ ...on, reach: [mm(0), mm(0)], finish: place(0, 0) });
     expect(items.map(({ kind }) => kind)).toEqual(["home", "origin", "finish"]);
     expect(notMachined.paths).toEqual([]);
   });

@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { readLength, readPlace } from "./entry";
+import { inches, millimetres } from "../units/quantity";
+import { readLength, readPlace, readSpeed } from "./entry";
 import { place } from "./geometry/vec";
-
-const inch = 25.4;
 
 describe("typed lengths", () => {
   it.each([
@@ -12,17 +11,22 @@ describe("typed lengths", () => {
     ["(10+5)/2", 7.5],
     ["2*(1+1)cm", 40],
     ["1ft", 304.8],
-  ])("%s is %d mm", (text, mm) => {
-    expect(readLength(text, 1)).toEqual({ value: expect.closeTo(mm, 9) });
+  ])("%s is %d mm", (text, length) => {
+    expect(readLength(text, millimetres)).toEqual({ value: expect.closeTo(length, 9) });
   });
 
   it("takes the user's unit where none is typed", () => {
-    expect(readLength("1", inch)).toEqual({ value: inch });
-    expect(readLength("1+2mm", inch)).toEqual({ value: expect.closeTo(27.4, 9) });
+    expect(readLength("1", inches)).toEqual({ value: 25.4 });
+    expect(readLength("1+2mm", inches)).toEqual({ value: expect.closeTo(27.4, 9) });
+  });
+
+  it("takes speeds a minute in the user's unit too", () => {
+    expect(readSpeed("50", inches)).toEqual({ value: 1270 });
+    expect(readSpeed("1270mm", inches)).toEqual({ value: expect.closeTo(1270, 9) });
   });
 
   it.each(["", "1+", "abc", "1 2", "(1", "1/0", "1furlong"])("%j is refused in words", (text) => {
-    expect(readLength(text, 1)).toHaveProperty("wrong");
+    expect(readLength(text, millimetres)).toHaveProperty("wrong");
   });
 });
 
@@ -30,17 +34,17 @@ describe("typed places", () => {
   const base = place(10, 20);
 
   it("reads them absolute, relative and polar", () => {
-    expect(readPlace("1,2", 1, base)).toEqual({ value: place(1, 2) });
-    expect(readPlace("@1,2", 1, base)).toEqual({ value: place(11, 22) });
-    expect(readPlace("@1,-2", inch, null)).toEqual({ value: place(25.4, -50.8) });
-    expect(readPlace("10<90", 1, base)).toEqual({
+    expect(readPlace("1,2", millimetres, base)).toEqual({ value: place(1, 2) });
+    expect(readPlace("@1,2", millimetres, base)).toEqual({ value: place(11, 22) });
+    expect(readPlace("@1,-2", inches, null)).toEqual({ value: place(25.4, -50.8) });
+    expect(readPlace("10<90", millimetres, base)).toEqual({
       value: { x: expect.closeTo(10, 9), y: expect.closeTo(30, 9) },
     });
   });
 
   it("says what a place is", () => {
-    expect(readPlace("12", 1, base)).toHaveProperty("wrong");
-    expect(readPlace("1,2,3", 1, base)).toHaveProperty("wrong");
-    expect(readPlace("1,x", 1, base)).toHaveProperty("wrong");
+    expect(readPlace("12", millimetres, base)).toHaveProperty("wrong");
+    expect(readPlace("1,2,3", millimetres, base)).toHaveProperty("wrong");
+    expect(readPlace("1,x", millimetres, base)).toHaveProperty("wrong");
   });
 });

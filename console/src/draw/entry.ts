@@ -6,6 +6,19 @@
  */
 
 import { evaluate } from "../app/expression";
+import {
+  type Degrees,
+  degrees,
+  type LengthUnit,
+  type Mm,
+  type MmPerMin,
+  millimetres,
+  ofUnit,
+  perMinuteOfUnit,
+  rounded,
+  shown,
+  shownPerMin,
+} from "../units/quantity";
 import { t } from "../words/words";
 import { type Place, place } from "./geometry/vec";
 
@@ -17,42 +30,56 @@ export const isWrong = <T>(read: Read<T>): read is { readonly wrong: string } =>
 /** Parts of a millimetre that nobody can type on purpose are left out. */
 const finest = 1e9;
 
-const readAs = (text: string, unitMm: number): Read<number> => {
-  const value = evaluate(text, { mm: unitMm });
+function readAs<N extends number>(
+  text: string,
+  unit: LengthUnit,
+  as: (value: number) => N,
+): Read<N> {
+  const value = evaluate(text, unit);
   if (value === undefined) return { wrong: t("“{0}” is no number.", text.trim()) };
+  return { value: as(value) };
+}
+
+/** A length, in the unit of the page where it says none. */
+export const readLength = (text: string, unit: LengthUnit): Read<Mm> =>
   // Units of units: 2mm in inches is 2 mm again, not 1.9999999999999998.
-  return { value: Math.round(value * unitMm * finest) / finest };
-};
+  readAs(text, unit, (value) => rounded(ofUnit(shown(value), unit), finest));
 
-/** A length: millimetres. `unitMm` is the user's unit. */
-export const readLength = (text: string, unitMm: number): Read<number> => readAs(text, unitMm);
+/** A speed a minute, as a length. */
+export const readSpeed = (text: string, unit: LengthUnit): Read<MmPerMin> =>
+  readAs(text, unit, (value) => rounded(perMinuteOfUnit(shownPerMin(value), unit), finest));
 
-/** A number without a unit: degrees, a factor, a count, a bulge. */
-export const readNumber = (text: string): Read<number> => readAs(text, 1);
+/** A number without a unit: a factor, a count, a bulge. */
+export const readNumber = (text: string): Read<number> =>
+  readAs(text, millimetres, (value) => rounded(value, finest));
+
+/** An angle. */
+export const readAngle = (text: string): Read<Degrees> =>
+  readAs(text, millimetres, (value) => rounded(degrees(value), finest));
 
 const placeWords = t("A place is x,y or @dx,dy or length<angle.");
 
 /** A place. `base` is the last place, from which `@` and `<` count; else from the origin. */
-export function readPlace(text: string, unitMm: number, base: Place | null): Read<Place> {
+export function readPlace(text: string, unit: LengthUnit, base: Place | null): Read<Place> {
   const from = base ?? place(0, 0);
   const words = text.trim().replace(/^@/, "");
   const polar = words.split("<");
-  if (polar.length === 2) return readPolar(polar, unitMm, from);
+  if (polar.length === 2) return readPolar(polar, unit, from);
   const parts = words.split(",");
   if (parts.length !== 2) return { wrong: placeWords };
   const relative = text.trim().startsWith("@") ? from : place(0, 0);
-  return both(readLength(parts[0] ?? "", unitMm), readLength(parts[1] ?? "", unitMm), (x, y) =>
+  return both(readLength(parts[0] ?? "", unit), readLength(parts[1] ?? "", unit), (x, y) =>
     place(relative.x + x, relative.y + y),
   );
 }
 
-const readPolar = ([far = "", angle = ""]: readonly string[], unitMm: number, from: Place) =>
-  both(readLength(far, unitMm), readNumber(angle), (length, degrees) => {
-    const radians = (degrees * Math.PI) / 180;
+const readPolar = ([far = "", angle = ""]: readonly string[], unit: LengthUnit, from: Place) =>
+  both(readLength(far, unit), readAngle(angle), (length, turn) => {
+    const radians = (turn * Math.PI) / 180;
     return place(from.x + length * Math.cos(radians), from.y + length * Math.sin(radians));
   });
 
-function both<T>(a: Read<number>, b: Read<number>, make: (a: number, b: number) => T): Read<T> {
+function both<A, B, T>(a: Read<A>, b: Read<B>, make: (a: A, b: B) => T): Read<T> {
   if (isWrong(a)) return a;
   return isWrong(b) ? b : { value: make(a.value, b.value) };
 }

@@ -7,10 +7,11 @@ import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
+import { type Mm, type MmPerMin, mm } from "../units/quantity";
 import { t } from "../words/words";
 import { choose } from "./actions";
 import type { Plan } from "./plan";
-import { ValueField, type ValueFieldProps } from "./ValueField";
+import { lengthField, speedField, ValueField, type ValueFieldProps } from "./ValueField";
 
 const yesNo = [
   { value: "yes", words: "Yes" },
@@ -21,7 +22,7 @@ const yesNo = [
 export function CutPanel({ plan }: { plan: Plan }) {
   const hands = useHands();
   const units = useSnapshot("units");
-  const offset = useSnapshot("opened")?.choice.offset ?? 0;
+  const offset = useSnapshot("opened")?.choice.offset ?? mm(0);
   const job = useSnapshot("job");
   const busy = useBusy();
   if (!units) return null;
@@ -30,38 +31,23 @@ export function CutPanel({ plan }: { plan: Plan }) {
   const [top, surface, bottom] = runs?.heights ?? view.heights;
   const { cutMmS, plungeMmS, raise } = runs?.inForce ?? view;
   const set = (key: string, value: string) => drive(worldOf(hands), { do: "set", key, value });
-  const { mm, linear } = units;
-  const speed = (key: string) => (value: number) => set(key, `${value * mm} mm/min`);
-  const height = (key: string) => (value: number) => set(key, String(value * mm));
+  const speed = (key: string) => (value: MmPerMin) => set(key, `${value} mm/min`);
+  const height = (key: string) => (value: Mm) => set(key, String(value));
   const off = busy !== undefined;
-  const perMin = `${linear}/min`;
   const fields: readonly ValueFieldProps[] = [
-    {
-      label: t("Cutting speed"),
-      value: (cutMmS * 60) / mm,
-      unit: perMin,
-      onSet: speed("smoothing.cut_speed_mm_s"),
-    },
-    {
-      label: t("Plunging speed"),
-      value: (plungeMmS * 60) / mm,
-      unit: perMin,
-      onSet: speed("plunge.speed_mm_s"),
-    },
-    { label: t("Z top"), value: top / mm, unit: linear, onSet: height("zpos.top_mm") },
-    { label: t("Z surface"), value: surface / mm, unit: linear, onSet: height("zpos.surface_mm") },
-    { label: t("Z bottom"), value: bottom / mm, unit: linear, onSet: height("zpos.bottom_mm") },
+    speedField(t("Cutting speed"), cutMmS, units, speed("smoothing.cut_speed_mm_s")),
+    speedField(t("Plunging speed"), plungeMmS, units, speed("plunge.speed_mm_s")),
+    lengthField(t("Z top"), top, units, height("zpos.top_mm")),
+    lengthField(t("Z surface"), surface, units, height("zpos.surface_mm")),
+    lengthField(t("Z bottom"), bottom, units, height("zpos.bottom_mm")),
     {
       label: t("Repeats"),
       value: view.repeats,
       onSet: (value) => set("job.repeats", String(value)),
     },
-    {
-      label: t("Offset of all paths"),
-      value: offset / mm,
-      unit: linear,
-      onSet: (value) => choose(worldOf(hands), { offset: value * mm }),
-    },
+    lengthField(t("Offset of all paths"), offset, units, (offset) =>
+      choose(worldOf(hands), { offset }),
+    ),
   ];
   return (
     <Panel title="How it is cut" className="cut-panel">

@@ -2,6 +2,7 @@ import { type MouseEvent, useEffect, useMemo, useRef, useState } from "react";
 import { openTiming } from "../actions/go";
 import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
 import { lengthText } from "../app/units";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { paintDigitized } from "../digitize/paint";
 import { type DigitizedItem, digitizedItem, lookedAt } from "../digitize/points";
 import { useLook } from "../digitize/useLook";
@@ -22,6 +23,7 @@ import {
 } from "../draw/window";
 import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
+import { mm } from "../units/quantity";
 import { useSize } from "../view/useSize";
 import { phrase, t } from "../words/words";
 import { chooseStart } from "./actions";
@@ -131,7 +133,7 @@ interface CanvasesProps extends JobSheetProps {
 function Canvases({ plan, standing, window, size, hover, points }: CanvasesProps) {
   const [base, over] = [useRef<HTMLCanvasElement>(null), useRef<HTMLCanvasElement>(null)];
   const theme = useScreen("theme");
-  const unitMm = useSnapshot("units")?.mm ?? 1;
+  const unit = useLengthUnit();
   const motion = useSnapshot("motion");
   const snapshot = useShown((shown) => shown.snapshot);
   const { start } = standing;
@@ -140,9 +142,9 @@ function Canvases({ plan, standing, window, size, hover, points }: CanvasesProps
     const sheet = base.current && sheetOn(base.current, window, size);
     if (!sheet) return;
     const ink = inkOf(sheet.pen.canvas);
-    paintPaper(sheet, unitMm, ink);
+    paintPaper(sheet, unit, ink);
     paintPlan(sheet, plan, { runs: false, at: 0, start, finished: false }, ink);
-  }, [plan, start, window, size.width, size.height, unitMm, theme]);
+  }, [plan, start, window, size.width, size.height, unit, theme]);
   // biome-ignore lint/correctness/useExhaustiveDependencies: the theme changes the inks
   useEffect(() => {
     const sheet = over.current && sheetOn(over.current, window, size);
@@ -203,7 +205,7 @@ function HoverWords({ plan, number }: { plan: Plan; number: number | null }) {
   if (number === null || !path || !units)
     return <p className="job-hover">{t("A click on a path begins the job with it.")}</p>;
   const { box, group } = path.shape;
-  const [wide, high] = [box.max.x - box.min.x, box.max.y - box.min.y];
+  const [wide, high] = [mm(box.max.x - box.min.x), mm(box.max.y - box.min.y)];
   return (
     <p className="job-hover">
       {phrase(

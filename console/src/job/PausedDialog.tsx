@@ -6,11 +6,12 @@ import { useAside } from "../operator/useAside";
 import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Sheet } from "../ui/Sheet";
+import { mm } from "../units/quantity";
 import type { Asked } from "../wire/messages";
 import { phrase, t } from "../words/words";
 import { headAt, near } from "./head";
 import { useJob } from "./useJob";
-import { ValueField } from "./ValueField";
+import { lengthField, speedField, ValueField } from "./ValueField";
 import "./job-screen.css";
 
 /**
@@ -119,11 +120,9 @@ function ChangeValues({ say }: Says) {
   const units = useSnapshot("units");
   const job = useSnapshot("job");
   if (!plan || !units) return null;
-  const { mm, linear } = units;
   const heights = job?.heights;
   // What was said holds until the job is over; the configuration stays as it was.
   const { cutMmS, plungeMmS, raise } = job?.inForce ?? plan.view;
-  const perMin = `${linear}/min`;
   return (
     <>
       <p>
@@ -133,26 +132,17 @@ function ChangeValues({ say }: Says) {
       </p>
       <div className="cut-grid">
         <ValueField
-          label={t("Cutting speed")}
-          value={(cutMmS * 60) / mm}
-          unit={perMin}
-          onSet={(value) => say(`cut ${value * mm}`)}
+          {...speedField(t("Cutting speed"), cutMmS, units, (speed) => say(`cut ${speed}`))}
         />
         <ValueField
-          label={t("Plunging speed")}
-          value={(plungeMmS * 60) / mm}
-          unit={perMin}
-          onSet={(value) => say(`plunge ${value * mm}`)}
+          {...speedField(t("Plunging speed"), plungeMmS, units, (speed) => say(`plunge ${speed}`))}
         />
         <ValueField
-          label={t("Move Z bottom by")}
-          value={0}
-          unit={linear}
-          onSet={async (value) => {
-            await say(`zbottom ${value * mm}`);
+          {...lengthField(t("Move Z bottom by"), mm(0), units, async (way) => {
+            await say(`zbottom ${way}`);
             // What was asked for is done: the field is ready for the next change.
             return false;
-          }}
+          })}
         />
         <div className="field">
           <span className="field-label">{t("Rises when paused")}</span>

@@ -1,6 +1,19 @@
 import { useEffect, useRef, useState } from "react";
 import { evaluate, resultText } from "../app/expression";
 import { Field } from "../ui/Field";
+import {
+  inUnit,
+  type LengthUnit,
+  type Mm,
+  type MmPerMin,
+  type MmPerS,
+  ofUnit,
+  perMinute,
+  perMinuteInUnit,
+  perMinuteOfUnit,
+  shown,
+  shownPerMin,
+} from "../units/quantity";
 import { t } from "../words/words";
 
 export interface ValueFieldProps {
@@ -11,6 +24,32 @@ export interface ValueFieldProps {
   isDisabled?: boolean;
   onSet: (value: number) => Promise<boolean>;
 }
+
+/** A field of a length, in the unit of the page. */
+export const lengthField = (
+  label: string,
+  length: Mm,
+  unit: LengthUnit,
+  onSet: (length: Mm) => Promise<boolean>,
+): ValueFieldProps => ({
+  label,
+  value: inUnit(length, unit),
+  unit: unit.linear,
+  onSet: (typed) => onSet(ofUnit(shown(typed), unit)),
+});
+
+/** A field of a cutting speed, by the minute. */
+export const speedField = (
+  label: string,
+  speed: MmPerS,
+  unit: LengthUnit,
+  onSet: (speed: MmPerMin) => Promise<boolean>,
+): ValueFieldProps => ({
+  label,
+  value: perMinuteInUnit(perMinute(speed), unit),
+  unit: `${unit.linear}/min`,
+  onSet: (typed) => onSet(perMinuteOfUnit(shownPerMin(typed), unit)),
+});
 
 /** A number that is sent when the field is left or Enter pressed. */
 export function ValueField({ label, value, unit, isDisabled = false, onSet }: ValueFieldProps) {

@@ -1,5 +1,6 @@
 import { ToggleButton, ToggleButtonGroup } from "react-aria-components";
 import { resultText } from "../app/expression";
+import { isMetric } from "../units/quantity";
 import type { Units } from "../wire/messages";
 import { t } from "../words/words";
 
@@ -16,7 +17,7 @@ const imperial = [0.001, 0.01, 0.1, 1] as const;
 
 /** The usual distances, one press each. */
 export function JogSteps({ units, step, onStep }: JogStepsProps) {
-  const steps = units.mm === 1 ? metric : imperial;
+  const steps = isMetric(units) ? metric : imperial;
   return (
     <ToggleButtonGroup
       className="choice jog-steps"

@@ -2,9 +2,11 @@ import { useEffect, useRef, useState } from "react";
 import { ask, leased } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { useDisplay } from "../app/display";
-import { evaluate } from "../app/expression";
+import { lengthOf } from "../app/expression";
+import { shortText } from "../app/units";
 import { KeyHelp } from "../ui/KeyHelp";
 import { Sheet } from "../ui/Sheet";
+import { inches, mm } from "../units/quantity";
 import type { Speeds } from "../wire/messages";
 import { t } from "../words/words";
 import { JogButtons } from "./JogButtons";
@@ -40,11 +42,11 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
   const display = useDisplay();
   const fixed = display?.fixedMm;
   const others = display && otherHands[display.remote];
-  const [typed, setTyped] = useState<{ text: string; mm: number } | null>(null);
-  const mm = units?.mm ?? 25.4;
+  const [typed, setTyped] = useState<{ text: string; linear: string } | null>(null);
+  const unit = units ?? inches;
   // What was typed in another unit is another distance.
-  const given = typed?.mm === mm ? typed.text : undefined;
-  const step = given ?? String(Number(((fixed ?? 2.54) / mm).toFixed(4)));
+  const given = typed?.linear === unit.linear ? typed.text : undefined;
+  const step = given ?? shortText(fixed ?? mm(2.54), unit);
   const [places, setPlaces] = useState<readonly string[] | null>(null);
   const [pendant, setPendant] = useState(false);
   const may = useMayMove();
@@ -52,7 +54,7 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
 
   const move = (direction: Direction, fast: boolean) => {
     if (may.refused || onlySteps || !speeds || !units) return;
-    const distance = manner === "distance" ? (evaluate(step, units) ?? 0) * units.mm : null;
+    const distance = manner === "distance" ? (lengthOf(step, units) ?? mm(0)) : null;
     const speedShare = fast ? 1 : slowShare(speeds, direction);
     jog.hold({ direction, speedShare, distance });
   };
@@ -96,7 +98,7 @@ export function KeypadSheet({ words, onClose }: KeypadSheetProps) {
             step={step}
             onChange={(manner, step) => {
               setManner(manner);
-              setTyped({ text: step, mm });
+              setTyped({ text: step, linear: unit.linear });
             }}
           />
         )}

@@ -7,6 +7,7 @@
  * pointer up, a lost focus, a hidden page, a link that became slow.
  */
 
+import type { AxisValue } from "../units/quantity";
 import type { Act, Reply } from "../wire/messages";
 import { t } from "../words/words";
 import type { Direction } from "./keys";
@@ -26,8 +27,8 @@ export interface JogWish {
   readonly direction: Direction;
   /** Share of the jog speed, 0 … 1. */
   readonly speedShare: number;
-  /** Mm or degrees; as long as it is held when nothing. */
-  readonly distance: number | null;
+  /** As long as it is held when nothing. */
+  readonly distance: AxisValue | null;
 }
 
 export class JogHand {

@@ -6,6 +6,7 @@ import { locationText, usedAxes } from "../app/units";
 import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
+import { type AxisValue, mm } from "../units/quantity";
 import type { AxisUnits } from "../wire/messages";
 import { t } from "../words/words";
 import { type Frame, framesOf, placeIn, titles } from "./frames";
@@ -38,8 +39,8 @@ export function LocationDisplay() {
               key={axis.letter}
               axis={axis}
               zero={frame === "job" ? undefined : zeroAxis[at]}
-              value={placeIn(frame, motion, { opened, job })[at] ?? 0}
-              other={`${otherName} ${locationText(motion.at[other][at] ?? 0, axis)}`}
+              value={placeIn(frame, motion, { opened, job })[at] ?? mm(0)}
+              other={`${otherName} ${locationText(motion.at[other][at] ?? mm(0), axis)}`}
             />
           ))}
       </ul>
@@ -52,7 +53,7 @@ const usualLength = 7;
 
 interface AxisRowProps {
   axis: AxisUnits;
-  value: number;
+  value: AxisValue;
   /** The location in another frame, with its name. */
   other: string;
   /** Makes this the zero of the working location. */

@@ -4,6 +4,7 @@ import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { speedText } from "../app/units";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
+import type { MmPerS } from "../units/quantity";
 import type { Speeds, Units } from "../wire/messages";
 import { t } from "../words/words";
 import "./status-panel.css";
@@ -74,7 +75,7 @@ interface SpeedRowProps {
   letters: string;
   speeds: Speeds["cutMmS"];
   units: Units;
-  now?: number;
+  now?: MmPerS;
 }
 
 function SpeedRow({ title, letters, speeds, units, now }: SpeedRowProps) {

@@ -1,12 +1,15 @@
 import { describe, expect, it } from "vitest";
 import { firstSnapshot } from "../../tests/standin/snapshot";
 import { states } from "../../tests/standin/states";
-import type { Finding, Opened, Snapshot } from "../wire/messages";
+import { seconds } from "../units/quantity";
+import { message } from "../units/testing";
+import type { Finding, LastRun, Opened, Snapshot } from "../wire/messages";
 import { fileStatus, progressOf } from "./fileStatus";
 
 const opened = firstSnapshot.opened as Opened;
 const now = new Date(2026, 10, 24, 15, 0);
-const at = new Date(2026, 10, 24, 14, 3).getTime() / 1000;
+const ran = (ended: string, line: number, seconds: number) =>
+  message<LastRun>({ ended, at: new Date(2026, 10, 24, 14, 3).getTime() / 1000, line, seconds });
 
 const error = (line: number, file = ""): Finding => ({
   level: "error",
@@ -33,7 +36,7 @@ const told = (change: Partial<Opened>, other: Partial<Snapshot> = {}): Snapshot 
 
 describe("how the open file stands", () => {
   const words = (snapshot: Snapshot) => fileStatus(snapshot, now).words;
-  const ran = (ended: string, line = 0) => told({ ran: { ended, at, line, seconds: 75 } });
+  const since = (ended: string, line: number) => told({ ran: ran(ended, line, 75) });
   const interrupted = {
     file: opened.name,
     hash: opened.content,
@@ -58,8 +61,8 @@ describe("how the open file stands", () => {
     ["running, line 13", told({}, states.running)],
     ["held, line 13", told({}, states.held)],
     ["running, path 13", told({ kind: "job" }, states.running)],
-    ["finished at 14:03", ran("ok", 20)],
-    ["failed behind line 7 at 14:03", ran("failed", 7)],
+    ["finished at 14:03", since("ok", 20)],
+    ["failed behind line 7 at 14:03", since("failed", 7)],
     ["interrupted behind line 9", told({}, { interrupted })],
     ["ready, never run", told({ content: "another" }, { interrupted })],
     ["ready, never run", told({ name: "other.sbp" }, { interrupted })],
@@ -74,9 +77,7 @@ describe("how the open file stands", () => {
     [7, { kind: "program" }],
     [undefined, { kind: "job" }],
   ])("leads to line %s behind which it failed", (line, change) => {
-    const { place } = fileStatus(
-      told({ ...change, ran: { ended: "failed", at, line: 7, seconds: 1 } }),
-    );
+    const { place } = fileStatus(told({ ...change, ran: ran("failed", 7, 1) }));
     expect(place?.line).toBe(line);
   });
 });
@@ -91,9 +92,7 @@ describe("how far it is", () => {
   });
   it("tells the time so far, and behind the end the time that it took", () => {
     expect(progressOf(told({}, states.running)).spent).toBe("so far 0:14");
-    expect(progressOf(told({ ran: { ended: "ok", at, line: 0, seconds: 75 } })).spent).toBe(
-      "took 1:15",
-    );
+    expect(progressOf(told({ ran: ran("ok", 0, 75) })).spent).toBe("took 1:15");
     expect(progressOf(told({})).spent).toBeUndefined();
   });
   it("is not told of a file whose plan ends at an error", () => {
@@ -103,7 +102,7 @@ describe("how far it is", () => {
     expect(shown.part).toBeUndefined();
   });
   it("is not told without a plan", () => {
-    const typed = job && { ...job, hash: null, seconds: 0, command: "MX,3" };
+    const typed = job && { ...job, hash: null, seconds: seconds(0), command: "MX,3" };
     const shown = progressOf(told({}, { job: typed }));
     expect(shown).toMatchObject({ name: "MX,3", part: undefined, seconds: undefined });
     const ends = { broken: true, findings: [error(3)] };

@@ -3,6 +3,7 @@
 import type { Spot } from "../app/screen";
 import { durationText } from "../app/units";
 import type { Shown } from "../link/shown";
+import type { Seconds } from "../units/quantity";
 import type { Call, Finding, Job, LastRun, Opened, Snapshot, State } from "../wire/messages";
 import { language, t } from "../words/words";
 import { toolLine } from "./toolLine";
@@ -154,7 +155,7 @@ export interface RunProgress {
   /** What the seconds are. */
   readonly words: "left" | "planned";
   /** Nothing where no plan says. */
-  readonly seconds: number | undefined;
+  readonly seconds: Seconds | undefined;
   /** The time of the run under way, or of the last one of this file: `so far 0:14`, `took 1:15`. */
   readonly spent: string | undefined;
 }

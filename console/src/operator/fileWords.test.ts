@@ -1,7 +1,9 @@
 import { expect, it } from "vitest";
+import type { UnixSeconds } from "../units/quantity";
+import { message } from "../units/testing";
 import { aboutText, sizeText, timeText } from "./fileWords";
 
-const at = (text: string) => new Date(text).getTime() / 1000;
+const at = (text: string) => message<UnixSeconds>(new Date(text).getTime() / 1000);
 
 it("says times of today without the day", () => {
   const now = new Date("2026-11-24T15:00:00");

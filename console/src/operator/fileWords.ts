@@ -1,5 +1,6 @@
 /** Sizes and times of files, for people. */
 
+import type { UnixSeconds } from "../units/quantity";
 import type { FileAbout } from "../wire/messages";
 import { language, t } from "../words/words";
 
@@ -10,9 +11,9 @@ export const sizeText = (bytes: number): string =>
       ? t("{0} kB", (bytes / 1e3).toFixed(0))
       : t("{0} MB", (bytes / 1e6).toFixed(1));
 
-/** A time, seconds since 1970, as it is said now: `today 14:03`, else with the day. */
-export function timeText(seconds: number, now = new Date()): string {
-  const time = new Date(seconds * 1000);
+/** A moment as it is said now: `today 14:03`, else with the day. */
+export function timeText(moment: UnixSeconds, now = new Date()): string {
+  const time = new Date(moment * 1000);
   const clock = time.toLocaleTimeString(language, { hour: "2-digit", minute: "2-digit" });
   const isToday = time.toDateString() === now.toDateString();
   return isToday ? t("today {0}", clock) : `${time.toLocaleDateString(language)} ${clock}`;

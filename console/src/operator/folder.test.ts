@@ -1,4 +1,6 @@
 import { describe, expect, it } from "vitest";
+import type { UnixSeconds } from "../units/quantity";
+import { message } from "../units/testing";
 import type { FileInfo } from "../wire/messages";
 import { listed, matches, parentOf } from "./folder";
 
@@ -6,7 +8,7 @@ const file = (name: string, folder = false): FileInfo => ({
   name,
   folder,
   bytes: 1,
-  changed: 0,
+  changed: message<UnixSeconds>(0),
   header: null,
   part: !name.endsWith(".log"),
   opens: folder || name.endsWith(".log") ? null : "program",

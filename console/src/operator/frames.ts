@@ -1,5 +1,6 @@
 /** The frames in which the location display tells where the tool is. */
 
+import { type AxisValue, difference, type Mm, mm } from "../units/quantity";
 import type { Motion, Opened, Snapshot } from "../wire/messages";
 import { t } from "../words/words";
 import { isUnderWay } from "./fileStatus";
@@ -27,16 +28,16 @@ const always: readonly FrameChoice[] = [
 export const framesOf = (opened: Opened | null): readonly FrameChoice[] =>
   opened?.origin ? [{ value: "job", words: "Job" }, ...always] : always;
 
-/** The places of the axes in a frame, mm or degrees. A job that runs may have taken its origin where it began. */
+/** The places of the axes in a frame. A job that runs may have taken its origin where it began. */
 export function placeIn(
   frame: Frame,
   { at }: Motion,
   { opened, job }: Pick<Snapshot, "opened" | "job">,
-): readonly number[] {
+): readonly AxisValue[] {
   if (frame !== "job") return at[frame];
-  const origin = opened?.origin ?? [0, 0];
+  const origin: readonly Mm[] = opened?.origin ?? [];
   const runs = isUnderWay(job) && job.hash === opened?.hash;
   return at.machine.map((value, n) =>
-    n > 1 ? value : runs ? (at.working[n] ?? 0) : value - (origin[n] ?? 0),
+    n > 1 ? value : runs ? (at.working[n] ?? value) : difference(value, origin[n] ?? mm(0)),
   );
 }

@@ -1,8 +1,10 @@
 import { useState } from "react";
 import { drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { Choice } from "../ui/Choice";
 import { Pick } from "../ui/Pick";
+import type { LengthUnit } from "../units/quantity";
 import type { SettingEntry, Units } from "../wire/messages";
 import { t } from "../words/words";
 import { type Cell, partsOf } from "./tables";
@@ -52,9 +54,9 @@ interface SettingValueProps {
 export function SettingValue({ cell, column = "", label }: SettingValueProps) {
   const set = useSet();
   const units = useSnapshot("units");
-  const mm = units?.mm ?? 1;
+  const page = useLengthUnit();
   const entry = cellValue(cell, column, units);
-  const shown = column === "" ? shownValue(entry, mm) : short(shownValue(entry, mm));
+  const shown = column === "" ? shownValue(entry, page) : short(shownValue(entry, page));
   const [text, setText] = useState(shown);
   const [wrong, setWrong] = useState(false);
   const send = async (value: string | undefined) => {
@@ -70,13 +72,13 @@ export function SettingValue({ cell, column = "", label }: SettingValueProps) {
       <Way label={label} options={options} value={entry.value} onChange={(v) => void send(v)} />
     );
   }
-  const leave = () => text !== shown && void send(writtenValue(entry, text, mm));
+  const leave = () => text !== shown && void send(writtenValue(entry, text, page));
   return (
     <input
       className="setting-entry"
       aria-label={label}
       aria-invalid={wrong || undefined}
-      title={wrong ? t("This is not a value of it.") : t("usual: {0}", usualText(entry, mm))}
+      title={wrong ? t("This is not a value of it.") : t("usual: {0}", usualText(entry, page))}
       value={text}
       spellCheck={false}
       autoComplete="off"
@@ -101,8 +103,8 @@ function wordsOf({ kind, value }: SettingEntry): readonly string[] | undefined {
 }
 
 /** The usual value with its unit. */
-export function usualText(entry: SettingEntry, mm: number): string {
-  const value = shownValue({ ...entry, value: entry.default }, mm);
-  const { unit } = shownUnit(entry, mm);
+export function usualText(entry: SettingEntry, page: LengthUnit): string {
+  const value = shownValue({ ...entry, value: entry.default }, page);
+  const { unit } = shownUnit(entry, page);
   return `${named[value] ?? value}${unit === "" || value === "none" ? "" : ` ${unit}`}`;
 }

@@ -1,9 +1,12 @@
 import { useState } from "react";
-import { useHands, useSnapshot } from "../app/context";
-import { evaluate, resultText } from "../app/expression";
+import { useHands } from "../app/context";
+import { lengthOf } from "../app/expression";
+import { shortText } from "../app/units";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { mm } from "../units/quantity";
 import type { SettingArea } from "../wire/messages";
 import { phrase, t } from "../words/words";
 import { useSet } from "./SettingValue";
@@ -114,15 +117,14 @@ const sides = ["X", "Y", "Z"];
 /** The size of the table, which is the size of its picture and its limits. */
 function TableSize({ areas }: { areas: readonly SettingArea[] }) {
   const set = useSet();
-  const units = useSnapshot("units");
-  const mm = units?.mm ?? 1;
+  const unit = useLengthUnit();
   const entries = areas.flatMap((area) => area.settings);
   const listOf = (key: string) => partsOf(entries.find((entry) => entry.key === key)?.value ?? "");
   const [typed, setTyped] = useState<Record<string, string>>({});
-  const size = listOf("view.table_mm").map(Number);
-  const shown = (n: number) => resultText(Number(((size[n] ?? 0) / mm).toFixed(4)));
+  const size = listOf("view.table_mm").map((text) => mm(Number(text)));
+  const shown = (n: number) => shortText(size[n] ?? mm(0), unit);
   const write = async () => {
-    const sizes = sides.map((side, n) => (evaluate(typed[side] ?? shown(n)) ?? 0) * mm);
+    const sizes = sides.map((side, n) => lengthOf(typed[side] ?? shown(n), unit) ?? mm(0));
     if (sizes.some((one) => one <= 0)) return;
     const [x = 0, y = 0, z = 0] = sizes.map((one) => Number(one.toFixed(4)));
     const beside = (key: string, first: number[]) =>
@@ -147,7 +149,7 @@ function TableSize({ areas }: { areas: readonly SettingArea[] }) {
         <Field
           key={side}
           label={t("Size in {0}", side)}
-          unit={units?.linear ?? "mm"}
+          unit={unit.linear}
           value={typed[side] ?? shown(n)}
           onChange={(text) => setTyped({ ...typed, [side]: text })}
         />

@@ -1,4 +1,5 @@
 import { useSnapshot } from "../app/context";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { Button } from "../ui/Button";
 import type { SettingEntry } from "../wire/messages";
 import { t } from "../words/words";
@@ -60,12 +61,12 @@ function SettingTable({ table: { columns, rows } }: { table: Table }) {
 
 function SettingRow({ row, columns }: { row: Row; columns: readonly string[] }) {
   const units = useSnapshot("units");
-  const mm = units?.mm ?? 1;
+  const page = useLengthUnit();
   const values = columns.flatMap((column) => {
     const cell = row.cells.get(column);
     return cell ? [{ column, value: cellValue(cell, column, units) }] : [];
   });
-  const shown = new Set(values.map(({ value }) => shownUnit(value, mm).unit));
+  const shown = new Set(values.map(({ value }) => shownUnit(value, page).unit));
   return (
     <tr title={row.doc}>
       <th scope="row">
@@ -97,8 +98,7 @@ function SettingRow({ row, columns }: { row: Row; columns: readonly string[] }) 
 }
 
 function SingleSetting({ entry }: { entry: SettingEntry }) {
-  const units = useSnapshot("units");
-  const { unit } = shownUnit(entry, units?.mm ?? 1);
+  const { unit } = shownUnit(entry, useLengthUnit());
   return (
     <li className={isChanged(entry) ? "setting setting-changed" : "setting"} data-key={entry.key}>
       <div>
@@ -116,11 +116,11 @@ function SingleSetting({ entry }: { entry: SettingEntry }) {
 /** Takes the usual values again; not there where they are. */
 function Usual({ entries, name }: { entries: readonly SettingEntry[]; name: string }) {
   const set = useSet();
-  const mm = useSnapshot("units")?.mm ?? 1;
+  const page = useLengthUnit();
   const changed = entries.filter(isChanged);
   const [first] = changed;
   if (!first) return null;
-  const words = changed.length === 1 ? usualText(first, mm) : t("the usual values");
+  const words = changed.length === 1 ? usualText(first, page) : t("the usual values");
   const reset = async () => {
     for (const { key, default: usual } of changed) if (!(await set(key, usual))) return;
   };

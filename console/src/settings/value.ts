@@ -1,6 +1,7 @@
 /** Values of settings as a person reads them: lengths in inches where those are his unit. */
 
 import { evaluate, resultText } from "../app/expression";
+import { type LengthUnit, namedUnit } from "../units/quantity";
 import type { SettingEntry } from "../wire/messages";
 
 /** Cutting speeds: told by the minute, while machines' speeds are told by the second. */
@@ -9,14 +10,12 @@ const cutting = new Set(["smoothing.cut_speed_mm_s", "plunge.speed_mm_s"]);
 /** The unit that is shown for a setting of the configuration, and how many of its own it has. */
 export function shownUnit(
   { key, unit }: Pick<SettingEntry, "key" | "unit">,
-  mm: number,
+  page: LengthUnit,
 ): { unit: string; scale: number } {
-  const plain = /^mm(\/s[²³]?)?$/.test(unit);
-  const shown =
-    plain && mm !== 1 ? { unit: unit.replace("mm", "in"), scale: mm } : { unit, scale: 1 };
+  const { name, size } = namedUnit(unit, page);
   return cutting.has(key)
-    ? { unit: shown.unit.replace("/s", "/min"), scale: shown.scale / 60 }
-    : shown;
+    ? { unit: name.replace("/s", "/min"), scale: size / 60 }
+    : { unit: name, scale: size };
 }
 
 /** A speed with its unit, as the configuration takes it too. */
@@ -37,19 +36,23 @@ const each = (text: string, change: (n: number) => number): string =>
     .map((part) => (isNumber(part) ? resultText(change(Number(part))) : part))
     .join(", ");
 
-export function shownValue(entry: SettingEntry, mm: number): string {
+export function shownValue(entry: SettingEntry, page: LengthUnit): string {
   const { value, kind } = entry;
   if (kind.is !== "number" && kind.is !== "list") return value;
-  const { scale } = shownUnit(entry, mm);
+  const { scale } = shownUnit(entry, page);
   return each(value, (n) => n / scale);
 }
 
 /** As it is written in a configuration; nothing when it makes no sense. */
-export function writtenValue(entry: SettingEntry, text: string, mm: number): string | undefined {
+export function writtenValue(
+  entry: SettingEntry,
+  text: string,
+  page: LengthUnit,
+): string | undefined {
   const { kind } = entry;
   if (kind.is !== "number" && kind.is !== "list") return text;
   if (entry.unit === "mm/s" && withUnit.test(text.trim())) return text.trim();
-  const { scale } = shownUnit(entry, mm);
+  const { scale } = shownUnit(entry, page);
   const one = (part: string): string | undefined => {
     if (/^[a-z]+$/i.test(part)) return part;
     const value = evaluate(part);

@@ -1,5 +1,5 @@
 import { type KeyboardEvent, useEffect, useMemo, useRef } from "react";
-import { useSnapshot } from "../app/context";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { Button } from "../ui/Button";
 import { useSize } from "../view/useSize";
 import type { Timing } from "../wire/messages";
@@ -10,7 +10,7 @@ import { momentOf, panned, pixelOf, type Span, ticksOf, zoomed } from "./span";
 import { TimingRow } from "./TimingRow";
 import { useCursor, useFocusAtFirst, useSpan } from "./useChart";
 import { useDrag } from "./useDrag";
-import { endWords, momentWords, seconds } from "./words";
+import { endWords, momentWords, secondsText } from "./words";
 
 /** The chart: lines under one another, time along them. */
 export function TimingChart({ timing, busy }: { timing: Timing; busy: boolean }) {
@@ -19,7 +19,7 @@ export function TimingChart({ timing, busy }: { timing: Timing; busy: boolean })
   const { at, told, point, step } = useCursor();
   const plot = useRef<HTMLDivElement>(null);
   const { width } = useSize(plot);
-  const units = useSnapshot("units") ?? { mm: 1, linear: "mm" };
+  const unit = useLengthUnit();
   const ticks = useMemo(() => ticksOf(span, width), [span, width]);
   const chart = useWheel(plot, (at, detail, sideways) =>
     setSpan((now) =>
@@ -46,7 +46,7 @@ export function TimingChart({ timing, busy }: { timing: Timing; busy: boolean })
   };
   useFocusAtFirst(chart);
   const notes = [grainWords(timing.lines), endWords(timing)].filter((words) => words !== undefined);
-  const rest = { span, ticks: ticks.at, width, at, units };
+  const rest = { span, ticks: ticks.at, width, at, unit };
   return (
     <>
       <TimingBar span={span} end={end} at={at} onSpan={setSpan} />
@@ -75,7 +75,7 @@ export function TimingChart({ timing, busy }: { timing: Timing; busy: boolean })
         </div>
       </div>
       <p className="timing-told hidden-text" role="status">
-        {told && at !== null ? momentWords(timing.lines, at, units) : ""}
+        {told && at !== null ? momentWords(timing.lines, at, unit) : ""}
       </p>
       {notes.map((words) => (
         <p key={words} className="timing-note">
@@ -116,7 +116,9 @@ function TimingBar({ span, end, at, onSpan }: TimingBarProps) {
         </Button>
       ))}
       <span className="timing-span">
-        {at === null ? `${seconds(span.from)} … ${seconds(span.to)}` : t("at {0}", seconds(at))}
+        {at === null
+          ? `${secondsText(span.from)} … ${secondsText(span.to)}`
+          : t("at {0}", secondsText(at))}
       </span>
     </div>
   );

@@ -1,9 +1,10 @@
+import type { LengthUnit } from "../units/quantity";
 import type { TimingLine } from "../wire/messages";
 import { t } from "../words/words";
 import { bitWords, coursePath, isBit, labelled, nameOf, rangeOf } from "./course";
 import { bandPath } from "./grains";
 import { pixelOf, type Span } from "./span";
-import { readOf, type Units, valueWords } from "./words";
+import { readOf, valueWords } from "./words";
 
 /** Heights of a row with a value and of one with a bit, pixels. */
 const [tall, low] = [68, 40];
@@ -18,17 +19,17 @@ interface TimingRowProps {
   width: number;
   /** The moment under the pointer. */
   at: number | null;
-  units: Units;
+  unit: LengthUnit;
 }
 
 /** One line of the chart with its name. */
-export function TimingRow({ line, span, ticks, width, at, units }: TimingRowProps) {
+export function TimingRow({ line, span, ticks, width, at, unit }: TimingRowProps) {
   const bit = isBit(line);
   const height = bit ? low : tall;
   const range = rangeOf(line);
   const box = { width, top: 16, bottom: height - 5 };
   const path = coursePath(line, range, span, box);
-  const read = readOf(line, units);
+  const read = readOf(line, unit);
   const words = bit
     ? bitWords(line, span)
     : t("{0} from {1} to {2}", nameOf(line), read(range[0]), read(range[1]));
@@ -36,7 +37,7 @@ export function TimingRow({ line, span, ticks, width, at, units }: TimingRowProp
     <div className="timing-row" data-line={line.name}>
       <span className="timing-name">
         <b title={line.name}>{nameOf(line)}</b>
-        <small>{at === null ? about(line, units) : valueWords(line, at, units)}</small>
+        <small>{at === null ? about(line, unit) : valueWords(line, at, unit)}</small>
       </span>
       <div className="timing-plot">
         <svg width={width} height={height} role="img" aria-label={words}>
@@ -93,7 +94,7 @@ function Range({
   );
 }
 
-const about = ({ kind, name }: TimingLine, { linear }: Units): string => {
+const about = ({ kind, name }: TimingLine, { linear }: LengthUnit): string => {
   if (kind === "axis") return linear;
   return kind === "value" || name.startsWith(kind) ? "" : kind;
 };

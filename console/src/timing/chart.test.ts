@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { millimetres, seconds } from "../units/quantity";
 import type { Finding, Timing, TimingLine } from "../wire/messages";
 import { bitWords, coursePath, labelled, rangeOf, valueAt } from "./course";
 import { bandPath, grainWords, rangeAt } from "./grains";
@@ -179,9 +180,8 @@ describe("a line", () => {
 });
 
 describe("the words of a chart", () => {
-  const units = { mm: 1, linear: "mm" };
   const timing: Timing = {
-    seconds: 4,
+    seconds: seconds(4),
     whole: true,
     full: false,
     status: "ok",
@@ -190,7 +190,7 @@ describe("the words of a chart", () => {
   };
 
   it("tell everything at a moment", () => {
-    expect(momentWords(timing.lines, 2, units)).toBe("At 2.000 s: Z -10.00 mm, router on");
+    expect(momentWords(timing.lines, 2, millimetres)).toBe("At 2.000 s: Z -10.00 mm, router on");
   });
 
   it("tell why it ends before the run does", () => {

@@ -1,37 +1,33 @@
 /** The values of a chart as they are written. */
 
+import { lengthText } from "../app/units";
+import { isMetric, type LengthUnit, mm } from "../units/quantity";
 import type { Timing, TimingLine } from "../wire/messages";
 import { t } from "../words/words";
 import { nameOf } from "./course";
 import { rangeAt } from "./grains";
 
-/** What lengths are shown in. */
-export interface Units {
-  readonly mm: number;
-  readonly linear: string;
-}
-
 /** How values of a line are written. */
-export function readOf({ kind }: Pick<TimingLine, "kind">, { mm, linear }: Units) {
+export function readOf({ kind }: Pick<TimingLine, "kind">, unit: LengthUnit) {
   return (value: number): string => {
-    if (kind === "axis") return `${(value / mm).toFixed(mm === 1 ? 2 : 3)} ${linear}`;
+    if (kind === "axis") return lengthText(mm(value), unit, isMetric(unit) ? 2 : 3);
     if (kind === "value") return String(Math.round(value * 1000) / 1000);
     return value > 0 ? t("on") : t("off");
   };
 }
 
 /** What a line is at a moment; from where to where, as far as that is known. */
-export function valueWords(line: TimingLine, at: number, units: Units): string {
-  const [low, high] = rangeAt(line, at).map(readOf(line, units));
+export function valueWords(line: TimingLine, at: number, unit: LengthUnit): string {
+  const [low, high] = rangeAt(line, at).map(readOf(line, unit));
   return low === high ? (low ?? "") : `${low} … ${high}`;
 }
 
-export const seconds = (at: number): string => `${at.toFixed(3)} s`;
+export const secondsText = (at: number): string => `${at.toFixed(3)} s`;
 
 /** Everything at a moment. */
-export const momentWords = (lines: readonly TimingLine[], at: number, units: Units): string => {
-  const each = lines.map((line) => `${nameOf(line)} ${valueWords(line, at, units)}`);
-  return t("At {0}: {1}", seconds(at), each.join(", "));
+export const momentWords = (lines: readonly TimingLine[], at: number, unit: LengthUnit): string => {
+  const each = lines.map((line) => `${nameOf(line)} ${valueWords(line, at, unit)}`);
+  return t("At {0}: {1}", secondsText(at), each.join(", "));
 };
 
 const unsaid: Readonly<Record<string, string>> = {
@@ -46,5 +42,5 @@ export function endWords(timing: Timing): string | undefined {
   if (full) return t("The chart ends here: the file switches more often than a chart holds.");
   const line = finding && finding.line > 0 ? t(" (line {0})", finding.line) : "";
   const why = finding ? `${finding.message}${line}` : (unsaid[status] ?? t("it failed"));
-  return t("It ends at {0}: {1}", seconds(timing.seconds), why);
+  return t("It ends at {0}: {1}", secondsText(timing.seconds), why);
 }

@@ -8,6 +8,7 @@ import { Button } from "../ui/Button";
 import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { ofAxisUnit, shownOnAxis } from "../units/quantity";
 import type { AxisUnits, ByHand, Units } from "../wire/messages";
 import { t } from "../words/words";
 import { cutMove, isWrong, type Made, moveTo } from "./moveTo";
@@ -162,8 +163,8 @@ function Home({ units, busy, go }: WayProps) {
 
 /** The meaning of a number that is entered for an axis. */
 const number = (units: Units) => (text: string, axis: AxisUnits) => {
-  const value = evaluate(text, { mm: units.mm });
-  return value === undefined ? undefined : value * axis.scale;
+  const value = evaluate(text, units);
+  return value === undefined ? undefined : ofAxisUnit(shownOnAxis(value), axis);
 };
 
 interface AxisFieldProps {

@@ -6,6 +6,7 @@ import { usedAxes } from "../app/units";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
+import { isMetric, ofAxisUnit, shownOnAxis } from "../units/quantity";
 import type { AxisUnits } from "../wire/messages";
 import { t } from "../words/words";
 import "./tools.css";
@@ -16,13 +17,13 @@ export function NudgeSheet({ onClose }: { onClose: () => void }) {
   const units = useSnapshot("units");
   const [typed, setStep] = useState<string | null>(null);
   if (!units) return null;
-  const step = typed ?? (units.mm === 1 ? "0.25" : "0.01");
+  const step = typed ?? (isMetric(units) ? "0.25" : "0.01");
   const nudge = (axis: AxisUnits, sign: 1 | -1) => {
-    const distance = (evaluate(step, { mm: units.mm }) ?? 0) * sign;
+    const way = shownOnAxis((evaluate(step, units) ?? 0) * sign);
     void drive(worldOf(hands), {
       do: "nudge",
       axis: axis.letter,
-      distance: distance * axis.scale,
+      distance: ofAxisUnit(way, axis),
     });
   };
   return (

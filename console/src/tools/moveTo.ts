@@ -1,12 +1,13 @@
 /** Moves to places that are given in numbers, as the machine is asked for them. */
 
+import { type AxisGoal, type AxisValue, goal } from "../units/quantity";
 import type { AxisUnits, ByHand } from "../wire/messages";
 import { t } from "../words/words";
 
 type Axes = readonly { readonly axis: AxisUnits; readonly at: number }[];
 type Entries = Readonly<Record<string, string>>;
-/** Reads a number of an axis, mm or degrees. */
-type Reader = (text: string, axis: AxisUnits) => number | undefined;
+/** Reads a number of an axis. */
+type Reader = (text: string, axis: AxisUnits) => AxisValue | undefined;
 
 /** A move, or what is wrong with what was entered. */
 export type Made = ByHand | { readonly wrong: string };
@@ -14,8 +15,8 @@ export type Made = ByHand | { readonly wrong: string };
 export const isWrong = (made: Made): made is { readonly wrong: string } => "wrong" in made;
 
 /** The number entered for each axis; nothing of those that stay. */
-function placeOf(axes: Axes, entries: Entries, read: Reader): (number | null)[] | string {
-  const place: (number | null)[] = [null, null, null, null, null, null];
+function placeOf(axes: Axes, entries: Entries, read: Reader): AxisGoal | string {
+  const place: (AxisValue | null)[] = [null, null, null, null, null, null];
   for (const { axis, at } of axes) {
     const text = (entries[axis.letter] ?? "").trim();
     if (text === "") continue;
@@ -23,7 +24,7 @@ function placeOf(axes: Axes, entries: Entries, read: Reader): (number | null)[] 
     if (value === undefined) return t("{0}: {1} is no number.", axis.letter, text);
     place[at] = value;
   }
-  return place;
+  return goal(place);
 }
 
 export function moveTo(
@@ -36,7 +37,7 @@ export function moveTo(
   if (typeof place === "string") return { wrong: place };
   if (place.every((value) => value === null))
     return { wrong: t("Give a place for one axis at least.") };
-  return { to: "place", place: place as Extract<ByHand, { to: "place" }>["place"], ...how };
+  return { to: "place", place, ...how };
 }
 
 export function cutMove(axes: Axes, entries: Entries, read: Reader, cut: boolean): Made {

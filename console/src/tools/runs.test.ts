@@ -1,17 +1,19 @@
 import { expect, it } from "vitest";
+import { message } from "../units/testing";
 import type { RunRecord } from "../wire/messages";
 import { earlier, endText, partsMade, wanting, withOneMore } from "./runs";
 
 const now = new Date(2026, 10, 24, 15, 0);
 const at = (day: number) => new Date(2026, 10, day, 9, 0).getTime() / 1000;
-const run = (file: string, day: number, ended: string | null, line = 0): RunRecord => ({
-  file,
-  begun: at(day),
-  seconds: 10,
-  ended,
-  line,
-  by: "",
-});
+const run = (file: string, day: number, ended: string | null, line = 0): RunRecord =>
+  message<RunRecord>({
+    file,
+    begun: at(day),
+    seconds: 10,
+    ended,
+    line,
+    by: "",
+  });
 
 it.each<[RunRecord, string]>([
   [run("a", 1, null), "runs"],

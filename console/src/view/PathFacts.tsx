@@ -1,4 +1,5 @@
-import { durationText, lengthText } from "../app/units";
+import { durationText, lengthText, numberText } from "../app/units";
+import { difference, isMetric, type Mm } from "../units/quantity";
 import type { PreviewInfo, Units } from "../wire/messages";
 import { t } from "../words/words";
 
@@ -6,7 +7,8 @@ import { t } from "../words/words";
 export function PathFacts({ info, units }: { info: PreviewInfo; units: Units }) {
   const reach = (n: 0 | 1 | 2): string => {
     if (!info.bounds) return "–";
-    const from = (at: number) => ((at - info.zero[n]) / units.mm).toFixed(units.mm === 1 ? 1 : 3);
+    const from = (at: Mm) =>
+      numberText(difference(at, info.zero[n]), units, isMetric(units) ? 1 : 3);
     return `${from(info.bounds[0][n])} … ${from(info.bounds[1][n])}`;
   };
   return (

@@ -1,18 +1,19 @@
 import { Slider, SliderThumb, SliderTrack } from "react-aria-components";
 import { durationText } from "../app/units";
 import { Button } from "../ui/Button";
+import { type Seconds, seconds } from "../units/quantity";
 import { t } from "../words/words";
 import { live, type Playback, speeds, toggled, wound } from "./playback";
 import "./play-bar.css";
 
 interface PlayBarProps {
   playback: Playback;
-  seconds: number;
+  planned: Seconds;
   onChange: (playback: Playback) => void;
 }
 
 /** Plays, holds and winds the simulation. */
-export function PlayBar({ playback, seconds, onChange }: PlayBarProps) {
+export function PlayBar({ playback, planned, onChange }: PlayBarProps) {
   const at = playback.at ?? 0;
   const place = speeds.findIndex((speed) => speed >= playback.speed);
   const faster = speeds[(place + 1) % speeds.length];
@@ -21,7 +22,7 @@ export function PlayBar({ playback, seconds, onChange }: PlayBarProps) {
       <Button
         size="small"
         aria-label={playback.playing ? t("Hold the simulation") : t("Play the simulation")}
-        onPress={() => onChange(toggled(playback, seconds))}
+        onPress={() => onChange(toggled(playback, planned))}
       >
         {playback.playing ? "❚❚" : "▶"}
       </Button>
@@ -29,8 +30,8 @@ export function PlayBar({ playback, seconds, onChange }: PlayBarProps) {
         aria-label={t("Planned time")}
         className="play-slider"
         minValue={0}
-        maxValue={seconds}
-        step={seconds / 1000}
+        maxValue={planned}
+        step={planned / 1000}
         value={at}
         onChange={(to) => onChange(wound(playback, to))}
       >
@@ -39,7 +40,7 @@ export function PlayBar({ playback, seconds, onChange }: PlayBarProps) {
         </SliderTrack>
       </Slider>
       <span className="play-time">
-        {durationText(at)} / {durationText(seconds)}
+        {durationText(seconds(at))} / {durationText(planned)}
       </span>
       <Button
         size="small"

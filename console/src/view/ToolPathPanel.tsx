@@ -1,10 +1,12 @@
 import { useEffect, useMemo, useRef, useState } from "react";
 import { useHands, useScreen, useShown, useSnapshot } from "../app/context";
 import { useDisplay } from "../app/display";
+import { useLengthUnit } from "../app/useLengthUnit";
 import { useWords } from "../app/useWords";
 import { errorsOf, mistakesText, movesMade, placeOf } from "../operator/fileStatus";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
+import { type LengthUnit, seconds } from "../units/quantity";
 import type { Motion, Opened, PreviewInfo } from "../wire/messages";
 import { phrase, t } from "../words/words";
 import type { Bounds, Vec3 } from "./camera";
@@ -32,6 +34,7 @@ export function ToolPathPanel() {
   const opened = useSnapshot("opened");
   const motion = useSnapshot("motion");
   const units = useSnapshot("units");
+  const unit = useLengthUnit();
   const moves = useShown(movesMade);
   const { path, rotary } = useLookedAt(opened);
   const box = useRef<HTMLDivElement>(null);
@@ -49,8 +52,8 @@ export function ToolPathPanel() {
     if (fitted.current !== path?.info || !aimed.current) look(aspect, bounds, size);
     fitted.current = path?.info;
   }, [path?.info, reach, size.width, size.height]);
-  const seconds = path?.info.seconds ?? 0;
-  const [playback, setPlayback] = usePlayback(seconds);
+  const planned = path?.info.seconds ?? seconds(0);
+  const [playback, setPlayback] = usePlayback(planned);
   const [chosen, setStock] = useState<boolean | null>(null);
   const display = useDisplay();
   const simulates = display?.simulate ?? false;
@@ -59,9 +62,8 @@ export function ToolPathPanel() {
   const large = useScreen("large");
   const film = playback.at !== null && path ? placeAt(path.coarse, playback.at)?.at : undefined;
   const marks = useMemo(() => {
-    const unit = units ?? { mm: 1, linear: "mm" };
     return marksOf(path, { ...typed, jogs }, motion, moves, unit, film, recorded);
-  }, [path, typed, motion, moves, units, film, jogs, recorded]);
+  }, [path, typed, motion, moves, unit, film, jogs, recorded]);
   const now = playback.at ?? (path ? timeOfMoves(path.coarse, moves) : 0);
   return (
     <Panel
@@ -100,7 +102,7 @@ export function ToolPathPanel() {
       {path && units && !opened?.broken && <PathFacts info={path.info} units={units} />}
       <SampledWith count={opened?.samples.length ?? 0} />
       {path && !opened?.broken && (
-        <PlayBar playback={playback} seconds={seconds} onChange={setPlayback} />
+        <PlayBar playback={playback} planned={planned} onChange={setPlayback} />
       )}
     </Panel>
   );
@@ -217,11 +219,10 @@ function marksOf(
   typed: Omit<TypedMarks, "origin">,
   motion: Motion | undefined,
   moves: number,
-  units: { mm: number; linear: string },
+  unit: LengthUnit,
   film: Vec3 | undefined,
   recorded: Recorded | undefined,
 ): Marks {
-  const unit = { mm: units.mm, name: units.linear };
   const origin = originOf(path);
   const drawn = { ...typed, origin };
   const tool = motion && minus(motion.at.machine, origin);

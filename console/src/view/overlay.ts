@@ -1,5 +1,6 @@
 /** What is drawn over the tool path: the tool, the working zero, a scale. */
 
+import { inUnit, type LengthUnit, mm, ofUnit, type Shown, shown } from "../units/quantity";
 import { type Camera, project, type Size, type Vec3 } from "./camera";
 import { paintRecorded, type Recorded } from "./recorded";
 import type { Palette } from "./scene/palette";
@@ -17,8 +18,8 @@ export interface Marks {
   readonly recorded: Recorded | undefined;
   /** Diameter of the cutter, mm. */
   readonly cutter: number;
-  /** Millimetres in the unit that the scale is labelled with, and its name. */
-  readonly unit: { readonly mm: number; readonly name: string };
+  /** With which the scale is labelled. */
+  readonly unit: LengthUnit;
 }
 
 export function paintMarks(
@@ -141,10 +142,10 @@ function paintShaft(
 const widestScale = 130;
 
 /** The longest round length that fits: 1, 2 or 5 times a power of ten. */
-export function roundLength(atMost: number): number {
+export function roundLength(atMost: Shown): Shown {
   const power = 10 ** Math.floor(Math.log10(atMost));
   const factor = [5, 2, 1].find((f) => f * power <= atMost) ?? 1;
-  return factor * power;
+  return shown(factor * power);
 }
 
 function paintScale(
@@ -154,8 +155,8 @@ function paintScale(
   unit: Marks["unit"],
   palette: Palette,
 ): void {
-  const length = roundLength((widestScale * camera.mmPerPixel) / unit.mm);
-  const width = (length * unit.mm) / camera.mmPerPixel;
+  const length = roundLength(inUnit(mm(widestScale * camera.mmPerPixel), unit));
+  const width = ofUnit(length, unit) / camera.mmPerPixel;
   const [x, y] = [size.width - width - 14, size.height - 14];
   pen.strokeStyle = palette.text;
   pen.lineWidth = 1.5;
@@ -168,5 +169,5 @@ function paintScale(
   pen.fillStyle = palette.text;
   pen.font = '600 12px "Inter Variable", sans-serif';
   pen.textAlign = "center";
-  pen.fillText(`${Number(length.toPrecision(3))} ${unit.name}`, x + width / 2, y - 7);
+  pen.fillText(`${Number(length.toPrecision(3))} ${unit.linear}`, x + width / 2, y - 7);
 }

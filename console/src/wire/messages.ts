@@ -1,5 +1,9 @@
 // Made from crates/wire by `cargo xtask wire`; changes are lost.
 
+import type {
+  AxisGoal, AxisPlace, AxisSpeeds, AxisValue, Degrees, Mm, MmPerMin, MmPerS, Seconds, UnitSize, UnixSeconds,
+} from "../units/quantity";
+
 export type ActStop = { "do": "stop" };
 
 export type ActHold = { "do": "hold" };
@@ -116,7 +120,7 @@ clockMs: number,
 /** Direction of each axis: -1, 0, 1 or between. */
 direction: [number, number, number, number, number, number],
 /** Factor of the direction: motion ends there. Without it, at the table limits. */
-distance: number | null,
+distance: AxisValue | null,
 /** Share of the jog speed, 0 … 1. */
 speedShare: number, };
 
@@ -154,7 +158,7 @@ lease: number,
 /** Letter of the axis. */
 axis: string,
 /** Length of the shift. */
-distance: number, };
+distance: AxisValue, };
 
 export type ActGo = { "do": "go",
 /** Number of the lease. */
@@ -262,9 +266,9 @@ level: string,
 /** Rows, counted upwards, and columns, to the right. */
 grid: [number, number],
 /** Gaps between neighbouring columns and rows. */
-gap: [number, number],
+gap: [Mm, Mm],
 /** Distances from one to the next, in X and Y. */
-pitch: [number, number],
+pitch: [Mm, Mm],
 /** The corner at which it begins: bl, br, tr, tl. */
 start: string,
 /** The order of the places: row, column, row-snake, column-snake. */
@@ -306,18 +310,18 @@ letter: string,
 /** `in`, `mm` or `deg`. */
 unit: string,
 /** Internal units (mm or degrees) in one of them. */
-scale: number,
+scale: UnitSize,
 /** The machine has it. */
 used: boolean, };
 
 /** The smallest box round the shapes of a drawing, arcs counted exactly. */
 export type Block = {
 /** Least X and Y. */
-min: [number, number],
+min: [Mm, Mm],
 /** Greatest X and Y. */
-max: [number, number],
+max: [Mm, Mm],
 /** Least and greatest height of its 3D shapes; nothing without any. Flat shapes have no height. */
-z: [number, number] | null, };
+z: [Mm, Mm] | null, };
 
 export type ByHandFindHome = { "to": "findHome",
 /** Their letters, as `xy`; all that have a switch for nothing. */
@@ -333,7 +337,7 @@ export type ByHandFinish = { "to": "finish" };
 
 export type ByHandPlace = { "to": "place",
 /** X and Y from the job origin, the others from home; or all from where the tool is. Axes without a value stay. */
-place: [number | null, number | null, number | null, number | null, number | null, number | null],
+place: AxisGoal,
 /** From where the tool is. */
 relative: boolean,
 /** X and Y first, then the others; else all together. */
@@ -341,7 +345,7 @@ flat: boolean, };
 
 export type ByHandCutMove = { "to": "cutMove",
 /** That place. */
-at: [number, number],
+at: [Mm, Mm],
 /** Cuts on the way, as a job of one line. */
 cut: boolean, };
 
@@ -495,7 +499,7 @@ detail: string,
 doc: string, };
 
 /** Depth of a cut: `thru`, `3d`, or mm above the surface. */
-export type CutHeight = string | number;
+export type CutHeight = string | Mm;
 
 /** Which cut of a shape a path is. */
 export type CutPass = "rough" | "final" | "traversal";
@@ -520,7 +524,7 @@ pause: boolean, };
 /** The path at a level of detail. */
 export type Detail = {
 /** Greatest distance from the true path, mm. */
-tolerance: number,
+tolerance: Mm,
 /** Segments. */
 segments: number,
 /** Pieces they come in. */
@@ -529,7 +533,7 @@ pieces: number, };
 /** Points that are being digitized, and the segments through them. */
 export type Digitized = {
 /** The job origin, from which they count: X and Y from home, mm. */
-origin: [number, number],
+origin: [Mm, Mm],
 /** The points in order. */
 points: Array<DigitizedPoint>,
 /** The bulge of the segment behind each point but the last, from it to the next one. */
@@ -546,7 +550,7 @@ unsaved: boolean, };
 /** A digitized point. */
 export type DigitizedPoint = {
 /** X and Y from the job origin, Z from home, mm. */
-at: [number, number, number],
+at: [Mm, Mm, Mm],
 /** The arc from the point before to the point behind goes through it; else it ends a line. */
 arc: boolean, };
 
@@ -577,9 +581,9 @@ groups: Array<GroupState>,
 /** The basic block of data: bounds of the drawing before it is arrayed. Nothing without shapes. */
 block: Block | null,
 /** Place to which the head goes when its job is done, from the origin. */
-finish: [number, number],
+finish: [Mm, Mm],
 /** Distance at which ends are joined when nothing else is said: that of the last time. */
-join: number,
+join: Mm,
 /** The comments that are kept with it. */
 comments: Array<string>,
 /** Its two levels of repetition: blocks in a job, then jobs on the table. */
@@ -599,7 +603,7 @@ what: string,
 /** Bytes. */
 bytes: number,
 /** Time of its last change: seconds since 1970. */
-changed: number,
+changed: UnixSeconds,
 /** SHA-256 of its content, in hexadecimal digits: who saw it names it as what may be replaced. */
 hash: string, };
 
@@ -612,7 +616,7 @@ folder: boolean,
 /** Bytes. */
 bytes: number,
 /** Time of its last change: seconds since 1970. */
-changed: number,
+changed: UnixSeconds,
 /** Text of its head about the job. */
 header: string | null,
 /** It is a part file: one that the mask of the part folder lets through, or G-code. */
@@ -632,7 +636,7 @@ repetitions: number,
 /** 0: places as written. 1: the present place is X 0, Y 0, Z 0 of the file. 2: X 0, Y 0. */
 offset: number,
 /** Distance that Z moves before each repetition, mm. */
-plunge: number,
+plunge: Mm,
 /** Leave tabs on the last repetition. */
 tabs: boolean,
 /** Z moves to 0 before the first plunge. */
@@ -643,7 +647,7 @@ export type FileVersion = {
 /** Grows with each save of the file, from 1. */
 number: number,
 /** The file had this content since then: seconds since 1970. */
-changed: number,
+changed: UnixSeconds,
 /** Bytes. */
 bytes: number, };
 
@@ -688,23 +692,23 @@ tool: number,
 /** The cut output, 1 … 3. */
 cut: number,
 /** Highest cutting speed; nothing is the machine's. */
-speedMmMin: number | null,
+speedMmMin: MmPerMin | null,
 /** Depth of the cut. */
 height: CutHeight,
 /** Depth of one pass. */
-pass: number | null,
+pass: Mm | null,
 /** Z of each pass from the machine's home. None when each point of a shape has its own height, which counts from the surface. */
-levels: Array<number>,
+levels: Array<Mm>,
 /** Distance of the path, right of travel. */
-offset: number,
+offset: Mm,
 /** Material that the rough pass leaves. */
-rough: number,
+rough: Mm,
 /** Length that is left out at the beginning. */
-tag: number,
+tag: Mm,
 /** Radius and angle of the arc onto the path. */
-leadIn: [number, number],
+leadIn: [Mm, Degrees],
 /** Radius and angle of the arc off the path. */
-leadOut: [number, number], };
+leadOut: [Mm, Degrees], };
 
 /** The screen of the hand console. */
 export type HandConsole = {
@@ -740,9 +744,9 @@ to: number, };
 /** Settings that hold for the rest of a job. */
 export type InForce = {
 /** Highest cutting speed. */
-cutMmS: number,
+cutMmS: MmPerS,
 /** Plunging speed. */
-plungeMmS: number,
+plungeMmS: MmPerS,
 /** The tool rises in pauses. */
 raise: boolean, };
 
@@ -783,7 +787,7 @@ hash: string | null,
 /** The command line, when somebody typed it. */
 command: string | null,
 /** Planned time, seconds; 0 when it is not known. */
-seconds: number,
+seconds: Seconds,
 /** VD without comments was carried out and nothing was printed since: the message screen is closed. */
 silent: boolean,
 /** The open files, outermost first, with the line that is read. */
@@ -791,7 +795,7 @@ calls: Array<Call>,
 /** The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to its end; empty before the first move. */
 toolFile: string,
 /** Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm, as they are in force in a job. Pauses and height control change them. */
-heights: [number, number, number] | null,
+heights: [Mm, Mm, Mm] | null,
 /** Settings as a pause has changed them for the rest of a job; nothing while they are as they were set. */
 inForce: InForce | null,
 /** Word for its end: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs. */
@@ -804,13 +808,13 @@ export type JobChoice = {
 /** The path with which it begins, counted from 1 in cutting order; that of the file for nothing. */
 start: number | null,
 /** Distance beside itself at which every path is cut, mm, to the right of travel. */
-offset: number,
+offset: Mm,
 /** Place of its origin on the table, X and Y from home, mm; that of the file for nothing. */
-origin: [number, number] | null,
+origin: [Mm, Mm] | null,
 /** Place to which the head goes at the end, X and Y from the origin, mm; that of the file for nothing. */
-finish: [number, number] | null,
+finish: [Mm, Mm] | null,
 /** Height that the paths with heights of their own are raised above those of the file, mm. */
-lift: number, };
+lift: Mm, };
 
 /** One path of a job. */
 export type JobPath = {
@@ -838,23 +842,23 @@ hash: string,
 /** Its paths in cutting order, arrays laid out, mm from the origin. */
 paths: Array<JobPath>,
 /** Place of the origin on the table, X and Y from home, mm. */
-origin: [number, number],
+origin: [Mm, Mm],
 /** Place to which the head goes at the end, X and Y from the origin, mm. */
-finish: [number, number],
+finish: [Mm, Mm],
 /** The path with which it begins, from 1. */
 start: number,
 /** Number of times that it is cut. */
 repeats: number,
 /** Cutting speed. */
-cutMmS: number,
+cutMmS: MmPerS,
 /** Plunging speed. */
-plungeMmS: number,
+plungeMmS: MmPerS,
 /** Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm. */
-heights: [number, number, number],
+heights: [Mm, Mm, Mm],
 /** The tool rises when the job is paused. */
 raise: boolean,
 /** Reaches of X and Y, from home, mm. */
-table: [[number, number], [number, number]],
+table: [[Mm, Mm], [Mm, Mm]],
 /** The origin becomes the present position at each start. */
 originAtStart: boolean, };
 
@@ -874,11 +878,11 @@ export type LastRun = {
 /** Word for its end, as [`Job`] has it. */
 ended: string,
 /** Time of its end: seconds since 1970. */
-at: number,
+at: UnixSeconds,
 /** The line of the last move; the path of a job. */
 line: number,
 /** Time that it took, seconds of whoever waited; 0 where it is not known. */
-seconds: number, };
+seconds: Seconds, };
 
 /** The turn at driving, one at a time. Every command that moves the machine carries the number. */
 export type Lease = {
@@ -934,9 +938,9 @@ export type Motion = {
 /** Positions of the axes. */
 at: Positions,
 /** Speed along the path. */
-speedMmS: number,
+speedMmS: MmPerS,
 /** Machine time since the run began, seconds. */
-t: number,
+t: Seconds,
 /** It is a cut; a jog otherwise. */
 cutting: boolean,
 /** Line of the part file that makes the move; 0 when none does. */
@@ -946,9 +950,9 @@ made: number,
 /** Progress of the job, 0 … 1 of its planned time. */
 progress: number,
 /** Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster. */
-remaining: number,
+remaining: Seconds,
 /** Time of the run so far, seconds of whoever waits: with the planned time of what was made before it was taken up. */
-elapsed: number, };
+elapsed: Seconds, };
 
 /** A variable. */
 export type NamedValue = {
@@ -979,7 +983,7 @@ export type OpRedo = { "op": "redo" };
 
 export type OpFinish = { "op": "finish",
 /** Mm from the origin. */
-at: [number, number], };
+at: [Mm, Mm], };
 
 export type OpProgram = { "op": "program",
 /** Name of the program below the part folder: `.sbp` or `.nc`. */
@@ -1013,7 +1017,7 @@ parameters: FileParameters,
 /** Choices with which it is cut, when it is a job. */
 choice: JobChoice,
 /** The origin of a job on the table, X and Y from home, mm; nothing of other files. */
-origin: [number, number] | null,
+origin: [Mm, Mm] | null,
 /** Shapes that were added to a job since it was saved. */
 added: number,
 /** Lines; paths of a job. */
@@ -1023,7 +1027,7 @@ header: string | null,
 /** The preview, which is made when it is opened. */
 preview: PreviewState,
 /** Planned time, seconds; 0 until the preview is there. */
-seconds: number,
+seconds: Seconds,
 /** Mistakes in it, and whatever else is worth knowing. */
 findings: Array<Finding>,
 /** The questions that it asked while it was previewed, with the sample answers that it got. */
@@ -1186,7 +1190,7 @@ export type Pause = {
 /** The comment of the program right above it; empty where there is none. */
 text: string,
 /** Machine time since the run began at which it is over, seconds. */
-until: number, };
+until: Seconds, };
 
 /** One bit of a port. */
 export type PortBit = {
@@ -1211,34 +1215,34 @@ outputs: [number, number, number], };
 /** A place in every frame: mm or degrees, X Y Z A B C. */
 export type Positions = {
 /** Working location: what the location display shows. */
-working: [number, number, number, number, number, number],
+working: AxisPlace,
 /** Table base coordinates. */
-base: [number, number, number, number, number, number],
+base: AxisPlace,
 /** The machine's own frame, in which previews are drawn. */
-machine: [number, number, number, number, number, number], };
+machine: AxisPlace, };
 
 /** Facts that a page knows before it asks for pieces. */
 export type PreviewInfo = {
 /** Origin of the vertices: mm, machine frame. */
-origin: [number, number, number],
+origin: [Mm, Mm, Mm],
 /** Place that the working zero had: mm, machine frame. */
-zero: [number, number, number],
+zero: [Mm, Mm, Mm],
 /** Corner of the table with the least X and Y: mm, machine frame. */
-table: [number, number],
+table: [Mm, Mm],
 /** Size of the table, mm. */
-tableSize: [number, number],
+tableSize: [Mm, Mm],
 /** Distance of the lines of the grid, mm. */
-grid: number,
+grid: Mm,
 /** Bounds of the cuts: least and greatest corner, mm, machine frame. */
-bounds: [[number, number, number], [number, number, number]] | null,
+bounds: [[Mm, Mm, Mm], [Mm, Mm, Mm]] | null,
 /** Diameter of the cutter, mm. */
-cutter: number,
+cutter: Mm,
 /** Planned time, seconds. */
-seconds: number,
+seconds: Seconds,
 /** Length of the cuts, mm. */
-cut: number,
+cut: Mm,
 /** Length of the jogs, mm. */
-jog: number,
+jog: Mm,
 /** Moves. */
 moves: number,
 /** An axis turns the work about X: the key with `~rotary` behind it gives the path where it lies on the work. */
@@ -1304,9 +1308,9 @@ export type RunRecord = {
 /** Its name below the part folder. */
 file: string,
 /** Time of its beginning: seconds since 1970. */
-begun: number,
+begun: UnixSeconds,
 /** Time that it took, seconds of whoever waited; 0 while it runs, or where it was cut short. */
-seconds: number,
+seconds: Seconds,
 /** Word for its end, as that of a job, or `cut short` where Kerf ended first; nothing while it runs. */
 ended: string | null,
 /** The line of the last move; the path of a job. */
@@ -1339,7 +1343,7 @@ settings: Array<SettingEntry>, };
 /** A change of a setting that holds. */
 export type SettingChange = {
 /** Seconds since 1970, UTC. */
-at: number,
+at: UnixSeconds,
 /** The setting: `homing.x.fast_mm_s`. */
 key: string,
 /** Its value before, as it is written. */
@@ -1403,7 +1407,7 @@ export type Setup = {
 /** The special positions of Z, from its home. */
 heights: ZHeights,
 /** Reaches of X and Y from their home; 0 is without bounds. */
-reach: [number, number],
+reach: [Mm, Mm],
 /** Changing settings asks for a password. */
 protected: boolean,
 /** Outputs stay on when a machine that stands is stopped, disarmed or left. */
@@ -1520,9 +1524,9 @@ name: string, };
 /** Speeds; of axes that turn, degrees a second. */
 export type Speeds = {
 /** Cutting: X and Y together, then Z, A, B, C. */
-cutMmS: [number, number, number, number, number],
+cutMmS: AxisSpeeds,
 /** Jogging. */
-jogMmS: [number, number, number, number, number],
+jogMmS: AxisSpeeds,
 /** Spindle, revolutions a minute. */
 rpm: number, };
 
@@ -1580,7 +1584,7 @@ lines: Array<string>, };
 /** Inputs and outputs of a run on the simulated machine, beside its motion. */
 export type Timing = {
 /** Its end, seconds of machine time. */
-seconds: number,
+seconds: Seconds,
 /** It holds all of a run that came to its end. */
 whole: boolean,
 /** It ends before the run because that has more edges than a chart holds. */
@@ -1643,7 +1647,7 @@ name: string,
 /** The tool. */
 tool: string,
 /** Planned time, seconds. */
-seconds: number,
+seconds: Seconds,
 /** Its first move. */
 firstMove: number, };
 
@@ -1672,7 +1676,7 @@ export type Units = {
 /** `in` or `mm`. */
 linear: string,
 /** Millimetres in one of them. */
-mm: number,
+mm: UnitSize,
 /** Each axis. */
 axes: Array<AxisUnits>,
 /** The numbers of moves are places (SA); distances otherwise (SR). */
@@ -1712,15 +1716,15 @@ export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "st
 /** Heights at which a job is cut. */
 export type ZHeights = {
 /** Height at which the tool travels. */
-top: number,
+top: Mm,
 /** The surface of the material. */
-surface: number,
+surface: Mm,
 /** The lowest the tool may go; where THRU cuts. */
-bottom: number, };
+bottom: Mm, };
 
 /** A zero point that the controller of the machine keeps. */
 export type Zero = {
 /** Its name, as G54; G92 is a shift of all others. */
 name: string,
 /** Its place, the machine's own frame; of a shift, its way. */
-at: [number, number, number, number, number, number], };
+at: AxisPlace, };

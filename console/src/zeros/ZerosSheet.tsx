@@ -1,8 +1,10 @@
 import { drive } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { locationText } from "../app/units";
 import { useBusy } from "../app/useBusy";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
+import { mm } from "../units/quantity";
 import type { Zero } from "../wire/messages";
 import { t } from "../words/words";
 import { shift, takes } from "./take";
@@ -39,8 +41,8 @@ export function ZerosSheet({ onClose }: { onClose: () => void }) {
           {zeros.map((zero) => (
             <tr key={zero.name}>
               <th scope="row">{zero.name}</th>
-              {axes.map(({ letter, scale }, axis) => (
-                <td key={letter}>{((zero.at[axis] ?? 0) / scale).toFixed(3)}</td>
+              {axes.map((axis, n) => (
+                <td key={axis.letter}>{locationText(zero.at[n] ?? mm(0), axis)}</td>
               ))}
               <td>
                 {zero.name !== shift && (

@@ -1,7 +1,9 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { lengthText } from "../../src/app/units";
 import { place } from "../../src/draw/geometry/vec";
 import { expansionFactor, fitted, toPixels } from "../../src/draw/window";
+import { mm, ofUnit, shown } from "../../src/units/quantity";
 import type { JobView, SettingArea } from "../../src/wire/messages";
 import {
   arm,
@@ -40,10 +42,10 @@ const previewed = () =>
 const rests = () =>
   until(async () => (await stateOf(workshop)).machine.state === "idle", "the machine is at rest");
 /** The location display as it is, X and Y, mm. */
-const shown = async () => {
+const displayed = async () => {
   const { units } = await stateOf(workshop);
   const [x, y] = [await location(page, "X"), await location(page, "Y")];
-  return [x * units.mm, y * units.mm];
+  return [ofUnit(shown(x), units), ofUnit(shown(y), units)];
 };
 /** Changes a setting on its page, as a person does. */
 const change = async (key: string, value: string) => {
@@ -69,16 +71,16 @@ it("pro_job_origin_cmp: the page tells where the tool is from the job origin, be
   const [x = 0, y = 0] = (await stateOf(workshop)).motion.at.machine;
   const title = page.getByRole("region", { name: "From the job origin" });
   await title.waitFor();
-  expect(await shown()).toEqual([expect.closeTo(x, 1), expect.closeTo(y, 1)]);
+  expect(await displayed()).toEqual([expect.closeTo(x, 1), expect.closeTo(y, 1)]);
   await page.getByRole("button", { name: "Set it here" }).click();
-  await expect.poll(async () => (await shown()).map(Math.abs)).toEqual([0, 0]);
+  await expect.poll(async () => (await displayed()).map(Math.abs)).toEqual([0, 0]);
   expect((await stateOf(workshop)).job?.hash ?? null).toBeNull();
   // The other frames are a click away, and their zeros are where they were.
   await page.getByRole("radio", { name: "Working" }).click();
-  await expect.poll(async () => (await shown())[0]).toBeCloseTo(x, 1);
+  await expect.poll(async () => (await displayed())[0]).toBeCloseTo(x, 1);
   await page.getByRole("radio", { name: "Job", exact: true }).click();
   await show("Operate");
-  await expect.poll(async () => (await shown()).map(Math.abs)).toEqual([0, 0]);
+  await expect.poll(async () => (await displayed()).map(Math.abs)).toEqual([0, 0]);
   const view: JobView = await (await fetch(`${workshop.address}/api/job`)).json();
   expect(view.origin).toEqual([expect.closeTo(x, 3), expect.closeTo(y, 3)]);
 });
@@ -170,7 +172,7 @@ it("pro_array_spacing: the page shows the array that there is, and its pitch", a
   expect(await page.getByRole("region", { name: "Arrays" }).count()).toBe(0);
   await draw({ op: "do", clauses: "array block 2x3 gap 10,20 start tr order row-snake" });
   const { units } = await stateOf(workshop);
-  const length = (mm: number) => `${(mm / units.mm).toFixed(3)} ${units.linear}`;
+  const length = (one: number) => lengthText(mm(one), units, 3);
   const arrays = page.getByRole("region", { name: "Arrays" });
   await arrays.getByText("Blocks in a job: 2 × 3").waitFor();
   await arrays.getByText(`Pitch: X ${length(110)}, Y ${length(70)}`).waitFor();

@@ -2,6 +2,8 @@
 
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { lengthText, placeText } from "../../src/app/units";
+import { mm } from "../../src/units/quantity";
 import { arm, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -63,11 +65,9 @@ it("pro_misc_doublestart: the sheet says where the head is, and Start goes from 
   const dialog = page.getByRole("dialog", { name: "Start with shape 1?" });
   await dialog.waitFor();
   const words = (await dialog.locator(".paused > p").first().textContent()) ?? "";
-  const { mm, linear } = (await stateOf(workshop)).units;
-  expect(words).toContain(
-    `The head stands at ${(head[0] / mm).toFixed(2)}, ${(head[1] / mm).toFixed(2)} ${linear}`,
-  );
-  expect(words).toContain(`${(awayMm / mm).toFixed(2)} ${linear} from the beginning of path 1`);
+  const { units } = await stateOf(workshop);
+  expect(words).toContain(`The head stands at ${placeText([head[0], head[1]], units)}`);
+  expect(words).toContain(`${lengthText(mm(awayMm), units)} from the beginning of path 1`);
   expect(words).not.toContain("stands over the beginning");
   if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/double-start.png` });
   await dialog.getByRole("button", { name: "Start", exact: true }).click();

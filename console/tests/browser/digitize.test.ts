@@ -2,6 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { ofUnit, shown } from "../../src/units/quantity";
 import { painted } from "./pixels";
 import { arm, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
 
@@ -32,7 +33,10 @@ async function record(x: number, y: number): Promise<void> {
   await until(async () => {
     const { motion, units } = await stateOf(workshop);
     const [at, to] = motion.at.machine;
-    return Math.hypot(at - x * units.mm, to - y * units.mm) < 1e-3 && (await idle());
+    return (
+      Math.hypot(at - ofUnit(shown(x), units), to - ofUnit(shown(y), units)) < 1e-3 &&
+      (await idle())
+    );
   }, `the tool is at ${x},${y}`);
   const count = (await stateOf(workshop)).digitized?.points.length ?? 0;
   await press("Record");

@@ -2,6 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { afterAll, expect, it } from "vitest";
+import { isMetric } from "../../src/units/quantity";
 import { Sheet } from "./sheet";
 import {
   arm,
@@ -28,7 +29,7 @@ it("pro_options_join, pro_edit_join_default: the distance used last is offered n
   const desk = await commandDesk(workshop);
   await arm(desk);
   await carryOut(workshop, desk, "VD,,,1");
-  await until(async () => (await stateOf(workshop)).units.mm === 1, "millimetres");
+  await until(async () => isMetric((await stateOf(workshop)).units), "millimetres");
   const field = await setting(desk);
   await field.fill("0.5");
   await field.press("Enter");

@@ -1,6 +1,7 @@
 /** The mouse over the drawing in 3D: what is told of it lies on the z-plane, and is seen where the mouse is. */
 
 import { afterAll, beforeAll, beforeEach, expect, it } from "vitest";
+import { isMetric } from "../../src/units/quantity";
 import { type Pixel, painted } from "./pixels";
 import { type Point, Sheet } from "./sheet";
 import {
@@ -33,7 +34,7 @@ beforeAll(async () => {
   const page = await commandDesk(workshop);
   await arm(page);
   await carryOut(workshop, page, "VD,,,1");
-  await until(async () => (await stateOf(workshop)).units.mm === 1, "millimetres");
+  await until(async () => isMetric((await stateOf(workshop)).units), "millimetres");
   await page.getByRole("link", { name: "Draw", exact: true }).click();
   sheet = new Sheet(workshop, page);
 });

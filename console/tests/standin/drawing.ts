@@ -1,8 +1,9 @@
 /** A drawing for screens that need one: a plate with holes, and a bow tie. */
 
+import { message, type Unmarked } from "../../src/units/testing";
 import type { DrawingState, GroupState, ShapeList, ShapePath } from "../../src/wire/messages";
 
-const group = (name: string, change: Partial<GroupState> = {}): GroupState => ({
+const group = (name: string, change: Partial<Unmarked<GroupState>> = {}): Unmarked<GroupState> => ({
   name,
   on: true,
   traversal: false,
@@ -21,7 +22,7 @@ const group = (name: string, change: Partial<GroupState> = {}): GroupState => ({
   ...change,
 });
 
-export const drawing: DrawingState = {
+export const drawing = message<DrawingState>({
   name: "plate.dxf",
   revision: 1,
   begun: 1,
@@ -48,7 +49,7 @@ export const drawing: DrawingState = {
   block: { min: [0, 0], max: [200, 120], z: null },
   finish: [0, 0],
   join: 0.1,
-};
+});
 
 const shape = (number: number, group: string, closed: boolean, points: number[]): ShapePath => ({
   number,

@@ -1,5 +1,6 @@
 /** What the page fetches, without a server. */
 
+import { message } from "../../src/units/testing";
 import type { PreviewInfo } from "../../src/wire/messages";
 import { commands } from "./commands";
 import { shapes } from "./drawing";
@@ -54,7 +55,7 @@ const corners = [
   [0, 0, 0.5],
 ];
 
-const info: PreviewInfo = {
+const info = message<PreviewInfo>({
   origin: [0, 0, 0],
   zero: [0, 0, 0],
   table: [0, 0],
@@ -72,7 +73,7 @@ const info: PreviewInfo = {
   details: [{ tolerance: 0, segments: corners.length - 1, pieces: 1 }],
   toolpaths: [],
   rotary: false,
-};
+});
 
 function piece(): ArrayBuffer {
   const n = corners.length - 1;

@@ -1,18 +1,19 @@
 /** A snapshot as the server sends it, for tests that need no server. */
 
+import { message, type Unmarked } from "../../src/units/testing";
 import type { AxisUnits, FileParameters, Lamp, Snapshot } from "../../src/wire/messages";
 
 /** How a file is run when nobody says otherwise. */
-export const usualParameters: FileParameters = {
+export const usualParameters = message<FileParameters>({
   proportion: [1, 1, 1],
   repetitions: 1,
   offset: 0,
   plunge: 0,
   tabs: false,
   plungeFromZero: false,
-};
+});
 
-const axis = (letter: string, used: boolean, unit = "in", scale = 25.4): AxisUnits => ({
+const axis = (letter: string, used: boolean, unit = "in", scale = 25.4): Unmarked<AxisUnits> => ({
   letter,
   unit,
   scale,
@@ -30,7 +31,7 @@ const lamps = (on: number[]): Lamp[] =>
 type Six = [number, number, number, number, number, number];
 const place = (x: number, y: number, z: number): Six => [x * 25.4, y * 25.4, z * 25.4, 0, 0, 0];
 
-export const firstSnapshot: Snapshot = {
+export const firstSnapshot = message<Snapshot>({
   version: 1,
   kerf: "0.1.0",
   stopPort: 0,
@@ -125,4 +126,4 @@ export const firstSnapshot: Snapshot = {
   digitized: null,
   looked: null,
   revision: 0,
-};
+});

@@ -1,6 +1,8 @@
 /** States of the machine in which screens are looked at. */
 
-import type { Snapshot } from "../../src/wire/messages";
+import { mmPerS, seconds } from "../../src/units/quantity";
+import { message } from "../../src/units/testing";
+import type { Positions, Snapshot } from "../../src/wire/messages";
 import { drawing } from "./drawing";
 import { firstSnapshot } from "./snapshot";
 
@@ -9,17 +11,17 @@ const running: Partial<Snapshot> = {
   machine: { ...machine, state: "running", armed: true },
   motion: {
     ...motion,
-    at: {
+    at: message<Positions>({
       working: [101.6, 76.2, -3.175, 0, 0, 0],
       base: [406.4, 279.4, 73.025, 0, 0, 0],
       machine: [101.6, 76.2, -3.175, 0, 0, 0],
-    },
-    speedMmS: 38.1,
+    }),
+    speedMmS: mmPerS(38.1),
     line: 13,
     made: 4,
     progress: 0.46,
-    remaining: 17,
-    elapsed: 14,
+    remaining: seconds(17),
+    elapsed: seconds(14),
     cutting: true,
   },
   job: {
@@ -27,7 +29,7 @@ const running: Partial<Snapshot> = {
     file: "first-cut.sbp",
     hash: "abc",
     command: null,
-    seconds: 31.4,
+    seconds: seconds(31.4),
     calls: [{ file: "first-cut.sbp", line: 14 }],
     silent: false,
     toolFile: "first-cut.sbp",

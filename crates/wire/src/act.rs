@@ -162,6 +162,7 @@ pub enum Act {
         /// Direction of each axis: -1, 0, 1 or between.
         direction: [f64; AXES],
         /// Factor of the direction: motion ends there. Without it, at the table limits.
+        #[ts(type = "AxisValue | null")]
         distance: Option<f64>,
         /// Share of the jog speed, 0 … 1.
         speed_share: f64,
@@ -213,6 +214,7 @@ pub enum Act {
         /// Letter of the axis.
         axis: char,
         /// Length of the shift.
+        #[ts(type = "AxisValue")]
         distance: f64,
     },
     /// Moves a machine by hand that does nothing else.

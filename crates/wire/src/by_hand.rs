@@ -27,6 +27,7 @@ pub enum ByHand {
     Place {
         /// X and Y from the job origin, the others from home; or all from where the tool is. Axes without a
         /// value stay.
+        #[ts(type = "AxisGoal")]
         place: [Option<f64>; AXES],
         /// From where the tool is.
         relative: bool,
@@ -36,6 +37,7 @@ pub enum ByHand {
     /// In X and Y at Z top, to a place from the job origin.
     CutMove {
         /// That place.
+        #[ts(type = "[Mm, Mm]")]
         at: [f64; 2],
         /// Cuts on the way, as a job of one line.
         cut: bool,

@@ -9,6 +9,7 @@ use ts_rs::TS;
 #[serde(rename_all = "camelCase")]
 pub struct Digitized {
     /// The job origin, from which they count: X and Y from home, mm.
+    #[ts(type = "[Mm, Mm]")]
     pub origin: [f64; 2],
     /// The points in order.
     pub points: Vec<DigitizedPoint>,
@@ -29,6 +30,7 @@ pub struct Digitized {
 #[serde(rename_all = "camelCase")]
 pub struct DigitizedPoint {
     /// X and Y from the job origin, Z from home, mm.
+    #[ts(type = "[Mm, Mm, Mm]")]
     pub at: [f64; 3],
     /// The arc from the point before to the point behind goes through it; else it ends a line.
     pub arc: bool,

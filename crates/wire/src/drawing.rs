@@ -36,6 +36,7 @@ pub enum Op {
     /// Sets the place to which the head goes when the job of the drawing is done.
     Finish {
         /// Mm from the origin.
+        #[ts(type = "[Mm, Mm]")]
         at: [f64; 2],
     },
     /// Writes a part program of its tool paths into the part folder and opens it.
@@ -77,8 +78,10 @@ pub struct DrawingState {
     /// The basic block of data: bounds of the drawing before it is arrayed. Nothing without shapes.
     pub block: Option<Block>,
     /// Place to which the head goes when its job is done, from the origin.
+    #[ts(type = "[Mm, Mm]")]
     pub finish: [f64; 2],
     /// Distance at which ends are joined when nothing else is said: that of the last time.
+    #[ts(type = "Mm")]
     pub join: f64,
     /// The comments that are kept with it.
     pub comments: Vec<String>,
@@ -97,8 +100,10 @@ pub struct ArrayState {
     /// Rows, counted upwards, and columns, to the right.
     pub grid: [u32; 2],
     /// Gaps between neighbouring columns and rows.
+    #[ts(type = "[Mm, Mm]")]
     pub gap: [f64; 2],
     /// Distances from one to the next, in X and Y.
+    #[ts(type = "[Mm, Mm]")]
     pub pitch: [f64; 2],
     /// The corner at which it begins: bl, br, tr, tl.
     pub start: String,
@@ -111,10 +116,13 @@ pub struct ArrayState {
 #[serde(rename_all = "camelCase")]
 pub struct Block {
     /// Least X and Y.
+    #[ts(type = "[Mm, Mm]")]
     pub min: [f64; 2],
     /// Greatest X and Y.
+    #[ts(type = "[Mm, Mm]")]
     pub max: [f64; 2],
     /// Least and greatest height of its 3D shapes; nothing without any. Flat shapes have no height.
+    #[ts(type = "[Mm, Mm] | null")]
     pub z: Option<[f64; 2]>,
 }
 
@@ -135,23 +143,31 @@ pub struct GroupState {
     /// The cut output, 1 … 3.
     pub cut: u8,
     /// Highest cutting speed; nothing is the machine's.
+    #[ts(type = "MmPerMin | null")]
     pub speed_mm_min: Option<f64>,
     /// Depth of the cut.
     pub height: CutHeight,
     /// Depth of one pass.
+    #[ts(type = "Mm | null")]
     pub pass: Option<f64>,
     /// Z of each pass from the machine's home. None when each point of a shape has its own height, which
     /// counts from the surface.
+    #[ts(type = "Array<Mm>")]
     pub levels: Vec<f64>,
     /// Distance of the path, right of travel.
+    #[ts(type = "Mm")]
     pub offset: f64,
     /// Material that the rough pass leaves.
+    #[ts(type = "Mm")]
     pub rough: f64,
     /// Length that is left out at the beginning.
+    #[ts(type = "Mm")]
     pub tag: f64,
     /// Radius and angle of the arc onto the path.
+    #[ts(type = "[Mm, Degrees]")]
     pub lead_in: [f64; 2],
     /// Radius and angle of the arc off the path.
+    #[ts(type = "[Mm, Degrees]")]
     pub lead_out: [f64; 2],
 }
 
@@ -162,7 +178,7 @@ pub enum CutHeight {
     /// `thru` or `3d`.
     Word(String),
     /// Mm above the surface, negative into the material.
-    Mm(f64),
+    Mm(#[ts(type = "Mm")] f64),
 }
 
 /// The shapes of a drawing.

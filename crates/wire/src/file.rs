@@ -16,7 +16,7 @@ pub struct FileAbout {
     #[ts(type = "number")]
     pub bytes: u64,
     /// Time of its last change: seconds since 1970.
-    #[ts(type = "number")]
+    #[ts(type = "UnixSeconds")]
     pub changed: u64,
     /// SHA-256 of its content, in hexadecimal digits: who saw it names it as what may be replaced.
     pub hash: String,
@@ -29,7 +29,7 @@ pub struct FileVersion {
     /// Grows with each save of the file, from 1.
     pub number: u32,
     /// The file had this content since then: seconds since 1970.
-    #[ts(type = "number")]
+    #[ts(type = "UnixSeconds")]
     pub changed: u64,
     /// Bytes.
     #[ts(type = "number")]

@@ -11,9 +11,10 @@ pub struct RunRecord {
     /// Its name below the part folder.
     pub file: String,
     /// Time of its beginning: seconds since 1970.
-    #[ts(type = "number")]
+    #[ts(type = "UnixSeconds")]
     pub begun: u64,
     /// Time that it took, seconds of whoever waited; 0 while it runs, or where it was cut short.
+    #[ts(type = "Seconds")]
     pub seconds: f64,
     /// Word for its end, as that of a job, or `cut short` where Kerf ended first; nothing while it runs.
     pub ended: Option<String>,

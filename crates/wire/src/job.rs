@@ -17,7 +17,7 @@ pub struct FileInfo {
     #[ts(type = "number")]
     pub bytes: u64,
     /// Time of its last change: seconds since 1970.
-    #[ts(type = "number")]
+    #[ts(type = "UnixSeconds")]
     pub changed: u64,
     /// Text of its head about the job.
     pub header: Option<String>,
@@ -39,6 +39,7 @@ pub struct FileParameters {
     /// 0: places as written. 1: the present place is X 0, Y 0, Z 0 of the file. 2: X 0, Y 0.
     pub offset: u8,
     /// Distance that Z moves before each repetition, mm.
+    #[ts(type = "Mm")]
     pub plunge: f64,
     /// Leave tabs on the last repetition.
     pub tabs: bool,
@@ -60,6 +61,7 @@ pub struct Pause {
     /// The comment of the program right above it; empty where there is none.
     pub text: String,
     /// Machine time since the run began at which it is over, seconds.
+    #[ts(type = "Seconds")]
     pub until: f64,
 }
 
@@ -111,6 +113,7 @@ pub struct Opened {
     /// Choices with which it is cut, when it is a job.
     pub choice: JobChoice,
     /// The origin of a job on the table, X and Y from home, mm; nothing of other files.
+    #[ts(type = "[Mm, Mm] | null")]
     pub origin: Option<[f64; 2]>,
     /// Shapes that were added to a job since it was saved.
     pub added: u32,
@@ -121,6 +124,7 @@ pub struct Opened {
     /// The preview, which is made when it is opened.
     pub preview: PreviewState,
     /// Planned time, seconds; 0 until the preview is there.
+    #[ts(type = "Seconds")]
     pub seconds: f64,
     /// Mistakes in it, and whatever else is worth knowing.
     pub findings: Vec<Finding>,
@@ -157,12 +161,13 @@ pub struct LastRun {
     /// Word for its end, as [`Job`] has it.
     pub ended: String,
     /// Time of its end: seconds since 1970.
-    #[ts(type = "number")]
+    #[ts(type = "UnixSeconds")]
     pub at: u64,
     /// The line of the last move; the path of a job.
     pub line: u32,
     /// Time that it took, seconds of whoever waited; 0 where it is not known.
     #[serde(default)]
+    #[ts(type = "Seconds")]
     pub seconds: f64,
 }
 
@@ -216,6 +221,7 @@ pub struct Job {
     /// The command line, when somebody typed it.
     pub command: Option<String>,
     /// Planned time, seconds; 0 when it is not known.
+    #[ts(type = "Seconds")]
     pub seconds: f64,
     /// VD without comments was carried out and nothing was printed since: the message screen is closed.
     pub silent: bool,
@@ -226,6 +232,7 @@ pub struct Job {
     pub tool_file: String,
     /// Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm, as they
     /// are in force in a job. Pauses and height control change them.
+    #[ts(type = "[Mm, Mm, Mm] | null")]
     pub heights: Option<[f64; 3]>,
     /// Settings as a pause has changed them for the rest of a job; nothing while they are as they were set.
     pub in_force: Option<InForce>,
@@ -266,8 +273,10 @@ pub struct RunSummary {
 #[serde(rename_all = "camelCase")]
 pub struct InForce {
     /// Highest cutting speed.
+    #[ts(type = "MmPerS")]
     pub cut_mm_s: f64,
     /// Plunging speed.
+    #[ts(type = "MmPerS")]
     pub plunge_mm_s: f64,
     /// The tool rises in pauses.
     pub raise: bool,

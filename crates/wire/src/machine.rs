@@ -62,6 +62,7 @@ pub struct Zero {
     /// Its name, as G54; G92 is a shift of all others.
     pub name: String,
     /// Its place, the machine's own frame; of a shift, its way.
+    #[ts(type = "AxisPlace")]
     pub at: [f64; AXES],
 }
 
@@ -72,8 +73,10 @@ pub struct Motion {
     /// Positions of the axes.
     pub at: Positions,
     /// Speed along the path.
+    #[ts(type = "MmPerS")]
     pub speed_mm_s: f64,
     /// Machine time since the run began, seconds.
+    #[ts(type = "Seconds")]
     pub t: f64,
     /// It is a cut; a jog otherwise.
     pub cutting: bool,
@@ -84,8 +87,10 @@ pub struct Motion {
     /// Progress of the job, 0 … 1 of its planned time.
     pub progress: f64,
     /// Planned time that is left at the present override, seconds of whoever waits: a simulated machine may be faster.
+    #[ts(type = "Seconds")]
     pub remaining: f64,
     /// Time of the run so far, seconds of whoever waits: with the planned time of what was made before it was taken up.
+    #[ts(type = "Seconds")]
     pub elapsed: f64,
 }
 
@@ -94,10 +99,13 @@ pub struct Motion {
 #[serde(rename_all = "camelCase")]
 pub struct Positions {
     /// Working location: what the location display shows.
+    #[ts(type = "AxisPlace")]
     pub working: [f64; AXES],
     /// Table base coordinates.
+    #[ts(type = "AxisPlace")]
     pub base: [f64; AXES],
     /// The machine's own frame, in which previews are drawn.
+    #[ts(type = "AxisPlace")]
     pub machine: [f64; AXES],
 }
 
@@ -108,6 +116,7 @@ pub struct Units {
     /// `in` or `mm`.
     pub linear: String,
     /// Millimetres in one of them.
+    #[ts(type = "UnitSize")]
     pub mm: f64,
     /// Each axis.
     pub axes: Vec<AxisUnits>,
@@ -130,6 +139,7 @@ pub struct AxisUnits {
     /// `in`, `mm` or `deg`.
     pub unit: String,
     /// Internal units (mm or degrees) in one of them.
+    #[ts(type = "UnitSize")]
     pub scale: f64,
     /// The machine has it.
     pub used: bool,
@@ -140,8 +150,10 @@ pub struct AxisUnits {
 #[serde(rename_all = "camelCase")]
 pub struct Speeds {
     /// Cutting: X and Y together, then Z, A, B, C.
+    #[ts(type = "AxisSpeeds")]
     pub cut_mm_s: [f64; 5],
     /// Jogging.
+    #[ts(type = "AxisSpeeds")]
     pub jog_mm_s: [f64; 5],
     /// Spindle, revolutions a minute.
     pub rpm: f64,

@@ -48,24 +48,34 @@ pub struct TypedPath {
 #[serde(rename_all = "camelCase")]
 pub struct PreviewInfo {
     /// Origin of the vertices: mm, machine frame.
+    #[ts(type = "[Mm, Mm, Mm]")]
     pub origin: [f64; 3],
     /// Place that the working zero had: mm, machine frame.
+    #[ts(type = "[Mm, Mm, Mm]")]
     pub zero: [f64; 3],
     /// Corner of the table with the least X and Y: mm, machine frame.
+    #[ts(type = "[Mm, Mm]")]
     pub table: [f64; 2],
     /// Size of the table, mm.
+    #[ts(type = "[Mm, Mm]")]
     pub table_size: [f64; 2],
     /// Distance of the lines of the grid, mm.
+    #[ts(type = "Mm")]
     pub grid: f64,
     /// Bounds of the cuts: least and greatest corner, mm, machine frame.
+    #[ts(type = "[[Mm, Mm, Mm], [Mm, Mm, Mm]] | null")]
     pub bounds: Option<[[f64; 3]; 2]>,
     /// Diameter of the cutter, mm.
+    #[ts(type = "Mm")]
     pub cutter: f64,
     /// Planned time, seconds.
+    #[ts(type = "Seconds")]
     pub seconds: f64,
     /// Length of the cuts, mm.
+    #[ts(type = "Mm")]
     pub cut: f64,
     /// Length of the jogs, mm.
+    #[ts(type = "Mm")]
     pub jog: f64,
     /// Moves.
     pub moves: u32,
@@ -82,6 +92,7 @@ pub struct PreviewInfo {
 #[serde(rename_all = "camelCase")]
 pub struct Detail {
     /// Greatest distance from the true path, mm.
+    #[ts(type = "Mm")]
     pub tolerance: f64,
     /// Segments.
     pub segments: u32,
@@ -98,6 +109,7 @@ pub struct ToolPathInfo {
     /// The tool.
     pub tool: String,
     /// Planned time, seconds.
+    #[ts(type = "Seconds")]
     pub seconds: f64,
     /// Its first move.
     pub first_move: u32,
@@ -111,6 +123,7 @@ pub const TIMING_POINTS: usize = 20_000;
 #[serde(rename_all = "camelCase")]
 pub struct Timing {
     /// Its end, seconds of machine time.
+    #[ts(type = "Seconds")]
     pub seconds: f64,
     /// It holds all of a run that came to its end.
     pub whole: bool,

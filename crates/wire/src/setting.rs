@@ -21,7 +21,7 @@ pub struct SettingArea {
 #[serde(rename_all = "camelCase")]
 pub struct SettingChange {
     /// Seconds since 1970, UTC.
-    #[ts(type = "number")]
+    #[ts(type = "UnixSeconds")]
     pub at: u64,
     /// The setting: `homing.x.fast_mm_s`.
     pub key: String,

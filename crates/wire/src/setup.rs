@@ -11,6 +11,7 @@ pub struct Setup {
     /// The special positions of Z, from its home.
     pub heights: ZHeights,
     /// Reaches of X and Y from their home; 0 is without bounds.
+    #[ts(type = "[Mm, Mm]")]
     pub reach: [f64; 2],
     /// Changing settings asks for a password.
     pub protected: bool,
@@ -32,9 +33,12 @@ pub struct Setup {
 #[serde(rename_all = "camelCase")]
 pub struct ZHeights {
     /// Height at which the tool travels.
+    #[ts(type = "Mm")]
     pub top: f64,
     /// The surface of the material.
+    #[ts(type = "Mm")]
     pub surface: f64,
     /// The lowest the tool may go; where THRU cuts.
+    #[ts(type = "Mm")]
     pub bottom: f64,
 }

@@ -111,8 +111,14 @@ pub fn typescript() -> String {
     declared.visit::<PortBit>();
     let head = "// Made from crates/wire by `cargo xtask wire`; changes are lost.\n";
     let texts: Vec<String> = declared.texts.into_values().collect();
-    format!("{head}\n{}", on_lines(&texts.join("\n")))
+    format!("{head}\n{QUANTITIES}\n{}", on_lines(&texts.join("\n")))
 }
+
+/// The types of numbers with a unit, which the page defines: it takes no length for a speed or a plain number.
+const QUANTITIES: &str = "import type {
+  AxisGoal, AxisPlace, AxisSpeeds, AxisValue, Degrees, Mm, MmPerMin, MmPerS, Seconds, UnitSize, UnixSeconds,
+} from \"../units/quantity\";
+";
 
 /// Each comment on a line of its own instead of three or more.
 fn on_lines(text: &str) -> String {
@@ -148,6 +154,30 @@ mod tests {
     }
 
     #[test]
+    fn numbers_whose_names_tell_a_unit_have_its_type() {
+        let text = typescript();
+        let units =
+            [("MmS", "MmPerS"), ("MmMin", "MmPerMin"), ("Mm", "Mm"), ("seconds", "Seconds")];
+        for line in text.lines() {
+            let (name, kind) = line.split_once(": ").unwrap_or_default();
+            let unit = units.iter().find(|(end, _)| name.trim_end_matches('?').ends_with(end));
+            let Some((_, quantity)) = unit.filter(|_| !kind.starts_with("boolean")) else {
+                continue;
+            };
+            assert!(kind.contains(quantity) || kind.contains("AxisSpeeds"), "{line}");
+        }
+        let plain: Vec<&str> =
+            text.lines().filter(|line| line.contains("[number, number, ")).collect();
+        let named = |line: &&str| {
+            ["direction", "proportion", "outputs"].iter().any(|name| line.starts_with(name))
+        };
+        assert_eq!(
+            plain.iter().filter(|line| !named(line)).collect::<Vec<_>>(),
+            Vec::<&&str>::new()
+        );
+    }
+
+    #[test]
     fn pro_speeds_units__names_of_speeds_end_in_their_unit() {
         let (text, mut speeds) = (typescript(), Vec::new());
         let (mut told, mut of_speeds) = ("", false);
@@ -157,7 +187,8 @@ mod tests {
             }
             let (name, kind) = line.split_once(": ").unwrap_or_default();
             let a_speed = told.to_lowercase().contains("speed") || of_speeds;
-            if a_speed && (kind.starts_with("number") || kind.starts_with("[number")) {
+            let a_number = ["number", "[number", "MmPer", "AxisSpeeds"];
+            if a_speed && a_number.iter().any(|begin| kind.starts_with(begin)) {
                 speeds.push(name.trim_end_matches('?'));
             }
             told = if line.starts_with("/**") { line } else { "" };

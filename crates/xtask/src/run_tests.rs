@@ -1,23 +1,26 @@
 //! Runs every test program of the workspace.
 //!
 //! Cargo runs test programs one after another, and most of the longer ones wait for a machine half of their time. Here
-//! as many as there are processors run side by side, the largest first; each tells its result when it has ended. The
-//! programs that measure time run afterwards, by themselves.
+//! as many as there are processors run side by side, those that wait most and the largest first; each tells its result
+//! when it has ended. The programs that measure time run afterwards.
 
 use crate::{Finding, Tree};
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
 use std::collections::VecDeque;
 use std::io::{Write, stdout};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::{Mutex, mpsc};
 use std::thread;
 
-/// Programs that measure time, and the number of their tests that may run at once: a controller is waited for most of
-/// the time, a bound on STOP is measured by itself.
-const BY_THEMSELVES: [(&str, usize); 3] =
-    [("controller", 4), ("jog_link", 1), ("stop_under_load", 1)];
+/// Tests at once of programs that wait for a machine most of the time: name of the crate's folder, of the target, tests.
+const WAITING: [(&str, &str, usize); 2] = [("server", "all", 5), ("kerf", "all", 4)];
+
+/// Programs that measure time, and the number of their tests that may run at once. Those of a row run side by side: a
+/// controller and a slow link are waited for most of the time. A bound on STOP is measured by itself.
+const MEASURING: [&[(&str, usize)]; 2] =
+    [&[("controller", 8), ("jog_link", 1)], &[("stop_under_load", 1)]];
 
 /// The configuration of Cargo, whose `[env]` Cargo gives to the programs that it runs itself.
 const CONFIGURATION: &str = ".cargo/config.toml";
@@ -36,6 +39,8 @@ struct Program {
     bytes: u64,
     /// Tests at once; nothing for one per processor.
     threads: Option<usize>,
+    /// Row of [`MEASURING`] in which it stands.
+    measuring: Option<usize>,
 }
 
 /// Builds and runs all test programs and the examples in documentation; returns what failed.
@@ -46,12 +51,11 @@ struct Program {
 pub fn run(tree: &Tree) -> Result<Vec<Finding>> {
     let variables = configured(tree)?;
     let mut programs = built()?;
-    programs.sort_by_key(|program| std::cmp::Reverse(program.bytes));
-    let (alone, beside): (Vec<_>, Vec<_>) =
-        programs.into_iter().partition(|program| program.threads.is_some());
-    let mut failed = side_by_side(beside, &variables)?;
-    for program in alone {
-        failed.extend(tell(&program, &output(&program, &variables)?)?);
+    programs.sort_by_key(|program| (program.threads.is_none(), std::cmp::Reverse(program.bytes)));
+    let mut failed = Vec::new();
+    for measuring in std::iter::once(None).chain((0..MEASURING.len()).map(Some)) {
+        let these = programs.iter().filter(|program| program.measuring == measuring);
+        failed.extend(side_by_side(these.cloned().collect(), &variables)?);
     }
     let documented = Command::new(cargo())
         .args(["test", "--workspace", "--locked", "--no-fail-fast", "--doc"])
@@ -119,9 +123,19 @@ fn program(line: &str) -> Result<Option<Program>> {
     let path = PathBuf::from(path);
     let bytes = path.metadata().with_context(|| format!("{} is not there", path.display()))?.len();
     let folder = PathBuf::from(manifest).parent().context("a crate without a folder")?.to_owned();
-    let threads =
-        BY_THEMSELVES.iter().find(|(name, _)| *name == target).map(|(_, threads)| *threads);
-    Ok(Some(Program { target, path, folder, bytes, threads }))
+    let (measuring, threads) = placed(&folder, &target);
+    Ok(Some(Program { target, path, folder, bytes, threads, measuring }))
+}
+
+/// Finds the row of [`MEASURING`] of a program, and how many of its tests run at once.
+fn placed(folder: &Path, target: &str) -> (Option<usize>, Option<usize>) {
+    for (row, programs) in MEASURING.iter().enumerate() {
+        if let Some((_, threads)) = programs.iter().find(|(name, _)| *name == target) {
+            return (Some(row), Some(*threads));
+        }
+    }
+    let waits = |(of, name, _): &&(&str, &str, usize)| folder.ends_with(of) && *name == target;
+    (None, WAITING.iter().find(waits).map(|(_, _, threads)| *threads))
 }
 
 fn side_by_side(programs: Vec<Program>, variables: &Variables) -> Result<Vec<Finding>> {
@@ -217,19 +231,23 @@ mod tests {
     }
 
     #[test]
-    fn a_program_that_measures_time_runs_by_itself() -> Result<()> {
-        let check = |target: &str, threads: Option<usize>| -> Result<()> {
+    fn a_program_that_measures_time_runs_behind_the_others() -> Result<()> {
+        let check = |folder: &str, target: &str, row, threads| -> Result<()> {
             let here = std::env::current_exe()?;
             let line = serde_json::json!({
-                "executable": here, "manifest_path": "/a/b/Cargo.toml",
+                "executable": here, "manifest_path": format!("{folder}/Cargo.toml"),
                 "profile": { "test": true }, "target": { "name": target },
             });
             let found = program(&line.to_string())?.context("a program")?;
-            assert_eq!((found.threads, found.folder), (threads, PathBuf::from("/a/b")), "{target}");
+            assert_eq!((found.measuring, found.threads), (row, threads), "{target} of {folder}");
+            assert_eq!(found.folder, PathBuf::from(folder));
             Ok(())
         };
-        check("all", None)?;
-        check("stop_under_load", Some(1))?;
-        check("controller", Some(4))
+        check("/a/geom", "all", None, None)?;
+        check("/a/server", "all", None, Some(5))?;
+        check("/a/server", "kerf_server", None, None)?;
+        check("/a/kerf", "controller", Some(0), Some(8))?;
+        check("/a/server", "jog_link", Some(0), Some(1))?;
+        check("/a/kerf", "stop_under_load", Some(1), Some(1))
     }
 }

@@ -1,5 +1,6 @@
 import { useState } from "react";
 import { useHands, useSnapshot } from "../../app/context";
+import { useLengthUnit } from "../../app/useLengthUnit";
 import { Button } from "../../ui/Button";
 import { Choice } from "../../ui/Choice";
 import { Field } from "../../ui/Field";
@@ -20,14 +21,14 @@ interface OperationSheetProps {
 /** An operation of the table as a form, for numbers that no hand shows. */
 export function OperationSheet({ entry, onClose }: OperationSheetProps) {
   const hands = useHands();
-  const units = useSnapshot("units");
+  const unit = useLengthUnit();
   const drawing = useSnapshot("drawing");
   const arrays = drawing?.arrays ?? [];
-  const given = { mm: units?.mm ?? 1, selected: drawing?.selection ?? [] };
+  const given = { unit, selected: drawing?.selection ?? [] };
   const [which, setWhich] = useState(() => firstVariant(entry, arrays));
   const parts = entry.variants[Number(which)]?.parts ?? [];
   const present = (parts: readonly OperationPart[], entries: Entries) =>
-    withArray(parts, entries, arrays, given.mm);
+    withArray(parts, entries, arrays, unit);
   const [entries, setEntries] = useState<Entries>(() => present(parts, firstEntries(parts, given)));
   const enter = (at: number, text: string) => {
     const next = entries.map((old, n) => (n === at ? text : old));
@@ -94,7 +95,7 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
             key={`${which} ${n}`}
             part={part}
             label={labels[n] ?? ""}
-            unit={units?.linear ?? "mm"}
+            unit={unit.linear}
             text={entries[n] ?? ""}
             error={wrong.get(n)}
             first={n === 0}

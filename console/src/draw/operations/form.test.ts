@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { inches } from "../../units/quantity";
 import type { OperationPart, OperationValue } from "../../wire/messages";
 import { clauseOf, type Entries, firstEntries, labelsOf } from "./form";
 
@@ -9,7 +10,7 @@ const part = (
 ): OperationPart => ({ lead, value, optional: false, repeats: false, ...change });
 
 const length = (name: string): OperationValue => ({ is: "length", name });
-const given = { mm: 25.4, selected: [3, 5] };
+const given = { unit: inches, selected: [3, 5] };
 
 const made = (parts: readonly OperationPart[], ...entries: Entries) =>
   clauseOf({ name: "do" }, parts, entries, given);

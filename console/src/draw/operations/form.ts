@@ -1,16 +1,17 @@
 /** The form of an operation as values: what is entered, what is wrong with it, the clause it makes. */
 
+import type { LengthUnit } from "../../units/quantity";
 import type { OperationEntry, OperationPart, OperationValue } from "../../wire/messages";
 import { t } from "../../words/words";
-import { isWrong, type Read, readLength, readNumber } from "../entry";
+import { isWrong, type Read, readAngle, readLength, readNumber } from "../entry";
 import { num } from "../tools/tool";
 
 /** What is entered for each part; a word alone is `on` or blank. */
 export type Entries = readonly string[];
 
 export interface Given {
-  /** Millimetres in the user's unit of length. */
-  readonly mm: number;
+  /** In which lengths are typed. */
+  readonly unit: LengthUnit;
   readonly selected: readonly number[];
 }
 
@@ -104,11 +105,11 @@ export function clauseOf(
   { name }: Pick<OperationEntry, "name">,
   parts: readonly OperationPart[],
   entries: Entries,
-  { mm }: Given,
+  { unit }: Given,
 ): Made {
   const wrong = new Map<number, string>();
   const words = parts.flatMap((part, n) => {
-    const read = said(part, (entries[n] ?? "").trim(), mm);
+    const read = said(part, (entries[n] ?? "").trim(), unit);
     if (!isWrong(read)) return read.value;
     wrong.set(n, read.wrong);
     return [];
@@ -120,14 +121,14 @@ export function clauseOf(
 function said(
   { lead, value, optional, repeats }: OperationPart,
   text: string,
-  mm: number,
+  unit: LengthUnit,
 ): Read<string[]> {
   if (text === "") return optional ? { value: [] } : { wrong: t("This has to be given.") };
   if (!value) return { value: [lead] };
   const pieces = repeats ? text.split(/\s+/) : [text];
   const found: string[] = [];
   for (const piece of pieces) {
-    const read = written(value, piece, mm);
+    const read = written(value, piece, unit);
     if (isWrong(read)) return read;
     found.push(`${lead}${read.value}`);
   }
@@ -135,24 +136,28 @@ function said(
 }
 
 /** A value as operations read it: millimetres, no blanks. */
-function written(value: OperationValue, text: string, mm: number): Read<string> {
+function written(value: OperationValue, text: string, unit: LengthUnit): Read<string> {
+  const length: Reader = (text) => readLength(text, unit);
   switch (value.is) {
     case "pair":
-      return list(text, [mm, mm]);
+      return list(text, [length, length]);
     case "vertex":
-      return list(text, text.split(",").length === 3 ? [mm, mm, 1] : [mm, mm]);
+      return list(
+        text,
+        [length, length, readNumber].slice(0, text.split(",").length === 3 ? 3 : 2),
+      );
     case "triple":
-      return list(text, [mm, mm, mm]);
+      return list(text, [length, length, length]);
     case "arc":
-      return list(text, [mm, 1]);
+      return list(text, [length, readAngle]);
     case "length":
-      return number(text, mm);
+      return number(text, length);
     case "number":
-      return number(text, 1);
+      return number(text, readNumber);
     case "wordsOr":
       return value.words.includes(text.toLowerCase())
         ? { value: text.toLowerCase() }
-        : number(text, value.length ? mm : 1);
+        : number(text, value.length ? length : readNumber);
     case "grid":
       return /^\d+x\d+$/i.test(text)
         ? { value: text.toLowerCase() }
@@ -165,18 +170,21 @@ function written(value: OperationValue, text: string, mm: number): Read<string> 
   }
 }
 
-function number(text: string, unit: number): Read<string> {
-  const read = unit === 1 ? readNumber(text) : readLength(text, unit);
+/** Reads one number with its unit, or one without. */
+type Reader = (text: string) => Read<number>;
+
+function number(text: string, reader: Reader): Read<string> {
+  const read = reader(text);
   return isWrong(read) ? read : { value: num(read.value) };
 }
 
-function list(text: string, units: readonly number[]): Read<string> {
+function list(text: string, readers: readonly Reader[]): Read<string> {
   const pieces = text.split(",");
-  if (pieces.length !== units.length)
-    return { wrong: t("{0} numbers with commas between.", units.length) };
+  if (pieces.length !== readers.length)
+    return { wrong: t("{0} numbers with commas between.", readers.length) };
   const found: string[] = [];
   for (const [n, piece] of pieces.entries()) {
-    const read = number(piece, units[n] ?? 1);
+    const read = number(piece, readers[n] ?? readNumber);
     if (isWrong(read)) return read;
     found.push(read.value);
   }

@@ -1,5 +1,6 @@
 /** The paper below the shapes: a grid that fits the zoom, and the origin. */
 
+import { inUnit, type LengthUnit, type Mm, mm, ofUnit, shown } from "../../units/quantity";
 import { place } from "../geometry/vec";
 import { boxInSight } from "../window";
 import { pixel, type Sheet } from "./pen";
@@ -9,18 +10,18 @@ import type { Ink } from "./picture";
 const leastGap = 14;
 
 /** The distance of grid lines: 1, 2 or 5 times a power of ten of the user's unit, mm. */
-export function gridOf(mmPerPixel: number, unitMm: number): number {
-  const least = (leastGap * mmPerPixel) / unitMm;
+export function gridOf(mmPerPixel: number, unit: LengthUnit): Mm {
+  const least = inUnit(mm(leastGap * mmPerPixel), unit);
   const power = 10 ** Math.floor(Math.log10(least));
   const factor = [1, 2, 5, 10].find((f) => f * power >= least) ?? 10;
-  return factor * power * unitMm;
+  return ofUnit(shown(factor * power), unit);
 }
 
-export function paintPaper(sheet: Sheet, unitMm: number, ink: Ink): void {
+export function paintPaper(sheet: Sheet, unit: LengthUnit, ink: Ink): void {
   const { pen, size, window } = sheet;
   pen.fillStyle = ink("--view");
   pen.fillRect(0, 0, size.width, size.height);
-  const gap = gridOf(window.mmPerPixel, unitMm);
+  const gap = gridOf(window.mmPerPixel, unit);
   pen.lineWidth = 1;
   paintLines(sheet, gap, ink("--draw-grid"));
   paintLines(sheet, gap * 10, ink("--view-grid"));

@@ -8,6 +8,9 @@ import {
   useState,
 } from "react";
 import { useScreen, useSnapshot } from "../../app/context";
+import { numberText, placeText } from "../../app/units";
+import { useLengthUnit } from "../../app/useLengthUnit";
+import { mm } from "../../units/quantity";
 import { useSize } from "../../view/useSize";
 import type { ZHeights } from "../../wire/messages";
 import { t } from "../../words/words";
@@ -40,7 +43,7 @@ interface SpaceSheetProps {
   children?: ReactNode;
 }
 
-const noHeights: ZHeights = { top: 0, surface: 0, bottom: 0 };
+const noHeights: ZHeights = { top: mm(0), surface: mm(0), bottom: mm(0) };
 
 /** The drawing from the side, from the end, or in 3D: to be looked at. */
 export function SpaceSheet({ scene, aspect, plane, children }: SpaceSheetProps) {
@@ -131,9 +134,8 @@ function SpaceCanvas({ items, space }: { items: readonly Item[]; space: Space })
 
 /** Where the mouse is: on the z-plane, or along the side. */
 function SpaceStatus({ space }: { space: Space }) {
-  const units = useSnapshot("units");
-  const mm = units?.mm ?? 1;
-  const text = (value: number) => (value / mm).toFixed(3);
+  const unit = useLengthUnit();
+  const text = (value: number) => numberText(mm(value), unit);
   const [flat, side] = [readout(space), profile(space)];
   const across = space.aspect === "side" ? "Y" : "X";
   return (
@@ -145,12 +147,10 @@ function SpaceStatus({ space }: { space: Space }) {
           : t("Drag moves, the wheel zooms; both set the z-plane to where the mouse is.")}
       </p>
       <p className="sheet-status-place">
-        {flat && `${text(flat.x)}, ${text(flat.y)} ${units?.linear ?? "mm"}`}
+        {flat && placeText([mm(flat.x), mm(flat.y)], unit, 3)}
         {!flat && side && `${across} ${text(side.along)}, Z ${text(side.z)}`}
       </p>
-      <p className="sheet-status-plane">
-        {t("z-plane {0} {1}", text(space.zPlane), units?.linear ?? "mm")}
-      </p>
+      <p className="sheet-status-plane">{t("z-plane {0} {1}", text(space.zPlane), unit.linear)}</p>
     </footer>
   );
 }

@@ -2,7 +2,10 @@
 
 import { describe, expect, it } from "vitest";
 import { firstSnapshot } from "../../../tests/standin/snapshot";
+import { mm } from "../../units/quantity";
+import { message } from "../../units/testing";
 import { axesOf, project, type Vec3 } from "../../view/camera";
+import type { ZHeights } from "../../wire/messages";
 import { type Place, place } from "../geometry/vec";
 import { optionWords, type ViewOptions } from "../options";
 import { loadedOf, notMachined, type Scene, sceneOf } from "../scene";
@@ -21,7 +24,7 @@ import {
   zoomedAt,
 } from "./space";
 
-const sim = { top: -10, surface: -20, bottom: -30 };
+const sim = message<ZHeights>({ top: -10, surface: -20, bottom: -30 });
 const size = { width: 400, height: 300 };
 const bounds = { min: [0, 0, -30], max: [100, 100, -10] } as const;
 const options = Object.fromEntries(
@@ -59,7 +62,7 @@ const near = (found: readonly number[], expected: readonly number[]) =>
     expect(value).toBeCloseTo(expected[n] ?? Number.NaN, 9);
   });
 
-const own = (scene: Scene) => lines(items(scene, [], { ...sim, surface: 0 }))[0] ?? [];
+const own = (scene: Scene) => lines(items(scene, [], { ...sim, surface: mm(0) }))[0] ?? [];
 
 describe("directions", () => {
   it("pro_display_view3d: unit vectors of all axes are equally long", () => {
@@ -142,7 +145,7 @@ describe("windows in space", () => {
 describe("heights", () => {
   it("pro_display_v3d_thru: through is the plane of ZBottom", () => {
     expect(heights(items(square, [-30]))).toEqual([[-30]]);
-    expect(heights(items(square, [-31], { ...sim, bottom: -31 }))).toEqual([[-31]]);
+    expect(heights(items(square, [-31], { ...sim, bottom: mm(-31) }))).toEqual([[-31]]);
   });
 
   it("pro_display_v3d_mm: a depth counts from ZSurface", () => {
@@ -188,6 +191,6 @@ describe("heights", () => {
       ["ZSurface", -20, -20],
       ["ZBottom", -30, -30],
     ]);
-    expect(levels({ ...sim, surface: -21 })[1]).toEqual(["ZSurface", -21, -21]);
+    expect(levels({ ...sim, surface: mm(-21) })[1]).toEqual(["ZSurface", -21, -21]);
   });
 });
