@@ -24,7 +24,7 @@ impl CommandLimit {
     }
 
     /// The words for a look that ended, and what to do about it.
-    pub fn told(self) -> (String, &'static str) {
+    pub fn message(self) -> (String, &'static str) {
         let message = format!(
             "stopped after {} commands: what comes after them was not looked at",
             with_commas(self.most)

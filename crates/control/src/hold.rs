@@ -13,7 +13,7 @@ use crate::OperatorRequest;
 use crate::hand_words::Jog;
 use crate::nudge::Nudge;
 use crate::run_end::RunEnd;
-use crate::stopped_spindles::Turning;
+use crate::stopped_spindles::StoppedSpindles;
 use crate::stopping::Stops;
 use kerf_diag::Code;
 use kerf_machine::state::{Event as Stopped, StopSettings};
@@ -294,7 +294,7 @@ impl<I: Interpreter> Stops<'_, I> {
         self.keep_turning();
         if self.station.world.is_pressed() && self.station.interpreter.takes_stops() {
             // A job says itself what comes on again.
-            self.kept.turned = Turning::default();
+            self.kept.turned = StoppedSpindles::default();
         }
         self.released_after_question()?;
         let turned = std::mem::take(&mut self.kept.turned);

@@ -285,7 +285,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         if let Err(sooner) = self.flush() {
             return sooner;
         }
-        let (message, hint) = self.bound.told();
+        let (message, hint) = self.bound.message();
         self.stops.station.over(Status::Limit, Code::LineLimit, at, message).hint(hint).into()
     }
 

@@ -3,10 +3,10 @@
 
 use crate::asking::Unanswered;
 use crate::drive::Drive;
+use crate::interruption::Interruption;
 use crate::run_end::RunEnd;
 use crate::stack::Stack;
 use crate::trail::Trail;
-use crate::turn::Turn;
 use crate::world::World;
 use crate::{OperatorRequest, Requests};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
@@ -322,8 +322,8 @@ impl<I: Interpreter> Station<'_, I> {
     }
 
     /// Tells whether the power went while the machine was about to do what the operator wants.
-    pub(crate) fn overtakes(&mut self, turn: Turn) -> bool {
-        let Turn::Operator(request) = turn else { return false };
+    pub(crate) fn overtakes(&mut self, turn: Interruption) -> bool {
+        let Interruption::Operator(request) = turn else { return false };
         let overtaken = self.is_overtaken();
         if overtaken {
             self.overtaken(request);

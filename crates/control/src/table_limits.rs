@@ -9,7 +9,7 @@ use kerf_journal::LimitPolicy;
 use kerf_machine::lines::Output;
 use kerf_model::Violation;
 use kerf_motion::{Move, Queue};
-use kerf_program::{At, Command, Independent, Interpreter, Status, StoppedBy, Turn};
+use kerf_program::{At, Command, Independent, Interpreter, SpindleTurn, Status, StoppedBy};
 
 /// Tells whether an output turns a spindle: those of part files, or that of jobs.
 const fn turns(output: u8) -> bool {
@@ -158,7 +158,7 @@ pub(crate) fn may_turn<I: Interpreter>(
     let starts = match command {
         Command::Output { number, on } => *on && turns(*number),
         Command::Independent { motion, .. } => *motion != Independent::Off,
-        Command::SpindleTurn { turn, .. } => *turn != Turn::Off,
+        Command::SpindleTurn { turn, .. } => *turn != SpindleTurn::Off,
         Command::Pwm { percent, .. } => *percent > 0.0,
         _ => false,
     };

@@ -52,7 +52,7 @@ impl Drawn {
     }
 
     /// As the head of a program tells it.
-    pub fn told(&self, kind: &str, unit: LinearUnit) -> String {
+    pub fn settings_line(&self, kind: &str, unit: LinearUnit) -> String {
         let length = |mm: f64| format!("{} {}", decimal(mm / unit.mm(), 4), unit.symbol());
         let (depth, safe) = (length(self.depth_mm), length(self.safe_mm));
         let more = match (is_picture(kind), self.white_deepest) {

@@ -87,7 +87,7 @@ impl Choice {
     /// A path has no room for the offset.
     pub fn of(&self, work: Work) -> Result<Work, NoRoom> {
         let Work::Job(job, machine) = work else { return Ok(work) };
-        let mut chosen = kerf_toolpath::beside(&job, self.offset_mm)?;
+        let mut chosen = kerf_toolpath::offset_job(&job, self.offset_mm)?;
         chosen.start = self.start.unwrap_or(chosen.start).clamp(1, chosen.shapes.len().max(1));
         chosen.origin = self.origin.or(chosen.origin);
         chosen.finish = self.finish.or(chosen.finish);

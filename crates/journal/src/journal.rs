@@ -60,8 +60,8 @@ impl Journal {
     }
 
     /// Tells all that was found wrong with the files of the data folder since it was opened.
-    pub fn told(&self) -> Vec<String> {
-        self.store.told()
+    pub fn mistakes_found(&self) -> Vec<String> {
+        self.store.mistakes_found()
     }
 
     /// Keeps a line for whoever asks what was found wrong since it was opened.

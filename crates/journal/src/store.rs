@@ -58,7 +58,7 @@ impl Store {
     }
 
     /// Tells all that was found wrong with the files of the data folder since it was opened.
-    pub(super) fn told(&self) -> Vec<String> {
+    pub(super) fn mistakes_found(&self) -> Vec<String> {
         self.told.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 

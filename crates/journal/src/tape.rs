@@ -74,11 +74,11 @@ pub struct Step {
 }
 
 /// Source of the answer to a question.
-pub enum Turn<T> {
+pub enum AnswerSource<T> {
     /// The world, and nobody writes it down.
     Live,
     /// The tape; mostly that there was nothing.
-    Told(Option<T>),
+    Recorded(Option<T>),
     /// The world; it is written down under this number.
     Open(u64),
 }
@@ -236,9 +236,9 @@ impl Tape {
         world: impl FnOnce() -> Option<T>,
     ) -> Option<T> {
         match self.turn(kind) {
-            Turn::Live => world(),
-            Turn::Told(told) => told,
-            Turn::Open(call) => {
+            AnswerSource::Live => world(),
+            AnswerSource::Recorded(told) => told,
+            AnswerSource::Open(call) => {
                 let told = world();
                 self.heard(kind, call, told.as_ref());
                 told
@@ -247,18 +247,18 @@ impl Tape {
     }
 
     /// Decides who answers a question that the world hardly ever has an answer to.
-    pub fn turn<T: DeserializeOwned>(&mut self, kind: Kind) -> Turn<T> {
+    pub fn turn<T: DeserializeOwned>(&mut self, kind: Kind) -> AnswerSource<T> {
         if self.writing.is_none() {
-            return Turn::Live;
+            return AnswerSource::Live;
         }
         let call = self.calls.entry(kind).or_default();
         *call += 1;
         let call = *call;
         let next = self.played.get(&kind).and_then(VecDeque::front);
         if next.is_some_and(|step| step.call == call) {
-            return Turn::Told(self.pop(kind));
+            return AnswerSource::Recorded(self.pop(kind));
         }
-        if self.silent { Turn::Told(None) } else { Turn::Open(call) }
+        if self.silent { AnswerSource::Recorded(None) } else { AnswerSource::Open(call) }
     }
 
     /// Keeps what the world answered to such a question.

@@ -4,7 +4,7 @@
 use crate::counted::{Counted, Found};
 use crate::desk::{Desk, DrawingDesk, drawing_in};
 use crate::digested::hash;
-use crate::machine::Left;
+use crate::machine::LastState;
 use crate::priority::Yields;
 use kerf_formats::rsg;
 use kerf_geom::Point2;
@@ -123,7 +123,7 @@ impl DrawingDesk {
         desk.saved = saved.map(|read| read.drawing).unwrap_or_default();
         desk.finish = finish.map(|[x, y]| Point2::new(x, y));
         (desk.kept, desk.job) = (kept, job.map(|job| kerf_toolpath::read(job.as_bytes()).0));
-        let drawing = Some(desk.state(&Left::heights(&self.left)));
+        let drawing = Some(desk.state(&LastState::heights(&self.left)));
         self.hub.change(vec![Change::Drawing { drawing }]);
         if older {
             self.hub.say(Tone::Warning, OLDER);

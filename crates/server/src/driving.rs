@@ -4,12 +4,12 @@
 //! could end, by its silence; and both when their device is revoked.
 
 use crate::asker::Asker;
+use crate::driving_turn::{DrivingTurn, SILENCE};
 use crate::gate::{Way, driven_by, pass};
 use crate::hub::Hub;
 use crate::machine::Link;
 use crate::people::{Pages, is_script};
 use crate::refusal::problem;
-use crate::turn::{SILENCE, Turn};
 use kerf_wire::{Change, Lease, Machine, Problem, State, Who, Why};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Weak};
@@ -23,14 +23,14 @@ pub struct Driving {
     hub: Arc<Hub>,
     link: Arc<Link>,
     pages: Arc<Pages>,
-    turn: Arc<Turn>,
+    turn: Arc<DrivingTurn>,
     /// Number of the last turn.
     leases: AtomicU32,
 }
 
 impl Driving {
     /// Nobody drives.
-    pub fn new(hub: Arc<Hub>, link: Arc<Link>, pages: Arc<Pages>, turn: Arc<Turn>) -> Self {
+    pub fn new(hub: Arc<Hub>, link: Arc<Link>, pages: Arc<Pages>, turn: Arc<DrivingTurn>) -> Self {
         Self { hub, link, pages, turn, leases: AtomicU32::new(0) }
     }
 

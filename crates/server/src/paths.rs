@@ -2,7 +2,7 @@
 
 use crate::awaited::Awaited;
 use crate::desk::{Desk, DrawingDesk, job};
-use crate::machine::Left;
+use crate::machine::LastState;
 use kerf_drawing::{ArrayLevel, CutDepth, Drawing, Group, Lead, Shape};
 use kerf_geom::Vec2;
 use kerf_program::job::{Depths, Heights};
@@ -25,7 +25,7 @@ impl DrawingDesk {
 
     /// Returns what the drawing becomes when it is machined. Where there are no paths, the notes say why.
     pub fn tool_paths(&self, awaited: &Awaited) -> ToolPaths {
-        let shaping = Left::shaping(&self.left);
+        let shaping = LastState::shaping(&self.left);
         // On a copy, which shares the shapes: hands need not wait for paths.
         let (drawing, revision) = {
             let desk = self.desk.lock();
@@ -41,7 +41,7 @@ impl DrawingDesk {
 
     /// Tells pages of the drawing again: what its levels follow from has changed.
     pub fn tell_drawing(&self) {
-        let heights = Left::heights(&self.left);
+        let heights = LastState::heights(&self.left);
         let desk = self.desk.lock();
         let present = self.hub.read(|now| now.drawing.clone());
         let drawing = present.is_some().then(|| desk.state(&heights));

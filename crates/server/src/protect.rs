@@ -144,7 +144,7 @@ fn kept(new: &str, again: &str) -> Result<String, Problem> {
     let mut salt = [0; 16];
     getrandom::fill(&mut salt)
         .map_err(|_| problem(Why::Server, "this computer gives no random numbers"))?;
-    Ok(password::kept(new, salt))
+    Ok(password::hashed(new, salt))
 }
 
 #[cfg(test)]

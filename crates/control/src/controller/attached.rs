@@ -27,7 +27,7 @@ pub struct First {
 
 /// Sentences about a controller that was attached.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Told {
+pub struct AttachReport {
     /// For whoever wants to know.
     pub notes: Vec<String>,
     /// For everybody: something may be elsewhere than it is believed to be.
@@ -69,13 +69,13 @@ impl Controller {
         session: &mut Session,
         workspace: &mut Workspace,
         is_stopped: impl Fn() -> bool,
-    ) -> Result<(Self, Told), String> {
+    ) -> Result<(Self, AttachReport), String> {
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
         let (driver, line) = (socket.opens)()?;
         let open = if abandoned { Connection::open_stopped } else { Connection::open };
         let mut connection = open(&socket.name, driver, line)?;
         connection.opens_again(socket.opens.clone());
-        let mut told = Told::default();
+        let mut told = AttachReport::default();
         let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
         told.notes.push(format!("{}: {}, axes {axes}", socket.name, connection.facts().name));
         told.notes.extend(keeps_changed(&socket, &mut connection, workspace));
@@ -109,7 +109,7 @@ impl Controller {
         abandoned: bool,
         session: &mut Session,
         workspace: &mut Workspace,
-        told: &mut Told,
+        told: &mut AttachReport,
     ) {
         let connection = self.connection.clone();
         let mut connection = connection.borrow_mut();
@@ -147,7 +147,7 @@ impl Controller {
         &mut self,
         session: &mut Session,
         workspace: &mut Workspace,
-    ) -> Result<Told, String> {
+    ) -> Result<AttachReport, String> {
         self.connection.borrow_mut().let_go();
         let attached = Self::attach(
             self.socket.clone(),

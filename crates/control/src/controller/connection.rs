@@ -6,8 +6,8 @@ use super::lost::Lost;
 use super::row::Row;
 use super::socket::{Ends, Opens};
 use kerf_machine::driver::{
-    Changed, Driver, Facts, Hold, Link, LinkState, Order, Override, Shares, Signal, Ticket, Told,
-    Trouble, Wired, Zero,
+    Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Override, Shares, Signal,
+    Ticket, Trouble, Wired, Zero,
 };
 use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
@@ -385,14 +385,14 @@ impl Connection {
         let told = self.link.poll(self.now_s());
         for told in told {
             match told {
-                Told::Done(ticket) => {
+                LinkNews::Done(ticket) => {
                     self.done = ticket;
                     self.open = self.open.saturating_sub(1);
                     if self.probing == Some(ticket) {
                         self.probed();
                     }
                 }
-                Told::Input { line, on } => {
+                LinkNews::Input { line, on } => {
                     if on {
                         self.active.insert(line)
                     } else {
@@ -400,7 +400,7 @@ impl Connection {
                     };
                     self.inputs.push_back((line, on));
                 }
-                Told::State(state) => self.state_is(state),
+                LinkNews::State(state) => self.state_is(state),
             }
         }
         // What the link has just given goes out without waiting for the next look.

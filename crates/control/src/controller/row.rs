@@ -1,6 +1,6 @@
 //! Moves of the plan at hand that were handed to the controller.
 
-use super::ways::nearest;
+use super::chords::nearest;
 use kerf_machine::driver::Ticket;
 use kerf_program::{At, Axes};
 use std::collections::VecDeque;

@@ -10,7 +10,7 @@ use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
-use kerf_journal::machine_file::{MachineFile, told};
+use kerf_journal::machine_file::{MachineFile, mistake_lines};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
 use kerf_machine::table::{self, Setting};
@@ -303,10 +303,10 @@ fn check(files: &[PathBuf]) -> Result<Exit> {
         let text = given::text(path)?;
         let name = path.display().to_string().into();
         for note in file::notes(&name, &text) {
-            out::print(&format!("note: {}\n", told(&[note])));
+            out::print(&format!("note: {}\n", mistake_lines(&[note])));
         }
         if let Err(found) = file::read(&name, &text) {
-            out::print(&format!("{}\n", told(&found)));
+            out::print(&format!("{}\n", mistake_lines(&found)));
             worst = Exit::Failed;
         }
     }

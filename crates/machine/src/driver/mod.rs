@@ -16,7 +16,7 @@
 pub mod conformance;
 mod link;
 
-pub use link::{Link, LinkState, Told, Troubles};
+pub use link::{Link, LinkNews, LinkState, Troubles};
 
 pub use kerf_program::{AXES, Axes, Axis, decimal, rounded};
 use std::borrow::Cow;
@@ -157,7 +157,7 @@ pub struct Sent {
 
 /// State of a controller: its place, motion, outputs and progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Standing {
+pub struct ControllerState {
     /// Place of the axes, machine frame.
     pub position: Axes,
     /// Something moves.
@@ -178,7 +178,7 @@ pub enum Reply {
     /// It cannot be carried out.
     Refused(Ticket, &'static str),
     /// The answer to [`Signal::Ask`].
-    Standing(Standing),
+    State(ControllerState),
     /// An input changed.
     Input {
         /// Its line.
@@ -393,7 +393,7 @@ pub trait Wired: Driver {
     }
 
     /// Returns the state that it told last.
-    fn stands(&self) -> Option<Standing>;
+    fn stands(&self) -> Option<ControllerState>;
 
     /// Returns the reason for which it does nothing more.
     fn trouble(&self) -> Option<&Trouble>;

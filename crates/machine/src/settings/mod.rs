@@ -2,6 +2,7 @@
 
 pub mod axes;
 pub mod board;
+mod choices;
 pub mod delays;
 pub mod estop;
 pub mod height;
@@ -18,10 +19,9 @@ pub mod pendant;
 pub mod plasma;
 pub mod simulated;
 pub mod speeds;
-mod words;
 
-pub(crate) use words::Words;
-use words::words;
+pub(crate) use choices::Words;
+use choices::words;
 
 use crate::lines::Input;
 use kerf_program::job::Heights;

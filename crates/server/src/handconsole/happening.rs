@@ -21,7 +21,7 @@ pub enum Happening {
         key: Key,
     },
     /// Outcome of a request that lasts: what was found out, or why it is not done.
-    Told(Result<String, String>),
+    Outcome(Result<String, String>),
 }
 
 /// The keys of the hand console, as pages press them.

@@ -6,14 +6,14 @@ use super::board::{Board, TELL};
 use super::link::Link;
 use crate::files::PartFolder;
 use crate::hub::Hub;
-use crate::told;
+use crate::to_wire;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Jog, LIFT, OperatorRequest, Requests, WorldClock};
 use kerf_journal::Hurry;
 use kerf_machine::Driven;
 use kerf_machine::driver::{Override, Shares};
 use kerf_program::{Question, QuestionKind};
-use kerf_trace::{Doing, Event, Made, Sink, Standing};
+use kerf_trace::{Doing, Event, Made, RunStatus, Sink};
 use kerf_wire::{Asked, Change, InForce, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::Path;
@@ -457,17 +457,17 @@ impl Sink for Teller {
         self.shared.board.borrow_mut().displays(comments);
     }
 
-    fn standing(&mut self, standing: &Standing) {
+    fn run_status(&mut self, standing: &RunStatus) {
         let mut board = self.shared.board.borrow_mut();
         board.stands(&standing.files);
-        board.watches(told::named(standing.watched.clone()));
+        board.watches(to_wire::named(standing.watched.clone()));
     }
 
     fn watches(&self) -> Vec<String> {
         self.shared.link.watched()
     }
 
-    fn looks_at_standing(&self) -> bool {
+    fn looks_at_status(&self) -> bool {
         true
     }
 }

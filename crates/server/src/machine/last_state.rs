@@ -10,7 +10,7 @@ use std::sync::Mutex;
 
 /// The machine and its files as the last run left them.
 #[derive(Default)]
-pub struct Left {
+pub struct LastState {
     /// The machine.
     pub session: Session,
     /// The part folder that FS chose.
@@ -21,7 +21,7 @@ pub struct Left {
     pub mask: String,
 }
 
-impl Left {
+impl LastState {
     /// The heights that the machine is set to.
     pub fn heights(left: &Mutex<Self>) -> Heights {
         lock(left).session.machine_is.zpos

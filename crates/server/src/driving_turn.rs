@@ -10,7 +10,7 @@ pub const SILENCE: Duration = Duration::from_secs(10);
 
 /// The turn that goes on, as far as it is known.
 #[derive(Debug)]
-pub struct Turn {
+pub struct DrivingTurn {
     clock: Clock,
     inner: Mutex<Inner>,
 }
@@ -23,7 +23,7 @@ struct Inner {
     run_of: u32,
 }
 
-impl Turn {
+impl DrivingTurn {
     /// By a clock.
     pub fn by(clock: Clock) -> Self {
         Self { clock, inner: Mutex::default() }
