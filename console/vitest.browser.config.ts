@@ -12,8 +12,8 @@ export default defineConfig({
     hookTimeout: 120_000,
     expect: { poll: { timeout: 40_000, interval: 50 } },
     globalSetup: ["tests/browser/browsers.ts"],
-    // Each with a browser, a server and a machine of its own: while one waits for its machine another works.
-    maxWorkers: 2,
+    // Each with a browser, a server and a machine of its own: while some wait for their machine another works.
+    maxWorkers: 3,
     // What the files share is loaded once a worker.
     isolate: false,
   },

@@ -8,7 +8,7 @@ import {
   truncateSync,
   writeFileSync,
 } from "node:fs";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
 import { mostBytes } from "../../src/link/send";
@@ -166,19 +166,27 @@ it("pro_send_http: a file that is damaged on its way is refused, and so is one t
   expect(readdirSync(workshop.parts).filter((name) => /damaged|lost/.test(name))).toEqual([]);
 });
 
-/** Drags files of the disk onto the page and lets go, as the browser hears it from the desk. */
+/**
+ * Drags files of the disk onto the page and lets go, as the browser hears it from the desk; and again where the page was
+ * too busy to hear it, as a person does.
+ */
 async function drop(files: readonly string[], x: number, y: number): Promise<void> {
   const browser = await page.context().newCDPSession(page);
   const data = { items: [], files: [...files], dragOperationsMask: 1 };
   const drag = (type: "dragEnter" | "dragOver" | "drop") =>
     browser.send("Input.dispatchDragEvent", { type, x, y, data });
-  await drag("dragEnter");
   const told = page.getByText("Let go: the files are sent into the part folder.");
+  const listed = says(basename(files[0] ?? ""), "");
   await until(async () => {
+    await drag("dragEnter");
     await drag("dragOver");
-    return (await told.count()) > 0;
-  }, "the page says what letting go means");
-  await drag("drop");
+    if ((await told.count()) === 0) return false;
+    await drag("drop");
+    return listed.waitFor({ timeout: 5000 }).then(
+      () => true,
+      () => false,
+    );
+  }, "the page says what letting go means, and lists what was dropped");
   await browser.detach();
 }
 

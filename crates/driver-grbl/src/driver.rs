@@ -97,6 +97,8 @@ pub struct Grbl {
     pub(crate) pins: String,
     /// Outputs that are on.
     pub(crate) on: u32,
+    /// It has greeted: it started while its line was open.
+    pub(crate) has_started: bool,
     /// Words that hold after the last order.
     pub(crate) modal: Modal,
     /// Shares at which it makes what it is told.
@@ -178,6 +180,7 @@ impl Grbl {
             doing: Doing::Idle,
             pins: String::new(),
             on: 0,
+            has_started: false,
             modal: Modal::default(),
             shares: Shares::default(),
             turned_s: f64::NEG_INFINITY,

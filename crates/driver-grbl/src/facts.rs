@@ -18,6 +18,13 @@ const TELLS: u32 = 3;
 /// The input that is the probe.
 pub const PROBE_INPUT: u8 = 1;
 
+/// The letter of the probe in a report.
+pub const PROBE: char = 'P';
+
+/// The pins whose state is told, as inputs: the probe and the limits. A door is no input: the controller holds by
+/// itself while it is open.
+pub const INPUTS: [(char, u8); 5] = [(PROBE, PROBE_INPUT), ('X', 5), ('Y', 6), ('Z', 7), ('A', 8)];
+
 /// Line of the first auxiliary output (`M64P0`).
 const FIRST_AUX: u32 = 4;
 
@@ -286,6 +293,13 @@ impl KnownFacts {
         if self.firmware == Firmware::Hal { self.bit(22, 3) } else { by_option }
     }
 
+    /// The inputs of which its reports tell: the probe, and the limits of its axes.
+    fn inputs(&self, axes: usize) -> u32 {
+        let limits = INPUTS[1..].iter().take(axes).map(|(_, line)| *line);
+        let probe = (!self.lacks_probe).then_some(PROBE_INPUT);
+        limits.chain(probe).fold(0, |bits, line| bits | 1 << (line - 1))
+    }
+
     /// All of it, for whoever plans.
     pub fn facts(&self, axes: usize) -> Facts {
         let each = |of: &dyn Fn(usize) -> Option<f64>| {
@@ -311,6 +325,7 @@ impl KnownFacts {
             arcs: true,
             outputs: self.outputs(),
             no_spindle: self.no_spindle(),
+            inputs: self.inputs(axes),
             probe: (!self.lacks_probe).then_some(PROBE_INPUT),
             spindle_rpm: self.of(30).unwrap_or(1000.0),
             overrides: true,

@@ -3,11 +3,11 @@
 use crate::at_once;
 use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, with};
 use crate::error_texts;
-use crate::facts::{self, PROBE_INPUT};
+use crate::facts::{self, INPUTS, PROBE, PROBE_INPUT};
 use crate::lines::straight;
 use crate::place::{millimetres, on_steps};
 use crate::report::{Doing, Report, axes};
-use kerf_machine::driver::{Driver, Garbled, Hold, Order, Reply, Ticket, Trouble};
+use kerf_machine::driver::{Driver, Facts, Garbled, Hold, Order, Reply, Ticket, Trouble};
 
 /// The error of a controller that moves, and tells nothing of itself meanwhile.
 const BUSY: u16 = 8;
@@ -54,7 +54,7 @@ impl Grbl {
     /// It has started.
     fn greeted(&mut self, now_s: f64) {
         self.pending.clear();
-        self.on = 0;
+        (self.on, self.has_started) = (0, true);
         match self.phase {
             Phase::Resetting => {
                 self.greets = true;
@@ -235,7 +235,7 @@ impl Grbl {
             (None, Doing::Alarm(_)) => Some(Trouble::Locked { why: facts::locked(facts.homes) }),
             (None, _) => None,
         };
-        self.facts = Some(facts);
+        self.facts = Some(Facts { is_fresh: self.has_started, ..facts });
         self.begin();
     }
 
@@ -363,13 +363,6 @@ impl Grbl {
         self.pins = pins;
     }
 }
-
-/// The letter of the probe in a report.
-const PROBE: char = 'P';
-
-/// The pins whose state is told, as inputs: the probe and the limits. A door is no input: the controller holds by
-/// itself while it is open.
-const INPUTS: [(char, u8); 5] = [(PROBE, PROBE_INPUT), ('X', 5), ('Y', 6), ('Z', 7), ('A', 8)];
 
 fn numbered(line: &str, before: &str) -> Option<u16> {
     line.strip_prefix(before)?.parse().ok()

@@ -21,11 +21,13 @@ pub enum Fact {
     ControllerDriven,
     /// The setting of a controller that was changed and is not put back.
     ControllerChanged,
+    /// The outputs with which a controller was left on.
+    ControllerOutputs,
 }
 
 impl Fact {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::SpindleStatus,
         Self::PositionLost,
         Self::ConfirmLocation,
@@ -33,6 +35,7 @@ impl Fact {
         Self::ControllerLeft,
         Self::ControllerDriven,
         Self::ControllerChanged,
+        Self::ControllerOutputs,
     ];
 
     /// The key under which the registry shows it.
@@ -45,6 +48,7 @@ impl Fact {
             Self::ControllerLeft => "ControllerLeft",
             Self::ControllerDriven => "ControllerDriven",
             Self::ControllerChanged => "ControllerChanged",
+            Self::ControllerOutputs => "ControllerOutputs",
         }
     }
 

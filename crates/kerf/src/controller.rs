@@ -1,10 +1,8 @@
 //! The controller that `--machine` names: its port opened, and what is wrong with a run on it.
 
-use crate::args::RunArgs;
 use crate::exit::Exit;
 use crate::machine_name::DriverName;
 use crate::report::Diagnostics;
-use crate::setup;
 use crate::stop::Stop;
 use anyhow::{Result, anyhow};
 use kerf_control::Session;
@@ -55,19 +53,25 @@ pub struct First {
     /// Unlocks the controller after an alarm, without homing it: look first why it stopped, and where it is
     #[arg(long, conflicts_with = "home")]
     unlock: bool,
+    /// It is only looked at: it may be locked.
+    #[arg(skip)]
+    looks: bool,
 }
 
 impl First {
     /// No steps.
-    pub const NONE: Self = Self { home: false, unlock: false };
+    pub const NONE: Self = Self { home: false, unlock: false, looks: false };
+
+    /// It is only looked at.
+    pub const LOOK: Self = Self { looks: true, ..Self::NONE };
 
     /// It goes home.
-    pub const HOME: Self = Self { home: true, unlock: false };
+    pub const HOME: Self = Self { home: true, ..Self::NONE };
 
     /// The same for whoever attaches the controller.
     pub fn steps(self) -> kerf_control::controller::First {
-        let Self { home, unlock } = self;
-        kerf_control::controller::First { home, unlock, may_be_locked: false }
+        let Self { home, unlock, looks } = self;
+        kerf_control::controller::First { home, unlock, may_be_locked: looks }
     }
 
     /// Returns the option that was given.
@@ -97,21 +101,20 @@ pub fn ready(
     Ok(controller)
 }
 
-/// Looks at a dry run for what the controller does not have; nothing moves when something is missing.
+/// Looks at a dry run, in files that it does not change, for what the controller does not have; nothing moves when
+/// something is missing.
 pub fn look_through(
     controller: &Controller,
     work: &Work,
     session: &Session,
     options: &RunOptions,
-    workspace: &Workspace,
-    run: &RunArgs,
-) -> Result<Option<Exit>> {
-    let mut workspace = setup::workspace(workspace.part_folder(), &run.place, true)?;
-    let mut answers: Answers = setup::answers(run)?;
+    mut workspace: Workspace,
+    mut answers: Answers,
+) -> Option<Exit> {
     let found = controller.lacks(work, session, options, &mut workspace, &mut answers);
     let mut told = Diagnostics::default();
     for diagnostic in &found {
         told.event(&kerf_trace::Event::Diag(Box::new(diagnostic.clone())));
     }
-    Ok(found.iter().any(kerf_diag::Diagnostic::is_error).then_some(Exit::Failed))
+    found.iter().any(kerf_diag::Diagnostic::is_error).then_some(Exit::Failed)
 }

@@ -151,20 +151,6 @@ impl MachineChoice {
         named.or(self.configuration.as_deref())
     }
 
-    /// Refuses a controller for what is done with the simulated machine only, as `kerf serve drives`.
-    ///
-    /// # Errors
-    /// A controller is named.
-    pub fn simulated(&self, does: &str) -> Result<(), Usage> {
-        match self.controller() {
-            None => Ok(()),
-            Some(name) => Err(Usage(format!(
-                "{does} the simulated machine only: leave --machine {name} out; kerf run FILE and kerf send LINE \
-                 move a controller"
-            ))),
-        }
-    }
-
     /// Refuses names that contradict each other, wherever a command has the option.
     ///
     /// # Errors

@@ -100,7 +100,6 @@ fn a_name_of_a_machine_that_cannot_be_is_refused_with_the_mend() {
     check("machine home --machine plasma --machine knife", "are two machines");
     check("run box.sbp --config sim --machine plasma", "are two machines");
     check("run box.sbp --home", "--home is for a controller: name it with --machine grbl:PORT");
-    check("io list --machine grbl:COM3", "kerf io switches the simulated machine only");
     for name in ["sim", "plasma", "grbl:COM3", "a/b", "mine.toml"] {
         check(&format!("machine save {name}"), "cannot be the name of a saved machine");
     }
@@ -110,7 +109,17 @@ fn a_name_of_a_machine_that_cannot_be_is_refused_with_the_mend() {
 fn a_controller_that_is_not_there_is_told_by_every_command_that_drives_one() {
     let shop = shop();
     shop.write("one.sbp", b"MX,1\n");
-    for command in ["run one.sbp", "send MX,1", "serve", "machine home", "machine move origin"] {
+    for command in [
+        "run one.sbp",
+        "send MX,1",
+        "serve",
+        "machine home",
+        "machine move origin",
+        "io list",
+        "io set out.2 1",
+        "get in.1",
+        "set out.2=1",
+    ] {
         let did = shop.kerf(&format!("{command} --machine grbl:COM33 --data shop"));
         did.exits(1).complains("there is no serial port COM33");
     }

@@ -5,7 +5,7 @@ use crate::shop::console::Console;
 
 #[test]
 fn every_kind_of_value_is_got_and_set_by_its_name() {
-    let shop = Shop::new(&[]);
+    let shop = Shop::new(&[("looks.sbp", "PRINT \"input 3 is \";%(53)\n")]);
     let check = |name: &str, before: &str, after: &str| {
         assert_eq!(shop.kerf(&format!("get {name}")).exits(0).out(), format!("{before}\n"));
         shop.kerf(&format!("set {name}={after}")).exits(0);
@@ -15,6 +15,8 @@ fn every_kind_of_value_is_got_and_set_by_its_name() {
     check("homing.x.end", "\"low\"", "\"high\"");
     check("tool2", "0", "1");
     check("in.jig1", "0", "1");
+    check("in.3", "0", "1");
+    shop.kerf("run looks.sbp --start kept").exits(0).says("input 3 is 1");
     shop.kerf("set uValue=a=b").exits(0);
     assert_eq!(shop.kerf("get ShopBot/UserData/uValue").exits(0).out(), "a=b\n");
     shop.kerf("set uValue=").exits(0);
@@ -55,7 +57,7 @@ fn a_name_that_is_none_is_told_with_the_nearest() {
     check("set %(1)=3", 2, "%(1) is a system variable");
     check("set Status=1", 2, "the machine tells Status");
     check("set tool2", 2, "give NAME=VALUE");
-    check("get tool2 --machine grbl:COM3", 2, "the simulated machine only");
+    check("get out.2 --machine grbl:/dev/none", 1, "there is no serial port");
     assert_eq!(shop.kerf("get delays.end_s").out(), "0\n");
 }
 

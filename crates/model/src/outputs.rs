@@ -4,24 +4,38 @@ use kerf_program::settings::{IoModes, LINES, SWITCHES};
 
 /// States of the outputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Outputs([bool; LINES]);
+pub struct Outputs {
+    on: [bool; LINES],
+    /// Those that were left on and nobody has switched since: the board may have been switched off meanwhile.
+    left: [bool; LINES],
+}
 
 impl Outputs {
     /// State of an output; one that does not exist is off.
     pub fn is_on(&self, number: u8) -> bool {
         let i = usize::from(number).wrapping_sub(1);
-        self.0.get(i).copied().unwrap_or_default()
+        self.on.get(i).copied().unwrap_or_default()
     }
 
     /// Tells whether any is on.
     pub fn is_any_on(&self) -> bool {
-        self.0.contains(&true)
+        self.on.contains(&true)
     }
 
-    /// Switches one; true when that changed it.
+    /// Switches one; true when that changed it, or may have.
     pub(crate) fn set(&mut self, number: u8, on: bool) -> bool {
         let i = usize::from(number).wrapping_sub(1);
-        self.0.get_mut(i).is_some_and(|state| std::mem::replace(state, on) != on)
+        let Some(state) = self.on.get_mut(i) else { return false };
+        let changes = std::mem::replace(state, on) != on;
+        std::mem::take(&mut self.left[i]) || changes
+    }
+
+    /// One was left on: whatever it is switched to is a change.
+    pub(crate) fn was_left_on(&mut self, number: u8) {
+        let i = usize::from(number).wrapping_sub(1);
+        if i < LINES {
+            (self.on[i], self.left[i]) = (true, true);
+        }
     }
 }
 
@@ -100,5 +114,16 @@ mod tests {
         assert!(!outputs.set(0, true) && !outputs.set(29, true));
         assert!(outputs.set(28, true) && !outputs.set(28, true));
         assert!(outputs.is_on(28) && !outputs.is_on(0) && !outputs.is_on(29));
+    }
+
+    #[test]
+    fn an_output_that_was_left_on_is_switched_whatever_to() {
+        for on in [true, false] {
+            let mut outputs = Outputs::default();
+            outputs.was_left_on(2);
+            assert!(outputs.is_on(2) && outputs.is_any_on());
+            assert!(outputs.set(2, on), "once more {on}");
+            assert!(!outputs.set(2, on) && outputs.is_on(2) == on);
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! A controller that a session drives from run to run: attached, held to the place that is on record, left again.
 
 use super::either::dry_run;
+use super::lacks::{lines, listed};
 use super::{Connection, Lacks, Socket};
 use crate::Session;
 use crate::answers::Operator;
@@ -54,6 +55,9 @@ const DRIVEN: &str = Fact::ControllerDriven.key();
 /// and since.
 const CHANGED: &str = Fact::ControllerChanged.key();
 
+/// The value that says which outputs a controller was left with on: its port, a bit each.
+const OUTPUTS: &str = Fact::ControllerOutputs.key();
+
 /// Places closer than this are the same, mm: a controller tells thousandths.
 const SAME_MM: f64 = 0.01;
 
@@ -95,6 +99,9 @@ impl Controller {
         let homes = if connection.facts().homes { axes } else { AxisSet::EMPTY };
         // Outputs and switches of the simulated machine are none of this one's.
         session.machine = None;
+        if !abandoned && !connection.facts().is_fresh {
+            told.warnings.extend(keeps_on(&socket, &mut connection, session, workspace));
+        }
         session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes });
         let connection = Rc::new(RefCell::new(connection));
         let mut controller = Self { socket, counts: true, connection };
@@ -222,6 +229,9 @@ impl Controller {
         self.connection.borrow_mut().close(well, is_stopped);
         self.keeps_place(workspace);
         workspace.stored.set(DRIVEN, None);
+        let on = self.connection.borrow().has_on();
+        let left = (on != 0).then(|| serde_json::to_string(&(&self.socket.port, on)).ok());
+        workspace.stored.set(OUTPUTS, left.flatten().as_deref());
     }
 
     /// It is driven no more: what was changed in it is put back.
@@ -332,6 +342,25 @@ fn keeps_changed(
     workspace.stored.set(CHANGED, kept.as_deref());
     let name = &socket.name;
     Some(format!("{name}: ${number} is {is} while Kerf drives it, {was} again afterwards"))
+}
+
+/// The outputs with which the controller was left on are on, as far as anybody knows: the session believes it, and says so.
+fn keeps_on(
+    socket: &Socket,
+    connection: &mut Connection,
+    session: &mut Session,
+    workspace: &Workspace,
+) -> Option<String> {
+    let (port, left): (String, u32) =
+        serde_json::from_str(workspace.stored.get(OUTPUTS)?).ok().filter(|(_, on)| *on != 0)?;
+    if port != socket.port {
+        return None;
+    }
+    connection.was_left_on(left);
+    let mut machine = session.machine(Vec::new());
+    lines(left).for_each(|line| machine.model.was_left_on(line));
+    session.machine = Some(machine);
+    Some(format!("{}: left on by the last command: output {}", socket.name, listed(left)))
 }
 
 /// The machine stands where its controller tells; the session believes it. Says where they differed.

@@ -75,6 +75,8 @@ pub struct Connection {
     /// Outputs as they should be, and as they were ordered.
     pub(super) wanted: u32,
     pub(super) ordered: u32,
+    /// Outputs that were left on, and were not ordered since.
+    pub(super) left: u32,
     pub(super) rpm: Option<f64>,
     /// Share of the ordered speed at which it makes moves.
     pub(super) feed: f32,
@@ -144,6 +146,7 @@ impl Connection {
             open: 0,
             wanted: 0,
             ordered: 0,
+            left: 0,
             rpm: None,
             feed: 1.0,
             turned: (100, 100),
@@ -293,6 +296,16 @@ impl Connection {
     pub fn keeps_zero(&mut self, name: &str, at: Axes) -> bool {
         let at = if name == SHIFT { Axes::default() } else { at.minus(self.offset) };
         self.open == 0 && self.failure.is_none() && self.link.driver().keeps_zero(name, at)
+    }
+
+    /// Outputs were left on, as far as anybody knows: whatever each is switched to is ordered.
+    pub const fn was_left_on(&mut self, outputs: u32) {
+        (self.wanted, self.ordered, self.left) = (outputs, outputs, outputs);
+    }
+
+    /// Returns the outputs that are on, as they were ordered.
+    pub const fn has_on(&self) -> u32 {
+        self.ordered
     }
 
     /// Closes its port.
@@ -493,7 +506,7 @@ impl Connection {
             }
         }
         self.link.restart(self.now_s());
-        (self.done, self.open, self.ordered) = (0, 0, 0);
+        (self.done, self.open, self.ordered, self.left) = (0, 0, 0, 0);
         (self.probing, self.contact, self.looks_often) = (None, None, false);
         // Its reset has set the override back.
         if self.feed != 1.0 {
@@ -567,7 +580,7 @@ impl Connection {
 impl Drop for Connection {
     fn drop(&mut self) {
         // Whoever forgot to close it has left in the middle.
-        if self.open > 0 || self.ordered != 0 && !self.closed {
+        if self.open > 0 || self.ordered & !self.left != 0 && !self.closed {
             self.stop_at_once();
         }
         self.put_back();

@@ -151,6 +151,10 @@ impl Connection {
     fn want(&mut self, line: u8, on: bool) {
         let bit = self.facts.outputs & (1 << (line - 1));
         self.wanted = if on { self.wanted | bit } else { self.wanted & !bit };
+        if self.left & bit != 0 {
+            self.left &= !bit;
+            self.ordered = self.ordered & !bit | bit & !self.wanted;
+        }
         self.switch_outputs();
     }
 

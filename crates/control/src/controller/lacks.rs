@@ -108,19 +108,39 @@ pub(super) fn no_output(facts: &Facts, number: u8) -> String {
     if wired(number) == Some(1) && !facts.no_spindle.is_empty() {
         return format!("has no spindle: {}", facts.no_spindle);
     }
-    let name = |line: u8| match line {
-        1 => "1 (spindle)".to_owned(),
-        2 => "2 (flood)".to_owned(),
-        3 => "3 (mist)".to_owned(),
-        line => line.to_string(),
+    format!("has no output {number}, but {}", listed(facts.outputs))
+}
+
+/// Names of the outputs that have a line of their own in every controller.
+const NAMED: [(u8, &str); 3] = [(1, "spindle"), (2, "flood"), (3, "mist")];
+
+/// The name of an output of a controller, where it has one.
+pub fn output_name(line: u8) -> Option<&'static str> {
+    NAMED.iter().find(|(named, _)| *named == line).map(|(_, name)| *name)
+}
+
+/// The output of a controller with a name.
+pub fn output_of_name(word: &str) -> Option<u8> {
+    NAMED.iter().find(|(_, name)| name.eq_ignore_ascii_case(word)).map(|(line, _)| *line)
+}
+
+/// The lines of a set of outputs or inputs, a bit each, line 1 lowest.
+pub fn lines(bits: u32) -> impl Iterator<Item = u8> {
+    (1..=u32::BITS as u8).filter(move |line| bits & (1 << (line - 1)) != 0)
+}
+
+/// Outputs by number, with the names that they have.
+pub(super) fn listed(outputs: u32) -> String {
+    let shown = |line| match output_name(line) {
+        Some(name) => format!("{line} ({name})"),
+        None => line.to_string(),
     };
-    let has = (1..=u32::BITS as u8).filter(|line| facts.outputs & (1 << (line - 1)) != 0).map(name);
-    format!("has no output {number}, but {}", has.collect::<Vec<_>>().join(", "))
+    lines(outputs).map(shown).collect::<Vec<_>>().join(", ")
 }
 
 /// The controller's line for an output of the machine. The router of a job is its spindle; signals for
 /// other machines, and what follows the first tool up and down, it can do without.
-pub(super) fn wired(number: u8) -> Option<u8> {
+pub fn wired(number: u8) -> Option<u8> {
     match Output::of_number(number) {
         Some(Output::Router) => Some(1),
         Some(Output::JobRunning | Output::Jig1 | Output::Jig2) => None,

@@ -32,5 +32,5 @@ mod socket;
 pub use attached::{AttachReport, First};
 pub use connection::Connection;
 pub use either::{Controller, Place};
-pub use lacks::Lacks;
+pub use lacks::{Lacks, lines, output_name, output_of_name, wired};
 pub use socket::{Ends, Opens, Socket};

@@ -1,6 +1,7 @@
 //! `kerf machine home`, `move`, `zset` and `pos`: the machine moved by hand.
 
 use super::which::Which;
+use crate::args::PlaceArgs;
 use crate::controller::{self, First};
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, Terminal};
@@ -13,7 +14,7 @@ use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
-use kerf_control::{OperatorRequest, RunContext, Script, Session};
+use kerf_control::{AtRest, OperatorRequest, RunContext, Script, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
@@ -130,22 +131,24 @@ impl SpecialHeight {
     }
 }
 
-/// The machine, while it is moved by hand.
-struct Shop {
-    session: Session,
+/// The machine, while somebody works on it by hand.
+pub struct Shop {
+    pub session: Session,
     workspace: Workspace,
     machine: Arc<Configuration>,
-    controller: Option<Controller>,
+    pub controller: Option<Controller>,
+    place: PlaceArgs,
     real: bool,
 }
 
 impl Shop {
-    fn open(which: &Which, real: bool) -> Result<Self> {
+    /// The machine that is named.
+    pub fn open(which: &Which, real: bool) -> Result<Self> {
         Self::open_after(which, First::NONE, real)
     }
 
     /// The machine after steps of its controller.
-    fn open_after(which: &Which, first: First, real: bool) -> Result<Self> {
+    pub fn open_after(which: &Which, first: First, real: bool) -> Result<Self> {
         let place = which.place();
         let mut workspace = setup::workspace(Path::new(""), &place, false)?;
         let (mut session, _) = setup::session(&place, false, &mut workspace)?;
@@ -158,7 +161,7 @@ impl Shop {
         let name = which.machine.controller();
         let ready = |name| controller::ready(name, first, false, &mut session, &mut workspace);
         let controller = name.map(ready).transpose()?;
-        Ok(Self { session, workspace, machine, controller, real })
+        Ok(Self { session, workspace, machine, controller, place, real })
     }
 
     /// Fails unless the machine stands, and its place in X and Y is known.
@@ -176,8 +179,51 @@ impl Shop {
         Ok(())
     }
 
+    /// Carries out a line, as if it were typed at the machine, unless its controller lacks what that needs.
+    pub fn types(&mut self, line: &str) -> Result<Exit> {
+        let read = || Work::from(kerf_sbp::read_typed("typed".into(), &format!("{line}\n")));
+        let mut options = RunOptions::default();
+        options.program.typed = true;
+        if let Some(controller) = &self.controller {
+            let files = setup::workspace(Path::new(""), &self.place, true)?;
+            let (session, answers) = (&self.session, Answers::default());
+            let work = read();
+            let lacks =
+                controller::look_through(controller, &work, session, &options, files, answers);
+            if let Some(exit) = lacks {
+                controller.detach(&mut self.workspace);
+                return Ok(exit);
+            }
+        }
+        self.does_with(read(), options, Vec::new())
+    }
+
+    /// Looks at the controller for what its inputs tell.
+    pub fn look(&mut self) {
+        let Some(controller) = &self.controller else { return };
+        for input in controller.attend().0 {
+            AtRest(&mut self.session).senses(input);
+        }
+    }
+
+    /// The controller is left as it was found.
+    pub fn leave(&mut self) {
+        if let Some(controller) = &self.controller {
+            controller.detach(&mut self.workspace);
+        }
+    }
+
     /// Does something and prints each step of it.
     fn does(&mut self, work: Work, requests: Vec<(f64, OperatorRequest)>) -> Result<Exit> {
+        self.does_with(work, RunOptions::default(), requests)
+    }
+
+    fn does_with(
+        &mut self,
+        work: Work,
+        options: RunOptions,
+        requests: Vec<(f64, OperatorRequest)>,
+    ) -> Result<Exit> {
         let clock = if self.real { Clock::Real } else { Clock::Fast };
         let mut terminal = Terminal::new(clock, Script::new(requests, Vec::new()))?;
         let mut operator = Person::new(Answers::default(), io::stdin().is_terminal(), &terminal);
@@ -195,7 +241,7 @@ impl Shop {
         let (settings, workspace) =
             (Some(self.session.memory.settings.clone()), &mut self.workspace);
         let name = controller.as_ref().map(|it| it.name().to_owned());
-        let options = RunOptions { controller: name, ..RunOptions::default() };
+        let options = RunOptions { controller: name, ..options };
         controller.iter().for_each(|controller| controller.begins(workspace));
         let summary = self.session.run_on_record(work, options, settings, workspace, context)?;
         if let Some(controller) = &controller {

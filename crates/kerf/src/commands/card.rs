@@ -1,11 +1,12 @@
-//! The inputs and outputs of a machine: of the one that a server has, or as the data folder keeps them.
+//! The inputs and outputs of a machine: of the one that a server has, of a controller, or as the data folder keeps them.
 
 use crate::args::DataArgs;
+use crate::commands::io::{Switch, Switches};
 use crate::exit::Usage;
 use crate::machine_name::MachineChoice;
-use crate::remote::{Card, beside};
+use crate::remote::{Card, Remote, beside};
 use crate::{memory, setup};
-use anyhow::{Result, bail};
+use anyhow::Result;
 use clap::Args;
 use kerf_journal::{Journal, Press};
 use kerf_machine::Configuration;
@@ -35,10 +36,42 @@ impl CardArgs {
         setup::machine(&self.machine, &self.data)
     }
 
+    /// The server that has the machine, where one runs.
+    pub fn server(&self) -> Result<Option<Remote>> {
+        beside(&self.data, &self.machine)
+    }
+
     /// The card of the machine that a running server has; it is armed first where that is wanted.
     pub fn served(&self, arm: bool) -> Result<Option<Card>> {
-        let server = beside(&self.data, &self.machine)?;
-        Ok(server.map(|server| Card::of(server, arm)))
+        Ok(self.server()?.map(|server| Card::of(server, arm)))
+    }
+
+    /// The input or output of a name.
+    ///
+    /// # Errors
+    /// None of the machine is called so.
+    pub fn line(&self, name: &str) -> Result<Line> {
+        Line::named(name, &self.machine).ok_or_else(|| Usage(self.nothing_called(name)).into())
+    }
+
+    fn nothing_called(&self, name: &str) -> String {
+        if let Some(controller) = self.machine.controller() {
+            return format!(
+                "{controller} has no input or output {name}; kerf io list --machine {controller} shows those it has"
+            );
+        }
+        let names = OUTPUT_BITS.iter().chain(INPUT_BITS).map(|bit| bit.name);
+        let hint = kerf_diag::did_you_mean(name, names)
+            .unwrap_or_else(|| "kerf io list shows all of them".into());
+        format!("no input or output is called {name}; {hint}")
+    }
+
+    /// Tells whether an input or output is on; of an input what it reads.
+    pub fn is_on(&self, line: Line) -> Result<bool> {
+        match line {
+            Line::Bit(is_output, bit) => Ok(self.ports()?.is_on(is_output, bit)),
+            Line::Switch(switch) => Switches::of(self).is_on(switch),
+        }
     }
 
     /// The ports as they are; of inputs what they read.
@@ -87,7 +120,11 @@ impl CardArgs {
     /// Switches a bit, through the server that has the machine where one runs; of an input it is the level of its pin.
     pub fn switch(&self, (is_output, bit): (bool, &Bit), on: bool, arm: bool) -> Result<Ports> {
         match self.served(arm)? {
-            Some(card) if is_output => card.switch(bit, on),
+            Some(card) if is_output => {
+                let ports = card.switch(bit, on)?;
+                goes_off(on);
+                Ok(ports)
+            }
             Some(card) => card.press(bit, self.machine()?.io.line_reads(line_of_pin(bit), on)),
             None => self.switch_here(is_output, bit, on),
         }
@@ -102,26 +139,47 @@ impl CardArgs {
             }
             let number = line_of_pin(bit);
             ports.set_input(bit, machine.io.line_reads(number, on));
-            // Whatever runs next finds the switch where it was left.
-            journal.map_or(Ok(()), |journal| journal.registry.move_switch(Press { number, on }))?;
-            Ok(())
+            moved(number, on, journal)
         })?;
         Ok(ports)
     }
+
+    /// Puts the switch of an input of the simulated machine, which nobody serves.
+    pub fn move_switch(&self, number: u8, on: bool) -> Result<()> {
+        self.change(|_, journal| moved(number, on, journal)).map(drop)
+    }
 }
 
-/// The bit of a name, and `true` for an output.
-///
-/// # Errors
-/// No bit is called so.
-pub fn known(name: &str) -> Result<(bool, &'static Bit)> {
-    match wiring::bit(name) {
-        Some(found) => Ok(found),
-        None => {
-            let names = OUTPUT_BITS.iter().chain(INPUT_BITS).map(|bit| bit.name);
-            let hint = kerf_diag::did_you_mean(name, names)
-                .unwrap_or_else(|| "kerf io list shows every bit".into());
-            bail!(Usage(format!("no bit is called {name}; {hint}")))
-        }
+/// Tells what becomes of an output that was switched through a server.
+pub fn goes_off(on: bool) {
+    if on {
+        eprintln!(
+            "kerf: the output goes off again when nobody drives the machine of the server any more: switch it at the \
+             page that drives, or send the lines that need it together (kerf send)"
+        );
+    }
+}
+
+/// Whatever runs next finds the switch where it was left.
+fn moved(number: u8, on: bool, journal: Option<&Journal>) -> Result<()> {
+    journal.map_or(Ok(()), |journal| Ok(journal.registry.move_switch(Press { number, on })?))
+}
+
+/// An input or output.
+#[derive(Clone, Copy, Debug)]
+pub enum Line {
+    /// A bit of the card, and `true` for an output.
+    Bit(bool, &'static Bit),
+    /// A switch, by its number.
+    Switch(Switch),
+}
+
+impl Line {
+    /// The input or output of a machine that a name means; a controller has no card.
+    pub fn named(name: &str, machine: &MachineChoice) -> Option<Self> {
+        let of_controller = machine.controller().is_some();
+        let bit = wiring::bit(name).filter(|_| !of_controller);
+        let bit = bit.map(|(is_output, bit)| Self::Bit(is_output, bit));
+        bit.or_else(|| Switch::named(name, of_controller).map(Self::Switch))
     }
 }

@@ -1,29 +1,32 @@
-//! `kerf io`: the inputs and outputs of the simulated machine, by hand.
+//! `kerf io`: the inputs and outputs of a machine, by hand.
+
+mod states;
+mod switches;
+
+pub use states::State;
+pub use switches::{Switch, Switches};
 
 use super::by_hand::ServerArgs;
-use super::card::{self, CardArgs};
+use super::card::{CardArgs, Line};
 use crate::exit::{Exit, Usage};
 use crate::summary::told_by_server;
 use crate::waveforms::VcdArgs;
 use crate::{out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand, ValueEnum};
-use kerf_machine::Configuration;
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::settings::motors::Motor;
-use kerf_machine::wiring::{self, Bit, CARDS, INPUT_BITS, OUTPUT_BITS, Port, Terminal};
-use kerf_model::ports::Ports;
+use kerf_machine::wiring::{self, Bit, CARDS, Port, Terminal};
 use kerf_program::OutputReason;
 use kerf_trace::{Event, Sink};
-use std::thread;
-use std::time::{Duration, Instant};
+use states::States;
 
-/// Lists, reads and sets the ports of the simulated machine, steps its motors, shows how cards are wired
+/// Lists, reads and switches inputs and outputs, steps motors, shows how cards are wired
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  kerf io list\n  kerf io set tool2 1\n  kerf io set in.xhome 1\n  \
-    kerf io step x +\n  kerf io map --card pci --notes\n\nWhere a kerf serve has the machine of the data folder, its ports are meant: what is set and \
-    stepped goes through it,\nas whoever drives it. Outputs and motors take an armed machine (--arm).\n\nExit codes: 0 done, 1 failed, 2 the command line was wrong"
+    kerf io list --machine grbl:/dev/ttyUSB0\n  kerf io set flood 1 --machine grbl:/dev/ttyUSB0\n  kerf io step x +\n  kerf io map --card pci --notes\n\nWhere a kerf serve has the machine of the data folder, its ports are meant: what is set and \
+    stepped goes through it,\nas whoever drives it. Outputs and motors take an armed machine (--arm). A controller has the outputs that it tells of; one\nthat is switched on stays on until it is switched off.\n\nExit codes: 0 done, 1 failed, 2 the command line was wrong"
 )]
 pub struct IoArgs {
     #[command(subcommand)]
@@ -34,17 +37,16 @@ pub struct IoArgs {
 
 #[derive(Subcommand)]
 enum Action {
-    /// Lists every bit with its state
+    /// Lists every input and output with its state
     List,
-    /// Prints the state of a bit, 0 or 1, as kerf get does; of an input what it reads
-    #[command(hide = true)]
+    /// Prints the state of an input or output, 0 or 1, as kerf get does; of an input what it reads
     Get {
-        /// Its name, or port and bit: tool2, B2, in.jig1
+        /// Its name, port and bit, or number: tool2, B2, in.jig1, out.2, in.1
         name: String,
     },
-    /// Switches an output, or sets an input of the simulated machine, as kerf set does; --vcd traces it
+    /// Switches an output, as kerf set does, or sets an input of the simulated machine; --vcd traces it
     Set {
-        /// Its name
+        /// Its name, port and bit, or number: tool2, B2, in.jig1, out.2; of a controller spindle, flood, mist
         name: String,
         /// 0 or 1; of an input the level of its pin
         #[arg(value_parser = clap::value_parser!(u8).range(0..=1))]
@@ -64,7 +66,7 @@ enum Action {
         #[command(flatten)]
         there: ServerArgs,
     },
-    /// Prints every change of a bit as it happens
+    /// Prints every change of an input or output as it happens
     Watch {
         /// Ends after so many seconds
         #[arg(long = "for", value_name = "SECONDS", value_parser = parse::not_negative)]
@@ -89,54 +91,57 @@ enum Way {
     Back,
 }
 
-/// Interval at which changes are looked for.
-const LOOK: Duration = Duration::from_millis(50);
-
 pub fn run(args: &IoArgs) -> Result<Exit> {
-    args.card.machine.simulated("kerf io switches")?;
     match &args.action {
         Action::List => {
-            list(&args.card.ports()?, &args.card.machine()?);
+            out::print(&states(args)?()?.iter().map(State::line).collect::<String>());
         }
         Action::Get { name } => {
-            let (is_output, bit) = card::known(name)?;
-            out::print(&format!("{}\n", u8::from(args.card.ports()?.is_on(is_output, bit))));
+            let on = args.card.is_on(args.card.line(name)?)?;
+            out::print(&format!("{}\n", u8::from(on)));
         }
-        Action::Set { name, value, vcd, there } => set(args, name, *value == 1, vcd, *there)?,
+        Action::Set { name, value, vcd, there } => {
+            return set(args, name, *value == 1, vcd, *there);
+        }
         Action::Step { motor, way, there } => {
             return step(args, motor, *way == Way::Forward, *there);
         }
-        Action::Watch { seconds } => watch(args, *seconds)?,
+        Action::Watch { seconds } => states::watch(states(args)?, *seconds)?,
         Action::Map { card, notes } => map(card, *notes)?,
     }
     Ok(Exit::Good)
 }
 
-fn list(ports: &Ports, machine: &Configuration) {
-    let mut lines = String::new();
-    for (word, is_output, bits) in [("output", true, OUTPUT_BITS), ("input", false, INPUT_BITS)] {
-        for bit in bits {
-            let aliases = bit.aliases.join(", ");
-            let input = Input::named(bit.name).filter(|_| !is_output);
-            let name = input.and_then(|it| machine.name_in_use(it)).unwrap_or(bit.name);
-            lines.push_str(&format!(
-                "{word:<7}{:<4}{name:<18}{} {aliases:<22}{}\n",
-                bit.address(),
-                u8::from(ports.is_on(is_output, bit)),
-                bit.about
-            ));
-        }
+/// The inputs and outputs of the machine: those that its controller tells, else those of its card.
+fn states(args: &IoArgs) -> Result<States> {
+    let card = args.card.clone();
+    if card.machine.controller().is_some() {
+        return Switches::of(&card).states();
     }
-    out::print(&lines);
+    let machine = card.machine()?;
+    Ok(Box::new(move || Ok(states::of_card(&card.ports()?, &machine))))
 }
 
-fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs, there: ServerArgs) -> Result<()> {
-    let (is_output, bit) = card::known(name)?;
+fn set(args: &IoArgs, name: &str, on: bool, vcd: &VcdArgs, there: ServerArgs) -> Result<Exit> {
+    let (is_output, bit) = match args.card.line(name)? {
+        Line::Bit(is_output, bit) => (is_output, bit),
+        Line::Switch(switch) => {
+            if vcd.path().is_some() {
+                bail!(Usage(format!("--vcd traces bits of the card: {} is none", switch.name())));
+            }
+            let exit = Switches::of(&args.card).set(switch, on, there)?;
+            if exit == Exit::Good {
+                out::print(&format!("{} = {}\n", switch.name(), u8::from(on)));
+            }
+            return Ok(exit);
+        }
+    };
     let ports = args.card.switch((is_output, bit), on, there.arm)?;
     let byte = if is_output { ports.output(bit.port) } else { ports.input(bit.port) };
     let side = if is_output { "output" } else { "input" };
     out::print(&format!("{side} port {} = 0x{byte:02X}\n", bit.port.letter()));
-    traced(args, vcd, is_output, bit.name, ports.is_on(is_output, bit))
+    traced(args, vcd, is_output, bit.name, ports.is_on(is_output, bit))?;
+    Ok(Exit::Good)
 }
 
 /// The change as signals, where a file for them is named.
@@ -164,6 +169,11 @@ fn traced(args: &IoArgs, vcd: &VcdArgs, is_output: bool, name: &str, on: bool) -
 }
 
 fn step(args: &IoArgs, name: &str, forward: bool, there: ServerArgs) -> Result<Exit> {
+    if let Some(controller) = args.card.machine.controller() {
+        bail!(Usage(format!(
+            "{controller} makes the steps of its motors itself: kerf machine move to --relative moves an axis"
+        )));
+    }
     let Some(motor) = Motor::ALL.into_iter().find(|it| it.word().eq_ignore_ascii_case(name)) else {
         bail!(Usage(format!("there is no motor {name}: x, y, z, w, q or r")));
     };
@@ -190,25 +200,6 @@ fn step(args: &IoArgs, name: &str, forward: bool, there: ServerArgs) -> Result<E
         way.unwrap_or_default()
     ));
     Ok(Exit::Good)
-}
-
-fn watch(args: &IoArgs, seconds: Option<f64>) -> Result<()> {
-    let began = Instant::now();
-    let mut before = args.card.ports()?;
-    while seconds.is_none_or(|most| began.elapsed().as_secs_f64() < most) {
-        thread::sleep(LOOK);
-        let now = args.card.ports()?;
-        for (side, is_output, bits) in [("output", true, OUTPUT_BITS), ("input", false, INPUT_BITS)]
-        {
-            let changed = |bit: &&Bit| before.is_on(is_output, bit) != now.is_on(is_output, bit);
-            for bit in bits.iter().filter(changed) {
-                let on = u8::from(now.is_on(is_output, bit));
-                out::print(&format!("{side} {} {} {on}\n", bit.address(), bit.name));
-            }
-        }
-        before = now;
-    }
-    Ok(())
 }
 
 fn map(card: &str, notes: bool) -> Result<()> {

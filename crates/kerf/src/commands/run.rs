@@ -35,7 +35,7 @@ use clap::Args;
 use kerf_control::answers::Answers;
 use kerf_control::controller::Controller;
 use kerf_control::{RunContext, Session};
-use kerf_journal::{JournalError, Whereabouts, Work};
+use kerf_journal::{JournalError, RunOptions, Whereabouts, Work};
 use kerf_machine::{Configuration, table};
 use kerf_program::job::Job;
 use kerf_program::rounded;
@@ -260,9 +260,7 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
     if let Some(name) = name {
         let ready =
             controller::ready(name, args.first, args.quiet(), &mut session, &mut workspace)?;
-        if let Some(exit) =
-            controller::look_through(&ready, &work, &session, &options, &workspace, run)?
-        {
+        if let Some(exit) = lacks(&ready, &work, &session, &options, &workspace, run)? {
             ready.detach(&mut workspace);
             return Ok(exit);
         }
@@ -311,6 +309,20 @@ pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) 
         true => closes(exit, &visit, (&mut session, &mut workspace), args, run),
         false => Ok(exit),
     }
+}
+
+/// Looks through a run for what its controller lacks, before anything moves.
+fn lacks(
+    controller: &Controller,
+    work: &Work,
+    session: &Session,
+    options: &RunOptions,
+    workspace: &Workspace,
+    run: &RunArgs,
+) -> Result<Option<Exit>> {
+    let files = setup::workspace(workspace.part_folder(), &run.place, true)?;
+    let answers = setup::answers(run)?;
+    Ok(controller::look_through(controller, work, session, options, files, answers))
 }
 
 /// The run is over: the controller that made it, if one did, is left as it was found.

@@ -148,7 +148,7 @@ fn remotely(url: &str, lines: &str, args: &SendArgs) -> Result<Exit> {
     if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
         server.unlock(&password)?;
     }
-    Ok(told_by_server(&server.send(lines)?, args.machine.quiet()))
+    Ok(told_by_server(&server.send(lines, false)?, args.machine.quiet()))
 }
 
 /// Refuses a file that was meant to be sent: it is no line, and where it goes is missing.

@@ -1,6 +1,8 @@
 //! `kerf get` and `kerf set`: everything that has a value, by one grammar.
 
-use super::card::CardArgs;
+use super::by_hand::ServerArgs;
+use super::card::{CardArgs, Line};
+use super::io::{State, Switches};
 use super::kept_values::KeptValues;
 use super::which::Which;
 use super::{machine, settings, sysvars};
@@ -12,7 +14,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 use kerf_machine::Value;
 use kerf_machine::table::{self, Setting};
-use kerf_machine::wiring::{self, Bit, INPUT_BITS, OUTPUT_BITS};
+use kerf_machine::wiring::{Bit, INPUT_BITS, OUTPUT_BITS};
 
 /// Prints what has a value: settings, inputs and outputs, V commands, system variables, values of programs
 ///
@@ -68,8 +70,7 @@ fn pair(text: &str) -> Result<(String, String), String> {
 /// Something that has a value.
 enum Named {
     Setting(&'static Setting),
-    /// A bit of the card, and `true` for an output.
-    Line((bool, &'static Bit)),
+    Line(Line),
     /// A V command, by its letters.
     Command(String),
     /// A system variable, by its number.
@@ -79,12 +80,12 @@ enum Named {
 }
 
 impl Named {
-    fn of(name: &str) -> Self {
+    fn of(name: &str, machine: &MachineChoice) -> Self {
         let variable = name.strip_prefix("%(").and_then(|rest| rest.strip_suffix(')'));
         let letters = name.to_ascii_uppercase();
         let is_command = letters.len() == 2 && letters.starts_with('V');
         let setting = table::setting(name).map(Self::Setting);
-        match (variable, setting, wiring::bit(name)) {
+        match (variable, setting, Line::named(name, machine)) {
             (Some(number), ..) => Self::Variable(number.trim().to_owned()),
             (_, Some(setting), _) => setting,
             _ if is_command && kerf_sbp::table::find(&letters).is_some() => Self::Command(letters),
@@ -106,18 +107,15 @@ impl Places {
         Self { which, kept }
     }
 
-    fn card(&self) -> Result<CardArgs> {
-        self.which.machine.simulated("kerf get and kerf set know the inputs and outputs of")?;
-        Ok(CardArgs { data: self.which.folder(), machine: self.which.machine.clone() })
+    fn card(&self) -> CardArgs {
+        CardArgs { data: self.which.folder(), machine: self.which.machine.clone() }
     }
 
     /// The value of a name; nothing where it has none.
     fn value(&self, named: &Named) -> Result<Option<String>> {
         Ok(match named {
             Named::Setting(setting) => Some(setting.get(&self.which.machine()?).to_string()),
-            Named::Line((is_output, bit)) => {
-                Some(u8::from(self.card()?.ports()?.is_on(*is_output, bit)).to_string())
-            }
+            Named::Line(line) => Some(u8::from(self.card().is_on(*line)?).to_string()),
             Named::Command(letters) => {
                 let lines = settings::lines(&self.which.place())?;
                 let values = |line: &String| Some(line.strip_prefix(letters)?[1..].to_owned());
@@ -137,9 +135,10 @@ impl Places {
         let small = word.to_lowercase();
         let fits = |name: &str| name.to_lowercase().contains(&small);
         let mut text = machine::listed(Some(word), &self.which.machine()?);
-        if self.which.machine.controller().is_none() {
-            text.push_str(&card_lines(&self.card()?, fits)?);
-        }
+        text.push_str(&match self.which.machine.controller() {
+            Some(_) => switch_lines(&self.card(), fits)?,
+            None => card_lines(&self.card(), fits)?,
+        });
         for (variable, value) in sysvars::all(&self.which.place(), None)? {
             if fits(variable.name) {
                 text.push_str(&sysvars::line(&variable, &value));
@@ -167,6 +166,18 @@ fn card_lines(card: &CardArgs, fits: impl Fn(&str) -> bool) -> Result<String> {
     Ok(fitting.map(line).collect())
 }
 
+/// The inputs and outputs of a controller whose names fit, a line each.
+fn switch_lines(card: &CardArgs, fits: impl Fn(&str) -> bool) -> Result<String> {
+    let name = |it: &State| {
+        let side = if it.is_output { "out" } else { "in" };
+        format!("{side}.{}", it.address)
+    };
+    let all = Switches::of(card).states()?()?;
+    let fitting = all.iter().filter(|it| fits(&name(it)) || fits(&it.name));
+    let line = |it: &State| format!("{} = {}  {}\n", name(it), u8::from(it.on), it.name);
+    Ok(fitting.map(line).collect())
+}
+
 /// Tells that nothing has a name, and which one may be meant.
 fn nothing_called(name: &str) -> Exit {
     let bits = OUTPUT_BITS.iter().chain(INPUT_BITS).map(|bit| bit.name);
@@ -184,7 +195,7 @@ pub fn get(args: &GetArgs) -> Result<Exit> {
         places.list("")?;
     }
     for name in &args.names {
-        match places.value(&Named::of(name))? {
+        match places.value(&Named::of(name, &args.machine))? {
             Some(value) if args.names.len() == 1 => out::print(&format!("{value}\n")),
             Some(value) => out::print(&format!("{name} = {value}\n")),
             None if places.list(name)? => {}
@@ -197,11 +208,14 @@ pub fn get(args: &GetArgs) -> Result<Exit> {
 pub fn set(args: &SetArgs) -> Result<Exit> {
     let places = Places::new(args.which.clone(), args.server.as_deref());
     for (name, value) in &args.pairs {
-        match Named::of(name) {
+        match Named::of(name, &args.which.machine) {
             Named::Setting(setting) => machine::set(&args.which, setting, &Value::typed(value))?,
-            Named::Line((is_output, bit)) => {
+            Named::Line(line) => {
                 let on = level(name, value)?;
-                places.card()?.switch((is_output, bit), on, args.arm)?;
+                let exit = switched(&places.card(), line, on, args.arm)?;
+                if exit != Exit::Good {
+                    return Ok(exit);
+                }
             }
             Named::Command(letters) => bail!(Usage(format!(
                 "{letters} is a command, which is carried out: kerf send '{letters},{value}'"
@@ -213,6 +227,13 @@ pub fn set(args: &SetArgs) -> Result<Exit> {
         }
     }
     Ok(Exit::Good)
+}
+
+fn switched(card: &CardArgs, line: Line, on: bool, arm: bool) -> Result<Exit> {
+    match line {
+        Line::Bit(is_output, bit) => card.switch((is_output, bit), on, arm).map(|_| Exit::Good),
+        Line::Switch(switch) => Switches::of(card).set(switch, on, ServerArgs { arm }),
+    }
 }
 
 fn level(name: &str, value: &str) -> Result<bool> {

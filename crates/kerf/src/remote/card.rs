@@ -6,6 +6,7 @@ use anyhow::{Result, bail};
 use kerf_machine::lines::line_of_pin;
 use kerf_machine::wiring::Bit;
 use kerf_model::ports::Ports;
+use kerf_wire::Lamp;
 use serde_json::json;
 use std::thread::sleep;
 
@@ -44,11 +45,25 @@ impl Card {
 
     /// Moves a switch so that its input reads this. A disarmed machine has switches, too.
     pub fn press(&self, bit: &Bit, on: bool) -> Result<Ports> {
-        let number = line_of_pin(bit);
+        self.press_switch(line_of_pin(bit), on)?;
+        self.until(false, bit, on)
+    }
+
+    /// The same by the number of the input.
+    pub fn press_switch(&self, number: u8, on: bool) -> Result<()> {
         self.server.driving(BESIDE, false, |lease, _| {
-            self.server.act("input", json!({ "lease": lease, "number": number, "on": on }))?;
-            self.until(false, bit, on)
+            self.server.act("input", json!({ "lease": lease, "number": number, "on": on }))
         })
+    }
+
+    /// The numbers of the inputs and of the outputs that are on.
+    pub fn lamps(&self) -> Result<[Vec<u8>; 2]> {
+        let told = self.server.state()?;
+        let side = |side: &str| -> Result<Vec<u8>> {
+            let lamps: Vec<Lamp> = serde_json::from_value(told["io"][side].clone())?;
+            Ok(lamps.into_iter().filter(|lamp| lamp.on).map(|lamp| lamp.number).collect())
+        };
+        Ok([side("inputs")?, side("outputs")?])
     }
 
     /// Steps a motor once, as whoever drives, and waits for the end of that.

@@ -66,13 +66,13 @@ impl Remote {
         Ok(Self { address, token })
     }
 
-    /// Carries lines out and waits for their end.
-    pub fn send(&self, lines: &str) -> Result<Ended> {
+    /// Carries lines out, after arming the machine where that is wanted, and waits for their end.
+    pub fn send(&self, lines: &str, arm: bool) -> Result<Ended> {
         let sends = |lease: &Value, before: &Value| {
             self.act("command", json!({ "lease": lease, "line": lines }))?;
             self.until_over(number_of_run(before))
         };
-        self.driving(BESIDE, false, sends)
+        self.driving(BESIDE, arm, sends)
     }
 
     /// Moves the machine as whoever drives it, after arming it where that is wanted, and waits for the end.
@@ -170,7 +170,18 @@ pub fn beside(data: &DataArgs, choice: &MachineChoice) -> Result<Option<Remote>>
              out, or name another folder with --data"
         )));
     }
-    Remote::new(&address, data).map(Some)
+    let server = Remote::new(&address, data)?;
+    if let Some(named) = choice.controller() {
+        let name = server.state()?["machine"]["name"].clone();
+        if name != named.words {
+            let name = name.as_str().unwrap_or_default();
+            bail!(Usage(format!(
+                "--machine {named} is not heeded: a kerf serve at {address} has the machine of this data folder, \
+                 {name}; leave it out, or name another folder with --data"
+            )));
+        }
+    }
+    Ok(Some(server))
 }
 
 /// Returns `true` if an address is one of this computer: the token is for nobody else.

@@ -7,6 +7,7 @@ mod bench;
 mod boards;
 mod gone;
 mod held;
+mod inputs_and_outputs;
 mod merged;
 mod network;
 mod overrides;

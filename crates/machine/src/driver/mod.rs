@@ -237,6 +237,10 @@ pub struct Facts {
     pub outputs: u32,
     /// The reason for which it has no spindle, in words; empty where it has one, or tells none.
     pub no_spindle: &'static str,
+    /// Inputs of which it tells, a bit each, input 1 lowest.
+    pub inputs: u32,
+    /// It started when its line was opened: nothing was on then.
+    pub is_fresh: bool,
     /// The input at whose change it stops by itself, and latches the place ([`Order::Probe`]); nothing where it has none.
     pub probe: Option<u8>,
     /// The fastest its spindle turns, revolutions a minute.

@@ -162,6 +162,11 @@ impl Model {
         WasOn { outputs: (1..=SWITCHES as u8).filter(on).collect(), pwm_percent }
     }
 
+    /// An output was left on, as far as anybody knows: whatever it is switched to is told.
+    pub fn was_left_on(&mut self, number: u8) {
+        self.outputs.was_left_on(number);
+    }
+
     /// Switches an output.
     pub fn output(&mut self, number: u8, on: bool, why: OutputReason) {
         self.output_at(self.clock_s, number, on, why);

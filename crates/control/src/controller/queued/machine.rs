@@ -511,6 +511,7 @@ fn facts(version: &str, wiring: &Wiring) -> Facts {
         name: version.to_owned(),
         axes: wiring.motors.iter().map(|motor| motor.axis.index() + 1).max().unwrap_or(0),
         outputs: outputs | wiring.spindle.map_or(0, |_| 1),
+        inputs: wiring.inputs.iter().fold(0, |bits, looked| bits | bit(looked.number)),
         homes: !wiring.homes.is_empty(),
         spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),
         follows_speed: wiring.spindle.is_some(),
