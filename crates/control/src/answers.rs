@@ -54,7 +54,7 @@ pub struct Answers {
     again: (String, u32, u32),
 }
 
-/// So often a script answers a box that comes back in the same way: what it says does not lead on.
+/// Times that a script answers a box that comes back, in the same way: beyond them its answer leads nowhere.
 const MOST_TIMES: u32 = 1000;
 
 /// A line of a script.
@@ -128,7 +128,7 @@ impl Operator for Answers {
     }
 }
 
-/// Nobody answers.
+/// An operator who gives no answer: every question gets its default.
 impl Operator for () {
     fn answer(&mut self, _: &Question, _: u32) -> Option<String> {
         None

@@ -12,7 +12,7 @@ pub(crate) struct CommandLimit {
 }
 
 impl CommandLimit {
-    /// So many commands at the most; 0 for no bound.
+    /// Makes a limit of so many commands; 0 for none.
     pub const fn of(most: u64) -> Self {
         Self { most, done: 0 }
     }

@@ -26,7 +26,7 @@ use kerf_trace::{Event, flag};
 /// A hold leaves the tool where it is.
 const HELD: StopSettings = StopSettings { raise: false, ..StopSettings::OPENSBP };
 
-/// A script of answers that says nothing but Resume does not hold a run for ever.
+/// The most refused answers in a hold: a script that only says Resume must not hold a run for ever.
 const MOST_REFUSALS: u32 = 1000;
 
 /// Answer of the operator about a run that is stopped.

@@ -12,7 +12,7 @@ use kerf_motion::Move;
 use kerf_program::Interpreter;
 use kerf_trace::{Event, flag};
 
-/// Interval at which it is written down how far a move has come, seconds.
+/// Interval at which the progress of a move goes on record, seconds.
 const RECORDED_EVERY_S: f64 = 0.02;
 
 /// A machine that cuts the power of its motors does it so long after the emergency stop, seconds
@@ -264,7 +264,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.world.hands.press(Change { input, on, at_s })
     }
 
-    /// From here on cuts run at this share of the speed asked for.
+    /// Sets the feed override: cuts run at this share of their speed.
     pub(crate) fn override_feed(&mut self, share: f32) {
         let (least, most) = Move::FEEDS;
         let share = if share.is_nan() { 1.0 } else { share.clamp(least, most) };

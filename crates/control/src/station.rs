@@ -220,7 +220,7 @@ impl<I: Interpreter> Station<'_, I> {
         RunEnd { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
     }
 
-    /// Nothing moves without a controller.
+    /// Makes the end of a run that has no controller to move.
     pub(crate) fn not_connected(&self, at: At) -> RunEnd {
         let settings = self.world.model.settings();
         let connection = settings.driver.connection(&settings.controller);
@@ -350,7 +350,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.stand();
     }
 
-    /// A run that was taken up and is over without a move leaves the machine where it stood.
+    /// Keeps the recorded place of the machine where a run that was taken up ends without a move.
     pub(crate) fn stay_where_it_stands(&mut self) {
         if self.reentry.is_some() {
             let stands = self.stands_at();

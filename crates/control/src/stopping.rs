@@ -49,7 +49,7 @@ pub(crate) struct Stops<'a, I> {
 }
 
 impl<'a, I> Stops<'a, I> {
-    /// Nothing has begun.
+    /// Makes the stops of a run that has not begun.
     pub fn new(station: Station<'a, I>, limits: LimitPolicy) -> Self {
         let (state, kept) = (State::Idle, ReturnPlace::default());
         Self { station, state, kept, away: false, ends: None, settled: false, limits }

@@ -16,14 +16,14 @@ use kerf_trace::{Event, flag};
 /// Kind of a wait.
 #[derive(Clone, Copy)]
 enum Waits {
-    /// So much time: a stop makes it longer.
+    /// For a time, which a stop extends.
     Time,
     /// A moment at which an input changes, whatever happens before.
     Input,
 }
 
 impl Waits {
-    /// Until when it waits when it was stopped for so long.
+    /// Returns the end of the wait after a stop of so many seconds.
     fn after_stop(self, until_s: f64, stopped_s: f64) -> f64 {
         match self {
             Self::Time => until_s + stopped_s,

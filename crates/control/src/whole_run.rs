@@ -15,7 +15,7 @@ impl<'a> WholeRun<'a> {
         Self { sink, begun: false, end: None }
     }
 
-    /// No other part follows.
+    /// Ends the run: passes on the end of its last part.
     pub fn ends(self) {
         self.end.iter().for_each(|end| self.sink.event(end));
     }

@@ -59,7 +59,7 @@ pub(crate) struct World<'a> {
     pub file_moves: bool,
     /// Files that are open and are none: one, where lines were typed.
     pub typed_files: usize,
-    /// Nothing is told: what happens has happened before.
+    /// Tells nothing: the run repeats what has happened before.
     pub silent: bool,
     /// The zero points that stay: a job has its own only while it runs.
     pub stays: Option<Frame>,

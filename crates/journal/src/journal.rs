@@ -74,7 +74,7 @@ impl Journal {
         self.store.each_commit_lasts(lasts)
     }
 
-    /// Nothing changes for a while: everything is put into the file itself, and sealed. Does nothing where that is so.
+    /// Puts everything into the file itself and seals it, before a quiet time. Does nothing where that is done.
     ///
     /// # Errors
     /// If the files cannot be written; then what was changed is in the write-ahead file still.

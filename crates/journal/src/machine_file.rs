@@ -79,7 +79,7 @@ impl MachineFile {
         self.path.display().to_string()
     }
 
-    /// Nobody else changes the files of its folder for as long as this is held: two who change a setting each at the same
+    /// Locks the files of its folder for as long as this is held: two who change a setting each at the same
     /// moment both do. Where the system has no such locks there is none.
     #[must_use]
     pub fn alone(&self) -> Option<File> {

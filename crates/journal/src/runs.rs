@@ -186,7 +186,7 @@ impl Runs {
         })
     }
 
-    /// It was moved by hand: where it is, and all that belongs to it. What a run that was cut short knew
+    /// Records the machine after a move by hand. What a run that was cut short knew
     /// of that holds no longer.
     pub fn end_by_hand(&self, standing: &RestingMachine<'_>) -> Result<(), JournalError> {
         let earlier = self.cut_short()?;
@@ -211,7 +211,7 @@ fn keep_reached(rows: &Rows<'_>, earlier: Option<&CutShort>) -> rows::Result<()>
     }
 }
 
-/// Nothing is under way any more.
+/// Removes the run under way from the record.
 fn forget(rows: &Rows<'_>, cut: Option<&CutShort>) -> rows::Result<()> {
     if let Some(cut) = cut.filter(|cut| !cut.stopped()) {
         history::add(rows, &cut.run.past("cut short", 0.0))?;

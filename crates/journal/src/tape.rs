@@ -115,7 +115,7 @@ pub struct Tape {
     /// The part of it that is made for sure, where the run tells of moves before they are made.
     lag: Option<Lag>,
     writing: Option<Progress>,
-    /// Nothing is written and the world is not asked: what happens has happened before.
+    /// Only plays back: nothing is written and the world is not asked.
     silent: bool,
     /// The tape does not fit the run.
     unfit: Option<String>,
@@ -171,7 +171,7 @@ impl Tape {
         self.silent && self.within_before > 0.0
     }
 
-    /// From here on the world is heard; the machine stands there.
+    /// Ends the playback: from now on the world answers, and the machine stands at this place.
     pub fn wake(&mut self, place: super::Placed) {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
         self.comes_to_rest();
@@ -273,7 +273,7 @@ impl Tape {
         }
     }
 
-    /// Nothing comes of the request that was heard last: it is heard once more.
+    /// Takes back the last request, which had no effect: it will be heard once more.
     pub fn unhear_request(&mut self) {
         let Some(progress) = self.writing.as_mut().filter(|_| !self.silent) else { return };
         let last = progress.last_step();
@@ -299,7 +299,7 @@ impl Tape {
         self.silent && !self.plays() && !self.is_within()
     }
 
-    /// Nothing came of the last answer, which is the last that was told: he is asked again.
+    /// Takes back the last answer, which had no effect: the operator is asked again.
     pub fn take_back_answer(&mut self) {
         let Some(progress) = &mut self.writing else { return };
         progress.take_back();
@@ -334,7 +334,7 @@ impl Tape {
         self.pressed.clear();
     }
 
-    /// All is ready: the run that is taken up goes on.
+    /// Notes that the machine is back in place and the run that was taken up goes on.
     pub fn goes_back(&mut self) {
         self.back = None;
         self.goes_on();

@@ -20,7 +20,7 @@ use std::time::Duration;
 /// It lies under this name in the data folder.
 const FILE: &str = "drawing.draft";
 
-/// It is written at once, and then not again for so long: with the way to the disk that stays below half a second.
+/// Shortest time between two writes of the draft: a change is on the disk within half a second.
 const REST: Duration = Duration::from_millis(400);
 
 /// Note about it on the sheet.

@@ -5,7 +5,7 @@ use crate::locks::lock;
 use std::sync::Mutex;
 use std::time::Duration;
 
-/// So long a script drives that is not heard.
+/// Silence after which a script loses its turn at driving.
 pub const SILENCE: Duration = Duration::from_secs(10);
 
 /// The turn that goes on, as far as it is known.

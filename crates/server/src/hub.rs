@@ -61,7 +61,7 @@ impl Hub {
         }
     }
 
-    /// From now on warnings and errors are on record.
+    /// Sets the log that keeps warnings and errors.
     pub fn keep(&self, problems: ProblemLog) {
         // There is one for a server.
         drop(self.problems.set(problems));

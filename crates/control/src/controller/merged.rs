@@ -3,7 +3,7 @@
 use super::chords::{nearest, speed_mm_s};
 use kerf_motion::{Move, Path};
 
-/// So many moves at most are one order.
+/// The most moves that become one order.
 const MOST: usize = 64;
 
 /// Longest time of moves that are sent as one, seconds: the progress of the run is known no closer.

@@ -7,11 +7,11 @@ use std::collections::VecDeque;
 /// answers within a few milliseconds; a guess.
 const PATIENCE_S: f64 = 0.25;
 
-/// A controller that answers nothing for so long is lost, seconds. A cable that is plugged in anew, a network that looks for
+/// Silence after which a controller counts as lost, seconds. A cable that is plugged in anew, a network that looks for
 /// its way or a controller that writes its memory take less; what was sent ahead is made meanwhile and nothing else.
 const LOST_S: f64 = 10.0;
 
-/// While something is to be done the controller is asked so often where it is, seconds.
+/// Interval at which a busy controller is asked for its place, seconds.
 const ASK_S: f64 = 0.1;
 
 /// State of the link: tells whether the controller can be trusted.

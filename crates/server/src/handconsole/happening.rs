@@ -31,7 +31,7 @@ pub struct Keys {
 }
 
 impl Keys {
-    /// From now on a thread hears them; there is one for a server.
+    /// Sets the thread that hears them; a server has one.
     pub fn set(&self, happens: Sender<Happening>) -> Result<(), Sender<Happening>> {
         self.happens.set(happens)
     }

@@ -14,7 +14,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
-/// So often the screen follows the machine: pages and serial link show it within a tenth of a second.
+/// Interval at which the screen follows the machine: pages and serial link show it within a tenth of a second.
 const LOOK: Duration = Duration::from_millis(30);
 const _: () = assert!(LOOK.as_millis() < 100);
 

@@ -26,7 +26,7 @@ pub struct Text {
     /// The file; its extension tells the language.
     name: String,
     text: String,
-    /// These are lines of a larger text: they are looked at by themselves.
+    /// The text is an excerpt of a larger one and is checked by itself.
     #[serde(default)]
     part: bool,
 }

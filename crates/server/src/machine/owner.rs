@@ -470,7 +470,7 @@ impl Owner {
         drop(workspace.journal().filter(|_| *kept).map(|journal| journal.registry.tell_rest(rest)));
     }
 
-    /// Nothing happens: what other threads and programs have changed is put into the one file.
+    /// Puts what other threads and programs have changed into the one file of the journal, while nothing runs.
     fn rest_journal(&self) {
         // Where the disk refuses, whoever changed something was told; it is in the write-ahead file.
         drop(self.workshop.workspace.journal().map(Journal::rest));

@@ -24,7 +24,7 @@ use std::time::{Duration, Instant};
 /// A nap while machine time passes: pages see the machine move, a jog that nobody renews is noticed.
 const NAP: Duration = Duration::from_millis(15);
 
-/// While a run waits for somebody its machine is looked at so often.
+/// Interval at which the machine is looked at while a run waits for a person.
 const LOOK: Duration = Duration::from_millis(100);
 
 /// A nap that takes so long is none: the computer slept, or everything on it stood still.
@@ -79,7 +79,7 @@ impl Shared {
         });
     }
 
-    /// Somebody at the controls of the machine has turned its overrides: the run goes by them, and pages show them.
+    /// Takes over overrides that were turned at the machine's own controls, and shows them on pages.
     fn is_turned(&self, shares: Shares) {
         let Shares { feed, rapid, spindle } = shares;
         self.board.borrow_mut().rapid = f64::from(rapid) / 100.0;

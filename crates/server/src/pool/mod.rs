@@ -173,7 +173,7 @@ pub struct RequestScope {
 }
 
 impl RequestScope {
-    /// Somebody's turn.
+    /// Makes the scope of a customer's requests.
     pub const fn of(pool: Arc<Pool>, customer: Customer) -> Self {
         Self { pool, customer }
     }

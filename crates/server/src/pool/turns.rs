@@ -62,7 +62,7 @@ impl Turns {
         self.busy.remove(&customer);
     }
 
-    /// Nothing waits any more, and nothing more is taken.
+    /// Drops what waits and takes nothing more.
     pub fn end(&mut self) {
         self.over = true;
         self.waiting.clear();
