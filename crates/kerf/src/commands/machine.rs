@@ -106,7 +106,7 @@ enum Action {
     Pos,
     /// Looks for controllers at all serial ports and in the network, in three seconds, and shows their firmware
     Connect {
-        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]; or the one board with step queues to show,
+        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]; or the boards with step queues to show,
         /// klipper:PORT
         more: Vec<String>,
     },
@@ -184,13 +184,9 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
         Action::Connect { more } => {
-            return match &more[..] {
-                [name] => match MachineName::read(name) {
-                    Ok(MachineName::Controller(name)) if name.is_board() => {
-                        step_board::connect(&name)
-                    }
-                    _ => board::connect(more),
-                },
+            let boards: Option<Vec<DriverName>> = more.iter().map(|it| board_name(it)).collect();
+            return match boards {
+                Some(boards) if !boards.is_empty() => step_board::connect(&boards),
                 _ => board::connect(more),
             };
         }
@@ -209,6 +205,14 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
     Ok(Exit::Good)
+}
+
+/// Reads the name of a board with step queues; nothing where it is that of something else.
+fn board_name(words: &str) -> Option<DriverName> {
+    match MachineName::read(words) {
+        Ok(MachineName::Controller(name)) => Some(name).filter(DriverName::is_board),
+        _ => None,
+    }
 }
 
 /// Returns the controller that is named.

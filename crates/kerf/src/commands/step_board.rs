@@ -38,10 +38,12 @@ fn socket(name: &DriverName) -> Result<Socket> {
     }
 }
 
-/// Prints who a board is: its firmware, its chip, its configuration, its pins. Nothing of it changes.
-pub fn connect(name: &DriverName) -> Result<Exit> {
-    let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
-    out::print(&described(name, &introduced));
+/// Prints who boards are: their firmware, chip, configuration, pins. Nothing of them changes.
+pub fn connect(names: &[DriverName]) -> Result<Exit> {
+    for name in names {
+        let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
+        out::print(&described(name, &introduced));
+    }
     Ok(Exit::Good)
 }
 

@@ -177,6 +177,27 @@ fn a_board_is_proved_with_its_steps_its_lead_and_its_stops() {
 }
 
 #[test]
+fn two_boards_are_one_machine() {
+    let (shop, [main, two]) = (shop(), [Bench::new(), Bench::new()]);
+    let file = MACHINE.replace("gpio2 gpio3", "two:gpio0 two:gpio1");
+    let with =
+        |port: &str| file.replace("[board]\n", &format!("[board]\nothers = \"two {port}\"\n"));
+    shop.write("board.toml", with(&two.port).as_bytes());
+    main.run(&shop, "run square.sbp").exits(0).complains("motors: 3").says("ran to its end");
+    assert_eq!((main.counts(), two.counts()), (vec![0, 1000], vec![0]));
+    let travelled = two.look(|board| board.steppers[&0].made.len());
+    assert_eq!(travelled, 2 * 2500, "Y is made on the second board");
+    let connect = format!("machine connect klipper:{} klipper:{}", main.port, two.port);
+    shop.kerf(&connect).exits(0).says(&format!("klipper:{}\n", two.port));
+    let prove = format!("machine prove --machine klipper:{} --machine board.toml", main.port);
+    shop.kerf(&prove).exits(0).says("steps of X: 20000 planned and made");
+    shop.write("board.toml", with(&main.port).as_bytes());
+    main.run(&shop, "run square.sbp").exits(1).complains("boards main and two hang on one port");
+    shop.write("board.toml", file.as_bytes());
+    main.run(&shop, "run square.sbp").exits(1).complains("is on no board that board.others names");
+}
+
+#[test]
 fn the_pins_of_a_printer_are_lines_of_a_machine() {
     let shop = shop();
     let printer =

@@ -1,6 +1,8 @@
 //! A board that a session drives from run to run: attached, held to the place that is on record, left again.
 
 use super::machine::Queued;
+use super::others;
+use super::pins::FIRST;
 use super::thread::{Greeted, OpensLine, Threaded};
 use super::wiring::Wiring;
 use crate::Session;
@@ -10,10 +12,12 @@ use kerf_driver_klipper::board::Options;
 use kerf_journal::facts::Fact;
 use kerf_machine::{Configuration, Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
+use kerf_transport::{Address, Line};
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The value that says where a board was left: its port, the places by its counts, and those of the machine.
 const LEFT: &str = Fact::ControllerLeft.key();
@@ -40,12 +44,30 @@ impl Socket {
     pub fn open(&self, machine: &Configuration, clears: bool) -> Result<Queued, String> {
         let named = |why: String| format!("{}: {why}", self.name);
         let wiring = Wiring::of(machine).map_err(named)?;
+        let boards = self.boards(machine).map_err(named)?;
         let deadline_s = machine.board.deadline_s;
         let options = Options { deadline_s, clears, ..Options::default() };
-        let opened = Threaded::open(wiring.setup.clone(), options, self.opens.clone());
+        let opened = Threaded::open(&wiring.setup, options, boards);
         let Greeted { berth, version, counts } = opened.map_err(named)?;
         let parts = (wiring, machine.program.resolution.steps_per_unit);
         Ok(Queued::new(&self.name, &version, parts, counts, Box::new(berth)))
+    }
+
+    /// All boards of a machine, this one first.
+    fn boards(&self, machine: &Configuration) -> Result<Vec<(String, OpensLine)>, String> {
+        let others = others::read(&machine.board.others)?;
+        let ports = others.iter().map(|(name, address)| (name.clone(), address.key()));
+        let first = (FIRST.to_owned(), self.port.clone());
+        others::refuse_twins(&[first].into_iter().chain(ports).collect::<Vec<_>>())?;
+        let first = (FIRST.to_owned(), self.opens.clone());
+        let open = |(name, address): (String, Address)| {
+            let opens: OpensLine = Arc::new(move || match address.open() {
+                Ok(line) => Ok(line as Box<dyn Line>),
+                Err(why) => Err(why.to_string()),
+            });
+            (name, opens)
+        };
+        Ok([first].into_iter().chain(others.into_iter().map(open)).collect())
     }
 }
 
@@ -196,7 +218,7 @@ fn find_place(
     let kept: Option<(String, Axes, Axes)> =
         workspace.stored.get(LEFT).and_then(|kept| serde_json::from_str(kept).ok());
     let kept = kept.filter(|(port, ..)| *port == socket.port);
-    let is_fresh = own == Axes::default();
+    let is_fresh = queued.is_fresh();
     let place = &mut session.memory.position;
     let mut is_known = true;
     let words = |place: &Axes| format!("{:.3}, {:.3}, {:.3}", place.0[0], place.0[1], place.0[2]);

@@ -276,6 +276,10 @@ impl Queued {
         // The nearest one: what goes on from the edge of a step would begin with that step.
         let passes = places.skip_while(|(_, off)| *off > STEP).take_while(|(_, off)| *off <= STEP);
         let nearest = passes.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        if nearest.is_none() && self.wiring.pins.boards.len() > 1 {
+            let why = "its boards stopped some steps apart, so it stands beside its path";
+            self.fail(why.into(), "its place is known: begin again at this line", false);
+        }
         let stands_s = nearest.map_or(from_s, |(t_s, _)| t_s);
         self.feeder.forget();
         self.feeder.is_at(counted);
