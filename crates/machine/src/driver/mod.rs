@@ -263,6 +263,12 @@ pub struct Facts {
     pub placed_by_record: bool,
     /// A run may tell of a move so long before it is made, seconds.
     pub leads_s: f64,
+    /// Its switches are moved here: of every other machine they are moved where they are.
+    pub inputs_by_hand: bool,
+    /// The bits of its card are switched one at a time, and its motors stepped once.
+    pub card: bool,
+    /// Nothing real hangs on it: nobody is hurt by what it does.
+    pub harmless: bool,
 }
 
 /// A hold that was ordered ([`Signal::Hold`]).

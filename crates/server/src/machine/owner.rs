@@ -364,10 +364,11 @@ impl Owner {
             let memory = &self.workshop.session.memory;
             (&memory.settings, &memory.frame, memory.position)
         };
+        let offers = to_wire::offers(self.driven().borrow().facts());
         self.hub.changing(|now| {
             let mode = to_wire::mode(&self.workshop.session);
             let name = to_wire::machine_name(&self.workshop.session);
-            let machine = Machine { mode, name, ..becomes(&now.machine) };
+            let machine = Machine { mode, name, offers, ..becomes(&now.machine) };
             let at = to_wire::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed_mm_s: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..to_wire::speeds(settings) };
