@@ -5,22 +5,22 @@ use kerf_control::{RunContext, Session, StopAt};
 use kerf_files::MemoryDisk;
 use kerf_journal::{RunOptions, Work};
 use kerf_program::Axis;
-use kerf_trace::{Event, Sink, Standing};
+use kerf_trace::{Event, RunStatus, Sink};
 use kerf_workspace::Workspace;
 use std::sync::Arc;
 
 /// Notes every place where a run stands.
 #[derive(Default)]
-struct Watcher(Vec<Standing>);
+struct Watcher(Vec<RunStatus>);
 
 impl Sink for Watcher {
     fn event(&mut self, _: &Event) {}
 
-    fn standing(&mut self, standing: &Standing) {
+    fn run_status(&mut self, standing: &RunStatus) {
         self.0.push(standing.clone());
     }
 
-    fn looks_at_standing(&self) -> bool {
+    fn looks_at_status(&self) -> bool {
         true
     }
 }

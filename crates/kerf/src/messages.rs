@@ -16,7 +16,7 @@ const FOREIGN: [&str; 8] =
 const LASTING: [&str; 3] = ["config", "edit_only", "rate"];
 
 /// A text that users read: its place, and its words.
-type Told = (String, String);
+type UserText = (String, String);
 
 /// The files below a folder with an extension, in order.
 fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
@@ -47,7 +47,7 @@ fn literals(source: &str) -> Vec<String> {
 }
 
 /// All that users read: strings of the crates, the README and the pages of the book.
-fn told() -> Vec<Told> {
+fn told() -> Vec<UserText> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let is_shipped = |path: &PathBuf| {
         let words: Vec<_> = path.iter().collect();

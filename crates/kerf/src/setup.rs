@@ -17,7 +17,7 @@ use kerf_control::answers::Answers;
 use kerf_drawing::Drawing;
 use kerf_files::{Folders, RealDisk};
 use kerf_import::job_file;
-use kerf_journal::{RunOptions, Shell, Work, machine_file::told};
+use kerf_journal::{RunOptions, Shell, Work, machine_file::mistake_lines};
 use kerf_machine::Configuration;
 use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
@@ -267,7 +267,7 @@ pub fn machine(choice: &MachineChoice, data: &DataArgs) -> Result<Configuration>
 
 fn read_machine(name: String, text: &str) -> Result<Configuration> {
     let read = kerf_machine::file::read(&name.into(), text);
-    read.map_err(|found| Usage(told(&found)).into())
+    read.map_err(|found| Usage(mistake_lines(&found)).into())
 }
 
 /// Settings at the start: those of a configuration, or the present ones.

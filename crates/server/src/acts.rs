@@ -156,7 +156,7 @@ impl App {
         }
     }
 
-    /// No page opens the sheet of the start-up line any more.
+    /// Closes the sheet of the start-up line on every page.
     fn sheet_done(&self) {
         self.hub.changing(|now| match &now.start {
             Some(start) if start.sheet => {

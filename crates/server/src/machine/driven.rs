@@ -3,10 +3,10 @@
 
 use super::owner::Owner;
 use crate::setup::Workshop;
-use crate::told;
+use crate::to_wire;
 use kerf_control::AtRest;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{Controller, Told};
+use kerf_control::controller::{AttachReport, Controller};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::Zero;
@@ -31,7 +31,7 @@ impl Owner {
     }
 
     /// Tells what was found when the controller was attached.
-    pub(super) fn tell_attached(&self, told: &Told) {
+    pub(super) fn tell_attached(&self, told: &AttachReport) {
         told.notes.iter().for_each(|line| self.hub.say(Tone::Note, line.clone()));
         told.warnings.iter().for_each(|line| self.hub.say(Tone::Warning, line.clone()));
     }
@@ -130,7 +130,7 @@ impl Owner {
         let mut answers = Answers::default();
         let found =
             controller.as_ref()?.lacks(work, session, options, &mut workspace, &mut answers);
-        found.iter().for_each(|it| self.hub.say(told::tone(it), told::sentence(it)));
+        found.iter().for_each(|it| self.hub.say(to_wire::tone(it), to_wire::sentence(it)));
         let error = found.into_iter().find(Diagnostic::is_error)?;
         Some(Summary::not_begun(unit, Some(Box::new(error))))
     }

@@ -1,4 +1,4 @@
-//! From the words inside to those of the messages.
+//! Turns values of the machine half into those of the messages to pages.
 
 use crate::machine::ports;
 use kerf_control::Session;
