@@ -172,7 +172,9 @@ impl Motion {
         if !channel.questions.answered(About::Position(motor)) {
             return Ok(());
         }
-        self.counts[motor] = i64::from(count);
+        // The board counts by the level of the pin, and knows nothing of a motor that turns the other way.
+        let turned = channel.setup.motors.get(motor).is_some_and(|motor| motor.dir.inverted);
+        self.counts[motor] = if turned { -i64::from(count) } else { i64::from(count) };
         self.counted(channel, news)
     }
 

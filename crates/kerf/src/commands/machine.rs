@@ -4,7 +4,7 @@ use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
-use crate::commands::{protect, prove, step_board};
+use crate::commands::{protect, prove, step_board, wire};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
@@ -110,6 +110,15 @@ enum Action {
         /// klipper:PORT
         more: Vec<String>,
     },
+    /// Asks which pin of a board with step queues does what, turns each motor a millimetre to be looked at, looks at
+    /// switches and outputs, tries speeds, and writes the machine's file; q stops at each question
+    Wire {
+        /// The board, klipper:PORT
+        board: String,
+        /// The file to be written
+        #[arg(long, value_name = "FILE", default_value = "board.toml")]
+        into: PathBuf,
+    },
     /// Prints what a printer's configuration (printer.cfg) tells of a board with step queues, as the lines of a machine's
     /// file; notes tell what was left out
     Import {
@@ -189,6 +198,11 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
                 Some(boards) if !boards.is_empty() => step_board::connect(&boards),
                 _ => board::connect(more),
             };
+        }
+        Action::Wire { board, into } => {
+            let name = board_name(board)
+                .ok_or_else(|| Usage(format!("{board} is no board: name it as klipper:PORT")))?;
+            return wire::wire(&name, args.which.machine()?, into);
         }
         Action::Import { file } => return step_board::import(file),
         Action::Prove { report, home } => {

@@ -28,6 +28,7 @@ mod send;
 mod serve;
 mod settings;
 mod step_board;
+mod step_way;
 mod sysvars;
 mod time;
 mod timing;
@@ -36,6 +37,7 @@ mod trace;
 mod values;
 mod wavlength;
 mod which;
+mod wire;
 
 use crate::exit::{Exit, Usage};
 use crate::folders;

@@ -196,6 +196,11 @@ impl Queued {
         self.wiring.axes()
     }
 
+    /// Numbers of its outputs that go on and off.
+    pub fn outputs(&self) -> Vec<u8> {
+        self.wiring.outputs.iter().map(|(number, _)| *number).collect()
+    }
+
     /// Counts of its motors, as the board told last, and as they are planned from the place that is zero on.
     pub fn counts(&self) -> [Vec<i64>; 2] {
         let made = self.wiring.motors.iter().zip(&self.zeros);

@@ -7,7 +7,7 @@ use kerf_driver_klipper::board::{Ended, Watched};
 use kerf_driver_klipper::desk::Request;
 use kerf_machine::{Going, Machine, News, Watch};
 use kerf_motion::{Mover, planner};
-use kerf_program::{At, Axes, Feed, Line, MoveKind};
+use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};
 use std::time::Duration;
 
 /// Time between two looks of the board at an input that is watched, seconds.
@@ -98,6 +98,19 @@ impl Queued {
             Some(fault) => Err(fault.message.clone()),
             None => Ok(self.counted()),
         }
+    }
+
+    /// The place of the home switch of an axis among the switches.
+    pub fn home_switch(&self, axis: Axis) -> Option<usize> {
+        self.wiring.motors.iter().find(|motor| motor.axis == axis)?.home
+    }
+
+    /// The state of a switch; nothing where the board does not tell it.
+    pub fn is_on(&mut self, switch: usize) -> Option<bool> {
+        self.asked = vec![(switch, None)];
+        self.berth.request(Request::Switch(switch));
+        self.wait_until(|it| it.asked.iter().all(|(_, told)| told.is_some()));
+        std::mem::take(&mut self.asked).first().and_then(|(_, told)| *told)
     }
 
     /// A switch told its state.
