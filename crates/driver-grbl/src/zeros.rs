@@ -1,6 +1,6 @@
 //! Zero points that the controller keeps: those of its coordinate systems and the shift of `G92`, as `$#` tells them.
 
-use crate::facts::Told;
+use crate::facts::KnownFacts;
 use crate::place::millimetres;
 use crate::report::axes;
 use kerf_machine::driver::{Axes, Zero};
@@ -23,7 +23,7 @@ pub struct Zeros {
 
 impl Zeros {
     /// Learns from `[G54:1.000,2.000,3.000]`; tells whether it was one of them.
-    pub fn bracket(&mut self, name: &str, value: &str, told: &Told) -> bool {
+    pub fn bracket(&mut self, name: &str, value: &str, told: &KnownFacts) -> bool {
         let is_one = SYSTEMS.contains(&name) || name == SHIFT;
         let Some((at, _)) = axes(value).filter(|_| is_one) else { return is_one };
         let at = millimetres(at, told);

@@ -168,6 +168,16 @@ impl MachineChoice {
         }
         Self::refuse_two(given)
     }
+
+    /// The configurations that the options of a command name.
+    pub fn configured<'a>(given: &'a ArgMatches) -> Vec<&'a Path> {
+        let names = given.try_get_many::<MachineName>(MACHINE).ok().flatten();
+        let configured = |name: &'a MachineName| match name {
+            MachineName::Configured(path) => Some(&**path),
+            _ => None,
+        };
+        names.into_iter().flatten().filter_map(configured).collect()
+    }
 }
 
 #[cfg(test)]

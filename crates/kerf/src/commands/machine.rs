@@ -3,14 +3,14 @@
 use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
-use crate::commands::by_hand::{self, Height, MoveArgs, ServerArgs};
+use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
 use crate::commands::{protect, prove, step_board, wire};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
-use kerf_journal::machine_file::{MachineFile, told};
+use kerf_journal::machine_file::{MachineFile, mistake_lines};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
 use kerf_machine::table::{self, Setting};
@@ -94,7 +94,7 @@ enum Action {
     Zset {
         /// Which
         #[arg(value_enum)]
-        height: Height,
+        height: SpecialHeight,
         /// Goes to this height first, millimetres from home
         #[arg(allow_hyphen_values = true, value_parser = parse::number, conflicts_with = "by")]
         to: Option<f64>,
@@ -321,10 +321,10 @@ fn check(files: &[PathBuf]) -> Result<Exit> {
         let text = given::text(path)?;
         let name = path.display().to_string().into();
         for note in file::notes(&name, &text) {
-            out::print(&format!("note: {}\n", told(&[note])));
+            out::print(&format!("note: {}\n", mistake_lines(&[note])));
         }
         if let Err(found) = file::read(&name, &text) {
-            out::print(&format!("{}\n", told(&found)));
+            out::print(&format!("{}\n", mistake_lines(&found)));
             worst = Exit::Failed;
         }
     }

@@ -40,8 +40,11 @@ mod which;
 mod wire;
 
 use crate::exit::{Exit, Usage};
+use crate::folders;
+use crate::machine_file;
 use crate::machine_name::MachineChoice;
 use crate::outputs::Outputs;
+use crate::unused;
 use anyhow::{Result, bail};
 use clap::{ArgMatches, Subcommand};
 
@@ -107,6 +110,9 @@ impl Command {
     /// The command as it was given, unless not all of it would be heeded.
     pub fn heeding(self, cli: &clap::Command, given: &ArgMatches) -> Result<Self> {
         MachineChoice::refuse_two(given)?;
+        machine_file::refuse_missing(given)?;
+        folders::refuse_missing(given)?;
+        unused::refuse(cli, given)?;
         let heeded = match &self {
             Self::Run(args) => args.heeded(),
             Self::Send(args) => args.heeded(),

@@ -6,7 +6,7 @@ use super::pins::FIRST;
 use super::thread::{Greeted, OpensLine, Threaded};
 use super::wiring::Wiring;
 use crate::Session;
-use crate::controller::{First, Told};
+use crate::controller::{AttachReport, First};
 use crate::session::DrivenBy;
 use kerf_driver_klipper::board::Options;
 use kerf_journal::facts::Fact;
@@ -97,7 +97,7 @@ impl Attached {
         session: &mut Session,
         workspace: &mut Workspace,
         is_stopped: impl Fn() -> bool,
-    ) -> Result<(Self, Told), String> {
+    ) -> Result<(Self, AttachReport), String> {
         let named = |why: String| format!("{}: {why}", socket.name);
         let machine = session.configuration();
         let wiring = Wiring::of(&machine).map_err(named)?;
@@ -110,7 +110,7 @@ impl Attached {
             ));
         }
         let mut queued = socket.open(&machine, first.unlock)?;
-        let mut told = Told::default();
+        let mut told = AttachReport::default();
         let version = &queued.facts().name;
         told.notes.push(format!("{}: {version}, motors: {motors}", socket.name));
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
@@ -134,7 +134,7 @@ impl Attached {
         &mut self,
         session: &mut Session,
         workspace: &mut Workspace,
-    ) -> Result<Told, String> {
+    ) -> Result<AttachReport, String> {
         self.queued.borrow_mut().let_go();
         let (again, told) =
             Self::attach(self.socket.clone(), First::default(), session, workspace, || false)?;
@@ -212,7 +212,7 @@ fn find_place(
     queued: &mut Queued,
     abandoned: bool,
     (session, workspace): (&mut Session, &mut Workspace),
-    told: &mut Told,
+    told: &mut AttachReport,
 ) -> bool {
     let own = queued.by_counts();
     let kept: Option<(String, Axes, Axes)> =
