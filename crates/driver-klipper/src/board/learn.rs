@@ -15,8 +15,8 @@ const LEAST: u32 = 3;
 pub enum Learning {
     /// Clock and configuration are asked for.
     Asked,
-    /// The configuration went out, and is asked for.
-    Configured,
+    /// The configuration went out, and is asked for; so often an answer said that there is none.
+    Configured(u32),
     /// It is this machine's configuration; the counts are asked for.
     Counts,
     /// All is known.

@@ -18,6 +18,9 @@ use std::sync::Arc;
 /// Time without an acknowledgement after which a board counts as gone, seconds.
 pub const SILENCE_S: f64 = 3.0;
 
+/// Answers from before the configuration that are borne.
+const STALE: u32 = 8;
+
 /// Bits of the upper half of a clock that are believed: 100 days at 520 MHz, and exact as a float.
 const HIGH: u32 = 0xf_ffff;
 
@@ -160,7 +163,12 @@ impl Session {
             (true, false, _) => Err(Fault::Foreign(number("crc"))),
             (false, _, Learning::Asked) => {
                 learn::configure(&mut self.channel, &self.configured)?;
-                self.learning = Learning::Configured;
+                self.learning = Learning::Configured(0);
+                Ok(self.channel.ask(About::Config, Order::Config, [])?)
+            }
+            // The answer to a question from before, which was asked twice on a bad line.
+            (false, _, Learning::Configured(stale)) if stale < STALE => {
+                self.learning = Learning::Configured(stale + 1);
                 Ok(self.channel.ask(About::Config, Order::Config, [])?)
             }
             (false, ..) => Err(Fault::Configuration),
