@@ -13,7 +13,6 @@ use super::{
 };
 use crate::switches::Switches;
 use kerf_machine::Configuration;
-use kerf_program::Status;
 use kerf_trace::Summary;
 
 const RUN: &str = "run";
@@ -78,7 +77,7 @@ impl Runs {
             remember(rows, standing.memory, standing.gcode)?;
             remember_homed(rows, standing)?;
             if !run.options.program.typed {
-                history::add(rows, &run.past(status_word(summary.status), summary.seconds))?;
+                history::add(rows, &run.past(summary.status.word(), summary.seconds))?;
                 if let Some(reached) = tape.left_at() {
                     return rows.put(Table::Fact, PROGRESS, &json(reached)?);
                 }
@@ -220,14 +219,4 @@ fn forget(rows: &Rows<'_>, cut: Option<&CutShort>) -> rows::Result<()> {
     rows.clear(Table::Content)?;
     rows.set(Table::Fact, RUN, None)?;
     rows.set(Table::Fact, REACHED, None)
-}
-
-const fn status_word(status: Status) -> &'static str {
-    match status {
-        Status::Ok => "ok",
-        Status::Ended => "ended",
-        Status::Failed => "failed",
-        Status::Stopped => "stopped",
-        Status::Limit => "limit",
-    }
 }

@@ -24,6 +24,19 @@ pub enum Status {
     Limit,
 }
 
+impl Status {
+    /// The word for it in traces, on record and on the wire.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Ok => "ok",
+            Self::Ended => "ended",
+            Self::Failed => "failed",
+            Self::Stopped => "stopped",
+            Self::Limit => "limit",
+        }
+    }
+}
+
 /// Result of a step.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {

@@ -42,7 +42,7 @@ pub fn outcome(driven: &Result<Summary, JournalError>) -> Result<String, String>
     match (&summary.error, summary.status) {
         (Some(error), _) => Err(error.message.clone()),
         (None, Status::Ok | Status::Ended) => Ok(String::new()),
-        (None, status) => Err(self::status(status).into()),
+        (None, status) => Err(status.word().into()),
     }
 }
 
@@ -181,15 +181,4 @@ pub fn sentence(found: &Diagnostic) -> String {
     let line = found.place.line;
     let place = if line > 0 { format!("line {line}: ") } else { String::new() };
     place + &words(found)
-}
-
-/// The word for how a run ended, as the trace writes it.
-pub const fn status(status: Status) -> &'static str {
-    match status {
-        Status::Ok => "ok",
-        Status::Ended => "ended",
-        Status::Failed => "failed",
-        Status::Stopped => "stopped",
-        Status::Limit => "limit",
-    }
 }

@@ -230,7 +230,7 @@ impl Owner {
 
     fn tell_ended(&mut self, job: Job, driven: Result<Summary, JournalError>) {
         let (ended, error) = match &driven {
-            Ok(summary) => (to_wire::status(summary.status), summary.error.as_deref()),
+            Ok(summary) => (summary.status.word(), summary.error.as_deref()),
             Err(_) => ("failed", None),
         };
         let (ended, error) = (Some(ended.into()), error.map(kerf_language::finding));
