@@ -28,9 +28,11 @@ pub mod queued;
 mod row;
 mod socket;
 mod ways;
+mod zeros;
 
 pub use attached::{First, Told};
 pub use connection::Connection;
 pub use either::{Controller, Place};
 pub use lacks::{Lacks, lines, output_name, output_of_name, wired};
 pub use socket::{Ends, Opens, Socket};
+pub use zeros::{change_zero, zeros_of};
