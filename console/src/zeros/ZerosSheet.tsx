@@ -64,13 +64,16 @@ function Zeros({ zeros, refused, change }: ZerosProps) {
           {axes.map(({ letter, unit }) => (
             <th key={letter}>{`${letter} ${unit}`}</th>
           ))}
-          <th />
+          <td />
         </tr>
       </thead>
       <tbody>
         {zeros.map((zero) => (
           <tr key={zero.name} aria-current={zero.holds && !isShift(zero) ? "true" : undefined}>
-            <th scope="row">{zero.name}</th>
+            <th scope="row">
+              {zero.name}
+              {zero.holds && !isShift(zero) && <em>{t("holds")}</em>}
+            </th>
             {axes.map((axis, n) => (
               <td key={axis.letter}>{locationText(zero.at[n] ?? mm(0), axis)}</td>
             ))}
@@ -82,7 +85,7 @@ function Zeros({ zeros, refused, change }: ZerosProps) {
                   aria-label={t("Use {0}", zero.name)}
                   onPress={() => change(zero.name, { to: "holds" })}
                 >
-                  {zero.holds ? t("Holds") : t("Use")}
+                  {t("Use")}
                 </Button>
               )}
               {zero.name === shift && (

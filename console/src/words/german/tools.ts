@@ -170,6 +170,6 @@ export const tools: Readonly<Record<string, string>> = {
   "Clear {0}": "{0} aufheben",
   "Use {0}": "{0} verwenden",
   Use: "Verwenden",
-  Holds: "Gilt",
+  holds: "gilt",
   "Give a number for one axis at least.": "Mindestens für eine Achse eine Zahl angeben.",
 };

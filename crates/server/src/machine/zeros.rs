@@ -1,7 +1,7 @@
 //! The working zero, as it follows the zero point of the controller that holds.
 
 use kerf_machine::driver::{Zero, ZeroChange};
-use kerf_program::{AXES, Axes};
+use kerf_program::{AXES, Axes, rounded};
 use kerf_wire::AxisUnits;
 
 /// Axes whose working zero follows: the shape of VA.
@@ -22,9 +22,8 @@ pub fn reads(position: Axes, zeros: &[Zero], change: ZeroChange) -> Option<[Opti
 
 /// The command by which axes read so many mm, in the unit of each.
 pub fn values(reads: [Option<f64>; AXES], units: &[AxisUnits]) -> String {
-    let words =
-        reads.iter().zip(units).take(FOLLOW).map(|(reads, axis)| {
-            reads.map_or(String::new(), |mm| format!("{:.9}", mm / axis.scale))
-        });
+    let words = reads.iter().zip(units).take(FOLLOW).map(|(reads, axis)| {
+        reads.map_or(String::new(), |mm| rounded(mm / axis.scale, 9).to_string())
+    });
     format!("VA,{}", words.collect::<Vec<_>>().join(","))
 }
