@@ -5,7 +5,6 @@
  * it can be done now, and asks the server.
  */
 
-import type { Route } from "../app/routes";
 import type { Screen } from "../app/screen";
 import type { Link } from "../link/link";
 import type { Shown } from "../link/shown";
@@ -29,8 +28,8 @@ export interface Action {
   readonly section: Section;
   /** As `KeyboardEvent.key` with modifiers before it: `F10`, `Ctrl+K`. */
   readonly keys?: readonly string[];
-  /** The only screen on which its keys are heard. */
-  readonly where?: Route;
+  /** Its keys are heard only while this is so, and before those of an action that are heard always. */
+  readonly when?: (world: World) => boolean;
   /** Also heard while somebody types into a field. */
   readonly everywhere?: boolean;
   /** Why it cannot be done now; nothing when it can. */

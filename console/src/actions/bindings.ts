@@ -30,7 +30,7 @@ const taken: readonly string[] = ["Space", "Escape", "Enter", "Tab", "Shift+Tab"
 /** STOP keeps its keys. */
 export const isFixed = ({ keys = [] }: Action): boolean => keys.includes("Space");
 
-/** The reason for which an action cannot get a key; nothing when it can. A key may mean something else on one screen. */
+/** The reason for which an action cannot get a key; nothing when it can. A key may mean something else at times. */
 export function refusedKey(
   actions: readonly Action[],
   action: Action,
@@ -39,7 +39,7 @@ export function refusedKey(
   if (taken.includes(key)) return t("{0} keeps its meaning.", key);
   const clash = actions.find(
     (other) =>
-      other.id !== action.id && other.where === action.where && keysOf(other).includes(key),
+      other.id !== action.id && !other.when === !action.when && keysOf(other).includes(key),
   );
   return clash && t("{0} means: {1}. Take it away there first.", key, clash.title);
 }

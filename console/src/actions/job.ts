@@ -29,9 +29,9 @@ function showMistake(world: World): void {
   if (place) world.screen.showLine(place);
 }
 
-/** A simulated machine hurts nobody: it is armed by starting. */
-const arms = ({ shown }: World): boolean =>
-  shown.snapshot?.machine.mode === "simulated" && !shown.snapshot.machine.armed;
+/** A machine that hurts nobody is armed by starting. */
+const arms = ({ shown: { snapshot } }: World): boolean =>
+  (snapshot?.machine.offers.startArms && !snapshot.machine.armed) ?? false;
 
 const whenReady = (world: World) =>
   notPreviewed(world) ?? (arms(world) ? whenIdle(world) : unlessReady(world));
@@ -77,7 +77,8 @@ export const startKey: Action = {
   title: t("Start the job, or go on with it"),
   section: "job",
   keys: ["F10"],
-  where: "/job",
+  when: (world) =>
+    world.screen.get().route === "/" && (openedOf(world)?.kind ?? "program") !== "program",
   everywhere: true,
   run: (world) => attempt(start, world),
 };
@@ -94,14 +95,14 @@ export const machineAnew: Action = {
   warns: () => t("Its paths were changed by hand. Making them anew from the drawing loses that."),
   run: async (world) => {
     const act = { do: "machine", drawing: drawingOf(world), anew: true } as const;
-    if (await ask(world, act)) world.screen.go("/job");
+    if (await ask(world, act)) world.screen.go("/");
   },
 };
 
 /** The drawing that is open as a file; nothing where the one on the sheet is meant. */
 const drawingOf = (world: World): string | null => {
   const opened = openedOf(world);
-  return world.screen.get().route === "/job" && opened?.kind === "drawing" ? opened.name : null;
+  return world.screen.get().route === "/" && opened?.kind === "drawing" ? opened.name : null;
 };
 
 const interruptedOf = ({ shown }: World) => shown.snapshot?.interrupted ?? undefined;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import type { Route } from "../app/routes";
+import type { World } from "./action";
 import { actionOfKey, type KeyPress, keyName } from "./keys";
 import { actions } from "./registry";
 
@@ -24,15 +24,20 @@ describe("keys", () => {
     [press("o", { metaKey: true }), "Ctrl+O"],
   ])("are named", (key, name) => expect(keyName(key)).toBe(name));
 
-  it("mean one action each, and another one at the most on a screen of its own", () => {
-    const all = actions.flatMap(({ keys, where }) => (keys ?? []).map((key) => `${where} ${key}`));
+  it("mean one action each, and another one at the most at times", () => {
+    const all = actions.flatMap(({ keys, when }) => (keys ?? []).map((key) => `${!when} ${key}`));
     expect(new Set(all).size).toBe(all.length);
-    const ten = (route: Route) => actionOfKey(actions, press("F10"), true, route)?.id;
-    expect([ten("/job"), ten("/"), ten("/draw")]).toEqual([
-      "job.startKey",
-      "sheet.calculator",
-      "sheet.calculator",
-    ]);
+  });
+
+  it("start the job that is open on Operate, and are those of every screen elsewhere", () => {
+    const ten = (route: string, kind: string) => {
+      const shown = { snapshot: { opened: { kind } } };
+      const world = { shown, screen: { get: () => ({ route }) } } as unknown as World;
+      return actionOfKey(actions, press("F10"), true, world)?.id;
+    };
+    expect([ten("/", "job"), ten("/", "drawing")]).toEqual(["job.startKey", "job.startKey"]);
+    expect(ten("/", "program")).toBe("sheet.calculator");
+    expect(ten("/draw", "job")).toBe("sheet.calculator");
   });
 
   it("belong to actions of different names", () => {

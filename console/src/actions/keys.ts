@@ -1,7 +1,6 @@
 /** Which action a key means. */
 
-import type { Route } from "../app/routes";
-import type { Action } from "./action";
+import type { Action, World } from "./action";
 import { keysOf } from "./bindings";
 
 /** The parts of a `KeyboardEvent` that tell which key it is. */
@@ -28,17 +27,17 @@ export function keyName(press: KeyPress): string {
   return parts.filter((part) => part !== "").join("+");
 }
 
-/** The action of a key; that of the screen before one that is heard everywhere. A held key means nothing: whatever it did is done already. */
+/** The action of a key; one that has it only now before one that has it always. A held key means nothing: whatever it did is done already. */
 export function actionOfKey(
   actions: readonly Action[],
   press: KeyPress,
   typing: boolean,
-  route: Route = "/",
+  world?: World,
 ): Action | undefined {
   if (press.repeat) return undefined;
   const name = keyName(press);
   const found = actions.filter(
     (a) => keysOf(a).includes(name) && (!typing || a.everywhere === true),
   );
-  return found.find(({ where }) => where === route) ?? found.find(({ where }) => !where);
+  return found.find(({ when }) => world && when?.(world)) ?? found.find(({ when }) => !when);
 }

@@ -1,26 +1,22 @@
 import { describe, expect, it } from "vitest";
 import { firstSnapshot } from "../../tests/standin/snapshot";
 import type { LinkStatus } from "../link/shown";
-import type { Mode, State } from "../wire/messages";
+import type { State } from "../wire/messages";
 import type { Action, World } from "./action";
 import { start } from "./job";
 import { arm, hold, home, moveMode, preview, resume, stop } from "./machine";
 
 const states: State[] = ["idle", "running", "jogging", "held", "asking", "stopped", "alarm"];
 
-function world(
-  state: State,
-  armed = true,
-  status: LinkStatus = "open",
-  mode: Mode = "simulated",
-): World {
-  const machine = { ...firstSnapshot.machine, state, armed, mode };
+function world(state: State, armed = true, status: LinkStatus = "open", startArms = true): World {
+  const offers = { ...firstSnapshot.machine.offers, startArms };
+  const machine = { ...firstSnapshot.machine, state, armed, offers };
   const snapshot = { ...firstSnapshot, machine };
   return { shown: { status, who: null, snapshot, roundTripMs: 1, aheadMs: 0 } } as World;
 }
 
-const allowed = (action: Action, armed = true, mode: Mode = "simulated") =>
-  states.filter((state) => action.refused?.(world(state, armed, "open", mode)) === undefined);
+const allowed = (action: Action, armed = true, startArms = true) =>
+  states.filter((state) => action.refused?.(world(state, armed, "open", startArms)) === undefined);
 
 describe("what can be done when", () => {
   it("STOP always", () => {
@@ -35,8 +31,8 @@ describe("what can be done when", () => {
 
   it("start only what stands, is armed and was previewed", () => {
     expect(allowed(start)).toEqual(["idle"]);
-    expect(allowed(start, false, "cut")).toEqual([]);
-    expect(allowed(start, true, "cut")).toEqual(["idle"]);
+    expect(allowed(start, false, false)).toEqual([]);
+    expect(allowed(start, true, false)).toEqual(["idle"]);
     const opened = { ...world("idle"), shown: { ...world("idle").shown } };
     const closed = { ...firstSnapshot, opened: null };
     expect(start.refused?.({ ...opened, shown: { ...opened.shown, snapshot: closed } })).toBe(
@@ -44,7 +40,7 @@ describe("what can be done when", () => {
     );
   });
 
-  it("start arms a simulated machine by itself", () => {
+  it("start arms a machine that hurts nobody", () => {
     expect(allowed(start, false)).toEqual(["idle"]);
   });
 

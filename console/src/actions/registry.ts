@@ -1,6 +1,7 @@
 /** The one list of actions. A screen of its own (the drawing) adds its actions here. */
 
 import type { Action } from "./action";
+import { digitize } from "./digitize";
 import { drawActions } from "./draw";
 import { frameJob } from "./frame";
 import { goActions } from "./go";
@@ -11,6 +12,7 @@ export const actions: readonly Action[] = [
   ...machineActions,
   ...jobActions,
   frameJob,
+  digitize,
   ...goActions,
   ...drawActions,
 ];

@@ -51,10 +51,6 @@ const EditScreen = lazy(async () => ({
   default: (await import("../editor/EditScreen")).EditScreen,
 }));
 
-const JobScreen = lazy(async () => ({
-  default: (await import("../job/JobScreen")).JobScreen,
-}));
-
 const DrawScreen = lazy(async () => ({
   default: (await import("../draw/DrawScreen")).DrawScreen,
 }));
@@ -117,8 +113,6 @@ function RouteScreen({ route }: { route: Route }) {
   switch (route) {
     case "/":
       return <OperatorScreen />;
-    case "/job":
-      return <JobScreen />;
     case "/edit":
       return <EditScreen />;
     case "/draw":

@@ -16,9 +16,8 @@ export function Keys() {
     const hear = (event: KeyboardEvent) => {
       if (event.defaultPrevented) return;
       const world = worldOf(hands);
-      const { route } = hands.screen.get();
       const known = otherVersion(world.shown) === undefined ? actions : [hold];
-      const action = actionOfKey(known, event, takesKeys(event.target), route);
+      const action = actionOfKey(known, event, takesKeys(event.target), world);
       if (!action) return;
       if (perform(action, world)) event.preventDefault();
       else if (action.keysTell) attempt(action, world);

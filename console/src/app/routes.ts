@@ -4,7 +4,6 @@ import { t } from "../words/words";
 
 export const routes = [
   { path: "/", title: t("Operate") },
-  { path: "/job", title: t("Job") },
   { path: "/edit", title: t("Edit") },
   { path: "/draw", title: t("Draw") },
   { path: "/settings", title: t("Settings") },
@@ -13,7 +12,7 @@ export const routes = [
 
 export type Route = (typeof routes)[number]["path"];
 
-/** The route an address belongs to; unknown ones lead to the operator's screen. */
+/** The route an address belongs to; unknown ones, and `/job` of earlier versions, lead to the operator's screen. */
 export function routeOf(pathname: string): Route {
   const [, first = ""] = pathname.split("/");
   return routes.find((route) => route.path === `/${first}`)?.path ?? "/";

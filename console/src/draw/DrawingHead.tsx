@@ -1,4 +1,5 @@
 import { useState } from "react";
+import { FileTrigger } from "react-aria-components";
 import { attempt } from "../actions/action";
 import { ask } from "../actions/ask";
 import { beginDrawing, isUnsaved, unsaved } from "../actions/draw";
@@ -14,6 +15,9 @@ import { fitted, type Size } from "./window";
 
 type Asking = "open" | "save" | "program";
 
+/** What a drawing is read from. */
+const drawings = ["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl"] as const;
+
 /** What a drawing is written as. */
 const savedAs = ["rsg", "dxf", "svg"] as const;
 
@@ -23,6 +27,11 @@ export function DrawingHead({ desk }: { desk: Desk }) {
   const drawing = useSnapshot("drawing");
   const drawingOnly = useSnapshot("drawingOnly") ?? false;
   const [asking, setAsking] = useState<Asking | null>(null);
+  const [given, setGiven] = useState<readonly File[]>([]);
+  const openGiven = (files: readonly File[]) => {
+    setGiven(files);
+    setAsking("open");
+  };
   // Tool paths that were opened stay tool paths: their name is not that of their drawing.
   const isJob = drawing?.name?.toLowerCase().endsWith(".rsm") ?? false;
   const empty = drawing?.shapes ? undefined : t("The drawing has no shapes yet.");
@@ -50,9 +59,15 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         <Button size="small" onPress={() => attempt(beginDrawing, worldOf(hands))}>
           New
         </Button>
-        <Button size="small" onPress={() => setAsking("open")}>
+        <Button size="small" onPress={() => openGiven([])}>
           Open…
         </Button>
+        <FileTrigger
+          acceptedFileTypes={drawings.map((ending) => `.${ending}`)}
+          onSelect={(files) => openGiven([...(files ?? [])])}
+        >
+          <Button size="small">Open from disk…</Button>
+        </FileTrigger>
         <Button size="small" onPress={() => setAsking("save")}>
           Save…
         </Button>
@@ -96,7 +111,8 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         <FileSheet
           title={t("Open a drawing")}
           warning={isUnsaved(worldOf(hands)) ? unsaved : undefined}
-          endings={["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl"]}
+          endings={drawings}
+          given={given}
           onClose={() => setAsking(null)}
           onName={(name) => draw({ op: "open", name })}
         />

@@ -1,4 +1,4 @@
-import { useState } from "react";
+import { useEffect, useState } from "react";
 import { useHands } from "../app/context";
 import { UploadButton, UploadList } from "../operator/UploadList";
 import { useFiles } from "../operator/useFiles";
@@ -15,15 +15,20 @@ interface FileSheetProps {
   proposal?: string;
   /** What a person has to know before he chooses. */
   warning?: string | undefined;
+  /** Files of this computer that are brought first. */
+  given?: readonly File[] | undefined;
   onName: (name: string) => Promise<unknown>;
   onClose: () => void;
 }
 
 /** Asks for the name of a file of the part folder; those that are there are offered. */
-export function FileSheet({ title, endings, proposal, warning, onName, onClose }: FileSheetProps) {
+export function FileSheet(props: FileSheetProps) {
+  const { title, endings, proposal, warning, given, onName, onClose } = props;
   const { screen } = useHands();
   const files = useFiles("");
   const uploads = useUploads();
+  // biome-ignore lint/correctness/useExhaustiveDependencies: once for each time that files are given
+  useEffect(() => uploads.add("", given ?? []), [given]);
   const reads = proposal === undefined;
   const [name, setName] = useState(proposal ?? "");
   const offered = files.filter(({ name, folder }) => !folder && endings.includes(endingOf(name)));
@@ -78,7 +83,13 @@ export function FileSheet({ title, endings, proposal, warning, onName, onClose }
             </div>
           ))}
         </div>
-        {reads && <UploadList uploads={uploads} onUse={(name) => void use(name)} />}
+        {reads && (
+          <UploadList
+            uploads={uploads}
+            onUse={(name) => void use(name)}
+            asks={warning !== undefined}
+          />
+        )}
         <div className="file-sheet-foot">
           {reads && <UploadButton uploads={uploads} folder="" endings={endings} />}
           <Button onPress={onClose}>Cancel</Button>

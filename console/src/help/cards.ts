@@ -23,7 +23,7 @@ export const cards: readonly Card[] = [
     question: t("How do I bring in a file of my own?"),
     steps: [
       t("Drop it anywhere on the page, or press Choose file, then Upload."),
-      t("Open it in the list."),
+      t("One file is opened at once; of several, press Open at the one that is meant."),
     ],
     place: "console#what-is-kept-of-your-work",
   },

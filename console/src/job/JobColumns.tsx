@@ -1,4 +1,5 @@
 import { useSnapshot } from "../app/context";
+import { Aside } from "../operator/Aside";
 import { JobBar } from "../operator/JobBar";
 import { WordsPanel } from "../operator/WordsPanel";
 import { ToolPathPanel } from "../view/ToolPathPanel";
@@ -33,10 +34,12 @@ export function JobColumns() {
         <JobBar />
       </div>
       <div className="operator-right">
-        <div className="job-values">
-          {plan && <PathPanel plan={plan} standing={standing} />}
-          {plan && <CutPanel plan={plan} />}
-        </div>
+        <Aside>
+          <div className="job-values">
+            {plan && <PathPanel plan={plan} standing={standing} />}
+            {plan && <CutPanel plan={plan} />}
+          </div>
+        </Aside>
         <WordsPanel />
       </div>
     </>

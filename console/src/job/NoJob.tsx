@@ -7,33 +7,16 @@ import { machine } from "./actions";
 export function NoJob() {
   const hands = useHands();
   const opened = useSnapshot("opened");
-  const drawing = useSnapshot("drawing");
-  if (opened?.kind === "drawing") {
-    return (
-      <div className="job-none">
-        <p>
-          <b>{opened.name}</b>{" "}
-          {t("is a drawing: it has no tool path yet, and the machine cuts nothing of it.")}
-        </p>
-        <Button look="primary" onPress={() => void machine(worldOf(hands), opened.name)}>
-          Make the tool path
-        </Button>
-      </div>
-    );
-  }
-  const drawn = (drawing?.shapes ?? 0) > 0;
+  if (opened?.kind !== "drawing") return null;
   return (
     <div className="job-none">
       <p>
-        {t(
-          "A job is the tool path of a drawing: the machine cuts it with its own heights, speeds and sequence.",
-        )}
+        <b>{opened.name}</b>{" "}
+        {t("is a drawing: it has no tool path yet, and the machine cuts nothing of it.")}
       </p>
-      {drawn && (
-        <Button look="primary" onPress={() => void machine(worldOf(hands), null)}>
-          Machine the drawing on the sheet
-        </Button>
-      )}
+      <Button look="primary" onPress={() => void machine(worldOf(hands), opened.name)}>
+        Make the tool path
+      </Button>
     </div>
   );
 }

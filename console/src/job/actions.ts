@@ -25,7 +25,7 @@ export const chooseStart = (world: World, start: number | null): Promise<boolean
 export async function machine(world: World, drawing: string | null): Promise<void> {
   const { problem, notes } = await world.link.ask({ do: "machine", drawing, anew: false });
   for (const note of notes) world.screen.tell(note);
-  if (!problem) return world.screen.go("/job");
+  if (!problem) return world.screen.go("/");
   if (problem.why === "changed") {
     return world.screen.open({ kind: "confirm", action: "job.anew" });
   }
@@ -35,7 +35,7 @@ export async function machine(world: World, drawing: string | null): Promise<voi
   const again = await world.link.ask({ do: "machine", drawing, anew: true });
   for (const note of again.notes) world.screen.tell(note);
   if (again.problem) world.screen.tell(again.problem.text);
-  else world.screen.go("/job");
+  else world.screen.go("/");
 }
 
 /** The job of a drawing lies beside it. */

@@ -1,6 +1,6 @@
 import { asking, attempt } from "../actions/action";
 import { outputs } from "../actions/machine";
-import { useHands, useScreen, useShown, useSnapshot, worldOf } from "../app/context";
+import { useHands, useScreen, useSnapshot, worldOf } from "../app/context";
 import { Panel } from "../ui/Panel";
 import type { Lamp } from "../wire/messages";
 import { t } from "../words/words";
@@ -20,7 +20,7 @@ export function Lamps() {
 
 /** The sheet behind the word at the head of a row, and what it is for. */
 const behind = {
-  Input: { kind: "inputs", about: t("Move the switches of the simulated machine") },
+  Input: { kind: "inputs", about: t("Move the switches of the machine") },
   Output: { kind: "ports", about: t("Every port of the card") },
 } as const;
 
@@ -32,11 +32,11 @@ interface RowProps {
 
 function Row({ title, word, lamps }: RowProps) {
   const { screen } = useHands();
-  const simulated = useShown((shown) => shown.snapshot?.machine.mode !== "cut");
+  const moved = useSnapshot("machine")?.offers.inputs;
   const { kind, about } = behind[word];
   return (
     <div className="lamps-row">
-      {word === "Output" || simulated ? (
+      {word === "Output" || moved ? (
         <button
           type="button"
           className="lamps-press"

@@ -2,6 +2,7 @@ import { lazy, Suspense } from "react";
 import { useScreen, useSnapshot } from "../app/context";
 import { ToolPathPanel } from "../view/ToolPathPanel";
 import { t } from "../words/words";
+import { Aside } from "./Aside";
 import { EasyButtons } from "./EasyButtons";
 import { FullBar } from "./FullBar";
 import { JobBar } from "./JobBar";
@@ -56,7 +57,9 @@ function ProgramColumns() {
         <JobBar />
       </div>
       <div className="operator-right">
-        <ListingPanel />
+        <Aside>
+          <ListingPanel />
+        </Aside>
         <WordsPanel />
       </div>
     </>

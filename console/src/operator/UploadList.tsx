@@ -1,4 +1,4 @@
-import { useSyncExternalStore } from "react";
+import { useEffect, useSyncExternalStore } from "react";
 import { FileTrigger } from "react-aria-components";
 import { Button } from "../ui/Button";
 import { t } from "../words/words";
@@ -7,13 +7,22 @@ import "./upload-list.css";
 
 interface UploadListProps {
   uploads: Uploads;
-  /** Uses a file that has come. */
+  /** Uses a file that has come. One that was brought alone is used at once, unless it came late. */
   onUse: (name: string) => void;
+  /** None is used before somebody says so. */
+  asks?: boolean;
 }
 
 /** Files on their way into the part folder: how far each is, the question before one is replaced, Stop. */
-export function UploadList({ uploads, onUse }: UploadListProps) {
+export function UploadList({ uploads, onUse, asks = false }: UploadListProps) {
   const list = useSyncExternalStore(uploads.list.watch, uploads.list.get);
+  const [only] = list;
+  const isAlone = list.length === 1 && only?.stage.is === "done" && !only.late && !asks;
+  const alone = isAlone ? only.name : undefined;
+  // biome-ignore lint/correctness/useExhaustiveDependencies: once, when it has come
+  useEffect(() => {
+    if (alone !== undefined) onUse(alone);
+  }, [alone]);
   return (
     <ul className="uploads" aria-label={t("Uploads")} aria-live="polite">
       {list.map((upload) => (

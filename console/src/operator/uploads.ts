@@ -20,6 +20,8 @@ export interface Upload {
   readonly name: string;
   readonly bytes: number;
   readonly stage: Stage;
+  /** It was held while the machine moved: nobody waits for it any more. */
+  readonly late: boolean;
 }
 
 /** While the machine moves it is looked so often whether it stands, milliseconds. */
@@ -84,7 +86,7 @@ export class Uploads {
       const name = folder === "" ? file.name : `${folder}/${file.name}`;
       const text = tooLarge(file.size);
       const stage: Stage = text === null ? { is: "waits" } : { is: "failed", text };
-      this.list.update((all) => [...all, { id, name, bytes: file.size, stage }]);
+      this.list.update((all) => [...all, { id, name, bytes: file.size, stage, late: false }]);
       if (text === null) this.#queue(id, name, file);
     }
   }
@@ -149,8 +151,7 @@ export class Uploads {
 
   /** Tells how far one is; what is over stays so. */
   #tell(id: number, stage: Stage): void {
-    this.list.update((all) =>
-      all.map((one) => (one.id === id && !isOver(one) ? { ...one, stage } : one)),
-    );
+    const is = (one: Upload) => ({ ...one, stage, late: one.late || stage.is === "held" });
+    this.list.update((all) => all.map((one) => (one.id === id && !isOver(one) ? is(one) : one)));
   }
 }

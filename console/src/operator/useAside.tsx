@@ -1,5 +1,5 @@
 import { type ReactNode, useState } from "react";
-import { useShown } from "../app/context";
+import { useSnapshot } from "../app/context";
 import { KeypadSheet } from "../keypad/KeypadSheet";
 import { InputsSheet } from "../tools/InputsSheet";
 import { NudgeSheet } from "../tools/NudgeSheet";
@@ -23,9 +23,9 @@ interface Asides {
 /** What may be done by hand while a job stands and asks, before it goes on at the same place. */
 export function useAside(offered: readonly Aside[]): Asides {
   const [begun, setBegun] = useState<Aside | null>(null);
-  // A switch that stopped the machine has to be let go; a real one is not on a screen.
-  const simulated = useShown((shown) => shown.snapshot?.machine.mode !== "cut");
-  const possible = offered.filter((aside) => aside !== "inputs" || simulated);
+  // A switch that stopped the machine has to be let go, on the page where it is moved there.
+  const inputs = useSnapshot("machine")?.offers.inputs;
+  const possible = offered.filter((aside) => aside !== "inputs" || inputs);
   return {
     sheet: begun && <AsideSheet aside={begun} onClose={() => setBegun(null)} />,
     buttons: possible.map((aside) => (

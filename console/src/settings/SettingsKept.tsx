@@ -1,4 +1,5 @@
 import { useState } from "react";
+import { FileTrigger } from "react-aria-components";
 import { useHands, useSnapshot } from "../app/context";
 import { useFetched } from "../app/useFetched";
 import { downloadText } from "../link/download";
@@ -32,18 +33,12 @@ export function SettingsKept({ areas }: { areas: readonly SettingArea[] }) {
       </p>
       <div className="settings-kept">
         <Button onPress={save}>Save settings</Button>
-        <label className="button">
-          {t("Load settings…")}
-          <input
-            type="file"
-            className="hidden-text"
-            accept=".txt"
-            onChange={(event) => {
-              void read(event.target.files?.[0]);
-              event.target.value = "";
-            }}
-          />
-        </label>
+        <FileTrigger
+          acceptedFileTypes={[".txt"]}
+          onSelect={(files) => void read(files?.[0] ?? undefined)}
+        >
+          <Button>Load settings…</Button>
+        </FileTrigger>
       </div>
       <Changes />
       {loaded && <LoadSheet loaded={loaded} onClose={() => setLoaded(null)} />}

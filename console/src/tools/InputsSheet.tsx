@@ -12,7 +12,7 @@ const duties: Record<Duty, string> = {
   stop: t("stops the machine"),
 };
 
-/** The switches of the simulated machine, to be moved by hand: also while a file runs. */
+/** The switches of a machine whose switches are moved on a page, to be moved by hand: also while a file runs. */
 export function InputsSheet({ onClose }: { onClose: () => void }) {
   const hands = useHands();
   const inputs = useInputs();

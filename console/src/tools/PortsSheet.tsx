@@ -21,7 +21,7 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
   const bits = useBits();
   const hands = useHands();
   const busy = useBusy();
-  const simulated = useSnapshot("machine")?.mode !== "cut";
+  const card = useSnapshot("machine")?.offers.card ?? false;
   const switchBit = ({ port, place }: PortBit, on: boolean) =>
     void drive(worldOf(hands), { do: "bit", name: `${port}${place}`, on });
   const step = (motor: string, forward: boolean) =>
@@ -43,13 +43,13 @@ export function PortsSheet({ onClose }: { onClose: () => void }) {
                     bit={bit}
                     on={((byte >> bit.place) & 1) === 1}
                     busy={busy}
-                    onSwitch={simulated && isSwitched(bit) ? switchBit : undefined}
+                    onSwitch={card && isSwitched(bit) ? switchBit : undefined}
                   />
                 ))}
               </ul>
             </section>
           ))}
-        {simulated && (
+        {card && (
           <section aria-label={t("Motors")}>
             <h3>{t("Motors")}</h3>
             <p className="ports-words">

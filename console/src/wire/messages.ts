@@ -926,7 +926,9 @@ armed: boolean,
 /** Reason why it is disarmed, held or in alarm, for a person. */
 why: string | null,
 /** Its name. */
-name: string, };
+name: string,
+/** What a page may do to it beside moving it. */
+offers: Offers, };
 
 /** A line of the message area. */
 export type Message = {
@@ -969,6 +971,15 @@ export type NamedValue = {
 name: string,
 /** Its value. */
 value: string, };
+
+/** What a page may do to a machine beside moving it, as the machine itself tells. */
+export type Offers = {
+/** Its switches are moved on a page. */
+inputs: boolean,
+/** The bits of its card are switched one at a time, and its motors stepped once. */
+card: boolean,
+/** Start arms it: nobody is hurt by what it does. */
+startArms: boolean, };
 
 export type OpNew = { "op": "new" };
 

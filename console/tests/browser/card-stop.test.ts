@@ -17,7 +17,7 @@ beforeAll(async () => {
   await draw({ op: "save", name: "two.rsg" });
   page = await workshop.page({ width: 1360, height: 800 });
   await script(workshop, "machine", { drawing: "two.rsg" });
-  await page.getByRole("link", { name: "Job" }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
   await page.locator(".job-head", { hasText: "two.rsm" }).waitFor();
 });
 afterAll(() => workshop?.close());
@@ -48,7 +48,7 @@ const doubleStart = async (on: "yes" | "no") => {
   await page.getByRole("link", { name: "Settings" }).click();
   await page.getByLabel("Search settings").fill("double_start");
   await page.getByRole("radio", { name: on }).click();
-  await page.getByRole("link", { name: "Job" }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
 };
 
 // The head stands where it was when the machine was switched on.

@@ -38,7 +38,7 @@ it("gives up a tool path that is being made, with the keyboard", async () => {
   const body = JSON.stringify({ name: "heavy.dxf" });
   await fetch(`${workshop.address}/api/do/open`, { method: "POST", headers, body });
   await until(async () => (await stateOf(workshop)).opened?.name === "heavy.dxf", "it is open");
-  await page.getByRole("link", { name: "Job" }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
   await tabTo(page, /^Make the tool path/);
   await page.keyboard.press("Enter");
   await page.getByText("The tool path is being made.").waitFor();

@@ -31,7 +31,6 @@ it("a job from the picker to its cut, in three presses, on the screen where a pr
   expect(new URL(page.url()).pathname).toBe("/");
   await page.locator(".job-status", { hasText: "ready" }).waitFor();
   await page.locator(".path-row").nth(1).waitFor();
-  await page.screenshot({ path: process.env.KERF_SHOT ?? "/dev/null", type: "png" });
   await page.getByRole("button", { name: "Start", exact: true }).click();
   await page.locator(".path-running").first().waitFor();
   await until(isOver, "it is cut");
@@ -58,6 +57,16 @@ it("a program opened after it stands in the same place", async () => {
   await choose(/first-cut\.sbp/);
   await page.getByLabel(/^Lines of first-cut/).waitFor();
   expect(await page.getByLabel("Paths of the job").count()).toBe(0);
+});
+
+it("the address that jobs had leads to it, and F10 starts the job that is open", async () => {
+  await choose(/part\.rsm/);
+  await page.goto(`${workshop.address}/job`);
+  await page.getByLabel("Paths of the job").waitFor();
+  await page.locator(".job-status", { hasText: "finished at" }).waitFor();
+  await page.keyboard.press("F10");
+  await page.locator(".path-running").first().waitFor();
+  await until(isOver, "it is cut");
 });
 
 it("a drawing that is opened to be run says that it has no tool path", async () => {

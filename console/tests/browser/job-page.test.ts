@@ -63,7 +63,7 @@ const previewed = () =>
 
 it("pro_misc_modes: a drawing is only drawn; Machine makes its tool path, and the machine cuts that", async () => {
   await script(workshop, "open", { name: "part.rsg" });
-  await page.getByRole("link", { name: "Job" }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
   await page.getByText("is a drawing: it has no tool path yet").waitFor();
   await page.keyboard.press("F10");
   await page.locator(".notice", { hasText: "create the tool path first" }).waitFor();
@@ -205,7 +205,7 @@ it("pro_io_io_led: a lamp of the card follows each bit while a job runs", async 
   for (const bit of ["router", "job_running", "cut1", "tool1", "xstep"])
     await lamp(`out.${bit}`, false);
   await page.keyboard.press("Escape");
-  await page.getByRole("link", { name: "Job" }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
 });
 
 /** A plate of 50 by 30 mm, as another program writes it. */
@@ -222,7 +222,7 @@ it("pro_misc_unified: a DXF is brought, opened, offset, machined and cut, all on
   await page.getByRole("button", { name: "Upload…" }).click();
   const buffer = Buffer.from(plate);
   await (await chooser).setFiles([{ name: "plate.dxf", mimeType: "", buffer }]);
-  await page.getByRole("button", { name: "Open plate.dxf" }).click();
+  // A file that is brought alone is opened as soon as it is there.
   await until(async () => (await stateOf(workshop)).drawing?.name === "plate.dxf", "it is opened");
   await page.getByRole("button", { name: "Settings…" }).click();
   const sheet = page.getByRole("dialog");
@@ -292,7 +292,8 @@ it("pro_job_start_mouse: a click on a path shows its number and begins the job w
   await previewed();
   await page.keyboard.press("F10");
   expect(await firstCut()).toBe(17);
-  await page.mouse.click(at.x, at.y);
+  // While it runs its picture stands there; the paths are in their list.
+  await page.locator(".path-row button").nth(3).click();
   await page.locator(".notice", { hasText: "A job runs" }).waitFor();
   expect((await viewOf()).start).toBe(17);
   await finished();
@@ -304,7 +305,7 @@ it("pro_job_step_start: F10 and HTTP start alike, and the second Start cuts", as
   await page.getByRole("link", { name: "Settings" }).click();
   await page.getByLabel("Search settings").fill("double_start");
   await page.getByRole("radio", { name: "yes" }).click();
-  await page.getByRole("link", { name: "Job" }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
   await previewed();
   expect(lease).toBeGreaterThan(0);
   await page.keyboard.press("F10");

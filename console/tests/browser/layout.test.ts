@@ -5,6 +5,7 @@ import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import { overlaps } from "./overlaps";
 import {
+  arm,
   comesToRest,
   type Hand,
   hold,
@@ -22,6 +23,12 @@ beforeAll(async () => {
   workshop = await openWorkshop({ parts: ["01-first-cut/first-cut.sbp"], open: "first-cut.sbp" });
   const ask = 'INPUT "How deep" &depth\nMSGBOX(Is it clamped?, YesNo)\nEND\n';
   writeFileSync(join(workshop.parts, "ask.sbp"), ask);
+  const draw = (op: object) => script(workshop, "draw", { op });
+  expect(await draw({ op: "new" })).toBe(200);
+  expect(await draw({ op: "do", clauses: "line 0,0 100,0; line 0,40 100,40" })).toBe(200);
+  expect(await draw({ op: "save", name: "part.rsg" })).toBe(200);
+  expect(await script(workshop, "machine", { drawing: "part.rsg", anew: false })).toBe(200);
+  expect(await script(workshop, "open", { name: "first-cut.sbp" })).toBe(200);
   writeFileSync(join(workshop.parts, "long.sbp"), "JZ,0.5\nMX,20\nMX,0\nEND\n");
 });
 afterAll(() => workshop?.close());
@@ -31,7 +38,14 @@ afterEach(async () => {
 });
 
 const themes = ["light", "dark", "contrast"];
-const routes = ["/", "/job", "/edit", "/draw", "/settings", "/help"];
+const routes = ["/", "/edit", "/draw", "/settings", "/help"];
+/** Where pictures go that are looked at. */
+const shots = process.env.KERF_SHOTS;
+async function photograph(page: Page, name: string): Promise<void> {
+  const { width = 0, height = 0 } = page.viewportSize() ?? {};
+  if (shots) await page.screenshot({ path: join(shots, `${name}-${width}x${height}.png`) });
+}
+
 const phone = { width: 390, height: 844 };
 const tablet = { width: 800, height: 1280 };
 const sizes = [
@@ -73,6 +87,40 @@ it.each(sizes)(
     expect(found).toEqual([]);
   },
 );
+
+it.each(sizes)(
+  "nothing lies over a job and its paths, nor over points that are digitized, at $width by $height",
+  async (size) => {
+    expect(await script(workshop, "open", { name: "part.rsm" })).toBe(200);
+    const page = await workshop.page(size, size.width < 1100);
+    const found: string[] = [];
+    for (const face of ["easy", "full"]) {
+      await page.evaluate((chosen) => localStorage.setItem("kerf.face", chosen), face);
+      await page.goto(`${workshop.address}/job`);
+      await page.locator(".path-row").first().waitFor();
+      found.push(...(await faults(page, `${face}, a job`)));
+      await photograph(page, `job-${face}`);
+    }
+    await digitize(page);
+    found.push(...(await faults(page, "digitizing")));
+    await photograph(page, "digitize");
+    await points(page).getByRole("button", { name: "Exit", exact: true }).click();
+    await page.locator(".path-row").first().waitFor();
+    expect(await script(workshop, "open", { name: "first-cut.sbp" })).toBe(200);
+    expect(found).toEqual([]);
+  },
+);
+
+const points = (page: Page) => page.getByRole("region", { name: "Digitize" });
+
+/** Begins to digitize from the palette, and waits for the keys. */
+async function digitize(page: Page): Promise<void> {
+  await arm(page);
+  await page.keyboard.press("Control+k");
+  await page.getByRole("dialog").getByRole("textbox").fill("Digitize");
+  await page.getByRole("option", { name: /^Digitize/ }).click();
+  await points(page).getByRole("button", { name: "Record", exact: true }).waitFor();
+}
 
 /** A finger on a button, until it is lifted. */
 async function fingerOn(page: Page, name: string): Promise<Hand> {
@@ -150,7 +198,7 @@ it("the hand console leaves the buttons of Move the tool to free", async () => {
   const page = await workshop.page({ width: 1280, height: 720 });
   for (const action of ["Hand console", "Move the tool to"]) {
     await page.keyboard.press("Control+k");
-    await page.keyboard.type(action);
+    await page.getByRole("dialog").getByRole("textbox").fill(action);
     await page.getByRole("option", { name: action }).first().waitFor();
     await page.keyboard.press("Enter");
   }

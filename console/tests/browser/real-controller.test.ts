@@ -68,6 +68,23 @@ it("homes a controller that was locked until it is homed", async () => {
   await agree();
 });
 
+it("does not offer its switches and its card, in preview either", async () => {
+  const chip = page.locator(".mode");
+  const offered = () =>
+    page.getByRole("button", { name: "In", exact: true, includeHidden: true }).count();
+  expect(await offered()).toBe(0);
+  await chip.click();
+  await expect.poll(() => chip.textContent()).toContain("PREVIEW");
+  expect(await offered()).toBe(0);
+  expect((await stateOf(workshop)).machine.offers).toEqual({
+    inputs: false,
+    card: false,
+    startArms: false,
+  });
+  await chip.click();
+  await expect.poll(() => chip.textContent()).toContain("CUT");
+});
+
 it("moves for as long as a key is held", async () => {
   const [before = 0] = await agree();
   await page.getByRole("button", { name: "Move tool" }).click();

@@ -20,7 +20,7 @@ beforeAll(async () => {
 afterAll(() => workshop?.close());
 
 const themes = ["light", "dark", "contrast"];
-const routes = ["/", "/job", "/edit", "/draw", "/settings", "/help"];
+const routes = ["/", "/edit", "/draw", "/settings", "/help"];
 
 it.each(themes.flatMap((theme) => routes.map((route) => [theme, route] as const)))(
   "has nothing in anybody's way: %s %s",

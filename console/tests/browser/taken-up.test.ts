@@ -112,7 +112,7 @@ it("a job that a power cut ended is taken up by the page at the very place", asy
   await script(workshop, "machine", { drawing: "part.rsg" });
   await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
   const page = await workshop.page();
-  await page.getByRole("link", { name: "Job" }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
   await arm(page);
   await page.getByRole("button", { name: "Start", exact: true }).click();
   const cuts = async (line: number, from: number) => {
@@ -125,7 +125,7 @@ it("a job that a power cut ended is taken up by the page at the very place", asy
   workshop = await openWorkshop({ folder });
   expect((await stateOf(workshop)).interrupted).toMatchObject({ file: "part.rsm", moved: true });
   const next = await workshop.page();
-  await next.getByRole("link", { name: "Job" }).click();
+  await next.getByRole("link", { name: "Operate" }).click();
   await arm(next);
   await next.getByRole("button", { name: "Recover job…" }).click();
   await next.getByRole("button", { name: "Recover job", exact: true }).click();

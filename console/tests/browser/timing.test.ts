@@ -55,7 +55,7 @@ async function drawnEdges(name: string): Promise<number[]> {
 
 it("pro_timing_inputs: a job's chart shows its inputs and outputs under the course of its axes, at the right times", async () => {
   const timing = await opens("part.rsm");
-  await page.getByRole("link", { name: "Job" }).click();
+  await page.getByRole("link", { name: "Operate" }).click();
   await page.getByRole("button", { name: "Timing", exact: true }).click();
   await chart().waitFor();
   for (const axis of ["x", "y", "z"]) expect(await line(axis).count(), axis).toBe(1);
@@ -79,7 +79,7 @@ it("pro_timing_inputs: a job's chart shows its inputs and outputs under the cour
   const x = timing.lines.find(({ name }) => name === "x")?.points ?? [];
   const leaves = x.find(([at, value]) => at > first && value > 0)?.[0] ?? 0;
   expect(leaves).toBeGreaterThanOrEqual(first);
-  await page.getByLabel("Inputs").fill("arc@2=1, arc@3.5=0");
+  await page.getByRole("dialog").getByLabel("Inputs").fill("arc@2=1, arc@3.5=0");
   await page.keyboard.press("Enter");
   await line("end_bottom_delay").waitFor();
   const [on = 0, off = 0] = await drawnEdges("end_bottom_delay");

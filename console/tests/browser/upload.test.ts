@@ -86,6 +86,12 @@ it("pro_send_http: files chosen in the browser lie in the part folder byte for b
   await page.getByRole("dialog").waitFor({ state: "detached" });
 });
 
+it("a file that is brought alone is opened as soon as it is there", async () => {
+  await upload([given("alone.sbp", "MX,1\nEND\n")]);
+  await until(async () => (await stateOf(workshop)).opened?.name === "alone.sbp", "it is opened");
+  await page.getByRole("dialog").waitFor({ state: "detached" });
+});
+
 it("pro_send_http: a file that is there is replaced only by whoever says so", async () => {
   writeFileSync(place("door.sbp"), "MX,1\nEND\n");
   await upload([given("door.sbp", "MX,2\nEND\n")]);

@@ -263,6 +263,8 @@ export interface WorkshopOptions {
   readonly rate?: number;
   /** Pages may hear nothing for a while, because their link is tested. */
   readonly isDeaf?: boolean;
+  /** It writes no file longer than so many kilobytes, as on a full disk. */
+  readonly mostKilobytes?: number;
   /** Delay of all that the server tells a page, milliseconds. */
   readonly lagMs?: number;
 }
@@ -318,9 +320,11 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const told = options.webhook ? ["--webhook", options.webhook] : [];
   const begins = options.line ? ["sb3", options.line, "--console"] : ["serve", ...file];
   const driven = options.controller ? ["--machine", options.controller] : [];
-  const server = spawn(kerf, [...begins, ...places, ...lan, ...only, ...told, ...driven], {
-    cwd: folder,
-  });
+  const served = [kerf, ...begins, ...places, ...lan, ...only, ...told, ...driven];
+  const most = options.mostKilobytes;
+  const bounded = most ? ["bash", "-c", `ulimit -f ${most}; exec "$0" "$@"`] : [];
+  const [program = kerf, ...words] = [...bounded, ...served];
+  const server = spawn(program, words, { cwd: folder });
   const wayIn = await addressOf(server);
   const { origin: address, searchParams } = new URL(wayIn);
   const token = searchParams.get("token");

@@ -36,7 +36,14 @@ export const firstSnapshot = message<Snapshot>({
   kerf: "0.1.0",
   stopPort: 0,
   drawingOnly: false,
-  machine: { state: "idle", mode: "simulated", armed: false, why: null, name: "Simulated machine" },
+  machine: {
+    state: "idle",
+    mode: "simulated",
+    armed: false,
+    why: null,
+    name: "Simulated machine",
+    offers: { inputs: true, card: true, startArms: true },
+  },
   motion: {
     at: { working: place(0, 0, 0.5), base: place(12, 8, 3.5), machine: place(0, 0, 0.5) },
     speedMmS: 0,

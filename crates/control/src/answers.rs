@@ -10,7 +10,7 @@ use crate::hand_words::Aside;
 use crate::hand_words::Jog;
 use crate::hand_words::KEY;
 use crate::nudge::Nudge;
-use kerf_machine::Word;
+use kerf_machine::PauseOrder;
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -54,7 +54,7 @@ pub struct Answers {
     again: (String, u32, u32),
 }
 
-/// So often a script answers a box that comes back in the same way: what it says does not lead on.
+/// Times that a script answers a box that comes back, in the same way: beyond them its answer leads nowhere.
 const MOST_TIMES: u32 = 1000;
 
 /// A line of a script.
@@ -128,7 +128,7 @@ impl Operator for Answers {
     }
 }
 
-/// Nobody answers.
+/// An operator who gives no answer: every question gets its default.
 impl Operator for () {
     fn answer(&mut self, _: &Question, _: u32) -> Option<String> {
         None
@@ -212,7 +212,7 @@ fn command(question: &Question, words: &str) -> bool {
 
 /// Tells whether words command a job that waits: go on, end, move, another speed or height.
 pub fn is_word(words: &str) -> bool {
-    Word::read(words).is_some() || Jog::read(words).is_some()
+    PauseOrder::read(words).is_some() || Jog::read(words).is_some()
 }
 
 /// Effect of an answer on a machine that waits for it.
@@ -247,19 +247,20 @@ pub fn effect(kind: QuestionKind, words: &str) -> Effect {
 
 /// The same for a job that waits.
 fn effect_on_job(words: &str) -> Effect {
-    match Word::read(words) {
-        Some(Word::Abort) => Effect::Ends,
-        Some(Word::Move(..)) => Effect::Moves,
+    match PauseOrder::read(words) {
+        Some(PauseOrder::Abort) => Effect::Ends,
+        Some(PauseOrder::Move(..)) => Effect::Moves,
         Some(
-            Word::CutSpeed(_)
-            | Word::PlungeSpeed(_)
-            | Word::AdjustBottom(_)
-            | Word::AdjustHeight(_)
-            | Word::Raise(_),
+            PauseOrder::CutSpeed(_)
+            | PauseOrder::PlungeSpeed(_)
+            | PauseOrder::AdjustBottom(_)
+            | PauseOrder::AdjustHeight(_)
+            | PauseOrder::Raise(_),
         ) => Effect::Value,
-        Some(Word::Continue | Word::Shape(_) | Word::Next | Word::Previous) | None => {
-            Effect::GoesOn
-        }
+        Some(
+            PauseOrder::Continue | PauseOrder::Shape(_) | PauseOrder::Next | PauseOrder::Previous,
+        )
+        | None => Effect::GoesOn,
     }
 }
 

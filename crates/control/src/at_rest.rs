@@ -30,8 +30,8 @@ impl AtRest<'_> {
         self.0.machine = Some(machine);
     }
 
-    /// Somebody stops the machine, which stands: what a stop switches off goes off, unless the machine is set to
-    /// leave it on. Whether anything did.
+    /// Switches off what a stop switches off, on a machine that stands, unless the machine is set to
+    /// leave it on. Returns `true` if anything went off.
     pub fn stop(&mut self, workspace: &mut Workspace, driven: &Driven) -> bool {
         let is_on = |machine: &Model| machine.turns() || machine.outputs().is_any_on();
         if self.0.machine_is.misc.outputs_stay_on

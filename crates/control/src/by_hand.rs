@@ -4,9 +4,9 @@
 
 use crate::OperatorRequest;
 use crate::hand_words::Jog;
+use crate::interruption::Interruption;
 use crate::run_end::RunEnd;
 use crate::station::Station;
-use crate::turn::Turn;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_machine::Going;
 use kerf_machine::hand::keypad_settings;
@@ -34,7 +34,7 @@ impl<I: Interpreter> Station<'_, I> {
         let t0_s = self.world.now();
         let mut planner = planner(settings);
         planner.push(made);
-        let mut turned: Option<(Turn, Axes)> = None;
+        let mut turned: Option<(Interruption, Axes)> = None;
         while let Some(mut plan) = planner.finish() {
             self.world.tracked().follows(&plan, t0_s);
             let mut index = 0;
@@ -75,8 +75,8 @@ impl<I: Interpreter> Station<'_, I> {
         &mut self,
         watched: &[Watched],
         going: Going<'_>,
-        slows_for: Option<Turn>,
-    ) -> Option<(f64, Turn)> {
+        slows_for: Option<Interruption>,
+    ) -> Option<(f64, Interruption)> {
         let end_s = going.t0_s + going.plan.span_s(going.index).1;
         if let Some(turn) = slows_for {
             self.slow_down(turn, end_s, going);
@@ -84,7 +84,7 @@ impl<I: Interpreter> Station<'_, I> {
         }
         loop {
             match self.meet(end_s, watched, Some(&going), Self::pass)? {
-                (t_s, Turn::Operator(request @ OperatorRequest::Feed(_))) => {
+                (t_s, Interruption::Operator(request @ OperatorRequest::Feed(_))) => {
                     self.postpone((t_s, request));
                 }
                 turned => return Some(turned),
@@ -247,10 +247,10 @@ pub(crate) enum Driven {
 impl Driven {
     /// Translates the cause of a stop at a place; the last of so many watched inputs is the emergency stop, the others are
     /// sought.
-    const fn by(turn: Turn, watched: usize, place: Axes) -> Self {
+    const fn by(turn: Interruption, watched: usize, place: Axes) -> Self {
         let halt = match turn {
-            Turn::Operator(request) => return Self::OperatorRequest(request),
-            Turn::Input(halt) => halt,
+            Interruption::Operator(request) => return Self::OperatorRequest(request),
+            Interruption::Input(halt) => halt,
         };
         match halt.cause {
             HaltCause::Watch(n) if n + 1 < watched => Self::Edge(place),

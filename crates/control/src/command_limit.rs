@@ -12,7 +12,7 @@ pub(crate) struct CommandLimit {
 }
 
 impl CommandLimit {
-    /// So many commands at the most; 0 for no bound.
+    /// Makes a limit of so many commands; 0 for none.
     pub const fn of(most: u64) -> Self {
         Self { most, done: 0 }
     }
@@ -24,7 +24,7 @@ impl CommandLimit {
     }
 
     /// The words for a look that ended, and what to do about it.
-    pub fn told(self) -> (String, &'static str) {
+    pub fn message(self) -> (String, &'static str) {
         let message = format!(
             "stopped after {} commands: what comes after them was not looked at",
             with_commas(self.most)

@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 /// Time limit for the last moves of a machine that is wanted stopped: longer than what is sent ahead takes.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// A program that computes and does not move looks at the machine this often.
+/// Interval at which a program that computes without moving looks at the machine.
 const GLANCE: Duration = Duration::from_millis(4);
 
 /// News on the way, from either side.
@@ -45,7 +45,7 @@ pub(crate) struct Drive<'a> {
     kept: VecDeque<(f64, OperatorRequest)>,
     /// Machine time that has passed: a run that heard of something in the middle of a move asks again from its beginning.
     reached_s: f64,
-    /// It was stopped on the way: what is left of the plan is made already.
+    /// The machine was stopped on its way and has slowed down along the plan.
     braked: bool,
     fault: Option<Fault>,
     looked: Option<Instant>,
@@ -336,7 +336,7 @@ mod tests {
     use std::cell::RefCell;
     use std::rc::Rc;
 
-    /// A machine that comes to no end until it is halted or given up, as one that somebody holds at its own controls.
+    /// A machine that never finishes until it is halted or given up, as one held at its own controls.
     #[derive(Default)]
     struct Held {
         facts: Facts,

@@ -1,11 +1,11 @@
 //! Making the stack of moves that is read: planning, following the plan, stopping on the way.
 
-use crate::follow::{Left, follow_plan};
+use crate::follow::{LeftPlan, follow_plan};
+use crate::interruption::Interruption;
 use crate::reentry::taken;
 use crate::run_end::Break;
 use crate::runner::Runner;
 use crate::stack::Running;
-use crate::turn::Turn;
 use crate::{OperatorRequest, reentry, table_limits};
 use kerf_diag::Code;
 use kerf_machine::lines::Input;
@@ -51,7 +51,9 @@ impl<I: Interpreter> Runner<'_, I> {
     fn run_piece(&mut self, piece: Plan) -> Result<(), Break> {
         let left = follow_plan(&mut self.stops.station, piece);
         let number = match &left {
-            Some(Left { stop, .. }) if stop.share < 1.0 => self.stops.station.stack.next_number(),
+            Some(LeftPlan { stop, .. }) if stop.share < 1.0 => {
+                self.stops.station.stack.next_number()
+            }
             _ => self.stops.station.stack.last_number,
         };
         match left {
@@ -61,12 +63,16 @@ impl<I: Interpreter> Runner<'_, I> {
                 }
                 Ok(())
             }
-            Some(Left { stop, why: Turn::Operator(OperatorRequest::Feed(share)), .. }) => {
+            Some(LeftPlan {
+                stop,
+                why: Interruption::Operator(OperatorRequest::Feed(share)),
+                ..
+            }) => {
                 self.stops.station.override_feed(share);
                 self.go_on_at(|t0_s| t0_s + stop.end_s);
                 Ok(())
             }
-            Some(Left { stop, why, began }) => {
+            Some(LeftPlan { stop, why, began }) => {
                 self.stops.station.stand();
                 self.stops.station.learn_switched_off();
                 self.stops.station.world.workspace.tape.stood(stop.share);
@@ -100,12 +106,12 @@ impl<I: Interpreter> Runner<'_, I> {
     /// Answers a stop of motion: fails with what follows, unless the motion goes on.
     fn answer_halt(
         &mut self,
-        why: Turn,
+        why: Interruption,
         number: Option<u64>,
         at: &kerf_program::Halted,
     ) -> Result<(), Break> {
         let halt = match why {
-            Turn::Operator(_) if self.stops.station.interpreter.takes_stops() => {
+            Interruption::Operator(_) if self.stops.station.interpreter.takes_stops() => {
                 self.stops.station.world.tell(&Event::Stop {
                     by: "operator",
                     n: 0,
@@ -113,8 +119,8 @@ impl<I: Interpreter> Runner<'_, I> {
                 });
                 return Err(taken(&mut self.stops, StoppedBy::Operator, at));
             }
-            Turn::Operator(request) => return Ok(self.stops.stands(request)?),
-            Turn::Input(halt) => halt,
+            Interruption::Operator(request) => return Ok(self.stops.stands(request)?),
+            Interruption::Input(halt) => halt,
         };
         let (by, n) = match halt.cause {
             HaltCause::Watch(index) if self.stops.station.is_emergency(index) => {
@@ -186,7 +192,7 @@ impl<I: Interpreter> Runner<'_, I> {
             }
             station.stand();
             station.world.workspace.tape.stood(1.0);
-            if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
+            if let Interruption::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
                 station.drop_outputs(station.world.now(), index);
             }
             let (number, stands) = (station.stack.next_number(), station.world.model.position());

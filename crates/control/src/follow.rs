@@ -1,8 +1,8 @@
 //! A piece of plan as it is followed, move by move, and left for another one where something stops it.
 
 use crate::OperatorRequest;
+use crate::interruption::Interruption;
 use crate::station::Station;
-use crate::turn::Turn;
 use kerf_machine::{Going, Watch};
 use kerf_model::{Halt, HaltCause, Watched, pin};
 use kerf_motion::{Plan, Replanner, Stop};
@@ -10,11 +10,11 @@ use kerf_program::settings::IoModes;
 use kerf_program::{Axes, Interpreter};
 
 /// A piece of plan that was left on the way.
-pub(crate) struct Left {
+pub(crate) struct LeftPlan {
     /// Place in the piece where it was left.
     pub stop: Stop,
     /// Its cause.
-    pub why: Turn,
+    pub why: Interruption,
     /// Place of the machine when the cause came.
     pub began: Axes,
 }
@@ -23,7 +23,7 @@ pub(crate) struct Left {
 pub(crate) fn follow_plan<I: Interpreter>(
     station: &mut Station<'_, I>,
     mut plan: Plan,
-) -> Option<Left> {
+) -> Option<LeftPlan> {
     let t0_s = station.stack.running.as_ref()?.t0_s;
     let watched = station.watched(t0_s);
     let watches = pins(&watched, t0_s, &station.world.model.settings().io);
@@ -31,7 +31,7 @@ pub(crate) fn follow_plan<I: Interpreter>(
     if watches.is_empty() {
         station.take_waiting_feed();
     }
-    let mut left: Option<Left> = None;
+    let mut left: Option<LeftPlan> = None;
     let mut index = 0;
     while index < plan.moves().len() {
         if left.is_none() && station.is_taken_up() {
@@ -42,7 +42,7 @@ pub(crate) fn follow_plan<I: Interpreter>(
         let (begin_s, end_s) = plan.span_s(index);
         let [_, end_s] = station.moments(t0_s, [begin_s, end_s]);
         match &left {
-            Some(Left { stop, why, .. }) => {
+            Some(LeftPlan { stop, why, .. }) => {
                 let (until, part) = (plan.moves().len(), stop.part(index));
                 let going = Going { plan: &plan, index, t0_s, until, part, watches: &[] };
                 station.slow_down(*why, end_s, going);
@@ -54,7 +54,7 @@ pub(crate) fn follow_plan<I: Interpreter>(
                 let ask = Station::ask_pace;
                 let met = station.meet(end_s, &watched, Some(&going), ask);
                 if let Some((t_s, turn)) = met {
-                    if let Turn::Operator(OperatorRequest::Feed(share)) = turn
+                    if let Interruption::Operator(OperatorRequest::Feed(share)) = turn
                         && station.leaves_plan(share, watches)
                     {
                         continue;
@@ -67,17 +67,17 @@ pub(crate) fn follow_plan<I: Interpreter>(
                         continue;
                     };
                     let began = plan.at((t_s - t0_s).max(0.0)).position;
-                    let stops = !matches!(turn, Turn::Operator(OperatorRequest::Feed(_)));
+                    let stops = !matches!(turn, Interruption::Operator(OperatorRequest::Feed(_)));
                     let stood_s = if stops { station.brake(&going) } else { None };
                     let at_s = (stood_s.unwrap_or(t_s) - t0_s).max(0.0);
                     let running = station.stack.running.as_mut()?;
                     let (made, stop) =
                         replan(running.planner.as_mut(), plan, at_s, turn, stood_s.is_none())?;
-                    if let Turn::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
+                    if let Interruption::Input(Halt { cause: HaltCause::Watch(index), .. }) = turn {
                         station.drop_outputs(t_s, index);
                     }
                     station.world.tracked().replans(&made, t0_s, t_s);
-                    (plan, left) = (made, Some(Left { stop, why: turn, began }));
+                    (plan, left) = (made, Some(LeftPlan { stop, why: turn, began }));
                     continue;
                 }
             }
@@ -97,15 +97,15 @@ fn replan(
     planner: &mut dyn Replanner,
     piece: Plan,
     t_s: f64,
-    turn: Turn,
+    turn: Interruption,
     ramps: bool,
 ) -> Option<(Plan, Stop)> {
     match turn {
-        Turn::Operator(OperatorRequest::Feed(share)) => planner.feed(piece, t_s, share),
+        Interruption::Operator(OperatorRequest::Feed(share)) => planner.feed(piece, t_s, share),
         // A switch stops nothing by itself.
-        Turn::Operator(OperatorRequest::Input { .. }) => None,
-        Turn::Input(_)
-        | Turn::Operator(
+        Interruption::Operator(OperatorRequest::Input { .. }) => None,
+        Interruption::Input(_)
+        | Interruption::Operator(
             OperatorRequest::Stop
             | OperatorRequest::Hold
             | OperatorRequest::End

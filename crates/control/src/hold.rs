@@ -13,7 +13,7 @@ use crate::OperatorRequest;
 use crate::hand_words::Jog;
 use crate::nudge::Nudge;
 use crate::run_end::RunEnd;
-use crate::stopped_spindles::Turning;
+use crate::stopped_spindles::StoppedSpindles;
 use crate::stopping::Stops;
 use kerf_diag::Code;
 use kerf_machine::state::{Event as Stopped, StopSettings};
@@ -26,7 +26,7 @@ use kerf_trace::{Event, flag};
 /// A hold leaves the tool where it is.
 const HELD: StopSettings = StopSettings { raise: false, ..StopSettings::OPENSBP };
 
-/// A script of answers that says nothing but Resume does not hold a run for ever.
+/// The most refused answers in a hold: a script that only says Resume must not hold a run for ever.
 const MOST_REFUSALS: u32 = 1000;
 
 /// Answer of the operator about a run that is stopped.
@@ -294,7 +294,7 @@ impl<I: Interpreter> Stops<'_, I> {
         self.keep_turning();
         if self.station.world.is_pressed() && self.station.interpreter.takes_stops() {
             // A job says itself what comes on again.
-            self.kept.turned = Turning::default();
+            self.kept.turned = StoppedSpindles::default();
         }
         self.released_after_question()?;
         let turned = std::mem::take(&mut self.kept.turned);

@@ -133,7 +133,7 @@ pub(crate) fn find_home<I: Interpreter>(
     found
 }
 
-pub(crate) fn told<I: Interpreter>(stops: &mut Stops<'_, I>, over: RunEnd) -> RunEnd {
+pub(crate) fn tell_end<I: Interpreter>(stops: &mut Stops<'_, I>, over: RunEnd) -> RunEnd {
     if let Some(why) = &over.diagnostic {
         stops.station.world.tell_diagnostic((**why).clone());
     }

@@ -48,7 +48,7 @@ pub(crate) fn set_aside<I: Interpreter>(stops: &mut Stops<'_, I>, aside: Aside) 
     stops.station.mover.set_position(ahead);
 }
 
-/// A question that left the tool to the operator is answered.
+/// Brings the tool back after the question during which the operator moved it.
 pub(crate) fn goes_back_after<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
     let goes_on = stops.station.world.answer.as_ref().is_some_and(goes_on);
     if goes_on { back_in_the_cut(stops) } else { Ok(()) }

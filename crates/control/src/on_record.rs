@@ -5,11 +5,11 @@ use crate::run_context::RunContext;
 use crate::runs::lines_at_once;
 use crate::session::Session;
 use crate::settings_text;
-use crate::told_as_one::Whole;
+use crate::whole_run::WholeRun;
 use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::{
-    CutShort, Journal, JournalError, KeptWork, Live, Owner, Placed, Remembered, RunOptions,
-    RunUnderWay, Standing, Tape, Whereabouts, Work, machine_file::MachineFileError, switches,
+    CutShort, Journal, JournalError, KeptWork, Live, Owner, Placed, Remembered, RestingMachine,
+    RunOptions, RunUnderWay, Tape, Whereabouts, Work, machine_file::MachineFileError, switches,
     switches::SWITCHES,
 };
 use kerf_machine::{Configuration, Setting};
@@ -134,7 +134,7 @@ impl Session {
         }
         options.lines_at_once = lines_at_once(&options, &*context.sink);
         let RunContext { sink, operator, requests, machine } = context;
-        let mut whole = Whole::new(sink);
+        let mut whole = WholeRun::new(sink);
         let context = RunContext { sink: &mut whole, operator, requests, machine };
         let summary = self.begin_on_record(work, options, settings, workspace, context, &owner);
         whole.ends();
@@ -165,10 +165,10 @@ impl Session {
         }
         let kept = KeptWork::of(&work)?;
         let run =
-            RunUnderWay::new(&self.standing(), &kept, &options, settings, workspace.surroundings());
+            RunUnderWay::new(&self.resting(), &kept, &options, settings, workspace.surroundings());
         // A location that is in doubt is so for everybody from now on, before the run says that nothing moves.
         workspace.keep_doubts();
-        workspace.tape = journal.runs.begin(&run, &self.standing(), &kept.bytes)?;
+        workspace.tape = journal.runs.begin(&run, &self.resting(), &kept.bytes)?;
         in_time(&journal, &mut workspace.tape, &context)?;
         let summary = self.go(work, options, workspace, context, None);
         self.over(&run, summary, workspace, owner)
@@ -182,7 +182,7 @@ impl Session {
         let Some(journal) = workspace.journal().cloned() else { return Ok(()) };
         let _owner = journal.own()?;
         workspace.keep_doubts();
-        journal.runs.end_by_hand(&self.standing())
+        journal.runs.end_by_hand(&self.resting())
     }
 
     /// The operator says whether the location is right, where that is in doubt.
@@ -197,10 +197,10 @@ impl Session {
         if unconfirmed(workspace).is_empty() {
             return Ok(None);
         }
-        journal.runs.begin_by_hand(&self.standing())?;
+        journal.runs.begin_by_hand(&self.resting())?;
         let summary = Preparation::of(self, work, options, workspace, context).confirm_location();
         workspace.keep_doubts();
-        journal.runs.end_by_hand(&self.standing())?;
+        journal.runs.end_by_hand(&self.resting())?;
         Ok(summary)
     }
 
@@ -216,7 +216,7 @@ impl Session {
     ) -> Result<Option<Summary>, JournalError> {
         let moves = matches!(work, Work::Hand(..)) || homes_before(work, options, &self.machine_is);
         if moves {
-            journal.runs.begin_by_hand(&self.standing())?;
+            journal.runs.begin_by_hand(&self.resting())?;
         }
         let summary = match work {
             Work::Hand(errand, machine) => {
@@ -228,7 +228,7 @@ impl Session {
         if moves {
             workspace.trusts_location(self.homed);
             workspace.keep_doubts();
-            journal.runs.end_by_hand(&self.standing())?;
+            journal.runs.end_by_hand(&self.resting())?;
         }
         Ok(summary)
     }
@@ -292,8 +292,8 @@ impl Session {
     }
 
     /// The machine as it goes on record.
-    fn standing(&self) -> Standing<'_> {
-        Standing {
+    fn resting(&self) -> RestingMachine<'_> {
+        RestingMachine {
             memory: &self.memory,
             gcode: &self.gcode,
             machine: &self.machine_is,
@@ -379,7 +379,7 @@ impl Session {
             return Err(JournalError::Unfit(why.to_owned()));
         }
         journal.each_commit_lasts(true)?;
-        journal.runs.end(run, &self.standing(), summary, &tape, &self.look(Live::at_rest))?;
+        journal.runs.end(run, &self.resting(), summary, &tape, &self.look(Live::at_rest))?;
         journal.back_up()
     }
 }

@@ -2,9 +2,9 @@
 
 use crate::OperatorRequest;
 use crate::drive::Heard;
+use crate::interruption::{Interruption, link_lost};
 use crate::station::Station;
-use crate::turn::{Turn, link_lost};
-use kerf_journal::{Kind, Placed, Turn as Teller};
+use kerf_journal::{AnswerSource, Kind, Placed};
 use kerf_machine::state::RELEASE_S;
 use kerf_machine::{Going, Watch};
 use kerf_model::{Change, HaltCause, Watched};
@@ -12,7 +12,7 @@ use kerf_motion::Move;
 use kerf_program::Interpreter;
 use kerf_trace::{Event, flag};
 
-/// Interval at which it is written down how far a move has come, seconds.
+/// Interval at which the progress of a move goes on record, seconds.
 const RECORDED_EVERY_S: f64 = 0.02;
 
 /// A machine that cuts the power of its motors does it so long after the emergency stop, seconds
@@ -63,7 +63,7 @@ impl<I: Interpreter> Station<'_, I> {
         watched: &[Watched],
         going: Option<&Going<'_>>,
         ask: Ask<Self>,
-    ) -> Option<(f64, Turn)> {
+    ) -> Option<(f64, Interruption)> {
         let now_s = self.world.now();
         // What was told on the way to a moment that the operator interrupted still stops the machine.
         let mut looked_s = self.world.model.told_s();
@@ -81,13 +81,13 @@ impl<I: Interpreter> Station<'_, I> {
                     looked_s = looked_s.max(t_s);
                 }
                 Some((t_s, Heard::Operator(request))) => {
-                    return Some((t_s, Turn::Operator(request)));
+                    return Some((t_s, Interruption::Operator(request)));
                 }
                 None if self.drive.fault().is_some() => {
-                    return Some((now_s, Turn::Input(link_lost(now_s))));
+                    return Some((now_s, Interruption::Input(link_lost(now_s))));
                 }
                 None => match (halt, level_s) {
-                    (Some(halt), _) => return Some((halt.t_s, Turn::Input(halt))),
+                    (Some(halt), _) => return Some((halt.t_s, Interruption::Input(halt))),
                     (None, Some(level_s)) => looked_s = level_s,
                     (None, None) => return None,
                 },
@@ -117,14 +117,16 @@ impl<I: Interpreter> Station<'_, I> {
         world: impl FnOnce(&mut Self, bool) -> Option<(f64, Heard)>,
     ) -> Option<(f64, Heard)> {
         match self.world.workspace.tape.turn(Kind::Request) {
-            Teller::Told(Some((t_s, request))) => {
+            AnswerSource::Recorded(Some((t_s, request))) => {
                 self.world.workspace.tape.write();
                 Some((t_s, Heard::Operator(request)))
             }
-            Teller::Told(None) if self.world.model.draws() => None,
-            Teller::Told(None) => self.drive.repeat(to_s, &self.world.model.settings().io),
-            Teller::Live => world(self, false),
-            Teller::Open(call) => {
+            AnswerSource::Recorded(None) if self.world.model.draws() => None,
+            AnswerSource::Recorded(None) => {
+                self.drive.repeat(to_s, &self.world.model.settings().io)
+            }
+            AnswerSource::Live => world(self, false),
+            AnswerSource::Open(call) => {
                 let heard = world(self, true);
                 self.keep(call, heard);
                 heard
@@ -262,7 +264,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.world.hands.press(Change { input, on, at_s })
     }
 
-    /// From here on cuts run at this share of the speed asked for.
+    /// Sets the feed override: cuts run at this share of their speed.
     pub(crate) fn override_feed(&mut self, share: f32) {
         let (least, most) = Move::FEEDS;
         let share = if share.is_nan() { 1.0 } else { share.clamp(least, most) };
@@ -286,7 +288,7 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Lets time pass while the machine slows down, to the end of a part of its way: it stands no sooner, whatever is told
     /// meanwhile. What the operator wants comes next; a switch that is moved is so at once.
-    pub(crate) fn slow_down(&mut self, why: Turn, end_s: f64, going: Going<'_>) {
+    pub(crate) fn slow_down(&mut self, why: Interruption, end_s: f64, going: Going<'_>) {
         let mut from_s = self.world.now();
         let mut before = None;
         while let Some(told) = self.pass_learning(from_s, end_s, Some(&going)) {
@@ -315,8 +317,12 @@ impl<I: Interpreter> Station<'_, I> {
 
     /// Has a machine that holds by itself do so on its path until the operator resumes: the plan stays what it is. Returns
     /// what is left to be answered; nothing where the run goes on.
-    pub(crate) fn hold_on_path(&mut self, turn: Turn, going: &Going<'_>) -> Option<Turn> {
-        if !matches!(turn, Turn::Operator(OperatorRequest::Hold)) || !self.drive.holds() {
+    pub(crate) fn hold_on_path(
+        &mut self,
+        turn: Interruption,
+        going: &Going<'_>,
+    ) -> Option<Interruption> {
+        if !matches!(turn, Interruption::Operator(OperatorRequest::Hold)) || !self.drive.holds() {
             return Some(turn);
         }
         let drive = &mut self.drive;
@@ -326,7 +332,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.world.tell(&Event::Hold { t });
         self.tell_standing(flag::PAUSED);
         if self.resumes(t).is_none() {
-            return Some(Turn::Operator(OperatorRequest::GiveUp));
+            return Some(Interruption::Operator(OperatorRequest::GiveUp));
         }
         if !self.world.silent {
             self.drive.goes_on();
@@ -355,7 +361,7 @@ impl<I: Interpreter> Station<'_, I> {
     }
 
     /// Lets the warning pass. What stops the machine meanwhile is told.
-    pub(crate) fn warn(&mut self, watched: &[Watched]) -> Option<Turn> {
+    pub(crate) fn warn(&mut self, watched: &[Watched]) -> Option<Interruption> {
         let until_s = self.world.model.warn();
         self.world.tell_log();
         while self.world.now() < until_s {
@@ -363,7 +369,7 @@ impl<I: Interpreter> Station<'_, I> {
             if self.drive.fault().is_some() {
                 return turn.map(|(_, turn)| turn);
             }
-            if let Some((t_s, Turn::Operator(request @ OperatorRequest::Feed(_)))) = turn {
+            if let Some((t_s, Interruption::Operator(request @ OperatorRequest::Feed(_)))) = turn {
                 self.postpone((t_s, request));
                 continue;
             }

@@ -121,7 +121,7 @@ impl<'a, 'c> Preparation<'a, 'c> {
         homed
     }
 
-    /// Nothing moves before the door is shut, where a job waits for that.
+    /// Waits until the door is shut, where the job asks for that.
     fn wait_for_door(&mut self) -> Option<Summary> {
         let Work::Job(job, machine) = self.work else { return None };
         if !machine.job.external_start || self.options.before.door == Door::Shut {

@@ -62,7 +62,7 @@ fn hand_over<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<Bre
     Ok(taken(stops, StoppedBy::PowerCut, &at))
 }
 
-/// Nothing goes back and nothing turns before the operator says so. With it goes how far he has nudged
+/// Asks the operator before anything turns or goes back. The question carries how far he has nudged
 /// the workpiece.
 fn whether_ready<I: Interpreter>(
     stops: &mut Stops<'_, I>,
@@ -114,7 +114,7 @@ fn go_back<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<(), R
     Ok(())
 }
 
-/// Nothing moves before every stop is released.
+/// Waits until every stop input is released.
 fn may_go_back<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(), RunEnd> {
     stops.heed_emergency()?;
     let released = match stops.station.world.model.stop_input() {
@@ -156,7 +156,7 @@ fn tell_taken_up<I: Interpreter>(stops: &mut Stops<'_, I>) {
     stops.station.world.tell_log();
 }
 
-/// RunEnd the place, no lower than the tool is now.
+/// Goes above the place, no lower than the tool is now.
 fn approach<I: Interpreter>(stops: &mut Stops<'_, I>, to: Axes) {
     let mut over = to;
     over[Axis::Z] = to[Axis::Z].max(stops.station.world.model.position()[Axis::Z]);

@@ -54,7 +54,7 @@ pub trait Requests {
     }
 }
 
-/// Nobody asks for anything.
+/// A queue without requests.
 impl Requests for () {
     fn take(&mut self, _: f64, _: f64) -> Option<(f64, OperatorRequest)> {
         None

@@ -116,7 +116,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         Ok(())
     }
 
-    /// Some lines, and what they ask for.
+    /// Executes some lines and carries out their commands.
     fn turn(&mut self) -> Result<(), RunEnd> {
         let station = &mut self.stops.station;
         station.nudged = None;
@@ -285,7 +285,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         if let Err(sooner) = self.flush() {
             return sooner;
         }
-        let (message, hint) = self.bound.told();
+        let (message, hint) = self.bound.message();
         self.stops.station.over(Status::Limit, Code::LineLimit, at, message).hint(hint).into()
     }
 
@@ -446,7 +446,7 @@ impl<'a, I: Interpreter> Runner<'a, I> {
         Err(Break::Interrupted)
     }
 
-    /// A program that finds its own way back does so at once: nothing goes on before the tool is clear.
+    /// Lets a program that knows its own way back take it at once, before anything else goes on.
     fn take_up_at_rest(&mut self) -> Result<(), RunEnd> {
         let Station { interpreter, world, stack, .. } = &self.stops.station;
         let rests = stack.is_empty() && !world.workspace.tape.reenters_within();

@@ -9,8 +9,8 @@ use crate::run_summary::{end_event, summary, variables_told};
 use crate::runner::{LINES, Runner};
 use crate::session::Session;
 use crate::station::Station;
-use crate::told_as_one::Whole;
 use crate::trail::Trail;
+use crate::whole_run::WholeRun;
 use crate::world::World;
 use crate::{heights, homing, trail};
 use kerf_journal::{Door, Placed, RunOptions, Work};
@@ -39,7 +39,7 @@ impl Session {
         let mut options = options;
         options.lines_at_once = lines_at_once(&options, &*context.sink);
         let (work, RunContext { sink, operator, requests, machine }) = (work.into(), context);
-        let mut whole = Whole::new(sink);
+        let mut whole = WholeRun::new(sink);
         let mut context = RunContext { sink: &mut whole, operator, requests, machine };
         let summary = match Preparation::of(self, &work, &mut options, workspace, context.again())
             .prepare()
@@ -248,7 +248,7 @@ impl Session {
                     }
                     Err(over) => over,
                 };
-                homing::told(&mut runner.stops, over)
+                homing::tell_end(&mut runner.stops, over)
             }
             _ => runner.run(),
         };
@@ -319,7 +319,7 @@ impl Session {
 /// Returns after how many lines commands are looked at; whoever looks where the run stands sees every line.
 pub(crate) fn lines_at_once(options: &RunOptions, sink: &dyn Sink) -> u64 {
     match options.lines_at_once {
-        0 if sink.looks_at_standing() => 1,
+        0 if sink.looks_at_status() => 1,
         0 => LINES,
         lines => lines,
     }

@@ -2,10 +2,10 @@
 
 use crate::nudge::{Nudge, Outside};
 use kerf_journal::{RunOptions, Work};
-use kerf_machine::Configuration;
 use kerf_machine::homing::bounds_by_hand;
+use kerf_machine::{Configuration, Errand};
 use kerf_model::{Change, Inputs, Model};
-use kerf_program::{AXES, Axis, AxisSet, Frame, Interpreter as _};
+use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Interpreter as _};
 use kerf_sequence::Sequence;
 use kerf_sim::Simulation;
 use std::sync::Arc;
@@ -81,20 +81,27 @@ impl Session {
         self.homes(machine).without(self.homed)
     }
 
-    /// Moves the tool a little, internal units: working locations stay, so that what is cut next
-    /// shifts, and table base coordinates follow, so that ST finds the true place again (MN).
+    /// The errand that moves the tool a little, internal units (MN); [`Session::nudged`] ends it.
     ///
     /// # Errors
-    /// [`Outside`] when the table limits are checked and do not allow it; nothing has moved.
-    pub fn nudge(&mut self, axis: Axis, distance: f64) -> Result<(), Outside> {
-        let memory = &mut self.memory;
+    /// [`Outside`] when the table limits are checked and do not allow it, or the axis has no room.
+    pub fn nudge(&self, axis: Axis, distance: f64) -> Result<Errand, Outside> {
+        let memory = &self.memory;
         let nudge = Nudge { axis, distance };
         nudge.check(&memory.settings, &memory.frame, memory.position)?;
         let room = bounds_by_hand(&self.machine_is, axis, self.homed.contains(axis));
         nudge.within(room, memory.position)?;
-        memory.position[axis] += distance;
-        memory.frame.working_zero[axis] += distance;
-        Ok(())
+        let mut place = [None; AXES];
+        place[axis.index()] = Some(distance);
+        Ok(Errand::To { place, relative: true, flat: false })
+    }
+
+    /// The tool was nudged from a place on: working locations stay, so that what is cut next shifts, and table base
+    /// coordinates follow, so that ST finds the true place again.
+    pub fn nudged(&mut self, from: Axes) {
+        let way = self.memory.position.minus(from);
+        let zero = &mut self.memory.frame.working_zero;
+        *zero = zero.plus(way);
     }
 
     /// Looks at the simulated machine as it stands.

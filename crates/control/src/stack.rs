@@ -14,7 +14,7 @@ use std::collections::VecDeque;
 /// time to the first motion grow with it.
 pub(crate) const READ_AHEAD: usize = 1 << 14;
 
-/// The planner gets so many moves at a time.
+/// Moves that the planner gets at a time.
 const AT_ONCE: usize = 512;
 
 /// Moves that are run as one, and what is done between them.

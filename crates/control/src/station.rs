@@ -3,10 +3,10 @@
 
 use crate::asking::Unanswered;
 use crate::drive::Drive;
+use crate::interruption::Interruption;
 use crate::run_end::RunEnd;
 use crate::stack::Stack;
 use crate::trail::Trail;
-use crate::turn::Turn;
 use crate::world::World;
 use crate::{OperatorRequest, Requests};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
@@ -220,7 +220,7 @@ impl<I: Interpreter> Station<'_, I> {
         RunEnd { status: Status::Failed, diagnostic: Some(Box::new(diagnostic)) }
     }
 
-    /// Nothing moves without a controller.
+    /// Makes the end of a run that has no controller to move.
     pub(crate) fn not_connected(&self, at: At) -> RunEnd {
         let settings = self.world.model.settings();
         let connection = settings.driver.connection(&settings.controller);
@@ -322,8 +322,8 @@ impl<I: Interpreter> Station<'_, I> {
     }
 
     /// Tells whether the power went while the machine was about to do what the operator wants.
-    pub(crate) fn overtakes(&mut self, turn: Turn) -> bool {
-        let Turn::Operator(request) = turn else { return false };
+    pub(crate) fn overtakes(&mut self, turn: Interruption) -> bool {
+        let Interruption::Operator(request) = turn else { return false };
         let overtaken = self.is_overtaken();
         if overtaken {
             self.overtaken(request);
@@ -350,7 +350,7 @@ impl<I: Interpreter> Station<'_, I> {
         self.stand();
     }
 
-    /// A run that was taken up and is over without a move leaves the machine where it stood.
+    /// Keeps the recorded place of the machine where a run that was taken up ends without a move.
     pub(crate) fn stay_where_it_stands(&mut self) {
         if self.reentry.is_some() {
             let stands = self.stands_at();

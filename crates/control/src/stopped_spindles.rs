@@ -4,14 +4,14 @@ use kerf_program::{Axis, Independent};
 
 /// Spindles that turned and axes that moved by themselves, until they may again.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Turning {
+pub(crate) struct StoppedSpindles {
     /// Outputs of spindles.
     pub spindles: Vec<u8>,
     /// Axes with their motion.
     pub alone: Vec<(Axis, Independent)>,
 }
 
-impl Turning {
+impl StoppedSpindles {
     /// Returns `true` if nothing turned or moved by itself.
     pub const fn is_empty(&self) -> bool {
         self.spindles.is_empty() && self.alone.is_empty()

@@ -7,7 +7,7 @@
 
 use crate::run_end::RunEnd;
 use crate::station::Station;
-use crate::stopped_spindles::Turning;
+use crate::stopped_spindles::StoppedSpindles;
 use kerf_diag::Code;
 use kerf_journal::LimitPolicy;
 use kerf_machine::Fault;
@@ -29,7 +29,7 @@ pub(crate) struct ReturnPlace {
     /// Distance by which the workpiece was nudged since.
     pub nudged: Axes,
     /// Spindles and axes that turned or moved by themselves.
-    pub turned: Turning,
+    pub turned: StoppedSpindles,
 }
 
 /// Stops of a run and the way on: the state of the machine, and the place to come back to.
@@ -49,7 +49,7 @@ pub(crate) struct Stops<'a, I> {
 }
 
 impl<'a, I> Stops<'a, I> {
-    /// Nothing has begun.
+    /// Makes the stops of a run that has not begun.
     pub fn new(station: Station<'a, I>, limits: LimitPolicy) -> Self {
         let (state, kept) = (State::Idle, ReturnPlace::default());
         Self { station, state, kept, away: false, ends: None, settled: false, limits }
@@ -143,7 +143,7 @@ impl<I: Interpreter> Stops<'_, I> {
 
     /// Keeps what a stop input stopped meanwhile, which comes on again when the run goes on.
     pub(crate) fn keep_turning(&mut self) {
-        let Turning { spindles, alone } = std::mem::take(&mut self.station.world.stopped);
+        let StoppedSpindles { spindles, alone } = std::mem::take(&mut self.station.world.stopped);
         self.kept.turned.add(spindles, alone);
     }
 
@@ -178,7 +178,7 @@ impl<I: Interpreter> Stops<'_, I> {
     }
 
     /// Spindles turn again, and have the time that the machine gives them to come to speed.
-    pub(crate) fn turn_again(&mut self, Turning { spindles, alone }: Turning) {
+    pub(crate) fn turn_again(&mut self, StoppedSpindles { spindles, alone }: StoppedSpindles) {
         for (axis, motion) in alone {
             self.station.world.model.independent(axis, motion);
         }

@@ -9,14 +9,14 @@ use kerf_journal::LimitPolicy;
 use kerf_machine::lines::Output;
 use kerf_model::Violation;
 use kerf_motion::{Move, Queue};
-use kerf_program::{At, Command, Independent, Interpreter, Status, StoppedBy, Turn};
+use kerf_program::{At, Command, Independent, Interpreter, SpindleTurn, Status, StoppedBy};
 
 /// Tells whether an output turns a spindle: those of part files, or that of jobs.
 const fn turns(output: u8) -> bool {
     matches!(output, 1 | 2) || output == Output::Router.number()
 }
 
-/// Nothing moves that would leave the table, or while a stop input is active.
+/// Refuses moves that would leave the table, and any while a stop input is active.
 pub(crate) fn check<I: Interpreter>(stops: &mut Stops<'_, I>, moves: &Queue) -> Result<(), RunEnd> {
     let Some(first) = moves.front() else { return Ok(()) };
     if lists_limits(stops) {
@@ -48,7 +48,7 @@ pub(crate) fn heed_limit<I: Interpreter>(stops: &mut Stops<'_, I>) -> Result<(),
     Ok(stops.limited(stops.station.last_move, Code::InputStop, message)?)
 }
 
-/// Nothing moves without a controller, or while a stop input is active. A run that has not moved
+/// Refuses motion without a controller and while a stop input is active. A run that has not moved
 /// yet does not begin; another waits until the input is released.
 pub(crate) fn may_move<I: Interpreter>(stops: &mut Stops<'_, I>, at: At) -> Result<(), RunEnd> {
     if stops.station.is_open_for_take_up() {
@@ -116,7 +116,7 @@ pub(crate) fn leaves_table<I: Interpreter>(stops: &mut Stops<'_, I>, made: &Move
     stops.station.world.model.first_outside(std::slice::from_ref(made)).is_some()
 }
 
-/// Nothing is asked about what is only drawn.
+/// Tells whether moves beyond the table are listed without a question, as in a preview.
 fn lists_limits<I: Interpreter>(stops: &Stops<'_, I>) -> bool {
     stops.limits == LimitPolicy::List || stops.station.world.model.draws()
 }
@@ -158,7 +158,7 @@ pub(crate) fn may_turn<I: Interpreter>(
     let starts = match command {
         Command::Output { number, on } => *on && turns(*number),
         Command::Independent { motion, .. } => *motion != Independent::Off,
-        Command::SpindleTurn { turn, .. } => *turn != Turn::Off,
+        Command::SpindleTurn { turn, .. } => *turn != SpindleTurn::Off,
         Command::Pwm { percent, .. } => *percent > 0.0,
         _ => false,
     };

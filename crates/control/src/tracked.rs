@@ -74,7 +74,7 @@ impl Tracked<'_> {
         }
     }
 
-    /// Somebody moves the switch of an input now: whoever asks for it knows it at once.
+    /// Moves the switch of an input now; the next question about the input sees it.
     pub fn press(&mut self, input: u8, on: bool) {
         let now_s = self.model.clock_s();
         if !self.hands.press(Change { input, on, at_s: now_s }) {
@@ -90,7 +90,7 @@ impl Tracked<'_> {
         self.follow_pushes();
     }
 
-    /// Somebody has pushed axes up to now.
+    /// Moves the model by what was pushed at the axes up to now.
     fn follow_pushes(&mut self) {
         let now_s = self.model.clock_s();
         while let Some(push) = self.hands.next_push(now_s) {
@@ -141,7 +141,7 @@ impl Tracked<'_> {
         self.model.restart(position)
     }
 
-    /// From here on only this motor of an axis moves; nothing for all.
+    /// Moves only this motor of an axis from now on; all of them for `None`.
     pub fn move_alone(&mut self, motor: Option<(Axis, usize)>) {
         self.driven.borrow_mut().move_alone(motor);
         self.model.move_alone(motor);

@@ -3,12 +3,12 @@
 use crate::asking::Unanswered;
 use crate::drive::Heard;
 use crate::hand_words::{Aside, Jog, KEY};
+use crate::interruption::Interruption;
 use crate::run_end::Break;
 use crate::runner::Runner;
 use crate::station::Station;
-use crate::turn::Turn;
 use crate::{OperatorRequest, answers, lift_aside, pendant, reentry};
-use kerf_machine::Word;
+use kerf_machine::PauseOrder;
 use kerf_model::{Halt, HaltCause};
 use kerf_program::{Answer, At, Button, Interpreter, QuestionKind, StoppedBy};
 use kerf_trace::{Event, flag};
@@ -16,14 +16,14 @@ use kerf_trace::{Event, flag};
 /// Kind of a wait.
 #[derive(Clone, Copy)]
 enum Waits {
-    /// So much time: a stop makes it longer.
+    /// For a time, which a stop extends.
     Time,
     /// A moment at which an input changes, whatever happens before.
     Input,
 }
 
 impl Waits {
-    /// Until when it waits when it was stopped for so long.
+    /// Returns the end of the wait after a stop of so many seconds.
     fn after_stop(self, until_s: f64, stopped_s: f64) -> f64 {
         match self {
             Self::Time => until_s + stopped_s,
@@ -53,12 +53,12 @@ impl<I: Interpreter> Runner<'_, I> {
         let stood_s = self.stops.station.world.now();
         self.stops.station.world.workspace.tape.stood(1.0);
         match turn {
-            Some((_, Turn::Operator(request))) if self.is_taken(request) => {
+            Some((_, Interruption::Operator(request))) if self.is_taken(request) => {
                 return Err(self.taken_by_operator());
             }
-            Some((_, Turn::Operator(request))) if self.is_passed_over(request) => {}
-            Some((_, Turn::Operator(request))) => self.stops.stands(request)?,
-            Some((_, Turn::Input(halt))) => self.input_halts(halt)?,
+            Some((_, Interruption::Operator(request))) if self.is_passed_over(request) => {}
+            Some((_, Interruption::Operator(request))) => self.stops.stands(request)?,
+            Some((_, Interruption::Input(halt))) => self.input_halts(halt)?,
             None => return Ok(None),
         }
         Ok(Some(stood_s))
@@ -265,7 +265,9 @@ impl<I: Interpreter> Runner<'_, I> {
 /// Tells whether the operator gives up a run that waits: a job in a pause by what he tells it.
 fn gives_up(answer: &Result<Option<Answer>, Unanswered>, pauses: bool) -> bool {
     match answer {
-        Ok(Some(answer)) if pauses => Word::read(&answers::words(answer)) == Some(Word::Abort),
+        Ok(Some(answer)) if pauses => {
+            PauseOrder::read(&answers::words(answer)) == Some(PauseOrder::Abort)
+        }
         Ok(_) | Err(Unanswered::NoButton(_)) => false,
         Err(Unanswered::Stopped) => true,
     }

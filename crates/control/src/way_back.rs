@@ -6,10 +6,10 @@
 
 use crate::OperatorRequest;
 use crate::by_hand::Driven;
+use crate::interruption::Interruption;
 use crate::run_end::RunEnd;
 use crate::station::Station;
 use crate::stopping::Stops;
-use crate::turn::Turn;
 use kerf_diag::Code;
 use kerf_machine::state::State;
 use kerf_model::HaltCause;
@@ -126,8 +126,8 @@ impl<I: Interpreter> Stops<'_, I> {
             self.station.stand_until(turn.map_or(until_s, |(t_s, _)| t_s));
             self.station.world.workspace.tape.stood(1.0);
             match turn {
-                Some((_, Turn::Operator(request))) => self.stands(request)?,
-                Some((_, Turn::Input(halt))) => {
+                Some((_, Interruption::Operator(request))) => self.stands(request)?,
+                Some((_, Interruption::Input(halt))) => {
                     self.ended_by(halt.cause)?;
                 }
                 None => {}

@@ -6,7 +6,7 @@
 use crate::answers::Operator;
 use crate::drive::{Drive, Heard};
 use crate::heights::{self, Carried};
-use crate::stopped_spindles::Turning;
+use crate::stopped_spindles::StoppedSpindles;
 use crate::tracked::Tracked;
 use kerf_diag::{Code, Diagnostic, Place as SourcePlace};
 use kerf_journal::Placed;
@@ -19,7 +19,7 @@ use kerf_program::{
 };
 use kerf_sim::{Hands, Opened, Simulation};
 use kerf_trace::event::{Event, Partial, Place};
-use kerf_trace::{Doing, Made, OpenFile, Sink, Standing, Tally, flag};
+use kerf_trace::{Doing, Made, OpenFile, RunStatus, Sink, Tally, flag};
 use kerf_workspace::{Workspace, confirm, unconfirmed};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -59,7 +59,7 @@ pub(crate) struct World<'a> {
     pub file_moves: bool,
     /// Files that are open and are none: one, where lines were typed.
     pub typed_files: usize,
-    /// Nothing is told: what happens has happened before.
+    /// Tells nothing: the run repeats what has happened before.
     pub silent: bool,
     /// The zero points that stay: a job has its own only while it runs.
     pub stays: Option<Frame>,
@@ -76,7 +76,7 @@ pub(crate) struct World<'a> {
     /// The spindle was switched in this run.
     pub spindle_switched: bool,
     /// Spindles and axes that a stop input stopped while somebody was asked.
-    pub stopped: Turning,
+    pub stopped: StoppedSpindles,
     /// The limit switch that the next question about limits is about; without one it is about the table.
     pub limit: Option<u8>,
 }
@@ -120,7 +120,7 @@ impl<'a> World<'a> {
             heights: Carried::default(),
             laser_hz: None,
             spindle_switched: false,
-            stopped: Turning::default(),
+            stopped: StoppedSpindles::default(),
             limit: None,
         }
     }
@@ -197,7 +197,7 @@ impl<'a> World<'a> {
         }
         let file = if self.file_runs { flag::FILE_RUNNING } else { 0 };
         self.workspace.tape.stands(flags | preview | file);
-        if self.silent || !self.sink.looks_at_standing() {
+        if self.silent || !self.sink.looks_at_status() {
             return;
         }
         let open = |(at, call): (At, Option<FileCall>)| OpenFile {
@@ -208,7 +208,7 @@ impl<'a> World<'a> {
         let files: Vec<OpenFile> = files.into_iter().map(open).collect();
         let running = if files.is_empty() { 0 } else { flag::FILE_RUNNING };
         let watched = self.watched(variables);
-        self.sink.standing(&Standing { status: flags | running | preview, files, watched });
+        self.sink.run_status(&RunStatus { status: flags | running | preview, files, watched });
     }
 
     /// The variables that somebody wants to see, in the order in which he named them.

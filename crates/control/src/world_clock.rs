@@ -20,7 +20,7 @@ pub struct WorldClock {
 }
 
 impl WorldClock {
-    /// A clock that begins with the first look.
+    /// Makes a clock that starts at its first reading.
     pub const fn new(rate: f64) -> Self {
         Self { rate, seen: None }
     }

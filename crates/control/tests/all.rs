@@ -15,6 +15,7 @@ mod lost_line;
 mod machine_file;
 mod no_switch;
 mod queued;
+mod queued_boards;
 mod queued_homing;
 mod queued_laser;
 mod queued_stops;

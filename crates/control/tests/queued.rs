@@ -1,13 +1,20 @@
 //! A board with step queues as a machine, in time that is none: the list that every machine has to hold.
 
 use kerf_control::controller::queued::{Berth, ERROR_S, Queued, Wiring};
-use kerf_driver_klipper::board::{Board, News, Options};
+use kerf_control::{Requests, RunContext, Session};
+use kerf_driver_klipper::board::{News, Options};
+use kerf_driver_klipper::crew::Crew;
 use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
-use kerf_driver_klipper::fake::{Board as Fake, Faults, Line};
+use kerf_driver_klipper::fake::{Board as Fake, Faults, Wired};
+use kerf_files::MemoryDisk;
+use kerf_journal::RunOptions;
 use kerf_machine::conformance::{Bench, CASES, Case, Outcome, Seen};
-use kerf_machine::{Configuration, Machine};
+use kerf_machine::{Configuration, Driven, Machine};
 use kerf_program::{Axes, Axis};
+use kerf_trace::{Sink, Summary};
+use kerf_workspace::Workspace;
 use std::cell::RefCell;
+use std::ops::{Deref, DerefMut};
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -29,48 +36,64 @@ pub fn machine_of(file: &str) -> Configuration {
     kerf_machine::file::read(&"board.toml".into(), file).unwrap()
 }
 
-/// A host, two ways of a line, and a board that is none.
+/// A switch that closes below a count of a motor of another board: board and pin, board and motor, count.
+pub type Far = ((usize, u32), (usize, u8), i64);
+
+/// A host, and boards that are none with their lines.
 pub struct World {
-    pub fake: Fake,
+    /// The boards, the first one first.
+    pub wired: Vec<Wired>,
     pub desk: Desk,
-    pub there: Line,
-    pub back: Line,
     pub now_s: f64,
     /// The host does nothing up to a moment.
     pub stalls_until_s: f64,
+    pub far: Vec<Far>,
     heard: Vec<Answer>,
+}
+
+impl Deref for World {
+    type Target = Wired;
+
+    fn deref(&self) -> &Wired {
+        &self.wired[0]
+    }
+}
+
+impl DerefMut for World {
+    fn deref_mut(&mut self) -> &mut Wired {
+        &mut self.wired[0]
+    }
 }
 
 impl World {
     pub fn new(seed: u64, faults: Faults, wiring: &Wiring, deadline_s: f64) -> Self {
-        let line = |n| Line::new(seed * 2 + n, faults, 0.0007);
-        let mut fake = Fake::of_seed(seed);
-        fake.records = false;
         let options = Options { linger_s: 1.0, error_s: ERROR_S, deadline_s, ..Options::default() };
-        let desk = Desk::new(Board::new(wiring.setup.clone(), options, 0.0));
-        let (there, back) = (line(0), line(1));
-        Self { fake, desk, there, back, now_s: 0.0, stalls_until_s: 0.0, heard: Vec::new() }
+        let names = &wiring.pins.boards;
+        let crew = Crew::new(&wiring.setup, names, options, 0.0).expect("a setup");
+        let wired = (seed..).take(names.len()).map(|seed| Wired::new(seed, faults)).collect();
+        let (desk, far, heard) = (Desk::new(crew), Vec::new(), Vec::new());
+        Self { wired, desk, now_s: 0.0, stalls_until_s: 0.0, far, heard }
     }
 
     /// Lets a grain of time go by.
     pub fn pass(&mut self) {
         self.now_s += GRAIN_S;
-        let clock = self.fake.clock_at(self.now_s);
-        self.fake.run_to(clock);
-        let come = self.there.take(self.now_s);
-        self.fake.feed(&come);
-        let said = self.fake.take();
-        self.back.put(&said, self.now_s);
-        if self.now_s < self.stalls_until_s {
-            return;
+        let (now_s, sleeps) = (self.now_s, self.now_s < self.stalls_until_s);
+        for (n, wired) in self.wired.iter_mut().enumerate() {
+            let crew = self.desk.crew();
+            wired.pass(now_s, sleeps, |heard| {
+                crew.receive(n, heard, now_s);
+                crew.transmit(n, now_s).bytes
+            });
         }
-        let heard = self.back.take(self.now_s);
-        if !heard.is_empty() {
-            self.desk.board().receive(&heard, self.now_s);
+        for ((board, pin), (of, motor), count) in self.far.clone() {
+            let is_on = self.wired[of].fake.steppers[&motor].position < count;
+            let fake = &mut self.wired[board].fake;
+            fake.driven.insert(pin, vec![(fake.now, is_on)]);
         }
-        let out = self.desk.board().transmit(self.now_s);
-        self.there.put(&out.bytes, self.now_s);
-        self.heard.extend(self.desk.answers());
+        if !sleeps {
+            self.heard.extend(self.desk.answers());
+        }
     }
 
     fn ready(&mut self) -> (String, Vec<i64>) {
@@ -127,13 +150,13 @@ impl Shop {
         machine: &Configuration,
         seed: u64,
         faults: Faults,
-        prepares: impl FnOnce(&mut Fake),
+        prepares: impl Fn(&mut Fake),
     ) -> Self {
         let wiring = Wiring::of(machine).unwrap();
         let mut world = World::new(seed, Faults::default(), &wiring, machine.board.deadline_s);
-        prepares(&mut world.fake);
+        world.wired.iter_mut().for_each(|wired| prepares(&mut wired.fake));
         let (version, counts) = world.ready();
-        (world.there.faults, world.back.faults) = (faults, faults);
+        world.wired.iter_mut().for_each(|wired| wired.spoil(faults));
         let begin_s = world.now_s;
         let world = Rc::new(RefCell::new(world));
         let per_unit = machine.program.resolution.steps_per_unit;
@@ -158,7 +181,8 @@ impl Bench for Shop {
         let x_mm = world.fake.steppers[&0].position as f64 / 100.0;
         let mut place = Axes::default();
         place[Axis::X] = x_mm;
-        let turns = world.fake.outputs.values().any(|output| output.value > 0);
+        let mut outputs = world.wired.iter().flat_map(|wired| wired.fake.outputs.values());
+        let turns = outputs.any(|output| output.value > 0);
         Some(Seen { place, turns })
     }
 
@@ -166,6 +190,32 @@ impl Bench for Shop {
         self.world.borrow_mut().fake.shut("ADC out of range");
         true
     }
+}
+
+/// A run that is over.
+pub struct Ran {
+    pub summary: Summary,
+    pub session: Session,
+    pub queued: Rc<RefCell<Queued>>,
+}
+
+/// Runs lines of a part file on a machine, with somebody who asks for something meanwhile.
+pub fn ran(
+    queued: Queued,
+    machine: Configuration,
+    lines: &str,
+    sink: &mut dyn Sink,
+    requests: &mut dyn Requests,
+) -> Ran {
+    let mut session = Session::default();
+    session.hold(machine);
+    let mut workspace = Workspace::in_memory(MemoryDisk::default());
+    let program = kerf_sbp::read("part.sbp".into(), lines.as_bytes());
+    let queued = Rc::new(RefCell::new(queued));
+    let driven: Driven = queued.clone();
+    let context = RunContext { sink, operator: &mut (), requests, machine: driven.into() };
+    let summary = session.run(program, RunOptions::default(), &mut workspace, context);
+    Ran { summary, session, queued }
 }
 
 fn outcome(seed: u64, faults: Faults, case: &Case) -> Result<Outcome, String> {

@@ -1,6 +1,6 @@
 //! Stops, holds and other feeds of a machine with step queues, in time that is none: how soon they come.
 
-use crate::queued::{Shop, World, machine_of};
+use crate::queued::{Ran, Shop, World, machine_of, ran};
 use kerf_control::{OperatorRequest, Requests, RunContext, Session};
 use kerf_driver_klipper::fake::Faults;
 use kerf_files::MemoryDisk;
@@ -74,21 +74,10 @@ fn asked(
 ) -> (f64, Vec<f64>, Axes) {
     let shop = Shop::of(&machine(), seed, faults, |_| {});
     let world = shop.world.clone();
-    let mut session = Session::default();
-    session.hold(machine());
-    let mut workspace = Workspace::in_memory(MemoryDisk::default());
-    let program = kerf_sbp::read("part.sbp".into(), lines.as_bytes());
-    let queued = Rc::new(RefCell::new(shop.queued));
     let steps = 2_000 + 137 * seed as i64;
     let mut asks = Asks { world: world.clone(), steps, request: Some(request), asked_s: None };
-    let driven: Driven = queued.clone();
-    let context = RunContext {
-        sink: &mut Quiet,
-        operator: &mut (),
-        requests: &mut asks,
-        machine: driven.into(),
-    };
-    let summary = session.run(program, RunOptions::default(), &mut workspace, context);
+    let Ran { summary, session, queued } =
+        ran(shop.queued, machine(), lines, &mut Quiet, &mut asks);
     assert_eq!(queued.borrow().fault(), None, "{:?}", summary.error);
     assert!(matches!(summary.status, Status::Ok | Status::Ended), "{:?}", summary.error);
     queued.borrow_mut().close(true, || false);

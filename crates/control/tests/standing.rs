@@ -3,23 +3,24 @@
 use kerf_control::answers::Answers;
 use kerf_control::{RunContext, Session, StopAt};
 use kerf_files::MemoryDisk;
-use kerf_journal::RunOptions;
+use kerf_journal::{RunOptions, Work};
 use kerf_program::Axis;
-use kerf_trace::{Event, Sink, Standing};
+use kerf_trace::{Event, RunStatus, Sink};
 use kerf_workspace::Workspace;
+use std::sync::Arc;
 
 /// Notes every place where a run stands.
 #[derive(Default)]
-struct Watcher(Vec<Standing>);
+struct Watcher(Vec<RunStatus>);
 
 impl Sink for Watcher {
     fn event(&mut self, _: &Event) {}
 
-    fn standing(&mut self, standing: &Standing) {
+    fn run_status(&mut self, standing: &RunStatus) {
         self.0.push(standing.clone());
     }
 
-    fn looks_at_standing(&self) -> bool {
+    fn looks_at_status(&self) -> bool {
         true
     }
 }
@@ -111,11 +112,26 @@ fn after(session: &mut Session, program: &str) -> Vec<Event> {
     events
 }
 
+/// Moves the tool a little, as a page does.
+pub fn nudge(session: &mut Session, axis: Axis, distance: f64) {
+    let (errand, before) = (session.nudge(axis, distance).unwrap(), session.memory.position);
+    let work = Work::Hand(errand, Arc::new(session.configuration()));
+    let context = RunContext {
+        sink: &mut (),
+        operator: &mut Answers::default(),
+        requests: &mut (),
+        machine: kerf_control::simulated(),
+    };
+    let mut workspace = Workspace::in_memory(MemoryDisk::default());
+    session.run(work, RunOptions::default(), &mut workspace, context);
+    session.nudged(before);
+}
+
 #[test]
 fn sbp_cmd_mn() {
     let mut session = Session::default();
     after(&mut session, "M2,5,5\n");
-    session.nudge(Axis::X, 2.54).unwrap();
+    nudge(&mut session, Axis::X, 2.54);
     assert_eq!(places(&session, Axis::X), (5.0, 5.1));
     assert_eq!(places(&session, Axis::Y), (5.0, 5.0));
     let events = after(&mut session, "MX,6\n");
@@ -127,7 +143,7 @@ fn sbp_cmd_mn() {
 fn sbp_cmd_mn_st() {
     let mut session = Session::default();
     after(&mut session, "M2,5,5\n");
-    session.nudge(Axis::X, 2.54).unwrap();
+    nudge(&mut session, Axis::X, 2.54);
     after(&mut session, "ST\n");
     assert_eq!(places(&session, Axis::X), (5.1, 5.1));
 }

@@ -9,7 +9,7 @@ use crate::circle::check_proportion;
 use crate::curve::{Anchor, Curve, SAME_PLACE_MM, Shape};
 use crate::error::{check_length, check_positive};
 use crate::passes::cut;
-use crate::{Context, Cut, CutError, Passes, Side, Turn};
+use crate::{Context, Cut, CutError, Direction, Passes, Side};
 use kerf_geom::{Arc2, Point2, Vec2, vec_to_clock};
 
 /// Largest distance of the end from the circle, and largest excess of the chord over the diameter: .01 in.
@@ -29,7 +29,7 @@ pub struct ArcTo {
     /// Which side the cutter runs on.
     pub side: Side,
     /// Which way round.
-    pub turn: Turn,
+    pub turn: Direction,
     /// Proportions in X and Y, about the tool.
     pub proportion: [f64; 2],
     /// Number and depth of the passes.
@@ -44,7 +44,7 @@ impl ArcTo {
             end,
             centre_offset,
             side: Side::True,
-            turn: Turn::Clockwise,
+            turn: Direction::Clockwise,
             proportion: [1.0; 2],
             passes: Passes::default(),
         }
@@ -121,7 +121,7 @@ impl Chord {
         })
     }
 
-    fn by_diameter(&self, diameter: f64, turn: Turn) -> Result<NominalCircle, CutError> {
+    fn by_diameter(&self, diameter: f64, turn: Direction) -> Result<NominalCircle, CutError> {
         check_positive("diameter", diameter)?;
         if self.returns {
             return Err(CutError::EndOrCentreNeeded);
@@ -139,7 +139,7 @@ impl Chord {
         Ok(NominalCircle { centre, sweep_deg: self.sweep_deg(centre, turn) })
     }
 
-    fn by_centre(&self, centre: Vec2, turn: Turn) -> Result<NominalCircle, CutError> {
+    fn by_centre(&self, centre: Vec2, turn: Direction) -> Result<NominalCircle, CutError> {
         let start_radius_mm = centre.length();
         let end_radius_mm = (self.nominal - centre).length();
         if self.returns {
@@ -157,7 +157,7 @@ impl Chord {
     ///
     /// It would where start and end are near each other on a nearly whole circle; that one keeps its
     /// centre and is closed by a straight move no longer than the tolerance.
-    fn evened(&self, centre: Vec2, turn: Turn) -> Option<Vec2> {
+    fn evened(&self, centre: Vec2, turn: Direction) -> Option<Vec2> {
         let along = self.nominal.normalized()?;
         let moved = centre + along * (self.nominal.length() / 2.0 - centre.dot(along));
         let sweep_rad = -turn.sign() * self.sweep_deg(moved, turn).to_radians();
@@ -171,7 +171,7 @@ impl Chord {
     }
 
     /// From the start to the end about a centre, more than 0 to 360.
-    fn sweep_deg(&self, centre: Vec2, turn: Turn) -> f64 {
+    fn sweep_deg(&self, centre: Vec2, turn: Direction) -> f64 {
         let begin = vec_to_clock(-centre);
         let end = vec_to_clock(self.nominal - centre);
         let sweep = ((end - begin) * turn.sign()).rem_euclid(360.0);

@@ -9,7 +9,7 @@ use crate::circle::{check_angle, check_proportion};
 use crate::curve::{Anchor, Curve, Shape};
 use crate::error::{check_length, check_positive};
 use crate::passes::cut;
-use crate::{Context, Cut, CutError, Feature, Passes, Side, Turn};
+use crate::{Context, Cut, CutError, Direction, Feature, Passes, Side};
 
 /// Parameters of CA.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +21,7 @@ pub struct Arch {
     /// Which side the cutter runs on.
     pub side: Side,
     /// Clockwise to the right, counter-clockwise to the left.
-    pub turn: Turn,
+    pub turn: Direction,
     /// Turns the arch clockwise about the tool, degrees.
     pub alignment_deg: f64,
     /// Proportions in X and Y of the table.
@@ -37,7 +37,7 @@ impl Arch {
             length_mm,
             height_mm,
             side: Side::True,
-            turn: Turn::Clockwise,
+            turn: Direction::Clockwise,
             alignment_deg: 0.0,
             proportion: [1.0; 2],
             passes: Passes::default(),

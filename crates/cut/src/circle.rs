@@ -3,7 +3,7 @@
 use crate::curve::{Anchor, Curve, Shape};
 use crate::error::{check_length, check_positive};
 use crate::passes::cut;
-use crate::{Context, Cut, CutError, Passes, Side, Turn};
+use crate::{Context, Cut, CutError, Direction, Passes, Side};
 use kerf_geom::Point2;
 
 /// Angles beyond this are mistakes; it keeps the remainder of a turn exact to a millionth degree.
@@ -20,7 +20,7 @@ pub struct Circle {
     /// Which side the cutter runs on.
     pub side: Side,
     /// Which way round.
-    pub turn: Turn,
+    pub turn: Direction,
     /// Clock angle of the first place; blank is the top.
     pub begin_deg: Option<f64>,
     /// Clock angle of the last place; blank is a full turn.
@@ -37,7 +37,7 @@ impl Circle {
         Self {
             diameter_mm,
             side: Side::True,
-            turn: Turn::Clockwise,
+            turn: Direction::Clockwise,
             begin_deg: None,
             end_deg: None,
             proportion: [1.0; 2],
@@ -48,8 +48,8 @@ impl Circle {
     /// Begin angle and swept angle in degrees: `((E − B)·dir) mod 360`, 0 being a whole turn.
     fn angles(&self) -> Result<(f64, f64), CutError> {
         let begin = self.begin_deg.unwrap_or(match self.turn {
-            Turn::Clockwise => 0.0,
-            Turn::Counter => 360.0,
+            Direction::Clockwise => 0.0,
+            Direction::Counter => 360.0,
         });
         check_angle("begin angle", begin)?;
         let Some(end) = self.end_deg else { return Ok((begin, 360.0)) };

@@ -53,7 +53,7 @@ impl Side {
 
 /// Which way round.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Turn {
+pub enum Direction {
     /// Direction 1.
     #[default]
     Clockwise,
@@ -61,7 +61,7 @@ pub enum Turn {
     Counter,
 }
 
-impl Turn {
+impl Direction {
     /// The user's number for it; clock angles grow along direction 1.
     pub const fn sign(self) -> f64 {
         match self {

@@ -9,7 +9,7 @@
 use crate::passes::Outline;
 use crate::segments::chord_count;
 use crate::step::{Step, Trail};
-use crate::{Context, CutError, Side, Turn};
+use crate::{Context, CutError, Direction, Side};
 use kerf_geom::{Point2, Vec2, clock_to_vec, vec_to_clock};
 use kerf_program::MoveKind;
 use std::f64::consts::TAU;
@@ -27,7 +27,7 @@ pub(crate) struct Shape {
     /// Which side the cutter runs on.
     pub side: Side,
     /// Which way round, before mirroring.
-    pub turn: Turn,
+    pub turn: Direction,
     /// Clock angle of the first place.
     pub begin_deg: f64,
     /// Swept angle, 0 … 360.

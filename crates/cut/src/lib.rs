@@ -31,7 +31,7 @@ mod tab;
 pub use arc_to::{ARC_TOLERANCE_MM, ArcTo, arc_to};
 pub use arch::{Arch, arch};
 pub use circle::{Circle, circle, point_circle};
-pub use context::{Context, Side, Turn};
+pub use context::{Context, Direction, Side};
 pub use error::{CutError, MAX_LENGTH_MM, MAX_STEPS};
 pub use passes::{Feature, Passes};
 pub use rectangle::{Corner, Rectangle, rectangle};

@@ -11,7 +11,7 @@
 use crate::error::check_positive;
 use crate::passes::{Outline, cut};
 use crate::step::{Step, Trail};
-use crate::{Context, Cut, CutError, Feature, Passes, Side, Turn};
+use crate::{Context, Cut, CutError, Direction, Feature, Passes, Side};
 use kerf_geom::{Point2, Vec2, vec_to_clock};
 use kerf_program::MoveKind;
 use std::f64::consts::FRAC_1_SQRT_2;
@@ -53,11 +53,11 @@ impl Corner {
     }
 
     /// Returns `true` if the first side runs along X.
-    const fn x_first(self, turn: Turn) -> bool {
+    const fn x_first(self, turn: Direction) -> bool {
         matches!(
             (self, turn),
-            (Self::UpperLeft | Self::LowerRight, Turn::Clockwise)
-                | (Self::UpperRight | Self::LowerLeft, Turn::Counter)
+            (Self::UpperLeft | Self::LowerRight, Direction::Clockwise)
+                | (Self::UpperRight | Self::LowerLeft, Direction::Counter)
         )
     }
 }
@@ -72,7 +72,7 @@ pub struct Rectangle {
     /// Which side the cutter runs on.
     pub side: Side,
     /// Which way round.
-    pub turn: Turn,
+    pub turn: Direction,
     /// Corner at which the tool is.
     pub corner: Corner,
     /// Number and depth of the passes; the feature is plain, tab or pocket.
@@ -86,7 +86,7 @@ impl Rectangle {
             length_x_mm,
             length_y_mm,
             side: Side::True,
-            turn: Turn::Clockwise,
+            turn: Direction::Clockwise,
             corner: Corner::LowerLeft,
             passes: Passes::default(),
         }

@@ -38,7 +38,7 @@ impl Repetitions {
     }
 
     /// Tells how often something was found that was not told each time; forgets it.
-    pub fn told(&mut self) -> Vec<Diagnostic> {
+    pub fn diagnostics(&mut self) -> Vec<Diagnostic> {
         let seen = std::mem::take(&mut self.seen).into_values();
         seen.filter(|seen| seen.again > 0).map(Seen::told).collect()
     }
@@ -76,7 +76,7 @@ mod tests {
         let told = (0..1_204_333).filter(|_| seen.is_new(&found(2, "X 12 is outside"))).count();
         assert!(seen.is_new(&found(3, "X 12 is outside")));
         assert_eq!(told, 1);
-        let counted = seen.told();
+        let counted = seen.diagnostics();
         let text = "this line did the same 1,204,332 more times: X 12 is outside";
         assert_eq!(counted.iter().map(|d| d.message.as_str()).collect::<Vec<_>>(), [text]);
         assert_eq!((counted[0].severity, counted[0].place.line), (Severity::Note, 2));
@@ -88,7 +88,7 @@ mod tests {
         let told =
             (0..1000).filter(|n| seen.is_new(&found(2, &format!("X {n} is outside")))).count();
         assert_eq!(told, MOST_WORDS);
-        assert!(seen.told()[0].message.starts_with("this line did the same 980 more times"));
-        assert!(seen.told().is_empty());
+        assert!(seen.diagnostics()[0].message.starts_with("this line did the same 980 more times"));
+        assert!(seen.diagnostics().is_empty());
     }
 }

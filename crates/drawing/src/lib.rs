@@ -38,7 +38,7 @@ pub use op::{
     Picking, Picks, Sequencing, Value, Variant, script, spot,
 };
 pub use selection::Choice;
-pub use settings::{GroupSettings, Height, Lead, SettingsError};
+pub use settings::{CutDepth, GroupSettings, Lead, SettingsError};
 pub use shape::{Kind, Shape};
 pub use space::{Heightened, heighten};
 pub use travel::{EXACT_STOPS, Rapids, Search, Travelled, travelled};

@@ -1,6 +1,6 @@
 //! Settings by which the shapes of a group are cut.
 
-pub use kerf_program::job::Height;
+pub use kerf_program::job::CutDepth;
 use kerf_program::job::Plunge;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -38,8 +38,8 @@ pub struct GroupSettings {
     /// Highest cutting speed, mm/min; `None` is the machine's cutting speed.
     pub speed_mm_min: Option<f64>,
     /// Depth of the cut.
-    pub height: Height,
-    /// Depth of one pass, millimetres; only with [`Height::Mm`].
+    pub height: CutDepth,
+    /// Depth of one pass, millimetres; only with [`CutDepth::Mm`].
     pub pass_mm: Option<f64>,
     /// Distance of the path from the shape, millimetres; positive is right of travel.
     pub offset_mm: f64,
@@ -70,7 +70,7 @@ impl Default for GroupSettings {
             tool: 1,
             cut: 1,
             speed_mm_min: None,
-            height: Height::Thru,
+            height: CutDepth::Thru,
             pass_mm: None,
             offset_mm: 0.0,
             rough_mm: 0.0,
@@ -121,7 +121,7 @@ impl GroupSettings {
                 return Err(SettingsError::Output { what, number });
             }
         }
-        if self.pass_mm.is_some() && !matches!(self.height, Height::Mm(_)) {
+        if self.pass_mm.is_some() && !matches!(self.height, CutDepth::Mm(_)) {
             return Err(SettingsError::PassNeedsMm);
         }
         self.bounds().try_for_each(|(what, value, holds, bound)| {
@@ -131,7 +131,7 @@ impl GroupSettings {
     }
 
     fn bounds(&self) -> impl Iterator<Item = (&'static str, f64, bool, &'static str)> {
-        let depth = if let Height::Mm(depth) = self.height { depth } else { 0.0 };
+        let depth = if let CutDepth::Mm(depth) = self.height { depth } else { 0.0 };
         let pass = self.pass_mm.unwrap_or(1.0);
         let speed = self.speed_mm_min.unwrap_or(1.0);
         let angle = |lead: Lead| (0.0..=360.0).contains(&lead.angle_deg);
@@ -219,8 +219,11 @@ mod tests {
         refused(|s| s.tool = 4, "tool is 4");
         refused(|s| s.cut = 0, "cut is 0");
         refused(|s| s.pass_mm = Some(2.0), "multi-pass needs height type MM");
-        refused(|s| (s.height, s.pass_mm) = (Height::Mm(-3.0), Some(0.0)), "pass is 0");
-        refused(|s| (s.height, s.pass_mm) = (Height::Mm(-3.0), Some(1e-4)), "at least a 10,000th");
+        refused(|s| (s.height, s.pass_mm) = (CutDepth::Mm(-3.0), Some(0.0)), "pass is 0");
+        refused(
+            |s| (s.height, s.pass_mm) = (CutDepth::Mm(-3.0), Some(1e-4)),
+            "at least a 10,000th",
+        );
         refused(|s| s.tag_mm = -1.0, "tag is -1");
         refused(|s| s.offset_mm = f64::NAN, "offset is NaN");
         refused(|s| s.lead_in.angle_deg = 361.0, "lead-in angle");

@@ -1,7 +1,7 @@
 //! 3D shapes that come into a drawing: their group becomes 3D, so that they are cut at their own heights and not
 //! flat at that of the group.
 
-use crate::{Drawing, Group, GroupSettings, Height};
+use crate::{CutDepth, Drawing, Group, GroupSettings};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -47,7 +47,7 @@ impl fmt::Display for Heightened {
 pub fn heighten(drawing: &mut Drawing, new: Range<usize>) -> Vec<Heightened> {
     let is_new = |place: usize| new.contains(&place);
     let flat_in = |drawing: &Drawing, group: Group| {
-        drawing.settings(group).height != Height::ThreeD
+        drawing.settings(group).height != CutDepth::ThreeD
             && drawing.shapes.iter().any(|shape| shape.group == group && shape.z_mm.is_none())
     };
     let mut found = Vec::new();
@@ -56,7 +56,7 @@ pub fn heighten(drawing: &mut Drawing, new: Range<usize>) -> Vec<Heightened> {
             is_new(place) && shape.group == group && shape.z_mm.is_some()
         };
         let any = drawing.shapes.iter().enumerate().any(came);
-        if !any || drawing.settings(group).height == Height::ThreeD {
+        if !any || drawing.settings(group).height == CutDepth::ThreeD {
             continue;
         }
         if !flat_in(drawing, group) {
@@ -82,7 +82,7 @@ pub fn heighten(drawing: &mut Drawing, new: Range<usize>) -> Vec<Heightened> {
 }
 
 const fn make_3d(settings: &mut GroupSettings) {
-    settings.height = Height::ThreeD;
+    settings.height = CutDepth::ThreeD;
     settings.pass_mm = None;
 }
 
@@ -115,7 +115,7 @@ mod tests {
     fn pro_import_nc_path2d3d__the_group_becomes_3d() {
         let mut drawing = Drawing::of([solid(), solid()]);
         assert_eq!(heighten(&mut drawing, 0..2), [Heightened::Became(Group::Black)]);
-        assert_eq!(drawing.settings(Group::Black).height, Height::ThreeD);
+        assert_eq!(drawing.settings(Group::Black).height, CutDepth::ThreeD);
         assert_eq!(heighten(&mut drawing, 0..2), []);
     }
 
@@ -127,8 +127,8 @@ mod tests {
         assert_eq!(heighten(&mut drawing, 1..2), [moved]);
         assert_eq!(drawing.shapes[1].group, Group::Blue);
         let blue = drawing.settings(Group::Blue);
-        assert_eq!((blue.height, blue.tool), (Height::ThreeD, 3));
-        assert_eq!(drawing.settings(Group::Black).height, Height::Thru);
+        assert_eq!((blue.height, blue.tool), (CutDepth::ThreeD, 3));
+        assert_eq!(drawing.settings(Group::Black).height, CutDepth::Thru);
         // The next one joins it; shapes that were there before stay where they are.
         drawing.add(solid());
         assert_eq!(heighten(&mut drawing, 2..3), [moved]);

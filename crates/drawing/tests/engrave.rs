@@ -1,7 +1,7 @@
 //! Rows of the Profiler ledger about engraving, and what a person may get wrong with it.
 
 use crate::check::look;
-use kerf_drawing::{Editor, Group, Height, Shape, script};
+use kerf_drawing::{CutDepth, Editor, Group, Shape, script};
 use kerf_geom::{Bounds2, Point2, Polyarc};
 use std::f64::consts::PI;
 
@@ -171,7 +171,7 @@ fn told(text: &str) -> (Vec<String>, Editor) {
 }
 
 /// What is cut, each with its group and height.
-fn cut(editor: &Editor) -> Vec<(Group, Height)> {
+fn cut(editor: &Editor) -> Vec<(Group, CutDepth)> {
     let drawing = &editor.drawing;
     let of = |shape: &std::sync::Arc<Shape>| (shape.group, *drawing.settings(shape.group));
     let on = drawing.shapes.iter().map(of).filter(|(_, settings)| settings.on);
@@ -180,16 +180,16 @@ fn cut(editor: &Editor) -> Vec<(Group, Height)> {
 
 #[test]
 fn outlines_of_what_is_cleared_are_not_cut_unless_asked() {
-    let deep = Height::Mm(-2.0);
+    let deep = CutDepth::Mm(-2.0);
     for op in ["engrave all tool=5 depth=2 group=red", "pocket all tool=5 depth=2 group=red"] {
         let (told_of, mut editor) = told(&format!("{PLATE}; {op}"));
         assert_eq!(cut(&editor), [(Group::Red, deep)], "{op}");
         let expected = "outline 1 is in group white now, which is off: only the area is cut; cut-outlines cuts them too";
         assert_eq!(told_of, [expected]);
         editor.undo().unwrap();
-        assert_eq!(cut(&editor), [(Group::Black, Height::Thru)]);
+        assert_eq!(cut(&editor), [(Group::Black, CutDepth::Thru)]);
         let (told_of, editor) = told(&format!("{PLATE}; {op} cut-outlines"));
-        assert_eq!(cut(&editor), [(Group::Black, Height::Thru), (Group::Red, deep)]);
+        assert_eq!(cut(&editor), [(Group::Black, CutDepth::Thru), (Group::Red, deep)]);
         assert_eq!(told_of, Vec::<String>::new());
     }
     // A group that is off already takes them; what is too narrow keeps its outline.
@@ -210,14 +210,14 @@ fn nothing_is_cleared_through_the_sheet_unless_said() {
         let deep = cut(&editor).iter().map(|(_, height)| *height).collect::<Vec<_>>();
         (deep, told_of.len())
     };
-    assert_eq!(height(" depth=2"), (vec![Height::Mm(-2.0)], 1));
-    assert_eq!(height(" depth=thru"), (vec![Height::Thru], 1));
-    assert_eq!(height(""), (vec![Height::Mm(0.0)], 2));
+    assert_eq!(height(" depth=2"), (vec![CutDepth::Mm(-2.0)], 1));
+    assert_eq!(height(" depth=thru"), (vec![CutDepth::Thru], 1));
+    assert_eq!(height(""), (vec![CutDepth::Mm(0.0)], 2));
     let (told_of, _) = told(&format!("{PLATE}; engrave all tool=5"));
     assert!(told_of[0].starts_with("how deep is not said: the paths of group blue only touch"));
     let set = format!("{PLATE}; set red height=-3 pass=1");
     let (_, editor) = told(&format!("{set}; engrave all tool=5 group=red"));
-    assert_eq!(cut(&editor), [(Group::Red, Height::Mm(-3.0))]);
+    assert_eq!(cut(&editor), [(Group::Red, CutDepth::Mm(-3.0))]);
     let (_, editor) = told(&format!("{set}; engrave all tool=5 group=red depth=thru"));
     assert_eq!(editor.drawing.settings(Group::Red).check(), Ok(()));
     // Shapes of a group keep their depth.

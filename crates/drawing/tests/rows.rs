@@ -1,6 +1,6 @@
 //! Rows of the Profiler ledger that operations on a drawing show.
 
-use kerf_drawing::{Choice, Drawing, Editor, Group, Height, Kind, Shape, script};
+use kerf_drawing::{Choice, CutDepth, Drawing, Editor, Group, Kind, Shape, script};
 use kerf_geom::{Point2, Polyarc, Vertex};
 
 const SQ100: &str = "line 0,0 100,0 100,100 0,100 close";
@@ -207,7 +207,7 @@ fn pro_group_multi_mmonly() {
     assert!(error.contains("group red: multi-pass needs height type MM"), "{error}");
     let editor = after("set red height=-13 pass=4; set red height=thru");
     let red = editor.drawing.settings(Group::Red);
-    assert_eq!((red.height, red.pass_mm), (Height::Thru, None));
+    assert_eq!((red.height, red.pass_mm), (CutDepth::Thru, None));
 }
 
 #[test]

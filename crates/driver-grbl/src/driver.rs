@@ -1,7 +1,7 @@
 //! The driver.
 
 use crate::at_once;
-use crate::facts::Told;
+use crate::facts::KnownFacts;
 use crate::flights::{Flights, radius_mm};
 use crate::gap::Gap;
 use crate::lines::{Modal, lines, told_as};
@@ -10,8 +10,8 @@ use crate::place::Place;
 use crate::report::Doing;
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
-    Axes, Changed, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent, Shares, Signal,
-    Standing, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
+    Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent,
+    Shares, Signal, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -65,7 +65,7 @@ pub(crate) struct Line {
 #[derive(Debug)]
 pub struct Grbl {
     pub(crate) phase: Phase,
-    pub(crate) told: Told,
+    pub(crate) told: KnownFacts,
     pub(crate) facts: Option<Facts>,
     pub(crate) trouble: Option<Trouble>,
     /// A setting of it that was changed to drive it.
@@ -160,7 +160,7 @@ impl Grbl {
     pub fn new() -> Self {
         Self {
             phase: Phase::Silent,
-            told: Told::default(),
+            told: KnownFacts::default(),
             facts: None,
             trouble: None,
             changed: None,
@@ -256,7 +256,7 @@ impl Grbl {
     pub(crate) fn ask_all(&mut self, now_s: f64) {
         self.phase = Phase::Asked;
         self.asked_s = now_s;
-        (self.told, self.mended, self.busy) = (Told::default(), false, false);
+        (self.told, self.mended, self.busy) = (KnownFacts::default(), false, false);
         (self.queue, self.pending) = (VecDeque::new(), VecDeque::new());
         // An empty line first: whatever stands half received is answered and gone.
         ["", "$I", "$$", "$G", "$#"].into_iter().for_each(|line| self.say(line));
@@ -317,9 +317,9 @@ impl Grbl {
         self.place.machine().unwrap_or_default()
     }
 
-    pub(crate) fn standing(&self) -> Standing {
+    pub(crate) fn standing(&self) -> ControllerState {
         let (position, done) = (self.position(), self.done);
-        Standing { position, moving: !self.doing.stands(), outputs: self.on, done }
+        ControllerState { position, moving: !self.doing.stands(), outputs: self.on, done }
     }
 
     fn take(&mut self, sent: &Sent, facts: &Facts) {
@@ -528,7 +528,7 @@ impl Wired for Grbl {
         self.facts.as_ref()
     }
 
-    fn stands(&self) -> Option<Standing> {
+    fn stands(&self) -> Option<ControllerState> {
         self.facts.as_ref().map(|_| self.standing())
     }
 

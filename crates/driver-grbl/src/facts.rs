@@ -1,7 +1,7 @@
 //! The facts that a controller tells of itself: its version line (`$I`) and its settings (`$$`).
 
+use crate::error_texts;
 use crate::own_words::OwnWords;
-use crate::words;
 use kerf_machine::driver::{AXES, Changed, Facts};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -39,7 +39,7 @@ enum Firmware {
 
 /// Facts that are known so far.
 #[derive(Clone, Debug)]
-pub struct Told {
+pub struct KnownFacts {
     version: String,
     firmware: Firmware,
     /// Letters of its options; nothing where it tells none.
@@ -67,7 +67,7 @@ pub struct Told {
     room: usize,
 }
 
-impl Default for Told {
+impl Default for KnownFacts {
     fn default() -> Self {
         Self {
             version: String::new(),
@@ -88,7 +88,7 @@ impl Default for Told {
     }
 }
 
-impl Told {
+impl KnownFacts {
     /// Returns the moves that its planner has left, by the room in it. More room than the planner is known to have is
     /// believed when two reports in a row tell it: one that was garbled would have it hold moves for ever.
     pub fn left(&mut self, room: usize) -> usize {
@@ -167,13 +167,13 @@ impl Told {
     /// Returns an error in words: its own where it has told them.
     pub fn error(&self, number: u16) -> Cow<'static, str> {
         let own = self.own.errors.get(&number).cloned();
-        own.map_or(Cow::Borrowed(words::error(number)), Cow::Owned)
+        own.map_or(Cow::Borrowed(error_texts::error(number)), Cow::Owned)
     }
 
     /// Returns an alarm in words: its own where it has told them.
     pub fn alarm(&self, number: u16) -> Cow<'static, str> {
         let own = self.own.alarms.get(&number).cloned();
-        own.map_or(Cow::Borrowed(words::alarm(number)), Cow::Owned)
+        own.map_or(Cow::Borrowed(error_texts::alarm(number)), Cow::Owned)
     }
 
     /// Returns `true` if its reports name the line that it makes.

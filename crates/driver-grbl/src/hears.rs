@@ -2,11 +2,11 @@
 
 use crate::at_once;
 use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, with};
+use crate::error_texts;
 use crate::facts::{self, INPUTS, PROBE, PROBE_INPUT};
 use crate::lines::straight;
 use crate::place::{millimetres, on_steps};
 use crate::report::{Doing, Report, axes};
-use crate::words;
 use kerf_machine::driver::{Driver, Facts, Garbled, Hold, Order, Reply, Ticket, Trouble};
 
 /// The error of a controller that moves, and tells nothing of itself meanwhile.
@@ -124,13 +124,15 @@ impl Grbl {
         }
         let _ = self.trouble.get_or_insert(Trouble::Refused { number, why });
         match line.and_then(|line| line.ticket) {
-            Some(ticket) => self.replies.push(Ok(Reply::Refused(ticket, words::error(number)))),
+            Some(ticket) => {
+                self.replies.push(Ok(Reply::Refused(ticket, error_texts::error(number))))
+            }
             None => self.fail(),
         }
     }
 
     pub(crate) fn alarm(&mut self, number: u16) {
-        let (why, lost) = (self.told.alarm(number), words::is_lost(number));
+        let (why, lost) = (self.told.alarm(number), error_texts::is_lost(number));
         self.trouble = Some(Trouble::Alarm { number, why, lost });
         self.on = 0;
         self.fail();
@@ -197,7 +199,7 @@ impl Grbl {
             Phase::Resetting if self.greets => self.phase = Phase::Stopped,
             Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
         }
-        self.replies.push(Ok(Reply::Standing(self.standing())));
+        self.replies.push(Ok(Reply::State(self.standing())));
     }
 
     /// Follows the hold that was ordered: what moves again behind it was had to go on at the controller.

@@ -22,6 +22,7 @@
 
 mod at_once;
 mod driver;
+mod error_texts;
 mod facts;
 pub mod fake;
 mod flights;
@@ -32,7 +33,6 @@ mod own_words;
 mod place;
 mod report;
 pub mod settings;
-mod words;
 mod zeros;
 
 pub use driver::Grbl;

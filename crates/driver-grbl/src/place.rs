@@ -1,6 +1,6 @@
 //! Place of the machine, from reports in whatever frame and unit the controller is set to.
 
-use crate::facts::Told;
+use crate::facts::KnownFacts;
 use crate::report::{Frame, Report};
 use kerf_machine::driver::Axes;
 
@@ -17,7 +17,7 @@ pub struct Place {
 
 impl Place {
     /// Learns from a report.
-    pub fn hear(&mut self, report: &Report, told: &Told) {
+    pub fn hear(&mut self, report: &Report, told: &KnownFacts) {
         let offset = report.offset.map(|offset| millimetres(offset, told));
         self.offset = offset.or(self.offset);
         let Some((frame, place)) = report.place else { return };
@@ -37,12 +37,12 @@ impl Place {
 }
 
 /// A place that the controller told, mm.
-pub fn millimetres(place: Axes, told: &Told) -> Axes {
+pub fn millimetres(place: Axes, told: &KnownFacts) -> Axes {
     if told.in_inches() { Axes(place.0.map(|v| v * INCH_MM)) } else { place }
 }
 
 /// Tenths of a thousandth of an inch are coarser than a thousandth of a millimetre: the place is on the nearest step.
-pub fn on_steps(place: Axes, told: &Told) -> Axes {
+pub fn on_steps(place: Axes, told: &KnownFacts) -> Axes {
     if !told.in_inches() {
         return place;
     }

@@ -1,7 +1,7 @@
 //! Zero points that the controller keeps: those of its coordinate systems, the shift of `G92` and that by the length of
 //! the tool, as `$#` and `$G` tell them.
 
-use crate::facts::Told;
+use crate::facts::KnownFacts;
 use crate::place::millimetres;
 use crate::report::axes;
 use kerf_machine::driver::{AXES, Axes, Zero, ZeroChange};
@@ -26,7 +26,7 @@ pub struct Zeros {
 
 impl Zeros {
     /// Learns from `[G54:1.000,2.000,3.000]`; tells whether it was one of them.
-    pub fn bracket(&mut self, name: &str, value: &str, told: &Told) -> bool {
+    pub fn bracket(&mut self, name: &str, value: &str, told: &KnownFacts) -> bool {
         let is_shift = [Zero::SHIFT, Zero::TOOL].contains(&name);
         let is_one = is_shift || SYSTEMS.contains(&name);
         let Some((mut at, count)) = axes(value).filter(|_| is_one) else { return is_one };

@@ -4,7 +4,7 @@ use crate::wire::{Wire, run, to};
 use kerf_driver_grbl::Grbl;
 use kerf_driver_grbl::fake::{Board, Fake};
 use kerf_machine::driver::conformance::CASES;
-use kerf_machine::driver::{Axes, Driver, Link, LinkState, Order, Signal, Told, Wired, way_mm};
+use kerf_machine::driver::{Axes, Driver, Link, LinkNews, LinkState, Order, Signal, Wired, way_mm};
 
 #[test]
 fn grbl_holds_what_every_driver_has_to_hold() {
@@ -174,7 +174,7 @@ fn probes(fake: Fake, speed_mm_s: f64, active: bool) -> (Link<Wire>, Option<Axes
     while now_s < 20.0 {
         now_s += 0.005;
         for told_now in link.poll(now_s) {
-            if let Told::Input { line: 1, on } = told_now {
+            if let LinkNews::Input { line: 1, on } = told_now {
                 assert!(on != active || link.is_idle(), "it is told when it stands there");
                 told.push(on);
             }

@@ -2,7 +2,9 @@
 
 use crate::wire::{Chance, Wire, run, to};
 use kerf_driver_grbl::fake::{Board, Fake};
-use kerf_machine::driver::{Axes, Driver, Link, LinkState, Order, Signal, Told, Trouble, Wired};
+use kerf_machine::driver::{
+    Axes, Driver, Link, LinkNews, LinkState, Order, Signal, Trouble, Wired,
+};
 
 #[test]
 fn alarms_and_errors_are_told_in_words() {
@@ -44,7 +46,7 @@ fn garbled_reports_are_counted_and_a_cut_line_is_lost() {
         now_s += 0.005;
         told.extend(link.poll(now_s));
     }
-    assert_eq!(told, [Told::State(LinkState::Lost)]);
+    assert_eq!(told, [LinkNews::State(LinkState::Lost)]);
 }
 
 #[test]

@@ -28,7 +28,7 @@ const ANY: f64 = 0.02;
 /// Length of a line from which it shows a crystal, seconds.
 const LONG_S: f64 = 10.0;
 /// Time between the first exchanges, seconds, and between later ones: a time that beats with no other period.
-const PACES_S: [f64; 2] = [0.05, 0.9839];
+const PACES_S: [f64; 2] = [0.05, 0.4919];
 /// Distance from its box at which an answer is not believed, seconds.
 const FAR_S: f64 = 0.002;
 /// Answers in a row that are not believed before the line is drawn anew.
@@ -139,8 +139,8 @@ impl Clock {
     }
 
     /// Moment at which the board's clock has a value.
-    pub fn moment_s(&self, clock: u64) -> f64 {
-        self.anchor.0 + (clock as f64 - self.anchor.1) / self.rate
+    pub fn moment_s(&self, clock: f64) -> f64 {
+        self.anchor.0 + (clock - self.anchor.1) / self.rate
     }
 
     /// Ticks a second, as measured.
@@ -154,7 +154,7 @@ impl Clock {
     }
 
     fn is_stray(&self, exchange: &Exchange) -> bool {
-        let moment_s = self.moment_s(exchange.clock);
+        let moment_s = self.moment_s(exchange.clock as f64);
         moment_s < exchange.sent_s - FAR_S || moment_s > exchange.received_s + FAR_S
     }
 

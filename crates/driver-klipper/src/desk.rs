@@ -1,8 +1,9 @@
-//! A board as the owner of a plan deals with it: requests go in, answers and a look at its progress come out.
+//! Boards as the owner of a plan deals with them: requests go in, answers and a look at their progress come out.
 //!
 //! The desk is what the thread of the link owns; the owner of the plan may be on another one.
 
 use crate::board::{Board, Home, News, Start, Watched};
+use crate::crew::Crew;
 use crate::queue::{Change, Piece, Refused};
 
 /// An output that changes at a clock, from 0 (off) to 1, counted as in the setup: those that go on and off, then those
@@ -74,26 +75,26 @@ pub struct Progress {
     pub trip_s: Option<[f64; 2]>,
 }
 
-/// A board with the requests of its owner.
+/// Boards with the requests of their owner.
 pub struct Desk {
-    board: Board,
+    crew: Crew,
     answers: Vec<Answer>,
 }
 
 impl Desk {
-    /// A desk for a board.
-    pub const fn new(board: Board) -> Self {
-        Self { board, answers: Vec::new() }
+    /// A desk for boards.
+    pub const fn new(crew: Crew) -> Self {
+        Self { crew, answers: Vec::new() }
     }
 
-    /// The board, for whoever moves its bytes.
-    pub const fn board(&mut self) -> &mut Board {
-        &mut self.board
+    /// The boards, for whoever moves their bytes.
+    pub const fn crew(&mut self) -> &mut Crew {
+        &mut self.crew
     }
 
     /// Takes a request.
     pub fn take(&mut self, request: Request, now_s: f64) {
-        let board = &mut self.board;
+        let board = &mut self.crew;
         let taken = match request {
             Request::Start(homes) => board.start(&homes, now_s).map(|start| {
                 self.answers.push(Answer::Started(start));
@@ -130,7 +131,7 @@ impl Desk {
 
     /// Returns what was answered and heard since it was asked last, in order.
     pub fn answers(&mut self) -> Vec<Answer> {
-        while let Some(news) = self.board.news() {
+        while let Some(news) = self.crew.news() {
             self.answers.push(Answer::News(news));
         }
         std::mem::take(&mut self.answers)
@@ -138,14 +139,16 @@ impl Desk {
 
     /// Returns how far the board is.
     pub fn progress(&self, now_s: f64) -> Progress {
+        let crew = &self.crew;
+        let trips_s = crew.boards().filter_map(Board::trip_s);
         Progress {
             at_s: now_s,
-            clock: self.board.clock(now_s),
-            moves: self.board.is_moving(),
-            rests: self.board.is_at_rest(),
-            lead_s: self.board.lead_s().unwrap_or_default(),
-            latest_s: self.board.latest_s(),
-            trip_s: self.board.trip_s(),
+            clock: crew.clock(now_s),
+            moves: crew.is_moving(),
+            rests: crew.is_at_rest(),
+            lead_s: crew.lead_s(),
+            latest_s: crew.boards().filter_map(Board::latest_s).min_by(f64::total_cmp),
+            trip_s: trips_s.max_by(|a, b| a[0].total_cmp(&b[0])),
         }
     }
 }

@@ -17,18 +17,23 @@ const PATIENCE_S: f64 = 0.1;
 /// Longest dictionary, bytes as it is sent.
 const LONGEST: usize = 1 << 18;
 
+/// Times that a piece is asked for.
+const TRIES: u32 = 40;
+
 /// The dictionary as far as it was told.
 #[derive(Clone, Debug)]
 pub struct Identify {
     told: Vec<u8>,
     /// Moment at which the next piece is asked for.
     ask_s: f64,
+    /// Times that it was asked for.
+    tries: u32,
 }
 
 impl Identify {
     /// Begins at a moment.
     pub const fn new(now_s: f64) -> Self {
-        Self { told: Vec::new(), ask_s: now_s }
+        Self { told: Vec::new(), ask_s: now_s, tries: 0 }
     }
 
     /// Returns the question for the next piece, when it is due.
@@ -37,11 +42,17 @@ impl Identify {
             return None;
         }
         self.ask_s = now_s + PATIENCE_S;
+        self.tries += 1;
         let mut command = Vec::new();
         for number in [IDENTIFY, self.told.len() as u32, PIECE] {
             vlq::put(number, &mut command);
         }
         Some(command)
+    }
+
+    /// Returns `true` when a piece was asked for again and again.
+    pub const fn is_vain(&self) -> bool {
+        self.tries > TRIES
     }
 
     /// Moment at which the next question is due.
@@ -66,7 +77,7 @@ impl Identify {
         if self.told.len() > LONGEST {
             return Err(DictionaryError::TooLong);
         }
-        self.ask_s = f64::NEG_INFINITY;
+        (self.ask_s, self.tries) = (f64::NEG_INFINITY, 0);
         Ok(None)
     }
 }

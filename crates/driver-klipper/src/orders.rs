@@ -81,6 +81,15 @@ impl Orders {
         self.0.get(order as usize).is_some_and(Result::is_ok)
     }
 
+    /// Makes sure that the board has a command.
+    ///
+    /// # Errors
+    ///
+    /// It lacks it, or has other fields.
+    pub fn require(&self, order: Order) -> Result<(), OrderError> {
+        Ok(self.encoder(order).map(drop)?)
+    }
+
     /// Writes a command with numbers, in the order of its fields here.
     ///
     /// # Errors

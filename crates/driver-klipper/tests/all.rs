@@ -4,13 +4,14 @@
 
 mod bytes;
 mod compress;
-mod convoy;
+mod crew;
 mod line;
 mod measured;
 mod motion;
 mod mutated;
 mod queue;
 mod recorded;
+mod refused;
 mod session;
 #[path = "../../../tests/corpus/shared.rs"]
 mod shared;

@@ -27,6 +27,18 @@ fn a_board_that_is_known_is_taken_up_with_its_counts() {
 }
 
 #[test]
+fn a_motor_that_turns_the_other_way_counts_as_it_is_planned() {
+    let mut turned = setup();
+    turned.motors[0].dir.inverted = true;
+    let mut world = World::new(1, Faults::default(), turned.clone(), Options::default());
+    world.wait(ready);
+    assert_eq!(world.make(&Motion::straight(500.0, 1.0), &[]), (Ended::Rested, vec![500, 0, 0]));
+    assert_eq!(world.fake.steppers[&0].position, -500);
+    let News::Ready { counts, .. } = second(&mut world, turned) else { panic!("it is ready") };
+    assert_eq!(counts, [500, 0, 0]);
+}
+
+#[test]
 fn a_board_that_still_moves_is_put_at_rest_first() {
     let mut world = World::ready(2, Faults::default());
     let motion = Motion::straight(9000.0, 3.0);

@@ -1,9 +1,10 @@
 //! A host, a line and a board that is none, in time that is none.
 
 use kerf_driver_klipper::board::{Board, Ended, Fault, Home, News, Options, Start};
-use kerf_driver_klipper::fake::{Board as Fake, Faults, Line};
+use kerf_driver_klipper::fake::{Faults, Wired};
 use kerf_driver_klipper::queue::{Change, Piece, Step};
 use kerf_driver_klipper::setup::{Motor, Pin, Setup, Switched};
+use std::ops::{Deref, DerefMut};
 
 /// Grain of virtual time while something may happen, seconds.
 pub const GRAIN_S: f64 = 0.001;
@@ -11,9 +12,7 @@ pub const GRAIN_S: f64 = 0.001;
 pub const PIECE_S: f64 = 0.05;
 
 pub struct World {
-    pub fake: Fake,
-    pub there: Line,
-    pub back: Line,
+    wired: Wired,
     pub host: Board,
     pub now_s: f64,
     pub news: Vec<News>,
@@ -42,14 +41,24 @@ pub fn setup() -> Setup {
     }
 }
 
+impl Deref for World {
+    type Target = Wired;
+
+    fn deref(&self) -> &Wired {
+        &self.wired
+    }
+}
+
+impl DerefMut for World {
+    fn deref_mut(&mut self) -> &mut Wired {
+        &mut self.wired
+    }
+}
+
 impl World {
     pub fn new(seed: u64, faults: Faults, setup: Setup, options: Options) -> Self {
-        let line = |n| Line::new(seed * 2 + n, faults, 0.0007);
-        let mut fake = Fake::of_seed(seed);
-        fake.records = false;
-        let host = Board::new(setup, options, 0.0);
-        let (there, back, news) = (line(0), line(1), Vec::new());
-        Self { fake, there, back, host, now_s: 0.0, news, stalls_until_s: 0.0 }
+        let (wired, host) = (Wired::new(seed, faults), Board::new(setup, options, 0.0));
+        Self { wired, host, now_s: 0.0, news: Vec::new(), stalls_until_s: 0.0 }
     }
 
     /// One that is ready to move.
@@ -62,21 +71,11 @@ impl World {
     /// Lets a grain of time go by.
     pub fn pass(&mut self) {
         self.now_s += GRAIN_S;
-        let clock = self.fake.clock_at(self.now_s);
-        self.fake.run_to(clock);
-        let come = self.there.take(self.now_s);
-        self.fake.feed(&come);
-        let said = self.fake.take();
-        self.back.put(&said, self.now_s);
-        if self.now_s < self.stalls_until_s {
-            return;
-        }
-        let heard = self.back.take(self.now_s);
-        if !heard.is_empty() {
-            self.host.receive(&heard, self.now_s);
-        }
-        let out = self.host.transmit(self.now_s);
-        self.there.put(&out.bytes, self.now_s);
+        let (now_s, host) = (self.now_s, &mut self.host);
+        self.wired.pass(now_s, now_s < self.stalls_until_s, |heard| {
+            host.receive(heard, now_s);
+            host.transmit(now_s).bytes
+        });
         while let Some(news) = self.host.news() {
             self.news.push(news);
         }

@@ -96,7 +96,7 @@ fn drawn_part_file(
 ) -> Result<String, HostError> {
     let unit = settings.linear_unit;
     let how = Drawn::of(cut);
-    let title = format!("Converted from {name}\n{}", how.told(kind, unit));
+    let title = format!("Converted from {name}\n{}", how.settings_line(kind, unit));
     let printing = Printing { unit, title: Some(title), ..Printing::default() };
     let mut printer = SbpPrinter::new(&printing);
     let refused = |error| HostError::Refused(format!("{name} was not converted: {error}"));

@@ -6,7 +6,7 @@ use kerf_formats::bitmap::{Bitmap, BitmapError};
 use kerf_formats::{Content, Finding, Format, Imported, Opening, Weight};
 use kerf_geom::{Point2, Vec2};
 use kerf_machine::Configuration;
-use kerf_machine::settings::zpos::ZPositions;
+use kerf_program::job::Heights;
 use kerf_program::settings::{LinearUnit, MM_PER_INCH};
 use kerf_program::{CutChoice, Printer, decimal};
 use kerf_sequence::Speeds;
@@ -52,7 +52,7 @@ impl Drawn {
     }
 
     /// As the head of a program tells it.
-    pub fn told(&self, kind: &str, unit: LinearUnit) -> String {
+    pub fn settings_line(&self, kind: &str, unit: LinearUnit) -> String {
         let length = |mm: f64| format!("{} {}", decimal(mm / unit.mm(), 4), unit.symbol());
         let (depth, safe) = (length(self.depth_mm), length(self.safe_mm));
         let more = match (is_picture(kind), self.white_deepest) {
@@ -124,7 +124,7 @@ pub fn print(
     } else {
         job(format.open(bytes, &Opening::default()).unwrap_or_default(), how)?
     };
-    let zpos = ZPositions { top_mm: how.safe_mm, surface_mm: 0.0, bottom_mm: -how.depth_mm };
+    let zpos = Heights { top_mm: how.safe_mm, surface_mm: 0.0, bottom_mm: -how.depth_mm };
     let machine = Configuration { zpos, ..Configuration::default() };
     job_file::print(&job, &machine, Speeds::OfRun, printer).map_err(DrawnError::Uncut)?;
     Ok(findings)

@@ -4,9 +4,8 @@ use kerf_formats::{Finding, Weight};
 use kerf_geom::Point2;
 use kerf_journal::Work;
 use kerf_machine::Configuration;
-use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::Printer;
-use kerf_program::job::{Heights, JobShape};
+use kerf_program::job::JobShape;
 use kerf_sequence::Speeds;
 use kerf_toolpath::{Damaged, DrawnJob, NoRoom, too_deep};
 use std::sync::Arc;
@@ -70,8 +69,7 @@ pub fn print(
     speeds: Speeds,
     printer: &mut dyn Printer,
 ) -> Result<Vec<String>, Vec<String>> {
-    let ZPositions { top_mm, surface_mm, bottom_mm } = machine.zpos;
-    let wrong = too_deep(job, &Heights { top_mm, surface_mm, bottom_mm });
+    let wrong = too_deep(job, &machine.zpos);
     if !wrong.is_empty() {
         return Err(wrong.iter().map(ToString::to_string).collect());
     }
@@ -89,7 +87,7 @@ impl Choice {
     /// A path has no room for the offset.
     pub fn of(&self, work: Work) -> Result<Work, NoRoom> {
         let Work::Job(job, machine) = work else { return Ok(work) };
-        let mut chosen = kerf_toolpath::beside(&job, self.offset_mm)?;
+        let mut chosen = kerf_toolpath::offset_job(&job, self.offset_mm)?;
         chosen.start = self.start.unwrap_or(chosen.start).clamp(1, chosen.shapes.len().max(1));
         chosen.origin = self.origin.or(chosen.origin);
         chosen.finish = self.finish.or(chosen.finish);

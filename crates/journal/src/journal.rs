@@ -60,8 +60,8 @@ impl Journal {
     }
 
     /// Tells all that was found wrong with the files of the data folder since it was opened.
-    pub fn told(&self) -> Vec<String> {
-        self.store.told()
+    pub fn mistakes_found(&self) -> Vec<String> {
+        self.store.mistakes_found()
     }
 
     /// Keeps a line for whoever asks what was found wrong since it was opened.
@@ -74,7 +74,7 @@ impl Journal {
         self.store.each_commit_lasts(lasts)
     }
 
-    /// Nothing changes for a while: everything is put into the file itself, and sealed. Does nothing where that is so.
+    /// Puts everything into the file itself and seals it, before a quiet time. Does nothing where that is done.
     ///
     /// # Errors
     /// If the files cannot be written; then what was changed is in the write-ahead file still.

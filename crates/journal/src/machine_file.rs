@@ -79,7 +79,7 @@ impl MachineFile {
         self.path.display().to_string()
     }
 
-    /// Nobody else changes the files of its folder for as long as this is held: two who change a setting each at the same
+    /// Locks the files of its folder for as long as this is held: two who change a setting each at the same
     /// moment both do. Where the system has no such locks there is none.
     #[must_use]
     pub fn alone(&self) -> Option<File> {
@@ -135,7 +135,7 @@ impl MachineFile {
     /// Every mistake in it.
     pub fn read(&self, text: &str) -> Result<Configuration, MachineFileError> {
         let read = file::read(&self.name().into(), text);
-        read.map_err(|found| MachineFileError::Mistakes(told(&found)))
+        read.map_err(|found| MachineFileError::Mistakes(mistake_lines(&found)))
     }
 
     /// Puts a text in its place, whole or not at all, once it is known that it can be read.
@@ -268,7 +268,7 @@ fn of_settings(settings: &Settings) -> Configuration {
 }
 
 /// Mistakes of a configuration, a line each.
-pub fn told(found: &[Diagnostic]) -> String {
+pub fn mistake_lines(found: &[Diagnostic]) -> String {
     let line = |it: &Diagnostic| {
         let (place, code) = (&it.place, it.code);
         format!(

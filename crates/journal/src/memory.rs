@@ -4,7 +4,7 @@
 use super::reached::{PROGRESS, Reached};
 use super::rows::{self, Rows, Table, json};
 use super::store::Store;
-use super::{JournalError, MachineSettings, Placed, Standing};
+use super::{JournalError, MachineSettings, Placed, RestingMachine};
 use kerf_diag::Diagnostic;
 use kerf_machine::Configuration;
 use kerf_program::{Axis, AxisSet, Settings};
@@ -148,7 +148,7 @@ impl Memory {
 }
 
 /// Writes the axes that are homed, and what only the simulated machine knows.
-pub(super) fn remember_homed(rows: &Rows<'_>, standing: &Standing<'_>) -> rows::Result<()> {
+pub(super) fn remember_homed(rows: &Rows<'_>, standing: &RestingMachine<'_>) -> rows::Result<()> {
     let homed: String = standing.homed.iter().map(Axis::letter).collect();
     rows.put(Table::Fact, HOMED, homed.as_bytes())?;
     match &standing.truth {

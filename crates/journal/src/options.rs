@@ -1,6 +1,6 @@
 //! Options of a run.
 
-use crate::{Before, Started};
+use crate::{CarriedOver, Started};
 use kerf_model::Change;
 use kerf_sim::Push;
 use kerf_sim::{Sheet, Touch};
@@ -36,7 +36,7 @@ pub struct RunOptions {
     pub opened: bool,
     /// Preparations of the run, which goes on from there.
     #[serde(default)]
-    pub before: Before,
+    pub before: CarriedOver,
     /// Carry out so many commands at the most, moves and all others; 0 for no bound. What only looks at a
     /// program has one: a program may go round for ever on purpose.
     #[serde(default)]

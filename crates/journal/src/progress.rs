@@ -52,7 +52,7 @@ impl Progress {
         }
     }
 
-    /// From now on a thread writes, and nobody waits for the disk while the machine moves.
+    /// Hands writing to a thread: the machine's thread waits for no disk from now on.
     pub(super) fn writes_behind(&mut self, hurry: Option<Hurry>) {
         let Hand::Own(writer) = &self.hand else { return };
         match Scribe::begin(Writer::new(writer.registry.clone()), hurry) {

@@ -65,7 +65,7 @@ impl Registry {
         Ok(switches::read(&self.value(SWITCHES)?.unwrap_or_default()))
     }
 
-    /// Somebody moves a switch of the simulated machine, which stands; it stays there.
+    /// Records that a switch of the simulated machine, which stands, was moved.
     ///
     /// # Errors
     /// If the journal cannot be written.

@@ -8,7 +8,8 @@ use super::rows::{self, Rows, Table, json};
 use super::store::Store;
 use super::tape::{Step, Tape};
 use super::{
-    CutShort, JournalError, Live, MachineSettings, Placed, Registry, RunUnderWay, Standing, Work,
+    CutShort, JournalError, Live, MachineSettings, Placed, Registry, RestingMachine, RunUnderWay,
+    Work,
 };
 use crate::switches::Switches;
 use kerf_machine::Configuration;
@@ -36,7 +37,7 @@ impl Runs {
     pub fn begin(
         &self,
         run: &RunUnderWay,
-        standing: &Standing<'_>,
+        standing: &RestingMachine<'_>,
         bytes: &[u8],
     ) -> Result<Tape, JournalError> {
         let (earlier, takes_up) = (self.cut_short()?, !run.options.program.typed);
@@ -63,7 +64,7 @@ impl Runs {
     pub fn end(
         &self,
         run: &RunUnderWay,
-        standing: &Standing<'_>,
+        standing: &RestingMachine<'_>,
         summary: &Summary,
         tape: &Tape,
         live: &Live,
@@ -175,7 +176,7 @@ impl Runs {
 
     /// The machine is about to be moved by hand. Until that is over it is near where it stands now; a run
     /// that was cut short can still be taken up afterwards.
-    pub fn begin_by_hand(&self, standing: &Standing<'_>) -> Result<(), JournalError> {
+    pub fn begin_by_hand(&self, standing: &RestingMachine<'_>) -> Result<(), JournalError> {
         let earlier = self.cut_short()?;
         let place = standing.place();
         let reached = Reached { moving: true, place, ..Reached::default() };
@@ -185,9 +186,9 @@ impl Runs {
         })
     }
 
-    /// It was moved by hand: where it is, and all that belongs to it. What a run that was cut short knew
+    /// Records the machine after a move by hand. What a run that was cut short knew
     /// of that holds no longer.
-    pub fn end_by_hand(&self, standing: &Standing<'_>) -> Result<(), JournalError> {
+    pub fn end_by_hand(&self, standing: &RestingMachine<'_>) -> Result<(), JournalError> {
         let earlier = self.cut_short()?;
         self.store().write(|rows| {
             keep_reached(rows, earlier.as_ref())?;
@@ -210,7 +211,7 @@ fn keep_reached(rows: &Rows<'_>, earlier: Option<&CutShort>) -> rows::Result<()>
     }
 }
 
-/// Nothing is under way any more.
+/// Removes the run under way from the record.
 fn forget(rows: &Rows<'_>, cut: Option<&CutShort>) -> rows::Result<()> {
     if let Some(cut) = cut.filter(|cut| !cut.stopped()) {
         history::add(rows, &cut.run.past("cut short", 0.0))?;

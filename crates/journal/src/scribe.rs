@@ -44,7 +44,7 @@ struct Slate {
     owes: BTreeSet<String>,
     /// The reason for which the last one is not on record.
     trouble: Option<JournalError>,
-    /// Nothing more comes.
+    /// The last batch was handed over.
     ends: bool,
 }
 

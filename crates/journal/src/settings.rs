@@ -14,7 +14,7 @@ use kerf_machine::{Configuration, table};
 use kerf_program::Settings;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// So many settings are named of those that are others.
+/// The most changed settings that a message names.
 const NAMED: usize = 4;
 
 /// The machine's settings, beside the journal that knows them. Clones are the same settings.
@@ -51,7 +51,7 @@ impl MachineSettings {
         file.known_to(KnownMachine(self.store.clone()))
     }
 
-    /// From here on another file leads.
+    /// Makes another file the one that decides.
     pub fn use_file(&self, file: MachineFile) {
         *self.known() = Known { file: Some(file), ..Known::default() };
     }

@@ -30,7 +30,7 @@ pub(super) struct Opened {
     pub connection: Connection,
     /// Each commit waits for the disk; then the seal follows at once.
     lasts: bool,
-    /// Nothing was changed since everything was put into the file itself.
+    /// The write-ahead file is empty: everything is in the file itself.
     rests: bool,
     /// The generation that is in the file itself.
     rested: u64,
@@ -58,7 +58,7 @@ impl Store {
     }
 
     /// Tells all that was found wrong with the files of the data folder since it was opened.
-    pub(super) fn told(&self) -> Vec<String> {
+    pub(super) fn mistakes_found(&self) -> Vec<String> {
         self.told.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 

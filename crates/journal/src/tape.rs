@@ -74,11 +74,11 @@ pub struct Step {
 }
 
 /// Source of the answer to a question.
-pub enum Turn<T> {
+pub enum AnswerSource<T> {
     /// The world, and nobody writes it down.
     Live,
     /// The tape; mostly that there was nothing.
-    Told(Option<T>),
+    Recorded(Option<T>),
     /// The world; it is written down under this number.
     Open(u64),
 }
@@ -115,7 +115,7 @@ pub struct Tape {
     /// The part of it that is made for sure, where the run tells of moves before they are made.
     lag: Option<Lag>,
     writing: Option<Progress>,
-    /// Nothing is written and the world is not asked: what happens has happened before.
+    /// Only plays back: nothing is written and the world is not asked.
     silent: bool,
     /// The tape does not fit the run.
     unfit: Option<String>,
@@ -171,7 +171,7 @@ impl Tape {
         self.silent && self.within_before > 0.0
     }
 
-    /// From here on the world is heard; the machine stands there.
+    /// Ends the playback: from now on the world answers, and the machine stands at this place.
     pub fn wake(&mut self, place: super::Placed) {
         (self.silent, self.reached.place, self.reached.moving) = (false, place, false);
         self.comes_to_rest();
@@ -236,9 +236,9 @@ impl Tape {
         world: impl FnOnce() -> Option<T>,
     ) -> Option<T> {
         match self.turn(kind) {
-            Turn::Live => world(),
-            Turn::Told(told) => told,
-            Turn::Open(call) => {
+            AnswerSource::Live => world(),
+            AnswerSource::Recorded(told) => told,
+            AnswerSource::Open(call) => {
                 let told = world();
                 self.heard(kind, call, told.as_ref());
                 told
@@ -247,18 +247,18 @@ impl Tape {
     }
 
     /// Decides who answers a question that the world hardly ever has an answer to.
-    pub fn turn<T: DeserializeOwned>(&mut self, kind: Kind) -> Turn<T> {
+    pub fn turn<T: DeserializeOwned>(&mut self, kind: Kind) -> AnswerSource<T> {
         if self.writing.is_none() {
-            return Turn::Live;
+            return AnswerSource::Live;
         }
         let call = self.calls.entry(kind).or_default();
         *call += 1;
         let call = *call;
         let next = self.played.get(&kind).and_then(VecDeque::front);
         if next.is_some_and(|step| step.call == call) {
-            return Turn::Told(self.pop(kind));
+            return AnswerSource::Recorded(self.pop(kind));
         }
-        if self.silent { Turn::Told(None) } else { Turn::Open(call) }
+        if self.silent { AnswerSource::Recorded(None) } else { AnswerSource::Open(call) }
     }
 
     /// Keeps what the world answered to such a question.
@@ -273,7 +273,7 @@ impl Tape {
         }
     }
 
-    /// Nothing comes of the request that was heard last: it is heard once more.
+    /// Takes back the last request, which had no effect: it will be heard once more.
     pub fn unhear_request(&mut self) {
         let Some(progress) = self.writing.as_mut().filter(|_| !self.silent) else { return };
         let last = progress.last_step();
@@ -299,7 +299,7 @@ impl Tape {
         self.silent && !self.plays() && !self.is_within()
     }
 
-    /// Nothing came of the last answer, which is the last that was told: he is asked again.
+    /// Takes back the last answer, which had no effect: the operator is asked again.
     pub fn take_back_answer(&mut self) {
         let Some(progress) = &mut self.writing else { return };
         progress.take_back();
@@ -334,7 +334,7 @@ impl Tape {
         self.pressed.clear();
     }
 
-    /// All is ready: the run that is taken up goes on.
+    /// Notes that the machine is back in place and the run that was taken up goes on.
     pub fn goes_back(&mut self) {
         self.back = None;
         self.goes_on();

@@ -3,7 +3,7 @@
 use super::history::Past;
 use super::kept_work::{KeptWork, WorkKind, read_back};
 use super::reached::Reached;
-use super::{JournalError, RunOptions, Shell, Standing, Surroundings, Work};
+use super::{JournalError, RestingMachine, RunOptions, Shell, Surroundings, Work};
 use crate::machine_file::MACHINE_FILE;
 use crate::switches::{self, SWITCHES, Switches};
 use kerf_files::Folders;
@@ -81,12 +81,12 @@ impl CutShort {
     }
 
     /// Which run was stopped or cut short, and where: `the run of a.sbp was cut short behind line 5`.
-    pub fn told(&self) -> String {
-        self.told_by(str::to_owned)
+    pub fn sentence(&self) -> String {
+        self.sentence_by(str::to_owned)
     }
 
     /// The same, with names of files as somebody else knows them.
-    pub fn told_by(&self, name: impl Fn(&str) -> String) -> String {
+    pub fn sentence_by(&self, name: impl Fn(&str) -> String) -> String {
         let how = if self.stopped() { "stopped" } else { "cut short" };
         let (file, line) = self.last_move();
         let run = name(self.file());
@@ -131,7 +131,7 @@ impl CutShort {
 impl RunUnderWay {
     /// A run that is about to begin.
     pub fn new(
-        standing: &Standing<'_>,
+        standing: &RestingMachine<'_>,
         work: &KeptWork<'_>,
         options: &RunOptions,
         settings: Option<Settings>,

@@ -87,7 +87,7 @@ struct Findings {
 impl Findings {
     /// Returns the findings; a run with errors has no summary.
     fn checked(mut self, summary: Option<Summary>) -> Checked {
-        self.list.extend(self.again.told());
+        self.list.extend(self.again.diagnostics());
         let summary = summary.filter(|_| !self.list.iter().any(Diagnostic::is_error));
         Checked { diagnostics: self.sorted(), summary }
     }

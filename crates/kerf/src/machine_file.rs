@@ -5,6 +5,7 @@ use crate::exit::Usage;
 use crate::machine_name::{MachineChoice, MachineName};
 use crate::{given, memory, setup};
 use anyhow::{Context, Result, bail};
+use clap::ArgMatches;
 use kerf_journal::{JOURNAL_FILE, machine_file::MachineFile};
 use kerf_machine::profile::{PROFILES, Profile, profile};
 use std::fs;
@@ -121,6 +122,22 @@ pub fn of_data_to_change(data: &DataArgs) -> Result<MachineFile> {
     }
     let journal = memory::journal(&folder, false)?;
     Ok(journal.map_or(file.clone(), |journal| journal.settings.knows(file)))
+}
+
+/// The option that names the data folder, as its field is called.
+const DATA: &str = "folder";
+
+/// Refuses configurations of options that are not there, also where a command does not look at them.
+///
+/// # Errors
+/// No file and no machine is called so.
+pub fn refuse_missing(given: &ArgMatches) -> Result<()> {
+    let Some((_, given)) = given.subcommand() else { return Ok(()) };
+    let data = DataArgs { folder: given.try_get_one(DATA).ok().flatten().cloned() };
+    for name in MachineChoice::configured(given) {
+        named(name, &data)?;
+    }
+    refuse_missing(given)
 }
 
 /// There is neither a file nor a machine of a name.

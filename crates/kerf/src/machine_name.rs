@@ -3,15 +3,13 @@
 
 use crate::exit::Usage;
 use clap::{ArgMatches, Args};
+use kerf_control::controller::queued;
 use kerf_transport::Address;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// The driver of boards with step queues.
 const KLIPPER: &str = "klipper";
-
-/// Their rate on a serial line where none is given; over USB it has no meaning.
-const BOARD_BAUD: u32 = 250_000;
 
 /// The ending of files that say how a machine is set up.
 const ENDING: &str = "toml";
@@ -88,14 +86,12 @@ impl DriverName {
                 "there is no driver '{driver}', only grbl and klipper: {CONTROLLERS}"
             ));
         }
-        let serial = !port.is_empty() && !port.contains('@') && !port.contains(':');
-        let at_rate = (driver == KLIPPER && serial).then(|| format!("{port}@{BOARD_BAUD}"));
-        let address =
-            Address::read(at_rate.as_deref().unwrap_or(port)).map_err(|why| match &*why {
-                "" if driver == KLIPPER => format!("klipper needs its port: {BOARDS}"),
-                "" => format!("grbl needs its port: {CONTROLLERS}"),
-                _ => why,
-            })?;
+        let read = if driver == KLIPPER { queued::address(port) } else { Address::read(port) };
+        let address = read.map_err(|why| match &*why {
+            "" if driver == KLIPPER => format!("klipper needs its port: {BOARDS}"),
+            "" => format!("grbl needs its port: {CONTROLLERS}"),
+            _ => why,
+        })?;
         Ok(Self { words: words.to_owned(), address })
     }
 }
@@ -171,6 +167,16 @@ impl MachineChoice {
             }
         }
         Self::refuse_two(given)
+    }
+
+    /// The configurations that the options of a command name.
+    pub fn configured<'a>(given: &'a ArgMatches) -> Vec<&'a Path> {
+        let names = given.try_get_many::<MachineName>(MACHINE).ok().flatten();
+        let configured = |name: &'a MachineName| match name {
+            MachineName::Configured(path) => Some(&**path),
+            _ => None,
+        };
+        names.into_iter().flatten().filter_map(configured).collect()
     }
 }
 

@@ -29,6 +29,7 @@ mod curves;
 mod date;
 mod drawings;
 mod exit;
+mod folders;
 mod given;
 mod groups;
 mod heeded;
@@ -58,6 +59,7 @@ mod stop;
 mod streamed;
 mod summary;
 mod transfer;
+mod unused;
 mod visit;
 mod waveforms;
 
@@ -100,7 +102,7 @@ const EDIT_ONLY: &str = "edit_only";
 fn command_line() -> clap::Command {
     let behind = Arg::new(EDIT_ONLY).long("edit-only").hide(true).action(ArgAction::SetTrue);
     let cli = Cli::command().mut_subcommands(|it| it.arg(behind.clone().global(true)));
-    parse::with_negative_numbers(groups::grouped(cli))
+    parse::with_negative_numbers(groups::grouped(unused::hidden(cli)))
 }
 
 fn main() -> ExitCode {

@@ -80,7 +80,7 @@ fn tell(journal: &Journal, workspace: &Workspace, whereabouts: Whereabouts) -> R
             None => "kerf run --resume takes it up".to_owned(),
             Some(name) => format!("kerf run --resume --machine {name} takes it up"),
         };
-        eprintln!("kerf: {}; {how}", cut.told());
+        eprintln!("kerf: {}; {how}", cut.sentence());
     }
     Ok(())
 }

@@ -12,8 +12,11 @@ const TOOLS: [&str; 3] = ["xtask", "bench", "ledger"];
 const FOREIGN: [&str; 8] =
     ["lib", "test", "nocapture", "silent", "example", "release", "package", "quick"];
 
+/// Options that no help lists, and that stay as they are: older names, a command line for editing alone, the rate of tests.
+const LASTING: [&str; 3] = ["config", "edit_only", "rate"];
+
 /// A text that users read: its place, and its words.
-type Told = (String, String);
+type UserText = (String, String);
 
 /// The files below a folder with an extension, in order.
 fn files(folder: &Path, extension: &str) -> Vec<PathBuf> {
@@ -44,7 +47,7 @@ fn literals(source: &str) -> Vec<String> {
 }
 
 /// All that users read: strings of the crates, the README and the pages of the book.
-fn told() -> Vec<Told> {
+fn told() -> Vec<UserText> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let is_shipped = |path: &PathBuf| {
         let words: Vec<_> = path.iter().collect();
@@ -67,7 +70,8 @@ fn told() -> Vec<Told> {
 
 /// The long options of a command and of all below it, with their aliases.
 fn options(command: &Command) -> BTreeSet<String> {
-    let own = command.get_arguments().flat_map(|arg| {
+    let shown = |arg: &&clap::Arg| !arg.is_hide_set() || LASTING.contains(&arg.get_id().as_str());
+    let own = command.get_arguments().filter(shown).flat_map(|arg| {
         let aliases = arg.get_all_aliases().unwrap_or_default();
         arg.get_long().into_iter().chain(aliases).map(str::to_owned).collect::<Vec<_>>()
     });
@@ -141,6 +145,103 @@ fn every_command_and_option_that_is_named_exists() {
         })
         .collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
+/// Longer texts are pages and helps, where calls stand in lines of their own.
+const MESSAGE_LINES: usize = 20;
+
+/// Whole calls in a text: in backticks, or a line that begins with one, without what stands behind it.
+fn whole_calls(text: &str) -> Vec<String> {
+    let quoted = text.split('`').skip(1).step_by(2).filter(|it| !it.contains('\n'));
+    // Elsewhere a line of a message is a sentence.
+    let is_page = text.lines().count() > MESSAGE_LINES;
+    let shown = |line: &&str| !line.contains('`') && (is_page || line.starts_with("  "));
+    let lines = text.lines().filter(shown).map(str::trim_start);
+    let calls = quoted.chain(lines).filter(|it| it.starts_with("kerf "));
+    let ends = ["  ", " #", " > ", " | ", " && ", " …"];
+    let ended = |call: &str| {
+        let end = ends.iter().filter_map(|end| call.find(end)).min();
+        call[..end.unwrap_or(call.len())].trim_end_matches(['…', '.', ',']).to_owned()
+    };
+    calls.map(ended).collect()
+}
+
+/// The words of a call as a shell reads them, with a value in place of what only tells which one stands there.
+fn words(call: &str) -> Vec<String> {
+    let (mut words, mut word, mut quote) = (Vec::new(), String::new(), None);
+    for c in call.chars() {
+        match (c, quote) {
+            ('\'' | '"', None) => quote = Some(c),
+            (c, Some(open)) if c == open => quote = None,
+            (' ', None) => words.push(std::mem::take(&mut word)),
+            (c, _) => word.push(c),
+        }
+    }
+    words.push(word);
+    let filled = |word: String| match word.trim_end_matches('…') {
+        "N" | "MM" | "SECONDS" | "VALUE" | "LEVEL" | "NUMBER" => "1".to_owned(),
+        "X,Y" => "1,2".to_owned(),
+        "X,Y,Z" => "1,2,3".to_owned(),
+        "ADDR" => "127.0.0.1:1".to_owned(),
+        "PERCENT@SECONDS" => "50@1".to_owned(),
+        "N@T=0|1" => "1@1=1".to_owned(),
+        word => word.to_owned(),
+    };
+    words.into_iter().filter(|word| !word.is_empty()).map(filled).collect()
+}
+
+/// Tells why the command line takes no such call. One that leaves something out is none to be typed, and may.
+fn refused(cli: &Command, call: &str) -> Option<String> {
+    use clap::error::ErrorKind::{
+        DisplayHelp, DisplayHelpOnMissingArgumentOrSubcommand, DisplayVersion, InvalidValue,
+        MissingRequiredArgument, MissingSubcommand,
+    };
+    if call.contains(['[', '<', '{', '|']) || call.contains("COMMAND") || call.contains("''") {
+        return None;
+    }
+    let words = words(call);
+    let names_option = words.last().is_some_and(|word| word.starts_with("--"));
+    match cli.clone().try_get_matches_from(&words) {
+        Ok(given) => crate::unused::refuse(cli, &given).err().map(|why| why.0),
+        Err(error) => match error.kind() {
+            MissingRequiredArgument | MissingSubcommand | DisplayHelp | DisplayVersion => None,
+            DisplayHelpOnMissingArgumentOrSubcommand => None,
+            InvalidValue if names_option => None,
+            _ => Some(error.to_string().lines().next().unwrap_or_default().to_owned()),
+        },
+    }
+}
+
+#[test]
+fn every_call_that_is_shown_is_taken_by_the_command_line() {
+    let cli = crate::command_line();
+    let (mut wrong, mut count) = (Vec::new(), 0);
+    for (place, text) in told() {
+        for call in whole_calls(&text) {
+            count += 1;
+            let why = refused(&cli, &call);
+            wrong.extend(why.map(|why| format!("{place}: {call}: {why}")));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(count > 200, "{count} calls were found");
+}
+
+#[test]
+fn a_call_that_is_refused_is_found() {
+    let cli = crate::command_line();
+    let check =
+        |call: &str, taken: bool| assert_eq!(refused(&cli, call).is_none(), taken, "{call}");
+    check("kerf run box.sbp --start kept", true);
+    check("kerf run FILE --offset 2d", true);
+    check("kerf send --resume-at", true);
+    check("kerf run box.sbp --start warm", false);
+    check("kerf io frobnicate", false);
+    check("kerf toolpath a.rsg --hold-at 1", false);
+    assert_eq!(
+        whole_calls("say `kerf run A.sbp`;\n  kerf io list   all"),
+        ["kerf run A.sbp", "kerf io list"]
+    );
 }
 
 #[test]

@@ -44,7 +44,7 @@ impl Sink for Diagnostics {
 
 impl Drop for Diagnostics {
     fn drop(&mut self) {
-        self.again.told().iter().for_each(|diagnostic| self.show(diagnostic));
+        self.again.diagnostics().iter().for_each(|diagnostic| self.show(diagnostic));
     }
 }
 

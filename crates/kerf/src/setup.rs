@@ -17,7 +17,7 @@ use kerf_control::answers::Answers;
 use kerf_drawing::Drawing;
 use kerf_files::{Folders, RealDisk};
 use kerf_import::job_file;
-use kerf_journal::{RunOptions, Shell, Work, machine_file::told};
+use kerf_journal::{RunOptions, Shell, Work, machine_file::mistake_lines};
 use kerf_machine::Configuration;
 use kerf_part::Program;
 use kerf_program::{Axes, Dynamics, GoTo, RampModel, Settings};
@@ -48,6 +48,11 @@ pub struct Job {
 
 /// Reads the part file and prepares its run.
 pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
+    if let (true, Some(name)) = (preview, args.place.machine.controller()) {
+        eprintln!(
+            "kerf: {name} is not opened: what only looks begins with the machine as it was left"
+        );
+    }
     let parts = file.parent().unwrap_or(Path::new(""));
     let mut drawing = None;
     let work = if drawings::is_drawing(file) {
@@ -262,7 +267,7 @@ pub fn machine(choice: &MachineChoice, data: &DataArgs) -> Result<Configuration>
 
 fn read_machine(name: String, text: &str) -> Result<Configuration> {
     let read = kerf_machine::file::read(&name.into(), text);
-    read.map_err(|found| Usage(told(&found)).into())
+    read.map_err(|found| Usage(mistake_lines(&found)).into())
 }
 
 /// Settings at the start: those of a configuration, or the present ones.

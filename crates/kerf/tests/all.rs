@@ -30,6 +30,7 @@ mod kept;
 mod killed;
 mod log;
 mod machine;
+mod mistakes;
 mod nc;
 mod outside;
 mod own_corpus;

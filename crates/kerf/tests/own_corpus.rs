@@ -131,6 +131,13 @@ fn formatted(shop: &Shop, name: &str, options: &str, before: &Did) -> String {
     format!("{changed} of {} lines written otherwise, runs the same", text.lines().count())
 }
 
+/// The options of a conversion, which takes every input as off.
+fn without_inputs(options: &str) -> String {
+    let words: Vec<&str> = options.split_whitespace().collect();
+    let is_input = |at: usize| words[at] == "--input" || at > 0 && words[at - 1] == "--input";
+    (0..words.len()).filter(|at| !is_input(*at)).map(|at| words[at]).collect::<Vec<_>>().join(" ")
+}
+
 /// The other language and back: what is cut then, to be compared with the run.
 fn there_and_back(shop: &Shop, name: &str, options: &str) -> String {
     let (there, back) = if name.starts_with("sbp/") {
@@ -138,7 +145,7 @@ fn there_and_back(shop: &Shop, name: &str, options: &str) -> String {
     } else {
         ("there.sbp", "back.ngc")
     };
-    shop.kerf(&format!("convert {name} {there} --force {options}")).exits(0);
+    shop.kerf(&format!("convert {name} {there} --force {}", without_inputs(options))).exits(0);
     let machine = machine(options);
     shop.kerf(&format!("convert {there} {back} --force {machine}")).exits(0);
     let did = shop.kerf(&format!("trace {back} {machine}"));

@@ -198,7 +198,7 @@ fn sbp_file_fs_mask() {
     assert_eq!(list("proj??.sbp"), "  data/\n  doors/\n  proj12.sbp\n".replace("  data/\n", ""));
     assert!(list("*.*").contains("notes.txt"));
     shop.kerf("parts doors").exits(0).says("a.sbp");
-    shop.kerf("parts nowhere").exits(2).complains("cannot list nowhere");
+    shop.kerf("parts nowhere").exits(2).complains("there is no folder nowhere");
     shop.write("mask.sbp", b"FS,,proj??.sbp\nUV\n");
     shop.kerf("send FS,,proj??.sbp UV").exits(0).says(",proj??.sbp\n");
 }

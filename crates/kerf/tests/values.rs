@@ -49,7 +49,7 @@ fn a_name_that_is_none_is_told_with_the_nearest() {
     let check = |args: &str, code: i32, why: &str| {
         shop.kerf(args).exits(code).complains(why);
     };
-    check("get delays.ends", 1, "did you mean delays.end_s?");
+    check("get delays.ends", 2, "did you mean delays.end_s?");
     check("set delays.ends=1", 2, "did you mean delays.end_s?");
     check("set tool2=on", 2, "tool2 is 0 or 1, not 'on'");
     check("set delays.end_s=-1", 2, "delays.end_s");

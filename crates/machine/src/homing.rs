@@ -152,7 +152,7 @@ struct Search {
     most: f64,
     /// The highest speed of the axis.
     top: f64,
-    /// By so much home lies further.
+    /// Distance by which home lies farther.
     adjustment: f64,
     separate: bool,
 }

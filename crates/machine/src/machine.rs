@@ -19,7 +19,7 @@ use crate::driver::{Facts, Override, Shares};
 use crate::homing::Which;
 use crate::lift::Carried;
 use kerf_motion::{Move, Plan, Span, State};
-use kerf_program::{At, Axes, Axis, Beam, HeightLaw, OutputReason, Settings, Turn};
+use kerf_program::{At, Axes, Axis, Beam, HeightLaw, OutputReason, Settings, SpindleTurn};
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -97,7 +97,7 @@ pub enum Actuator {
         rpm: f64,
     },
     /// Which way the spindle turns.
-    Turn(Turn),
+    Turn(SpindleTurn),
     /// Coolant.
     Coolant {
         /// Mist.

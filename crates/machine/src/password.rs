@@ -16,7 +16,7 @@ const NAME: &str = "pbkdf2-sha256";
 pub const SHORTEST: usize = 4;
 
 /// Returns what is kept of a password. The salt comes from outside: chance is not ours.
-pub fn kept(password: &str, salt: [u8; 16]) -> String {
+pub fn hashed(password: &str, salt: [u8; 16]) -> String {
     let hash = pbkdf2_hmac_array::<Sha256, 32>(password.as_bytes(), &salt, ROUNDS);
     format!("{NAME}${ROUNDS}${}${}", digits(&salt), digits(&hash))
 }
@@ -51,11 +51,11 @@ mod tests {
 
     #[test]
     fn only_the_password_fits_and_it_is_not_kept() {
-        let one = kept("birch plywood", [7; 16]);
+        let one = hashed("birch plywood", [7; 16]);
         assert!(fits(&one, "birch plywood"));
         assert!(!fits(&one, "birch plywooD") && !fits(&one, ""));
         assert!(!one.contains("birch"));
-        assert_ne!(one, kept("birch plywood", [8; 16]), "the salt makes them differ");
+        assert_ne!(one, hashed("birch plywood", [8; 16]), "the salt makes them differ");
     }
 
     #[test]

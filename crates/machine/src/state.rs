@@ -8,7 +8,7 @@
 
 use kerf_program::Button;
 
-/// So long a stop input is waited for to be released before the operator is asked again, seconds.
+/// Time to wait for the release of a stop input before the operator is asked again, seconds.
 pub const RELEASE_S: f64 = 0.5;
 
 /// State of a machine.
@@ -27,7 +27,7 @@ pub enum State {
     Paused,
     /// A stop input is, or was, active: nothing moves before it is released and a person says so.
     Blocked,
-    /// It stands on a limit: a person says whether it goes on regardless.
+    /// The machine stands on a limit switch: a person decides if it goes on regardless.
     Limited,
     /// It slows down because of the emergency stop.
     EmergencyStopping,
@@ -97,7 +97,7 @@ pub enum Effect {
     LeaveOutputs,
     /// The motors lose their power five seconds later.
     MotorsOff,
-    /// Nobody knows for sure where the axes are from now on.
+    /// The place of the axes is in doubt from now on.
     Doubt,
     /// The tool rises to the height of travel, where it is lower.
     Raise,

@@ -1,7 +1,7 @@
 //! A heater held at a temperature (command reference, VH): heat at the PWM that the low cycle time
 //! leaves, or none. How fast it warms and cools is a guess; control does not depend on it.
 
-use kerf_program::settings::{Height, IoModes};
+use kerf_program::settings::{IoModes, TorchHeight};
 
 /// Temperature without heat, degrees.
 const AMBIENT: f64 = 20.0;
@@ -31,12 +31,12 @@ impl Default for Heater {
 }
 
 /// Returns `true` if VN and VH let it be controlled: analog inputs are 3 to 5 of VN's third value.
-pub(crate) const fn active(height: &Height, modes: &IoModes) -> bool {
+pub(crate) const fn active(height: &TorchHeight, modes: &IoModes) -> bool {
     height.on && modes.analog >= 3 && height.temperature > 0.0
 }
 
 /// PWM while it heats, percent: the low cycle time is the share of time, in tenths, at low.
-fn percent(height: &Height) -> f64 {
+fn percent(height: &TorchHeight) -> f64 {
     (100.0 - 10.0 * height.low_cycle).clamp(0.0, 100.0)
 }
 
@@ -68,7 +68,7 @@ impl Heater {
     }
 
     /// Is controlled until a time; tells when the PWM changes, and to what percent.
-    pub(crate) fn hold(&mut self, to_s: f64, height: &Height, mut tell: impl FnMut(f64, f64)) {
+    pub(crate) fn hold(&mut self, to_s: f64, height: &TorchHeight, mut tell: impl FnMut(f64, f64)) {
         for _ in 0..MOST_CHANGES {
             let goal = self.goal(height);
             let edge = height.temperature + if self.heats { BAND } else { -BAND };
@@ -87,7 +87,7 @@ impl Heater {
         self.tend(to_s, self.goal(height));
     }
 
-    fn goal(&self, height: &Height) -> f64 {
+    fn goal(&self, height: &TorchHeight) -> f64 {
         AMBIENT + if self.heats { FULL * percent(height) / 100.0 } else { 0.0 }
     }
 

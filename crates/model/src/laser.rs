@@ -2,7 +2,7 @@
 
 use kerf_motion::Span;
 use kerf_program::MoveKind;
-use kerf_program::settings::{Height, IoModes};
+use kerf_program::settings::{IoModes, TorchHeight};
 
 /// VN field 3: laser control.
 const LASER: u8 = 2;
@@ -11,18 +11,18 @@ const LASER: u8 = 2;
 pub(crate) const CHANNEL: u8 = 1;
 
 /// Tells whether the laser is controlled now.
-pub(crate) const fn active(height: &Height, modes: &IoModes) -> bool {
+pub(crate) const fn active(height: &TorchHeight, modes: &IoModes) -> bool {
     height.on && modes.analog == LASER
 }
 
 /// Duty at a speed, percent; `full_mm_s` is the speed asked for.
-fn percent(height: &Height, mm_s: f64, full_mm_s: f64) -> f64 {
+fn percent(height: &TorchHeight, mm_s: f64, full_mm_s: f64) -> f64 {
     height.low_percent + (height.high_percent - height.low_percent) * (mm_s / full_mm_s).min(1.0)
 }
 
 /// The corners of the duty over one move: when, seconds of the plan, and percent. Between two
 /// corners it changes evenly. Jogs do not burn.
-pub(crate) fn corners(span: &Span<'_>, height: &Height) -> [(f64, f64); 4] {
+pub(crate) fn corners(span: &Span<'_>, height: &TorchHeight) -> [(f64, f64); 4] {
     let made = span.made;
     let duty = |mm_s: f64| match made.kind {
         MoveKind::Cut => percent(height, mm_s, made.speed_mm_s),

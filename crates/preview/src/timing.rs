@@ -189,20 +189,20 @@ fn rising(
     over: &Over,
     [top, bottom]: [f64; 2],
 ) -> Vec<(f64, String)> {
-    let heights = Heights::of(points, top, bottom);
+    let heights = Scale::of(points, top, bottom);
     layer.path(slopes(points, over, &heights), Paint::line(INK, 0.35));
     heights.corners(points)
 }
 
-/// Heights of the values of a track on the page.
-struct Heights {
+/// Scale of the values of a track on the page.
+struct Scale {
     low: f64,
     high: f64,
     top: f64,
     bottom: f64,
 }
 
-impl Heights {
+impl Scale {
     fn of(points: &[(f64, f64)], top: f64, bottom: f64) -> Self {
         let values = points.iter().map(|(_, value)| *value);
         let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
@@ -242,7 +242,7 @@ fn steps(changes: &[(f64, bool)], over: &Over, top: f64, bottom: f64) -> Outline
     line
 }
 
-fn slopes(points: &[(f64, f64)], over: &Over, heights: &Heights) -> Outline {
+fn slopes(points: &[(f64, f64)], over: &Over, heights: &Scale) -> Outline {
     let mut line = Outline::default();
     for (n, (t_s, value)) in points.iter().enumerate() {
         let at = Point2::new(over.x(*t_s), heights.y(*value));

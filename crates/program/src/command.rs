@@ -170,7 +170,7 @@ pub enum PathControl {
 /// Drive of a spindle or laser (M3, M4, M5 of G-code).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Turn {
+pub enum SpindleTurn {
     /// Stopped.
     Off,
     /// Clockwise, or a laser at constant power.
@@ -255,7 +255,7 @@ pub enum Command {
         /// Spindle number, from 1.
         number: u8,
         /// Direction, or off.
-        turn: Turn,
+        turn: SpindleTurn,
     },
     /// Coolant on or off.
     Coolant {

@@ -222,7 +222,7 @@ pub enum HostError {
 
 impl HostError {
     /// The code and the message that tell a person of it.
-    pub fn told(self) -> (Code, String) {
+    pub fn into_message(self) -> (Code, String) {
         match self {
             Self::NotFound(what) => (Code::FileNotFound, what),
             Self::NotAllowed(what) => (Code::FileNotAllowed, what),

@@ -36,7 +36,7 @@ pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
 pub use beam::{Beam, IntensityLaw, LEVELS};
 pub use command::{
     Arc, At, Chorded, Command, Feed, FileOp, Independent, Line, MoveKind, OutputReason,
-    PathControl, Sourced, ToolPathStart, Turn,
+    PathControl, Sourced, SpindleTurn, ToolPathStart,
 };
 pub use dynamics::Dynamics;
 pub use frame::Frame;

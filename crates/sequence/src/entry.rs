@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 /// Tells what was changed since the job was made, and the shapes whose way down is another one than they ask
 /// for. What holds for all shapes of a group is told with the first of them.
-pub(crate) fn told(setup: &Setup, values: &Values) -> Vec<Diagnostic> {
+pub(crate) fn mistakes(setup: &Setup, values: &Values) -> Vec<Diagnostic> {
     let mut told = BTreeSet::new();
     let noted = setup.job.notes.iter().map(|note| (note.shape, note.text.to_string()));
     let changed = setup.job.shapes.iter().filter_map(|shape: &JobShape| {

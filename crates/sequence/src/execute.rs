@@ -8,7 +8,7 @@ use crate::sheet::{NOTHING_FELT, feels_nothing};
 use crate::start::PATIENCE_S;
 use crate::step::Step;
 use kerf_geom::Point2;
-use kerf_machine::Word;
+use kerf_machine::PauseOrder;
 use kerf_machine::lines::{Input, Output};
 use kerf_machine::planning::rapid_mm_s;
 use kerf_machine::state::{RELEASE_S, State};
@@ -247,7 +247,9 @@ impl Sequence {
                         self.answered_in_emergency(&words, pressed);
                     }
                     (State::Blocked, _) => self.answered_when_blocked(&words, forbids.is_some()),
-                    (_, Some(forbids)) if Word::read(&words).is_some_and(Word::moves) => {
+                    (_, Some(forbids))
+                        if PauseOrder::read(&words).is_some_and(PauseOrder::moves) =>
+                    {
                         self.refuse(forbids);
                     }
                     (State::Limited, _) => self.answered_at_limit(&words),

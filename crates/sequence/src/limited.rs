@@ -12,7 +12,11 @@ fn mm_min(mm_s: f64) -> f64 {
 }
 
 /// Tells, once for each group and cutting speed of the machine, that the group is cut slower than it asks for.
-pub(crate) fn told(setup: &Setup, values: &mut Values, shape: &JobShape) -> Option<Diagnostic> {
+pub(crate) fn slower_warning(
+    setup: &Setup,
+    values: &mut Values,
+    shape: &JobShape,
+) -> Option<Diagnostic> {
     let asked = shape.speed_mm_s.filter(|_| !shape.traversal)?;
     let (asked, most) = (mm_min(asked), mm_min(values.cut_mm_s));
     if asked <= most || values.limited.contains(&shape.group) {

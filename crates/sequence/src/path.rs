@@ -32,7 +32,7 @@ impl Follower<'_> {
         let Some(shape) = self.progress.here.shape(&setup.job) else { return };
         let Some(spot) = self.progress.here.spot(shape) else { return };
         let at = self.progress.at(&setup.job);
-        let slower = limited::told(setup, self.values, shape);
+        let slower = limited::slower_warning(setup, self.values, shape);
         let slower = slower.map(|told| Command::Diagnostic(Box::new(told)));
         self.out.extend(slower.map(|command| Sourced { at, command }));
         self.progress.followed = Followed { first: self.head.motions + 1, segments: Vec::new() };

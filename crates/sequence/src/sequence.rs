@@ -173,7 +173,7 @@ impl Sequence {
             across
                 .into_iter()
                 .for_each(|text| self.give(Command::Message { text: text.into() }, out));
-            let told = entry::told(&self.setup, &self.values);
+            let told = entry::mistakes(&self.setup, &self.values);
             told.into_iter().for_each(|told| self.give(Command::Diagnostic(Box::new(told)), out));
         }
         self.queue.steps = self.schedule().before_start().into();

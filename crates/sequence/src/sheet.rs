@@ -92,7 +92,7 @@ impl Cut<'_> {
     /// Returns the law by which Z follows the sheet in a shape; only THRU shapes are followed.
     pub fn height_law(&self) -> Option<HeightLaw> {
         let height = &self.setup.machine.height;
-        if !height.on || self.shape.height != job::Height::Thru || self.shape.traversal {
+        if !height.on || self.shape.height != job::CutDepth::Thru || self.shape.traversal {
             return None;
         }
         let steps = self.setup.settings.resolution.steps_per_unit[Axis::Z].abs();

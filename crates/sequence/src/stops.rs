@@ -10,7 +10,7 @@ use crate::place::Stage;
 use crate::sequence::Sequence;
 use crate::step::Step;
 use kerf_diag::{Code, Diagnostic, Place};
-use kerf_machine::Word;
+use kerf_machine::PauseOrder;
 use kerf_machine::lines::Output;
 use kerf_machine::state::{Effect, Event, RELEASE_S, State};
 use kerf_program::{Axis, Beam, Command, Halted, Sourced, Status, Step as Stepped};
@@ -65,9 +65,9 @@ impl Sequence {
     /// The operator said something in an emergency: nothing moves before the stop is released and he has
     /// acknowledged it.
     pub(crate) fn answered_in_emergency(&mut self, words: &str, pressed: bool) {
-        match Word::read(words) {
-            Some(Word::Abort) => return self.abort(),
-            Some(Word::Continue) if !pressed => {
+        match PauseOrder::read(words) {
+            Some(PauseOrder::Abort) => return self.abort(),
+            Some(PauseOrder::Continue) if !pressed => {
                 if let Some(next) =
                     self.halt.state.on(Event::Acknowledge, self.values.stop_settings())
                 {
@@ -76,7 +76,7 @@ impl Sequence {
                 self.halt.why = "emergency stop released".into();
                 self.queue.steps.push_back(Step::Enter(self.halt.state));
             }
-            Some(Word::Continue | Word::Move(..)) => {
+            Some(PauseOrder::Continue | PauseOrder::Move(..)) => {
                 let text = if pressed { "release the emergency stop" } else { "acknowledge first" };
                 self.queue.steps.extend([Step::Say(text.into()), Step::Release]);
             }
@@ -88,14 +88,14 @@ impl Sequence {
 
     /// The operator said something while a stop input blocks the machine.
     pub(crate) fn answered_when_blocked(&mut self, words: &str, active: bool) {
-        match Word::read(words) {
-            Some(Word::Abort) => return self.abort(),
-            Some(Word::Continue) if active => {
+        match PauseOrder::read(words) {
+            Some(PauseOrder::Abort) => return self.abort(),
+            Some(PauseOrder::Continue) if active => {
                 self.queue
                     .steps
                     .extend([Step::Say("release the stop input".into()), Step::Wait(RELEASE_S)]);
             }
-            Some(Word::Continue) => {
+            Some(PauseOrder::Continue) => {
                 let Some(next) = self.halt.state.on(Event::Released, self.values.stop_settings())
                 else {
                     return;
@@ -107,7 +107,7 @@ impl Sequence {
                 self.queue.steps = effects.collect();
                 self.queue.steps.push_back(Step::Enter(self.halt.state));
             }
-            Some(Word::Move(..)) => {
+            Some(PauseOrder::Move(..)) => {
                 self.queue.steps.push_back(Step::Say("release the stop input".into()))
             }
             Some(word) => self.obey(word),
@@ -118,9 +118,9 @@ impl Sequence {
 
     /// The operator said whether the job goes on beyond a limit.
     pub(crate) fn answered_at_limit(&mut self, words: &str) {
-        match Word::read(words) {
-            Some(Word::Continue) => self.go_on_by(Event::Override),
-            Some(Word::Abort) => self.abort(),
+        match PauseOrder::read(words) {
+            Some(PauseOrder::Continue) => self.go_on_by(Event::Override),
+            Some(PauseOrder::Abort) => self.abort(),
             _ => self.queue.steps.push_back(Step::Ask),
         }
     }
@@ -128,14 +128,14 @@ impl Sequence {
     /// The operator said something.
     pub(crate) fn answered(&mut self, words: &str) {
         if self.halt.state == State::Waiting {
-            return self.prepared(Word::read(words));
+            return self.prepared(PauseOrder::read(words));
         }
-        match Word::read(words) {
-            Some(Word::Continue) => {
+        match PauseOrder::read(words) {
+            Some(PauseOrder::Continue) => {
                 self.halt.leave_mark();
                 self.go_on_by(Event::Continue);
             }
-            Some(Word::Abort) => self.abort(),
+            Some(PauseOrder::Abort) => self.abort(),
             Some(word) => {
                 self.obey(word);
                 self.queue.steps.push_back(Step::Ask);
@@ -179,42 +179,44 @@ impl Sequence {
         Stepped::Done(Status::Limit, why)
     }
 
-    pub(crate) fn obey(&mut self, word: Word) {
+    pub(crate) fn obey(&mut self, word: PauseOrder) {
         match word {
-            Word::CutSpeed(mm_s) => {
+            PauseOrder::CutSpeed(mm_s) => {
                 self.values.use_cut_speed(mm_s);
                 self.queue.steps.push_back(Step::TellInForce);
             }
-            Word::PlungeSpeed(mm_s) => {
+            PauseOrder::PlungeSpeed(mm_s) => {
                 self.values.plunge_mm_s = mm_s;
                 self.queue.steps.push_back(Step::TellInForce);
             }
-            Word::AdjustBottom(by) => match self.no_bottom(self.values.heights.bottom_mm + by) {
-                Some(why) => self.queue.steps.push_back(Step::Say(why.into())),
-                None => {
-                    self.values.heights.bottom_mm += by;
-                    self.queue.steps.push_back(Step::TellHeights);
+            PauseOrder::AdjustBottom(by) => {
+                match self.no_bottom(self.values.heights.bottom_mm + by) {
+                    Some(why) => self.queue.steps.push_back(Step::Say(why.into())),
+                    None => {
+                        self.values.heights.bottom_mm += by;
+                        self.queue.steps.push_back(Step::TellHeights);
+                    }
                 }
-            },
-            Word::AdjustHeight(by_mm) => {
+            }
+            PauseOrder::AdjustHeight(by_mm) => {
                 if !Arc::make_mut(&mut self.setup.machine).height.adjust(by_mm) {
                     let text = "the set points are held between 0 and 255".into();
                     self.queue.steps.push_back(Step::Say(text));
                 }
             }
-            Word::Raise(raise) => {
+            PauseOrder::Raise(raise) => {
                 self.values.raise = raise;
                 self.queue.steps.push_back(Step::TellInForce);
             }
-            Word::Move(axis, by) => {
+            PauseOrder::Move(axis, by) => {
                 let to = self.within_reach(axis, self.head.position[axis] + by);
                 self.queue.steps.push_back(Step::Hand(axis, to));
             }
-            Word::Shape(_) | Word::Next | Word::Previous => {
+            PauseOrder::Shape(_) | PauseOrder::Next | PauseOrder::Previous => {
                 let text = "the shape to begin with is chosen before the job starts";
                 self.queue.steps.push_back(Step::Say(text.into()));
             }
-            Word::Continue | Word::Abort => {}
+            PauseOrder::Continue | PauseOrder::Abort => {}
         }
     }
 
@@ -239,10 +241,10 @@ impl Sequence {
     }
 
     /// The operator says something before the job begins.
-    pub(crate) fn prepared(&mut self, word: Option<Word>) {
+    pub(crate) fn prepared(&mut self, word: Option<PauseOrder>) {
         let last = self.setup.job.shapes.len().saturating_sub(1);
         let nth = match word {
-            Some(Word::Continue) => {
+            Some(PauseOrder::Continue) => {
                 // Nothing came for a long time: it is waited for again.
                 if !self.halt.why.is_empty() {
                     self.halt.why = Arc::default();
@@ -250,15 +252,15 @@ impl Sequence {
                 }
                 return;
             }
-            Some(Word::Abort) => return self.abort(),
-            Some(Word::Shape(number)) if number > last + 1 => {
+            Some(PauseOrder::Abort) => return self.abort(),
+            Some(PauseOrder::Shape(number)) if number > last + 1 => {
                 let text = format!("the job has {} shapes", self.setup.job.shapes.len());
                 self.queue.steps.extend([Step::Say(text.into()), Step::Ask]);
                 return;
             }
-            Some(Word::Shape(number)) => number - 1,
-            Some(Word::Next) => (self.progress.here.nth + 1).min(last),
-            Some(Word::Previous) => self.progress.here.nth.saturating_sub(1),
+            Some(PauseOrder::Shape(number)) => number - 1,
+            Some(PauseOrder::Next) => (self.progress.here.nth + 1).min(last),
+            Some(PauseOrder::Previous) => self.progress.here.nth.saturating_sub(1),
             Some(word) => {
                 self.obey(word);
                 self.queue.steps.push_back(Step::Ask);

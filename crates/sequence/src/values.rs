@@ -1,7 +1,6 @@
 //! Heights and speeds in force: a pause, or height control, changes them.
 
 use kerf_machine::Configuration;
-use kerf_machine::settings::zpos::ZPositions;
 use kerf_machine::state::StopSettings;
 use kerf_program::Settings;
 use kerf_program::job::{Heights, InForce};
@@ -22,9 +21,8 @@ pub(crate) struct Values {
 impl Values {
     /// Those of a machine.
     pub fn of(machine: &Configuration, settings: &Settings) -> Self {
-        let ZPositions { top_mm, surface_mm, bottom_mm } = machine.zpos;
         Self {
-            heights: Heights { top_mm, surface_mm, bottom_mm },
+            heights: machine.zpos,
             cut_mm_s: settings.smoothing.cut_speed_mm_s.unwrap_or(settings.speeds.cut.xy),
             plunge_mm_s: machine.speeds.plunge_mm_s,
             raise: machine.pause.raise,

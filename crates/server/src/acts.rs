@@ -4,7 +4,6 @@ use crate::app::App;
 use crate::asker::Asker;
 use crate::gate::{STOP_KEY, Way, open_here, pass};
 use crate::hands::makes_sense;
-use crate::locks::lock;
 use crate::machine::Order;
 use crate::people::Grip;
 use crate::refusal::{Done, problem};
@@ -67,7 +66,7 @@ impl App {
             Act::Record { line } => shop::record(&self.orders, line)?,
             Act::Watch { names } => shop::watch(&self.orders, &self.link, names)?,
             Act::Input { number, on, lease } => {
-                let pins = lock(&self.left).session.machine_is.io;
+                let pins = self.hands.pins_moved_here()?;
                 shop::press(&self.orders, &pins, asker, (lease, number, on))?;
             }
             Act::Set { key, value, .. } => self.settings.configure(who, &key, &value)?,
@@ -160,7 +159,7 @@ impl App {
         }
     }
 
-    /// No page opens the sheet of the start-up line any more.
+    /// Closes the sheet of the start-up line on every page.
     fn sheet_done(&self) {
         self.hub.changing(|now| match &now.start {
             Some(start) if start.sheet => {

@@ -11,6 +11,7 @@ use crate::configure::MachineSettings;
 use crate::desk::DrawingDesk;
 use crate::draft;
 use crate::driving::Driving;
+use crate::driving_turn::DrivingTurn;
 use crate::files::PartFolder;
 use crate::handconsole::Keys;
 use crate::hands::Hands;
@@ -19,7 +20,7 @@ use crate::hub::Hub;
 use crate::job::Jobs;
 use crate::loader::Loader;
 use crate::locks::{Lock, lock};
-use crate::machine::{Left, Link, Order};
+use crate::machine::{LastState, Link, Order};
 use crate::memory::Memory;
 use crate::orders::Orders;
 use crate::part_files::PartFiles;
@@ -34,7 +35,6 @@ use crate::setting_changes::SettingChanges;
 use crate::setup::{Builders, Options};
 use crate::texts::Texts;
 use crate::thumbnails::Thumbnails;
-use crate::turn::Turn;
 use kerf_wire::Tone;
 use std::io;
 use std::sync::atomic::AtomicU32;
@@ -50,7 +50,7 @@ pub struct App {
     /// Requests for the running machine.
     pub link: Arc<Link>,
     /// The machine and its files as the last run left them.
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     /// The clock by which all ends that has to end in time; pages reckon with it.
     pub clock: Clock,
     /// Orders for the machine's thread.
@@ -96,7 +96,7 @@ pub struct Parts {
     pub hub: Arc<Hub>,
     pub link: Arc<Link>,
     pub orders: Sender<Order>,
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     pub builders: Builders,
     pub changes: Arc<SettingChanges>,
 }
@@ -121,7 +121,7 @@ impl App {
         let memory = Memory::default();
         let pool = Arc::new(Pool::begin(memory.clone())?);
         let lent = Lent { hub: hub.clone(), link: link.clone(), left: left.clone() };
-        let (pages, turn) = (Arc::new(Pages::default()), Arc::new(Turn::by(clock.clone())));
+        let (pages, turn) = (Arc::new(Pages::default()), Arc::new(DrivingTurn::by(clock.clone())));
         let orders = Arc::new(Orders::new(hub.clone(), link.clone(), turn.clone(), orders));
         let driving = Driving::new(hub.clone(), link.clone(), pages.clone(), turn);
         let settings = Arc::new(lent.settings(changes, &orders, &clock));
@@ -191,7 +191,7 @@ impl App {
 struct Lent {
     hub: Arc<Hub>,
     link: Arc<Link>,
-    left: Arc<Mutex<Left>>,
+    left: Arc<Mutex<LastState>>,
 }
 
 impl Lent {

@@ -1,10 +1,10 @@
-//! Somebody who asks for something, and when.
+//! The origin of a request: the page, script or console, and the time.
 
 use crate::awaited::Awaited;
 use crate::machine::Stops;
 use kerf_wire::Who;
 
-/// Somebody who asks for something.
+/// A page, a script or the hand console that asks for something.
 #[derive(Clone, Debug)]
 pub struct Asker {
     /// The one who asks.

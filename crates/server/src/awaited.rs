@@ -21,12 +21,12 @@ pub struct Awaited(Arc<AtomicBool>);
 pub struct WhileAsked(Awaited);
 
 impl Awaited {
-    /// Nobody waits for it any more.
+    /// Returns `true` once nobody waits for the outcome.
     pub fn is_given_up(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 
-    /// Nobody waits for it from now on.
+    /// Marks the work as given up.
     pub fn give_up(&self) {
         self.0.store(true, Ordering::Relaxed);
     }

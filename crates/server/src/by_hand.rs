@@ -6,10 +6,11 @@ use crate::locks::lock;
 use crate::machine::Order;
 use crate::refusal::problem;
 use kerf_machine::lines::Output;
+use kerf_machine::settings::io::IoMap;
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::{Configuration, Errand, driver, wiring};
 use kerf_program::{AXES, AxisSet};
-use kerf_wire::{ByHand, Mode, Problem, Why, ZeroChange};
+use kerf_wire::{ByHand, Problem, Why, ZeroChange};
 use std::sync::mpsc::channel;
 
 impl Hands {
@@ -102,11 +103,24 @@ impl Hands {
         self.orders.order_of(asker, Order::Zero { name, change })
     }
 
+    /// Returns the pins of the switches that are moved on a page.
+    ///
+    /// # Errors
+    /// The switches of this machine are moved where they are.
+    pub fn pins_moved_here(&self) -> Result<IoMap, Problem> {
+        let text = "the switches of this machine are moved where they are, not on a page";
+        let moved = self.hub.read(|now| now.machine.offers.inputs);
+        if moved {
+            Ok(lock(&self.left).session.machine_is.io)
+        } else {
+            Err(problem(Why::State, text))
+        }
+    }
+
     fn has_card(&self) -> Result<(), Problem> {
-        let text =
-            "the bits of the card are those of the simulated machine: a real one has outputs (SO)";
-        let real = self.hub.read(|now| now.machine.mode == Mode::Cut);
-        if real { Err(problem(Why::State, text)) } else { Ok(()) }
+        let text = "this machine has no card whose bits are switched: it has outputs (SO)";
+        let has = self.hub.read(|now| now.machine.offers.card);
+        if has { Ok(()) } else { Err(problem(Why::State, text)) }
     }
 }
 

@@ -1,4 +1,4 @@
-//! A file that a typed line runs (FP, FG) is the file on the screen: its name, its lines, its picture, how far it is.
+//! Files that a typed line runs (FP, FG), shown as the file on the screen: name, lines, picture, progress.
 
 use crate::loader::Loader;
 use crate::locks::lock;

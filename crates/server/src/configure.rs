@@ -4,7 +4,7 @@ use crate::clock::Clock;
 use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::locks::lock;
-use crate::machine::{Left, Order};
+use crate::machine::{LastState, Order};
 use crate::orders::Orders;
 use crate::people::Tries;
 use crate::protect::Unlocked;
@@ -150,7 +150,7 @@ fn written(value: &Value) -> String {
 /// The settings of the machine, and who may change them.
 pub struct MachineSettings {
     pub hub: Arc<Hub>,
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     pub orders: Arc<Orders>,
     pub clock: Clock,
     /// Pages and scripts that gave the password.

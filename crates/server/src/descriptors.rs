@@ -1,6 +1,6 @@
 //! Descriptors: as many as the system gives, so that connections take none from files.
 
-/// As many as are reckoned with where the system does not tell, or sets no bound.
+/// Number assumed where the system does not tell or sets no bound.
 const USUAL: usize = 1024;
 
 /// Raises the limit of this process as far as it may.

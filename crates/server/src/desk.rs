@@ -7,7 +7,7 @@ use crate::digested::hash;
 use crate::hub::Hub;
 use crate::loader::Loader;
 use crate::locks::{DESK, Lock, lock};
-use crate::machine::Left;
+use crate::machine::LastState;
 use crate::part_files::PartFiles;
 use crate::reading;
 use crate::reading::Readings;
@@ -55,7 +55,7 @@ pub struct Desk {
 /// The desk on which drawings are drawn, and its drawer of drafts.
 pub struct DrawingDesk {
     pub hub: Arc<Hub>,
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     pub files: Arc<PartFiles>,
     pub loader: Arc<Loader>,
     pub settings: Arc<MachineSettings>,
@@ -114,7 +114,7 @@ impl DrawingDesk {
         let mut desk = self.desk.lock();
         let notes = change(&mut desk)?;
         desk.notes.clone_from(&notes);
-        let drawing = Some(desk.state(&Left::heights(&self.left)));
+        let drawing = Some(desk.state(&LastState::heights(&self.left)));
         self.hub.change(vec![Change::Drawing { drawing }]);
         drop(desk);
         self.drawn();
@@ -225,7 +225,7 @@ impl DrawingDesk {
         let (job, mut warnings) = match desk.job {
             // Tool paths are cut as they are.
             Some(_) => (desk.edited_job()?, Vec::new()),
-            None => job(&desk.editor.drawing, Left::shaping(&self.left), awaited)?,
+            None => job(&desk.editor.drawing, LastState::shaping(&self.left), awaited)?,
         };
         let job = DrawnJob { finish: desk.finish, ..job };
         let title = Some(format!("Made from {}", desk.name.as_deref().unwrap_or("a drawing")));

@@ -4,7 +4,7 @@
 use crate::counted::{Counted, Found};
 use crate::desk::{Desk, DrawingDesk, drawing_in};
 use crate::digested::hash;
-use crate::machine::Left;
+use crate::machine::LastState;
 use crate::priority::Yields;
 use kerf_formats::rsg;
 use kerf_geom::Point2;
@@ -20,7 +20,7 @@ use std::time::Duration;
 /// It lies under this name in the data folder.
 const FILE: &str = "drawing.draft";
 
-/// It is written at once, and then not again for so long: with the way to the disk that stays below half a second.
+/// Shortest time between two writes of the draft: a change is on the disk within half a second.
 const REST: Duration = Duration::from_millis(400);
 
 /// Note about it on the sheet.
@@ -123,7 +123,7 @@ impl DrawingDesk {
         desk.saved = saved.map(|read| read.drawing).unwrap_or_default();
         desk.finish = finish.map(|[x, y]| Point2::new(x, y));
         (desk.kept, desk.job) = (kept, job.map(|job| kerf_toolpath::read(job.as_bytes()).0));
-        let drawing = Some(desk.state(&Left::heights(&self.left)));
+        let drawing = Some(desk.state(&LastState::heights(&self.left)));
         self.hub.change(vec![Change::Drawing { drawing }]);
         if older {
             self.hub.say(Tone::Warning, OLDER);

@@ -4,12 +4,12 @@
 //! could end, by its silence; and both when their device is revoked.
 
 use crate::asker::Asker;
+use crate::driving_turn::{DrivingTurn, SILENCE};
 use crate::gate::{Way, driven_by, pass};
 use crate::hub::Hub;
 use crate::machine::Link;
 use crate::people::{Pages, is_script};
 use crate::refusal::problem;
-use crate::turn::{SILENCE, Turn};
 use kerf_wire::{Change, Lease, Machine, Problem, State, Who, Why};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Weak};
@@ -23,14 +23,14 @@ pub struct Driving {
     hub: Arc<Hub>,
     link: Arc<Link>,
     pages: Arc<Pages>,
-    turn: Arc<Turn>,
+    turn: Arc<DrivingTurn>,
     /// Number of the last turn.
     leases: AtomicU32,
 }
 
 impl Driving {
     /// Nobody drives.
-    pub fn new(hub: Arc<Hub>, link: Arc<Link>, pages: Arc<Pages>, turn: Arc<Turn>) -> Self {
+    pub fn new(hub: Arc<Hub>, link: Arc<Link>, pages: Arc<Pages>, turn: Arc<DrivingTurn>) -> Self {
         Self { hub, link, pages, turn, leases: AtomicU32::new(0) }
     }
 
@@ -96,7 +96,7 @@ impl Driving {
         taken
     }
 
-    /// Nobody drives any more: nothing moves before somebody arms the machine again. A job goes on.
+    /// Takes the lease away and disarms the machine; a job that runs goes on.
     pub fn drop_lease(&self, is_it: impl FnOnce(&Lease) -> bool, why: &str) {
         self.hub.changing(|now| {
             if !now.lease.as_ref().is_some_and(is_it) {
@@ -108,7 +108,7 @@ impl Driving {
         });
     }
 
-    /// Somebody has connected or gone.
+    /// Tells pages who is connected, after somebody came or went.
     pub fn tell_clients(&self) {
         self.hub.change(vec![Change::Clients { clients: self.pages.list() }]);
     }
@@ -140,7 +140,7 @@ impl Driving {
         })
     }
 
-    /// Somebody was heard, which counts where it drives.
+    /// Notes that a client was heard; it counts where that client drives.
     pub fn hears_driver(&self, who: &Who) {
         let drives = |now: &kerf_wire::Snapshot| {
             now.lease.as_ref().is_some_and(|lease| lease.client == who.client)

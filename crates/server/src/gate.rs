@@ -43,7 +43,7 @@ pub enum Way<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Need {
     role: Role,
-    turn: Turn,
+    turn: TurnNeeded,
     /// The machine has to be armed.
     armed: bool,
     /// The settings must not be locked by their password.
@@ -52,7 +52,7 @@ pub struct Need {
 
 /// The turn at driving that something takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Turn {
+enum TurnNeeded {
     /// None.
     Anybody,
     /// The one whose number it carries.
@@ -62,16 +62,16 @@ enum Turn {
 }
 
 const fn need(role: Role) -> Need {
-    Need { role, turn: Turn::Anybody, armed: false, unlocked: false }
+    Need { role, turn: TurnNeeded::Anybody, armed: false, unlocked: false }
 }
 
 /// Returns the conditions for an act of the driver, also while the machine is disarmed.
 const fn with_lease(lease: u32) -> Need {
-    Need { turn: Turn::Number(lease), ..need(Role::Operator) }
+    Need { turn: TurnNeeded::Number(lease), ..need(Role::Operator) }
 }
 
 /// Returns the conditions for an act of the driver, with the machine armed.
-const fn driving(turn: Turn) -> Need {
+const fn driving(turn: TurnNeeded) -> Need {
     Need { turn, armed: true, ..need(Role::Operator) }
 }
 
@@ -91,9 +91,9 @@ fn needs(now: &Snapshot, way: Way<'_>) -> Result<Need, Problem> {
     Ok(match way {
         Way::Act(act) => return needs_of_act(now, act),
         Way::Console(request) => return needs_of_request(now, request),
-        Way::Order(order) if order.moves() => driving(Turn::Own),
+        Way::Order(order) if order.moves() => driving(TurnNeeded::Own),
         Way::Order(_) | Way::StartUp => need(Role::Observer),
-        Way::GoOn => driving(Turn::Own),
+        Way::GoOn => driving(TurnNeeded::Own),
         Way::Value(key) if stored::is_own(key) => {
             let text = format!(
                 "Kerf alone writes {key}; values of your own have other names, as uValue or one with a $"
@@ -122,11 +122,11 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Go { lease, .. }
         | Act::Bit { lease, .. }
         | Act::Step { lease, .. }
-        | Act::Zero { lease, .. } => driving(Turn::Number(*lease)),
+        | Act::Zero { lease, .. } => driving(TurnNeeded::Number(*lease)),
         Act::Command { lease, line } => needs_of_typed(*lease, line),
         // A question may wait for that very switch.
         Act::Input { lease, .. } if now.machine.state == State::Asking => {
-            driving(Turn::Number(*lease))
+            driving(TurnNeeded::Number(*lease))
         }
         Act::GiveLease { lease }
         | Act::Arm { lease }
@@ -162,8 +162,8 @@ fn needs_of_request(now: &Snapshot, request: &ConsoleRequest) -> Result<Need, Pr
         | ConsoleRequest::Start
         | ConsoleRequest::Jog(_)
         | ConsoleRequest::Go(_)
-        | ConsoleRequest::Job(_) => driving(Turn::Own),
-        ConsoleRequest::Set(_) | ConsoleRequest::KeepSettings => setting(driving(Turn::Own)),
+        | ConsoleRequest::Job(_) => driving(TurnNeeded::Own),
+        ConsoleRequest::Set(_) | ConsoleRequest::KeepSettings => setting(driving(TurnNeeded::Own)),
         ConsoleRequest::Acknowledge
         | ConsoleRequest::TakeControl
         | ConsoleRequest::Open(_)
@@ -181,7 +181,7 @@ fn needs_of_answer(now: &Snapshot, question: Option<u32>, words: &str) -> Result
     match answers::kind_of(&asked.kind).map(|kind| answers::effect(kind, words)) {
         Some(Effect::Value | Effect::Ends) => Ok(need(Role::Operator)),
         Some(Effect::Moves) => Err(problem(Why::Malformed, NO_MOTION)),
-        Some(Effect::GoesOn) | None => Ok(driving(Turn::Own)),
+        Some(Effect::GoesOn) | None => Ok(driving(TurnNeeded::Own)),
     }
 }
 
@@ -192,8 +192,11 @@ const NO_MOTION: &str = "no answer moves the tool: hold a key of the keypad (jog
 /// Typed lines need an armed machine where they can move or switch something.
 fn needs_of_typed(lease: u32, lines: &str) -> Need {
     let program = kerf_sbp::read_typed("command".into(), &format!("{lines}\n"));
-    let need =
-        if program.moves_nothing() { with_lease(lease) } else { driving(Turn::Number(lease)) };
+    let need = if program.moves_nothing() {
+        with_lease(lease)
+    } else {
+        driving(TurnNeeded::Number(lease))
+    };
     if program.sets_machine() { setting(need) } else { need }
 }
 
@@ -216,13 +219,13 @@ impl Need {
             return Err(problem(Why::Role, text.to_lowercase()));
         }
         match (self.turn, &now.lease) {
-            (Turn::Anybody, _) => {}
-            (Turn::Number(number), Some(lease)) if lease.client == who.client => {
+            (TurnNeeded::Anybody, _) => {}
+            (TurnNeeded::Number(number), Some(lease)) if lease.client == who.client => {
                 if lease.number != number {
                     return Err(problem(Why::Lease, "this belongs to an older turn at driving"));
                 }
             }
-            (Turn::Own, Some(lease)) if lease.client == who.client => {}
+            (TurnNeeded::Own, Some(lease)) if lease.client == who.client => {}
             (_, Some(lease)) => return Err(driven_by(lease)),
             (_, None) => return Err(problem(Why::Lease, "nobody drives: take control first")),
         }

@@ -7,7 +7,7 @@ use crate::hub::Hub;
 use crate::loader::Loader;
 use crate::locks::lock;
 use crate::machine::link::{Held, Wanted};
-use crate::machine::{Left, Link, Order, reach};
+use crate::machine::{LastState, Link, Order, reach};
 use crate::orders::Orders;
 use crate::people::{Grip, GripError, Pages};
 use crate::refusal::{not_open, problem};
@@ -23,7 +23,7 @@ const PROGRAM_ASKS: [&str; 2] = ["pause", "msgbox"];
 pub struct Hands {
     pub hub: Arc<Hub>,
     pub link: Arc<Link>,
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     pub orders: Arc<Orders>,
     pub loader: Arc<Loader>,
     pub pages: Arc<Pages>,

@@ -3,7 +3,7 @@
 use crate::app::App;
 use crate::locks::lock;
 use crate::problems::FILE;
-use crate::told;
+use crate::to_wire;
 use std::fs;
 use std::io;
 
@@ -17,7 +17,7 @@ const SHOWN: usize = 100;
 pub fn problems(app: &App) -> io::Result<String> {
     let session = lock(&app.left).session.clone();
     let mut workspace = app.loader.preview_workspace()?;
-    let facts = told::named(kerf_control::diagnostics(&session, &mut workspace));
+    let facts = to_wire::named(kerf_control::diagnostics(&session, &mut workspace));
     let mut text = app.hub.read(|now| {
         let file = now.opened.as_ref().map_or("none", |opened| &opened.name);
         let job = now.job.as_ref().and_then(|job| job.ended.as_deref()).unwrap_or("none");

@@ -10,7 +10,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
 
-/// So many runs are remembered; the oldest goes first.
+/// The most runs that are remembered; the oldest goes first.
 const MOST: usize = 2000;
 
 /// So much may be on the list.

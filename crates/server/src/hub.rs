@@ -19,7 +19,7 @@ const BEHIND: usize = 256;
 #[derive(Debug)]
 pub struct Hub {
     snapshot: Mutex<Arc<Snapshot>>,
-    pages: broadcast::Sender<Arc<Told>>,
+    pages: broadcast::Sender<Arc<Broadcast>>,
     problems: OnceLock<ProblemLog>,
     /// Record of how files ran.
     pub ran: Ran,
@@ -31,12 +31,12 @@ pub struct Hub {
 /// A message for every page. Its text is made once, by whoever sends it first, and never while others wait to change
 /// something.
 #[derive(Debug)]
-pub struct Told {
+pub struct Broadcast {
     message: ToPage,
     text: OnceLock<Utf8Bytes>,
 }
 
-impl Told {
+impl Broadcast {
     /// The message.
     pub const fn message(&self) -> &ToPage {
         &self.message
@@ -61,7 +61,7 @@ impl Hub {
         }
     }
 
-    /// From now on warnings and errors are on record.
+    /// Sets the log that keeps warnings and errors.
     pub fn keep(&self, problems: ProblemLog) {
         // There is one for a server.
         drop(self.problems.set(problems));
@@ -117,7 +117,8 @@ impl Hub {
         for change in &changes {
             present.apply(change.clone());
         }
-        let told = Arc::new(Told { message: ToPage::Changes { changes }, text: OnceLock::new() });
+        let told =
+            Arc::new(Broadcast { message: ToPage::Changes { changes }, text: OnceLock::new() });
         // Nobody listening is no error.
         drop(self.pages.send(told.clone()));
         drop(snapshot);
@@ -149,7 +150,7 @@ impl Hub {
             let mut typed = self.typed();
             typed.clear();
             let begun = now.typed.segments > 0;
-            begun.then(|| Change::Typed { typed: typed.told() }).into_iter().collect()
+            begun.then(|| Change::Typed { typed: typed.summary() }).into_iter().collect()
         });
     }
 
@@ -215,7 +216,7 @@ impl Hub {
     }
 
     /// The snapshot and everything that changes after it.
-    pub fn listen(&self) -> (Arc<Snapshot>, broadcast::Receiver<Arc<Told>>) {
+    pub fn listen(&self) -> (Arc<Snapshot>, broadcast::Receiver<Arc<Broadcast>>) {
         let snapshot = self.lock();
         (snapshot.clone(), self.pages.subscribe())
     }

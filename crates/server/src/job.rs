@@ -8,7 +8,7 @@ use crate::hub::Hub;
 use crate::kind::kind_of;
 use crate::loader::Loader;
 use crate::locks::{Lock, TAKEN, lock};
-use crate::machine::Left;
+use crate::machine::LastState;
 use crate::open::Open;
 use crate::part_files::PartFiles;
 use crate::refusal::{Done, problem};
@@ -28,7 +28,7 @@ use std::sync::{Arc, Mutex};
 /// The job that is open, and how jobs are made from drawings.
 pub struct Jobs {
     pub hub: Arc<Hub>,
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     pub files: Arc<PartFiles>,
     pub loader: Arc<Loader>,
     pub settings: Arc<MachineSettings>,
@@ -137,7 +137,7 @@ impl Jobs {
                 format!("{name}: its paths were changed by hand; making them anew loses that");
             return Err(problem(Why::Changed, text));
         }
-        let (made, warnings) = job(&drawing, Left::shaping(&self.left), awaited)?;
+        let (made, warnings) = job(&drawing, LastState::shaping(&self.left), awaited)?;
         if made.paths.is_empty() {
             return Err(problem(Why::Mistake, "nothing is drawn that could be cut"));
         }

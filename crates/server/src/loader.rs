@@ -4,10 +4,10 @@ use crate::added::AddedShapes;
 use crate::digested::hash;
 use crate::files::PartFolder;
 use crate::hub::Hub;
-use crate::job_told;
+use crate::job_findings;
 use crate::kind::kind_of;
 use crate::locks::{Lock, OPEN, lock};
-use crate::machine::{Left, Link};
+use crate::machine::{LastState, Link};
 use crate::open::{Open, hash_of, job_hash};
 use crate::part_files::PartFiles;
 use crate::pool::{KERF, Lane, Pool};
@@ -31,7 +31,7 @@ use std::sync::{Arc, Mutex};
 pub struct Loader {
     pub hub: Arc<Hub>,
     pub link: Arc<Link>,
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     pub files: Arc<PartFiles>,
     pub pool: Arc<Pool>,
     /// Builds the workspace of previews.
@@ -199,7 +199,11 @@ impl Loader {
             FileKind::Job => {
                 let [origin, _] = self.lies(open);
                 let opened = Opened { origin: Some([origin.x, origin.y]), ..opened };
-                return job_told::with_file(opened, &open.bytes, Left::shaping(&self.left).factor);
+                return job_findings::with_file(
+                    opened,
+                    &open.bytes,
+                    LastState::shaping(&self.left).factor,
+                );
             }
         }
         let text = String::from_utf8_lossy(&open.bytes);

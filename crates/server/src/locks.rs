@@ -8,7 +8,7 @@
 //!                          └─► Left
 //! ```
 //!
-//! `Left` is shared with the machine's thread: it is held for a copy and no longer, and nothing is taken under it. The
+//! `LastState` is shared with the machine's thread: it is held for a copy and no longer, and nothing is taken under it. The
 //! snapshot is shared with that thread too, which tells pages only when nobody holds it. Passwords are tried under a
 //! lock that nobody waits for. STOP takes none of all these.
 

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
-/// From here on long work is refused, bytes.
+/// Memory in use from which on long work is refused, bytes.
 const TIGHT: u64 = 400 << 20;
 /// Time between two looks.
 const LOOK: Duration = Duration::from_millis(250);

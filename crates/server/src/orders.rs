@@ -7,13 +7,13 @@
 //! ```
 
 use crate::asker::Asker;
+use crate::driving_turn::DrivingTurn;
 use crate::gate::{self, Way};
 use crate::hub::Hub;
 use crate::locks::lock;
 use crate::machine::link::{Held, Wanted};
 use crate::machine::{Link, Order};
 use crate::refusal::problem;
-use crate::turn::Turn;
 use kerf_wire::{Change, Machine, Problem, Snapshot, State, Why};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex};
@@ -22,13 +22,18 @@ use std::sync::{Arc, Mutex};
 pub struct Orders {
     hub: Arc<Hub>,
     link: Arc<Link>,
-    turn: Arc<Turn>,
+    turn: Arc<DrivingTurn>,
     sender: Mutex<Sender<Order>>,
 }
 
 impl Orders {
     /// Orders that go into a channel.
-    pub fn new(hub: Arc<Hub>, link: Arc<Link>, turn: Arc<Turn>, sender: Sender<Order>) -> Self {
+    pub fn new(
+        hub: Arc<Hub>,
+        link: Arc<Link>,
+        turn: Arc<DrivingTurn>,
+        sender: Sender<Order>,
+    ) -> Self {
         Self { hub, link, turn, sender: Mutex::new(sender) }
     }
 

@@ -2,8 +2,8 @@
 
 use crate::awaited::Awaited;
 use crate::desk::{Desk, DrawingDesk, job};
-use crate::machine::Left;
-use kerf_drawing::{ArrayLevel, Drawing, Group, Height, Lead, Shape};
+use crate::machine::LastState;
+use kerf_drawing::{ArrayLevel, CutDepth, Drawing, Group, Lead, Shape};
 use kerf_geom::Vec2;
 use kerf_program::job::{Depths, Heights};
 use kerf_toolpath::{CutPath, Pass, Shaping, shaped, too_near};
@@ -25,7 +25,7 @@ impl DrawingDesk {
 
     /// Returns what the drawing becomes when it is machined. Where there are no paths, the notes say why.
     pub fn tool_paths(&self, awaited: &Awaited) -> ToolPaths {
-        let shaping = Left::shaping(&self.left);
+        let shaping = LastState::shaping(&self.left);
         // On a copy, which shares the shapes: hands need not wait for paths.
         let (drawing, revision) = {
             let desk = self.desk.lock();
@@ -41,7 +41,7 @@ impl DrawingDesk {
 
     /// Tells pages of the drawing again: what its levels follow from has changed.
     pub fn tell_drawing(&self) {
-        let heights = Left::heights(&self.left);
+        let heights = LastState::heights(&self.left);
         let desk = self.desk.lock();
         let present = self.hub.read(|now| now.drawing.clone());
         let drawing = present.is_some().then(|| desk.state(&heights));
@@ -152,9 +152,9 @@ fn group_state(drawing: &Drawing, group: Group, heights: &Heights) -> GroupState
         cut: settings.cut,
         speed_mm_min: settings.speed_mm_min,
         height: match settings.height {
-            Height::Thru => CutHeight::Word("thru".into()),
-            Height::ThreeD => CutHeight::Word("3d".into()),
-            Height::Mm(mm) => CutHeight::Mm(mm),
+            CutDepth::Thru => CutHeight::Word("thru".into()),
+            CutDepth::ThreeD => CutHeight::Word("3d".into()),
+            CutDepth::Mm(mm) => CutHeight::Mm(mm),
         },
         pass: settings.pass_mm,
         levels: levels(settings.height, settings.pass_mm, heights),
@@ -167,12 +167,12 @@ fn group_state(drawing: &Drawing, group: Group, heights: &Heights) -> GroupState
 }
 
 /// Z of each pass, also where it would go below ZBottom: that is told when it is cut.
-fn levels(height: Height, pass_mm: Option<f64>, heights: &Heights) -> Vec<f64> {
+fn levels(height: CutDepth, pass_mm: Option<f64>, heights: &Heights) -> Vec<f64> {
     let free = Heights { bottom_mm: f64::NEG_INFINITY, ..*heights };
     let depths = match height {
-        Height::Thru => return vec![heights.bottom_mm],
-        Height::ThreeD => return Vec::new(),
-        Height::Mm(_) => Depths::of(height, pass_mm, &[], &free),
+        CutDepth::Thru => return vec![heights.bottom_mm],
+        CutDepth::ThreeD => return Vec::new(),
+        CutDepth::Mm(_) => Depths::of(height, pass_mm, &[], &free),
     };
     if let Ok(Depths::Level(levels)) = depths { levels } else { Vec::new() }
 }
@@ -196,25 +196,25 @@ mod tests {
 
     const SIM: Heights = Heights { top_mm: -10.0, surface_mm: -20.0, bottom_mm: -30.0 };
 
-    fn check(height: Height, pass_mm: Option<f64>, heights: &Heights, expected: &[f64]) {
+    fn check(height: CutDepth, pass_mm: Option<f64>, heights: &Heights, expected: &[f64]) {
         assert_eq!(levels(height, pass_mm, heights), expected);
     }
 
     #[test]
     fn pro_display_v3d_thru__levels() {
-        check(Height::Thru, None, &SIM, &[-30.0]);
-        check(Height::Thru, None, &Heights { bottom_mm: -31.0, ..SIM }, &[-31.0]);
+        check(CutDepth::Thru, None, &SIM, &[-30.0]);
+        check(CutDepth::Thru, None, &Heights { bottom_mm: -31.0, ..SIM }, &[-31.0]);
     }
 
     #[test]
     fn pro_display_v3d_mm__levels() {
-        check(Height::Mm(-2.0), None, &SIM, &[-22.0]);
-        check(Height::Mm(3.0), None, &SIM, &[-17.0]);
-        check(Height::Mm(-2.0), None, &Heights { surface_mm: -21.0, ..SIM }, &[-23.0]);
+        check(CutDepth::Mm(-2.0), None, &SIM, &[-22.0]);
+        check(CutDepth::Mm(3.0), None, &SIM, &[-17.0]);
+        check(CutDepth::Mm(-2.0), None, &Heights { surface_mm: -21.0, ..SIM }, &[-23.0]);
     }
 
     #[test]
     fn pro_display_v3d_multipass__levels() {
-        check(Height::Mm(-13.0), Some(4.0), &SIM, &[-24.0, -28.0, -32.0, -33.0]);
+        check(CutDepth::Mm(-13.0), Some(4.0), &SIM, &[-24.0, -28.0, -32.0, -33.0]);
     }
 }

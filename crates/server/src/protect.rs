@@ -32,7 +32,7 @@ impl Unlocked {
         lock(&self.until).get(&client).is_some_and(|until| *until > self.clock.now())
     }
 
-    /// Somebody has given it.
+    /// Notes that a client has given the password.
     pub fn add(&self, client: u32) {
         let now = self.clock.now();
         let mut open = lock(&self.until);
@@ -40,7 +40,7 @@ impl Unlocked {
         open.insert(client, now + OPEN);
     }
 
-    /// Somebody has gone, and so has what they were allowed.
+    /// Takes the permission of a client that has gone.
     pub fn remove(&self, client: u32) {
         lock(&self.until).remove(&client);
     }
@@ -144,7 +144,7 @@ fn kept(new: &str, again: &str) -> Result<String, Problem> {
     let mut salt = [0; 16];
     getrandom::fill(&mut salt)
         .map_err(|_| problem(Why::Server, "this computer gives no random numbers"))?;
-    Ok(password::kept(new, salt))
+    Ok(password::hashed(new, salt))
 }
 
 #[cfg(test)]

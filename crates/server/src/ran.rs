@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// So many files are remembered; the one whose run is the oldest goes first.
+/// The most files that are remembered; the one whose run is the oldest goes first.
 const MOST: usize = 1000;
 
 /// They lie under this name in the data folder.

@@ -7,11 +7,11 @@ use crate::gate::Way;
 use crate::hub::Hub;
 use crate::interrupted;
 use crate::job::Jobs;
-use crate::job_told;
+use crate::job_findings;
 use crate::kind::kind_of;
 use crate::loader::Loader;
 use crate::locks::lock;
-use crate::machine::{Left, Link, Order, Planned};
+use crate::machine::{LastState, Link, Order, Planned};
 use crate::open::Open;
 use crate::orders::Orders;
 use crate::part_files::PartFiles;
@@ -32,7 +32,7 @@ use std::sync::{Arc, Mutex};
 pub struct Runs {
     pub hub: Arc<Hub>,
     pub link: Arc<Link>,
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     pub files: Arc<PartFiles>,
     pub orders: Arc<Orders>,
     pub settings: Arc<MachineSettings>,
@@ -112,7 +112,9 @@ impl Runs {
     /// Warnings about the file of a job, which whoever starts it is told once more.
     fn noticed(&self, open: &Open) -> Vec<String> {
         match kind_of(&open.name) {
-            FileKind::Job => job_told::warnings(&open.bytes, Left::shaping(&self.left).factor),
+            FileKind::Job => {
+                job_findings::warnings(&open.bytes, LastState::shaping(&self.left).factor)
+            }
             _ => Vec::new(),
         }
     }

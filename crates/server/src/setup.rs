@@ -2,7 +2,7 @@
 
 use crate::webhook::Webhook;
 use kerf_control::Session;
-use kerf_control::controller::{Controller, Told};
+use kerf_control::controller::{AttachReport, Controller};
 use kerf_journal::Started;
 use kerf_workspace::Workspace;
 use std::io;
@@ -33,7 +33,7 @@ pub struct Options {
     pub begin_with: Vec<String>,
     /// EXIT SHOPBOT in a part file ends the server, not only the run.
     pub closes_with_program: bool,
-    /// Told when somebody is needed and how runs end.
+    /// AttachReport when somebody is needed and how runs end.
     pub webhook: Option<Webhook>,
     /// Seconds of machine time in a second; 1 unless a test is in a hurry.
     pub rate: f64,
@@ -48,7 +48,7 @@ pub struct Workshop {
     /// The controller that makes what is planned; without one the machine is simulated.
     pub controller: Option<Controller>,
     /// Sentences about it.
-    pub told: Told,
+    pub told: AttachReport,
     /// Runs are on record: what they leave stays.
     pub kept: bool,
     /// The date and time of now, for the logs of part files.

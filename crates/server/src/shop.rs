@@ -92,7 +92,7 @@ pub fn watch(orders: &Orders, link: &Link, names: Vec<String>) -> Result<(), Pro
     orders.send(Order::Watched)
 }
 
-/// Moves a switch of the simulated machine, whatever it does: what runs moves it, or the machine's thread. Its
+/// Moves a switch of a machine whose switches are moved here, whatever it does: what runs moves it, or the machine's thread. Its
 /// input reads this from then on, at whatever level of its pin.
 pub fn press(
     orders: &Orders,

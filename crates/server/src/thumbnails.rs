@@ -10,7 +10,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-/// So many are kept; the oldest one goes first.
+/// The most pictures that are kept; the oldest goes first.
 const MOST: usize = 500;
 
 /// Longest drawing of which a picture is made, bytes: a longer one is read when it is opened.

@@ -51,7 +51,7 @@ impl Webhook {
     /// Tells what happens for as long as the server runs.
     pub async fn follow(self, hub: Weak<Hub>) {
         let Some((mut told, mut heard)) =
-            hub.upgrade().map(|hub| (Told::of(&hub.now()), hub.listen().1))
+            hub.upgrade().map(|hub| (LastNews::of(&hub.now()), hub.listen().1))
         else {
             return;
         };
@@ -102,13 +102,13 @@ struct News {
 
 /// The state that was told last.
 #[derive(Debug, PartialEq, Eq)]
-struct Told {
+struct LastNews {
     asked: Option<u32>,
     run: u32,
     over: bool,
 }
 
-impl Told {
+impl LastNews {
     fn of(now: &Snapshot) -> Self {
         let job = now.job.as_ref();
         Self {
@@ -217,7 +217,7 @@ mod tests {
 
     #[test]
     fn each_thing_is_told_once() {
-        let mut told = Told::of(&now(1, None, None));
+        let mut told = LastNews::of(&now(1, None, None));
         let mut events = |next: &Snapshot| -> Vec<String> {
             told.news(next).into_iter().map(|news| news.text).collect()
         };

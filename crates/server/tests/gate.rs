@@ -271,6 +271,20 @@ fn a_workpiece_is_nudged_while_the_question_after_a_stop_is_open() {
     assert_eq!(shop.page().act(foreign), because("lease"));
 }
 
+#[test]
+fn a_nudge_of_a_machine_that_stands_moves_the_tool_and_its_working_zero() {
+    let shop = start(Wanted::default());
+    let mut page = shop.driver();
+    let nudge = |page: &Page, mm: f64| json!({ "do": "nudge", "lease": page.lease, "axis": "Y", "distance": mm });
+    let (before, line) = (at(&page)[1], "MY,0");
+    assert_eq!(page.act(nudge(&page, 2.5)), None);
+    page.until("the nudge", |page| (at(page)[1] - before - 2.5).abs() < 1e-6);
+    page.until("it stands", |page| page.shown["machine"]["state"] == "idle");
+    page.command(line);
+    page.until("it stands", |page| page.shown["machine"]["state"] == "idle");
+    assert!((at(&page)[1] - before - 2.5).abs() < 1e-6, "{:?}: where 0 is now", at(&page));
+}
+
 /// A cut that a stop input ends, with a STOP while the tool slows down for it: the page, and its question.
 fn stopped_twice() -> (Shop, Page, u64) {
     let settings = |settings: &mut kerf_program::Settings| settings.io.inputs[6] = 3;

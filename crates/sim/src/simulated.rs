@@ -46,8 +46,16 @@ impl<C: Clock + 'static> Simulated<C> {
     /// A machine in the time of a clock.
     pub fn new(clock: C) -> Self {
         let name = "simulated".into();
-        let (repeats, placed_by_record) = (true, true);
-        let facts = Facts { name, axes: AXES, repeats, placed_by_record, ..Facts::default() };
+        let facts = Facts {
+            name,
+            axes: AXES,
+            repeats: true,
+            placed_by_record: true,
+            inputs_by_hand: true,
+            card: true,
+            harmless: true,
+            ..Facts::default()
+        };
         Self { clock, facts, physics: Rc::default() }
     }
 

@@ -2,7 +2,7 @@
 
 use kerf_machine::driver::conformance::CASES;
 use kerf_machine::driver::{
-    Driver, Garbled, Order, Reply, Sent, Signal, Standing, Ticket, is_sound, way_mm,
+    ControllerState, Driver, Garbled, Order, Reply, Sent, Signal, Ticket, is_sound, way_mm,
 };
 use kerf_program::Axes;
 use std::collections::VecDeque;
@@ -63,9 +63,9 @@ impl Controller {
     }
 
     /// Returns its place, whether it moves, its outputs and the last order that is done.
-    pub fn standing(&self) -> Standing {
+    pub fn standing(&self) -> ControllerState {
         let (position, outputs, done) = (self.position, self.outputs, self.done);
-        Standing { position, moving: self.speed_mm_s > 0.0, outputs, done }
+        ControllerState { position, moving: self.speed_mm_s > 0.0, outputs, done }
     }
 
     fn follow(&mut self, now_s: f64) {
@@ -163,7 +163,7 @@ impl Driver for Controller {
         self.follow(now_s);
         self.heard_s = now_s;
         match signal {
-            Signal::Ask => self.replies.push(Reply::Standing(self.standing())),
+            Signal::Ask => self.replies.push(Reply::State(self.standing())),
             Signal::Hold => self.held = true,
             Signal::Resume => self.held = false,
             Signal::Stop => self.stopping = true,

@@ -2,7 +2,9 @@
 //! get lost on the way. What does is drawn from a seed, so that a failure can be played again.
 
 use crate::controller::Controller;
-use kerf_machine::driver::{Driver, Garbled, Link, LinkState, Order, Reply, Sent, Signal, Told};
+use kerf_machine::driver::{
+    Driver, Garbled, Link, LinkNews, LinkState, Order, Reply, Sent, Signal,
+};
 use kerf_program::{Axes, Axis};
 use kerf_sim::chance::Chance;
 
@@ -101,7 +103,7 @@ fn run(faults: Faults, seed: u64) -> (Vec<Order>, usize, Link<Unreliable<Control
     let (mut now_s, mut done) = (0.0, 0);
     while !link.is_idle() && now_s < 600.0 {
         now_s += 0.005;
-        done += link.poll(now_s).iter().filter(|told| matches!(told, Told::Done(_))).count();
+        done += link.poll(now_s).iter().filter(|told| matches!(told, LinkNews::Done(_))).count();
     }
     let made = link.driver().inner().made().iter().map(|sent| sent.order).collect();
     (made, done, link)
@@ -139,9 +141,10 @@ fn a_dead_line_is_noticed_and_the_machine_stops_by_itself() {
         if now_s > 2.0 {
             link.driver().faults = Faults { orders_lost: 100, lost: 100, ..Faults::default() };
         }
-        states.extend(link.poll(now_s).into_iter().filter(|told| matches!(told, Told::State(_))));
+        states
+            .extend(link.poll(now_s).into_iter().filter(|told| matches!(told, LinkNews::State(_))));
     }
-    assert_eq!(states, [Told::State(LinkState::Lost)]);
+    assert_eq!(states, [LinkNews::State(LinkState::Lost)]);
     assert_eq!(link.order(Order::Output { line: 1, on: true }), None, "nothing more is sent");
     let stood = link.driver().inner().standing();
     assert!(!stood.moving && stood.position[Axis::X] < 80.0, "{stood:?}");
@@ -151,6 +154,6 @@ fn a_dead_line_is_noticed_and_the_machine_stops_by_itself() {
 fn a_refusal_ends_it() {
     let mut link = Link::new(Controller::default());
     link.order(Order::Move { to: Axes::xyz(f64::NAN, 0.0, 0.0), speed_mm_s: 20.0 });
-    let told: Vec<Told> = (1..100).flat_map(|i| link.poll(f64::from(i) * 0.01)).collect();
-    assert!(matches!(told[..], [Told::State(LinkState::Refused(1, _))]), "{told:?}");
+    let told: Vec<LinkNews> = (1..100).flat_map(|i| link.poll(f64::from(i) * 0.01)).collect();
+    assert!(matches!(told[..], [LinkNews::State(LinkState::Refused(1, _))]), "{told:?}");
 }

@@ -8,7 +8,7 @@
 
 use crate::shape_paths::{Pass, ShapePath};
 use crate::warning::Warning;
-use kerf_drawing::{GroupSettings, Height};
+use kerf_drawing::{CutDepth, GroupSettings};
 use kerf_geom::{Place, Polyarc};
 
 /// Of a path, at the most this share belongs to one end of it.
@@ -72,7 +72,7 @@ impl Bridges {
 
     fn told_loose(&self, shape: usize, lacks_mm: f64, settings: &GroupSettings) -> Warning {
         let tag = settings.tag_mm;
-        let through = settings.height == Height::Thru;
+        let through = settings.height == CutDepth::Thru;
         let what =
             if through { "the part is loose" } else { "the part is loose where it is cut through" };
         let others = match self.loose_count - 1 {

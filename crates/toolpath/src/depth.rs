@@ -27,26 +27,26 @@ pub(crate) fn plunge(settings: &GroupSettings, room_mm: Option<f64>) -> Plunge {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use kerf_drawing::Height;
+    use kerf_drawing::CutDepth;
 
-    fn depths(height: Height, pass_mm: Option<f64>, bottom_mm: f64) -> Result<Depths, LowError> {
+    fn depths(height: CutDepth, pass_mm: Option<f64>, bottom_mm: f64) -> Result<Depths, LowError> {
         Depths::of(height, pass_mm, &[], &Heights { bottom_mm, ..Default::default() })
     }
 
-    fn check(height: Height, pass_mm: Option<f64>, expected: &[f64]) {
+    fn check(height: CutDepth, pass_mm: Option<f64>, expected: &[f64]) {
         assert_eq!(depths(height, pass_mm, -35.0), Ok(Depths::Level(expected.to_vec())));
     }
 
     #[test]
     fn pro_group_multi() {
-        check(Height::Mm(-13.0), Some(4.0), &[-24.0, -28.0, -32.0, -33.0]);
+        check(CutDepth::Mm(-13.0), Some(4.0), &[-24.0, -28.0, -32.0, -33.0]);
     }
 
     #[test]
     fn a_depth_of_nothing_is_one_pass_and_too_many_passes_are_made_deeper() {
-        check(Height::Mm(0.0), None, &[-20.0]);
-        check(Height::Mm(0.0), Some(1.0), &[-20.0]);
-        let Ok(Depths::Level(levels)) = depths(Height::Mm(-12.0), Some(1e-4), -35.0) else {
+        check(CutDepth::Mm(0.0), None, &[-20.0]);
+        check(CutDepth::Mm(0.0), Some(1.0), &[-20.0]);
+        let Ok(Depths::Level(levels)) = depths(CutDepth::Mm(-12.0), Some(1e-4), -35.0) else {
             panic!("levels are wanted")
         };
         let steps: Vec<f64> = levels.windows(2).map(|pair| pair[0] - pair[1]).collect();
@@ -56,33 +56,33 @@ mod tests {
 
     #[test]
     fn pro_group_multi_dist() {
-        check(Height::Mm(-12.0), Some(4.0), &[-24.0, -28.0, -32.0]);
-        check(Height::Mm(-3.0), Some(4.0), &[-23.0]);
+        check(CutDepth::Mm(-12.0), Some(4.0), &[-24.0, -28.0, -32.0]);
+        check(CutDepth::Mm(-3.0), Some(4.0), &[-23.0]);
         let zero =
-            GroupSettings { height: Height::Mm(-3.0), pass_mm: Some(0.0), ..Default::default() };
+            GroupSettings { height: CutDepth::Mm(-3.0), pass_mm: Some(0.0), ..Default::default() };
         assert!(zero.check().is_err());
     }
 
     #[test]
     fn pro_group_h_thru() {
-        check(Height::Thru, None, &[-35.0]);
-        assert!(kerf_drawing::Drawing::default().groups.iter().all(|g| g.height == Height::Thru));
+        check(CutDepth::Thru, None, &[-35.0]);
+        assert!(kerf_drawing::Drawing::default().groups.iter().all(|g| g.height == CutDepth::Thru));
     }
 
     #[test]
     fn pro_group_h_mm_neg() {
-        check(Height::Mm(-2.5), None, &[-22.5]);
+        check(CutDepth::Mm(-2.5), None, &[-22.5]);
     }
 
     #[test]
     fn pro_group_h_mm_pos() {
-        check(Height::Mm(3.0), None, &[-17.0]);
-        check(Height::Mm(3.0), Some(1.0), &[-17.0]);
+        check(CutDepth::Mm(3.0), None, &[-17.0]);
+        check(CutDepth::Mm(3.0), Some(1.0), &[-17.0]);
     }
 
     #[test]
     fn heights_of_points_below_z_bottom_are_refused() {
-        let along = |z_mm: &[f64]| Depths::of(Height::ThreeD, None, z_mm, &Heights::default());
+        let along = |z_mm: &[f64]| Depths::of(CutDepth::ThreeD, None, z_mm, &Heights::default());
         assert_eq!(along(&[0.0, 5.0, -10.0]), Ok(Depths::Along(-20.0)));
         assert_eq!(along(&[]), Ok(Depths::Along(-20.0)));
         let told = along(&[0.0, -10.5]).unwrap_err().to_string();
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn pro_group_multi_limit() {
-        let error = depths(Height::Mm(-13.0), None, -30.0).unwrap_err();
+        let error = depths(CutDepth::Mm(-13.0), None, -30.0).unwrap_err();
         assert!(error.to_string().ends_with("at -33 mm, below ZBottom at -30 mm"), "{error}");
     }
 }

@@ -13,7 +13,7 @@ use crate::job::{CutPath, DrawnJob};
 use crate::neighbours;
 use crate::shape_paths::{Pass, ShapePath};
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, Group, GroupSettings, Height};
+use kerf_drawing::{CutDepth, Drawing, Group, GroupSettings};
 use kerf_geom::{Polyarc, Vec2};
 use kerf_program::job::{Plunge, helix_circle};
 use std::collections::BTreeSet;
@@ -66,7 +66,7 @@ impl<'a> Surroundings<'a> {
         warnings: &mut Vec<Warning>,
     ) -> Option<f64> {
         let Plunge::Helix { radius_mm, .. } = plunge(settings, None) else { return None };
-        if path.pass == Pass::Traversal || settings.height == Height::ThreeD {
+        if path.pass == Pass::Traversal || settings.height == CutDepth::ThreeD {
             return None;
         }
         let tool = Tool { radius_mm: radius(path, settings) };
@@ -87,7 +87,7 @@ pub(crate) fn straight_down(number: usize, settings: &GroupSettings, warnings: &
         Plunge::Ramp { .. } => "ramp",
         Plunge::Helix { .. } => "helix",
     };
-    if settings.height == Height::ThreeD {
+    if settings.height == CutDepth::ThreeD {
         let text = format!("a 3D path is entered straight down, without the {asked} of its group");
         warnings.push(Warning::new(number, text));
     }

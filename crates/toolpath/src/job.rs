@@ -3,7 +3,7 @@
 use crate::depth::{Depths, Heights, plunge};
 use crate::shape_paths::Pass;
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, Group, Height, Shape};
+use kerf_drawing::{CutDepth, Drawing, Group, Shape};
 use kerf_geom::{Point2, Polyarc};
 use kerf_program::job::{Plunge, helix_circle};
 use serde::{Deserialize, Serialize};
@@ -100,7 +100,7 @@ impl DrawnJob {
     /// The circle of the helix by which the tool comes to a path, where it does.
     pub fn helix(&self, path: &CutPath) -> Option<Polyarc> {
         let settings = self.drawing.settings(path.shape.group);
-        let goes_round = path.pass != Pass::Traversal && settings.height != Height::ThreeD;
+        let goes_round = path.pass != Pass::Traversal && settings.height != CutDepth::ThreeD;
         match plunge(settings, path.room_mm) {
             Plunge::Helix { radius_mm, .. } if goes_round => {
                 helix_circle(&path.shape.path, radius_mm)

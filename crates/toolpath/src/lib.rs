@@ -13,8 +13,6 @@
 //!
 //! Millimetres; positive offsets lie to the right of travel, as in [`kerf_geom::offset()`].
 
-mod beside;
-mod beside_loop;
 mod bridge;
 mod depth;
 mod entry;
@@ -24,6 +22,7 @@ mod families;
 mod filter;
 mod gouge;
 mod job;
+mod job_offset;
 mod lead;
 mod lift;
 mod machine_job;
@@ -31,6 +30,7 @@ mod making;
 mod neighbours;
 mod order;
 mod overlap;
+mod path_with_leads;
 mod relief;
 mod rsm;
 mod shape_paths;
@@ -39,11 +39,11 @@ mod tag;
 mod twice;
 mod warning;
 
-pub use beside::{NoRoom, beside};
 pub use depth::{Depths, Heights, LowError};
 pub use entry::too_flat;
 pub use filter::{filtered, too_near};
 pub use job::{CutPath, DrawnJob, too_deep};
+pub use job_offset::{NoRoom, offset_job};
 pub use lead::{Side, lead_in, lead_out};
 pub use lift::{lifted, lowest_mm};
 pub use making::{

@@ -142,7 +142,7 @@ fn block(
     let contours = Contours::of(drawing);
     let around = Surroundings::of(drawing, &contours);
     let twins = twice::twins(drawing);
-    twice::told(&twins, warnings);
+    twice::warn(&twins, warnings);
     overlap::crossing(drawing, &twins, given_up, warnings);
     let (mut block, offsetter) = (Vec::new(), Offsetter::default());
     let mut bridges = [Bridges::default(); 8];

@@ -8,7 +8,7 @@
 //! ```
 
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, GroupSettings, Height, Kind, Shape, post_order};
+use kerf_drawing::{CutDepth, Drawing, GroupSettings, Kind, Shape, post_order};
 use kerf_geom::{Bounds2, BoxTree, Position};
 
 /// The places of the shapes in the order in which they are cut; any order where nobody waits for it any more.
@@ -103,9 +103,9 @@ fn is_cut(settings: &GroupSettings) -> bool {
 fn frees(settings: &GroupSettings) -> bool {
     let clears = settings.offset_mm == 0.0 && settings.cutter_mm.is_some();
     let deep = match settings.height {
-        Height::Thru => true,
-        Height::ThreeD => false,
-        Height::Mm(depth_mm) => depth_mm < 0.0 && !clears,
+        CutDepth::Thru => true,
+        CutDepth::ThreeD => false,
+        CutDepth::Mm(depth_mm) => depth_mm < 0.0 && !clears,
     };
     deep && is_cut(settings)
 }

@@ -3,7 +3,7 @@
 use crate::gouge::Contours;
 use crate::shape_paths::{Pass, ShapePath};
 use crate::warning::Warning;
-use kerf_drawing::{Drawing, Height, Kind, crosses};
+use kerf_drawing::{CutDepth, Drawing, Kind, crosses};
 use kerf_geom::{BoxTree, Polyarc, Segment};
 use std::collections::BTreeSet;
 
@@ -85,7 +85,7 @@ fn told_across(drawing: &Drawing, a: usize, b: usize) -> Option<Warning> {
     }
     let (open, part) = if shape(a).is_closed() { (b, a) } else { (a, b) };
     let height = |number: usize| drawing.settings(shape(number).group).height;
-    let as_deep = height(open) == Height::Thru || height(open) == height(part);
+    let as_deep = height(open) == CutDepth::Thru || height(open) == height(part);
     let text = format!("it is open and is cut across shape {part}: move it, or cut it less deep");
     as_deep.then(|| Warning::new(open, text))
 }

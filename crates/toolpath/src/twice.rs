@@ -53,7 +53,7 @@ fn way(shape: &Shape) -> Way {
 }
 
 /// Warns of shapes that are drawn twice.
-pub(crate) fn told(twins: &[Option<usize>], warnings: &mut Vec<Warning>) {
+pub(crate) fn warn(twins: &[Option<usize>], warnings: &mut Vec<Warning>) {
     let mut twice = twins.iter().enumerate().filter_map(|(n, twin)| Some((n, (*twin)?)));
     warnings.extend(twice.by_ref().take(MOST_TOLD).map(|(n, first)| {
         let text = format!("it is drawn twice, as shape {} is: erase one of them", first + 1);

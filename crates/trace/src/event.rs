@@ -5,7 +5,7 @@
 //! them; times are seconds of machine time since the start.
 
 use kerf_diag::Diagnostic;
-use kerf_program::{AXES, FileOp, MoveKind, OutputReason, QuestionKind, Turn};
+use kerf_program::{AXES, FileOp, MoveKind, OutputReason, QuestionKind, SpindleTurn};
 use kerf_sbp::Status;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -163,7 +163,7 @@ pub enum Event {
     /// A spindle turns, which way, or stops (G-code).
     Turn {
         /// `off`, `clockwise`, `counterclockwise`, or `dynamic`: a laser whose power follows the speed.
-        turn: Turn,
+        turn: SpindleTurn,
         /// Machine time, s.
         t: f64,
         /// Number of the spindle, from 1.

@@ -3,27 +3,27 @@
 //! ```text
 //!  a run ──► Sink: Event, Event, …  JsonLines   the trace as text
 //!                  Made, Doing      VcdSink     signals of the motors and the ports
-//!                  Standing         Lines       a diagram of inputs and outputs
+//!                  RunStatus         Lines       a diagram of inputs and outputs
 //!        └─► Tally                              lengths, bounds and times of the summary
 //! ```
 //!
 //! - [`Event`] is one thing that a run tells, exactly as `kerf trace` prints it; a [`Sink`] takes events.
 //! - [`Made`] is a move with its plan, [`Doing`] the activity of the machine while time passes.
-//! - [`Standing`] is what a console shows of a run at any time.
+//! - [`RunStatus`] is what a console shows of a run at any time.
 //!
 //! Nothing here knows what runs, or asks anything of it.
 
 pub mod event;
 pub mod json;
+mod run_status;
 mod sink;
-mod standing;
 mod summary;
 mod tally;
 pub mod timing;
 pub mod vcd;
 
 pub use event::Event;
+pub use run_status::{OpenFile, RunStatus, flag};
 pub use sink::{Doing, Made, Sink};
-pub use standing::{OpenFile, Standing, flag};
 pub use summary::Summary;
 pub use tally::{Tally, ToolPathTime};

@@ -1,6 +1,6 @@
 //! Receivers of events.
 
-use crate::{Event, Standing};
+use crate::{Event, RunStatus};
 use kerf_machine::Going;
 use kerf_machine::Lift;
 use kerf_model::Model;
@@ -78,10 +78,10 @@ pub trait Sink {
     fn displays(&mut self, _comments: bool) {}
 
     /// The run stands somewhere else: it goes on to other lines, waits, or is over.
-    fn standing(&mut self, _: &Standing) {}
+    fn run_status(&mut self, _: &RunStatus) {}
 
     /// Tells whether it looks at where the run stands.
-    fn looks_at_standing(&self) -> bool {
+    fn looks_at_status(&self) -> bool {
         false
     }
 
@@ -138,13 +138,13 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.1.displays(comments);
     }
 
-    fn standing(&mut self, standing: &Standing) {
-        self.0.standing(standing);
-        self.1.standing(standing);
+    fn run_status(&mut self, standing: &RunStatus) {
+        self.0.run_status(standing);
+        self.1.run_status(standing);
     }
 
-    fn looks_at_standing(&self) -> bool {
-        self.0.looks_at_standing() || self.1.looks_at_standing()
+    fn looks_at_status(&self) -> bool {
+        self.0.looks_at_status() || self.1.looks_at_status()
     }
 
     fn watches(&self) -> Vec<String> {
@@ -177,12 +177,12 @@ impl<S: Sink + ?Sized> Sink for &mut S {
         (**self).displays(comments);
     }
 
-    fn standing(&mut self, standing: &Standing) {
-        (**self).standing(standing);
+    fn run_status(&mut self, standing: &RunStatus) {
+        (**self).run_status(standing);
     }
 
-    fn looks_at_standing(&self) -> bool {
-        (**self).looks_at_standing()
+    fn looks_at_status(&self) -> bool {
+        (**self).looks_at_status()
     }
 
     fn watches(&self) -> Vec<String> {
@@ -226,14 +226,14 @@ impl<S: Sink> Sink for Option<S> {
         }
     }
 
-    fn standing(&mut self, standing: &Standing) {
+    fn run_status(&mut self, standing: &RunStatus) {
         if let Some(sink) = self {
-            sink.standing(standing);
+            sink.run_status(standing);
         }
     }
 
-    fn looks_at_standing(&self) -> bool {
-        self.as_ref().is_some_and(S::looks_at_standing)
+    fn looks_at_status(&self) -> bool {
+        self.as_ref().is_some_and(S::looks_at_status)
     }
 
     fn watches(&self) -> Vec<String> {

@@ -4,12 +4,12 @@
 //!  Session::run ──► Lines ──► Timing   drawn by kerf timing, told to pages by the server
 //! ```
 
-mod kept;
+mod bounded_course;
 mod zero;
 
 use crate::event::Partial;
 use crate::{Event, Made, Sink};
-use kept::Kept;
+use bounded_course::BoundedCourse;
 use kerf_machine::lines::{Input, Output};
 use kerf_model::Model;
 use kerf_preview::timing::{Course, Timing, Track};
@@ -32,13 +32,13 @@ type Edges = (String, Vec<(f64, bool)>);
 #[derive(Debug)]
 pub struct Lines {
     /// Locations of X, Y and Z, mm.
-    motion: [Kept; 3],
+    motion: [BoundedCourse; 3],
     /// Zero that they count from; that of the machine's frame where nobody said.
     zero: Option<Zero>,
     /// By whether it is an input, and its number.
     switches: BTreeMap<(bool, u8), Edges>,
-    intensity: Kept,
-    frequency: Kept,
+    intensity: BoundedCourse,
+    frequency: BoundedCourse,
     end_s: f64,
     /// Edges of all switches that it keeps.
     most: usize,
@@ -59,10 +59,10 @@ impl Lines {
     /// edges of switches: behind those there is nothing any more.
     pub fn bounded(most: usize) -> Self {
         Self {
-            motion: std::array::from_fn(|_| Kept::slopes(most)),
+            motion: std::array::from_fn(|_| BoundedCourse::slopes(most)),
             switches: BTreeMap::new(),
-            intensity: Kept::steps(most),
-            frequency: Kept::steps(most),
+            intensity: BoundedCourse::steps(most),
+            frequency: BoundedCourse::steps(most),
             end_s: 0.0,
             most,
             edges: 0,

@@ -34,6 +34,6 @@ pub use address::Address;
 pub use error::LineError;
 pub use faulty::{Damage, Fault, Faulty};
 pub use line::Line;
-pub use port::{Port, ports};
+pub use port::{Port, ports, serial_number};
 pub use tcp::Tcp;
 pub use websocket::WebSocket;

@@ -17,6 +17,17 @@ pub fn ports() -> Vec<String> {
     names
 }
 
+/// Returns the serial number that a device at a port tells of itself, with its maker and its kind; nothing where it tells
+/// none.
+pub fn serial_number(port: &str) -> Option<String> {
+    let device = std::fs::canonicalize(port).ok()?;
+    let found = serialport::available_ports().unwrap_or_default();
+    let found = found.into_iter().find(|it| it.port_name == device.display().to_string())?;
+    let serialport::SerialPortType::UsbPort(usb) = found.port_type else { return None };
+    let number = usb.serial_number.filter(|number| !number.is_empty())?;
+    Some(format!("{:04x}:{:04x} {number}", usb.vid, usb.pid))
+}
+
 /// An open serial port: 8 data bits, no parity, 1 stop bit, no flow control.
 pub struct Port {
     path: String,

@@ -53,6 +53,20 @@ pub struct Machine {
     pub why: Option<String>,
     /// Its name.
     pub name: String,
+    /// What a page may do to it beside moving it.
+    pub offers: Offers,
+}
+
+/// What a page may do to a machine beside moving it, as the machine itself tells.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Offers {
+    /// Its switches are moved on a page.
+    pub inputs: bool,
+    /// The bits of its card are switched one at a time, and its motors stepped once.
+    pub card: bool,
+    /// Start arms it: nobody is hurt by what it does.
+    pub start_arms: bool,
 }
 
 /// A zero point that the controller of the machine keeps.

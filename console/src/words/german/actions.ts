@@ -14,6 +14,7 @@ export const actions: Readonly<Record<string, string>> = {
   "Close the file": "Datei schließen",
   Code: "Code",
   Disarm: "Sperren",
+  "Digitize: record points with the tool": "Digitalisieren: Punkte mit dem Werkzeug aufnehmen",
   "Disarm the machine": "Maschine sperren",
   Disarmed: "Gesperrt",
   Dismiss: "Ausblenden",

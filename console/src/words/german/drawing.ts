@@ -31,6 +31,7 @@ export const drawing: Readonly<Record<string, string>> = {
   Break: "Trennen",
   Bulge: "Wölbung",
   "Bulge: move the mouse, or T to type it": "Wölbung: Maus bewegen, oder T zum Eingeben",
+  "Open from disk…": "Vom Rechner öffnen…",
   "By a factor about a place; 25.4 makes millimetres of inches.":
     "Um einen Faktor um einen Ort; 25,4 macht aus Zoll Millimeter.",
   "By travel, by groups, by levels": "Nach Weg, nach Gruppen, nach Stufen",

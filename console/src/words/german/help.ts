@@ -100,7 +100,8 @@ export const help: Readonly<Record<string, string>> = {
   "Open Move the tool to, and press Home.":
     "Werkzeug bewegen nach öffnen und Grundstellung drücken.",
   "Open a sample job below.": "Unten einen Auftrag zum Ausprobieren öffnen.",
-  "Open it in the list.": "Sie in der Liste öffnen.",
+  "One file is opened at once; of several, press Open at the one that is meant.":
+    "Eine einzelne Datei wird gleich geöffnet; bei mehreren auf Öffnen neben der gemeinten drücken.",
   "Open it: planned time stands below the picture.":
     "Ihn öffnen: die geplante Zeit steht unter dem Bild.",
   "Open the .nc file as any other.": "Die .nc-Datei wie jede andere öffnen.",

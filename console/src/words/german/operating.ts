@@ -18,8 +18,6 @@ export const operating: Readonly<Record<string, string>> = {
   "A drawing has no tool path yet, and so no timing.":
     "Eine Zeichnung hat noch keinen Werkzeugweg und darum keinen Zeitverlauf.",
   "A file that is chosen": "Eine gewählte Datei",
-  "A job is the tool path of a drawing: the machine cuts it with its own heights, speeds and sequence.":
-    "Ein Auftrag ist der Werkzeugweg einer Zeichnung: die Maschine schneidet ihn mit eigenen Höhen, Geschwindigkeiten und eigener Reihenfolge.",
   "A job runs: its first path is chosen before it starts.":
     "Ein Auftrag läuft: sein erster Weg wird vor dem Start gewählt.",
   "A whole width earlier, later": "Eine ganze Breite früher, später",
@@ -133,7 +131,6 @@ export const operating: Readonly<Record<string, string>> = {
   "Lines of {0}": "Zeilen von {0}",
   Live: "Jetzt",
   Location: "Position",
-  "Machine the drawing on the sheet": "Diese Zeichnung schneiden",
   "Make the tool path": "Werkzeugweg erzeugen",
   "Message screen": "Meldungsfenster",
   Messages: "Meldungen",
@@ -143,7 +140,7 @@ export const operating: Readonly<Record<string, string>> = {
   "More or less detail": "Mehr oder weniger Einzelheiten",
   Motion: "Bewegung",
   "Move Z bottom by": "Z-Grund verschieben um",
-  "Move the switches of the simulated machine": "Die Schalter der simulierten Maschine stellen",
+  "Move the switches of the machine": "Die Schalter der Maschine stellen",
   "Move the tool…": "Werkzeug bewegen…",
   "Move tool": "Bewegen",
   "Move to…": "Bewegen nach…",

@@ -1,4 +1,4 @@
-//! A controller that a session drives from run to run: attached, held to the place that is on record, left again.
+//! A controller that a session drives from run to run: attaching it, comparing its place with the record, leaving it.
 
 use super::either::dry_run;
 use super::lacks::{lines, listed};
@@ -18,20 +18,20 @@ use std::rc::Rc;
 /// Steps that come before anything else.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct First {
-    /// It goes home.
+    /// The machine goes home.
     pub home: bool,
-    /// It is unlocked after an alarm, without being homed.
+    /// The controller is unlocked after an alarm, without homing.
     pub unlock: bool,
-    /// It may stay locked: whoever drives it homes it later.
+    /// The controller may stay locked: the operator homes the machine later.
     pub may_be_locked: bool,
 }
 
 /// Sentences about a controller that was attached.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Told {
-    /// For whoever wants to know.
+pub struct AttachReport {
+    /// Notes: nobody has to act on them.
     pub notes: Vec<String>,
-    /// For everybody: something may be elsewhere than it is believed to be.
+    /// Warnings: the machine may be elsewhere than Kerf believes.
     pub warnings: Vec<String>,
 }
 
@@ -73,13 +73,13 @@ impl Controller {
         session: &mut Session,
         workspace: &mut Workspace,
         is_stopped: impl Fn() -> bool,
-    ) -> Result<(Self, Told), String> {
+    ) -> Result<(Self, AttachReport), String> {
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
         let (driver, line) = (socket.opens)()?;
         let open = if abandoned { Connection::open_stopped } else { Connection::open };
         let mut connection = open(&socket.name, driver, line)?;
         connection.opens_again(socket.opens.clone());
-        let mut told = Told::default();
+        let mut told = AttachReport::default();
         let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
         told.notes.push(format!("{}: {}, axes {axes}", socket.name, connection.facts().name));
         told.notes.extend(keeps_changed(&socket, &mut connection, workspace));
@@ -116,7 +116,7 @@ impl Controller {
         abandoned: bool,
         session: &mut Session,
         workspace: &mut Workspace,
-        told: &mut Told,
+        told: &mut AttachReport,
     ) {
         let connection = self.connection.clone();
         let mut connection = connection.borrow_mut();
@@ -154,7 +154,7 @@ impl Controller {
         &mut self,
         session: &mut Session,
         workspace: &mut Workspace,
-    ) -> Result<Told, String> {
+    ) -> Result<AttachReport, String> {
         self.connection.borrow_mut().let_go();
         let attached = Self::attach(
             self.socket.clone(),
@@ -226,7 +226,7 @@ impl Controller {
         self.connection.borrow().fault().map(|fault| fault.message.clone())
     }
 
-    /// It is driven from now on. That is on record until it is left.
+    /// Puts on record that a run drives the controller, until its run ends.
     pub fn begins(&self, workspace: &mut Workspace) {
         self.keeps_place(workspace);
         workspace.stored.set(DRIVEN, Some(&self.socket.port));
@@ -242,7 +242,7 @@ impl Controller {
         workspace.stored.set(OUTPUTS, left.flatten().as_deref());
     }
 
-    /// It is driven no more: what was changed in it is put back.
+    /// Leaves the controller and puts back the settings that were changed in it.
     pub fn detach(&self, workspace: &mut Workspace) {
         let mut connection = self.connection.borrow_mut();
         connection.put_back();
@@ -280,7 +280,7 @@ impl Controller {
         (!same(stands, Axes::default())).then(|| place.plus(stands.minus(own)))
     }
 
-    /// Nobody but Kerf remembers where the machine is.
+    /// Returns the warning of a controller that does not know its place: Kerf believes its own record.
     fn believed(&self, place: Axes) -> String {
         let [x, y, z, ..] = place.0;
         format!(

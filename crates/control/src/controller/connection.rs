@@ -6,8 +6,8 @@ use super::lost::Lost;
 use super::row::Row;
 use super::socket::{Ends, Opens};
 use kerf_machine::driver::{
-    Changed, Driver, Facts, Hold, Link, LinkState, Order, Override, Shares, Signal, Ticket, Told,
-    Trouble, Wired,
+    Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Override, Shares, Signal,
+    Ticket, Trouble, Wired,
 };
 use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
@@ -18,28 +18,28 @@ use std::time::{Duration, Instant};
 /// Time that one look at the line takes when nothing comes.
 pub(super) const NAP: Duration = Duration::from_millis(4);
 
-/// A controller that has not told who it is after this is none, seconds.
+/// Time limit for a controller's greeting, seconds; what is silent for longer is no controller.
 const GREETING_S: f64 = 8.0;
 
-/// A machine slows down and its controller is reset within this, seconds.
+/// Time limit for slowing the machine down and resetting its controller, seconds.
 const STOPPING_S: f64 = 10.0;
 
-/// While it slows down it is asked so often whether it stands, seconds: its spindle goes off then.
+/// Interval at which a machine that slows down is asked if it stands, seconds: its spindle goes off then.
 const STANDS_S: f64 = 0.04;
 
-/// A setting is put back within this, seconds: writing one takes some milliseconds.
+/// Time limit for putting a setting back, seconds: writing one takes some milliseconds.
 const PUTTING_S: f64 = 2.0;
 
-/// Going home takes at most so long, seconds.
+/// Time limit for homing, seconds.
 const HOMING_S: f64 = 300.0;
 
-/// While it has nothing to do the controller is asked so often how it is, seconds.
+/// Interval at which an idle controller is asked for its state, seconds.
 const ASK_S: f64 = 0.2;
 
-/// While an input is watched that is only looked at, the controller is asked so often, seconds.
+/// Interval at which the controller is asked while a run watches an input that only its reports tell, seconds.
 const LOOK_S: f64 = 0.02;
 
-/// A line that somebody else has.
+/// Stands in for a line that was taken away.
 struct Closed;
 
 impl Line for Closed {
@@ -52,7 +52,7 @@ impl Line for Closed {
     }
 }
 
-/// Time limit for the last moves of a machine that is wanted stopped, seconds: longer than what is sent ahead takes.
+/// Time limit for the last moves of a machine that is to stop, seconds: longer than what was sent ahead takes.
 const PATIENCE_S: f64 = 2.0;
 
 /// A connection to a controller.
@@ -93,7 +93,7 @@ pub struct Connection {
     /// An input is watched that is only looked at now and then.
     pub(super) looks_often: bool,
     pub(super) asked_s: f64,
-    /// While nothing moves: the moment of machine time that was told last, and when.
+    /// The last moment of machine time that was told while nothing moves, and the world's time then.
     pub(super) stood: Option<(f64, Instant)>,
     pub(super) failure: Option<Fault>,
     /// A setting of the controller that was changed, and is put back.
@@ -194,7 +194,7 @@ impl Connection {
         self.owed
     }
 
-    /// A run that has no end has left a setting changed: it is put back behind this one.
+    /// Takes over a setting that an unfinished run left changed: it is put back after this run.
     pub const fn owes(&mut self, changed: Changed) {
         if self.owed.is_none() {
             self.owed = Some(changed);
@@ -378,14 +378,14 @@ impl Connection {
         let told = self.link.poll(self.now_s());
         for told in told {
             match told {
-                Told::Done(ticket) => {
+                LinkNews::Done(ticket) => {
                     self.done = ticket;
                     self.open = self.open.saturating_sub(1);
                     if self.probing == Some(ticket) {
                         self.probed();
                     }
                 }
-                Told::Input { line, on } => {
+                LinkNews::Input { line, on } => {
                     if on {
                         self.active.insert(line)
                     } else {
@@ -393,7 +393,7 @@ impl Connection {
                     };
                     self.inputs.push_back((line, on));
                 }
-                Told::State(state) => self.state_is(state),
+                LinkNews::State(state) => self.state_is(state),
             }
         }
         // What the link has just given goes out without waiting for the next look.

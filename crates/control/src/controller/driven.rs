@@ -1,11 +1,11 @@
 //! A controller as a machine that a run drives: moves of the plan as orders, outputs in their place between them.
 
 use super::Connection;
+use super::chords::{arc, chords, speed_mm_s};
 use super::connection::NAP;
 use super::lacks::{lacked, needs, out_of_reach, wired};
 use super::merged::together;
 use super::row::{Chord, Handed, Row};
-use super::ways::{arc, chords, speed_mm_s};
 use kerf_machine::driver::{Facts, Hold, Order, Override, Shares, Signal};
 use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
 use kerf_motion::{Move, Path};

@@ -1,7 +1,7 @@
 //! A controller of either kind: one that plans for itself and is followed, or a board that is told each step.
 
 use super::Socket;
-use super::attached::{self, First, Told};
+use super::attached::{self, AttachReport, First};
 use super::lacks::Lacks;
 use super::queued;
 use crate::answers::Operator;
@@ -42,7 +42,7 @@ impl Controller {
         session: &mut Session,
         workspace: &mut Workspace,
         is_stopped: impl Fn() -> bool,
-    ) -> Result<(Self, Told), String> {
+    ) -> Result<(Self, AttachReport), String> {
         match place {
             Place::Followed(socket) => {
                 attached::Controller::attach(socket, first, session, workspace, is_stopped)
@@ -63,7 +63,7 @@ impl Controller {
         &mut self,
         session: &mut Session,
         workspace: &mut Workspace,
-    ) -> Result<Told, String> {
+    ) -> Result<AttachReport, String> {
         match self {
             Self::Followed(controller) => controller.attach_again(session, workspace),
             Self::Queued(attached) => attached.attach_again(session, workspace),

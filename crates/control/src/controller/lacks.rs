@@ -4,7 +4,7 @@ use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Output;
-use kerf_program::{Axes, Axis, OutputReason, Turn};
+use kerf_program::{Axes, Axis, OutputReason, SpindleTurn};
 use kerf_trace::{Event, Made, Sink, event::MoveEvent};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -179,7 +179,7 @@ impl Sink for Lacks {
             other => {
                 let beam = matches!(
                     other,
-                    Event::Intensity { .. } | Event::Turn { turn: Turn::Dynamic, .. }
+                    Event::Intensity { .. } | Event::Turn { turn: SpindleTurn::Dynamic, .. }
                 );
                 let set = set_by(other).filter(|_| !(beam && self.facts.follows_speed));
                 if let Some(what) = set.as_ref().and_then(lacked) {
@@ -217,8 +217,8 @@ pub(super) fn lacked(actuator: &Actuator) -> Option<&'static str> {
         }
         Actuator::Pwm { percent } if percent > 0.0 => Some("PWM output"),
         Actuator::Intensity { byte } if byte > 0 => Some("intensity output"),
-        Actuator::Turn(Turn::Counterclockwise) => Some("spindle that turns the other way"),
-        Actuator::Turn(Turn::Dynamic) => Some("laser whose power follows the speed"),
+        Actuator::Turn(SpindleTurn::Counterclockwise) => Some("spindle that turns the other way"),
+        Actuator::Turn(SpindleTurn::Dynamic) => Some("laser whose power follows the speed"),
         _ => None,
     }
 }

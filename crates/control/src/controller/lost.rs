@@ -1,4 +1,4 @@
-//! A line that is lost on the way: a cable that was pulled, a network that is down. It is opened once more for a while.
+//! Reopening of a line that broke during a run: a pulled cable, a network that is down.
 
 use super::Connection;
 use super::socket::Opens;
@@ -7,10 +7,10 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread::{sleep, spawn};
 use std::time::Duration;
 
-/// A line that is not there again after this is lost for good, seconds.
+/// Time limit for a broken line to come back, seconds.
 const GONE_S: f64 = 10.0;
 
-/// It is opened so often, seconds.
+/// Interval between two attempts to open it, seconds.
 const OPEN_S: f64 = 0.25;
 
 /// The loss of a line.
@@ -19,7 +19,7 @@ pub(super) struct Lost {
     since_s: f64,
     tried_s: f64,
     why: String,
-    /// It is being opened beside: a network may take seconds to say no.
+    /// The attempt under way on another thread: a network may take seconds to refuse.
     opening: Option<Opening>,
 }
 
@@ -34,7 +34,7 @@ fn beside(opens: Opens) -> Opening {
 }
 
 impl Connection {
-    /// From now on a line that is lost is opened once more.
+    /// Sets the function that reopens the line after it breaks.
     pub fn opens_again(&mut self, opens: Opens) {
         self.opens = Some(opens);
     }

@@ -1,9 +1,9 @@
 //! Short straight moves that lie on one line, as one order: a line to the controller takes time on its way.
 
-use super::ways::{nearest, speed_mm_s};
+use super::chords::{nearest, speed_mm_s};
 use kerf_motion::{Move, Path};
 
-/// So many moves at most are one order.
+/// The most moves that become one order.
 const MOST: usize = 64;
 
 /// Longest time of moves that are sent as one, seconds: the progress of the run is known no closer.

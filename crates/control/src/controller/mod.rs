@@ -18,6 +18,7 @@
 //! - Times of the trace are those of the plan. The controller takes its own.
 
 mod attached;
+mod chords;
 mod connection;
 mod driven;
 mod either;
@@ -27,10 +28,9 @@ mod merged;
 pub mod queued;
 mod row;
 mod socket;
-mod ways;
 mod zeros;
 
-pub use attached::{First, Told};
+pub use attached::{AttachReport, First};
 pub use connection::Connection;
 pub use either::{Controller, Place};
 pub use lacks::{Lacks, lines, output_name, output_of_name, wired};

@@ -1,6 +1,6 @@
 //! Moves of the plan at hand that were handed to the controller.
 
-use super::ways::nearest;
+use super::chords::nearest;
 use kerf_machine::driver::Ticket;
 use kerf_program::{At, Axes};
 use std::collections::VecDeque;
@@ -51,7 +51,8 @@ impl Handed {
     }
 }
 
-/// A later way is the better one only when it is so much closer, mm: a report is rounded to thousandths.
+/// Distance by which a later move must lie closer to a report to be taken for the present one, mm: reports are rounded
+/// to thousandths.
 const CLOSER_MM: f64 = 0.002;
 
 /// Moves of one plan, in order.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 /// Opens the line of a controller.
 pub type Opens = Arc<dyn Fn() -> Result<Ends, String> + Send + Sync>;
 
-/// A driver that knows nothing yet, with the line it speaks through.
+/// A fresh driver, with the line it speaks through.
 pub type Ends = (Box<dyn Wired>, Box<dyn Line + Send>);
 
 /// The place where a controller hangs.

@@ -17,7 +17,7 @@ fn writing_behind(folder: &TempDir) -> (Journal, Workspace) {
     let mut workspace = Workspace::new(disk, folders, stored, folder.path().into());
     let (session, work, options) = (Session::default(), Work::default(), RunOptions::default());
     let kept = KeptWork::of(&work).unwrap();
-    let (standing, around) = (session.standing(), workspace.surroundings());
+    let (standing, around) = (session.resting(), workspace.surroundings());
     let run = RunUnderWay::new(&standing, &kept, &options, None, around);
     workspace.tape = journal.runs.begin(&run, &standing, &kept.bytes).unwrap();
     workspace.tape.writes_behind(None);

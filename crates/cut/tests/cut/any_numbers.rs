@@ -6,8 +6,8 @@ use kerf_program::MoveKind;
 use kerf_program::settings::Tabs;
 use proptest::prelude::*;
 
-fn turn() -> impl Strategy<Value = Turn> {
-    prop_oneof![Just(Turn::Clockwise), Just(Turn::Counter)]
+fn turn() -> impl Strategy<Value = Direction> {
+    prop_oneof![Just(Direction::Clockwise), Just(Direction::Counter)]
 }
 
 fn side() -> impl Strategy<Value = Side> {

@@ -50,8 +50,8 @@ impl<'a> Fields<'a> {
             _ => Side::True,
         }
     }
-    fn turn(&self, i: usize) -> Turn {
-        if self.num(i, 1.0) < 0.0 { Turn::Counter } else { Turn::Clockwise }
+    fn turn(&self, i: usize) -> Direction {
+        if self.num(i, 1.0) < 0.0 { Direction::Counter } else { Direction::Clockwise }
     }
     fn feature(&self, i: usize) -> Feature {
         Feature::from_number(self.num(i, 0.0) as u8).unwrap()

@@ -9,8 +9,8 @@ use std::f64::consts::TAU;
 /// Millimetres; what sums and roots of sizes up to a metre may be off.
 const NEAR_MM: f64 = 1e-6;
 
-fn turn() -> impl Strategy<Value = Turn> {
-    prop_oneof![Just(Turn::Clockwise), Just(Turn::Counter)]
+fn turn() -> impl Strategy<Value = Direction> {
+    prop_oneof![Just(Direction::Clockwise), Just(Direction::Counter)]
 }
 
 fn side() -> impl Strategy<Value = Side> {
@@ -175,7 +175,7 @@ proptest! {
         prop_assert!(all[0].distance(start + along * 0.5 + rise) < NEAR_MM);
         prop_assert!(all[1].distance(start + along) < NEAR_MM);
         let Step::Arc { sweep_rad, .. } = cut.steps[0] else { panic!("an arch is an arc") };
-        prop_assert_eq!(sweep_rad < 0.0, turn == Turn::Clockwise);
+        prop_assert_eq!(sweep_rad < 0.0, turn == Direction::Clockwise);
     }
 
     #[test]
@@ -215,7 +215,7 @@ proptest! {
         let Step::Arc { centre, sweep_rad, .. } = cut.steps[0] else { panic!("an arc") };
         prop_assert!(sweep_rad.abs() < TAU / 2.0 + 1e-6);
         prop_assert!((centre[0].hypot(centre[1]) * 2.0 - diameter).abs() < NEAR_MM);
-        prop_assert_eq!(sweep_rad < 0.0, turn == Turn::Clockwise);
+        prop_assert_eq!(sweep_rad < 0.0, turn == Direction::Clockwise);
     }
 
     #[test]
@@ -231,7 +231,7 @@ proptest! {
             .map(|i| (all[i] - Point2::default()).cross(all[(i + 1) % 4] - Point2::default()))
             .sum::<f64>() / 2.0;
         prop_assert!((area.abs() - (x + grow) * (y + grow)).abs() < 1e-6);
-        prop_assert_eq!(area < 0.0, turn == Turn::Clockwise);
+        prop_assert_eq!(area < 0.0, turn == Direction::Clockwise);
         prop_assert_eq!(all[3], Point2::default());
     }
 }

@@ -8,7 +8,7 @@ use super::clear_group::{outlines_put_away, prepared_group};
 use super::region::regions;
 use super::words::{WordError, Words, number};
 use super::{OpError, Outcome};
-use crate::{Editor, Group, Height, Shape};
+use crate::{CutDepth, Editor, Group, Shape};
 use kerf_geom::{GeomError, Offsetter, Polyarc};
 use kerf_pocket::{Cleared, Cutter, PocketError, Way, Zigzag};
 use serde::{Deserialize, Serialize};
@@ -29,7 +29,7 @@ pub struct Clearing {
     pub group: Option<Group>,
     /// Depth to which they are cut; `None` leaves it to the group, which must not be one that cuts through.
     #[serde(default)]
-    pub depth: Option<Height>,
+    pub depth: Option<CutDepth>,
     /// The outlines stay in their group and are cut as well.
     #[serde(default)]
     pub outlines_cut: bool,
@@ -135,12 +135,12 @@ fn clearing_word(word: &str, clearing: &mut Clearing) -> Option<()> {
 }
 
 /// `thru`, or how far below ZSurface.
-fn depth(word: &str) -> Option<Height> {
+fn depth(word: &str) -> Option<CutDepth> {
     if word.eq_ignore_ascii_case("thru") {
-        return Some(Height::Thru);
+        return Some(CutDepth::Thru);
     }
     let below_mm = number(word).filter(|below_mm| *below_mm >= 0.0)?;
-    Some(Height::Mm(0.0 - below_mm))
+    Some(CutDepth::Mm(0.0 - below_mm))
 }
 
 fn complete(clearing: &Clearing) -> Result<(), WordError> {
@@ -156,7 +156,7 @@ impl Display for Clearing {
         let all = if self.all { "all " } else { "" };
         write!(f, "{all}tool={} overlap={}", self.tool_mm, self.overlap_mm)?;
         match self.depth {
-            Some(Height::Mm(depth_mm)) => write!(f, " depth={}", -depth_mm + 0.0)?,
+            Some(CutDepth::Mm(depth_mm)) => write!(f, " depth={}", -depth_mm + 0.0)?,
             Some(_) => f.write_str(" depth=thru")?,
             None => {}
         }

@@ -2,7 +2,7 @@
 
 use super::OpError;
 use super::clear::Clearing;
-use crate::{Drawing, Group, GroupSettings, Height, Lead};
+use crate::{CutDepth, Drawing, Group, GroupSettings, Lead};
 use std::sync::Arc;
 
 /// A group in which paths are cut as they are, by the cutter that clears, as deep as was asked; and what is to be
@@ -24,7 +24,7 @@ pub(super) fn prepared_group(
     let other = other.map(|cutter| {
         format!("group {group} was cut by a cutter of {cutter} mm, now of {tool} mm")
     });
-    let silent = (before.height == Height::Thru && clearing.depth.is_none()).then(|| {
+    let silent = (before.height == CutDepth::Thru && clearing.depth.is_none()).then(|| {
         format!(
             "how deep is not said: the paths of group {group} only touch ZSurface; say depth=2 or set the group's \
              height"
@@ -41,11 +41,11 @@ fn used(drawing: &Drawing, group: Group) -> bool {
 /// The depth of a group without shapes: through the sheet only where that is asked for.
 fn depth(settings: &GroupSettings, clearing: &Clearing) -> GroupSettings {
     let silent = match settings.height {
-        Height::Thru => Height::Mm(0.0),
+        CutDepth::Thru => CutDepth::Mm(0.0),
         set => set,
     };
     let height = clearing.depth.unwrap_or(silent);
-    let pass_mm = settings.pass_mm.filter(|_| matches!(height, Height::Mm(_)));
+    let pass_mm = settings.pass_mm.filter(|_| matches!(height, CutDepth::Mm(_)));
     GroupSettings { height, pass_mm, ..*settings }
 }
 
@@ -56,7 +56,7 @@ fn kept_depth(
     clearing: &Clearing,
 ) -> Result<GroupSettings, OpError> {
     match (settings.height, clearing.depth) {
-        (Height::Thru, None) => Err(OpError::DepthNotSaid { group }),
+        (CutDepth::Thru, None) => Err(OpError::DepthNotSaid { group }),
         (set, Some(asked)) if set != asked => Err(OpError::OtherDepth { group }),
         _ => Ok(*settings),
     }

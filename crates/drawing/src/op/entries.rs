@@ -5,7 +5,7 @@
 use super::clear;
 use super::words::{WordError, Words, number, numbers, pair};
 use super::{Change, How, Operation, form};
-use crate::{ArrayLevel, Choice, Corner, Group, Height, Lead, Level, Order};
+use crate::{ArrayLevel, Choice, Corner, CutDepth, Group, Lead, Level, Order};
 use kerf_geom::{Point2, Vec2, Vertex};
 use kerf_program::job::Plunge;
 
@@ -495,11 +495,11 @@ fn number_or(word: &str, none: &str) -> Option<Option<f64>> {
     if word == none { Some(None) } else { number(word).map(Some) }
 }
 
-fn height(word: &str) -> Option<Height> {
+fn height(word: &str) -> Option<CutDepth> {
     match word {
-        "thru" => Some(Height::Thru),
-        "3d" => Some(Height::ThreeD),
-        depth => number(depth).map(Height::Mm),
+        "thru" => Some(CutDepth::Thru),
+        "3d" => Some(CutDepth::ThreeD),
+        depth => number(depth).map(CutDepth::Mm),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Groups: who belongs to which, and how each is cut (Profiler reference, "Groups").
 
 use super::OpError;
-use crate::{Editor, Group, GroupSettings, Height, Lead, Shape};
+use crate::{CutDepth, Editor, Group, GroupSettings, Lead, Shape};
 use kerf_program::job::Plunge;
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +20,7 @@ pub enum Change {
     /// Highest cutting speed, mm/min; `None` is the machine's.
     Speed(Option<f64>),
     /// Depth of the cut. A depth that is not in millimetres ends multi-pass.
-    Height(Height),
+    Height(CutDepth),
     /// Depth of a pass, millimetres; `None` cuts in one.
     Pass(Option<f64>),
     /// Distance of the path, millimetres, positive right of travel.
@@ -51,7 +51,7 @@ impl Change {
             Self::Speed(speed) => to.speed_mm_min = speed,
             Self::Height(height) => {
                 to.height = height;
-                to.pass_mm = to.pass_mm.filter(|_| matches!(height, Height::Mm(_)));
+                to.pass_mm = to.pass_mm.filter(|_| matches!(height, CutDepth::Mm(_)));
             }
             Self::Pass(pass) => to.pass_mm = pass,
             Self::Offset(offset) => to.offset_mm = offset,

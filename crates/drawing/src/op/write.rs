@@ -1,7 +1,7 @@
 //! Operations in the words that [`super::script`] reads.
 
 use super::{Change, How, Operation, Picking, Sequencing};
-use crate::{ArrayLevel, Choice, Height, Level, Search};
+use crate::{ArrayLevel, Choice, CutDepth, Level, Search};
 use kerf_geom::{Point2, Vec2, Vertex};
 use kerf_program::job::Plunge;
 use std::fmt::{Display, Formatter, Result, Write};
@@ -237,9 +237,9 @@ impl Display for Change {
             Self::Cut(cut) => write!(f, "cut={cut}"),
             Self::Speed(Some(speed)) => write!(f, "speed={speed}"),
             Self::Speed(None) => f.write_str("speed=max"),
-            Self::Height(Height::Thru) => f.write_str("height=thru"),
-            Self::Height(Height::ThreeD) => f.write_str("height=3d"),
-            Self::Height(Height::Mm(depth)) => write!(f, "height={depth}"),
+            Self::Height(CutDepth::Thru) => f.write_str("height=thru"),
+            Self::Height(CutDepth::ThreeD) => f.write_str("height=3d"),
+            Self::Height(CutDepth::Mm(depth)) => write!(f, "height={depth}"),
             Self::Pass(Some(pass)) => write!(f, "pass={pass}"),
             Self::Pass(None) => f.write_str("pass=off"),
             Self::Offset(offset) => write!(f, "offset={offset}"),

@@ -1,7 +1,7 @@
 //! Requests of a session's owner.
 
 use super::channel::Channel;
-use super::latch::{Home, Watched};
+use super::latch::{Holds, Home, Watched};
 use super::motion::State;
 use super::news::{Ended, NotNow, Start};
 use super::session::Session;
@@ -9,23 +9,33 @@ use crate::orders::{Order, OrderError};
 use crate::queue::{Change, Piece, Refused};
 
 /// Shortest time between the wish to move and the first step, seconds.
-const FIRST_S: f64 = 0.25;
+pub const FIRST_S: f64 = 0.25;
 
 impl Session {
     pub fn start(&mut self, homes: &[Home], now_s: f64) -> Result<Start, NotNow> {
         let Some((now, _)) = self.channel.now(now_s) else { return Err(NotNow::Busy) };
         let starts = now + self.channel.ticks(self.motion.lead.full_s().max(FIRST_S));
-        self.start_at(homes, starts, now_s)
+        self.start_at(&Holds { homes: homes.to_vec(), ..Holds::default() }, starts, now_s)
     }
 
     /// Motion begins at a clock that is far enough ahead.
-    pub fn start_at(&mut self, homes: &[Home], starts: u64, now_s: f64) -> Result<Start, NotNow> {
-        if self.shutdown {
-            return Err(NotNow::Shutdown);
+    pub fn start_at(&mut self, holds: &Holds, starts: u64, now_s: f64) -> Result<Start, NotNow> {
+        self.may_start()?;
+        let Some((now, _)) = self.channel.now(now_s) else { return Err(NotNow::Busy) };
+        Ok(self.motion.start_at(&mut self.channel, holds, [now, starts], now_s)?)
+    }
+
+    pub fn may_start(&self) -> Result<(), NotNow> {
+        match (self.shutdown, self.is_at_rest()) {
+            (true, _) => Err(NotNow::Shutdown),
+            (_, false) => Err(NotNow::Busy),
+            _ => Ok(()),
         }
-        let known = self.channel.now(now_s).filter(|_| self.is_at_rest());
-        let Some((now, _)) = known else { return Err(NotNow::Busy) };
-        Ok(self.motion.start_at(&mut self.channel, homes, [now, starts], now_s)?)
+    }
+
+    /// Takes pieces of motion.
+    pub fn takes_pieces(&self) -> bool {
+        self.motion.moves() && !self.motion.queue.is_stopping()
     }
 
     pub fn offer(&mut self, piece: &Piece) -> Result<(), Refused> {
@@ -33,11 +43,7 @@ impl Session {
     }
 
     pub fn withdraw(&mut self) -> Result<u64, NotNow> {
-        if self.motion.moves() && !self.motion.queue.is_stopping() {
-            Ok(self.motion.queue.withdraw())
-        } else {
-            Err(NotNow::Rest)
-        }
+        if self.takes_pieces() { Ok(self.motion.queue.withdraw()) } else { Err(NotNow::Rest) }
     }
 
     /// Has these switches stop all motors that no switch of their own does.
@@ -47,8 +53,8 @@ impl Session {
     }
 
     /// Drops all motion at once.
-    pub fn stop(&mut self) -> Result<(), OrderError> {
-        self.motion.stop(&mut self.channel, Ended::Asked)
+    pub fn stop(&mut self, why: Ended) -> Result<(), OrderError> {
+        self.motion.stop(&mut self.channel, why)
     }
 
     pub fn emergency_stop(&mut self) -> Result<(), OrderError> {
@@ -84,11 +90,11 @@ impl Session {
         self.is_ready() && self.motion.state == State::Rest && !self.shutdown
     }
 
-    /// Motion was broken off.
-    pub fn is_stopping(&self) -> bool {
+    /// The reason for which motion is broken off, while it is.
+    pub fn stops(&self) -> Option<Ended> {
         match self.motion.state {
-            State::Ending(why) | State::Reading(why) => why != Ended::Rested,
-            _ => self.shutdown,
+            State::Ending(why) | State::Reading(why) => Some(why).filter(|it| *it != Ended::Rested),
+            _ => self.shutdown.then_some(Ended::Shutdown),
         }
     }
 

@@ -53,6 +53,9 @@ impl Greeting {
             Self::Joining(join, _) => Ok(Outgoing { bytes: join.transmit(now_s), replaces: false }),
             Self::Identifying(pair) => {
                 let (link, identify) = pair.as_mut();
+                if identify.is_vain() {
+                    return Err(Fault::Unanswered("identify"));
+                }
                 let asked = identify.ask(now_s).is_none_or(|question| link.send(question, None));
                 let silent = !asked || link.silent_s(now_s) > SILENCE_S;
                 if silent { Err(Fault::Silent) } else { Ok(link.transmit(now_s)) }

@@ -43,6 +43,32 @@ pub struct Home {
     pub look_s: f64,
 }
 
+/// Motors that stop by switches of their own.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Holds {
+    /// Those of switches of this board.
+    pub homes: Vec<Home>,
+    /// Those of switches of other boards, a list each: whoever hears those triggers the latch.
+    pub away: Vec<Vec<usize>>,
+}
+
+impl Holds {
+    /// No motor has a switch of its own.
+    pub const fn is_empty(&self) -> bool {
+        self.homes.is_empty() && self.away.is_empty()
+    }
+
+    /// Number of their latches, behind the one over all motion.
+    const fn count(&self) -> usize {
+        self.homes.len() + self.away.len()
+    }
+
+    /// The lists of motors, in the order of the latches.
+    fn motors(&self) -> impl Iterator<Item = &Vec<usize>> {
+        self.homes.iter().map(|home| &home.motors).chain(&self.away)
+    }
+}
+
 /// A switch at whose change all motors stop that no switch of their own does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Watched {
@@ -60,7 +86,7 @@ pub struct Latches {
     /// The reason with which each triggered; nothing while it is armed.
     triggered: Vec<Option<u32>>,
     /// Switches that stop motors of their own, by their latch, counted from 1.
-    pub homes: Vec<Home>,
+    pub holds: Holds,
     /// Switches that stop all motors.
     watched: Vec<Watched>,
     /// Moment at which deadlines are pushed along.
@@ -73,7 +99,7 @@ impl Latches {
     pub fn new(count: usize) -> Self {
         Self {
             triggered: vec![Some(0); count],
-            homes: Vec::new(),
+            holds: Holds::default(),
             watched: Vec::new(),
             again_s: f64::INFINITY,
             expires: false,
@@ -109,17 +135,43 @@ impl Latches {
                 _ => Ended::Asked,
             });
         }
-        let homes: Option<Vec<u32>> = (1..=self.homes.len()).map(reason).collect();
-        let homes = homes.filter(|homes| !homes.is_empty())?;
-        let touched = homes.iter().all(|reason| *reason == reason::TOUCH);
-        Some(if touched { Ended::Touched } else { Ended::Deadline })
+        let holds: Option<Vec<u32>> = (1..=self.holds.count()).map(reason).collect();
+        holds.filter(|holds| !holds.is_empty())?;
+        Some(if self.is_sought() { Ended::Touched } else { Ended::Deadline })
+    }
+
+    /// The switch of a home was touched.
+    pub fn has_touched(&self, home: usize) -> bool {
+        self.triggered.get(home + 1) == Some(&Some(reason::TOUCH))
+    }
+
+    /// Every switch that stops motors of its own was touched, and there is one.
+    pub fn is_sought(&self) -> bool {
+        !self.holds.is_empty() && (0..self.holds.count()).all(|n| self.has_touched(n))
+    }
+
+    /// A switch of another board was touched: its motors here stop.
+    pub fn touch_away(&mut self, channel: &mut Channel, away: usize) -> Result<(), OrderError> {
+        let latch = 1 + self.holds.homes.len() + away;
+        let asked = channel.questions.has(|about| about == About::Latch(latch));
+        if asked || self.triggered.get(latch) != Some(&None) {
+            return Ok(());
+        }
+        Self::trigger_one(channel, latch, reason::TOUCH)
+    }
+
+    fn trigger_one(channel: &mut Channel, latch: usize, why: u32) -> Result<(), OrderError> {
+        let oid = channel.oid(Object::Latch(latch));
+        channel.hurry(Order::TrsyncTrigger, [oid, why])?;
+        channel.ask(About::Latch(latch), Order::TrsyncTrigger, [oid, why])
     }
 
     /// Switches that stopped motors.
     pub fn touched(&self) -> Vec<usize> {
         let reason = |latch: usize| self.triggered.get(latch).copied().flatten();
         let touched = |(n, _): &(usize, &Home)| reason(n + 1) == Some(reason::TOUCH);
-        let homes = self.homes.iter().enumerate().filter(touched).map(|(_, home)| home.switch);
+        let homes =
+            self.holds.homes.iter().enumerate().filter(touched).map(|(_, home)| home.switch);
         let first = reason(0).and_then(|reason| reason.checked_sub(reason::WATCH));
         let watched = first.and_then(|n| self.watched.get(n as usize));
         homes.chain(watched.map(|watched| watched.switch)).collect()
@@ -127,7 +179,7 @@ impl Latches {
 
     /// Time between two looks at a switch that stopped motors, seconds.
     pub fn look_s(&self, switch: usize) -> Option<f64> {
-        let homes = self.homes.iter().map(|home| (home.switch, home.look_s));
+        let homes = self.holds.homes.iter().map(|home| (home.switch, home.look_s));
         let watched = self.watched.iter().map(|it| (it.switch, it.look_s));
         let mut looks = homes.chain(watched).filter(|_| self.touched().contains(&switch));
         looks.find(|(other, _)| *other == switch).map(|(_, look_s)| look_s)
@@ -157,31 +209,31 @@ impl Latches {
     pub fn arm(
         &mut self,
         channel: &mut Channel,
-        homes: &[Home],
-        clock: u64,
-        starts: u64,
+        holds: &Holds,
+        [clock, starts]: [u64; 2],
         now_s: f64,
     ) -> Result<(), OrderError> {
-        self.homes = homes.to_vec();
+        self.holds = holds.clone();
+        let many = holds.count();
         self.let_expire(false);
         let first = clock + (FIRST_S * channel.frequency) as u64;
         let report = (channel.options.deadline_s / 2.0 * channel.frequency) as u32;
-        for latch in 0..=homes.len() {
+        for latch in 0..=many {
             let oid = channel.oid(Object::Latch(latch));
             channel.send(Order::TrsyncStart, [oid, first as u32, report, reason::DEADLINE])?;
         }
-        for latch in 0..=homes.len() {
+        for latch in 0..=many {
             let oid = channel.oid(Object::Latch(latch));
             for motor in self.held(channel, latch) {
                 channel.send(Order::StopOnTrigger, [channel.oid(Object::Motor(motor)), oid])?;
             }
             let timeout = channel.orders.write(Order::TrsyncTimeout, [oid, first as u32])?;
-            channel.push(timeout, (latch == homes.len()).then_some(ARMED))?;
+            channel.push(timeout, (latch == many).then_some(ARMED))?;
             if let Some(triggered) = self.triggered.get_mut(latch) {
                 *triggered = None;
             }
         }
-        for (n, home) in homes.iter().enumerate() {
+        for (n, home) in holds.homes.iter().enumerate() {
             let Home { switch, opens, look_s, .. } = *home;
             let clock_and_reason = [starts as u32, reason::TOUCH];
             look_at(channel, n + 1, Watched { switch, opens, look_s }, clock_and_reason)?;
@@ -214,12 +266,10 @@ impl Latches {
     /// Triggers the latches, each until it is told that it did.
     pub fn trigger(&mut self, channel: &mut Channel) -> Result<(), OrderError> {
         self.again_s = f64::INFINITY;
-        for latch in 0..=self.homes.len() {
-            let oid = channel.oid(Object::Latch(latch));
-            channel.hurry(Order::TrsyncTrigger, [oid, reason::HOST])?;
-            channel.ask(About::Latch(latch), Order::TrsyncTrigger, [oid, reason::HOST])?;
+        for latch in 0..=self.holds.count() {
+            Self::trigger_one(channel, latch, reason::HOST)?;
         }
-        let homes = self.homes.iter().map(|home| home.switch);
+        let homes = self.holds.homes.iter().map(|home| home.switch);
         let mut switches = homes.chain(self.watched.iter().map(|it| it.switch));
         switches.try_for_each(|switch| stop_looking(channel, switch))
     }
@@ -238,10 +288,9 @@ impl Latches {
 
     /// Motors that a latch stops.
     fn held(&self, channel: &Channel, latch: usize) -> Vec<usize> {
-        let homes = &self.homes;
-        let homed = |motor: &usize| homes.iter().any(|home| home.motors.contains(motor));
-        match latch.checked_sub(1).and_then(|n| homes.get(n)) {
-            Some(home) => home.motors.clone(),
+        let homed = |motor: &usize| self.holds.motors().any(|motors| motors.contains(motor));
+        match latch.checked_sub(1).and_then(|n| self.holds.motors().nth(n)) {
+            Some(motors) => motors.clone(),
             None => (0..channel.setup.motors.len()).filter(|motor| !homed(motor)).collect(),
         }
     }

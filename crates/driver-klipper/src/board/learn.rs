@@ -34,7 +34,8 @@ pub fn configure(channel: &mut Channel, configured: &Configured) -> Told {
 /// Stops what a former session may have left.
 pub fn put_at_rest(channel: &mut Channel) -> Told {
     let switches = channel.setup.switches.len();
-    let latches: Vec<u32> = (0..=switches).map(|n| channel.oid(Object::Latch(n))).collect();
+    let latches: Vec<u32> =
+        (0..channel.setup.latches()).map(|n| channel.oid(Object::Latch(n))).collect();
     // Starting a latch takes the motors from it that a former session left there.
     latches.iter().try_for_each(|oid| channel.send(Order::TrsyncStart, [*oid, 0, 0, 0]))?;
     let all = channel.oid(Object::Latch(0));

@@ -20,8 +20,9 @@ mod options;
 mod questions;
 mod session;
 
+pub use acts::FIRST_S;
 pub use introduction::{Held, Introduced, Introduction};
-pub use latch::{Home, Watched};
+pub use latch::{Holds, Home, Watched};
 pub use news::{Ended, Fault, News, NotNow, Start};
 pub use options::Options;
 
@@ -115,8 +116,50 @@ impl Board {
     /// # Errors
     ///
     /// The board cannot be moved now.
-    pub fn start_at(&mut self, homes: &[Home], clock: u64, now_s: f64) -> Result<Start, NotNow> {
-        self.open()?.start_at(homes, clock, now_s)
+    pub fn start_at(&mut self, holds: &Holds, clock: u64, now_s: f64) -> Result<Start, NotNow> {
+        self.open()?.start_at(holds, clock, now_s)
+    }
+
+    /// Motion could begin.
+    ///
+    /// # Errors
+    ///
+    /// The reason for which it cannot.
+    pub fn may_start(&self) -> Result<(), NotNow> {
+        self.shown().ok_or(NotNow::Absent)?.may_start()
+    }
+
+    /// Pieces of motion are taken: it goes on, and is not on its way to rest.
+    pub fn takes_pieces(&self) -> bool {
+        self.shown().is_some_and(Session::takes_pieces)
+    }
+
+    /// Takes back the piece that was offered last, in the same moment: another board does not make its part of it.
+    pub fn take_back(&mut self) {
+        if let Phase::Open(open) = &mut self.phase {
+            open.motion.queue.take_back();
+        }
+    }
+
+    /// The switch of a home, counted as at the start of motion, was touched.
+    pub fn has_touched(&self, home: usize) -> bool {
+        self.shown().is_some_and(|open| open.motion.latches.has_touched(home))
+    }
+
+    /// Every switch that stops motors of its own was touched; nothing where no motor has one.
+    pub fn is_sought(&self) -> Option<bool> {
+        let latches = &self.shown()?.motion.latches;
+        (!latches.holds.is_empty()).then(|| latches.is_sought())
+    }
+
+    /// A switch of another board was touched: its motors here stop.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there.
+    pub fn touch_away(&mut self, away: usize) -> Result<(), NotNow> {
+        let Session { motion, channel, .. } = self.open()?;
+        motion.latches.touch_away(channel, away).map_err(NotNow::Order)
     }
 
     /// From now on these switches stop all motors that no switch of their own does, and no others: at the beginning of
@@ -141,7 +184,12 @@ impl Board {
 
     /// Motion was broken off: by the host, a switch, a deadline, a shutdown, or the end of the session.
     pub fn is_stopping(&self) -> bool {
-        self.shown().is_none_or(Session::is_stopping)
+        self.stops().is_some()
+    }
+
+    /// The reason for which motion is broken off, while it is.
+    pub fn stops(&self) -> Option<Ended> {
+        self.shown().map_or(Some(Ended::Deadline), Session::stops)
     }
 
     /// Deadlines are pushed along no more, because another board of the machine is lost, or again.
@@ -189,7 +237,16 @@ impl Board {
     ///
     /// The board is not there.
     pub fn stop(&mut self) -> Result<(), NotNow> {
-        self.open()?.stop().map_err(NotNow::Order)
+        self.stop_as(Ended::Asked)
+    }
+
+    /// The same, for a reason of another board: outputs stay as they are where a switch was touched there.
+    ///
+    /// # Errors
+    ///
+    /// The board is not there.
+    pub fn stop_as(&mut self, why: Ended) -> Result<(), NotNow> {
+        self.open()?.stop(why).map_err(NotNow::Order)
     }
 
     /// Motion that is over is ended and counted, and latches are disarmed without waiting for more of it.

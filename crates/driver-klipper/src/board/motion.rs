@@ -1,7 +1,7 @@
 //! Motion of a session: armed, fed, ended, and counted.
 
 use super::channel::{Channel, Told};
-use super::latch::{Home, Latches, Watched};
+use super::latch::{Holds, Latches, Watched};
 use super::news::{Ended, Fault, News, Start};
 use super::questions::About;
 use crate::orders::{Order, OrderError};
@@ -48,7 +48,7 @@ impl Motion {
     pub fn new(channel: &Channel) -> Self {
         Self {
             state: State::Rest,
-            latches: Latches::new(channel.setup.switches.len() + 1),
+            latches: Latches::new(channel.setup.latches()),
             queue: Queue::new(Vec::new(), &[], 0),
             lead: Lead::new(channel.frequency).of_deadline(channel.options.deadline_s),
             counts: vec![0; channel.setup.motors.len()],
@@ -65,12 +65,12 @@ impl Motion {
     pub fn start_at(
         &mut self,
         channel: &mut Channel,
-        homes: &[Home],
+        holds: &Holds,
         [now, starts]: [u64; 2],
         now_s: f64,
     ) -> Result<Start, OrderError> {
         let ticks_per_s = channel.clock.as_ref().map_or(channel.frequency, |clock| clock.rate());
-        self.latches.arm(channel, homes, now, starts, now_s)?;
+        self.latches.arm(channel, holds, [now, starts], now_s)?;
         self.queue.start(starts, &self.counts);
         self.state = State::Arming;
         self.lingers = true;
@@ -172,7 +172,9 @@ impl Motion {
         if !channel.questions.answered(About::Position(motor)) {
             return Ok(());
         }
-        self.counts[motor] = i64::from(count);
+        // The board counts by the level of the pin, and knows nothing of a motor that turns the other way.
+        let turned = channel.setup.motors.get(motor).is_some_and(|motor| motor.dir.inverted);
+        self.counts[motor] = if turned { -i64::from(count) } else { i64::from(count) };
         self.counted(channel, news)
     }
 
@@ -184,7 +186,7 @@ impl Motion {
             return Ok(());
         }
         self.state = State::Rest;
-        if why == Ended::Rested && self.latches.homes.is_empty() {
+        if why == Ended::Rested && self.latches.holds.is_empty() {
             self.compare()?;
         }
         news.push_back(News::Ended { why, counts: self.counts.clone() });

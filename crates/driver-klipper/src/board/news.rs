@@ -148,6 +148,14 @@ pub enum Fault {
     /// A question was not answered, while other things were.
     #[error("the board does not answer `{0}`: flash its firmware anew")]
     Unanswered(&'static str),
+    /// One of several boards of a machine.
+    #[error("board {board}: {fault}")]
+    OnBoard {
+        /// Its name.
+        board: String,
+        /// What is wrong with it.
+        fault: Box<Self>,
+    },
     /// Steps were lost between host and board.
     #[error(
         "motor {motor} made {made} steps, {planned} were planned: home the machine, and report this"
@@ -160,4 +168,14 @@ pub enum Fault {
         /// Count that the board told.
         made: i64,
     },
+}
+
+impl Fault {
+    /// The board does not answer.
+    pub fn is_silent(&self) -> bool {
+        match self {
+            Self::OnBoard { fault, .. } => fault.is_silent(),
+            _ => matches!(self, Self::Silent | Self::NoBoard | Self::Unanswered(_)),
+        }
+    }
 }

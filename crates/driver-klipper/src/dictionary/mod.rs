@@ -35,6 +35,14 @@ pub enum DictionaryError {
         /// Fields that were looked for.
         fields: String,
     },
+    /// An answer is missing or lacks a field.
+    #[error("the board's firmware has no answer `{name}` with {fields}: flash a newer one")]
+    Answer {
+        /// Name of the answer.
+        name: &'static str,
+        /// Fields that were looked for.
+        fields: String,
+    },
     /// A pin or another word of the board is missing.
     #[error("the board has no {kind} `{word}`")]
     Word {
@@ -82,6 +90,21 @@ impl Dictionary {
         format.and_then(|format| Encoder::new(format, wanted)).ok_or_else(|| {
             DictionaryError::Command { name: wanted.name, fields: wanted.fields.join(", ") }
         })
+    }
+
+    /// Makes sure that the board has an answer of that name with these fields at least.
+    ///
+    /// # Errors
+    ///
+    /// It has none, or a field is missing.
+    pub fn answer(&self, wanted: &Wanted) -> Result<(), DictionaryError> {
+        let has = |format: &&Format, field: &str| format.fields.iter().any(|it| it.name == field);
+        let mut named = self.responses.values().filter(|format| format.name == wanted.name);
+        let found = named.any(|format| wanted.fields.iter().all(|field| has(&format, field)));
+        let fields = || wanted.fields.join(", ");
+        found
+            .then_some(())
+            .ok_or_else(|| DictionaryError::Answer { name: wanted.name, fields: fields() })
     }
 
     /// Returns `true` where the board has a command of that name.

@@ -12,10 +12,12 @@ pub mod output;
 pub mod reader;
 pub mod stepper;
 pub mod switch;
+pub mod wired;
 pub mod words;
 
 pub use board::Board;
 pub use line::{Faults, Line};
+pub use wired::Wired;
 
 /// Time of a board that shares its processor with others: where it is kept waiting its clock does too, so that it is late
 /// for nothing, as no real one is.

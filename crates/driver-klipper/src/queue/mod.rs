@@ -148,7 +148,8 @@ impl Queue {
         self.compressors = self.limits.iter().map(anew).collect();
         self.begun.clone_from(&self.compressors);
         self.offered.clear();
-        self.sending.clear();
+        // What was switched a moment ago is on its way still.
+        self.sending.retain(|release| matches!(release, Release::Output(_)));
         (self.tail, self.stopping) = (None, false);
         (self.begun_to, self.ends) = (clock, clock);
         for (told, count) in self.told.iter_mut().zip(counts) {
@@ -191,6 +192,15 @@ impl Queue {
         self.ends = prepared.ends;
         self.offered.push_back(prepared);
         Ok(())
+    }
+
+    /// Takes back the piece that was offered last, and of which nothing was sent.
+    pub fn take_back(&mut self) {
+        self.offered.pop_back();
+        let last = self.offered.back().map(|piece| (&piece.behind, piece.ends));
+        let (behind, ends) = last.unwrap_or((&self.begun, self.begun_to));
+        self.compressors.clone_from(behind);
+        self.ends = ends;
     }
 
     /// An output changes while nothing moves, or beside what moves.

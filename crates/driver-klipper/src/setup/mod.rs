@@ -4,11 +4,14 @@
 //! made of the configuration's text, so a board that was configured by someone else, or otherwise, is known by its
 //! number.
 
+mod needs;
 mod pins;
+mod share;
 
 pub use pins::{Pin, Pull};
+pub use share::{Share, own};
 
-use crate::dictionary::Dictionary;
+use crate::dictionary::{Dictionary, DictionaryError};
 use crate::orders::{Order, OrderError, Orders};
 use pins::{Look, Pins};
 
@@ -81,6 +84,8 @@ pub struct Setup {
     pub buttons: Vec<Pin>,
     /// Wires to motor drivers.
     pub drivers: Vec<DriverWire>,
+    /// Switches on other boards that may stop motors of this one.
+    pub away: usize,
 }
 
 /// The reason for which a setup does not fit a board.
@@ -89,9 +94,15 @@ pub enum SetupError {
     /// The board lacks a pin or a command, or a value is out of bounds.
     #[error(transparent)]
     Order(#[from] OrderError),
+    /// The board lacks an answer, or a field of it.
+    #[error(transparent)]
+    Answer(#[from] DictionaryError),
     /// A pin has two tasks.
     #[error("pin `{0}` is used twice: give each motor, switch and output pins of its own")]
     Twice(String),
+    /// Two pins that belong together are on two boards.
+    #[error("pins `{}` and `{}` are on two boards: step and direction of a motor, or both ends of a wire, go to one", .0[0], .0[1])]
+    Split([String; 2]),
     /// The board needs a pin for itself.
     #[error("pin `{pin}` is used by the board itself ({by}): take another one")]
     Reserved {
@@ -149,6 +160,11 @@ pub enum Object {
 }
 
 impl Setup {
+    /// Number of its latches: one over all motion, one for each switch that may stop motors.
+    pub fn latches(&self) -> usize {
+        1 + self.switches.len() + self.away
+    }
+
     /// Number of an object in the board.
     pub fn oid(&self, object: Object) -> u32 {
         let rows = [
@@ -183,7 +199,7 @@ impl Setup {
             .constant("CLOCK_FREQ")
             .filter(|f| FREQUENCIES.contains(f))
             .ok_or(SetupError::Frequency)?;
-        let count = self.oid(Object::Latch(self.switches.len())) as usize + 1;
+        let count = self.oid(Object::Latch(0)) as usize + self.latches();
         let many = |what, most, count| SetupError::Many { what, most, count };
         if count > 255 {
             return Err(many("objects", 255, count));
@@ -191,6 +207,7 @@ impl Setup {
         if self.buttons.len() > 8 {
             return Err(many("inputs that are looked at", 8, self.buttons.len()));
         }
+        self.needs(board, orders)?;
         let mut writer =
             Writer { board, orders, frequency, pins: Pins::new(board), commands: Vec::new() };
         writer.write(Order::Allocate, [count as u32])?;
@@ -238,7 +255,7 @@ impl Setup {
             let (oid, bit) = (self.oid(Object::Driver(n)), to.ticks(1.0 / crate::tmc::BAUD));
             to.write(Order::ConfigDriverUart, [oid, rx, wire.rx.pull.number(), tx, bit])?;
         }
-        for n in 0..=self.switches.len() {
+        for n in 0..self.latches() {
             to.write(Order::ConfigTrsync, [self.oid(Object::Latch(n))])?;
         }
         for (n, button) in self.buttons.iter().enumerate() {

@@ -37,6 +37,8 @@ pub struct Pin {
     pub inverted: bool,
     /// Resistor, at inputs.
     pub pull: Pull,
+    /// Its board, where a machine has several: 0 for the first.
+    pub board: usize,
 }
 
 impl Pin {

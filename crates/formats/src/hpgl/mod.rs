@@ -9,10 +9,10 @@
 //! pen 1 the first, pen 2 the second. 40 plotter units are a millimetre (1016 an inch), unless SC and IP
 //! say otherwise. Lettering, line types and fills are no paths: they are counted and told.
 
+mod instructions;
 mod packed;
 mod plotter;
 mod scale;
-mod words;
 
 use crate::Imported;
 use crate::finding::Findings;
@@ -22,7 +22,7 @@ use plotter::Plotter;
 pub fn read(bytes: &[u8]) -> Imported {
     let mut findings = Findings::default();
     let mut plotter = Plotter::default();
-    for instruction in words::instructions(bytes) {
+    for instruction in instructions::instructions(bytes) {
         plotter.carry_out(&instruction, &mut findings);
     }
     let (drawing, layers) = plotter.finish(&mut findings);

@@ -1,8 +1,8 @@
 //! A plotter that remembers what it has drawn.
 
+use super::instructions::Instruction;
 use super::packed::{Step, steps};
 use super::scale::Scale;
-use super::words::Instruction;
 use crate::finding::Findings;
 use kerf_drawing::{Drawing, Group, Shape};
 use kerf_geom::{Point2, Polyarc, Vec2, Vertex, tol};

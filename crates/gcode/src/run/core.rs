@@ -13,7 +13,7 @@ use super::state::{Modal, State};
 use super::under_way::UnderWay;
 use crate::syntax::tree::Program;
 use kerf_program::settings::LinearUnit;
-use kerf_program::{Axes, Axis, Frame, Settings, Turn};
+use kerf_program::{Axes, Axis, Frame, Settings, SpindleTurn};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ pub(super) struct Core {
     pub(super) under_way: UnderWay,
     pub(super) asking: Asking,
     /// Marks of messages that are told only once.
-    pub(super) told: Told,
+    pub(super) told: ToldOnce,
 }
 
 /// Things that one motion leaves to the next of its kind.
@@ -49,7 +49,7 @@ pub(super) struct Sequels {
 
 /// Marks of messages that are told only once: `true` once told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Told {
+pub(super) struct ToldOnce {
     pub(super) units: bool,
     pub(super) feed: bool,
     pub(super) console: bool,
@@ -74,7 +74,7 @@ impl Core {
             sequels: Sequels::default(),
             under_way: UnderWay::default(),
             asking: Asking::default(),
-            told: Told::default(),
+            told: ToldOnce::default(),
         };
         core.begin_modes();
         core.adopt_frame();
@@ -135,8 +135,8 @@ impl Core {
     }
 
     /// Returns `true` if the operator is asked before the spindle turns so.
-    pub(super) fn would_ask_spindle(&self, turn: Turn) -> bool {
-        let starts = turn != Turn::Off && self.state.modal.turn == Turn::Off;
+    pub(super) fn would_ask_spindle(&self, turn: SpindleTurn) -> bool {
+        let starts = turn != SpindleTurn::Off && self.state.modal.turn == SpindleTurn::Off;
         let options = &self.options;
         starts && options.ask_spindle && options.spindle_output > 0 && !options.preview
     }

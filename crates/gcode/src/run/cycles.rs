@@ -12,7 +12,7 @@ use super::{feed, go};
 use crate::syntax::codes::g_name;
 use crate::syntax::gathered::Gathered;
 use kerf_diag::Code;
-use kerf_program::{Command, MoveKind, Turn};
+use kerf_program::{Command, MoveKind, SpindleTurn};
 
 /// Height above the last bottom at which a peck begins again: LinuxCNC's 0.010 in.
 const AGAIN_MM: f64 = 0.254;
@@ -135,9 +135,9 @@ fn peck(c: &mut Context<'_>, hole: &Hole) -> Result<(), Stop> {
 }
 
 /// The way the spindle turns, which has to turn.
-fn spindle_turn(core: &Core, hole: &Hole) -> Result<Turn, Refused> {
+fn spindle_turn(core: &Core, hole: &Hole) -> Result<SpindleTurn, Refused> {
     let turn = core.state.modal.turn;
-    if turn != Turn::Off || core.options.dialect.is_lenient() {
+    if turn != SpindleTurn::Off || core.options.dialect.is_lenient() {
         return Ok(turn);
     }
     let message = format!("{} while the spindle stands", g_name(hole.code));
@@ -147,8 +147,8 @@ fn spindle_turn(core: &Core, hole: &Hole) -> Result<Turn, Refused> {
 fn tap(c: &mut Context<'_>, hole: &Hole) -> Result<(), Stop> {
     let turn = spindle_turn(c.core, hole)?;
     let back = match turn {
-        Turn::Clockwise => Turn::Counterclockwise,
-        Turn::Counterclockwise => Turn::Clockwise,
+        SpindleTurn::Clockwise => SpindleTurn::Counterclockwise,
+        SpindleTurn::Counterclockwise => SpindleTurn::Clockwise,
         other => other,
     };
     turn_spindle(c, back);
@@ -161,7 +161,7 @@ fn tap(c: &mut Context<'_>, hole: &Hole) -> Result<(), Stop> {
 fn ask_to_retract(c: &mut Context<'_>, hole: &Hole) -> Result<(), Stop> {
     let turn = spindle_turn(c.core, hole)?;
     c.core.under_way.retracting = Some((*hole, turn));
-    turn_spindle(c, Turn::Off);
+    turn_spindle(c, SpindleTurn::Off);
     c.core.under_way.holding = Some("G88: retract by hand, then go on".into());
     Ok(())
 }
@@ -177,7 +177,7 @@ pub(super) fn retract_by_hand(c: &mut Context<'_>) -> Result<(), Stop> {
 /// G86: out with the spindle at rest.
 fn retract_stopped(c: &mut Context<'_>, hole: &Hole) -> Result<(), Stop> {
     let turn = spindle_turn(c.core, hole)?;
-    turn_spindle(c, Turn::Off);
+    turn_spindle(c, SpindleTurn::Off);
     along(c, hole, MoveKind::Jog, hole.clear)?;
     turn_spindle(c, turn);
     Ok(())
@@ -191,13 +191,13 @@ fn bore_from_behind(c: &mut Context<'_>, hole: &Hole) -> Result<(), Stop> {
     let at = [(u, place.0[u]), (v, place.0[v])];
     let beside = [(u, place.0[u] + hole.beside[0]), (v, place.0[v] + hole.beside[1])];
     go_to(c, MoveKind::Jog, &beside)?;
-    turn_spindle(c, Turn::Off);
+    turn_spindle(c, SpindleTurn::Off);
     along(c, hole, MoveKind::Jog, hole.bottom)?;
     go_to(c, MoveKind::Jog, &at)?;
     turn_spindle(c, turn);
     along(c, hole, MoveKind::Cut, hole.higher(hole.middle, hole.bottom))?;
     along(c, hole, MoveKind::Cut, hole.bottom)?;
-    turn_spindle(c, Turn::Off);
+    turn_spindle(c, SpindleTurn::Off);
     go_to(c, MoveKind::Jog, &beside)?;
     along(c, hole, MoveKind::Jog, hole.clear)?;
     go_to(c, MoveKind::Jog, &at)?;

@@ -11,7 +11,7 @@ use super::{controllers, feed, io, motion, offsets, spindle, stops};
 use crate::syntax::codes::{IO, MOTION, NOTHING, ONCE, PLANE, SPINDLE, TOOL, g_name};
 use crate::syntax::gathered::{AXIS_WORDS, Gathered, letters};
 use kerf_diag::Code;
-use kerf_program::{Axis, Turn};
+use kerf_program::{Axis, SpindleTurn};
 
 /// Letters that ask for a motion.
 const MOVING: u32 = AXIS_WORDS | letters(b"@^");
@@ -38,7 +38,7 @@ pub(super) fn execute(c: &mut Context<'_>, g: &Gathered) -> Result<(), Stop> {
 
 /// Returns `true` if the block starts the spindle and the operator is asked first.
 fn starts_spindle(core: &Core, g: &Gathered) -> bool {
-    matches!(g.m[SPINDLE], Some(3 | 4)) && core.would_ask_spindle(Turn::Clockwise)
+    matches!(g.m[SPINDLE], Some(3 | 4)) && core.would_ask_spindle(SpindleTurn::Clockwise)
 }
 
 fn carry_out(c: &mut Context<'_>, g: &Gathered) -> Result<(), Stop> {

@@ -7,7 +7,7 @@ use crate::syntax::gathered::Fault;
 use crate::syntax::tree::Span;
 use kerf_diag::Code;
 use kerf_program::settings::{LinearUnit, to_user};
-use kerf_program::{Axes, Turn};
+use kerf_program::{Axes, SpindleTurn};
 use std::sync::Arc;
 
 /// The parameter that M66 answers in.
@@ -151,8 +151,8 @@ impl Parameters<'_> {
             "_coord_system" => modal.system as f64 * 10.0 + 540.0,
             "_plane" => 170.0 + 10.0 * modal.plane as u8 as f64,
             "_motion_mode" => f64::from(modal.motion.unwrap_or(800)),
-            "_spindle_on" => yes(modal.turn != Turn::Off),
-            "_spindle_cw" => yes(modal.turn == Turn::Clockwise),
+            "_spindle_on" => yes(modal.turn != SpindleTurn::Off),
+            "_spindle_cw" => yes(modal.turn == SpindleTurn::Clockwise),
             "_mist" => yes(modal.mist),
             "_flood" => yes(modal.flood),
             "_feed_override" => yes(modal.overrides[0]),

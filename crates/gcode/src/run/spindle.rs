@@ -5,7 +5,7 @@ use super::stop::{Stop, fail};
 use crate::syntax::codes::{COOLANT, MIST, SPINDLE};
 use crate::syntax::gathered::Gathered;
 use kerf_diag::Code;
-use kerf_program::{Command, QuestionKind, SPINDLE_STATUS, Turn};
+use kerf_program::{Command, QuestionKind, SPINDLE_STATUS, SpindleTurn};
 
 /// The spindle that M3 … M5 speak of.
 pub(super) const SPINDLE_NUMBER: u8 = 1;
@@ -29,10 +29,10 @@ pub(super) fn set_speed(c: &mut Context<'_>, rpm: f64) {
 /// M3, M4, M5.
 pub(super) fn spindle(c: &mut Context<'_>, g: &Gathered) -> Result<(), Stop> {
     let turn = match g.m[SPINDLE] {
-        Some(3) => Turn::Clockwise,
-        Some(4) if c.core.options.laser => Turn::Dynamic,
-        Some(4) => Turn::Counterclockwise,
-        Some(5) => Turn::Off,
+        Some(3) => SpindleTurn::Clockwise,
+        Some(4) if c.core.options.laser => SpindleTurn::Dynamic,
+        Some(4) => SpindleTurn::Counterclockwise,
+        Some(5) => SpindleTurn::Off,
         Some(_) => {
             let hint = "the spindle here cannot stop at an angle";
             return Err(fail(Code::NotSupported, "M19 cannot be carried out", hint));
@@ -45,7 +45,7 @@ pub(super) fn spindle(c: &mut Context<'_>, g: &Gathered) -> Result<(), Stop> {
 }
 
 /// The spindle starts only when the operator says so, unless it counts as active.
-fn ask_spindle(c: &mut Context<'_>, turn: Turn) -> Result<(), Stop> {
+fn ask_spindle(c: &mut Context<'_>, turn: SpindleTurn) -> Result<(), Stop> {
     if !c.core.would_ask_spindle(turn) {
         return Ok(());
     }
@@ -58,13 +58,13 @@ fn ask_spindle(c: &mut Context<'_>, turn: Turn) -> Result<(), Stop> {
 }
 
 /// Turns the spindle and the output that follows it.
-pub(super) fn turn_spindle(c: &mut Context<'_>, turn: Turn) {
+pub(super) fn turn_spindle(c: &mut Context<'_>, turn: SpindleTurn) {
     let before = std::mem::replace(&mut c.core.state.modal.turn, turn);
     if before != turn {
         c.emit(Command::SpindleTurn { number: SPINDLE_NUMBER, turn });
     }
-    let (on, number) = (turn != Turn::Off, c.core.options.spindle_output);
-    if number > 0 && on != (before != Turn::Off) {
+    let (on, number) = (turn != SpindleTurn::Off, c.core.options.spindle_output);
+    if number > 0 && on != (before != SpindleTurn::Off) {
         c.emit(Command::Output { number, on });
     }
 }

@@ -1,7 +1,7 @@
 //! The memory of G-code: modes, offsets, parameters, tools.
 
 use kerf_program::settings::{AxisUnit, LinearUnit};
-use kerf_program::{Axes, Axis, PathControl, Settings, Turn};
+use kerf_program::{Axes, Axis, PathControl, Settings, SpindleTurn};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -108,7 +108,7 @@ pub struct Modal {
     /// Revolutions a minute (S).
     pub rpm: f64,
     /// Spindle direction.
-    pub turn: Turn,
+    pub turn: SpindleTurn,
     /// M7.
     pub mist: bool,
     /// M8.
@@ -134,7 +134,7 @@ impl Default for Modal {
             path: PathControl::Blend { tolerance_mm: None, merge_mm: None },
             feed: None,
             rpm: 0.0,
-            turn: Turn::Off,
+            turn: SpindleTurn::Off,
             mist: false,
             flood: false,
             overrides: [true; 2],

@@ -10,7 +10,7 @@ use super::stop::Stop;
 use crate::syntax::codes::{STOP, TOOL};
 use crate::syntax::gathered::Gathered;
 use crate::syntax::tree::Label;
-use kerf_program::{Command, QuestionKind, ToolPathStart, Turn};
+use kerf_program::{Command, QuestionKind, SpindleTurn, ToolPathStart};
 
 /// M6, M61.
 pub(super) fn tool_change(c: &mut Context<'_>, g: &Gathered) -> Result<(), Stop> {
@@ -37,7 +37,7 @@ pub(super) fn begin_tool_change(c: &mut Context<'_>, g: &Gathered) -> Result<(),
     }
     // Behind a tool change the program goes on from where the tool really is.
     core.place.arrive(core.place.tool());
-    turn_spindle(c, Turn::Off);
+    turn_spindle(c, SpindleTurn::Off);
     let tool = g.tool(b'T').unwrap_or(c.core.state.selected);
     if tool != c.core.state.tool && changes_elsewhere(c, tool) {
         c.core.under_way.due_tool = Some(tool);
@@ -112,7 +112,7 @@ fn message_above(c: &Context<'_>) -> Option<String> {
 /// M2, M30: the machine is left as a program should leave it.
 fn end_program(c: &mut Context<'_>) {
     end_compensation(c);
-    turn_spindle(c, Turn::Off);
+    turn_spindle(c, SpindleTurn::Off);
     set_coolant(c, false, false);
     let modal = &mut c.core.state.modal;
     let kept = (modal.unit, modal.unit_said, modal.rpm, modal.return_to_r);

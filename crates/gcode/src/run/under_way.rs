@@ -1,7 +1,7 @@
 //! Things that a block began and a later step ends.
 
 use super::hole::Hole;
-use kerf_program::{Axes, Turn, Watch};
+use kerf_program::{Axes, SpindleTurn, Watch};
 use serde::{Deserialize, Serialize};
 
 /// Things that a block began and a later step ends.
@@ -17,7 +17,7 @@ pub(super) struct UnderWay {
     /// The block at hand was carried out, and holds the program with these words.
     pub(super) holding: Option<String>,
     /// The hole of G88 whose retract comes when somebody has answered, and how the spindle turns then.
-    pub(super) retracting: Option<(Hole, Turn)>,
+    pub(super) retracting: Option<(Hole, SpindleTurn)>,
 }
 
 /// A probe move that is under way.

@@ -33,7 +33,7 @@ impl Lag {
         }
     }
 
-    /// So much is told to be made.
+    /// Notes how far a move is told to be made.
     pub fn tells(&mut self, share: Share) {
         self.told.push_back((self.now_s, share));
     }

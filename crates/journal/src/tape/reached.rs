@@ -55,7 +55,7 @@ impl Tape {
         Some(Reached { made, within, ..self.reached.clone() })
     }
 
-    /// So much of the move under way is made; the machine is there.
+    /// Notes how much of the move under way is made, and the machine's place.
     pub fn makes(&mut self, share: f64, place: Placed) {
         (self.reached.within, self.reached.place) = (share, place);
         if let Some(lag) = &mut self.lag {
@@ -136,7 +136,7 @@ impl Tape {
         (self.reached.live.inputs, self.reached.live.outputs) = (inputs, outputs);
     }
 
-    /// From now on a thread writes: whoever moves the machine waits for no disk.
+    /// Hands writing to a thread: the machine's thread waits for no disk from now on.
     pub fn writes_behind(&mut self, hurry: Option<Hurry>) {
         if let Some(progress) = &mut self.writing {
             progress.writes_behind(hurry);

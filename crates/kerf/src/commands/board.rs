@@ -1,6 +1,7 @@
 //! Boards: found at ports and in the network, their settings, and whether they hold what Kerf expects of a controller.
 
 use crate::exit::{Exit, Usage};
+use crate::given;
 use crate::machine_name::{DriverName, MachineName};
 use crate::out;
 use anyhow::{Context, Result, anyhow, bail};
@@ -284,8 +285,7 @@ fn backup(board: &str, settings: &Settings) -> String {
 
 /// Reads a backup: a setting a line, what begins with a semicolon is none.
 fn read(file: &Path) -> Result<Settings> {
-    let text =
-        std::fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
+    let text = given::text(file)?;
     let mut settings = Settings::new();
     for (n, line) in text.lines().map(str::trim).enumerate() {
         if line.is_empty() || line.starts_with(';') {

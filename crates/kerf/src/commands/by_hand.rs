@@ -115,13 +115,13 @@ impl Way {
 
 /// A special height.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub enum Height {
+pub enum SpecialHeight {
     Top,
     Surface,
     Bottom,
 }
 
-impl Height {
+impl SpecialHeight {
     const fn key(self) -> &'static str {
         match self {
             Self::Top => "zpos.top_mm",
@@ -342,7 +342,12 @@ pub fn moves(which: &Which, args: &MoveArgs) -> Result<Exit> {
 }
 
 /// Records where Z is as one of its special heights, or puts the height by a distance.
-pub fn zset(which: &Which, height: Height, to: Option<f64>, by: Option<f64>) -> Result<Exit> {
+pub fn zset(
+    which: &Which,
+    height: SpecialHeight,
+    to: Option<f64>,
+    by: Option<f64>,
+) -> Result<Exit> {
     not_beside_a_server(which, "set Z top, surface or bottom on its page Job")?;
     let mut shop = Shop::open(which, false)?;
     let setting = table::setting(height.key());
@@ -425,7 +430,7 @@ pub fn origin(which: &Which, place: Option<&str>) -> Result<Exit> {
 }
 
 /// Z is homed first where jobs home it; then it goes to the height that is to be recorded.
-fn drive_there(shop: &mut Shop, height: Height, to: Option<f64>) -> Result<Exit> {
+fn drive_there(shop: &mut Shop, height: SpecialHeight, to: Option<f64>) -> Result<Exit> {
     let stood = shop.session.memory.position[Axis::Z];
     let homes = shop.machine.homing.at_job_start.contains(Axis::Z);
     let mut shift = 0.0;
@@ -438,7 +443,7 @@ fn drive_there(shop: &mut Shop, height: Height, to: Option<f64>) -> Result<Exit>
     }
     let Some(z) = to.or(homes.then_some(shift)) else { return Ok(Exit::Good) };
     let mut free = (*shop.machine).clone();
-    if height == Height::Bottom {
+    if height == SpecialHeight::Bottom {
         // It is being set: it does not bound the way.
         free.zpos.bottom_mm = free.zpos.bottom_mm.min(z);
     }

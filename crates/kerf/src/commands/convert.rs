@@ -216,7 +216,7 @@ fn drawing(args: &ConvertArgs, kind: &str) -> Result<Exit> {
 /// The head of the program of a drawing: where it comes from, when, and what was taken for it.
 fn drawing_title(args: &ConvertArgs, kind: &str, how: &Drawn, unit: LinearUnit) -> String {
     let name = args.source.file_name().unwrap_or_default().to_string_lossy();
-    let settings = how.told(kind, unit);
+    let settings = how.settings_line(kind, unit);
     format!(
         "Converted from {name} by kerf {}, {}\n{settings}",
         env!("CARGO_PKG_VERSION"),

@@ -1,6 +1,7 @@
 //! `kerf fmt`: part files, tidied.
 
 use crate::exit::{Exit, Usage};
+use crate::given;
 use crate::out;
 use crate::parse::{self, Dialects};
 use crate::report::Diagnostics;
@@ -150,7 +151,9 @@ fn read_stream() -> Result<Vec<u8>> {
 fn read_file(file: &Path) -> Result<Vec<u8>> {
     match fs::read(file) {
         Ok(bytes) => Ok(bytes),
-        Err(error) => bail!(Usage(format!("cannot read {}: {error}", file.display()))),
+        Err(error) => {
+            bail!(Usage(format!("cannot read {}: {}", file.display(), given::why(file, &error))))
+        }
     }
 }
 

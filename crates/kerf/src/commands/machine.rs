@@ -3,14 +3,14 @@
 use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
-use crate::commands::by_hand::{self, Height, MoveArgs, ServerArgs};
-use crate::commands::{protect, prove, step_board};
+use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
+use crate::commands::{protect, prove, step_board, wire};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
-use kerf_journal::machine_file::{MachineFile, told};
+use kerf_journal::machine_file::{MachineFile, mistake_lines};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::profile::{PROFILES, profile};
 use kerf_machine::table::{self, Setting};
@@ -94,7 +94,7 @@ enum Action {
     Zset {
         /// Which
         #[arg(value_enum)]
-        height: Height,
+        height: SpecialHeight,
         /// Goes to this height first, millimetres from home
         #[arg(allow_hyphen_values = true, value_parser = parse::number, conflicts_with = "by")]
         to: Option<f64>,
@@ -106,9 +106,18 @@ enum Action {
     Pos,
     /// Looks for controllers at all serial ports and in the network, in three seconds, and shows their firmware
     Connect {
-        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]; or the one board with step queues to show,
+        /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]; or the boards with step queues to show,
         /// klipper:PORT
         more: Vec<String>,
+    },
+    /// Asks which pin of a board with step queues does what, turns each motor a millimetre to be looked at, looks at
+    /// switches and outputs, tries speeds, and writes the machine's file; q stops at each question
+    Wire {
+        /// The board, klipper:PORT
+        board: String,
+        /// The file to be written
+        #[arg(long, value_name = "FILE", default_value = "board.toml")]
+        into: PathBuf,
     },
     /// Prints what a printer's configuration (printer.cfg) tells of a board with step queues, as the lines of a machine's
     /// file; notes tell what was left out
@@ -184,15 +193,16 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
         Action::Connect { more } => {
-            return match &more[..] {
-                [name] => match MachineName::read(name) {
-                    Ok(MachineName::Controller(name)) if name.is_board() => {
-                        step_board::connect(&name)
-                    }
-                    _ => board::connect(more),
-                },
+            let boards: Option<Vec<DriverName>> = more.iter().map(|it| board_name(it)).collect();
+            return match boards {
+                Some(boards) if !boards.is_empty() => step_board::connect(&boards),
                 _ => board::connect(more),
             };
+        }
+        Action::Wire { board, into } => {
+            let name = board_name(board)
+                .ok_or_else(|| Usage(format!("{board} is no board: name it as klipper:PORT")))?;
+            return wire::wire(&name, args.which.machine()?, into);
         }
         Action::Import { file } => return step_board::import(file),
         Action::Prove { report, home } => {
@@ -209,6 +219,14 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
     Ok(Exit::Good)
+}
+
+/// Reads the name of a board with step queues; nothing where it is that of something else.
+fn board_name(words: &str) -> Option<DriverName> {
+    match MachineName::read(words) {
+        Ok(MachineName::Controller(name)) => Some(name).filter(DriverName::is_board),
+        _ => None,
+    }
 }
 
 /// Returns the controller that is named.
@@ -303,10 +321,10 @@ fn check(files: &[PathBuf]) -> Result<Exit> {
         let text = given::text(path)?;
         let name = path.display().to_string().into();
         for note in file::notes(&name, &text) {
-            out::print(&format!("note: {}\n", told(&[note])));
+            out::print(&format!("note: {}\n", mistake_lines(&[note])));
         }
         if let Err(found) = file::read(&name, &text) {
-            out::print(&format!("{}\n", told(&found)));
+            out::print(&format!("{}\n", mistake_lines(&found)));
             worst = Exit::Failed;
         }
     }

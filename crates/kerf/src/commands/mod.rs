@@ -28,6 +28,7 @@ mod send;
 mod serve;
 mod settings;
 mod step_board;
+mod step_way;
 mod sysvars;
 mod time;
 mod timing;
@@ -36,10 +37,14 @@ mod trace;
 mod values;
 mod wavlength;
 mod which;
+mod wire;
 
 use crate::exit::{Exit, Usage};
+use crate::folders;
+use crate::machine_file;
 use crate::machine_name::MachineChoice;
 use crate::outputs::Outputs;
+use crate::unused;
 use anyhow::{Result, bail};
 use clap::{ArgMatches, Subcommand};
 
@@ -105,6 +110,9 @@ impl Command {
     /// The command as it was given, unless not all of it would be heeded.
     pub fn heeding(self, cli: &clap::Command, given: &ArgMatches) -> Result<Self> {
         MachineChoice::refuse_two(given)?;
+        machine_file::refuse_missing(given)?;
+        folders::refuse_missing(given)?;
+        unused::refuse(cli, given)?;
         let heeded = match &self {
             Self::Run(args) => args.heeded(),
             Self::Send(args) => args.heeded(),

@@ -2,7 +2,7 @@
 
 use crate::args::{Format, PlaceArgs};
 use crate::exit::{Exit, Usage};
-use crate::{clock, out, setup};
+use crate::{clock, folders, out, setup};
 use anyhow::{Context, Result};
 use clap::Args;
 use kerf_files::versions::{Version, Versions};
@@ -49,6 +49,7 @@ pub fn run(args: &PartsArgs) -> Result<Exit> {
             Some(number) => restore(&versions, folder, name, number),
         };
     }
+    folders::is_there(folder, "its part files are listed")?;
     let place = PlaceArgs { parts: None, ..args.place.clone() };
     let mut workspace = setup::workspace(folder, &place, true)?;
     workspace.set_mask(Some(&args.mask));

@@ -66,7 +66,7 @@ fn new_hash() -> Result<String> {
     if getrandom::fill(&mut salt).is_err() {
         bail!("the system gives no random numbers");
     }
-    Ok(password::kept(&new[0], salt))
+    Ok(password::hashed(&new[0], salt))
 }
 
 /// A line from whoever sits there, or from a script.

@@ -188,7 +188,7 @@ fn resume(args: &MachineArgs, run: &RunArgs) -> Result<Exit> {
     let cut = journal.runs.cut_short()?.ok_or_else(nothing)?;
     let (mut session, whereabouts) = Session::recall(&journal, &mut workspace)?;
     if !args.quiet {
-        eprintln!("kerf: {}", cut.told());
+        eprintln!("kerf: {}", cut.sentence());
     }
     if whereabouts == Whereabouts::Moving {
         eprintln!(

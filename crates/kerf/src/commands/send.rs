@@ -17,8 +17,10 @@ use crate::summary::told_by_server;
 use crate::transfer::Sender;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
+use kerf_formats::ending;
 use kerf_transport::Port;
 use kerf_workspace::Workspace;
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// Name under which the lines are kept in the part folder, as SI does.
@@ -151,10 +153,23 @@ fn remotely(url: &str, lines: &str, args: &SendArgs) -> Result<Exit> {
     Ok(told_by_server(&server.send(lines, false)?, args.machine.quiet()))
 }
 
+/// Tells whether a name ends as those of part files and jobs do.
+fn is_part_file(name: &str) -> bool {
+    let ending = ending(Path::new(name));
+    ending == "rsm" || kerf_sbp::is_part_name(name) || kerf_sbp::is_gcode_name(name)
+}
+
 /// Refuses a file that was meant to be sent: it is no line, and where it goes is missing.
 fn refuse_file(args: &SendArgs) -> Result<()> {
     let [file] = args.lines.as_slice() else { return Ok(()) };
-    if Path::new(file).is_file() && kerf_sbp::read_typed(FILE.into(), file).has_errors() {
+    let is_line = !kerf_sbp::read_typed(FILE.into(), file).has_errors();
+    if !is_line && !Path::new(file).is_file() && is_part_file(file) {
+        let why = given::why(Path::new(file), &ErrorKind::NotFound.into());
+        bail!(Usage(format!(
+            "{file} is no line and no file: {why}; `kerf send MX,1` carries a line out"
+        )));
+    }
+    if !is_line && Path::new(file).is_file() {
         bail!(Usage(format!(
             "{file} is a file: name a port or an address: kerf send {file} com2; `kerf run {file}` runs it"
         )));

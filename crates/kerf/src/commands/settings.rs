@@ -2,10 +2,11 @@
 
 use super::send;
 use crate::args::{PlaceArgs, RunArgs, Start};
-use crate::exit::Exit;
+use crate::exit::{Exit, Usage};
 use crate::{out, setup};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
+use kerf_program::{FileRequest, Folder, HostError};
 use std::path::Path;
 
 /// Shows, saves and loads the settings of the V commands, as UV, US and UR do
@@ -64,8 +65,19 @@ pub fn run(args: SettingsArgs) -> Result<Exit> {
         }
         Action::Save(named) => typed(|name| format!("US,{name}"), named),
         Action::Load { named, delete_log } => {
+            is_there(&named)?;
             typed(|name| format!("UR,{name},{}", u8::from(delete_log)), named)
         }
+    }
+}
+
+/// Refuses a settings file that is not there.
+fn is_there(Named { name, run, .. }: &Named) -> Result<()> {
+    let mut workspace = setup::workspace(Path::new(""), &run.place, true)?;
+    let request = FileRequest { folder: Folder::Settings, name: name.clone() };
+    match workspace.source(&request) {
+        Err(HostError::NotFound(why)) => bail!(Usage(why)),
+        _ => Ok(()),
     }
 }
 

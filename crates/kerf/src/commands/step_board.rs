@@ -1,6 +1,7 @@
 //! Boards with step queues on the bench: who they are, and a proof that they make what is planned, with numbers.
 
 use crate::commands::prove::{OnBench, Report};
+use crate::commands::step_way::Way;
 use crate::controller;
 use crate::exit::Exit;
 use crate::machine_name::DriverName;
@@ -11,9 +12,8 @@ use kerf_control::controller::queued::{Queued, Socket};
 use kerf_driver_klipper::board::{Held, Introduced, Introduction};
 use kerf_driver_klipper::dictionary::Dictionary;
 use kerf_machine::printer_cfg;
-use kerf_machine::{Configuration, Going, Machine};
-use kerf_motion::{Mover, Plan, planner};
-use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};
+use kerf_machine::{Configuration, Machine};
+use kerf_program::{Axes, Axis};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -22,8 +22,6 @@ use std::time::{Duration, Instant};
 const GREETING: Duration = Duration::from_secs(12);
 /// One look at a line.
 const NAP: Duration = Duration::from_millis(5);
-/// A case takes no longer than this.
-const PATIENCE: Duration = Duration::from_secs(60);
 /// X goes there and back so far and so often, mm, at a speed in mm/s.
 const WAY_MM: f64 = 20.0;
 const TIMES: usize = 5;
@@ -31,17 +29,19 @@ const SPEED_MM_S: f64 = 30.0;
 /// Stops on the way of X that are measured.
 const STOPS: usize = 5;
 
-fn socket(name: &DriverName) -> Result<Socket> {
+pub fn socket(name: &DriverName) -> Result<Socket> {
     match controller::socket(name) {
         Place::Queued(socket) => Ok(socket),
         Place::Followed(_) => bail!("{name}: this is no board with step queues"),
     }
 }
 
-/// Prints who a board is: its firmware, its chip, its configuration, its pins. Nothing of it changes.
-pub fn connect(name: &DriverName) -> Result<Exit> {
-    let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
-    out::print(&described(name, &introduced));
+/// Prints who boards are: their firmware, chip, configuration, pins. Nothing of them changes.
+pub fn connect(names: &[DriverName]) -> Result<Exit> {
+    for name in names {
+        let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
+        out::print(&described(name, &introduced));
+    }
     Ok(Exit::Good)
 }
 
@@ -148,8 +148,8 @@ pub fn prove(name: &DriverName, machine: &Configuration, report: &Path) -> Resul
 fn measured(queued: &mut Queued, machine: &Configuration) -> Result<String, String> {
     let [before, _] = queued.counts();
     for _ in 0..TIMES {
-        moves(queued, machine, WAY_MM)?;
-        moves(queued, machine, 0.0)?;
+        way(WAY_MM).moves(queued, machine)?;
+        way(0.0).moves(queued, machine)?;
     }
     queued.close(true, || false);
     let [made, planned] = queued.counts();
@@ -173,7 +173,7 @@ fn measured(queued: &mut Queued, machine: &Configuration) -> Result<String, Stri
     let mut stops_s = Vec::new();
     for _ in 0..STOPS {
         stops_s.push(stop_s(queued, machine)?);
-        moves(queued, machine, 0.0)?;
+        way(0.0).moves(queued, machine)?;
     }
     let longest_s = stops_s.into_iter().fold(0.0, f64::max);
     let _ = writeln!(
@@ -184,58 +184,14 @@ fn measured(queued: &mut Queued, machine: &Configuration) -> Result<String, Stri
     Ok(told)
 }
 
-/// A plan of X to a place, from where it stands.
-fn plan_to(queued: &Queued, machine: &Configuration, x_mm: f64) -> Option<Plan> {
-    let settings = &machine.program;
-    let (from, mut to) = (queued.counted(), queued.counted());
-    to[Axis::X] = x_mm;
-    let line = Line { kind: MoveKind::Cut, to, feed: Feed::Path(SPEED_MM_S) };
-    let made = Mover::new(from, settings).line(At::default(), &line)?;
-    let mut planner = planner(settings);
-    planner.push(made);
-    planner.finish()
-}
-
-/// Moves X to a place, and waits until it stands.
-fn moves(queued: &mut Queued, machine: &Configuration, x_mm: f64) -> Result<(), String> {
-    goes(queued, machine, x_mm, |_| false)?;
-    while queued.settle() {}
-    queued.close(true, || false);
-    queued.fault().map_or(Ok(()), |fault| Err(fault.message.clone()))
-}
-
-/// Moves X towards a place until something holds, or it is there.
-fn goes(
-    queued: &mut Queued,
-    machine: &Configuration,
-    x_mm: f64,
-    ends: impl Fn(f64) -> bool,
-) -> Result<(), String> {
-    let Some(plan) = plan_to(queued, machine, x_mm) else { return Ok(()) };
-    let (t0_s, end_s) = (queued.progress().at_s, plan.duration_s());
-    let (moves, begin) = (plan.moves().len(), Instant::now());
-    let mut index = 0;
-    queued.begin_plan();
-    while index < moves {
-        let going = Going { plan: &plan, index, t0_s, until: moves, part: 1.0, watches: &[] };
-        let news = queued.advance(&going, t0_s, t0_s + end_s);
-        if let Some(fault) = queued.fault() {
-            return Err(fault.message.clone());
-        }
-        if begin.elapsed() > PATIENCE {
-            return Err("X does not come to its place".into());
-        }
-        if ends(begin.elapsed().as_secs_f64()) {
-            return Ok(());
-        }
-        index += usize::from(news.reached_s >= t0_s + plan.span_s(index).1);
-    }
-    Ok(())
+/// The way of X to a place.
+const fn way(to_mm: f64) -> Way {
+    Way { axis: Axis::X, to_mm, mm_s: SPEED_MM_S }
 }
 
 /// Stops X on its way at once; returns the time until the board told where, seconds.
 fn stop_s(queued: &mut Queued, machine: &Configuration) -> Result<f64, String> {
-    goes(queued, machine, WAY_MM, |since_s| since_s > 0.6)?;
+    way(WAY_MM).goes(queued, machine, |since_s| since_s > 0.6)?;
     let begin = Instant::now();
     queued.halt();
     let stood_s = begin.elapsed().as_secs_f64();

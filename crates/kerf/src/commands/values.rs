@@ -25,7 +25,7 @@ use kerf_machine::wiring::{Bit, INPUT_BITS, OUTPUT_BITS};
     after_help = "Examples:\n  kerf get delays.end_s        a setting\n  kerf get homing              all \
     settings of homing\n  kerf get tool2 in.xhome      an output, an input\n  kerf get VC                  what a V \
     command is set to\n  kerf get '%(1)'              a system variable\n  kerf get uValue              a value of \
-    programs\n\nExit codes: 0 done, 1 nothing has such a name, 2 the command line was wrong"
+    programs\n\nExit codes: 0 done, 1 a key of programs has no value, 2 nothing has such a name"
 )]
 pub struct GetArgs {
     /// What to print
@@ -178,14 +178,17 @@ fn switch_lines(card: &CardArgs, fits: impl Fn(&str) -> bool) -> Result<String> 
     Ok(fitting.map(line).collect())
 }
 
-/// Tells that nothing has a name, and which one may be meant.
-fn nothing_called(name: &str) -> Exit {
+/// Tells that nothing has a name, and which one may be meant. A key of programs may have no value yet.
+fn nothing_called(name: &str) -> Result<Exit> {
+    if is_usual(name) {
+        eprintln!("kerf: {name} has no value");
+        return Ok(Exit::Failed);
+    }
     let bits = OUTPUT_BITS.iter().chain(INPUT_BITS).map(|bit| bit.name);
     let names = table::settings().map(|setting| setting.key).chain(bits);
     let near = kerf_diag::did_you_mean(name, names);
     let hint = near.unwrap_or_else(|| "kerf get lists everything that has a value".into());
-    eprintln!("kerf: {name} has no value; {hint}");
-    Exit::Failed
+    bail!(Usage(format!("{name} has no value; {hint}")))
 }
 
 pub fn get(args: &GetArgs) -> Result<Exit> {
@@ -199,7 +202,7 @@ pub fn get(args: &GetArgs) -> Result<Exit> {
             Some(value) if args.names.len() == 1 => out::print(&format!("{value}\n")),
             Some(value) => out::print(&format!("{name} = {value}\n")),
             None if places.list(name)? => {}
-            None => return Ok(nothing_called(name)),
+            None => return nothing_called(name),
         }
     }
     Ok(Exit::Good)
@@ -244,21 +247,25 @@ fn level(name: &str, value: &str) -> Result<bool> {
     }
 }
 
-/// Sets a value of programs. A key that is new begins as those of the handbook do, with u or $: anything else is taken
-/// for a misspelt name.
-fn set_kept(kept: &KeptValues, key: &str, value: &str) -> Result<()> {
+/// Tells whether a key begins as those of the handbook do, with u or $.
+fn is_usual(key: &str) -> bool {
     let mut letters = key.rsplit(['/', '\\']).next().unwrap_or(key).chars();
-    let is_usual = match letters.next() {
+    match letters.next() {
         Some('$') => true,
         Some('u') => letters.next().is_some_and(char::is_uppercase),
         _ => false,
-    };
-    if !is_usual && kept.get(key)?.is_none() {
+    }
+}
+
+/// Sets a value of programs. A key that is new begins as those of the handbook do, with u or $: anything else is taken
+/// for a misspelt name.
+fn set_kept(kept: &KeptValues, key: &str, value: &str) -> Result<()> {
+    if !is_usual(key) && kept.get(key)?.is_none() {
         let names = table::settings().map(|setting| setting.key);
         let near = kerf_diag::did_you_mean(key, names);
         let near = near.map_or_else(String::new, |it| format!("{it} "));
         bail!(Usage(format!(
-            "there is no setting and no output {key}; {near}kerf registry set {key} '{value}' keeps a value of this \
+            "there is no setting and no output {key}; {near}kerf get lists them; kerf registry set {key} '{value}' keeps a value of this \
              name for programs"
         )));
     }

@@ -177,6 +177,76 @@ fn a_board_is_proved_with_its_steps_its_lead_and_its_stops() {
 }
 
 #[test]
+fn two_boards_are_one_machine() {
+    let (shop, [main, two]) = (shop(), [Bench::new(), Bench::new()]);
+    let file = MACHINE.replace("gpio2 gpio3", "two:gpio0 two:gpio1");
+    let with =
+        |port: &str| file.replace("[board]\n", &format!("[board]\nothers = \"two {port}\"\n"));
+    shop.write("board.toml", with(&two.port).as_bytes());
+    main.run(&shop, "run square.sbp").exits(0).complains("motors: 3").says("ran to its end");
+    assert_eq!((main.counts(), two.counts()), (vec![0, 1000], vec![0]));
+    let travelled = two.look(|board| board.steppers[&0].made.len());
+    assert_eq!(travelled, 2 * 2500, "Y is made on the second board");
+    let connect = format!("machine connect klipper:{} klipper:{}", main.port, two.port);
+    shop.kerf(&connect).exits(0).says(&format!("klipper:{}\n", two.port));
+    let prove = format!("machine prove --machine klipper:{} --machine board.toml", main.port);
+    shop.kerf(&prove).exits(0).says("steps of X: 20000 planned and made");
+    shop.write("board.toml", with(&main.port).as_bytes());
+    main.run(&shop, "run square.sbp").exits(1).complains("boards main and two hang on one port");
+    shop.write("board.toml", file.as_bytes());
+    main.run(&shop, "run square.sbp").exits(1).complains("is on no board that board.others names");
+}
+
+/// Answers of somebody who wires three motors, two switches and an output.
+const ANSWERS: &str = "gpio0 gpio1\n^gpio10\ngpio2 gpio3\n-\n-\n-\n\n1 gpio20\n";
+
+#[test]
+fn a_board_is_wired_question_by_question() {
+    let (shop, bench) = (shop(), Bench::new());
+    shop.write("bare.toml", b"units = \"mm\"\n[steps]\nper_unit = [100, 100, 100, 100, 100, 100]\n[board]\nboth_edges = true\npulse_us = 0.1\ndeadline_s = 2\nwatch_s = 3\n");
+    let wire = format!("machine wire klipper:{} --machine bare.toml --into mine.toml", bench.port);
+    // X goes the other way, then right; Y goes half as far; the switch is closed while it is left alone.
+    bench.look(|board| _ = board.driven.insert(10, vec![(0, true)]));
+    let more = "\nn\n\ny\n\n0.5\n\ny\n\n\nn\n\ny\nn\nn\n";
+    shop.kerf_with(&wire, format!("{ANSWERS}{more}").as_bytes())
+        .exits(0)
+        .says("motor X, step and direction []")
+        .says("X goes 1 mm towards plus")
+        .says("Nothing changed: look at its pin")
+        .says("Output 1 goes on")
+        .says("written: mine.toml");
+    let file = shop.read("mine.toml");
+    assert!(
+        file.contains("x = \"gpio0 !gpio1\"") && file.contains("y = \"gpio2 gpio3\""),
+        "{file}"
+    );
+    let steps = |axis: u8| bench.look(|board| board.steppers[&axis].made.len());
+    let per_unit = kerf_machine::file::read(&"mine.toml".into(), &file).unwrap();
+    let [x, y] = [0, 1].map(|n| per_unit.program.resolution.steps_per_unit.0[n]);
+    assert_eq!((y / x, steps(0)), (2.0, 4 * x as usize), "Y makes twice the steps a millimetre");
+    let on =
+        bench.look(|board| board.outputs.values().any(|it| it.made.iter().any(|it| it.1 == 1)));
+    assert!(on, "the output was on");
+    let off = || bench.look(|board| board.outputs.values().all(|it| it.value == 0));
+    crate::shop::until("the output is off", off);
+    shop.kerf_with(&wire, ANSWERS.as_bytes()).exits(2).complains("is there already");
+}
+
+#[test]
+fn wiring_stops_at_each_question_and_writes_nothing() {
+    let (shop, bench) = (shop(), Bench::new());
+    let wire = format!("machine wire klipper:{} --into mine.toml", bench.port);
+    for answers in ["", "q\n", "gpio0 gpio1\nq\n"] {
+        shop.kerf_with(&wire, answers.as_bytes()).exits(3).complains("nothing is written");
+    }
+    let twice = "gpio0 gpio1\n-\ngpio0 gpio3\n-\n-\n-\n-\n-\nq\n";
+    shop.kerf_with(&wire, twice.as_bytes()).exits(3).says("pin `gpio0` is used twice");
+    assert!(!shop.names().contains(&"mine.toml".to_owned()));
+    assert!(bench.look(|board| board.steppers.is_empty()), "nothing was configured");
+    shop.kerf("machine wire grbl:x").exits(2).complains("is no board");
+}
+
+#[test]
 fn the_pins_of_a_printer_are_lines_of_a_machine() {
     let shop = shop();
     let printer =

@@ -6,7 +6,7 @@ use kerf_machine::settings::homing::HomeEnd;
 use kerf_machine::settings::job::Heads;
 use kerf_machine::{file, profile};
 use kerf_program::Axis;
-use kerf_program::job::{Height, JobShape, Plunge};
+use kerf_program::job::{CutDepth, JobShape, Plunge};
 
 /// A job that is refused before anything happens, with this.
 fn refused(run: JobRun, why: &str) {
@@ -57,13 +57,13 @@ fn pro_axes_limit_on__up_and_down() {
     let high = |z_mm: f64| {
         let path = Polyarc::lines([(0.0, 0.0), (50.0, 0.0)].map(|(x, y)| Point2::new(x, y)), false);
         let z_mm = [0.0, z_mm].into();
-        let shape = JobShape { height: Height::ThreeD, z_mm, ..JobShape::through(1, path) };
+        let shape = JobShape { height: CutDepth::ThreeD, z_mm, ..JobShape::through(1, path) };
         JobRun::new(job([shape]))
     };
     refused(high(21.0), "Out of bounds: shape 1 reaches Z 1.000");
     cut(high(19.0));
     let level = |depth_mm: f64| {
-        let height = Height::Mm(depth_mm);
+        let height = CutDepth::Mm(depth_mm);
         let shape = JobShape { height, ..line(1, (0.0, 0.0), (50.0, 0.0)) };
         JobRun::new(job([shape]))
     };

@@ -3,7 +3,7 @@
 use kerf_ledger::jobs::{JobRun, JobTrace, drawn, job, line, t1, t2};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::delays::{BottomDelayType, TimeoutAction};
-use kerf_program::job::{Height, Job};
+use kerf_program::job::{CutDepth, Job};
 
 /// Every event of a run that a person would look for.
 fn told(trace: &JobTrace) -> Vec<String> {
@@ -25,7 +25,7 @@ fn input_type(bottom_s: f64) -> JobRun {
     })
 }
 
-fn depths(job: &mut Job, height: Height) {
+fn depths(job: &mut Job, height: CutDepth) {
     job.shapes = job
         .shapes
         .iter()
@@ -145,24 +145,26 @@ fn pro_zpos_top() {
 
 #[test]
 fn pro_zpos_surface() {
-    let lowered = |surface: f64, height: Height| {
+    let lowered = |surface: f64, height: CutDepth| {
         let run = JobRun::new(t1()).with(|machine| machine.zpos.surface_mm = surface);
         run.job(|job| depths(job, height)).run().moves()[1].clone()
     };
-    let mm = Height::Mm(-2.0);
+    let mm = CutDepth::Mm(-2.0);
     assert!(lowered(-20.0, mm).ends_with("z-22") && lowered(-21.0, mm).ends_with("z-23"));
-    assert!(lowered(-21.0, Height::ThreeD).ends_with("z-21"));
-    assert!(lowered(-21.0, Height::Thru).ends_with("z-30"));
+    assert!(lowered(-21.0, CutDepth::ThreeD).ends_with("z-21"));
+    assert!(lowered(-21.0, CutDepth::Thru).ends_with("z-30"));
 }
 
 #[test]
 fn pro_zpos_bottom() {
-    let at = |bottom: f64, height: Height| {
+    let at = |bottom: f64, height: CutDepth| {
         let run = JobRun::new(t1()).with(|machine| machine.zpos.bottom_mm = bottom);
         run.job(|job| depths(job, height)).run().moves()[1].clone()
     };
-    assert!(at(-30.0, Height::Thru).ends_with("z-30") && at(-31.0, Height::Thru).ends_with("z-31"));
-    let mm = Height::Mm(-5.0);
+    assert!(
+        at(-30.0, CutDepth::Thru).ends_with("z-30") && at(-31.0, CutDepth::Thru).ends_with("z-31")
+    );
+    let mm = CutDepth::Mm(-5.0);
     assert!(at(-31.0, mm).ends_with("z-25"));
 }
 
@@ -181,7 +183,7 @@ fn pro_speeds_plunge() {
 fn pro_speeds_plunge_3d() {
     let deep = JobRun::new(t1()).job(|job| {
         let mut shapes = job.shapes.to_vec();
-        shapes[0].height = Height::ThreeD;
+        shapes[0].height = CutDepth::ThreeD;
         shapes[0].z_mm = [-3.0, -8.0].into();
         job.shapes = shapes.into();
     });
@@ -190,7 +192,7 @@ fn pro_speeds_plunge_3d() {
     // 40 mm down in 10 mm across, at 50 mm/s of Z and not at 100 mm/s of the way.
     let steep = JobRun::new(job([line(1, (0.0, 0.0), (10.0, 0.0))])).job(|job| {
         let mut shapes = job.shapes.to_vec();
-        shapes[0].height = Height::ThreeD;
+        shapes[0].height = CutDepth::ThreeD;
         shapes[0].z_mm = [-0.0, -40.0].into();
         job.shapes = shapes.into();
     });

@@ -3,7 +3,7 @@
 use kerf_ledger::jobs::{JobRun, job, line, square};
 use kerf_machine::settings::height::HeightMode;
 use kerf_machine::settings::laser::LaserType;
-use kerf_program::job::{Height, Job, JobShape, Plunge};
+use kerf_program::job::{CutDepth, Job, JobShape, Plunge};
 use kerf_sim::Sheet;
 use kerf_trace::Event;
 
@@ -60,7 +60,7 @@ fn height_control_takes_no_ramp_and_says_so() {
     assert_eq!(told(run()), straight("height control follows the sheet"));
     // It follows THRU shapes only.
     let shallow = |job: &mut Job| {
-        let height = Height::Mm(-3.0);
+        let height = CutDepth::Mm(-3.0);
         job.shapes = job.shapes.iter().map(|s| JobShape { height, ..s.clone() }).collect();
     };
     assert_eq!(told(run().job(shallow)), Vec::<String>::new());
@@ -102,9 +102,9 @@ fn a_ramp_too_flat_for_its_path_is_told_with_the_angle_it_gets() {
 
 #[test]
 fn a_job_that_is_offset_tells_which_helices_it_loses() {
-    let offset = kerf_toolpath::beside(&plate(), 1.0).expect("room");
+    let offset = kerf_toolpath::offset_job(&plate(), 1.0).expect("room");
     let why = "beside its paths nobody knows the room for a helix: the tool goes down along them instead, as steeply";
     assert_eq!(told(JobRun::new(offset)), [format!("3: group red: {why}")]);
-    let same = kerf_toolpath::beside(&plate(), 0.0).expect("the same");
+    let same = kerf_toolpath::offset_job(&plate(), 0.0).expect("the same");
     assert_eq!(told(JobRun::new(same)), Vec::<String>::new());
 }

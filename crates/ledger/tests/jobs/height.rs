@@ -3,7 +3,7 @@
 use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
 use kerf_machine::lines::Input;
 use kerf_machine::settings::height::HeightMode;
-use kerf_program::job::{Height, JobShape};
+use kerf_program::job::{CutDepth, JobShape};
 use kerf_sim::Sheet;
 use kerf_trace::Event;
 
@@ -71,7 +71,7 @@ fn pro_height_prop_y() {
 
 #[test]
 fn pro_height_thru_only() {
-    let deep = |height: Height| {
+    let deep = |height: CutDepth| {
         let run = over(rising(0.03)).job(|job| {
             let mut shapes = job.shapes.to_vec();
             shapes[0].height = height;
@@ -79,9 +79,9 @@ fn pro_height_thru_only() {
         });
         readings(&run.run()).len()
     };
-    assert!(deep(Height::Thru) > 100);
-    assert_eq!(deep(Height::Mm(-3.0)), 0);
-    assert_eq!(deep(Height::ThreeD), 0);
+    assert!(deep(CutDepth::Thru) > 100);
+    assert_eq!(deep(CutDepth::Mm(-3.0)), 0);
+    assert_eq!(deep(CutDepth::ThreeD), 0);
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn pro_zpos_surface_hc() {
 fn pro_height_local_engrave() {
     let run = over(rising(0.03)).job(|job| {
         let mut second = line(2, (100.0, 0.0), (100.0, 10.0));
-        second.height = Height::Mm(3.0);
+        second.height = CutDepth::Mm(3.0);
         job.shapes = [job.shapes[0].clone(), second].into();
     });
     let moves = run.run().moves();
@@ -209,7 +209,7 @@ fn pro_height_surf_track() {
         let begins = heights(&trace)[1];
         assert!((begins[1] - first_mm).abs() < 0.1, "told before the first reading: {begins:?}");
     }
-    let deep = |height: Height| {
+    let deep = |height: CutDepth| {
         let run = over(rising(0.03)).job(|job| {
             let mut shapes = job.shapes.to_vec();
             shapes[0].height = height;
@@ -217,7 +217,7 @@ fn pro_height_surf_track() {
         });
         heights(&run.run())
     };
-    for height in [Height::Mm(-3.0), Height::ThreeD] {
+    for height in [CutDepth::Mm(-3.0), CutDepth::ThreeD] {
         assert!(deep(height).iter().all(|told| *told == [-10.0, -20.0, -30.0]));
     }
 }

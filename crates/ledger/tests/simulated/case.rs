@@ -8,7 +8,7 @@ use kerf_journal::{RunOptions, Started, Work};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_model::Change;
-use kerf_program::job::{Height, Job, Plunge};
+use kerf_program::job::{CutDepth, Job, Plunge};
 use kerf_program::{Axes, Dynamics, RampModel, Settings};
 use kerf_sim::Sheet;
 use std::fmt;
@@ -170,7 +170,8 @@ impl Case {
     pub fn slopes(&self, number: u32) -> bool {
         let What::Job(job, machine) = &self.what else { return true };
         let shape = job.shapes.iter().find(|shape| shape.number == number);
-        let followed = machine.height.on && shape.is_some_and(|shape| shape.height == Height::Thru);
+        let followed =
+            machine.height.on && shape.is_some_and(|shape| shape.height == CutDepth::Thru);
         !machine.plasma.use_sequence && !followed
     }
 

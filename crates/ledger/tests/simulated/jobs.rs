@@ -7,7 +7,7 @@ use kerf_machine::Configuration;
 use kerf_machine::settings::delays::BottomDelayType;
 use kerf_machine::settings::height::HeightMode;
 use kerf_machine::settings::laser::LaserType;
-use kerf_program::job::{Height, Job, JobShape, Plunge};
+use kerf_program::job::{CutDepth, Job, JobShape, Plunge};
 
 fn point(dice: &mut Dice) -> Point2 {
     Point2::new(dice.between(0.0, 400.0), dice.between(0.0, 300.0))
@@ -41,15 +41,15 @@ fn shape(dice: &mut Dice, number: u32) -> JobShape {
     match dice.below(8) {
         0 => {
             let pass_mm = dice.happens(60).then(|| dice.between(1.0, 4.0));
-            (shape.height, shape.pass_mm) = (Height::Mm(dice.between(-9.0, -1.0)), pass_mm);
+            (shape.height, shape.pass_mm) = (CutDepth::Mm(dice.between(-9.0, -1.0)), pass_mm);
         }
         1 => {
-            shape.height = Height::ThreeD;
+            shape.height = CutDepth::ThreeD;
             let count = shape.path.vertices.len();
             shape.z_mm = (0..count).map(|_| dice.between(-9.0, 3.0)).collect();
         }
         2 => {
-            (shape.height, shape.pass_mm) = (Height::Mm(-3.0), Some(1.5));
+            (shape.height, shape.pass_mm) = (CutDepth::Mm(-3.0), Some(1.5));
             shape.plunge = Plunge::Ramp { angle_deg: dice.between(3.0, 20.0) };
         }
         _ => {}

@@ -53,7 +53,7 @@ impl<'a> Run<'a> {
         self.machine().fault().cloned().map_or(Ok(()), |fault| Err(Short::Failed(fault)))
     }
 
-    /// Nothing was seen that should not be.
+    /// Checks that the machine did nothing it should not.
     pub fn ends(&mut self) -> Result<(), Short> {
         self.odd.take().map_or(Ok(()), |odd| Err(Short::Wrong(odd)))
     }
@@ -161,7 +161,7 @@ impl<'a> Run<'a> {
         last.is_some_and(|(_, told)| *told == active)
     }
 
-    /// Of no input the same was told two times in succession.
+    /// Checks that no input was told the same state twice in succession.
     pub fn told_nothing_twice(&self) -> Result<(), Short> {
         let twice = self.told.iter().enumerate().find(|(i, told)| {
             let before = self.told.iter().take(*i).rev().find(|(number, _)| *number == told.0);

@@ -1,4 +1,4 @@
-//! Nothing is faster than the axis that does it.
+//! Speeds that exceed those of the axis that makes them.
 
 use super::Contradiction;
 use crate::Configuration;

@@ -9,7 +9,7 @@
 //! Each check begins with a machine at rest at zero of every axis, all outputs off, that can go
 //! 50 mm in every direction at 20 mm/s.
 
-use super::{Driver, Order, Reply, Sent, Signal, Standing, Ticket};
+use super::{ControllerState, Driver, Order, Reply, Sent, Signal, Ticket};
 use kerf_program::{Axes, Axis};
 
 /// One thing that has to hold.
@@ -80,11 +80,11 @@ impl<'a> Bench<'a> {
         Ok(())
     }
 
-    fn standing(&mut self) -> Result<Standing, String> {
-        self.heard.retain(|reply| !matches!(reply, Reply::Standing(_)));
+    fn standing(&mut self) -> Result<ControllerState, String> {
+        self.heard.retain(|reply| !matches!(reply, Reply::State(_)));
         self.run(0.2);
         let last = self.heard.iter().rev().find_map(|reply| match reply {
-            Reply::Standing(standing) => Some(*standing),
+            Reply::State(standing) => Some(*standing),
             _ => None,
         });
         last.ok_or_else(|| "it does not tell where it is".into())

@@ -1,17 +1,17 @@
 //! The near side: orders are kept until they are done.
 
-use super::{Driver, Order, Reply, Sent, Signal, Standing, Ticket};
+use super::{ControllerState, Driver, Order, Reply, Sent, Signal, Ticket};
 use std::collections::VecDeque;
 
 /// An order that was not taken within this time is sent again, seconds. A controller on a serial line
 /// answers within a few milliseconds; a guess.
 const PATIENCE_S: f64 = 0.25;
 
-/// A controller that answers nothing for so long is lost, seconds. A cable that is plugged in anew, a network that looks for
+/// Silence after which a controller counts as lost, seconds. A cable that is plugged in anew, a network that looks for
 /// its way or a controller that writes its memory take less; what was sent ahead is made meanwhile and nothing else.
 const LOST_S: f64 = 10.0;
 
-/// While something is to be done the controller is asked so often where it is, seconds.
+/// Interval at which a busy controller is asked for its place, seconds.
 const ASK_S: f64 = 0.1;
 
 /// State of the link: tells whether the controller can be trusted.
@@ -27,7 +27,7 @@ pub enum LinkState {
 
 /// News from a controller.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Told {
+pub enum LinkNews {
     /// An order is done.
     Done(Ticket),
     /// An input changed.
@@ -73,7 +73,7 @@ pub struct Link<D> {
     /// Time for which questions were not answered; a time in which nobody looked for answers is none.
     silent_s: f64,
     looked_s: f64,
-    standing: Option<Standing>,
+    standing: Option<ControllerState>,
     troubles: Troubles,
 }
 
@@ -119,7 +119,7 @@ impl<D: Driver> Link<D> {
     }
 
     /// Returns where the controller was when it told last.
-    pub const fn standing(&self) -> Option<Standing> {
+    pub const fn standing(&self) -> Option<ControllerState> {
         self.standing
     }
 
@@ -148,7 +148,7 @@ impl<D: Driver> Link<D> {
     }
 
     /// Time has come to here: answers are read, what is due is sent.
-    pub fn poll(&mut self, now_s: f64) -> Vec<Told> {
+    pub fn poll(&mut self, now_s: f64) -> Vec<LinkNews> {
         let mut told = Vec::new();
         for reply in self.driver.replies(now_s) {
             match reply {
@@ -165,7 +165,7 @@ impl<D: Driver> Link<D> {
         told
     }
 
-    fn hear(&mut self, reply: Reply, now_s: f64, told: &mut Vec<Told>) {
+    fn hear(&mut self, reply: Reply, now_s: f64, told: &mut Vec<LinkNews>) {
         self.silent_s = 0.0;
         match reply {
             Reply::Taken(ticket) if ticket <= self.taken => self.troubles.stale += 1,
@@ -177,7 +177,7 @@ impl<D: Driver> Link<D> {
             }
             Reply::Refused(ticket, _) if ticket <= self.done => self.troubles.stale += 1,
             Reply::Taken(_) | Reply::Done(_) | Reply::Refused(..) => self.troubles.garbled += 1,
-            Reply::Standing(standing) if standing.done <= self.sent => {
+            Reply::State(standing) if standing.done <= self.sent => {
                 // What is done may have been told by a reply that was lost. An old answer tells
                 // less than is known.
                 if standing.done >= self.done {
@@ -187,22 +187,22 @@ impl<D: Driver> Link<D> {
                     self.troubles.stale += 1;
                 }
             }
-            Reply::Standing(_) => self.troubles.garbled += 1,
-            Reply::Input { line, on } => told.push(Told::Input { line, on }),
+            Reply::State(_) => self.troubles.garbled += 1,
+            Reply::Input { line, on } => told.push(LinkNews::Input { line, on }),
         }
     }
 
     /// Orders are done one after the other: with one all before it are.
-    fn is_done(&mut self, ticket: Ticket, told: &mut Vec<Told>) {
+    fn is_done(&mut self, ticket: Ticket, told: &mut Vec<LinkNews>) {
         while self.open.front().is_some_and(|first| first.ticket <= ticket) {
-            told.extend(self.open.pop_front().map(|first| Told::Done(first.ticket)));
+            told.extend(self.open.pop_front().map(|first| LinkNews::Done(first.ticket)));
         }
         self.done = self.done.max(ticket);
         self.taken = self.taken.max(ticket);
     }
 
     /// Sends what is due, again where it was not taken in time.
-    fn press_on(&mut self, now_s: f64, told: &mut Vec<Told>) {
+    fn press_on(&mut self, now_s: f64, told: &mut Vec<LinkNews>) {
         self.silent_s += (now_s - self.looked_s).clamp(0.0, ASK_S);
         if self.driver.quiet() {
             self.silent_s = 0.0;
@@ -225,10 +225,10 @@ impl<D: Driver> Link<D> {
         }
     }
 
-    fn end(&mut self, state: LinkState, now_s: f64, told: &mut Vec<Told>) {
+    fn end(&mut self, state: LinkState, now_s: f64, told: &mut Vec<LinkNews>) {
         self.state = state;
         self.stop(now_s);
-        told.push(Told::State(state));
+        told.push(LinkNews::State(state));
     }
 }
 
@@ -255,7 +255,7 @@ mod tests {
     fn answers_that_name_no_order_count_as_garbled() {
         let standing = |done| {
             let (position, moving, outputs) = (Axes::default(), false, 0);
-            Ok(Reply::Standing(Standing { position, moving, outputs, done }))
+            Ok(Reply::State(ControllerState { position, moving, outputs, done }))
         };
         let says =
             [standing(0), standing(7), Ok(Reply::Taken(9)), Ok(Reply::Done(9)), Err(Garbled)];

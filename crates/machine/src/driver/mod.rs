@@ -17,7 +17,7 @@ pub mod conformance;
 mod link;
 mod zero;
 
-pub use link::{Link, LinkState, Told, Troubles};
+pub use link::{Link, LinkNews, LinkState, Troubles};
 pub use zero::{Zero, ZeroChange};
 
 pub use kerf_program::{AXES, Axes, Axis, decimal, rounded};
@@ -150,7 +150,7 @@ pub struct Sent {
 
 /// State of a controller: its place, motion, outputs and progress.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Standing {
+pub struct ControllerState {
     /// Place of the axes, machine frame.
     pub position: Axes,
     /// Something moves.
@@ -171,7 +171,7 @@ pub enum Reply {
     /// It cannot be carried out.
     Refused(Ticket, &'static str),
     /// The answer to [`Signal::Ask`].
-    Standing(Standing),
+    State(ControllerState),
     /// An input changed.
     Input {
         /// Its line.
@@ -198,7 +198,7 @@ pub trait Driver {
     /// Returns the replies that came back up to a time.
     fn replies(&mut self, now_s: f64) -> Vec<Result<Reply, Garbled>>;
 
-    /// It cannot answer for a while, which is no fault: grbl does not while it goes home.
+    /// Returns `true` while silence is no fault: grbl does not answer while it goes home.
     fn quiet(&self) -> bool {
         false
     }
@@ -240,7 +240,7 @@ pub struct Facts {
     pub spindle_rpm: f64,
     /// It changes the speed of moves that it has (feed override).
     pub overrides: bool,
-    /// While it watches inputs it makes what it has as it was planned: another feed waits until it stands.
+    /// A change of feed waits until the machine stands, while it watches inputs.
     pub feed_waits: bool,
     /// The output of its spindle can be a laser's, whose power follows the speed.
     pub follows_speed: bool,
@@ -250,12 +250,18 @@ pub struct Facts {
     pub holds: bool,
     /// Its stop switches every output off.
     pub stop_switches_off: bool,
-    /// It does the same once more when the same is made again: what its inputs tell needs no place on record.
+    /// A repeated run gives the same inputs, so that they need no place on record.
     pub repeats: bool,
-    /// It stands where the record of the last run says; every other machine says itself where it stands.
+    /// Its place comes from the record of the last run; every other machine tells its own.
     pub placed_by_record: bool,
     /// A run may tell of a move so long before it is made, seconds.
     pub leads_s: f64,
+    /// Its switches are moved here: of every other machine they are moved where they are.
+    pub inputs_by_hand: bool,
+    /// The bits of its card are switched one at a time, and its motors stepped once.
+    pub card: bool,
+    /// Nothing real hangs on it: nobody is hurt by what it does.
+    pub harmless: bool,
 }
 
 /// A hold that was ordered ([`Signal::Hold`]).
@@ -308,7 +314,7 @@ pub enum Trouble {
         /// The reason, and the way to mend it.
         why: &'static str,
     },
-    /// It is elsewhere than it was told to be; it knows its place.
+    /// The machine is at another place than ordered, and knows it.
     #[error("{why}: a line was garbled on its way, look at the cable")]
     Elsewhere {
         /// Words for it.
@@ -328,7 +334,7 @@ pub enum Trouble {
         /// The reason why the work cannot go on.
         why: &'static str,
     },
-    /// It began anew while it was at work: its place may be wrong.
+    /// The controller restarted during work: its place may be wrong.
     #[error("it was reset while it was at work")]
     Restarted,
 }
@@ -395,12 +401,12 @@ pub trait Wired: Driver {
     }
 
     /// Returns the state that it told last.
-    fn stands(&self) -> Option<Standing>;
+    fn stands(&self) -> Option<ControllerState>;
 
     /// Returns the reason for which it does nothing more.
     fn trouble(&self) -> Option<&Trouble>;
 
-    /// It was stopped and stands: takes orders again, beginning with ticket 1. Tells whether it does.
+    /// Begins to take orders again after a stop, with ticket 1. Returns `false` if it does not.
     fn begin_anew(&mut self) -> bool;
 }
 

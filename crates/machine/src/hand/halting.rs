@@ -1,9 +1,9 @@
 //! Stops of a move by hand, and how it goes on.
 
 use super::Hand;
-use super::ways::Leg;
+use super::bounds::Leg;
+use crate::pause_order::PauseOrder;
 use crate::state::{Effect, Event, RELEASE_S, State};
-use crate::words::Word;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_program::{
     Answer, Axis, Command, Halted, Host, Question, QuestionKind, Sourced, Status, Step,
@@ -42,8 +42,8 @@ impl Hand {
             Poll::Ready(Answer::Text(words)) => words,
             Poll::Ready(Answer::Button(button)) => button.word().to_owned(),
         };
-        match Word::read(&words) {
-            Some(Word::Continue) => {
+        match PauseOrder::read(&words) {
+            Some(PauseOrder::Continue) => {
                 let Some(state) = self.goes_on_in(host, out) else { return Step::Ran };
                 self.state = state;
                 self.legs = self.rest.take().unwrap_or_default();
@@ -55,11 +55,11 @@ impl Hand {
                 let (name, why) = (self.state.name().into(), "".into());
                 self.give(Command::State { name, why }, out);
             }
-            Some(Word::Abort) if self.state == State::Limited => {
+            Some(PauseOrder::Abort) if self.state == State::Limited => {
                 let why = self.stopped_for(Code::InputStop);
                 return self.end(Status::Limit, Some(why));
             }
-            Some(Word::Abort) => return self.end(Status::Stopped, None),
+            Some(PauseOrder::Abort) => return self.end(Status::Stopped, None),
             _ => {}
         }
         Step::Ran

@@ -4,9 +4,9 @@
 //! A [`Hand`] is an interpreter like a job: it is stepped, gives commands, and is stopped and goes on by
 //! the same table of states.
 
+mod bounds;
 mod errand;
 mod halting;
-mod ways;
 
 pub use errand::{Errand, FAR, Held, Keypad, Stretch, cut_move, keypad_settings};
 
@@ -14,6 +14,7 @@ use crate::lines::Input;
 use crate::planning::{CHORDS, hand_settings, rapid_mm_s};
 use crate::settings::Configuration;
 use crate::state::{Event, State, StopSettings};
+use bounds::{Leg, SAME};
 use kerf_diag::{Code, Diagnostic};
 use kerf_geom::Arc2;
 use kerf_program::settings::LinearUnit;
@@ -23,7 +24,6 @@ use kerf_program::{
 };
 use std::collections::VecDeque;
 use std::sync::Arc;
-use ways::{Leg, SAME};
 
 /// An errand being done.
 #[derive(Clone, Debug)]

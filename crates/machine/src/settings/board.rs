@@ -9,6 +9,8 @@ use kerf_program::AXES;
 /// Pins of a board with step queues, and what its motor drivers need.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Board {
+    /// Boards beside the first, with their ports: `tools /dev/ttyACM1`. Their pins are named `tools:gpio4`.
+    pub others: String,
     /// Pins of step and direction of each motor X, Y, Z, W, Q, R: `gpio0 gpio1`. Empty where there is none.
     pub motors: [String; MOTORS],
     /// Pins that give motors their current: `!PA1, !PA2`. Empty where they always have it.
@@ -44,6 +46,7 @@ pub struct Board {
 impl Default for Board {
     fn default() -> Self {
         Self {
+            others: String::new(),
             motors: Default::default(),
             enable: String::new(),
             homes: Default::default(),

@@ -2,6 +2,7 @@
 
 pub mod axes;
 pub mod board;
+mod choices;
 pub mod delays;
 pub mod estop;
 pub mod height;
@@ -18,13 +19,12 @@ pub mod pendant;
 pub mod plasma;
 pub mod simulated;
 pub mod speeds;
-mod words;
-pub mod zpos;
 
-pub(crate) use words::Words;
-use words::words;
+pub(crate) use choices::Words;
+use choices::words;
 
 use crate::lines::Input;
+use kerf_program::job::Heights;
 use kerf_program::{Axis, Settings, rounded};
 
 /// Everything that is set of one machine.
@@ -38,7 +38,7 @@ pub struct Configuration {
     /// Which motor drives what, and how it is pulsed.
     pub motors: motors::Motors,
     /// Special heights of Z.
-    pub zpos: zpos::ZPositions,
+    pub zpos: Heights,
     /// Speeds of plunging and of moving by hand.
     pub speeds: speeds::MachineSpeeds,
     /// Waits in the cutting sequence.

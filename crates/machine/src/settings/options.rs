@@ -32,7 +32,7 @@ pub struct Options {
     pub join_mm: f64,
     /// Radius within which the mouse selects, pixels.
     pub pick_radius_px: f64,
-    /// So much larger than what is drawn is the window that shows all of it, percent.
+    /// Margin by which the window that shows all is larger than the drawing, percent.
     pub window_expansion_percent: f64,
 }
 

@@ -12,6 +12,14 @@ pub(super) const AREAS: &[Area] = &[Area {
 const BOARD: &[Setting] = &[
     row!(
         c,
+        "board.others",
+        c.board.others,
+        None,
+        Any,
+        "Boards beside the first, with their ports: \"tools /dev/ttyACM1\"; their pins are named tools:gpio4."
+    ),
+    row!(
+        c,
         "board.x",
         c.board.motors[0],
         None,

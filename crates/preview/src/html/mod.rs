@@ -8,7 +8,7 @@ mod roll;
 
 use crate::options::Options;
 use crate::palette::{self, Rgb};
-use crate::picture::{self, words};
+use crate::picture::{self, numbers};
 use crate::scene::Scene;
 use crate::svg::escape;
 use motion::{Motion, base64};
@@ -119,7 +119,7 @@ fn facts<'a>(scene: &'a Scene, motion: &Motion) -> Facts<'a> {
         title: &scene.title,
         unit: scene.unit.symbol,
         unit_mm: scene.unit.mm,
-        decimals: words::coordinate_decimals(size[0].max(size[1]) / scene.unit.mm, scene.unit),
+        decimals: numbers::coordinate_decimals(size[0].max(size[1]) / scene.unit.mm, scene.unit),
         pieces: motion.len(),
         times: motion.has_times(),
         middle: motion.middle,
@@ -159,7 +159,7 @@ fn toolpaths<'a>(scene: &'a Scene, motion: &Motion) -> Vec<ToolPath<'a>> {
         .map(|t| ToolPath {
             name: &t.name,
             tool: &t.tool,
-            time: words::duration(t.seconds),
+            time: numbers::duration(t.seconds),
             piece: piece(t.first_segment),
         })
         .collect()

@@ -1,9 +1,9 @@
 //! The content of the legend, as blocks of rows; how they look is the legend's own matter.
 
 use super::depth::DepthScale;
+use super::numbers;
 use super::rulers::grid_spacing;
 use super::view::View;
-use super::words;
 use crate::palette::{AXIS_X, Rgb, SOFT};
 use crate::scene::{Finding, Scene, ToolPath};
 use kerf_diag::Severity;
@@ -101,11 +101,11 @@ fn pair(name: &str, value: impl Into<String>) -> Row {
 
 fn job(scene: &Scene) -> Block {
     vec![
-        pair("Time", words::duration(scene.duration_s)),
-        pair("Cutting", words::path_length(scene.cut_mm, scene.unit)),
-        pair("Jogging", words::path_length(scene.jog_mm, scene.unit)),
-        pair("Moves", words::count(scene.segments.len() as u64)),
-        pair("Lines executed", words::count(scene.lines_executed)),
+        pair("Time", numbers::duration(scene.duration_s)),
+        pair("Cutting", numbers::path_length(scene.cut_mm, scene.unit)),
+        pair("Jogging", numbers::path_length(scene.jog_mm, scene.unit)),
+        pair("Moves", numbers::count(scene.segments.len() as u64)),
+        pair("Lines executed", numbers::count(scene.lines_executed)),
         pair("Findings", finding_counts(&scene.findings)),
     ]
 }
@@ -130,8 +130,8 @@ fn bounds(scene: &Scene) -> Block {
         return vec![Row::Head(title), Row::Note("nothing is cut".into(), SOFT)];
     }
     let size = b.size();
-    let decimals = words::coordinate_decimals(size[0].max(size[1]) / scene.unit.mm, scene.unit);
-    let number = |mm: f64| words::decimal(mm, scene.unit, decimals);
+    let decimals = numbers::coordinate_decimals(size[0].max(size[1]) / scene.unit.mm, scene.unit);
+    let number = |mm: f64| numbers::decimal(mm, scene.unit, decimals);
     let mut rows = vec![Row::Head(title), Row::Cells(["", "from", "to", "size"].map(String::from))];
     for (i, axis) in ["X", "Y", "Z"].into_iter().enumerate() {
         rows.push(Row::Cells([axis.into(), number(b.min[i]), number(b.max[i]), number(size[i])]));
@@ -150,7 +150,7 @@ fn toolpaths(scene: &Scene) -> Option<Block> {
     let all = together(&scene.toolpaths);
     let mut rows = vec![Row::Head("Tool paths".into())];
     let listed = all.iter().take(MOST_LISTED);
-    rows.extend(listed.map(|(name, seconds)| pair(name, words::duration(*seconds))));
+    rows.extend(listed.map(|(name, seconds)| pair(name, numbers::duration(*seconds))));
     rows.extend(rest(all.len(), MOST_LISTED));
     (rows.len() > 1).then_some(rows)
 }
@@ -215,7 +215,7 @@ fn rest(all: usize, listed: usize) -> Option<Row> {
 }
 
 fn sheet(scene: &Scene, view: &View, drawn: &Drawn) -> Block {
-    let number = |mm: f64| words::short(mm, scene.unit, 3);
+    let number = |mm: f64| numbers::short(mm, scene.unit, 3);
     let unit = scene.unit.symbol;
     let mut rows = vec![Row::Head("Sheet".into())];
     if let Some(table) = &view.table {
@@ -230,11 +230,11 @@ fn sheet(scene: &Scene, view: &View, drawn: &Drawn) -> Block {
         rows.push(Row::Map);
     }
     if let Some(tolerance) = drawn.tolerance_mm {
-        let within = words::at_most(tolerance, scene.unit);
+        let within = numbers::at_most(tolerance, scene.unit);
         rows.push(Row::Note(format!("simplified, within {within} {unit}"), SOFT));
     }
     if drawn.left_out > 0 {
-        let n = words::count(drawn.left_out as u64);
+        let n = numbers::count(drawn.left_out as u64);
         rows.push(Row::Note(format!("{n} moves have no place on paper"), AXIS_X));
     }
     rows

@@ -3,10 +3,10 @@
 use super::columns::{flow, height, row_height, tallest, wrapped};
 use super::depth::{DepthScale, SHADES};
 use super::facts::{Block, Row, Sample};
+use super::numbers;
 use super::signs::{begin_sign, bounds_paint, end_sign, start_sign};
 use super::steps::{multiples, round_step};
 use super::view::{View, table_rect};
-use super::words;
 use crate::font::Font;
 use crate::palette::{AIR, AXIS_X, EDGE, GRID, INK, PAPER, Rgb, SOFT};
 use crate::scene::Unit;
@@ -218,7 +218,7 @@ impl Writer<'_> {
             self.layer.path(Outline::of_rect(bar), Paint::fill(DepthScale::colour(colour)));
         }
         if scale.is_flat() {
-            let only = words::short(scale.bottom, self.unit, 4);
+            let only = numbers::short(scale.bottom, self.unit, 4);
             return self.text(0.5 * self.width, 3.4, Anchor::Middle, self.width, INK, &only);
         }
         self.depth_numbers(scale);
@@ -236,7 +236,7 @@ impl Writer<'_> {
             let z = k as f64 * step.mm;
             let share = scale.share(z).clamp(0.0, 1.0);
             ticks.segment(self.at(share * self.width, 2.4), self.at(share * self.width, 2.65));
-            let number = words::decimal(z, self.unit, step.decimals);
+            let number = numbers::decimal(z, self.unit, step.decimals);
             // Numbers at the ends stay inside the column.
             let half = 0.5 * WIDER * self.fonts[0].width(&number);
             let x = (share * self.width).clamp(half, self.width - half);

@@ -5,12 +5,12 @@ mod depth;
 mod extent;
 mod facts;
 mod legend;
+pub mod numbers;
 mod rulers;
 mod signs;
 mod steps;
 mod tracks;
 mod view;
-pub mod words;
 
 pub use extent::reach;
 pub use facts::{Row, story};
@@ -183,7 +183,7 @@ fn colour_samples(scene: &Scene, tracks: &Tracks) -> Vec<(Sample, String)> {
     let sample = |n: usize| {
         let colour = &scene.colours[n];
         let wide = colour.width_mm > 0.0;
-        let width = words::short(colour.width_mm, scene.unit, 3);
+        let width = numbers::short(colour.width_mm, scene.unit, 3);
         let told = format!("{}, {width} {} wide", colour.name, scene.unit.symbol);
         let text = if wide { told } else { colour.name.clone() };
         let rgb = Rgb(colour.colour);
@@ -197,7 +197,7 @@ fn samples(scene: &Scene, tracks: &Tracks, ink: &Ink) -> Vec<(Sample, String)> {
     let cuts = tracks.cuts.iter().any(|c| !c.ops.is_empty());
     let jogs = !tracks.jogs.ops.is_empty();
     let air = !tracks.air.ops.is_empty();
-    let width = words::short(ink.cutter_mm, scene.unit, 3);
+    let width = numbers::short(ink.cutter_mm, scene.unit, 3);
     let depths = scene.colours.is_empty();
     let all = [
         (cuts && depths && !ink.has_band(), Sample::Cut, cut_words(scene)),
@@ -224,7 +224,7 @@ fn cut_words(scene: &Scene) -> String {
     if scene.cutter_known || !has_cutter(scene) {
         return "cut".into();
     }
-    let width = words::short(scene.cutter_mm, scene.unit, 3);
+    let width = numbers::short(scene.cutter_mm, scene.unit, 3);
     format!("cut, cutter {width} {} (default)", scene.unit.symbol)
 }
 
@@ -267,8 +267,8 @@ fn heading(scene: &Scene, view: &View, page: &Rect) -> Layer {
 /// `120.00 × 80.00 mm, down to −6.00 mm · 0:04:12`.
 pub fn summary(scene: &Scene) -> String {
     let (size, unit) = (scene.bounds.size(), scene.unit);
-    let decimals = words::coordinate_decimals(size[0].max(size[1]) / unit.mm, unit);
-    let number = |mm: f64| words::decimal(mm, unit, decimals);
+    let decimals = numbers::coordinate_decimals(size[0].max(size[1]) / unit.mm, unit);
+    let number = |mm: f64| numbers::decimal(mm, unit, decimals);
     let what = if scene.bounds.is_empty() {
         "nothing is cut".into()
     } else {
@@ -276,7 +276,7 @@ pub fn summary(scene: &Scene) -> String {
         let bottom = number(scene.bounds.min[2]);
         format!("{x} × {y} {symbol}, down to {bottom} {symbol}", symbol = unit.symbol)
     };
-    format!("{what} · {}", words::duration(scene.duration_s))
+    format!("{what} · {}", numbers::duration(scene.duration_s))
 }
 
 fn description(scene: &Scene, drawn: &Drawn, view: &View) -> String {

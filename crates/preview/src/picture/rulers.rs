@@ -1,8 +1,8 @@
 //! The board under the drawing: fine grid, table with its own grid, rulers and the zero mark.
 
+use super::numbers;
 use super::steps::{Step, multiples, round_step};
 use super::view::{View, table_rect};
-use super::words;
 use crate::font::Font;
 use crate::palette::{AXIS_X, AXIS_Y, BOARD, EDGE, FINE, GRID, INK, PAPER, Rgb, SOFT};
 use crate::scene::{TableView, Unit};
@@ -106,7 +106,7 @@ pub fn left_room(view: &View, unit: Unit) -> f64 {
 }
 
 fn number(k: i64, step: Step, unit: Unit) -> String {
-    words::decimal(k as f64 * step.mm, unit, step.decimals)
+    numbers::decimal(k as f64 * step.mm, unit, step.decimals)
 }
 
 /// Ticks with numbers along the lower and the left edge, and the frame.

@@ -6,7 +6,7 @@ use super::strip::{axis_colour, colour, path_colour, strip, toolpaths};
 use super::{Sides, curve::Curve};
 use crate::font::Font;
 use crate::palette::{BOARD, EDGE, INK, JOG, PAPER, SOFT};
-use crate::picture::words::{duration, path_length};
+use crate::picture::numbers::{duration, path_length};
 use crate::scene::Unit;
 use crate::sheet::{Anchor, Frame, Layer, Mark, Outline, Paint, Rect, Sheet, Text};
 use kerf_geom::Point2;

@@ -6,7 +6,7 @@ use thiserror::Error;
 /// Depth of a cut, by what it is measured from (Profiler reference, "Height type").
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Height {
+pub enum CutDepth {
     /// Through the material: at ZBottom.
     #[default]
     Thru,
@@ -17,12 +17,13 @@ pub enum Height {
     ThreeD,
 }
 
-/// The three heights of a machine, millimetres, upwards.
+/// The three heights of a machine, millimetres, upwards; on the machine from Z home, below it negative (Profiler
+/// reference, "Special Z Axis Positions"). Top ≥ surface ≥ bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Heights {
-    /// Height at which the tool travels.
+    /// Height at which the tool travels, between shapes and when not machining.
     pub top_mm: f64,
-    /// The surface of the material.
+    /// The surface of the material: zero of cutting heights.
     pub surface_mm: f64,
     /// The lowest the tool may go; where THRU cuts.
     pub bottom_mm: f64,
@@ -64,15 +65,15 @@ impl Depths {
     /// # Errors
     /// A pass or a point lies below ZBottom.
     pub fn of(
-        height: Height,
+        height: CutDepth,
         pass_mm: Option<f64>,
         z_mm: &[f64],
         heights: &Heights,
     ) -> Result<Self, LowError> {
         let Heights { surface_mm, bottom_mm, .. } = *heights;
         let levels = match height {
-            Height::Thru => vec![bottom_mm],
-            Height::ThreeD => {
+            CutDepth::Thru => vec![bottom_mm],
+            CutDepth::ThreeD => {
                 let lowest = surface_mm + z_mm.iter().copied().fold(0.0, f64::min);
                 // Heights that were moved onto ZBottom are rounded.
                 if lowest < bottom_mm - ROUNDED_MM {
@@ -80,7 +81,7 @@ impl Depths {
                 }
                 return Ok(Self::Along(surface_mm));
             }
-            Height::Mm(depth_mm) => steps(depth_mm, pass_mm).map(|z| surface_mm + z).collect(),
+            CutDepth::Mm(depth_mm) => steps(depth_mm, pass_mm).map(|z| surface_mm + z).collect(),
         };
         match levels.iter().find(|z| **z < bottom_mm) {
             Some(z) => Err(LowError { z_mm: *z, bottom_mm }),

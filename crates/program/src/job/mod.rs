@@ -9,7 +9,7 @@ mod depth;
 mod in_force;
 mod plunge;
 
-pub use depth::{Depths, Height, Heights, LowError};
+pub use depth::{CutDepth, Depths, Heights, LowError};
 pub use in_force::InForce;
 pub use plunge::{Plunge, Slope, TooFlat, helix_circle};
 
@@ -24,11 +24,11 @@ pub struct JobShape {
     pub number: u32,
     /// The path, millimetres from the job's origin.
     pub path: Arc<Polyarc>,
-    /// Height above ZSurface at each vertex, for [`Height::ThreeD`]; fewer mean 0.
+    /// Height above ZSurface at each vertex, for [`CutDepth::ThreeD`]; fewer mean 0.
     pub z_mm: Arc<[f64]>,
     /// Depth of the cut.
-    pub height: Height,
-    /// Depth of one pass, millimetres; all at once without it. Only with [`Height::Mm`].
+    pub height: CutDepth,
+    /// Depth of one pass, millimetres; all at once without it. Only with [`CutDepth::Mm`].
     pub pass_mm: Option<f64>,
     /// Way in which the tool goes down.
     pub plunge: Plunge,
@@ -96,7 +96,7 @@ impl JobShape {
             number,
             path: Arc::new(path),
             z_mm: Arc::default(),
-            height: Height::Thru,
+            height: CutDepth::Thru,
             pass_mm: None,
             plunge: Plunge::Straight,
             tool: 1,

@@ -73,7 +73,7 @@ impl IoModes {
 
 /// Torch height, laser and heater (VH).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Height {
+pub struct TorchHeight {
     /// On or off.
     pub on: bool,
     /// Share of the XY speed used for Z.
@@ -90,7 +90,7 @@ pub struct Height {
     pub temperature: f64,
 }
 
-impl Default for Height {
+impl Default for TorchHeight {
     fn default() -> Self {
         Self {
             on: false,

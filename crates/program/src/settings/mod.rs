@@ -15,7 +15,7 @@ mod view;
 
 pub use controller::{Controller, PORTS, SIM};
 pub use cutter::{Cutter, PlungeSign, Tabs, ToolOffset, Trigger};
-pub use io::{Height, IoModes, LINES, SWITCHES};
+pub use io::{IoModes, LINES, SWITCHES, TorchHeight};
 pub use speeds::{PerGroup, RAMP_SPEED_STEP_MM_S, Ramps, Speeds};
 pub use table::{Driver, Limits, NO_SHIFT_JOG_MM_S, Resolution};
 pub use unit::{AxisUnit, LinearUnit, MM_PER_INCH, to_user};
@@ -61,7 +61,7 @@ pub struct Settings {
     pub tabs: Tabs,
     pub limits: Limits,
     pub io: IoModes,
-    pub height: Height,
+    pub height: TorchHeight,
     pub driver: Driver,
     /// The controller's abilities and its connections.
     #[serde(default)]
@@ -166,7 +166,7 @@ impl Default for Settings {
             tabs: Tabs::default(),
             limits: Limits::default(),
             io: IoModes::default(),
-            height: Height::default(),
+            height: TorchHeight::default(),
             driver: Driver::default(),
             controller: Controller::default(),
             tool_offset: ToolOffset::default(),

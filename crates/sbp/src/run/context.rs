@@ -147,7 +147,7 @@ impl Context<'_> {
 
     /// The error of a refused request to the host.
     pub(crate) fn refused(&self, error: HostError) -> Stop {
-        let (code, what) = error.told();
+        let (code, what) = error.into_message();
         self.fail(code, what)
     }
 

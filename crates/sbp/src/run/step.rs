@@ -74,7 +74,7 @@ fn execute(
     program: &Arc<Program>,
     line: Node,
 ) -> Step {
-    let before = Before::of(core, out);
+    let before = BeforeStep::of(core, out);
     core.flow.go_on_at(at.line);
     let given = out.len();
     core.idling.changes =
@@ -113,13 +113,13 @@ fn goes_round(core: &Core, at: At, program: &Program) -> bool {
 }
 
 /// State that comes back when a step has to wait.
-struct Before {
+struct BeforeStep {
     random: u64,
     settled: bool,
     given: usize,
 }
 
-impl Before {
+impl BeforeStep {
     fn of(core: &Core, out: &[Sourced]) -> Self {
         Self { random: core.memory.random, settled: core.given.settled, given: out.len() }
     }
@@ -203,7 +203,7 @@ fn plain_move(
 fn handler(core: &mut Core, host: &mut dyn Host, out: &mut Vec<Sourced>, fired: &Handler) -> Step {
     let at = fired.at;
     let program = &core.files.program(at.file);
-    let before = Before::of(core, out);
+    let before = BeforeStep::of(core, out);
     let mut context = Context { core, program, host, out, at, span: Span::LINE };
     let outcome = interrupt::handler_action(&mut context, program, fired.level);
     if matches!(outcome, Err(Stop::Waiting)) {

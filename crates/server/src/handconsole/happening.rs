@@ -21,7 +21,7 @@ pub enum Happening {
         key: Key,
     },
     /// Outcome of a request that lasts: what was found out, or why it is not done.
-    Told(Result<String, String>),
+    Outcome(Result<String, String>),
 }
 
 /// The keys of the hand console, as pages press them.
@@ -31,7 +31,7 @@ pub struct Keys {
 }
 
 impl Keys {
-    /// From now on a thread hears them; there is one for a server.
+    /// Sets the thread that hears them; a server has one.
     pub fn set(&self, happens: Sender<Happening>) -> Result<(), Sender<Happening>> {
         self.happens.set(happens)
     }

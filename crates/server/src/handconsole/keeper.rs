@@ -1,12 +1,12 @@
 //! The thread that owns the console.
 
 use super::Happening;
-use super::left::Left;
+use super::kept_points::KeptPoints;
 use super::view::Facts;
 use crate::app::App;
 use crate::asker::Asker;
 use crate::people::Grip;
-use crate::told;
+use crate::to_wire;
 use kerf_handconsole::{Console, ConsoleRequest, Key};
 use kerf_wire::{Change, HandConsole, Problem, State, Why};
 use std::collections::VecDeque;
@@ -14,7 +14,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
-/// So often the screen follows the machine: pages and serial link show it within a tenth of a second.
+/// Interval at which the screen follows the machine: pages and serial link show it within a tenth of a second.
 const LOOK: Duration = Duration::from_millis(30);
 const _: () = assert!(LOOK.as_millis() < 100);
 
@@ -34,7 +34,7 @@ pub struct Keeper {
     /// Points were being digitized at the last look.
     digitizes: bool,
     /// Points that outlive the server; nothing before the first look.
-    left: Option<Left>,
+    left: Option<KeptPoints>,
 }
 
 impl Keeper {
@@ -70,7 +70,7 @@ impl Keeper {
                 Some(Happening::Key { asker, grip, key }) => {
                     self.keys.push_back((asker, grip, key))
                 }
-                Some(Happening::Told(outcome)) => self.told(outcome),
+                Some(Happening::Outcome(outcome)) => self.told(outcome),
                 None => {}
             }
             self.go_on(&app);
@@ -150,7 +150,7 @@ impl Keeper {
         if self.left.is_some() {
             return;
         }
-        let mut left = Left::default();
+        let mut left = KeptPoints::default();
         if let Some(points) = left.take_up(app) {
             self.console = Console::with_points(points);
         }
@@ -169,7 +169,7 @@ impl Keeper {
         }
         self.digitizes = points.is_some();
         let digitized =
-            points.as_ref().map(|points| told::digitized(points, view.machine.job.origin_mm));
+            points.as_ref().map(|points| to_wire::digitized(points, view.machine.job.origin_mm));
         app.hub.changing(|now| {
             let link = now.hand_console.link.clone();
             let hand_console = HandConsole { lines: screen.lines, beeps, link };

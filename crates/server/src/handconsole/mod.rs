@@ -12,7 +12,7 @@
 
 mod happening;
 mod keeper;
-mod left;
+mod kept_points;
 mod port;
 mod requests;
 mod view;

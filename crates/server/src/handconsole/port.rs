@@ -20,10 +20,10 @@ use std::sync::{Arc, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// So long it is waited for bytes of keys before the screen is looked at again.
+/// Time to wait for the bytes of keys before the screen is looked at again.
 const LOOK: Duration = Duration::from_millis(15);
 
-/// So often a port that cannot be opened is tried again.
+/// Interval between two attempts to open the port.
 const AGAIN: Duration = Duration::from_secs(2);
 
 /// Bits on the line of a byte.

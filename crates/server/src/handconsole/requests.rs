@@ -46,7 +46,7 @@ pub fn grant(
         ConsoleRequest::AddShape(shape) => {
             let added = app.jobs.add_shape(shape)?;
             // The console waits for it as long as the server runs.
-            drop(tells.send(Happening::Told(Ok(added))));
+            drop(tells.send(Happening::Outcome(Ok(added))));
             return Ok(());
         }
         ConsoleRequest::Look(at) => {
@@ -94,7 +94,7 @@ fn grant_of_job(
             let (shape, shapes) = app.jobs.nearest_path()?;
             let found = format!("{shape} of {shapes}");
             // The console waits for it as long as the server runs.
-            drop(tells.send(Happening::Told(Ok(found))));
+            drop(tells.send(Happening::Outcome(Ok(found))));
             Ok(())
         }
     }

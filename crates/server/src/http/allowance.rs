@@ -12,12 +12,12 @@ pub struct Allowance {
 }
 
 impl Allowance {
-    /// So many a second, and so many at once.
+    /// Makes an allowance of so many requests a second, and so many at once.
     pub fn of(a_second: u32, at_once: u32) -> Self {
         Self { each: Duration::from_secs(1) / a_second, at_once, paid: Instant::now() }
     }
 
-    /// One more; waits where there were too many.
+    /// Takes one request from the allowance, and waits where there were too many.
     pub async fn take(&mut self) {
         sleep_until(self.due(Instant::now())).await;
     }

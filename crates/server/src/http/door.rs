@@ -123,7 +123,7 @@ struct Held {
 }
 
 impl Place {
-    /// It is known whose the connection is.  Whether there is room for one more of that device.
+    /// Notes whose the connection is. Returns `true` if there is room for one more of that device.
     pub fn is_of(&self, device: u32) -> bool {
         self.0.door.know(&self.0.visitor, device)
     }

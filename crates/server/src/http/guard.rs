@@ -6,7 +6,7 @@
 use super::door::Place;
 use crate::app::App;
 use crate::people::Here;
-use crate::pool::{HERE, Turn};
+use crate::pool::{HERE, RequestScope};
 use axum::extract::connect_info::ConnectInfo;
 use axum::extract::{Extension, Request, State};
 use axum::http::header::{AUTHORIZATION, COOKIE, HOST, ORIGIN};
@@ -104,7 +104,8 @@ async fn pass(
         Ok(caller) => caller,
         Err((status, why)) => return with_headers((status, why).into_response()),
     };
-    let (stranger, turn) = (caller.role.is_none(), Turn::of(app.pool.clone(), caller.number()));
+    let (stranger, turn) =
+        (caller.role.is_none(), RequestScope::of(app.pool.clone(), caller.number()));
     request.extensions_mut().insert(caller);
     let (request, _room) = match app.bodies.admit(request).await {
         Ok(admitted) => admitted,

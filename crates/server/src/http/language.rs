@@ -4,9 +4,9 @@ use super::{Refused, aside, soon};
 use crate::app::App;
 use crate::awaited::Awaited;
 use crate::locks::lock;
-use crate::machine::{bits, told_input};
+use crate::machine::{bits, input_state};
 use crate::refusal::problem;
-use crate::{configure, told};
+use crate::{configure, to_wire};
 use axum::Json;
 use axum::extract::{Query, State};
 use axum::response::{IntoResponse, Response};
@@ -26,7 +26,7 @@ pub struct Text {
     /// The file; its extension tells the language.
     name: String,
     text: String,
-    /// These are lines of a larger text: they are looked at by themselves.
+    /// The text is an excerpt of a larger one and is checked by itself.
     #[serde(default)]
     part: bool,
 }
@@ -124,7 +124,7 @@ fn read_values(app: &App) -> Result<Values, Problem> {
         system: system.collect(),
         variables: variables.collect(),
         settings: kerf_sbp::table::settings_lines(&memory.settings),
-        diagnostics: told::named(kerf_control::diagnostics(&session, &mut workspace)),
+        diagnostics: to_wire::named(kerf_control::diagnostics(&session, &mut workspace)),
         folder: app.hub.read(|now| now.folder.clone()),
         part_file: app
             .files
@@ -162,13 +162,15 @@ pub async fn ports(State(app): State<Arc<App>>) -> Json<Vec<PortBit>> {
 pub async fn inputs(State(app): State<Arc<App>>) -> Json<Vec<Lamp>> {
     let session = lock(&app.left).session.clone();
     let lamps = |machine: &kerf_model::Model| -> Vec<Lamp> {
-        (1..=LINES as u8).map(|number| told::input(machine, |n| machine.input(n), number)).collect()
+        (1..=LINES as u8)
+            .map(|number| to_wire::input(machine, |n| machine.input(n), number))
+            .collect()
     };
     let mut lamps = session.look(lamps);
     let now = app.hub.read(|now| now.io.clone());
     for lamp in &mut lamps {
         // A run has the machine while it lasts: what stands here is as it was before.
-        lamp.on = told_input(&now, lamp.number).unwrap_or(lamp.on);
+        lamp.on = input_state(&now, lamp.number).unwrap_or(lamp.on);
         let input = Input::of_number(lamp.number);
         let label = input.and_then(|input| session.machine_is.name_in_use(input));
         lamp.label = label.unwrap_or(&lamp.label).to_owned();

@@ -27,7 +27,7 @@ pub use door::{Place, serve};
 pub use guard::{Caller, IN_ADDRESS, guard_of_stop};
 pub use routes::{describe, paths, router};
 
-use crate::pool::{Lane, Turn};
+use crate::pool::{Lane, RequestScope};
 use axum::Json;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
@@ -63,12 +63,12 @@ impl IntoResponse for Refused {
 async fn aside<T: Send + 'static>(
     work: impl FnOnce() -> Result<T, Problem> + Send + 'static,
 ) -> Result<T, Refused> {
-    Ok(Turn::present()?.done(Lane::Long, work).await??)
+    Ok(RequestScope::present()?.done(Lane::Long, work).await??)
 }
 
 /// The same for what takes a moment.
 async fn soon<T: Send + 'static>(
     work: impl FnOnce() -> Result<T, Problem> + Send + 'static,
 ) -> Result<T, Refused> {
-    Ok(Turn::present()?.done(Lane::Short, work).await??)
+    Ok(RequestScope::present()?.done(Lane::Short, work).await??)
 }

@@ -2,7 +2,7 @@
 
 use super::{Refused, aside, soon};
 use crate::app::App;
-use crate::pool::Turn;
+use crate::pool::RequestScope;
 use crate::preview::{Asked, Chart, Preview};
 use crate::refusal::problem;
 use axum::Json;
@@ -119,7 +119,13 @@ pub async fn timing(
     let shown = key.clone();
     let (waiting, chart) = app.loader.charts.ask(Asked { key: key.clone(), inputs });
     if let Some(chart) = chart {
-        tokio::spawn(Turn::present()?.serve(chart_of(app.clone(), chart, key, preview, changes)));
+        tokio::spawn(RequestScope::present()?.serve(chart_of(
+            app.clone(),
+            chart,
+            key,
+            preview,
+            changes,
+        )));
     }
     let lost = || problem(Why::Server, "this failed in the server");
     let answer = waiting.answer().await.ok_or_else(lost)?;

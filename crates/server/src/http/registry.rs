@@ -90,7 +90,7 @@ fn values(app: &App) -> Result<Vec<NamedValue>, Problem> {
     let kept = journal.registry.values().map_err(server)?;
     let mut unset = unset(app).to_vec();
     unset.retain(|(key, _)| !kept.iter().any(|(name, _)| name == key));
-    Ok(crate::told::named(live.into_iter().chain(unset).chain(kept)))
+    Ok(crate::to_wire::named(live.into_iter().chain(unset).chain(kept)))
 }
 
 /// Keys that have a value also where nothing has set them yet.

@@ -17,7 +17,7 @@ use super::guard::Caller;
 use super::rest::malformed;
 use crate::app::App;
 use crate::asker::Asker;
-use crate::hub::{Told, text};
+use crate::hub::{Broadcast, text};
 use crate::lanes::Lanes;
 use crate::stop::{Halt, Presses, heard};
 use axum::Extension;
@@ -255,7 +255,7 @@ async fn begin(
     app: &App,
     who: &Who,
     write: &mut SplitSink<WebSocket, Message>,
-) -> Option<Receiver<Arc<Told>>> {
+) -> Option<Receiver<Arc<Broadcast>>> {
     let (snapshot, changes) = app.hub.listen();
     let snapshot = Box::new(Arc::unwrap_or_clone(snapshot));
     let first = ToPage::Snapshot { who: who.clone(), snapshot };

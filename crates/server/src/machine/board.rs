@@ -6,7 +6,7 @@ use super::ports;
 use super::typing::Typing;
 use crate::files::PartFolder;
 use crate::hub::Hub;
-use crate::told;
+use crate::to_wire;
 use kerf_diag::{Diagnostic, Place};
 use kerf_machine::{Configuration, Going};
 use kerf_model::Model;
@@ -149,7 +149,7 @@ impl Board {
             }
             None => (doing.machine.position(), 0.0, None),
         };
-        let at = told::positions(frame, place);
+        let at = to_wire::positions(frame, place);
         self.seen = Some(at);
         let cutting = going.is_some_and(|made| made.kind == MoveKind::Cut);
         let live = doing.going.is_none() || self.live_mm_s.is_some_and(|most| speed_mm_s <= most);
@@ -198,13 +198,13 @@ impl Board {
     fn look_at(&mut self, machine: &Model, t_s: f64) {
         let settings = machine.settings();
         let rpm = self.speeds.rpm;
-        let speeds = Speeds { rpm, ..told::speeds(settings) };
+        let speeds = Speeds { rpm, ..to_wire::speeds(settings) };
         // A job counts in millimetres; people go on reading what they are used to.
         if !self.is_job {
-            self.units = told::units(settings);
+            self.units = to_wire::units(settings);
         }
         self.speeds = speeds;
-        self.io = told::io(machine, t_s, &self.machine, &self.io);
+        self.io = to_wire::io(machine, t_s, &self.machine, &self.io);
     }
 
     /// An input reads something else. Nobody looks at a machine that stands and asks.
@@ -213,8 +213,8 @@ impl Board {
             lamp.on = on;
         }
         ports::reads(&mut self.io.ports, number, on);
-        let reads = |number| ports::told(&self.io, number).unwrap_or_default();
-        self.io.forbidden = told::forbidden(reads, &self.machine.program.io, &self.machine);
+        let reads = |number| ports::input_state(&self.io, number).unwrap_or_default();
+        self.io.forbidden = to_wire::forbidden(reads, &self.machine.program.io, &self.machine);
     }
 
     /// A move was made.
@@ -282,7 +282,7 @@ impl Board {
 
     /// A finding of the run, with its place for whoever goes to see it.
     pub fn finds(&mut self, found: &Diagnostic) {
-        self.say(told::tone(found), told::words(found));
+        self.say(to_wire::tone(found), to_wire::words(found));
         let Place { file, line, .. } = &found.place;
         if let Some(message) = self.messages.last_mut().filter(|_| *line > 0) {
             message.place = Some(Call { file: self.parts.name_of(file), line: *line });
@@ -374,7 +374,7 @@ impl Board {
             let job = Some(job);
             put(now.job != job, Change::Job { job });
         }
-        let typed = self.hub.typed().told();
+        let typed = self.hub.typed().summary();
         put(now.typed != typed, Change::Typed { typed });
         let pause = self.pause.clone();
         put(now.pause != pause, Change::Pause { pause });

@@ -7,7 +7,7 @@ use crate::gate::{self, Way};
 use crate::handconsole::Happening;
 use crate::locks::lock;
 use crate::setup::Workshop;
-use crate::told;
+use crate::to_wire;
 use kerf_control::AtRest;
 use kerf_journal::{CutShort, Journal, JournalError};
 use kerf_machine::Configuration;
@@ -188,7 +188,7 @@ impl Owner {
     pub(super) fn hold(&mut self, wanted: Configuration, tells: &Sender<Happening>) {
         self.workshop.session.hold(wanted);
         self.rest(State::Idle, None);
-        drop(tells.send(Happening::Told(Ok(String::new()))));
+        drop(tells.send(Happening::Outcome(Ok(String::new()))));
     }
 
     /// Keeps the configuration that holds, and tells how many settings were not kept yet. Keys wait for that: when it
@@ -202,7 +202,7 @@ impl Owner {
             count => format!("{count} settings saved"),
         });
         // Nobody waits for it where the server is closing.
-        drop(tells.send(Happening::Told(outcome.map_err(|why| why.to_string()))));
+        drop(tells.send(Happening::Outcome(outcome.map_err(|why| why.to_string()))));
     }
 
     /// The run that can be taken up, where runs are on record.
@@ -221,7 +221,7 @@ impl Owner {
             file: name(cut.file()),
             hash: (!cut.is_job()).then(|| cut.run.hash().to_owned()),
             line: cut.last_move().1,
-            text: cut.told_by(name),
+            text: cut.sentence_by(name),
             stopped: cut.stopped(),
             moved: cut.moved(),
         })
@@ -280,7 +280,7 @@ impl Owner {
             let value = variable.map(kerf_sbp::Value::display).or_else(kept)?;
             Some((name.clone(), value))
         };
-        told::named(self.link.watched().iter().filter_map(value))
+        to_wire::named(self.link.watched().iter().filter_map(value))
     }
 }
 

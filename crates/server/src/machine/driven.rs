@@ -4,18 +4,17 @@
 use super::owner::Owner;
 use super::zeros;
 use crate::setup::Workshop;
-use crate::told;
+use crate::to_wire;
 use kerf_control::AtRest;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{Controller, Told};
+use kerf_control::controller::{AttachReport, Controller};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::{Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
-use kerf_program::{AXES, Axes, Axis};
+use kerf_program::Axes;
 use kerf_trace::Summary;
 use kerf_wire::{Change, Machine, State, Tone};
-use std::sync::Arc;
 
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
@@ -33,7 +32,7 @@ impl Owner {
     }
 
     /// Tells what was found when the controller was attached.
-    pub(super) fn tell_attached(&self, told: &Told) {
+    pub(super) fn tell_attached(&self, told: &AttachReport) {
         told.notes.iter().for_each(|line| self.hub.say(Tone::Note, line.clone()));
         told.warnings.iter().for_each(|line| self.hub.say(Tone::Warning, line.clone()));
     }
@@ -132,22 +131,9 @@ impl Owner {
         let mut answers = Answers::default();
         let found =
             controller.as_ref()?.lacks(work, session, options, &mut workspace, &mut answers);
-        found.iter().for_each(|it| self.hub.say(told::tone(it), told::sentence(it)));
+        found.iter().for_each(|it| self.hub.say(to_wire::tone(it), to_wire::sentence(it)));
         let error = found.into_iter().find(Diagnostic::is_error)?;
         Some(Summary::not_begun(unit, Some(Box::new(error))))
-    }
-
-    /// Moves the tool a little, and the working zero as far as it came.
-    pub(super) fn nudge_driven(&mut self, axis: Axis, distance: f64) {
-        let session = &self.workshop.session;
-        let (before, machine) = (session.memory.position, Arc::new(session.configuration()));
-        let mut place = [None; AXES];
-        place[axis.index()] = Some(distance);
-        let errand = Errand::To { place, relative: true, flat: false };
-        let driven = self.held(Work::Hand(errand, machine));
-        let memory = &mut self.workshop.session.memory;
-        memory.frame.working_zero[axis] += memory.position[axis] - before[axis];
-        self.come_to_rest(driven);
     }
 
     /// Changes a zero point that the controller keeps, and has the working zero follow.
@@ -175,6 +161,6 @@ impl Owner {
         let holds = told.iter().any(|zero| zero.name == name && zero.holds);
         let memory = &self.workshop.session.memory;
         let reads = zeros::reads(memory.position, &told, change).filter(|_| holds);
-        Ok(reads.map(|reads| zeros::values(reads, &told::units(&memory.settings).axes)))
+        Ok(reads.map(|reads| zeros::values(reads, &to_wire::units(&memory.settings).axes)))
     }
 }

@@ -157,7 +157,7 @@ impl Wanted {
         self.answer.take()
     }
 
-    /// Nobody can answer any more, nor move the tool meanwhile.
+    /// Closes the question: no answer counts any more, and the tool stays.
     pub fn close(&mut self) {
         (self.question, self.answer, self.jog) = (None, None, None);
     }

@@ -2,7 +2,7 @@
 
 use super::arrived::Stops;
 use super::board::Board;
-use super::left::Left;
+use super::last_state::LastState;
 use super::link::Link;
 use super::order::Order;
 use super::planned::Planned;
@@ -13,7 +13,7 @@ use crate::handconsole::Happening;
 use crate::hub::Hub;
 use crate::setting_changes::SettingChanges;
 use crate::setup::Workshop;
-use crate::told;
+use crate::to_wire;
 use kerf_control::{AtRest, RunContext};
 use kerf_journal::{Journal, JournalError, Live, RunOptions, Work};
 use kerf_machine::{Configuration, Errand, Keypad, hand};
@@ -48,7 +48,7 @@ pub struct Owner {
     /// The part folder.
     pub parts: PartFolder,
     /// The machine and its files as the last run left them, for previews and forms.
-    pub left: Arc<Mutex<Left>>,
+    pub left: Arc<Mutex<LastState>>,
     /// Seconds of machine time in a second.
     pub rate: f64,
     /// Told after each order, with the file that a tool made.
@@ -72,7 +72,8 @@ pub struct Owner {
 impl Owner {
     /// Tells what was found wrong with the files of the data folder.
     pub fn tell_found(&self) {
-        let told = self.workshop.workspace.journal().map(Journal::told).unwrap_or_default();
+        let told =
+            self.workshop.workspace.journal().map(Journal::mistakes_found).unwrap_or_default();
         told.into_iter().for_each(|line| self.hub.say(Tone::Warning, line));
         self.tell_attached(&self.workshop.told);
     }
@@ -230,11 +231,11 @@ impl Owner {
 
     fn tell_ended(&mut self, job: Job, driven: Result<Summary, JournalError>) {
         let (ended, error) = match &driven {
-            Ok(summary) => (told::status(summary.status), summary.error.as_deref()),
+            Ok(summary) => (to_wire::status(summary.status), summary.error.as_deref()),
             Err(_) => ("failed", None),
         };
         let (ended, error) = (Some(ended.into()), error.map(kerf_language::finding));
-        let summary = driven.as_ref().ok().map(told::summary);
+        let summary = driven.as_ref().ok().map(to_wire::summary);
         self.note_settings(&job);
         // Whoever hears of the end reads what the run left: variables, settings, places.
         self.tell_workspace();
@@ -324,7 +325,7 @@ impl Owner {
                 return self.rest(State::Alarm, Some(why));
             }
         };
-        let why = summary.error.as_deref().map(told::sentence);
+        let why = summary.error.as_deref().map(to_wire::sentence);
         match summary.status {
             Status::Limit => self.rest(State::Alarm, why.or(Some("stopped by a limit".into()))),
             Status::Stopped if why.is_some() => self.rest(State::Alarm, why),
@@ -364,20 +365,22 @@ impl Owner {
             let memory = &self.workshop.session.memory;
             (&memory.settings, &memory.frame, memory.position)
         };
+        let offers = to_wire::offers(self.driven().borrow().facts());
         self.hub.changing(|now| {
-            let mode = told::mode(&self.workshop.session);
-            let name = told::machine_name(&self.workshop.session);
-            let machine = Machine { mode, name, ..becomes(&now.machine) };
-            let at = told::positions(frame, position);
+            let mode = to_wire::mode(&self.workshop.session);
+            let name = to_wire::machine_name(&self.workshop.session);
+            let machine = Machine { mode, name, offers, ..becomes(&now.machine) };
+            let at = to_wire::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed_mm_s: 0.0, cutting: false, ..now.motion };
-            let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..told::speeds(settings) };
+            let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..to_wire::speeds(settings) };
             let session = &self.workshop.session;
-            let io = session
-                .look(|machine| told::io(machine, machine.clock_s(), &session.machine_is, &now.io));
+            let io = session.look(|machine| {
+                to_wire::io(machine, machine.clock_s(), &session.machine_is, &now.io)
+            });
             vec![
                 Change::Io { io },
                 Change::Motion { motion },
-                Change::Units { units: told::units(settings) },
+                Change::Units { units: to_wire::units(settings) },
                 Change::Speeds { speeds },
                 Change::Machine { machine },
             ]
@@ -413,7 +416,7 @@ impl Owner {
         let (held, name) = (matches!(errand, Errand::Held(_)), errand.name());
         let work = Work::Hand(errand, Arc::new(machine));
         // Nobody waits for it where the server is closing.
-        let tell = |driven: &_| drop(tells.send(Happening::Told(told::outcome(driven))));
+        let tell = |driven: &_| drop(tells.send(Happening::Outcome(to_wire::outcome(driven))));
         if held {
             let driven = self.held(work);
             tell(&driven);
@@ -443,21 +446,24 @@ impl Owner {
         self.rest(State::Idle, None);
     }
 
+    /// Moves the tool a little, and the working zero as far as it came.
     fn nudge(&mut self, axis: Axis, distance: f64) {
         self.catch_up();
-        if self.workshop.controller.is_some() {
-            return self.nudge_driven(axis, distance);
-        }
-        let Workshop { session, workspace, kept, .. } = &mut self.workshop;
-        let why = match session.nudge(axis, distance) {
-            Err(outside) => Some(outside.to_string()),
-            Ok(()) if *kept => session.keep_place(workspace).err().map(|error| {
-                format!("the nudge holds until Kerf ends, it cannot be kept: {error}")
-            }),
-            Ok(()) => None,
+        let session = &self.workshop.session;
+        let (before, machine) = (session.memory.position, Arc::new(session.configuration()));
+        let driven = match session.nudge(axis, distance) {
+            Ok(errand) => self.held(Work::Hand(errand, machine)),
+            Err(outside) => {
+                self.rest(State::Idle, None);
+                return self.hub.say(Tone::Error, outside.to_string());
+            }
         };
-        self.rest(State::Idle, None);
-        if let Some(why) = why {
+        let Workshop { session, workspace, kept, .. } = &mut self.workshop;
+        session.nudged(before);
+        let unkept = if *kept { session.keep_place(workspace).err() } else { None };
+        self.come_to_rest(driven);
+        if let Some(error) = unkept {
+            let why = format!("the nudge holds until Kerf ends, it cannot be kept: {error}");
             self.hub.say(Tone::Error, why);
         }
     }
@@ -469,7 +475,7 @@ impl Owner {
         drop(workspace.journal().filter(|_| *kept).map(|journal| journal.registry.tell_rest(rest)));
     }
 
-    /// Nothing happens: what other threads and programs have changed is put into the one file.
+    /// Puts what other threads and programs have changed into the one file of the journal, while nothing runs.
     fn rest_journal(&self) {
         // Where the disk refuses, whoever changed something was told; it is in the write-ahead file.
         drop(self.workshop.workspace.journal().map(Journal::rest));
@@ -478,7 +484,7 @@ impl Owner {
     /// Leaves a copy of the session for previews.
     pub(super) fn leave(&self) {
         let Workshop { session, workspace, .. } = &self.workshop;
-        let left = Left {
+        let left = LastState {
             session: session.clone(),
             folder: workspace.part_folder().to_owned(),
             mask: workspace.mask().to_owned(),

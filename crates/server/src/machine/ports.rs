@@ -49,7 +49,7 @@ pub fn reads(ports: &mut Ports, number: u8, on: bool) {
 }
 
 /// The state that pages are told of an input; nothing of one that is none.
-pub fn told(io: &Io, number: u8) -> Option<bool> {
+pub fn input_state(io: &Io, number: u8) -> Option<bool> {
     let lamp = io.inputs.iter().find(|lamp| lamp.number == number).map(|lamp| lamp.on);
     let is_it = |bit: &&Bit| Input::of_name(bit.name).is_some_and(|line| line.number() == number);
     let bit = || INPUT_BITS.iter().find(is_it);

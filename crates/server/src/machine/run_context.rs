@@ -6,14 +6,14 @@ use super::board::{Board, TELL};
 use super::link::Link;
 use crate::files::PartFolder;
 use crate::hub::Hub;
-use crate::told;
+use crate::to_wire;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Jog, LIFT, OperatorRequest, Requests, WorldClock};
 use kerf_journal::Hurry;
 use kerf_machine::Driven;
 use kerf_machine::driver::{Override, Shares};
 use kerf_program::{Question, QuestionKind};
-use kerf_trace::{Doing, Event, Made, Sink, Standing};
+use kerf_trace::{Doing, Event, Made, RunStatus, Sink};
 use kerf_wire::{Asked, Change, InForce, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::Path;
@@ -24,7 +24,7 @@ use std::time::{Duration, Instant};
 /// A nap while machine time passes: pages see the machine move, a jog that nobody renews is noticed.
 const NAP: Duration = Duration::from_millis(15);
 
-/// While a run waits for somebody its machine is looked at so often.
+/// Interval at which the machine is looked at while a run waits for a person.
 const LOOK: Duration = Duration::from_millis(100);
 
 /// A nap that takes so long is none: the computer slept, or everything on it stood still.
@@ -79,7 +79,7 @@ impl Shared {
         });
     }
 
-    /// Somebody at the controls of the machine has turned its overrides: the run goes by them, and pages show them.
+    /// Takes over overrides that were turned at the machine's own controls, and shows them on pages.
     fn is_turned(&self, shares: Shares) {
         let Shares { feed, rapid, spindle } = shares;
         self.board.borrow_mut().rapid = f64::from(rapid) / 100.0;
@@ -457,17 +457,17 @@ impl Sink for Teller {
         self.shared.board.borrow_mut().displays(comments);
     }
 
-    fn standing(&mut self, standing: &Standing) {
+    fn run_status(&mut self, standing: &RunStatus) {
         let mut board = self.shared.board.borrow_mut();
         board.stands(&standing.files);
-        board.watches(told::named(standing.watched.clone()));
+        board.watches(to_wire::named(standing.watched.clone()));
     }
 
     fn watches(&self) -> Vec<String> {
         self.shared.link.watched()
     }
 
-    fn looks_at_standing(&self) -> bool {
+    fn looks_at_status(&self) -> bool {
         true
     }
 }

@@ -9,7 +9,7 @@ const FIRST: Duration = Duration::from_secs(1);
 const LONGEST: Duration = Duration::from_secs(256);
 /// After so long without a try nothing is held against anybody.
 const FORGOTTEN: Duration = Duration::from_secs(3600);
-/// So many are known; the one that was quiet longest is forgotten for the next.
+/// The most origins that are known; the one that was quiet longest is forgotten for the next.
 const MOST: usize = 1000;
 
 /// Wrong tries, by who made them.

@@ -1,7 +1,7 @@
 //! Work that takes longer than a moment, off the threads that talk with pages.
 //!
 //! ```text
-//!  request ──► Turn (who asks) ──► lane: short ──► 2 threads
+//!  request ──► RequestScope (who asks) ──► lane: short ──► 2 threads
 //!                                       long  ──► cores − 1, at least one
 //! ```
 //!
@@ -162,25 +162,25 @@ impl Queue {
 
 tokio::task_local! {
     /// Whose request a task serves.
-    static TURN: Turn;
+    static SCOPE: RequestScope;
 }
 
 /// Whose request is served, and who does the work for it.
 #[derive(Clone, Debug)]
-pub struct Turn {
+pub struct RequestScope {
     pool: Arc<Pool>,
     customer: Customer,
 }
 
-impl Turn {
-    /// Somebody's turn.
+impl RequestScope {
+    /// Makes the scope of a customer's requests.
     pub const fn of(pool: Arc<Pool>, customer: Customer) -> Self {
         Self { pool, customer }
     }
 
     /// Serves a request of theirs.
     pub async fn serve<T>(self, request: impl Future<Output = T>) -> T {
-        TURN.scope(self, request).await
+        SCOPE.scope(self, request).await
     }
 
     /// Whose request this task serves.
@@ -189,7 +189,7 @@ impl Turn {
     /// It serves none.
     pub fn present() -> Result<Self, Problem> {
         let none = |_| problem(Why::Server, "this was asked for by nobody");
-        TURN.try_with(Self::clone).map_err(none)
+        SCOPE.try_with(Self::clone).map_err(none)
     }
 
     /// Has something done for them, and waits for it.

@@ -10,12 +10,12 @@ const EACH: usize = 32;
 const ALL: usize = 512;
 
 /// Something to do.
-pub type Job = Box<dyn FnOnce() + Send>;
+pub type Task = Box<dyn FnOnce() + Send>;
 
 /// Jobs that wait.
 #[derive(Default)]
 pub struct Turns {
-    waiting: VecDeque<(Customer, VecDeque<Job>)>,
+    waiting: VecDeque<(Customer, VecDeque<Task>)>,
     busy: BTreeSet<Customer>,
     over: bool,
 }
@@ -32,7 +32,7 @@ impl Turns {
     }
 
     /// One more waits; not where too many do.
-    pub fn add(&mut self, customer: Customer, job: Job) -> bool {
+    pub fn add(&mut self, customer: Customer, job: Task) -> bool {
         if self.over || self.len() >= ALL {
             return false;
         }
@@ -46,7 +46,7 @@ impl Turns {
     }
 
     /// The next one: of the customer who has waited longest and for whom nothing is done.
-    pub fn next(&mut self) -> Option<(Customer, Job)> {
+    pub fn next(&mut self) -> Option<(Customer, Task)> {
         let place = self.waiting.iter().position(|(of, _)| !self.busy.contains(of))?;
         let (customer, mut jobs) = self.waiting.remove(place)?;
         let job = jobs.pop_front()?;
@@ -62,7 +62,7 @@ impl Turns {
         self.busy.remove(&customer);
     }
 
-    /// Nothing waits any more, and nothing more is taken.
+    /// Drops what waits and takes nothing more.
     pub fn end(&mut self) {
         self.over = true;
         self.waiting.clear();
@@ -78,7 +78,7 @@ impl Turns {
 mod tests {
     use super::*;
 
-    fn job() -> Job {
+    fn job() -> Task {
         Box::new(|| ())
     }
 

@@ -36,7 +36,7 @@ pub struct Chart {
     made: watch::Sender<Option<Answer>>,
 }
 
-/// Somebody who waits for a chart: with the last of them it is given up.
+/// A request that waits for a chart; without any the chart is given up.
 #[derive(Debug)]
 pub struct Waiting(Arc<Chart>);
 

@@ -39,7 +39,7 @@ impl Collector {
 
     /// Tells how often something was found again; nothing more comes.
     pub fn tell_rest(&mut self) {
-        self.findings.extend(self.again.told());
+        self.findings.extend(self.again.diagnostics());
     }
 
     fn follow(&mut self, made: &Made<'_>) {

@@ -25,7 +25,7 @@ pub use thumbnail::{thumbnail, thumbnail_of};
 pub use timing::timing;
 pub use typed::Typed;
 
-use crate::job_told;
+use crate::job_findings;
 use crate::locks::lock;
 use crate::machine::Planned;
 use collect::Collector;
@@ -150,7 +150,7 @@ pub fn make(
 /// The paths of a job that lie on both jigs, told before it is started: its preview waits for none.
 fn not_cut(work: &Work) -> Vec<Finding> {
     let Work::Job(job, machine) = work else { return Vec::new() };
-    straddling(job, machine).into_iter().map(job_told::warning).collect()
+    straddling(job, machine).into_iter().map(job_findings::warning).collect()
 }
 
 /// The plan of a run from its beginning, for whoever goes on with it; answers are as they are by default.

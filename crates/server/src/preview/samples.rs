@@ -4,7 +4,7 @@ use kerf_control::answers::{self, Answers, Operator};
 use kerf_program::{Question, QuestionKind};
 use kerf_wire::SampleAnswer;
 
-/// So many questions are told.
+/// The most questions that are listed.
 const MOST: usize = 50;
 
 /// Answers a preview as a script says, and remembers what the program asked.

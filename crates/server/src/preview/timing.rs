@@ -1,7 +1,7 @@
 //! The timing chart of a run, as pages draw it.
 
 use super::{options, silently, unattended};
-use crate::told;
+use crate::to_wire;
 use kerf_control::Session;
 use kerf_journal::{RunOptions, Work};
 use kerf_model::Change;
@@ -41,7 +41,7 @@ fn charted(lines: Lines, summary: &Summary) -> Timing {
         seconds: rounded(timing.end_s, PLACES),
         whole: !full && matches!(summary.status, Status::Ok | Status::Ended),
         full,
-        status: told::status(summary.status).into(),
+        status: to_wire::status(summary.status).into(),
         finding: summary.error.as_deref().map(kerf_language::finding),
         lines: timing.tracks.into_iter().map(line).collect(),
     }

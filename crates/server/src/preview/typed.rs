@@ -41,7 +41,7 @@ impl Typed {
     }
 
     /// Returns what pages are told of it.
-    pub fn told(&self) -> TypedPath {
+    pub fn summary(&self) -> TypedPath {
         TypedPath { key: self.key, segments: self.pen.path.len() as u32 }
     }
 
@@ -62,10 +62,10 @@ mod tests {
     #[test]
     fn what_begins_anew_is_known_by_another_key() {
         let mut typed = Typed::default();
-        assert_eq!(typed.told(), TypedPath { key: 0, segments: 0 });
+        assert_eq!(typed.summary(), TypedPath { key: 0, segments: 0 });
         assert_eq!(typed.piece(0, 0), None);
         typed.clear();
-        assert_eq!(typed.told(), TypedPath { key: 1, segments: 0 });
+        assert_eq!(typed.summary(), TypedPath { key: 1, segments: 0 });
     }
 
     #[test]
@@ -75,9 +75,9 @@ mod tests {
         (0..MOST as u32)
             .for_each(|made| typed.pen.path.push([f64::from(made), 0.0, 0.0], segment(made)));
         typed.shorten();
-        assert_eq!(typed.told(), TypedPath { key: 0, segments: MOST as u32 });
+        assert_eq!(typed.summary(), TypedPath { key: 0, segments: MOST as u32 });
         typed.pen.path.push([0.0; 3], segment(0));
         typed.shorten();
-        assert_eq!(typed.told(), TypedPath { key: 1, segments: MOST as u32 / 2 });
+        assert_eq!(typed.summary(), TypedPath { key: 1, segments: MOST as u32 / 2 });
     }
 }

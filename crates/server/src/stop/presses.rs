@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// So many requests back a press is known again.
+/// Number of requests within which the same press is recognised.
 const KNOWN: usize = 64;
 
 /// The requests of a page that only stopped, whichever way they came. A page counts its requests.

@@ -1,19 +1,23 @@
 //! A board that a session drives from run to run: attached, held to the place that is on record, left again.
 
 use super::machine::Queued;
+use super::others;
+use super::pins::FIRST;
 use super::thread::{Greeted, OpensLine, Threaded};
 use super::wiring::Wiring;
 use crate::Session;
-use crate::controller::{First, Told};
+use crate::controller::{AttachReport, First};
 use crate::session::DrivenBy;
 use kerf_driver_klipper::board::Options;
 use kerf_journal::facts::Fact;
 use kerf_machine::{Configuration, Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
+use kerf_transport::{Address, Line};
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
 use std::fmt;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// The value that says where a board was left: its port, the places by its counts, and those of the machine.
 const LEFT: &str = Fact::ControllerLeft.key();
@@ -40,12 +44,30 @@ impl Socket {
     pub fn open(&self, machine: &Configuration, clears: bool) -> Result<Queued, String> {
         let named = |why: String| format!("{}: {why}", self.name);
         let wiring = Wiring::of(machine).map_err(named)?;
+        let boards = self.boards(machine).map_err(named)?;
         let deadline_s = machine.board.deadline_s;
         let options = Options { deadline_s, clears, ..Options::default() };
-        let opened = Threaded::open(wiring.setup.clone(), options, self.opens.clone());
+        let opened = Threaded::open(&wiring.setup, options, boards);
         let Greeted { berth, version, counts } = opened.map_err(named)?;
         let parts = (wiring, machine.program.resolution.steps_per_unit);
         Ok(Queued::new(&self.name, &version, parts, counts, Box::new(berth)))
+    }
+
+    /// All boards of a machine, this one first.
+    fn boards(&self, machine: &Configuration) -> Result<Vec<(String, OpensLine)>, String> {
+        let others = others::read(&machine.board.others)?;
+        let ports = others.iter().map(|(name, address)| (name.clone(), address.key()));
+        let first = (FIRST.to_owned(), self.port.clone());
+        others::refuse_twins(&[first].into_iter().chain(ports).collect::<Vec<_>>())?;
+        let first = (FIRST.to_owned(), self.opens.clone());
+        let open = |(name, address): (String, Address)| {
+            let opens: OpensLine = Arc::new(move || match address.open() {
+                Ok(line) => Ok(line as Box<dyn Line>),
+                Err(why) => Err(why.to_string()),
+            });
+            (name, opens)
+        };
+        Ok([first].into_iter().chain(others.into_iter().map(open)).collect())
     }
 }
 
@@ -75,7 +97,7 @@ impl Attached {
         session: &mut Session,
         workspace: &mut Workspace,
         is_stopped: impl Fn() -> bool,
-    ) -> Result<(Self, Told), String> {
+    ) -> Result<(Self, AttachReport), String> {
         let named = |why: String| format!("{}: {why}", socket.name);
         let machine = session.configuration();
         let wiring = Wiring::of(&machine).map_err(named)?;
@@ -88,7 +110,7 @@ impl Attached {
             ));
         }
         let mut queued = socket.open(&machine, first.unlock)?;
-        let mut told = Told::default();
+        let mut told = AttachReport::default();
         let version = &queued.facts().name;
         told.notes.push(format!("{}: {version}, motors: {motors}", socket.name));
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
@@ -112,7 +134,7 @@ impl Attached {
         &mut self,
         session: &mut Session,
         workspace: &mut Workspace,
-    ) -> Result<Told, String> {
+    ) -> Result<AttachReport, String> {
         self.queued.borrow_mut().let_go();
         let (again, told) =
             Self::attach(self.socket.clone(), First::default(), session, workspace, || false)?;
@@ -190,13 +212,13 @@ fn find_place(
     queued: &mut Queued,
     abandoned: bool,
     (session, workspace): (&mut Session, &mut Workspace),
-    told: &mut Told,
+    told: &mut AttachReport,
 ) -> bool {
     let own = queued.by_counts();
     let kept: Option<(String, Axes, Axes)> =
         workspace.stored.get(LEFT).and_then(|kept| serde_json::from_str(kept).ok());
     let kept = kept.filter(|(port, ..)| *port == socket.port);
-    let is_fresh = own == Axes::default();
+    let is_fresh = queued.is_fresh();
     let place = &mut session.memory.position;
     let mut is_known = true;
     let words = |place: &Axes| format!("{:.3}, {:.3}, {:.3}", place.0[0], place.0[1], place.0[2]);

@@ -224,7 +224,8 @@ impl Feeder {
             ways.push((t0_s, Way::Planned(followed.leg.clone(), [from_s - t0_s, end_s - t0_s])));
             from_s = end_s;
         }
-        None
+        // Where nothing can brake before its end, the machine stands there as planned.
+        self.followed.back().filter(|followed| followed.leg.rests()).map(|_| ways)
     }
 
     /// Steps of the ways to rest, and the clock at which the machine stands.

@@ -201,7 +201,7 @@ impl Homing {
             Step::Fast => self.search(Step::Back),
             Step::Back if home.slow > 0.0 => self.search(Step::Slow),
             Step::Back | Step::Slow => self.goes_home(came),
-            Step::Go => self.corrects(1, came),
+            Step::Go => self.corrects(0, came),
             Step::Correct(n) => self.corrects(n + 1, came),
         }
     }
@@ -257,6 +257,9 @@ impl Homing {
             Some(n) => {
                 self.step = Step::Correct(n);
                 self.go(n, vec![motors[n]], came)
+            }
+            None if (0..motors.len()).any(|n| is_off(&n)) => {
+                Act::Fails(format!("{} stands beside its home: it was late", home.name))
             }
             None => Act::Zero(home.axis),
         }

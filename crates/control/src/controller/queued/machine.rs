@@ -7,7 +7,7 @@ use super::outputs::Outputs;
 use super::touch::Probe;
 use super::wiring::Wiring;
 use crate::controller::connection::NAP;
-use kerf_driver_klipper::board::{Ended, Fault as Over, Home, News as Told, Start};
+use kerf_driver_klipper::board::{Ended, Home, News as Told, Start};
 use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
 use kerf_machine::driver::Facts;
 use kerf_machine::{Fault, Going, Machine as _};
@@ -174,6 +174,16 @@ impl Queued {
         place
     }
 
+    /// One of the boards has counted nothing since it was powered, or all have come back to where they began.
+    pub fn is_fresh(&self) -> bool {
+        let motors = self.wiring.setup.motors.iter().zip(&self.counts);
+        let boards = 0..self.wiring.pins.boards.len();
+        boards.into_iter().any(|board| {
+            let mut own = motors.clone().filter(|(motor, _)| motor.step.board == board).peekable();
+            own.peek().is_some() && own.all(|(_, count)| *count == 0)
+        })
+    }
+
     /// The machine is where it stands: from here on places are counted so.
     pub fn is_at(&mut self, place: Axes) {
         self.feeder.is_at(place);
@@ -184,6 +194,11 @@ impl Queued {
     /// Axes that have a motor.
     pub fn axes(&self) -> AxisSet {
         self.wiring.axes()
+    }
+
+    /// Numbers of its outputs that go on and off.
+    pub fn outputs(&self) -> Vec<u8> {
+        self.wiring.outputs.iter().map(|(number, _)| *number).collect()
     }
 
     /// Counts of its motors, as the board told last, and as they are planned from the place that is zero on.
@@ -307,8 +322,11 @@ impl Queued {
                 self.berth.request(Request::Recover);
             }
             Told::Fault(fault) => {
-                let silent = matches!(fault, Over::Silent | Over::NoBoard | Over::Unanswered(_));
-                self.fail(fault.to_string(), "its place may be lost: home it first", silent);
+                self.fail(
+                    fault.to_string(),
+                    "its place may be lost: home it first",
+                    fault.is_silent(),
+                );
             }
             Told::Touched { switch, clock, counts } => self.edges.push((switch, clock, counts)),
             Told::Switch { switch, on } => self.switch_told(switch, on),

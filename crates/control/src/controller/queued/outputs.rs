@@ -5,7 +5,7 @@ use super::wiring::Wiring;
 use crate::controller::lacks::{lacked, no_output, wired};
 use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
-use kerf_program::{Beam, OutputReason, Turn};
+use kerf_program::{Beam, OutputReason, SpindleTurn};
 
 /// Number of the spindle's output.
 const SPINDLE: u8 = 1;
@@ -55,10 +55,10 @@ impl Outputs {
                 let all = [self.switch(FLOOD, flood, wiring), self.switch(MIST, mist, wiring)];
                 Ok(all.concat())
             }
-            Actuator::Turn(turn @ (Turn::Clockwise | Turn::Dynamic))
-                if turn == Turn::Clockwise || wiring.spindle.is_some() =>
+            Actuator::Turn(turn @ (SpindleTurn::Clockwise | SpindleTurn::Dynamic))
+                if turn == SpindleTurn::Clockwise || wiring.spindle.is_some() =>
             {
-                self.is_dynamic = turn == Turn::Dynamic;
+                self.is_dynamic = turn == SpindleTurn::Dynamic;
                 Ok(self.spins(wiring).into_iter().collect())
             }
             // The beam itself is told.

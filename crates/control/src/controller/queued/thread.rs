@@ -1,4 +1,4 @@
-//! The thread of a board's link: nothing is on it but the line, the board and its queue.
+//! The thread of the link to boards: nothing is on it but the lines, the boards and their queues.
 //!
 //! ```text
 //!  Queued ── requests ──► │ thread: read, take requests, write, look at the queue │ ── bytes ──► board
@@ -8,8 +8,8 @@
 //! It ends with whoever has made it: motion is stopped first.
 
 use super::berth::Berth;
-use kerf_driver_klipper::board::Board;
 use kerf_driver_klipper::board::{Fault, News, Options};
+use kerf_driver_klipper::crew::Crew;
 use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
 use kerf_driver_klipper::setup::Setup;
 use kerf_transport::Line;
@@ -21,7 +21,10 @@ use std::time::{Duration, Instant};
 /// Opens the line of a board, on the thread that keeps it.
 pub type OpensLine = Arc<dyn Fn() -> Result<Box<dyn Line>, String> + Send + Sync>;
 
-/// The longest time for which the line is waited for, so that a request is taken.
+/// The lines of all boards; nothing where one is broken.
+type Lines = Vec<Option<Box<dyn Line>>>;
+
+/// The longest time for which lines are waited for, so that a request is taken.
 const GLANCE: Duration = Duration::from_millis(1);
 /// A board that has not told who it is by then is none.
 const GREETING: Duration = Duration::from_secs(12);
@@ -52,18 +55,24 @@ pub struct Greeted {
 }
 
 impl Threaded {
-    /// Opens a line and waits until the board on it is ready.
+    /// Opens the line of each board, by its name, and waits until all are ready.
     ///
     /// # Errors
     /// Nobody answers, or a board that the setup does not fit; in words.
-    pub fn open(setup: Setup, options: Options, opens: OpensLine) -> Result<Greeted, String> {
+    pub fn open(
+        setup: &Setup,
+        options: Options,
+        boards: Vec<(String, OpensLine)>,
+    ) -> Result<Greeted, String> {
         let (requests, taken) = channel();
         let (told, answers) = channel();
         let progress = Arc::new(Mutex::new(Progress::default()));
         let since = Instant::now();
         let options = Options { linger_s: LINGER_S, error_s: super::ERROR_S, ..options };
+        let (names, opens): (Vec<_>, Vec<_>) = boards.into_iter().unzip();
+        let crew = Crew::new(setup, &names, options, 0.0).map_err(|why| why.to_string())?;
         let mut tender = Tender {
-            desk: Desk::new(Board::new(setup, options, 0.0)),
+            desk: Desk::new(crew),
             requests: taken,
             answers: told,
             progress: progress.clone(),
@@ -137,14 +146,22 @@ struct Tender {
 }
 
 impl Tender {
-    fn run(&mut self, opens: &OpensLine) {
-        let ended = opens().and_then(|mut line| {
-            while self.turn(&mut *line)? {}
-            self.part(&mut *line)
+    fn run(&mut self, opens: &[OpensLine]) {
+        let opened: Result<Lines, String> = opens.iter().map(|opens| opens().map(Some)).collect();
+        let ended = opened.and_then(|mut lines| {
+            let ended = self.turns(&mut lines);
+            // Boards whose lines are left stop at once.
+            let parted = self.part(&mut lines);
+            ended.and(parted)
         });
         if let Err(why) = ended {
             let _ = self.answers.send(Answer::Refused(why));
         }
+    }
+
+    fn turns(&mut self, lines: &mut Lines) -> Result<(), String> {
+        while self.turn(lines)? {}
+        Ok(())
     }
 
     fn now_s(&self) -> f64 {
@@ -152,7 +169,7 @@ impl Tender {
     }
 
     /// One look at everything; tells whether somebody still wants it.
-    fn turn(&mut self, line: &mut dyn Line) -> Result<bool, String> {
+    fn turn(&mut self, lines: &mut Lines) -> Result<bool, String> {
         let wanted = loop {
             match self.requests.try_recv() {
                 Ok(request) => self.desk.take(request, self.now_s()),
@@ -160,42 +177,67 @@ impl Tender {
                 Err(TryRecvError::Disconnected) => break false,
             }
         };
-        self.carry(line)?;
+        self.carry(lines)?;
         Ok(wanted)
     }
 
-    /// Moves bytes both ways.
-    fn carry(&mut self, line: &mut dyn Line) -> Result<(), String> {
-        let now_s = self.now_s();
-        let out = self.desk.board().transmit(now_s);
-        if !out.bytes.is_empty() {
-            line.write(&out.bytes).map_err(|why| why.to_string())?;
+    /// Moves bytes both ways. All lines are written to before one is waited for.
+    fn carry(&mut self, lines: &mut Lines) -> Result<(), String> {
+        let mut broken = Ok(());
+        for (board, line) in lines.iter_mut().enumerate() {
+            if let Err(why) = self.write(board, line) {
+                (*line, broken) = (None, Err(why));
+            }
         }
-        let now_s = self.now_s();
-        let due_s = (self.desk.board().due_s() - now_s).clamp(0.0, GLANCE.as_secs_f64());
-        let mut bytes = [0; 1024];
-        let read = line.read(&mut bytes, Duration::from_secs_f64(due_s));
-        let count = read.map_err(|why| why.to_string())?;
-        if count > 0 {
-            let now_s = self.now_s();
-            self.desk.board().receive(&bytes[..count], now_s);
+        let glance_s = GLANCE.as_secs_f64() / lines.len() as f64;
+        for (board, line) in lines.iter_mut().enumerate() {
+            if let Err(why) = self.read(board, line, glance_s) {
+                (*line, broken) = (None, Err(why));
+            }
         }
         let progress = self.desk.progress(self.now_s());
         *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = progress;
         for answer in self.desk.answers() {
             let _ = self.answers.send(answer);
         }
+        broken
+    }
+
+    fn write(&mut self, board: usize, line: &mut Option<Box<dyn Line>>) -> Result<(), String> {
+        let now_s = self.now_s();
+        let out = self.desk.crew().transmit(board, now_s).bytes;
+        match line {
+            Some(line) if !out.is_empty() => line.write(&out).map_err(|why| why.to_string()),
+            _ => Ok(()),
+        }
+    }
+
+    fn read(
+        &mut self,
+        board: usize,
+        line: &mut Option<Box<dyn Line>>,
+        glance_s: f64,
+    ) -> Result<(), String> {
+        let Some(line) = line else { return Ok(()) };
+        let due_s = (self.desk.crew().due_s() - self.now_s()).clamp(0.0, glance_s);
+        let mut bytes = [0; 1024];
+        let read = line.read(&mut bytes, Duration::from_secs_f64(due_s));
+        let count = read.map_err(|why| why.to_string())?;
+        let now_s = self.now_s();
+        self.desk.crew().receive(board, &bytes[..count], now_s);
         Ok(())
     }
 
-    /// Nobody wants it any more: what moves is stopped.
-    fn part(&mut self, line: &mut dyn Line) -> Result<(), String> {
+    /// Nobody wants it any more, or a line is broken: what moves is stopped.
+    fn part(&mut self, lines: &mut Lines) -> Result<(), String> {
         let until = Instant::now() + PARTING;
         self.desk.take(Request::Stop, self.now_s());
         let least = Instant::now() + FAREWELL;
-        while (self.desk.board().is_stopping() || Instant::now() < least) && Instant::now() < until
+        while (self.desk.crew().is_stopping() || Instant::now() < least)
+            && Instant::now() < until
+            && lines.iter().any(Option::is_some)
         {
-            self.carry(line)?;
+            self.carry(lines)?;
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use kerf_driver_klipper::board::{Ended, Watched};
 use kerf_driver_klipper::desk::Request;
 use kerf_machine::{Going, Machine, News, Watch};
 use kerf_motion::{Mover, planner};
-use kerf_program::{At, Axes, Feed, Line, MoveKind};
+use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};
 use std::time::Duration;
 
 /// Time between two looks of the board at an input that is watched, seconds.
@@ -98,6 +98,19 @@ impl Queued {
             Some(fault) => Err(fault.message.clone()),
             None => Ok(self.counted()),
         }
+    }
+
+    /// The place of the home switch of an axis among the switches.
+    pub fn home_switch(&self, axis: Axis) -> Option<usize> {
+        self.wiring.motors.iter().find(|motor| motor.axis == axis)?.home
+    }
+
+    /// The state of a switch; nothing where the board does not tell it.
+    pub fn is_on(&mut self, switch: usize) -> Option<bool> {
+        self.asked = vec![(switch, None)];
+        self.berth.request(Request::Switch(switch));
+        self.wait_until(|it| it.asked.iter().all(|(_, told)| told.is_some()));
+        std::mem::take(&mut self.asked).first().and_then(|(_, told)| *told)
     }
 
     /// A switch told its state.
@@ -276,6 +289,10 @@ impl Queued {
         // The nearest one: what goes on from the edge of a step would begin with that step.
         let passes = places.skip_while(|(_, off)| *off > STEP).take_while(|(_, off)| *off <= STEP);
         let nearest = passes.min_by(|(_, a), (_, b)| a.total_cmp(b));
+        if nearest.is_none() && self.wiring.pins.boards.len() > 1 {
+            let why = "its boards stopped some steps apart, so it stands beside its path";
+            self.fail(why.into(), "its place is known: begin again at this line", false);
+        }
         let stands_s = nearest.map_or(from_s, |(t_s, _)| t_s);
         self.feeder.forget();
         self.feeder.is_at(counted);

@@ -1,7 +1,9 @@
 //! The machine's file as the setup of a board: which pin does what, which motor turns which axis.
 
 use super::homing::AxisHome;
-use kerf_driver_klipper::setup::{Motor, Pin, Pull, Pulsed, Setup, Switched};
+use super::others;
+use super::pins::{Pins, entries};
+use kerf_driver_klipper::setup::{Motor, Pin, Pulsed, Setup, Switched};
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_machine::planning::hand_settings;
@@ -20,7 +22,9 @@ pub struct Turns {
 /// A board and what hangs on it, by the names that the machine has for it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Wiring {
-    /// The board's setup.
+    /// The boards.
+    pub pins: Pins,
+    /// The setup of all boards together.
     pub setup: Setup,
     /// Axes of its motors, in the order of the setup.
     pub motors: Vec<Turns>,
@@ -58,6 +62,8 @@ impl Wiring {
     /// No motor has pins, or a setting cannot be read; in words.
     pub fn of(machine: &Configuration) -> Result<Self, String> {
         let mut wiring = Self::default();
+        let others = others::read(&machine.board.others)?;
+        wiring.pins.boards.extend(others.into_iter().map(|(name, _)| name));
         for name in Name::ALL {
             wiring.motor(machine, name)?;
         }
@@ -67,7 +73,7 @@ impl Wiring {
                 .into());
         }
         wiring.outputs(machine)?;
-        for (number, pin) in numbered("board.inputs", &machine.board.inputs)? {
+        for (number, pin) in wiring.pins.numbered("board.inputs", &machine.board.inputs)? {
             wiring.input(machine, number, pin);
         }
         let homes: Vec<_> = wiring.motors.iter().map(|motor| (motor.axis, motor.home)).collect();
@@ -89,7 +95,8 @@ impl Wiring {
     /// The place of a pin among the switches.
     fn switch(&mut self, pin: Pin) -> usize {
         let switches = &mut self.setup.switches;
-        switches.iter().position(|other| other.name == pin.name).unwrap_or_else(|| {
+        let is_it = |other: &Pin| (other.board, &other.name) == (pin.board, &pin.name);
+        switches.iter().position(is_it).unwrap_or_else(|| {
             switches.push(pin);
             switches.len() - 1
         })
@@ -110,7 +117,7 @@ impl Wiring {
         let Some(axis) = machine.motors.axis_of(name) else {
             return Err(format!("{key}: no axis is turned by that motor (motors.x2, motors.a, …)"));
         };
-        let [step, mut dir] = pair(key, pins)?;
+        let [step, mut dir] = self.pins.pair(key, pins)?;
         dir.inverted ^= machine.motors.direction[axis.index()] == Direction::Backwards;
         let second = self.motors.iter().any(|motor| motor.axis == axis);
         let home = self.home(machine, axis, second)?;
@@ -140,64 +147,30 @@ impl Wiring {
         if text.trim().is_empty() || !machine.homing.of(axis).fitted {
             return Ok(None);
         }
-        Ok(Some(self.switch(pin("board.home_…", text.trim())?)))
+        let pin = self.pins.pin("board.home_…", text.trim())?;
+        Ok(Some(self.switch(pin)))
     }
 
     fn outputs(&mut self, machine: &Configuration) -> Result<(), String> {
         let board = &machine.board;
         let watch_s = Some(board.watch_s);
-        for (number, pin) in numbered("board.outputs", &board.outputs)? {
+        for (number, pin) in self.pins.numbered("board.outputs", &board.outputs)? {
             self.outputs.push((number, self.setup.outputs.len()));
             self.setup.outputs.push(Switched { pin, watch_s });
         }
-        for name in board.enable.split(',').map(str::trim).filter(|name| !name.is_empty()) {
+        for name in entries(&board.enable) {
             self.enables.push(self.setup.outputs.len());
-            let pin = pin("board.enable", name)?;
+            let pin = self.pins.pin("board.enable", name)?;
             // Motors that lose their current lose their place: they keep it while the host is silent.
             self.setup.outputs.push(Switched { pin, watch_s: None });
         }
         if !board.spindle.trim().is_empty() {
             self.spindle = Some((self.setup.outputs.len(), board.spindle_rpm));
-            let pin = pin("board.spindle", board.spindle.trim())?;
+            let pin = self.pins.pin("board.spindle", board.spindle.trim())?;
             self.setup.pulsed.push(Pulsed { pin, cycle_s: 1.0 / board.spindle_hz, watch_s });
         }
         Ok(())
     }
-}
-
-/// Two pins behind each other.
-fn pair(key: &str, text: &str) -> Result<[Pin; 2], String> {
-    let words: Vec<&str> = text.split_whitespace().collect();
-    match words[..] {
-        [step, dir] => Ok([pin(key, step)?, pin(key, dir)?]),
-        _ => Err(format!("{key} = \"{text}\": name two pins, step and direction: \"gpio0 gpio1\"")),
-    }
-}
-
-/// Numbers with their pins, with commas between.
-fn numbered(key: &str, text: &str) -> Result<Vec<(u8, Pin)>, String> {
-    let entries = text.split(',').map(str::trim).filter(|entry| !entry.is_empty());
-    let read = |entry: &str| {
-        let wrong = || format!("{key}: \"{entry}\" is no number with its pin, as 1 gpio20 is");
-        let (number, name) = entry.split_once(char::is_whitespace).ok_or_else(wrong)?;
-        Ok((number.parse().map_err(|_| wrong())?, pin(key, name.trim())?))
-    };
-    entries.map(read).collect()
-}
-
-/// A pin with its signs.
-fn pin(key: &str, text: &str) -> Result<Pin, String> {
-    let name = text.trim_start_matches(['!', '^', '~']);
-    let signs = &text[..text.len() - name.len()];
-    if name.is_empty() || name.contains(char::is_whitespace) {
-        return Err(format!("{key}: \"{text}\" is no pin, as gpio17, PA3 or ^!gpio10 are"));
-    }
-    let pull = match (signs.contains('^'), signs.contains('~')) {
-        (true, _) => Pull::Up,
-        (_, true) => Pull::Down,
-        _ => Pull::None,
-    };
-    Ok(Pin { name: name.to_owned(), inverted: signs.contains('!'), pull })
 }
 
 #[cfg(test)]
@@ -226,10 +199,11 @@ mod tests {
     }
 
     #[test]
-    fn signs_before_a_pin_turn_it_round_and_pull_it() {
-        let told = pin("k", "^!gpio7").unwrap();
-        assert_eq!((&*told.name, told.inverted, told.pull), ("gpio7", true, Pull::Up));
-        assert_eq!(pin("k", "~PA3").unwrap().pull, Pull::Down);
+    fn motors_and_switches_are_on_several_boards() {
+        let lines = "[board]\nothers = \"two /dev/ttyACM1\"\nx = \"a b\"\ny = \"two:a two:b\"\n";
+        check(lines, Ok(2));
+        check(&lines.replace("two:b", "b"), Ok(2));
+        check(&lines.replace("two /dev", "three /dev"), Err("on no board"));
     }
 
     #[test]

@@ -7,22 +7,22 @@
 //! The dialects: `linuxcnc` uses everything LinuxCNC has; `grbl` what grbl 1.1 reads; `generic` only
 //! the words that routers agree on.
 
+mod comments;
 mod motion;
 mod switches;
 #[cfg(test)]
 mod tests;
-mod words;
 
 use crate::syntax::dialect::Dialect;
+use comments::{comment, comments};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
     At, Axes, AxisSet, ChangeWords, Changing, Command, Frame, Hold, Lost, PathControl, Printer,
-    Settings, Sourced, Turn, Written, decimal,
+    Settings, Sourced, SpindleTurn, Written, decimal,
 };
 use std::fmt::Write as _;
 use std::sync::Arc;
 use switches::Switches;
-use words::{comment, comments};
 
 /// Time that M66 waits for an input, seconds: it needs a bound.
 const WAIT_S: u32 = 86_400;
@@ -338,7 +338,7 @@ impl<'a> Writer<'a> {
     }
 
     fn put_in(&mut self, tool: &str) {
-        self.switches.turn = Turn::Off;
+        self.switches.turn = SpindleTurn::Off;
         let digits: String = tool.chars().filter(char::is_ascii_digit).collect();
         if digits.is_empty() || self.is_grbl() {
             self.comment(&format!("tool {tool}"));

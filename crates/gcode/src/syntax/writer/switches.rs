@@ -1,19 +1,19 @@
 //! Spindle, coolant, outputs and dwells.
 
 use super::Writer;
-use kerf_program::{Turn, decimal};
+use kerf_program::{SpindleTurn, decimal};
 
 /// Switches that are on, as far as it was written.
 #[derive(Debug)]
 pub(super) struct Switches {
-    pub(super) turn: Turn,
+    pub(super) turn: SpindleTurn,
     /// Mist and flood.
     coolant: [bool; 2],
 }
 
 impl Default for Switches {
     fn default() -> Self {
-        Self { turn: Turn::Off, coolant: [false; 2] }
+        Self { turn: SpindleTurn::Off, coolant: [false; 2] }
     }
 }
 
@@ -30,8 +30,8 @@ impl Writer<'_> {
         if output == self.writing.spindle_output {
             // A program that told the direction has switched the output with it.
             match (on, self.switches.turn) {
-                (true, Turn::Off) => self.turn(Turn::Clockwise),
-                (false, turn) if turn != Turn::Off => self.turn(Turn::Off),
+                (true, SpindleTurn::Off) => self.turn(SpindleTurn::Clockwise),
+                (false, turn) if turn != SpindleTurn::Off => self.turn(SpindleTurn::Off),
                 _ => {}
             }
         } else if output == mist {
@@ -54,12 +54,12 @@ impl Writer<'_> {
         }
     }
 
-    pub(super) fn turn(&mut self, turn: Turn) {
+    pub(super) fn turn(&mut self, turn: SpindleTurn) {
         self.switches.turn = turn;
         self.line(match turn {
-            Turn::Off => "M5",
-            Turn::Clockwise => "M3",
-            Turn::Counterclockwise | Turn::Dynamic => "M4",
+            SpindleTurn::Off => "M5",
+            SpindleTurn::Clockwise => "M3",
+            SpindleTurn::Counterclockwise | SpindleTurn::Dynamic => "M4",
         });
     }
 
@@ -83,8 +83,8 @@ impl Writer<'_> {
     }
 
     pub(super) fn all_off(&mut self) {
-        if self.switches.turn != Turn::Off {
-            self.turn(Turn::Off);
+        if self.switches.turn != SpindleTurn::Off {
+            self.turn(SpindleTurn::Off);
         }
         self.coolant([false; 2]);
     }

@@ -15,7 +15,6 @@ use kerf_formats::ending;
 use kerf_geom::{Bounds2, Point2};
 use kerf_journal::Work;
 use kerf_machine::Configuration;
-use kerf_machine::settings::zpos::ZPositions;
 use kerf_program::Written;
 use kerf_sbp::Status;
 use kerf_toolpath::{DrawnJob, Heights, Warning, off_table, too_deep, too_flat, write};
@@ -110,8 +109,7 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     job_options::refuse_all(&args.run)?;
     let mut machine = setup::machine_of(&args.run.place, true)?;
     let heights = args.heights.over(usual_heights(&machine, kind))?;
-    let Heights { top_mm, surface_mm, bottom_mm } = heights;
-    machine.zpos = ZPositions { top_mm, surface_mm, bottom_mm };
+    machine.zpos = heights;
     let shaping = setup::shaping(&machine, &args.run);
     let (job, mut warnings) = drawings::job_with_warnings(&args.drawing, shaping, args.run.units)?;
     let job = args.placed(job)?;
@@ -148,7 +146,7 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
 
 /// The heights of the machine; a part program counts them from the surface, its zero of Z.
 fn usual_heights(machine: &Configuration, kind: Kind) -> Heights {
-    let ZPositions { top_mm, surface_mm, bottom_mm } = machine.zpos;
+    let Heights { top_mm, surface_mm, bottom_mm } = machine.zpos;
     let zero_mm = if kind == Kind::Program { surface_mm } else { 0.0 };
     Heights {
         top_mm: top_mm - zero_mm,

@@ -6,7 +6,7 @@ use crate::run::locate;
 use crate::run::{Arguments, Context, Stop};
 use crate::syntax::table::act::Cut as Act;
 use kerf_cut::{
-    ArcTo, Arch, Circle, Corner, Cut, CutError, Feature, Passes, Rectangle, Side, Turn,
+    ArcTo, Arch, Circle, Corner, Cut, CutError, Direction, Feature, Passes, Rectangle, Side,
 };
 use kerf_diag::Code;
 use kerf_program::Axis;
@@ -30,8 +30,8 @@ fn side(a: &Arguments, index: usize) -> Side {
     }
 }
 
-fn turn(a: &Arguments, index: usize) -> Turn {
-    if a.number_or(index, 1.0) < 0.0 { Turn::Counter } else { Turn::Clockwise }
+fn turn(a: &Arguments, index: usize) -> Direction {
+    if a.number_or(index, 1.0) < 0.0 { Direction::Counter } else { Direction::Clockwise }
 }
 
 fn proportion(a: &Arguments, index: usize) -> [f64; 2] {

@@ -1,7 +1,7 @@
 //! Spindle, coolant, outputs and dwells.
 
 use super::file::SbpPrinter;
-use kerf_program::{Turn, decimal};
+use kerf_program::{SpindleTurn, decimal};
 
 pub(super) fn wait(p: &mut SbpPrinter<'_>, seconds: f64) {
     if seconds > 0.0 {
@@ -19,11 +19,11 @@ pub(super) fn spindle(p: &mut SbpPrinter<'_>, number: u8, rpm: f64) {
 }
 
 /// The output that goes with it is a command of its own.
-pub(super) fn turn(p: &mut SbpPrinter<'_>, turn: Turn) {
+pub(super) fn turn(p: &mut SbpPrinter<'_>, turn: SpindleTurn) {
     match turn {
-        Turn::Off | Turn::Clockwise => {}
-        Turn::Counterclockwise => p.unsaid("a spindle that turns counter-clockwise (M4)"),
-        Turn::Dynamic => p.unsaid("a laser whose power follows the speed (M4)"),
+        SpindleTurn::Off | SpindleTurn::Clockwise => {}
+        SpindleTurn::Counterclockwise => p.unsaid("a spindle that turns counter-clockwise (M4)"),
+        SpindleTurn::Dynamic => p.unsaid("a laser whose power follows the speed (M4)"),
     }
 }
 

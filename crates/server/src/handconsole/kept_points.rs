@@ -17,12 +17,12 @@ const AGAIN: &str = "Points were being digitized when Kerf ended: function 70 go
 
 /// The points that are kept.
 #[derive(Debug, Default)]
-pub struct Left {
+pub struct KeptPoints {
     points: Vec<Point>,
     failed: bool,
 }
 
-impl Left {
+impl KeptPoints {
     /// Those of an earlier server.
     pub fn take_up(&mut self, app: &App) -> Option<Digitizer> {
         let bytes = RealDisk.read(&file(app)).ok()?;

@@ -1,27 +1,27 @@
 //! The preparations of a run and the run itself, told as one.
 
-use kerf_trace::{Event, Made, Sink, Standing};
+use kerf_trace::{Event, Made, RunStatus, Sink};
 
 /// The parts of a run as one: it begins with the first, and ends with the last.
-pub(crate) struct Whole<'a> {
+pub(crate) struct WholeRun<'a> {
     sink: &'a mut dyn Sink,
     begun: bool,
     /// End of the part that is over: that of the run, unless another part follows.
     end: Option<Event>,
 }
 
-impl<'a> Whole<'a> {
+impl<'a> WholeRun<'a> {
     pub fn new(sink: &'a mut dyn Sink) -> Self {
         Self { sink, begun: false, end: None }
     }
 
-    /// No other part follows.
+    /// Ends the run: passes on the end of its last part.
     pub fn ends(self) {
         self.end.iter().for_each(|end| self.sink.event(end));
     }
 }
 
-impl Sink for Whole<'_> {
+impl Sink for WholeRun<'_> {
     fn event(&mut self, event: &Event) {
         match event {
             Event::Start { .. } if std::mem::replace(&mut self.begun, true) => self.end = None,
@@ -50,12 +50,12 @@ impl Sink for Whole<'_> {
         self.sink.displays(comments);
     }
 
-    fn standing(&mut self, standing: &Standing) {
-        self.sink.standing(standing);
+    fn run_status(&mut self, standing: &RunStatus) {
+        self.sink.run_status(standing);
     }
 
-    fn looks_at_standing(&self) -> bool {
-        self.sink.looks_at_standing()
+    fn looks_at_status(&self) -> bool {
+        self.sink.looks_at_status()
     }
 
     fn watches(&self) -> Vec<String> {

@@ -5,12 +5,12 @@ use crate::locks::lock;
 use std::sync::Mutex;
 use std::time::Duration;
 
-/// So long a script drives that is not heard.
+/// Silence after which a script loses its turn at driving.
 pub const SILENCE: Duration = Duration::from_secs(10);
 
 /// The turn that goes on, as far as it is known.
 #[derive(Debug)]
-pub struct Turn {
+pub struct DrivingTurn {
     clock: Clock,
     inner: Mutex<Inner>,
 }
@@ -23,7 +23,7 @@ struct Inner {
     run_of: u32,
 }
 
-impl Turn {
+impl DrivingTurn {
     /// By a clock.
     pub fn by(clock: Clock) -> Self {
         Self { clock, inner: Mutex::default() }

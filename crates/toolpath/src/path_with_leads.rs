@@ -102,7 +102,7 @@ impl Led {
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
-    use crate::{beside, job};
+    use crate::{job, offset_job};
     use kerf_drawing::{Editor, script};
     use kerf_geom::{Point2, Polyarc};
     use std::sync::Arc;
@@ -114,7 +114,7 @@ mod tests {
             editor.apply(&op).unwrap();
         }
         let (job, _) = job(&editor.drawing).unwrap();
-        let beside = beside(&job.machine_job("".into()), by_mm).unwrap();
+        let beside = offset_job(&job.machine_job("".into()), by_mm).unwrap();
         beside.shapes.iter().map(|shape| shape.path.clone()).collect()
     }
 

@@ -21,7 +21,7 @@ pub mod flag {
 
 /// Standing of a run, as a console shows it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Standing {
+pub struct RunStatus {
     /// The sum of [`flag`]s.
     pub status: u8,
     /// The open files, outermost first.

@@ -4,7 +4,7 @@ use kerf_program::Axis;
 
 /// One order.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Word {
+pub enum PauseOrder {
     /// The job goes on.
     Continue,
     /// The job is given up.
@@ -32,7 +32,7 @@ pub enum Word {
 /// Seconds in a minute: speeds are typed in mm/min.
 const PER_MIN: f64 = 60.0;
 
-impl Word {
+impl PauseOrder {
     /// Returns `true` if something moves or comes on when it is obeyed.
     pub const fn moves(self) -> bool {
         match self {
@@ -91,16 +91,16 @@ mod tests {
 
     #[test]
     fn orders_are_read() {
-        let check = |text: &str, expected| assert_eq!(Word::read(text), expected, "{text}");
-        check("Resume", Some(Word::Continue));
-        check("abort", Some(Word::Abort));
-        check("cut 3000", Some(Word::CutSpeed(50.0)));
-        check("plunge 600", Some(Word::PlungeSpeed(10.0)));
-        check("zbottom -0.5", Some(Word::AdjustBottom(-0.5)));
-        check("height 0.38", Some(Word::AdjustHeight([0.38; 2])));
-        check("height y -0.1", Some(Word::AdjustHeight([0.0, -0.1])));
-        check("raise no", Some(Word::Raise(false)));
-        check("move y 200", Some(Word::Move(Axis::Y, 200.0)));
+        let check = |text: &str, expected| assert_eq!(PauseOrder::read(text), expected, "{text}");
+        check("Resume", Some(PauseOrder::Continue));
+        check("abort", Some(PauseOrder::Abort));
+        check("cut 3000", Some(PauseOrder::CutSpeed(50.0)));
+        check("plunge 600", Some(PauseOrder::PlungeSpeed(10.0)));
+        check("zbottom -0.5", Some(PauseOrder::AdjustBottom(-0.5)));
+        check("height 0.38", Some(PauseOrder::AdjustHeight([0.38; 2])));
+        check("height y -0.1", Some(PauseOrder::AdjustHeight([0.0, -0.1])));
+        check("raise no", Some(PauseOrder::Raise(false)));
+        check("move y 200", Some(PauseOrder::Move(Axis::Y, 200.0)));
         for wrong in ["", "cut 0", "cut fast", "move q 1", "move xy 1", "zbottom nan"] {
             check(wrong, None);
         }

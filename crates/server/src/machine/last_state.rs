@@ -10,7 +10,7 @@ use std::sync::Mutex;
 
 /// The machine and its files as the last run left them.
 #[derive(Default)]
-pub struct Left {
+pub struct LastState {
     /// The machine.
     pub session: Session,
     /// The part folder that FS chose.
@@ -21,12 +21,10 @@ pub struct Left {
     pub mask: String,
 }
 
-impl Left {
+impl LastState {
     /// The heights that the machine is set to.
     pub fn heights(left: &Mutex<Self>) -> Heights {
-        let zpos = lock(left).session.machine_is.zpos;
-        let (top_mm, surface_mm, bottom_mm) = (zpos.top_mm, zpos.surface_mm, zpos.bottom_mm);
-        Heights { top_mm, surface_mm, bottom_mm }
+        lock(left).session.machine_is.zpos
     }
 
     /// Returns what is done to shapes before paths are made of them.

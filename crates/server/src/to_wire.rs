@@ -1,4 +1,4 @@
-//! From the words inside to those of the messages.
+//! Turns values of the machine half into those of the messages to pages.
 
 use crate::machine::ports;
 use kerf_control::Session;
@@ -6,6 +6,7 @@ use kerf_diag::{Diagnostic, Severity};
 use kerf_digitize::{Digitizer, Dimension, Kind};
 use kerf_journal::JournalError;
 use kerf_machine::Configuration;
+use kerf_machine::driver::Facts;
 use kerf_machine::lines::Input;
 use kerf_model::Model;
 use kerf_program::settings::{AxisUnit, Distance, IoModes, LinearUnit, PerGroup};
@@ -13,8 +14,8 @@ use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
 use kerf_trace::Summary;
 use kerf_wire::{
-    AxisUnits, Digitized, DigitizedPoint, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Positions,
-    RunSummary, Speeds, Tone, Units,
+    AxisUnits, Digitized, DigitizedPoint, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Offers,
+    Positions, RunSummary, Speeds, Tone, Units,
 };
 
 /// The points that are being digitized, which count from the job origin.
@@ -78,6 +79,11 @@ pub const fn mode(session: &Session) -> Mode {
 /// Returns the name of the machine, for its chip.
 pub fn machine_name(session: &Session) -> String {
     session.driven_by.as_ref().map_or_else(|| "simulated".to_owned(), |it| it.name.clone())
+}
+
+/// Returns what a page may do to a machine beside moving it.
+pub const fn offers(facts: &Facts) -> Offers {
+    Offers { inputs: facts.inputs_by_hand, card: facts.card, start_arms: facts.harmless }
 }
 
 /// Returns the units in which a person reads lengths.

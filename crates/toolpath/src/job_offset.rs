@@ -1,6 +1,6 @@
 //! A whole job offset: every path cut beside itself (Profiler reference, "Hand Console", function 60).
 
-use crate::beside_loop;
+use crate::path_with_leads;
 use kerf_geom::{Offsetter, Polyarc};
 use kerf_program::job::{Job, JobShape, Note, Plunge};
 use std::collections::BTreeSet;
@@ -32,7 +32,7 @@ pub enum NoRoom {
 ///
 /// # Errors
 /// [`NoRoom`] where a path has none.
-pub fn beside(job: &Job, by_mm: f64) -> Result<Job, NoRoom> {
+pub fn offset_job(job: &Job, by_mm: f64) -> Result<Job, NoRoom> {
     if by_mm == 0.0 {
         return Ok(job.clone());
     }
@@ -87,6 +87,6 @@ fn paths_beside(path: &Polyarc, by_mm: f64, offsetter: &Offsetter) -> Option<Vec
         let found = offsetter.offset(path, by_mm).ok()?;
         Some(found.into_iter().map(|found| found.path).collect::<Vec<_>>())
     };
-    let Some(led) = beside_loop::with_leads_of(path) else { return beside(path) };
+    let Some(led) = path_with_leads::with_leads_of(path) else { return beside(path) };
     Some(beside(&led.closed)?.iter().map(|ring| led.again(ring)).collect())
 }

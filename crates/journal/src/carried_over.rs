@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 /// State that a run goes on from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Before {
+pub struct CarriedOver {
     /// Machine time at which it was over, seconds.
     pub ends_s: f64,
     moves: u64,
@@ -34,7 +34,7 @@ pub enum Door {
     Shut,
 }
 
-impl Before {
+impl CarriedOver {
     /// Another part of it is over.
     pub const fn went_on(&mut self, summary: &Summary) {
         let Tally { moves, jog_mm, jog_s, wait_s, .. } = summary.tally;

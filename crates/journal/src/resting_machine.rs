@@ -6,7 +6,7 @@ use kerf_program::AxisSet;
 
 /// A machine that stands, and everything about it that goes on record.
 #[derive(Debug)]
-pub struct Standing<'a> {
+pub struct RestingMachine<'a> {
     /// Settings, frames, position.
     pub memory: &'a kerf_sbp::Session,
     /// Memory of G-code.
@@ -19,7 +19,7 @@ pub struct Standing<'a> {
     pub truth: Option<Vec<Vec<f64>>>,
 }
 
-impl Standing<'_> {
+impl RestingMachine<'_> {
     /// The place of the tool, and the frames.
     pub(crate) fn place(&self) -> Placed {
         Placed { position: self.memory.position, frame: self.memory.frame }

@@ -30,7 +30,7 @@ enum Between {
 
 /// A course that is collected point by point.
 #[derive(Debug)]
-pub(super) struct Kept {
+pub(super) struct BoundedCourse {
     points: Points,
     between: Between,
     /// So many of them were looked through.
@@ -41,7 +41,7 @@ pub(super) struct Kept {
     most: usize,
 }
 
-impl Kept {
+impl BoundedCourse {
     /// A value that changes evenly, in at most so many points; `usize::MAX` keeps everything.
     pub const fn slopes(most: usize) -> Self {
         Self { points: Points::new(), between: Between::Slope, settled: 0, grain_s: 0.0, most }
@@ -164,7 +164,7 @@ mod tests {
     }
 
     fn kept(points: &[(f64, f64)], most: usize) -> (Points, f64) {
-        let mut kept = Kept::slopes(most);
+        let mut kept = BoundedCourse::slopes(most);
         points.iter().for_each(|point| kept.add(*point));
         kept.finish()
     }
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn steps_that_are_too_many_never_have_a_value_that_there_was_not() {
-        let mut beam = Kept::steps(500);
+        let mut beam = BoundedCourse::steps(500);
         for n in 0..40_000 {
             beam.add((f64::from(n) * 0.01, if n % 2 == 0 { 64.0 } else { 0.0 }));
         }
@@ -250,7 +250,7 @@ mod tests {
 
     #[test]
     fn steps_that_have_room_are_kept_without_those_that_change_nothing() {
-        let mut beam = Kept::steps(500);
+        let mut beam = BoundedCourse::steps(500);
         [(0.0, 7.0), (1.0, 7.0), (2.0, 0.0)].into_iter().for_each(|step| beam.add(step));
         assert_eq!(beam.finish(), (vec![(0.0, 7.0), (2.0, 0.0)], 0.0));
     }

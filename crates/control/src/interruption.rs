@@ -5,14 +5,14 @@ use kerf_model::{Halt, HaltCause};
 
 /// Cause of a change of plan on the way.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Turn {
+pub(crate) enum Interruption {
     /// An input stops motion.
     Input(Halt),
     /// The operator wants something.
     Operator(OperatorRequest),
 }
 
-impl Turn {
+impl Interruption {
     /// Returns `true` if motion slows along its ramp first.
     pub const fn is_ramped(&self) -> bool {
         match self {

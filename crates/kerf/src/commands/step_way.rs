@@ -1,0 +1,71 @@
+//! Ways of one axis of a board with step queues, outside a run: on the bench.
+
+use kerf_control::controller::queued::Queued;
+use kerf_machine::{Configuration, Going, Machine};
+use kerf_motion::{Mover, Plan, planner};
+use kerf_program::{At, Axis, Feed, Line, MoveKind};
+use std::time::{Duration, Instant};
+
+/// A way takes no longer than this.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A way of an axis to a place.
+#[derive(Clone, Copy, Debug)]
+pub struct Way {
+    /// The axis.
+    pub axis: Axis,
+    /// The place, mm or degrees.
+    pub to_mm: f64,
+    /// Its speed, mm/s or degrees/s.
+    pub mm_s: f64,
+}
+
+impl Way {
+    fn plan(self, queued: &Queued, machine: &Configuration) -> Option<Plan> {
+        let settings = &machine.program;
+        let (from, mut to) = (queued.counted(), queued.counted());
+        to[self.axis] = self.to_mm;
+        let line = Line { kind: MoveKind::Cut, to, feed: Feed::Path(self.mm_s) };
+        let made = Mover::new(from, settings).line(At::default(), &line)?;
+        let mut planner = planner(settings);
+        planner.push(made);
+        planner.finish()
+    }
+
+    /// Makes it, and waits until the axis stands.
+    pub fn moves(self, queued: &mut Queued, machine: &Configuration) -> Result<(), String> {
+        self.goes(queued, machine, |_| false)?;
+        while queued.settle() {}
+        queued.close(true, || false);
+        queued.fault().map_or(Ok(()), |fault| Err(fault.message.clone()))
+    }
+
+    /// Makes it until something holds of the time since its beginning, seconds, or the axis is there.
+    pub fn goes(
+        self,
+        queued: &mut Queued,
+        machine: &Configuration,
+        ends: impl Fn(f64) -> bool,
+    ) -> Result<(), String> {
+        let Some(plan) = self.plan(queued, machine) else { return Ok(()) };
+        let (t0_s, end_s) = (queued.progress().at_s, plan.duration_s());
+        let (moves, begin) = (plan.moves().len(), Instant::now());
+        let mut index = 0;
+        queued.begin_plan();
+        while index < moves {
+            let going = Going { plan: &plan, index, t0_s, until: moves, part: 1.0, watches: &[] };
+            let news = queued.advance(&going, t0_s, t0_s + end_s);
+            if let Some(fault) = queued.fault() {
+                return Err(fault.message.clone());
+            }
+            if begin.elapsed() > PATIENCE {
+                return Err(format!("{} does not come to its place", self.axis.letter()));
+            }
+            if ends(begin.elapsed().as_secs_f64()) {
+                return Ok(());
+            }
+            index += usize::from(news.reached_s >= t0_s + plan.span_s(index).1);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,323 @@
+//! `kerf machine wire klipper:PORT`: asks which pin does what, turns each motor a little to be looked at, looks at
+//! switches and outputs, and writes the machine's file.
+//!
+//! Nothing is written before the last answer: whoever answers `q`, or nothing any more, leaves all as it was.
+
+use crate::commands::step_board::socket;
+use crate::commands::step_way::Way;
+use crate::exit::{Exit, Usage};
+use crate::machine_name::DriverName;
+use crate::out;
+use anyhow::{Result, anyhow, bail};
+use kerf_control::controller::queued::Queued;
+use kerf_machine::table;
+use kerf_machine::{Actuator, Configuration, Machine, Value, file};
+use kerf_program::{Axes, Axis, OutputReason};
+use std::fs;
+use std::io::{self, BufRead};
+use std::path::Path;
+use std::thread::sleep;
+use std::time::Duration;
+
+/// Way of a motor that is looked at, mm, and its speed, mm/s.
+const LOOK_MM: f64 = 1.0;
+const LOOK_MM_S: f64 = 2.0;
+/// Way of a trial of speed, mm; the first speed, and the highest one, mm/s.
+const TRIAL_MM: f64 = 20.0;
+const TRIALS_MM_S: [f64; 2] = [10.0, 640.0];
+/// Share of the last speed that was good which is kept.
+const KEPT: f64 = 0.5;
+/// Time for which an output that is looked at is on.
+const ON: Duration = Duration::from_secs(1);
+
+/// Axes that are wired here, each with its setting of pins.
+const AXES: [(Axis, &str, &str); 3] = [
+    (Axis::X, "board.x", "board.home_x"),
+    (Axis::Y, "board.y", "board.home_y"),
+    (Axis::Z, "board.z", "board.home_z"),
+];
+
+/// Wires a board, beginning with what is known of the machine.
+pub fn wire(name: &DriverName, machine: Configuration, into: &Path) -> Result<Exit> {
+    if into.exists() {
+        bail!(Usage(format!("{} is there already: name another file with --into", into.display())));
+    }
+    let mut wizard = Wizard { name, machine, board: None };
+    let told = wizard.pins().and_then(|()| wizard.motors()).and_then(|()| wizard.switches());
+    let told = told.and_then(|()| wizard.outputs()).and_then(|()| wizard.speeds());
+    drop(wizard.board.take());
+    match told {
+        Err(Ends::Failed(why)) => Err(anyhow!("{why}; nothing is written")),
+        Err(Ends::Stopped) => {
+            eprintln!("kerf: stopped; nothing is written");
+            Ok(Exit::Stopped)
+        }
+        Ok(()) => {
+            fs::write(into, file::write(&wizard.machine))?;
+            let into = into.display();
+            out::print(&format!(
+                "written: {into}\nkerf run FILE --machine {name} --machine {into}\n"
+            ));
+            Ok(Exit::Good)
+        }
+    }
+}
+
+/// The reason for which it does not come to its end.
+enum Ends {
+    Stopped,
+    Failed(String),
+}
+
+type Told<T = ()> = Result<T, Ends>;
+
+struct Wizard<'a> {
+    name: &'a DriverName,
+    machine: Configuration,
+    /// The board, once it is configured.
+    board: Option<Queued>,
+}
+
+impl Wizard<'_> {
+    /// Asks for pins until the board takes them.
+    fn pins(&mut self) -> Told {
+        loop {
+            out::print(
+                "Pins by the board's names (kerf machine connect lists them). ! turns a level round, ^ pulls up.\n\
+                Enter keeps what stands in brackets, - takes it away, q stops.\n",
+            );
+            for (axis, pins, home) in AXES {
+                let letter = axis.letter();
+                self.setting(&format!("motor {letter}, step and direction"), pins)?;
+                self.setting(&format!("home switch of {letter}"), home)?;
+                let is_fitted = !get(&self.machine, home).is_empty();
+                self.machine.homing.switches[axis.index()].fitted = is_fitted;
+            }
+            self.setting("current of the motors", "board.enable")?;
+            self.setting("outputs by number (1 gpio20, 2 gpio21)", "board.outputs")?;
+            match self.opens() {
+                Ok(()) => return Ok(()),
+                Err(why) => out::print(&format!("{why}\n")),
+            }
+        }
+    }
+
+    /// Asks for a setting until it is one.
+    fn setting(&mut self, what: &str, key: &str) -> Told {
+        loop {
+            let kept = get(&self.machine, key);
+            let answer = ask(&format!("{what} [{kept}]: "))?;
+            let value = match &*answer {
+                "" => return Ok(()),
+                "-" => "",
+                other => other,
+            };
+            match put(&mut self.machine, key, value) {
+                Ok(()) => return Ok(()),
+                Err(why) => out::print(&format!("{why}\n")),
+            }
+        }
+    }
+
+    /// Opens the board with what is known by now: what only the host knows may change, pins may not.
+    fn opens(&mut self) -> Result<(), String> {
+        self.board = None;
+        let socket = socket(self.name).map_err(|why| why.to_string())?;
+        let mut board = socket.open(&self.machine, false)?;
+        board.is_at(Axes::default());
+        self.board = Some(board);
+        Ok(())
+    }
+
+    fn board(&mut self) -> Told<&mut Queued> {
+        self.board.as_mut().ok_or_else(|| Ends::Failed("the board is gone".into()))
+    }
+
+    fn way(&mut self, way: Way) -> Told {
+        let machine = self.machine.clone();
+        way.moves(self.board()?, &machine).map_err(Ends::Failed)
+    }
+
+    /// Turns each motor a little, until somebody has seen it go the right way.
+    fn motors(&mut self) -> Told {
+        let axes = self.board()?.axes();
+        for (axis, key, _) in AXES.into_iter().filter(|(axis, ..)| axes.contains(*axis)) {
+            let letter = axis.letter();
+            loop {
+                ask(&format!("{letter} goes {LOOK_MM} mm towards plus: Enter "))?;
+                self.way(Way { axis, to_mm: LOOK_MM, mm_s: LOOK_MM_S })?;
+                let answer = ask("Did it? y, n for the other way, or how far in mm [y]: ")?;
+                self.way(Way { axis, to_mm: 0.0, mm_s: LOOK_MM_S })?;
+                let turns = match &*answer {
+                    "" | "y" => break,
+                    "n" => true,
+                    other => match other.parse::<f64>() {
+                        Ok(way_mm) if way_mm != 0.0 && way_mm.is_finite() => {
+                            self.machine.program.resolution.steps_per_unit[axis] *=
+                                LOOK_MM / way_mm.abs();
+                            way_mm < 0.0
+                        }
+                        Ok(_) => {
+                            out::print("Look at its pins, its wires and its current.\n");
+                            false
+                        }
+                        Err(_) => continue,
+                    },
+                };
+                if turns {
+                    self.turn(key, 1)?;
+                }
+                self.opens().map_err(Ends::Failed)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Turns the level of a pin of a setting round.
+    fn turn(&mut self, key: &str, pin: usize) -> Told {
+        let text = get(&self.machine, key);
+        let turned =
+            |(n, word): (usize, &str)| if n == pin { turned(word) } else { word.to_owned() };
+        let words: Vec<String> = text.split_whitespace().enumerate().map(turned).collect();
+        put(&mut self.machine, key, &words.join(" ")).map_err(Ends::Failed)
+    }
+
+    /// Looks at each home switch, left alone and pressed.
+    fn switches(&mut self) -> Told {
+        for (axis, _, key) in AXES {
+            let letter = axis.letter();
+            while let Some(switch) = self.board()?.home_switch(axis) {
+                let mut looks = [false; 2];
+                let words = ["leave its home switch alone", "press it and hold it"];
+                for (look, words) in looks.iter_mut().zip(words) {
+                    ask(&format!("{letter}: {words}, Enter "))?;
+                    let seen = self.board()?.is_on(switch);
+                    *look = seen.ok_or_else(|| Ends::Failed("a switch is not told".into()))?;
+                }
+                match looks {
+                    [false, true] => {
+                        out::print(&format!("{letter}: its home switch is seen\n"));
+                        break;
+                    }
+                    [true, false] => {
+                        out::print(&format!("{letter}: its home switch is seen, turned round\n"));
+                        self.turn(key, 0)?;
+                        self.opens().map_err(Ends::Failed)?;
+                        break;
+                    }
+                    _ if ask(
+                        "Nothing changed: look at its pin and its wires. Again? y, n [y]: ",
+                    )? == "n" =>
+                    {
+                        break;
+                    }
+                    _ => {}
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Has each output go on for a moment.
+    fn outputs(&mut self) -> Told {
+        for number in self.board()?.outputs() {
+            let answer =
+                ask(&format!("Output {number} goes on for a second: Enter, s leaves it out: "))?;
+            if answer == "s" {
+                continue;
+            }
+            for on in [true, false] {
+                let board = self.board()?;
+                board.set(&Actuator::Output { number, on, why: OutputReason::Program });
+                if on {
+                    sleep(ON);
+                }
+                board.look();
+                if let Some(fault) = board.fault() {
+                    return Err(Ends::Failed(fault.message.clone()));
+                }
+            }
+            if ask("Did it? y, n [y]: ")? == "n" {
+                out::print(&format!("Output {number}: look at its pin in board.outputs.\n"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Tries higher and higher speeds, as far as somebody who watches says that they are good.
+    fn speeds(&mut self) -> Told {
+        let axes = self.board()?.axes();
+        for (axis, ..) in AXES.into_iter().filter(|(axis, ..)| axes.contains(*axis)) {
+            let letter = axis.letter();
+            let words = format!(
+                "{letter}: try its speed, {TRIAL_MM} mm there and back, faster each time? y, n [n]: "
+            );
+            if ask(&words)? != "y" {
+                continue;
+            }
+            let [mut mm_s, most] = TRIALS_MM_S;
+            let mut good = None;
+            while mm_s <= most {
+                self.dynamics(axis, mm_s);
+                for to_mm in [TRIAL_MM, 0.0] {
+                    self.way(Way { axis, to_mm, mm_s })?;
+                }
+                if ask(&format!(
+                    "{letter} at {mm_s} mm/s: did it come back to its place? y, n [y]: "
+                ))? == "n"
+                {
+                    break;
+                }
+                good = Some(mm_s);
+                mm_s *= 2.0;
+            }
+            let kept = KEPT * good.unwrap_or(TRIALS_MM_S[0]);
+            self.dynamics(axis, kept);
+            out::print(&format!("{letter}: at most {kept} mm/s\n"));
+        }
+        Ok(())
+    }
+
+    fn dynamics(&mut self, axis: Axis, mm_s: f64) {
+        let mut dynamics = self.machine.program.axis_dynamics();
+        dynamics.speed_mm_s[axis] = mm_s;
+        self.machine.program.dynamics = Some(dynamics);
+    }
+}
+
+/// A pin with its level turned round.
+fn turned(pin: &str) -> String {
+    if pin.contains('!') { pin.replace('!', "") } else { format!("!{pin}") }
+}
+
+fn get(machine: &Configuration, key: &str) -> String {
+    let told = table::setting(key).map(|setting| setting.get(machine).to_string());
+    told.unwrap_or_default().trim_matches('"').to_owned()
+}
+
+fn put(machine: &mut Configuration, key: &str, value: &str) -> Result<(), String> {
+    let setting = table::setting(key).ok_or_else(|| format!("there is no setting {key}"))?;
+    setting.set(machine, &Value::typed(value)).map_err(|why| why.to_string())
+}
+
+/// Asks, and returns the line that was typed.
+fn ask(words: &str) -> Told<String> {
+    out::print(words);
+    let mut line = String::new();
+    let count = io::stdin().lock().read_line(&mut line).unwrap_or_default();
+    let answer = line.trim();
+    if count == 0 || answer == "q" { Err(Ends::Stopped) } else { Ok(answer.to_owned()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_level_is_turned_round_and_back() {
+        assert_eq!(
+            [turned("^gpio4"), turned("!^gpio4"), turned("^!PA1")],
+            ["!^gpio4", "^gpio4", "^PA1"]
+        );
+    }
+}
