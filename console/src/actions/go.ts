@@ -72,7 +72,7 @@ export const openRecorder = sheetAction({ kind: "recorder" }, t("Recorded comman
 export const openTools = sheetAction({ kind: "tools" }, t("Virtual tools"), []);
 export const openInputs = sheetAction({ kind: "inputs" }, t("Inputs of the simulated machine"), []);
 export const openPorts = sheetAction({ kind: "ports" }, t("Ports of the card: diagnostics"), []);
-/** Zero points that a controller keeps, seen and taken. */
+/** Zero points that a controller keeps, seen, set and chosen. */
 const openZeros: Action = {
   ...sheetAction({ kind: "zeros" }, t("Zero points of the controller: G54 to G59.3"), []),
   refused: ({ shown }) =>

@@ -15,7 +15,7 @@ export type Made = ByHand | { readonly wrong: string };
 export const isWrong = (made: Made): made is { readonly wrong: string } => "wrong" in made;
 
 /** The number entered for each axis; nothing of those that stay. */
-function placeOf(axes: Axes, entries: Entries, read: Reader): AxisGoal | string {
+export function placeOf(axes: Axes, entries: Entries, read: Reader): AxisGoal | string {
   const place: (AxisValue | null)[] = [null, null, null, null, null, null];
   for (const { axis, at } of axes) {
     const text = (entries[axis.letter] ?? "").trim();

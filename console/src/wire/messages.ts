@@ -182,6 +182,14 @@ motor: string,
 /** Forward; back otherwise. */
 forward: boolean, };
 
+export type ActZero = { "do": "zero",
+/** Number of the lease. */
+lease: number,
+/** Its name, as G54. */
+name: string,
+/** The change. */
+change: ZeroChange, };
+
 export type ActOverride = { "do": "override",
 /** Number of the lease. */
 lease: number,
@@ -250,6 +258,7 @@ export type Act =
   | ActGo
   | ActBit
   | ActStep
+  | ActZero
   | ActOverride
   | ActSheetDone
   | ActClearPrinted
@@ -1735,7 +1744,28 @@ bottom: Mm, };
 
 /** A zero point that the controller of the machine keeps. */
 export type Zero = {
-/** Its name, as G54; G92 is a shift of all others. */
+/** Its name, as G54; G92 is a shift of all others, TLO the length of the tool, which shifts them too. */
 name: string,
 /** Its place, the machine's own frame; of a shift, its way. */
-at: AxisPlace, };
+at: AxisPlace,
+/** It is the one that holds; a shift always does. */
+holds: boolean, };
+
+export type ZeroChangeReads = { "to": "reads",
+/** The numbers. */
+values: AxisGoal, };
+
+export type ZeroChangeLies = { "to": "lies",
+/** The place, the machine's own frame. */
+at: AxisGoal, };
+
+export type ZeroChangeHolds = { "to": "holds" };
+
+export type ZeroChangeGone = { "to": "gone" };
+
+/** A change of a zero point that the controller keeps. Axes without a number stay. */
+export type ZeroChange =
+  | ZeroChangeReads
+  | ZeroChangeLies
+  | ZeroChangeHolds
+  | ZeroChangeGone;

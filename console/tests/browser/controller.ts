@@ -35,6 +35,11 @@ export class Controller {
     return { place, rpm: rpm === undefined ? null : Number(rpm) };
   }
 
+  /** Somebody at a pendant sends it a line. */
+  says(line: string): void {
+    this.child.stdin?.write(`pendant ${line}\n`);
+  }
+
   unplug(): void {
     this.child.kill();
   }

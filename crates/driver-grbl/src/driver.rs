@@ -8,10 +8,10 @@ use crate::lines::{Modal, lines, told_as};
 use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
-use crate::zeros::{self, Zeros};
+use crate::zeros::Zeros;
 use kerf_machine::driver::{
     Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent,
-    Shares, Signal, Ticket, Trouble, Wired, Zero, is_sound,
+    Shares, Signal, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -269,7 +269,15 @@ impl Grbl {
         self.shares = Shares::default();
         if self.trouble.is_none() {
             self.say(MODES);
+            // A reset has chosen another.
+            let chosen = self.zeros.chosen().map(str::to_owned);
+            chosen.into_iter().for_each(|system| self.say(system));
         }
+    }
+
+    /// Asks for its zero points, and which of them holds.
+    pub(crate) fn asks_zeros(&mut self) {
+        ["$#", "$G"].into_iter().for_each(|line| self.say(line));
     }
 
     /// Returns `true` if it stands because of a stop. It may be idle because the report is older than that.
@@ -546,13 +554,19 @@ impl Wired for Grbl {
         self.zeros.told()
     }
 
-    fn keeps_zero(&mut self, name: &str, at: Axes) -> bool {
+    fn keeps_zero(&mut self, name: &str, change: ZeroChange) -> bool {
         let axes = self.facts.as_ref().map_or(0, |facts| facts.axes);
         let rests = self.phase == Phase::Ready && self.flights.is_empty() && self.trouble.is_none();
-        let line = zeros::line(name, at, axes).filter(|_| rests);
-        let is_kept = line.is_some();
-        line.into_iter().chain(is_kept.then(|| "$#".into())).for_each(|line| self.say(line));
-        is_kept
+        let Some(line) = self.zeros.line(name, change, axes).filter(|_| rests) else {
+            return false;
+        };
+        self.say(line);
+        self.asks_zeros();
+        true
+    }
+
+    fn knows_zeros(&self) -> bool {
+        self.has_said_all()
     }
 
     fn line_is_back(&mut self, _: f64) {

@@ -46,6 +46,9 @@ impl Grbl {
 
     fn bracket(&mut self, line: &str) {
         let told = line.trim_matches(['[', ']']).split_once(':');
+        if let Some(("GC", modes)) = told {
+            self.zeros.modes(modes);
+        }
         if !told.is_some_and(|(name, value)| self.zeros.bracket(name, value, &self.told)) {
             self.told.bracket(line);
         }
@@ -267,7 +270,7 @@ impl Grbl {
             Doing::Idle if self.has_said_all() && self.flights.is_empty() => {
                 self.stands_there();
                 if self.zeros.are_stale() {
-                    self.say("$#");
+                    self.asks_zeros();
                 }
             }
             _ => {}

@@ -1,20 +1,23 @@
-//! Zero points that the controller keeps: those of its coordinate systems and the shift of `G92`, as `$#` tells them.
+//! Zero points that the controller keeps: those of its coordinate systems, the shift of `G92` and that by the length of
+//! the tool, as `$#` and `$G` tell them.
 
 use crate::facts::KnownFacts;
 use crate::place::millimetres;
 use crate::report::axes;
-use kerf_machine::driver::{Axes, Zero};
+use kerf_machine::driver::{AXES, Axes, Zero, ZeroChange};
 
 /// The coordinate systems in the order of the words `G10 L2 P…`.
 const SYSTEMS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
-/// The name of the shift that holds in all of them.
-const SHIFT: &str = "G92";
+/// The axis that a length tells of which no axis is told.
+const Z: usize = 2;
 
 /// Zero points as they were told last, by their names.
 #[derive(Clone, Debug, Default)]
 pub struct Zeros {
     told: Vec<Zero>,
+    /// The coordinate system that holds.
+    system: String,
     /// The zero in force as a report told it last.
     in_force: Option<Axes>,
     /// They are to be asked for once more.
@@ -24,14 +27,31 @@ pub struct Zeros {
 impl Zeros {
     /// Learns from `[G54:1.000,2.000,3.000]`; tells whether it was one of them.
     pub fn bracket(&mut self, name: &str, value: &str, told: &KnownFacts) -> bool {
-        let is_one = SYSTEMS.contains(&name) || name == SHIFT;
-        let Some((at, _)) = axes(value).filter(|_| is_one) else { return is_one };
+        let is_shift = [Zero::SHIFT, Zero::TOOL].contains(&name);
+        let is_one = is_shift || SYSTEMS.contains(&name);
+        let Some((mut at, count)) = axes(value).filter(|_| is_one) else { return is_one };
+        if count == 1 {
+            at.0.swap(0, Z);
+        }
         let at = millimetres(at, told);
         match self.told.iter_mut().find(|zero| zero.name == name) {
             Some(zero) => zero.at = at,
-            None => self.told.push(Zero { name: name.to_owned(), at }),
+            None => {
+                let holds = is_shift || name == self.system;
+                self.told.push(Zero { name: name.to_owned(), at, holds });
+            }
         }
         true
+    }
+
+    /// Learns from the words of `$G` which coordinate system holds.
+    pub fn modes(&mut self, modes: &str) {
+        let mut words = modes.split_whitespace();
+        let Some(system) = words.find(|word| SYSTEMS.contains(word)) else { return };
+        system.clone_into(&mut self.system);
+        for zero in self.told.iter_mut().filter(|zero| !zero.is_shift()) {
+            zero.holds = zero.name == system;
+        }
     }
 
     /// Learns of the zero in force: where it is another than before, or the first, somebody may have changed one.
@@ -44,19 +64,35 @@ impl Zeros {
         &self.told
     }
 
+    /// Returns the coordinate system that holds, where it is none that a reset chooses.
+    pub fn chosen(&self) -> Option<&str> {
+        Some(&*self.system).filter(|system| !["", SYSTEMS[0]].contains(system))
+    }
+
     /// Returns `true` if they are to be asked for again, once.
     pub const fn are_stale(&mut self) -> bool {
         std::mem::replace(&mut self.stale, false)
     }
+
+    /// Returns the line by which a zero point of so many axes is changed; nothing where it is not kept, or cannot be changed so.
+    pub fn line(&self, name: &str, change: ZeroChange, axes: usize) -> Option<String> {
+        let is_kept = self.told.iter().any(|zero| zero.name == name);
+        let system = SYSTEMS.iter().position(|system| *system == name).filter(|_| is_kept);
+        match (change, system) {
+            (ZeroChange::Lies(at), Some(index)) => written(2, index, at, axes),
+            (ZeroChange::Reads(values), Some(index)) => written(20, index, values, axes),
+            (ZeroChange::Holds, Some(_)) => Some(name.into()),
+            (ZeroChange::Gone, None) => (name == Zero::SHIFT).then(|| "G92.1".into()),
+            _ => None,
+        }
+    }
 }
 
-/// Returns the line by which a zero point is kept for so many axes; nothing where there is none of this name. A shift can only
-/// be taken away.
-pub fn line(name: &str, at: Axes, axes: usize) -> Option<String> {
-    let word = |(letter, mm): (char, &f64)| format!("{letter}{mm:.3}");
-    let words = || -> String { "XYZABC".chars().zip(&at.0).take(axes).map(word).collect() };
-    match SYSTEMS.iter().position(|system| *system == name) {
-        Some(index) => Some(format!("G10L2P{}{}", index + 1, words())),
-        None => (name == SHIFT && at == Axes::default()).then(|| "G92.1".into()),
-    }
+/// The line that writes a coordinate system, `G10L2P1X10`; nothing without a number that is one.
+fn written(way: u8, index: usize, at: [Option<f64>; AXES], axes: usize) -> Option<String> {
+    let is_one = at.iter().flatten().all(|mm| mm.is_finite());
+    let letters = "XYZABC".chars().zip(at).take(axes);
+    let words: String =
+        letters.filter_map(|(letter, mm)| Some(format!("{letter}{:.3}", mm?))).collect();
+    (is_one && !words.is_empty()).then(|| format!("G10L{way}P{}{words}", index + 1))
 }

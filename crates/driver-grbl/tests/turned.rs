@@ -3,7 +3,7 @@
 use crate::wire::{Wire, run, to};
 use kerf_driver_grbl::fake::{Board, Fake};
 use kerf_machine::driver::{
-    Axes, Driver, Link, LinkState, Order, Override, Shares, Signal, Wired, way_mm,
+    Axes, Driver, Link, LinkState, Order, Override, Shares, Signal, Wired, ZeroChange, way_mm,
 };
 
 #[track_caller]
@@ -68,7 +68,7 @@ fn zero_points_of_a_controller_are_read_written_and_seen_to_change() {
         };
         let near = |at: Option<Axes>, to: Axes| way_mm(at.unwrap(), to) < 0.01;
         assert!(near(zero(&wire, "G54"), Axes::xyz(100.0, 50.0, -20.0)));
-        assert!(near(zero(&wire, "G59.3"), Axes::default()) && zero(&wire, "TLO").is_none());
+        assert!(near(zero(&wire, "G59.3"), Axes::default()) && wire.grbl.zeros()[0].holds);
         // Somebody at a pendant.
         wire.fake.hear(b"G10L2P1X7Y8Z9\n", 6.0);
         looks(&mut wire, 1.0);
@@ -76,9 +76,12 @@ fn zero_points_of_a_controller_are_read_written_and_seen_to_change() {
         wire.fake.hear(b"G92X2\n", 7.0);
         looks(&mut wire, 2.0);
         assert!(near(zero(&wire, "G92"), Axes::xyz(-9.0, 0.0, 0.0)), "{:?}", wire.grbl.zeros());
-        assert!(wire.grbl.keeps_zero("G59.1", Axes::xyz(1.0, -2.0, 3.5)));
-        assert!(wire.grbl.keeps_zero("G92", Axes::default()));
-        assert!(!wire.grbl.keeps_zero("G28", Axes::default()));
+        let lies = ZeroChange::Lies([1.0, -2.0, 3.5, 0.0, 0.0, 0.0].map(Some));
+        assert!(wire.grbl.keeps_zero("G59.1", lies));
+        assert!(wire.grbl.keeps_zero("G92", ZeroChange::Gone));
+        assert!(!wire.grbl.keeps_zero("G28", lies));
+        assert!(!wire.grbl.keeps_zero("G92", lies) && !wire.grbl.keeps_zero("TLO", lies));
+        assert!(!wire.grbl.keeps_zero("G54", ZeroChange::Lies([None; 6])));
         looks(&mut wire, 3.0);
         assert!(near(zero(&wire, "G59.1"), Axes::xyz(1.0, -2.0, 3.5)));
         assert_eq!(
@@ -87,6 +90,37 @@ fn zero_points_of_a_controller_are_read_written_and_seen_to_change() {
         );
         assert_eq!(wire.grbl.trouble(), None);
     }
+}
+
+#[test]
+fn a_zero_point_is_where_the_machine_stands_and_the_one_that_holds_outlives_a_stop() {
+    let mut fake = Fake::of(Board::hal(0), &[(10, 511.0)]);
+    fake.offsets.shift = Axes::xyz(2.0, 0.0, 0.0);
+    fake.offsets.tool_mm = 4.0;
+    let mut link = Link::new(Wire::new(fake));
+    link.order(to(30.0, 40.0));
+    run(&mut link, 0.0, |_, _| {});
+    let wire = link.driver();
+    assert_eq!(wire.grbl.zeros().last().unwrap().at, Axes::xyz(0.0, 0.0, 4.0));
+    assert!(wire.grbl.keeps_zero("G55", ZeroChange::Holds));
+    let reads = [Some(5.0), None, Some(-1.5), None, None, None];
+    assert!(wire.grbl.keeps_zero("G55", ZeroChange::Reads(reads)));
+    assert!(!wire.grbl.knows_zeros());
+    looks(wire, 20.0);
+    assert!(wire.grbl.knows_zeros());
+    // X reads 30 - 23 - 2, Z 0 + 2.5 - 4; Y stays.
+    assert_eq!(wire.fake.offsets.systems[1], Axes::xyz(23.0, 0.0, -2.5));
+    let holds = |wire: &Wire| {
+        let zeros = wire.grbl.zeros().iter();
+        zeros.filter(|zero| zero.holds).map(|zero| zero.name.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(holds(wire), ["G55", "G92", "TLO"]);
+    wire.signal(Signal::Stop, 22.0);
+    looks(wire, 22.0);
+    assert_eq!(wire.fake.offsets.chosen, 0, "a reset chooses G54");
+    assert!(wire.grbl.begin_anew());
+    looks(wire, 24.0);
+    assert_eq!((wire.fake.offsets.chosen, holds(wire)[0].as_str()), (1, "G55"));
 }
 
 const fn jog(x: f64, speed_mm_s: f64) -> Order {
@@ -104,7 +138,7 @@ fn made(signals: &[Signal], orders: &[Order]) -> (Vec<String>, f64) {
     let took_s = run(&mut link, 0.0, |_, _| {});
     assert_eq!(link.state(), LinkState::Up, "{:?}", link.driver().fake.lines);
     let said = link.driver().fake.lines[before..].iter();
-    let lines = said.filter(|line| *line != "$#").cloned().collect();
+    let lines = said.filter(|line| !["$#", "$G"].contains(&line.as_str())).cloned().collect();
     (lines, took_s)
 }
 

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Settings are arguments: `20=1 22=1`. Lines on standard input work it: `limit` hits a limit switch,
-//! `pins PD` closes switches, `where` tells where it stands, an end of the input unplugs it.
+//! `pins PD` closes switches, `pendant G55` sends it a line, `where` tells where it stands, an end of the input unplugs it.
 #![allow(clippy::print_stdout)]
 
 #[cfg(unix)]
@@ -67,6 +67,9 @@ mod unix {
         match line.split_once(' ').unwrap_or((line, "")) {
             ("limit", _) => fake.hits_limit(),
             ("pins", pins) => fake.pins(pins),
+            ("pendant", line) => {
+                fake.hear(format!("{line}\n").as_bytes(), 0.0);
+            }
             ("where", _) => {
                 let [x, y, z, ..] = fake.position().0;
                 let (stands, spindle) = (fake.stands(), fake.spindle());
@@ -76,7 +79,7 @@ mod unix {
                 );
             }
             ("lines", _) => fake.lines.iter().for_each(|line| println!("{line}")),
-            _ => println!("limit, pins PXYZD, where, lines"),
+            _ => println!("limit, pins PXYZD, pendant LINE, where, lines"),
         }
     }
 }

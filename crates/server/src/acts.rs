@@ -46,9 +46,7 @@ impl App {
             Act::Resume { .. } => self.runs.resume(asker)?,
             Act::Answer { question, answer } => self.runs.answer(asker, question, answer)?,
             Act::TakeLease { force } => self.driving.take_lease(who, force)?,
-            Act::GiveLease { .. } => {
-                self.driving.drop_lease(|lease| lease.client == who.client, "nobody drives");
-            }
+            Act::GiveLease { .. } => self.give_lease(who),
             Act::Arm { .. } => self.driving.arm()?,
             Act::Open { name, parameters } => {
                 self.loader.nothing_unsaved()?;
@@ -91,6 +89,7 @@ impl App {
             Act::Go { way, .. } => self.hands.go(asker, way)?,
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
+            Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
                 self.turn_overrides(feed_percent, [rapid_percent, spindle_percent])?;
             }
@@ -104,6 +103,10 @@ impl App {
             Act::Unlock { password } => self.settings.unlock(who, &password)?,
         }
         Ok(Vec::new())
+    }
+
+    fn give_lease(&self, who: &Who) {
+        self.driving.drop_lease(|lease| lease.client == who.client, "nobody drives");
     }
 
     fn halt(&self, who: &Who, act: &Act) {

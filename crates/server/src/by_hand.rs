@@ -8,9 +8,9 @@ use crate::refusal::problem;
 use kerf_machine::lines::Output;
 use kerf_machine::settings::io::IoMap;
 use kerf_machine::settings::motors::Motor;
-use kerf_machine::{Configuration, Errand, wiring};
+use kerf_machine::{Configuration, Errand, driver, wiring};
 use kerf_program::{AXES, AxisSet};
-use kerf_wire::{ByHand, Problem, Why};
+use kerf_wire::{ByHand, Problem, Why, ZeroChange};
 use std::sync::mpsc::channel;
 
 impl Hands {
@@ -75,6 +75,32 @@ impl Hands {
         let mut place = [None; AXES];
         place[axis.index()] = Some(if forward { step } else { -step });
         self.hand(asker, Errand::To { place, relative: true, flat: false }, machine)
+    }
+
+    /// Changes a zero point that the controller keeps.
+    ///
+    /// # Errors
+    /// The machine keeps none, or none of this name; a number is none; or the machine is busy.
+    pub fn zero(&self, asker: &Asker, name: String, change: ZeroChange) -> Result<(), Problem> {
+        let names: Vec<_> =
+            self.hub.read(|now| now.zeros.iter().map(|zero| zero.name.clone()).collect());
+        if names.is_empty() {
+            let text = "this machine keeps no zero points of its own: zero its axes (ZX, ZY, ZZ), or say what they read (VA)";
+            return Err(problem(Why::State, text));
+        }
+        if !names.contains(&name) {
+            let text = format!("no zero point is called {name}: {}", names.join(", "));
+            return Err(problem(Why::Malformed, text));
+        }
+        let change = match change {
+            ZeroChange::Reads { values } => {
+                finite(values).map(|()| driver::ZeroChange::Reads(values))?
+            }
+            ZeroChange::Lies { at } => finite(at).map(|()| driver::ZeroChange::Lies(at))?,
+            ZeroChange::Holds => driver::ZeroChange::Holds,
+            ZeroChange::Gone => driver::ZeroChange::Gone,
+        };
+        self.orders.order_of(asker, Order::Zero { name, change })
     }
 
     /// Returns the pins of the switches that are moved on a page.

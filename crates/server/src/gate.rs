@@ -121,7 +121,8 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Nudge { lease, .. }
         | Act::Go { lease, .. }
         | Act::Bit { lease, .. }
-        | Act::Step { lease, .. } => driving(TurnNeeded::Number(*lease)),
+        | Act::Step { lease, .. }
+        | Act::Zero { lease, .. } => driving(TurnNeeded::Number(*lease)),
         Act::Command { lease, line } => needs_of_typed(*lease, line),
         // A question may wait for that very switch.
         Act::Input { lease, .. } if now.machine.state == State::Asking => {

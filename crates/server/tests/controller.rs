@@ -3,6 +3,7 @@
 use crate::support::{Page, Shop, Wanted, start};
 use kerf_driver_grbl::fake::Fake;
 use kerf_program::Axes;
+use serde_json::{Value, json};
 use std::sync::{Arc, Mutex};
 
 /// A long cut on a controller of which somebody is at the controls.
@@ -71,4 +72,57 @@ fn zero_points_of_a_controller_are_shown_and_seen_to_change() {
     // Somebody at a pendant.
     fake.lock().unwrap().hear(b"G10L2P1X33Y0Z0\n", 0.0);
     page.until("it is seen", |page| x(page, "G54") == Some(33.0));
+}
+
+#[test]
+fn zero_points_of_a_controller_are_written_from_a_page_and_the_working_zero_follows_the_one_that_holds()
+ {
+    let fake = Arc::new(Mutex::new(Fake::default()));
+    fake.lock().unwrap().offsets.systems[1] = Axes::xyz(10.0, 20.0, -5.0);
+    let shop = start(Wanted { controller: Some(fake.clone()), ..Wanted::default() });
+    let mut page = shop.driver();
+    page.until("it is told", |page| {
+        page.shown["zeros"].as_array().is_some_and(|it| !it.is_empty())
+    });
+    let zero = |page: &mut Page, name: &str, change: Value| {
+        let act = json!({ "do": "zero", "lease": page.lease, "name": name, "change": change });
+        let refused = page.act(act);
+        page.until_state("idle");
+        refused
+    };
+    let reads = |page: &Page, place: [f64; 3]| {
+        let axes = page.shown["motion"]["at"]["working"].as_array().unwrap().iter().zip(place);
+        axes.into_iter().all(|(mm, reads)| (mm.as_f64().unwrap() - reads).abs() < 0.001)
+    };
+    page.command("MX,2");
+    let values = json!([5.0, null, -1.0, null, null, null]);
+    assert_eq!(zero(&mut page, "G54", json!({ "to": "reads", "values": values })), None);
+    page.until("it follows", |page| reads(page, [5.0, 0.0, -1.0]));
+    assert_eq!(fake.lock().unwrap().offsets.systems[0], Axes::xyz(45.8, 0.0, 1.0));
+    let y = json!([null, 21.5, null, null, null, null]);
+    assert_eq!(zero(&mut page, "G55", json!({ "to": "lies", "at": y })), None);
+    assert!(reads(&page, [5.0, 0.0, -1.0]), "another one than holds");
+    assert_eq!(zero(&mut page, "G55", json!({ "to": "holds" })), None);
+    page.until("it follows", |page| reads(page, [40.8, -21.5, 5.0]));
+    assert_eq!(fake.lock().unwrap().offsets.chosen, 1);
+    page.until("it is told", |page| {
+        page.shown["zeros"][1]["holds"] == true && page.shown["zeros"][1]["at"][1] == 21.5
+    });
+    fake.lock().unwrap().hear(b"G92X0\n", 0.0);
+    page.until("it is seen", |page| page.shown["zeros"][9]["at"][0] != 0.0);
+    assert!(reads(&page, [40.8, -21.5, 5.0]), "nobody took it");
+    assert_eq!(zero(&mut page, "G92", json!({ "to": "gone" })), None);
+    page.until("it is gone", |page| page.shown["zeros"][9]["at"][0] == 0.0);
+    assert_eq!(zero(&mut page, "G28", json!({ "to": "holds" })).as_deref(), Some("malformed"));
+}
+
+#[test]
+fn a_machine_that_keeps_no_zero_points_says_so() {
+    let shop = start(Wanted::default());
+    let mut page = shop.driver();
+    let act =
+        json!({ "do": "zero", "lease": page.lease, "name": "G54", "change": { "to": "holds" } });
+    let asked = page.send(act);
+    let refused = page.problem(asked);
+    assert!(refused.contains("this machine keeps no zero points of its own"), "{refused}");
 }

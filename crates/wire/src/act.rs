@@ -1,6 +1,6 @@
 //! Requests of pages: the acts they ask for.
 
-use crate::{AXES, ByHand, FileParameters, JobChoice, Op};
+use crate::{AXES, ByHand, FileParameters, JobChoice, Op, ZeroChange};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -241,6 +241,16 @@ pub enum Act {
         motor: String,
         /// Forward; back otherwise.
         forward: bool,
+    },
+    /// Changes a zero point that the controller keeps. Where it is the one that holds, or becomes it, the working zero of
+    /// Kerf is the same from then on.
+    Zero {
+        /// Number of the lease.
+        lease: u32,
+        /// Its name, as G54.
+        name: String,
+        /// The change.
+        change: ZeroChange,
     },
     /// Changes the operator's overrides; one that is not given stays.
     Override {

@@ -62,7 +62,7 @@ pub use language::{
 };
 pub use machine::{
     AxisUnits, Duty, Io, Lamp, Machine, Mode, Motion, Offers, PortBit, Ports, Positions, Speeds,
-    State, Units, Zero,
+    State, Units, Zero, ZeroChange,
 };
 pub use operation::{OperationEntry, OperationPart, OperationValue, OperationVariant};
 pub use people::{Client, Lease, Role, Who};

@@ -73,11 +73,35 @@ pub struct Offers {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Zero {
-    /// Its name, as G54; G92 is a shift of all others.
+    /// Its name, as G54; G92 is a shift of all others, TLO the length of the tool, which shifts them too.
     pub name: String,
     /// Its place, the machine's own frame; of a shift, its way.
     #[ts(type = "AxisPlace")]
     pub at: [f64; AXES],
+    /// It is the one that holds; a shift always does.
+    pub holds: bool,
+}
+
+/// A change of a zero point that the controller keeps. Axes without a number stay.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase", tag = "to", deny_unknown_fields)]
+pub enum ZeroChange {
+    /// It is so that the axes read these numbers where the machine stands, mm or degrees.
+    Reads {
+        /// The numbers.
+        #[ts(type = "AxisGoal")]
+        values: [Option<f64>; AXES],
+    },
+    /// It is at this place.
+    Lies {
+        /// The place, the machine's own frame.
+        #[ts(type = "AxisGoal")]
+        at: [Option<f64>; AXES],
+    },
+    /// It holds from now on.
+    Holds,
+    /// The shift is taken away.
+    Gone,
 }
 
 /// Position and motion of the machine. Sent about 30 times a second while it moves.

@@ -65,7 +65,7 @@ fn of_the_machine() -> Vec<Change> {
         Change::Setup { setup: Setup { pick_radius: 4.0, ..Setup::default() } },
         Change::Speeds { speeds: Speeds::default() },
         Change::Io { io: Io::default() },
-        Change::Zeros { zeros: vec![Zero { name: "G54".into(), at: [1.0; AXES] }] },
+        Change::Zeros { zeros: vec![Zero { name: "G54".into(), at: [1.0; AXES], holds: true }] },
         Change::Overrides { overrides: Overrides { feed_percent: 80.0, ..Overrides::default() } },
         Change::Settings { settings: 3 },
         Change::HandConsole { hand_console: HandConsole::default() },

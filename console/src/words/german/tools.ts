@@ -158,9 +158,18 @@ export const tools: Readonly<Record<string, string>> = {
   "{0}: lost for good, with every version that was kept of them.":
     "{0}: endgültig verloren, mit allen ihren Fassungen.",
   "{0}: {1} is no number.": "{0}: {1} ist keine Zahl.",
-  Take: "Übernehmen",
-  "Take {0} as zero": "{0} als Nullpunkt übernehmen",
   "Zero points of the controller": "Nullpunkte der Steuerung",
-  "Whoever sets one at a pendant sees it here. What Kerf cuts goes by its own zero until one is taken.":
-    "Wer einen an einem Handgerät setzt, sieht ihn hier. Kerf schneidet nach seinem eigenen Nullpunkt, bis einer übernommen wird.",
+  "The zero of what Kerf cuts follows the one that holds when it is set or chosen here. One that is set at a pendant is seen here, and followed when it is chosen.":
+    "Der Nullpunkt, nach dem Kerf schneidet, folgt dem geltenden, wenn der hier gesetzt oder gewählt wird. Einer, der an einem Handgerät gesetzt wird, erscheint hier; ihm wird gefolgt, wenn er gewählt wird.",
+  "Set a zero point": "Einen Nullpunkt setzen",
+  "Zero point": "Nullpunkt",
+  "Numbers mean": "Die Zahlen bedeuten",
+  "The tool is at": "Das Werkzeug steht auf",
+  "It lies at, from home": "Er liegt von der Referenz bei",
+  "Set {0}": "{0} setzen",
+  "Clear {0}": "{0} aufheben",
+  "Use {0}": "{0} verwenden",
+  Use: "Verwenden",
+  holds: "gilt",
+  "Give a number for one axis at least.": "Mindestens für eine Achse eine Zahl angeben.",
 };

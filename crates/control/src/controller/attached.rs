@@ -2,13 +2,13 @@
 
 use super::either::dry_run;
 use super::lacks::{lines, listed};
-use super::{Connection, Lacks, Socket};
+use super::{Connection, Lacks, Socket, zeros};
 use crate::Session;
 use crate::answers::Operator;
 use crate::session::DrivenBy;
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work, facts::Fact};
-use kerf_machine::driver::{Changed, Zero};
+use kerf_machine::driver::{Changed, Zero, ZeroChange};
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_workspace::{Firmware, Workspace};
@@ -200,12 +200,20 @@ impl Controller {
 
     /// Returns the zero points that the controller keeps, machine frame.
     pub fn zeros(&self) -> Vec<Zero> {
-        self.connection.borrow_mut().zeros()
+        zeros::zeros_of(&mut self.connection.borrow_mut())
     }
 
-    /// Has the controller keep a zero point at a place of the machine; tells whether it does.
-    pub fn keeps_zero(&self, name: &str, at: Axes) -> bool {
-        self.connection.borrow_mut().keeps_zero(name, at)
+    /// Has the controller change a zero point, a place being one of the machine.
+    ///
+    /// # Errors
+    /// As [`change_zero`](zeros::change_zero).
+    pub fn keeps_zero(
+        &self,
+        name: &str,
+        change: ZeroChange,
+        is_stopped: impl FnMut() -> bool,
+    ) -> Result<(), String> {
+        zeros::change_zero(&mut self.connection.borrow_mut(), name, change, is_stopped)
     }
 
     /// Tells why it takes no orders but to go home, in words.

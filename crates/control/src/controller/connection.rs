@@ -7,7 +7,7 @@ use super::row::Row;
 use super::socket::{Ends, Opens};
 use kerf_machine::driver::{
     Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Override, Shares, Signal,
-    Ticket, Trouble, Wired, Zero,
+    Ticket, Trouble, Wired,
 };
 use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
@@ -38,9 +38,6 @@ const ASK_S: f64 = 0.2;
 
 /// Interval at which the controller is asked while a run watches an input that only its reports tell, seconds.
 const LOOK_S: f64 = 0.02;
-
-/// The shift of all coordinate systems, which is a way and no place.
-const SHIFT: &str = "G92";
 
 /// Stands in for a line that was taken away.
 struct Closed;
@@ -279,23 +276,6 @@ impl Connection {
     /// The machine is where it stands: from here on places are counted so.
     pub fn is_at(&mut self, place: Axes) {
         self.offset = place.minus(self.stands());
-    }
-
-    /// Returns the zero points that the controller keeps, machine frame.
-    pub fn zeros(&mut self) -> Vec<Zero> {
-        let offset = self.offset;
-        let placed = |zero: &Zero| match &*zero.name {
-            SHIFT => zero.clone(),
-            _ => Zero { at: zero.at.plus(offset), ..zero.clone() },
-        };
-        self.link.driver().zeros().iter().map(placed).collect()
-    }
-
-    /// Has the controller keep a zero point at a place of the machine; tells whether it does. The shift can only be taken
-    /// away, whatever the place.
-    pub fn keeps_zero(&mut self, name: &str, at: Axes) -> bool {
-        let at = if name == SHIFT { Axes::default() } else { at.minus(self.offset) };
-        self.open == 0 && self.failure.is_none() && self.link.driver().keeps_zero(name, at)
     }
 
     /// Outputs were left on, as far as anybody knows: whatever each is switched to is ordered.

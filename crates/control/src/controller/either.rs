@@ -8,7 +8,7 @@ use crate::answers::Operator;
 use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work};
-use kerf_machine::driver::Zero;
+use kerf_machine::driver::{Zero, ZeroChange};
 use kerf_machine::{Driven, Machine};
 use kerf_program::Axes;
 use kerf_workspace::{Firmware, Workspace};
@@ -118,6 +118,25 @@ impl Controller {
         match self {
             Self::Followed(controller) => controller.zeros(),
             Self::Queued(_) => Vec::new(),
+        }
+    }
+
+    /// Has it change a zero point that it keeps, a place being one of the machine.
+    ///
+    /// # Errors
+    /// It keeps none of this name, cannot change it so, is at work, or refuses.
+    pub fn keeps_zero(
+        &self,
+        name: &str,
+        change: ZeroChange,
+        is_stopped: impl FnMut() -> bool,
+    ) -> Result<(), String> {
+        match self {
+            Self::Followed(controller) => controller.keeps_zero(name, change, is_stopped),
+            Self::Queued(attached) => Err(format!(
+                "{} keeps no zero points: Kerf keeps its own (ZX, VA)",
+                attached.name()
+            )),
         }
     }
 

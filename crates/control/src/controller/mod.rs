@@ -28,9 +28,11 @@ mod merged;
 pub mod queued;
 mod row;
 mod socket;
+mod zeros;
 
 pub use attached::{AttachReport, First};
 pub use connection::Connection;
 pub use either::{Controller, Place};
 pub use lacks::{Lacks, lines, output_name, output_of_name, wired};
 pub use socket::{Ends, Opens, Socket};
+pub use zeros::{change_zero, zeros_of};

@@ -397,6 +397,7 @@ impl Fake {
 
     fn reset(&mut self) {
         [0x90, 0x95, 0x99].into_iter().for_each(|back| turn(self, back));
+        self.offsets.chosen = 0;
         self.feed_mm_min = 0.0;
         let too_early = self.motion.speed_mm_s > 0.0 || self.state == State::Homing;
         self.halt();

@@ -57,7 +57,10 @@ impl Fake {
         let spindle = if self.spindle { "M3" } else { "M5" };
         let coolant = ["M9", "M8", "M7", "M7 M8"][usize::from(self.coolant & 3)];
         let (feed, rpm) = (self.feed_mm_min, self.spindle_rpm);
-        format!("[GC:{motion} G54 G17 G21 {way} G94 {spindle} {coolant} T0 F{feed:.0} S{rpm:.0}]")
+        let system = self.offsets.system();
+        format!(
+            "[GC:{motion} {system} G17 G21 {way} G94 {spindle} {coolant} T0 F{feed:.0} S{rpm:.0}]"
+        )
     }
 
     fn doing(&self) -> String {

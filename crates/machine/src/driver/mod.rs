@@ -15,8 +15,10 @@
 
 pub mod conformance;
 mod link;
+mod zero;
 
 pub use link::{Link, LinkNews, LinkState, Troubles};
+pub use zero::{Zero, ZeroChange};
 
 pub use kerf_program::{AXES, Axes, Axis, decimal, rounded};
 use std::borrow::Cow;
@@ -118,15 +120,6 @@ impl Default for Shares {
     fn default() -> Self {
         Self { feed: 100, rapid: 100, spindle: 100 }
     }
-}
-
-/// A zero point that a controller keeps.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Zero {
-    /// Its name, as G54; G92 is a shift of all others.
-    pub name: String,
-    /// Its place, the controller's machine frame.
-    pub at: Axes,
 }
 
 /// A request outside the row of orders, carried out at once.
@@ -383,9 +376,14 @@ pub trait Wired: Driver {
         &[]
     }
 
-    /// Has it keep a zero point at another place, while nothing moves; tells whether it does.
-    fn keeps_zero(&mut self, _name: &str, _at: Axes) -> bool {
+    /// Has it change a zero point that it keeps, while nothing moves; tells whether it does.
+    fn keeps_zero(&mut self, _name: &str, _change: ZeroChange) -> bool {
         false
+    }
+
+    /// Returns `true` if its zero points are told as it was last had to keep them.
+    fn knows_zeros(&self) -> bool {
+        true
     }
 
     /// The line was gone and is there again. Finds out what the controller has got of what was sent, before anything else is

@@ -2,6 +2,7 @@
 //! it has all that the run needs.
 
 use super::owner::Owner;
+use super::zeros;
 use crate::setup::Workshop;
 use crate::to_wire;
 use kerf_control::AtRest;
@@ -9,7 +10,7 @@ use kerf_control::answers::Answers;
 use kerf_control::controller::{AttachReport, Controller};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
-use kerf_machine::driver::Zero;
+use kerf_machine::driver::{Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
 use kerf_program::Axes;
 use kerf_trace::Summary;
@@ -20,7 +21,7 @@ const MOVED_MM: f64 = 0.01;
 
 /// A zero point as pages show it.
 fn shown(zero: Zero) -> kerf_wire::Zero {
-    kerf_wire::Zero { name: zero.name, at: zero.at.0 }
+    kerf_wire::Zero { name: zero.name, at: zero.at.0, holds: zero.holds }
 }
 
 impl Owner {
@@ -133,5 +134,33 @@ impl Owner {
         found.iter().for_each(|it| self.hub.say(to_wire::tone(it), to_wire::sentence(it)));
         let error = found.into_iter().find(Diagnostic::is_error)?;
         Some(Summary::not_begun(unit, Some(Box::new(error))))
+    }
+
+    /// Changes a zero point that the controller keeps, and has the working zero follow.
+    pub(super) fn change_zero(&mut self, name: &str, change: ZeroChange) {
+        self.catch_up();
+        match self.zero_changed(name, change) {
+            Err(why) => {
+                self.rest(State::Idle, None);
+                self.hub.say(Tone::Error, why);
+            }
+            Ok(None) => self.rest(State::Idle, None),
+            Ok(Some(line)) => self.command(&line, false, None),
+        }
+        self.attend();
+    }
+
+    /// Changes it; returns the command by which the working zero follows, where it does.
+    fn zero_changed(&mut self, name: &str, change: ZeroChange) -> Result<Option<String>, String> {
+        self.reach()?;
+        let link = self.link.clone();
+        let missing = "there is no controller that keeps zero points";
+        let controller = self.workshop.controller.as_ref().ok_or(missing)?;
+        controller.keeps_zero(name, change, || link.lock().is_to_stop())?;
+        let told = controller.zeros();
+        let holds = told.iter().any(|zero| zero.name == name && zero.holds);
+        let memory = &self.workshop.session.memory;
+        let reads = zeros::reads(memory.position, &told, change).filter(|_| holds);
+        Ok(reads.map(|reads| zeros::values(reads, &to_wire::units(&memory.settings).axes)))
     }
 }

@@ -20,6 +20,7 @@ mod ports;
 mod reach;
 mod run_context;
 mod typing;
+mod zeros;
 
 pub use arrived::Stops;
 pub use last_state::LastState;

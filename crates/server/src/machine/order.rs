@@ -4,6 +4,7 @@ use super::arrived::Stops;
 use super::planned::Planned;
 use crate::handconsole::Happening;
 use kerf_journal::Work;
+use kerf_machine::driver::ZeroChange;
 use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand};
 use kerf_program::{AXES, Axis};
@@ -79,6 +80,13 @@ pub enum Order {
     },
     /// Switch an output of the card, by its number.
     Switch(u8, bool),
+    /// Change a zero point that the controller keeps.
+    Zero {
+        /// Its name.
+        name: String,
+        /// The change.
+        change: ZeroChange,
+    },
     /// Shift the workpiece.
     Nudge(Axis, f64),
     /// Move the switches of the simulated machine that nothing which ran has moved.
@@ -130,6 +138,7 @@ impl Order {
             | Self::Hand { .. }
             | Self::CutMove { .. }
             | Self::Switch(..)
+            | Self::Zero { .. }
             | Self::Nudge(..) => true,
             Self::Switches
             | Self::Folder { .. }

@@ -139,6 +139,7 @@ impl Owner {
                 Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
                 Order::CutMove { at, machine } => self.cut_move(at, *machine),
                 Order::Switch(number, on) => self.switch(number, on),
+                Order::Zero { name, change } => self.change_zero(&name, change),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
                 Order::Record(line) => self.record(&line),

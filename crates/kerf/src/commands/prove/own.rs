@@ -4,10 +4,11 @@ use super::bench::{OnBench, Way, socket};
 use super::outcome::Outcome;
 use crate::commands::board::Board;
 use crate::machine_name::DriverName;
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow, bail};
+use kerf_control::controller::{change_zero, zeros_of};
 use kerf_machine::Machine;
 use kerf_machine::conformance::{self, CASES};
-use kerf_machine::driver::{Override, Zero};
+use kerf_machine::driver::{Override, Zero, ZeroChange};
 use kerf_program::{Axes, MoveKind};
 use std::time::Duration;
 
@@ -120,17 +121,15 @@ fn zeros(name: &DriverName) -> Result<Outcome> {
     let mut bench = OnBench::open(name)?;
     let (system, by_mm) = KEPT;
     let of = |zeros: Vec<Zero>| zeros.into_iter().find(|zero| zero.name == system).map(|it| it.at);
-    let Some(before) = of(bench.board.zeros()) else {
+    let Some(before) = of(zeros_of(&mut bench.board)) else {
         return Ok(Outcome::NotTried(format!("it tells no {system} ($#)")));
     };
     let moved = before.plus(Axes::xyz(by_mm, by_mm, 0.0));
     let x_mm = bench.x_mm();
     for at in [moved, before] {
-        if !bench.board.keeps_zero(system, at) {
-            bail!("{system} cannot be written");
-        }
-        bench.looks(1.0);
-        let told = of(bench.board.zeros());
+        let lies = ZeroChange::Lies(at.0.map(Some));
+        change_zero(&mut bench.board, system, lies, || false).map_err(|why| anyhow!(why))?;
+        let told = of(zeros_of(&mut bench.board));
         let holds = told.is_some_and(|told| (told.0[0] - at.0[0]).abs() < NEAR_MM);
         if !holds {
             return Ok(Outcome::Wrong(format!("{system} is told to be {told:?}, not {at:?}")));
