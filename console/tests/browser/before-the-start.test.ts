@@ -6,6 +6,7 @@ import { expansionFactor, fitted, toPixels } from "../../src/draw/window";
 import { mm, ofUnit, shown } from "../../src/units/quantity";
 import type { JobView, SettingArea } from "../../src/wire/messages";
 import {
+  act,
   arm,
   location,
   moment,
@@ -63,7 +64,7 @@ it("pro_job_origin_cmp: the page tells where the tool is from the job origin, be
   await drawn("plate.rsg", "rect 0,0 40,30; comment Anna | 18 mm birch, two sheets");
   expect(await script(workshop, "machine", { drawing: "plate.rsg" })).toBe(200);
   await previewed();
-  await show("Job");
+  await show("Operate");
   await arm(page);
   await moved(() => page.getByRole("button", { name: "Move to…" }).click(), { X: "4", Y: "3" });
   await until(async () => (await stateOf(workshop)).motion.at.machine[1] > 76.1, "it is there");
@@ -87,7 +88,7 @@ it("pro_job_origin_cmp: the page tells where the tool is from the job origin, be
 
 it("pro_files_comments: whoever draws, and whoever cuts, reads the comments of the file", async () => {
   const words = "Anna\n18 mm birch, two sheets";
-  await show("Job");
+  await show("Operate");
   const comments = page.getByRole("region", { name: "Comments of the file" });
   await expect.poll(() => comments.textContent()).toBe(words);
   if (shots) await page.screenshot({ path: `${shots}/job.png` });
@@ -102,11 +103,11 @@ it("pro_files_comments: whoever draws, and whoever cuts, reads the comments of t
 
 it("pro_smoothing_recreate: a job of other smoothing values says so, before the start and at it", async () => {
   const warning = "tool path made with other smoothing values: the factor was 0.6 and is 0.3 now";
-  await show("Job");
+  await show("Operate");
   await expect.poll(() => page.locator(".path-row").count()).toBe(1);
   expect(await page.getByRole("list", { name: "Findings" }).count()).toBe(0);
   await change("smoothing.factor", "0.3");
-  await show("Job");
+  await show("Operate");
   await page.getByRole("list", { name: "Findings" }).getByText(warning).waitFor();
   await previewed();
   await page.getByRole("button", { name: "Start", exact: true }).click();
@@ -117,7 +118,7 @@ it("pro_smoothing_recreate: a job of other smoothing values says so, before the 
   // Made anew, there is nothing to say.
   const anew = { drawing: "plate.rsg", anew: true };
   expect(await script(workshop, "machine", anew)).toBe(200);
-  await show("Job");
+  await show("Operate");
   await expect.poll(() => page.locator(".path-row").count()).toBe(1);
   await expect.poll(() => page.getByRole("list", { name: "Findings" }).count()).toBe(0);
 });
@@ -226,8 +227,12 @@ it("pro_options_doublestart: double start is on the page of the program, too, an
     const region = page.getByRole("region", { name: title, exact: true });
     return region.getByRole("radiogroup", { name: "Misc, double start" });
   };
-  const titles = await page.getByLabel("Topic").locator("option").allTextContents();
-  const [other = ""] = titles.filter((title) => title.startsWith("Misc"));
+  let other = "";
+  await until(async () => {
+    const titles = await page.getByLabel("Topic").locator("option").allTextContents();
+    other = titles.find((title) => title.startsWith("Misc")) ?? "";
+    return other !== "";
+  }, "the topics are listed");
   const here = await area("Options of the program");
   await here.getByRole("radio", { name: "yes" }).click();
   await expect.poll(() => setting("misc.double_start")).toBe("true");
@@ -263,9 +268,7 @@ async function moved(open: () => Promise<void>, places: Record<string, string>, 
 }
 /** As the palette leads to it. */
 const byPalette = async () => {
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("move the tool to a place");
-  await page.keyboard.press("Enter");
+  await act(page, "Move the tool to a place");
 };
 const machinePlace = async () => (await stateOf(workshop)).motion.at.machine;
 

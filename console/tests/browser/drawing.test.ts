@@ -199,10 +199,13 @@ it("pro_select_menus: everything that has a key anywhere stands in a list that t
   await page.getByRole("button", { name: "All operations…" }).click();
   const answer = await page.request.get(`${workshop.address}/api/drawing/operations`);
   const table: { name: string }[] = await answer.json();
-  const shown = await page.locator(".operation-list button b").allTextContents();
   const words = (text: string) => text.toLowerCase().replaceAll("-", " ");
-  const listed = new Set(shown.map(words));
-  expect(table.filter(({ name }) => !listed.has(words(name)))).toEqual([]);
+  const unlisted = async () => {
+    const listed = await page.locator(".operation-list button b").allTextContents();
+    const names = new Set(listed.map(words));
+    return table.map(({ name }) => name).filter((name) => !names.has(words(name)));
+  };
+  await expect.poll(unlisted).toEqual([]);
 });
 
 it("pro_edit_type_key: Esc in the entry leads back to the mouse", async () => {

@@ -78,7 +78,6 @@ it("a run is on the list of jobs, in the history, in the counter, and told to an
   expect(await rows.last().textContent()).toMatch(/part\.sbpfinished.*this machine/);
   await page.getByLabel("Parts made").filter({ hasText: "part.sbp 1 today, 1 in all" }).waitFor();
   expect(await violations(page)).toEqual([]);
-  await page.screenshot({ path: process.env.KERF_SHOT ?? "/dev/null", type: "png" });
   await expect.poll(() => told.length).toBe(3);
   expect(told.map(({ event, file }) => `${event} ${file}`)).toEqual([
     "needs you part.sbp",

@@ -5,6 +5,7 @@ import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import { overlaps } from "./overlaps";
 import {
+  act,
   arm,
   comesToRest,
   type Hand,
@@ -116,9 +117,7 @@ const points = (page: Page) => page.getByRole("region", { name: "Digitize" });
 /** Begins to digitize from the palette, and waits for the keys. */
 async function digitize(page: Page): Promise<void> {
   await arm(page);
-  await page.keyboard.press("Control+k");
-  await page.getByRole("dialog").getByRole("textbox").fill("Digitize");
-  await page.getByRole("option", { name: /^Digitize/ }).click();
+  await act(page, "Digitize");
   await points(page).getByRole("button", { name: "Record", exact: true }).waitFor();
 }
 
@@ -197,10 +196,7 @@ it("a job that asks is answered on a phone", async () => {
 it("the hand console leaves the buttons of Move the tool to free", async () => {
   const page = await workshop.page({ width: 1280, height: 720 });
   for (const action of ["Hand console", "Move the tool to"]) {
-    await page.keyboard.press("Control+k");
-    await page.getByRole("dialog").getByRole("textbox").fill(action);
-    await page.getByRole("option", { name: action }).first().waitFor();
-    await page.keyboard.press("Enter");
+    await act(page, action);
   }
   await page.getByRole("dialog", { name: "Move the tool to" }).waitFor();
   await page.getByLabel("Hand console").first().waitFor();

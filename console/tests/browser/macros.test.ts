@@ -3,7 +3,16 @@
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, expect, it } from "vitest";
-import { arm, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
+import {
+  act,
+  arm,
+  openWorkshop,
+  script,
+  stateOf,
+  until,
+  violations,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 afterEach(() => workshop?.close());
@@ -18,10 +27,7 @@ it("a macro asks for its values, runs, and is there after a reload; the frame ke
   const page = await workshop.page();
   await arm(page);
   const macros = async () => {
-    await page.keyboard.press("Control+k");
-    await page.getByLabel("What to do").fill("macros");
-    await page.getByRole("option", { name: "Macros" }).waitFor();
-    await page.keyboard.press("Enter");
+    await act(page, "Macros");
     await page.getByRole("dialog", { name: "Macros" }).waitFor();
   };
   await macros();
@@ -36,7 +42,6 @@ it("a macro asks for its values, runs, and is there after a reload; the frame ke
   await macros();
   await page.getByRole("button", { name: "Lift", exact: true }).click();
   await page.getByLabel("height").fill("3/4");
-  await page.screenshot({ path: process.env.KERF_SHOT ?? "/dev/null", type: "png" });
   expect(await violations(page)).toEqual([]);
   await page.keyboard.press("Enter");
   const z = async () => (await stateOf(workshop)).motion.at.working[2];

@@ -35,7 +35,6 @@ it("tells when a file was finished, also after the server was ended and begun ag
   workshop = await openWorkshop({ folder, open: "a.sbp" });
   const again = await workshop.page();
   await finished(again);
-  await again.screenshot({ path: process.env.KERF_SHOT ?? "/dev/null", type: "png" });
 });
 
 it("tells that a file was finished which a typed line ran", async () => {

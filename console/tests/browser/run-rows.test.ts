@@ -22,7 +22,7 @@ async function machined(name: string, clauses: string) {
   await draw({ op: "do", clauses });
   await draw({ op: "save", name });
   expect(await script(workshop, "machine", { drawing: name })).toBe(200);
-  await show("Job");
+  await show("Operate");
   await previewed();
 }
 const show = (screen: string) => page.getByRole("link", { name: screen, exact: true }).click();

@@ -36,7 +36,6 @@ it("sample answers are entered, drawn, kept with the file, and known after a res
   await page.getByLabel("How wide? (line 3)").fill("3/4+2");
   await page.getByRole("radio", { name: "No" }).click();
   expect(await violations(page)).toEqual([]);
-  await page.screenshot({ path: process.env.KERF_SHOT ?? "/dev/null", type: "png" });
   await page.getByRole("button", { name: "Draw with these" }).click();
   await extents.filter({ hasText: "0.000 … 2.750" }).waitFor();
   expect(readFileSync(join(folder, "asks.sbp.answers"), "utf8")).toBe("3:3/4+2\n4:No\n");

@@ -98,7 +98,7 @@ const screens: readonly [string, () => Promise<void>, string][] = [
   ["the FULL face", () => fullFace(page), ".command"],
   ["edit", route("Edit"), ".cm-content"],
   ["draw", route("Draw"), "canvas"],
-  ["settings", route("Settings"), "main input"],
+  ["settings", route("Settings"), "main input:not([type=file])"],
   ["help", route("Help"), "main button"],
 ];
 

@@ -137,7 +137,6 @@ it("a mistake that a run meets leads to its line, and so does the place where it
     .filter({ hasText: /^failed behind line 2 at/ })
     .click();
   await expect.poll(cursorLine).toBe("2");
-  await page.screenshot({ path: process.env.KERF_SHOT ?? "/dev/null", type: "png" });
 });
 
 it("what runs beside the open file is named, and of an unknown plan no share is told", async () => {

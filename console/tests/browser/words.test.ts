@@ -43,7 +43,7 @@ const englishOn = (page: Page): Promise<string[]> =>
     return [...new Set(texts.filter((text) => exact.has(text) || pattern.test(text)))];
   }, others);
 
-const screens = ["Bedienen", "Auftrag", "Text", "Zeichnen", "Setup", "Hilfe"];
+const screens = ["Bedienen", "Text", "Zeichnen", "Setup", "Hilfe"];
 
 const sheets = [
   "Datei öffnen",

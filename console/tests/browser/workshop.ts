@@ -111,6 +111,21 @@ export async function enter(page: Page, name: string | RegExp): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
+/** Does an action from the list of all: its name begins so. */
+export async function act(page: Page, name: string): Promise<void> {
+  const entry = page.getByLabel("What to do");
+  await until(async () => {
+    if ((await entry.count()) === 0) await page.keyboard.press("Control+k");
+    return entry.waitFor({ timeout: 3000 }).then(
+      () => true,
+      () => false,
+    );
+  }, "the list of actions opens");
+  await entry.fill(name);
+  await page.getByRole("option", { name }).first().waitFor();
+  await page.keyboard.press("Enter");
+}
+
 /** How long a test waits for anything before it says that it never comes. */
 const patienceMs = 60_000;
 
