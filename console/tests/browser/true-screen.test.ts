@@ -143,8 +143,7 @@ it("what runs beside the open file is named, and of an unknown plan no share is 
   await opens("good.sbp");
   const desk = await commandDesk(workshop);
   await arm(desk);
-  await command(desk, "VS,1,1");
-  await until(async () => (await stateOf(workshop)).machine.state === "idle", "set");
+  await carryOut(workshop, desk, "VS,1,1");
   await command(desk, "MX,20");
   const name = desk.locator(".job-name strong");
   await name.filter({ hasText: "MX,20" }).waitFor();
