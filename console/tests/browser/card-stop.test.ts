@@ -4,7 +4,16 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { lengthText, placeText } from "../../src/app/units";
 import { mm } from "../../src/units/quantity";
-import { arm, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
+import {
+  act,
+  arm,
+  openWorkshop,
+  script,
+  stateOf,
+  until,
+  violations,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -38,9 +47,7 @@ async function press(number: number, on: boolean): Promise<void> {
 const inputs = () => page.getByRole("dialog", { name: "Inputs of the simulated machine" });
 
 async function openInputs(): Promise<void> {
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("Inputs of the");
-  await page.keyboard.press("Enter");
+  await act(page, "Inputs of the");
   await inputs().waitFor();
 }
 
