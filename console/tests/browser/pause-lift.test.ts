@@ -35,7 +35,8 @@ it("a pause with the tool in the cut lifts it, and goes on where it was", async 
   await until(async () => (await z()) > 0.9, "the tool is up");
   expect(await spindle()).toBe(false);
   await question.getByRole("button", { name: "OK" }).click();
-  await until(() => stands(workshop), "the file is over");
+  await until(async () => (await stateOf(workshop)).job?.ended === "ok", "the file is over");
+  await until(() => stands(workshop), "it stands");
   const { motion } = await stateOf(workshop);
   expect(motion.at.working[0] / 25.4).toBeCloseTo(0.4);
   expect(motion.at.working[2] / 25.4).toBeCloseTo(-0.1);
