@@ -95,7 +95,7 @@ export function parted(text: string, first: boolean): { kept: string; goesOn: bo
   return { kept: goesOn ? written.slice(0, -1) : written, goesOn };
 }
 
-/** What the sheet of FP says about how a file is run; lengths are in the unit of the page. */
+/** Choices of the FP sheet for running a file; lengths are in the unit of the page. */
 export function fileParameters(entries: Entries, unit: LengthUnit): FileParameters {
   const number = (n: number, usual: number) => evaluate(entries[n]?.trim() ?? "") ?? usual;
   return {

@@ -15,10 +15,10 @@ import { fitted, type Size } from "./window";
 
 type Asking = "open" | "save" | "program";
 
-/** What a drawing is read from. */
+/** Endings of files that a drawing is read from. */
 const drawings = ["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl"] as const;
 
-/** What a drawing is written as. */
+/** Endings of files as which a drawing is written. */
 const savedAs = ["rsg", "dxf", "svg"] as const;
 
 /** The drawing's name, its files, undo and redo, and the way to the machine. */

@@ -1,4 +1,4 @@
-/** What tests write in place of the server: plain numbers where a message has units. */
+/** Messages that tests write in place of the server, with plain numbers for those with units. */
 
 import type { UnitSize } from "./quantity";
 

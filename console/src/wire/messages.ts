@@ -927,7 +927,7 @@ armed: boolean,
 why: string | null,
 /** Its name. */
 name: string,
-/** What a page may do to it beside moving it. */
+/** Acts that a page may do to it beside moving it. */
 offers: Offers, };
 
 /** A line of the message area. */
@@ -972,7 +972,7 @@ name: string,
 /** Its value. */
 value: string, };
 
-/** What a page may do to a machine beside moving it, as the machine itself tells. */
+/** Acts that a page may do to a machine beside moving it, as the machine itself tells. */
 export type Offers = {
 /** Its switches are moved on a page. */
 inputs: boolean,

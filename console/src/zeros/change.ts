@@ -3,7 +3,7 @@ import type { AxisValue } from "../units/quantity";
 import type { AxisUnits, ZeroChange } from "../wire/messages";
 import { t } from "../words/words";
 
-/** What numbers of axes mean: what they read where the tool is, or where the zero point is. */
+/** Meaning of the numbers of axes: their reading where the tool is, or the place of the zero point. */
 export type Meaning = "reads" | "lies";
 
 /** A change of a zero point by the numbers that were entered for axes, or the reason why there is none. */

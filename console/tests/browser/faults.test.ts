@@ -1,4 +1,4 @@
-/** What goes wrong in a shop: a full disk, two people at one drawing, a file that another program changes meanwhile. */
+/** Faults of a shop: a full disk, two people at one drawing, a file that another program changes meanwhile. */
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";

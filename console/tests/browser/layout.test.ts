@@ -40,7 +40,7 @@ afterEach(async () => {
 
 const themes = ["light", "dark", "contrast"];
 const routes = ["/", "/edit", "/draw", "/settings", "/help"];
-/** Where pictures go that are looked at. */
+/** Folder of the pictures that are looked at. */
 const shots = process.env.KERF_SHOTS;
 async function photograph(page: Page, name: string): Promise<void> {
   const { width = 0, height = 0 } = page.viewportSize() ?? {};

@@ -4,7 +4,7 @@ use crate::at_once;
 use crate::facts::KnownFacts;
 use crate::flights::{Flights, radius_mm};
 use crate::gap::Gap;
-use crate::lines::{Modal, lines, told_as};
+use crate::lines::{Modal, lines, parts, told_as};
 use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
@@ -388,15 +388,6 @@ impl Grbl {
             step(to.0[axis]) != step(self.planned.0[axis])
         })
     }
-}
-
-/// Returns how many moves the planner makes of an arc, and no more than that: each of its chords lies no farther inside it than
-/// the tolerance.
-fn parts(radius_mm: f64, sweep_rad: f64, tolerance_mm: f64) -> usize {
-    let half_chord = (tolerance_mm * (2.0 * radius_mm - tolerance_mm)).sqrt();
-    let parts = 0.5 * sweep_rad.abs() * radius_mm / half_chord;
-    // Rounding may make one less.
-    if parts.is_finite() { (parts as usize).saturating_sub(1).max(1) } else { 1 }
 }
 
 pub(crate) const fn with(outputs: u32, line: u8, on: bool) -> u32 {

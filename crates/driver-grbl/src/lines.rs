@@ -198,6 +198,15 @@ fn number(value: f64) -> String {
     decimal(value, 3)
 }
 
+/// Returns how many moves the planner makes of an arc, and no more than that: each of its chords lies no farther inside it than
+/// the tolerance.
+pub fn parts(radius_mm: f64, sweep_rad: f64, tolerance_mm: f64) -> usize {
+    let half_chord = (tolerance_mm * (2.0 * radius_mm - tolerance_mm)).sqrt();
+    let parts = 0.5 * sweep_rad.abs() * radius_mm / half_chord;
+    // Rounding may make one less.
+    if parts.is_finite() { (parts as usize).saturating_sub(1).max(1) } else { 1 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

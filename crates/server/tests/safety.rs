@@ -573,33 +573,3 @@ fn where_only_drawings_are_worked_on_nothing_of_the_machine_is_to_be_had() {
     );
     assert_eq!(page.act(json!({ "do": "draw", "op": { "op": "program", "name": "a.sbp" } })), None);
 }
-
-#[test]
-fn a_stop_before_the_beginning_of_a_move_keeps_the_machine_still() {
-    // On a busy computer the machine may come to the move first: then the stop ends it, and another one is tried.
-    assert!((0..5).any(|_| is_stopped_before_it_moves()), "the stop never came before the move");
-}
-
-/// Stops the machine while a move waits; `false` where the move began before the stop, which ended it.
-fn is_stopped_before_it_moves() -> bool {
-    let shop = shop(1.0, &[]);
-    let mut page = shop.driver();
-    let lease = page.lease;
-    let command = |line: &str| json!({ "do": "command", "lease": lease, "line": line });
-    // The move waits behind something that takes a while to read, and is refused.
-    let slow = command(&("MX,1\n".repeat(60_000) + "QQ,1"));
-    let (first, second) = (page.send(slow), page.send(command("MX,20")));
-    assert_eq!(page.act(json!({ "do": "stop" })), None, "done at once");
-    assert_eq!(page.reply(first).as_deref(), Some("mistake"));
-    let answer = page.reply(second);
-    if answer.is_none() {
-        page.until_state("stopped");
-        assert!(page.x() < 20.0, "it was stopped on its way");
-        return false;
-    }
-    assert_eq!(answer.as_deref(), Some("state"));
-    assert_eq!(page.shown["machine"]["state"], "idle");
-    page.command("MY,0.1");
-    assert_eq!(page.x(), 0.0, "what was stopped stays so");
-    true
-}

@@ -53,11 +53,11 @@ pub struct Machine {
     pub why: Option<String>,
     /// Its name.
     pub name: String,
-    /// What a page may do to it beside moving it.
+    /// Acts that a page may do to it beside moving it.
     pub offers: Offers,
 }
 
-/// What a page may do to a machine beside moving it, as the machine itself tells.
+/// Acts that a page may do to a machine beside moving it, as the machine itself tells.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct Offers {

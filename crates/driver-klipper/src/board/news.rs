@@ -153,7 +153,7 @@ pub enum Fault {
     OnBoard {
         /// Its name.
         board: String,
-        /// What is wrong with it.
+        /// The mistake in it.
         fault: Box<Self>,
     },
     /// Steps were lost between host and board.

@@ -1,4 +1,4 @@
-//! What stops one board stops the others: the host relays, and a board that is not heard lets the others' deadlines pass.
+//! Relays the stop of one board to the others; a board that is not heard lets the others' deadlines pass.
 
 use super::Crew;
 use super::member::Member;

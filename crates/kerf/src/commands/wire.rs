@@ -10,6 +10,7 @@ use crate::machine_name::DriverName;
 use crate::out;
 use anyhow::{Result, anyhow, bail};
 use kerf_control::controller::queued::Queued;
+use kerf_machine::contradictions::contradictions;
 use kerf_machine::table;
 use kerf_machine::{Actuator, Configuration, Machine, Value, file};
 use kerf_program::{Axes, Axis, OutputReason};
@@ -55,6 +56,9 @@ pub fn wire(name: &DriverName, machine: Configuration, into: &Path) -> Result<Ex
         Ok(()) => {
             fs::write(into, file::write(&wizard.machine))?;
             let into = into.display();
+            for crossed in contradictions(&wizard.machine) {
+                eprintln!("kerf: mend in {into}: {}; {}", crossed.message, crossed.hint);
+            }
             out::print(&format!(
                 "written: {into}\nkerf run FILE --machine {name} --machine {into}\n"
             ));
@@ -161,7 +165,10 @@ impl Wizard<'_> {
                             out::print("Look at its pins, its wires and its current.\n");
                             false
                         }
-                        Err(_) => continue,
+                        Err(_) => {
+                            out::print("Answer y, n, or a number of mm.\n");
+                            continue;
+                        }
                     },
                 };
                 if turns {
@@ -256,7 +263,7 @@ impl Wizard<'_> {
                 continue;
             }
             let [mut mm_s, most] = TRIALS_MM_S;
-            let mut good = None;
+            let (before, mut good) = (self.machine.program.dynamics, None);
             while mm_s <= most {
                 self.dynamics(axis, mm_s);
                 for to_mm in [TRIAL_MM, 0.0] {
@@ -271,8 +278,17 @@ impl Wizard<'_> {
                 good = Some(mm_s);
                 mm_s *= 2.0;
             }
-            let kept = KEPT * good.unwrap_or(TRIALS_MM_S[0]);
+            let Some(good) = good else {
+                self.machine.program.dynamics = before;
+                out::print(&format!(
+                    "{letter}: no speed was good, its own is kept: look at its current and its load\n"
+                ));
+                continue;
+            };
+            let kept = KEPT * good;
             self.dynamics(axis, kept);
+            let home = &mut self.machine.homing.switches[axis.index()];
+            (home.fast, home.slow) = (home.fast.min(kept), home.slow.min(kept));
             out::print(&format!("{letter}: at most {kept} mm/s\n"));
         }
         Ok(())

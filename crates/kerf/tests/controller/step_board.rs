@@ -207,13 +207,16 @@ fn a_board_is_wired_question_by_question() {
     let wire = format!("machine wire klipper:{} --machine bare.toml --into mine.toml", bench.port);
     // X goes the other way, then right; Y goes half as far; the switch is closed while it is left alone.
     bench.look(|board| _ = board.driven.insert(10, vec![(0, true)]));
-    let more = "\nn\n\ny\n\n0.5\n\ny\n\n\nn\n\ny\nn\nn\n";
+    // X is right at its first speed and not at the second; Y at none.
+    let more = "\nn\n\ny\n\n0.5\n\ny\n\n\nn\n\ny\ny\ny\nn\ny\nn\n";
     shop.kerf_with(&wire, format!("{ANSWERS}{more}").as_bytes())
         .exits(0)
         .says("motor X, step and direction []")
         .says("X goes 1 mm towards plus")
         .says("Nothing changed: look at its pin")
         .says("Output 1 goes on")
+        .says("X: at most 5 mm/s")
+        .says("Y: no speed was good, its own is kept")
         .says("written: mine.toml");
     let file = shop.read("mine.toml");
     assert!(
@@ -223,7 +226,10 @@ fn a_board_is_wired_question_by_question() {
     let steps = |axis: u8| bench.look(|board| board.steppers[&axis].made.len());
     let per_unit = kerf_machine::file::read(&"mine.toml".into(), &file).unwrap();
     let [x, y] = [0, 1].map(|n| per_unit.program.resolution.steps_per_unit.0[n]);
-    assert_eq!((y / x, steps(0)), (2.0, 4 * x as usize), "Y makes twice the steps a millimetre");
+    // Twice 1 mm there and back, and 20 mm for each of two speeds.
+    assert_eq!((y / x, steps(0)), (2.0, 84 * x as usize), "Y makes twice the steps a millimetre");
+    let speeds = per_unit.program.axis_dynamics().speed_mm_s.0;
+    assert!(speeds[0] == 5.0 && speeds[1] != 10.0, "{speeds:?}");
     let on =
         bench.look(|board| board.outputs.values().any(|it| it.made.iter().any(|it| it.1 == 1)));
     assert!(on, "the output was on");
