@@ -102,7 +102,7 @@ fn a_board_is_joined_and_tells_its_own_words() {
         let dictionary = wires.identify(&mut link);
         assert_eq!(dictionary.version(), "fake-1");
         assert_eq!(dictionary.constant("CLOCK_FREQ"), Some(12e6));
-        assert_eq!(dictionary.text("MCU"), Some("none"));
+        assert_eq!(dictionary.text("MCU"), Some("rp2040"));
         assert_eq!(dictionary.number("pin", "gpio17"), Ok(17));
         assert_eq!(dictionary.number("pin", "PA7"), Ok(71));
         assert!(dictionary.number("pin", "PA8").is_err());

@@ -10,6 +10,7 @@
 //! Lengths are millimetres, angles degrees, times seconds unless the name of a field ends in
 //! another unit.
 
+pub mod boards;
 pub mod conformance;
 pub mod contradictions;
 pub mod driver;

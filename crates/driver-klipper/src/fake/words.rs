@@ -152,7 +152,7 @@ impl Words {
             REASONS.iter().enumerate().map(|(n, text)| (2 + n as u32 * 3, (*text).to_owned()));
         let mut words = Self { commands, responses, reasons: reasons.collect(), ..Self::default() };
         words.constants.insert("CLOCK_FREQ".to_owned(), serde_json::json!(frequency));
-        words.constants.insert("MCU".to_owned(), serde_json::json!("none"));
+        words.constants.insert("MCU".to_owned(), serde_json::json!("rp2040"));
         words.constants.insert("STEPPER_STEP_BOTH_EDGE".to_owned(), serde_json::json!(1));
         words.pack();
         words

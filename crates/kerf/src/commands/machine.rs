@@ -4,7 +4,7 @@ use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
-use crate::commands::{protect, prove, step_board, wire};
+use crate::commands::{known_boards, protect, prove, step_board, wire};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
@@ -118,6 +118,14 @@ enum Action {
         /// The file to be written
         #[arg(long, value_name = "FILE", default_value = "board.toml")]
         into: PathBuf,
+        /// Begins with the pins of a board that is sold (kerf machine boards)
+        #[arg(long = "board", value_name = "NAME")]
+        known: Option<String>,
+    },
+    /// Lists boards with step queues whose pins are known, or prints the pins of one
+    Boards {
+        /// Its name
+        name: Option<String>,
     },
     /// Prints what a printer's configuration (printer.cfg) tells of a board with step queues, as the lines of a machine's
     /// file; notes tell what was left out
@@ -199,11 +207,13 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
                 _ => board::connect(more),
             };
         }
-        Action::Wire { board, into } => {
+        Action::Wire { board, into, known } => {
             let name = board_name(board)
                 .ok_or_else(|| Usage(format!("{board} is no board: name it as klipper:PORT")))?;
-            return wire::wire(&name, args.which.machine()?, into);
+            let known = known.as_deref().map(known_boards::named).transpose()?;
+            return wire::wire(&name, args.which.machine()?, into, known.as_ref());
         }
+        Action::Boards { name } => known_boards::print(name.as_deref())?,
         Action::Import { file } => return step_board::import(file),
         Action::Prove { report, home } => {
             let name = controller(&args.which)?;

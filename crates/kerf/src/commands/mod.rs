@@ -12,6 +12,7 @@ mod heights;
 mod help;
 mod io;
 mod kept_values;
+mod known_boards;
 mod log;
 mod machine;
 mod parts;

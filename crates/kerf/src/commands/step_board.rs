@@ -54,7 +54,8 @@ pub fn import(file: &Path) -> Result<Exit> {
     Ok(Exit::Good)
 }
 
-fn introduced(socket: &Socket) -> Result<Introduced, String> {
+/// Asks a board who it is. Nothing of it changes.
+pub fn introduced(socket: &Socket) -> Result<Introduced, String> {
     let mut line = (socket.opens)()?;
     let (since, mut board) = (Instant::now(), Introduction::new(None, 0.0));
     let mut bytes = [0; 1024];

@@ -3,13 +3,14 @@
 //!
 //! Nothing is written before the last answer: whoever answers `q`, or nothing any more, leaves all as it was.
 
-use crate::commands::step_board::socket;
+use crate::commands::step_board::{introduced, socket};
 use crate::commands::step_way::Way;
 use crate::exit::{Exit, Usage};
 use crate::machine_name::DriverName;
 use crate::out;
 use anyhow::{Result, anyhow, bail};
 use kerf_control::controller::queued::Queued;
+use kerf_machine::boards::{KnownBoard, Plug};
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::table;
 use kerf_machine::{Actuator, Configuration, Machine, Value, file};
@@ -38,10 +39,18 @@ const AXES: [(Axis, &str, &str); 3] = [
     (Axis::Z, "board.z", "board.home_z"),
 ];
 
-/// Wires a board, beginning with what is known of the machine.
-pub fn wire(name: &DriverName, machine: Configuration, into: &Path) -> Result<Exit> {
+/// Wires a board, beginning with what is known of the machine and with the pins of a board that is sold.
+pub fn wire(
+    name: &DriverName,
+    mut machine: Configuration,
+    into: &Path,
+    known: Option<&KnownBoard>,
+) -> Result<Exit> {
     if into.exists() {
         bail!(Usage(format!("{} is there already: name another file with --into", into.display())));
+    }
+    if let Some(known) = known {
+        begins_with(name, known, &mut machine)?;
     }
     let mut wizard = Wizard { name, machine, board: None };
     let told = wizard.pins().and_then(|()| wizard.motors()).and_then(|()| wizard.switches());
@@ -65,6 +74,36 @@ pub fn wire(name: &DriverName, machine: Configuration, into: &Path) -> Result<Ex
             Ok(Exit::Good)
         }
     }
+}
+
+/// Fills the pins of a board that is sold, where the one at the port has its chip.
+fn begins_with(name: &DriverName, known: &KnownBoard, machine: &mut Configuration) -> Result<()> {
+    let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
+    let chip = introduced.dictionary.text("MCU").unwrap_or("unknown");
+    if !known.may_have(chip) {
+        let chips = known.chips.join(" or ");
+        bail!(
+            "{name}: the board has the chip {chip}, and the {} has {chips}: name the board that it is (kerf \
+               machine boards), or wire it without --board",
+            known.title
+        );
+    }
+    known.fill(machine);
+    let plugs =
+        |plugs: &[Plug]| plugs.iter().map(|it| it.name.clone()).collect::<Vec<_>>().join(", ");
+    let motors: Vec<_> = known.motors.iter().map(|it| &*it.name).collect();
+    out::print(&format!(
+        "{}: X, Y, Z are motors {}; outputs 1 and up are {}{}\n",
+        known.title,
+        motors[..motors.len().min(3)].join(", "),
+        plugs(&known.outputs),
+        known
+            .servo
+            .as_ref()
+            .map(|it| format!("; for the speed of a spindle: {it}"))
+            .unwrap_or_default()
+    ));
+    Ok(())
 }
 
 /// The reason for which it does not come to its end.

@@ -239,6 +239,33 @@ fn a_board_is_wired_question_by_question() {
 }
 
 #[test]
+fn a_board_that_is_sold_is_wired_by_its_name() {
+    let (shop, bench) = (shop(), Bench::new());
+    let wire =
+        |name: &str| format!("machine wire klipper:{} --board {name} --into mine.toml", bench.port);
+    let pins = "\n\n\n\n\n\n\n\nq\n";
+    shop.kerf_with(&wire("skr-pico"), pins.as_bytes())
+        .exits(3)
+        .says("X, Y, Z are motors X, Y, Z; outputs 1 and up are FAN1")
+        .says("motor X, step and direction [gpio11 gpio10]")
+        .says("home switch of Z [^gpio25]")
+        .says("outputs by number (1 gpio20, 2 gpio21) [1 gpio17, 2 gpio18")
+        .says("X goes 1 mm");
+    let pins =
+        bench.look(|board| board.steppers.values().map(|it| it.step_pin).collect::<Vec<_>>());
+    assert_eq!(pins, [11, 6, 19]);
+    shop.kerf(&wire("skr-3"))
+        .exits(1)
+        .complains("has the chip rp2040, and the BIGTREETECH SKR 3 has stm32h743");
+    shop.kerf(&wire("skr-pic")).exits(2).complains("skr-pico");
+    shop.kerf("machine boards").exits(0).says("octopus-1.1").says("8 motors, stm32f446, stm32f407");
+    shop.kerf("machine boards skr-pico")
+        .exits(0)
+        .says("motor Z     step gpio19, direction gpio28")
+        .says("probe       gpio22");
+}
+
+#[test]
 fn wiring_stops_at_each_question_and_writes_nothing() {
     let (shop, bench) = (shop(), Bench::new());
     let wire = format!("machine wire klipper:{} --into mine.toml", bench.port);
