@@ -78,6 +78,12 @@ const openZeros: Action = {
   refused: ({ shown }) =>
     shown.snapshot?.zeros.length ? undefined : t("The machine keeps no zero points."),
 };
+/** Zero set by touch: plates, corners, bores, the angle of the material. */
+const openProbe = sheetAction(
+  { kind: "probe" },
+  t("Probe: find a place by touch, set zero there"),
+  [],
+);
 /** Inputs and outputs of the open file beside its motion. */
 export const openTiming: Action = {
   ...sheetAction({ kind: "timing" }, t("Timing chart"), []),
@@ -129,6 +135,7 @@ export const goActions: readonly Action[] = [
   openInputs,
   openPorts,
   openZeros,
+  openProbe,
   openTools,
   openTiming,
   openSetup,

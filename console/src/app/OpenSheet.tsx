@@ -1,6 +1,7 @@
 import { CommandSheet } from "../command/CommandSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
+import { ProbeSheet } from "../probe/ProbeSheet";
 import { KeysSheet } from "../settings/KeysSheet";
 import { SetupSheet } from "../settings/SetupSheet";
 import { TimingSheet } from "../timing/TimingSheet";
@@ -52,6 +53,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <InputsSheet onClose={close} />;
     case "moveTo":
       return <MoveToSheet onClose={close} />;
+    case "probe":
+      return <ProbeSheet onClose={close} />;
     case "zeros":
       return <ZerosSheet onClose={close} />;
     case "ports":

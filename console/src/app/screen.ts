@@ -23,6 +23,7 @@ export type Sheet =
   | { readonly kind: "ports" }
   | { readonly kind: "tools" }
   | { readonly kind: "zeros" }
+  | { readonly kind: "probe" }
   | { readonly kind: "timing" }
   | { readonly kind: "samples" }
   | { readonly kind: "history" }

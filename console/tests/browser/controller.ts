@@ -40,6 +40,11 @@ export class Controller {
     this.child.stdin?.write(`pendant ${line}\n`);
   }
 
+  /** Works it by a line of its own: `pins P` closes its probe, `bore X Y RADIUS` lays a thing around it. */
+  work(line: string): void {
+    this.child.stdin?.write(`${line}\n`);
+  }
+
   unplug(): void {
     this.child.kill();
   }

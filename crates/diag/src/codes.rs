@@ -227,6 +227,8 @@ codes! {
         "The language ignores blanks, so `X1 0` is X10. Is a letter missing?";
     ArcPlane "G023" Error "the arc does not fit the plane"
         "Arcs lie in the plane of G17 (I and J), G18 (I and K) or G19 (J and K).";
+    Aborted "G024" Error "the program ended itself"
+        "A comment of the program, (ABORT,REASON), ends it at a place that it should not come to, and says why.";
 
     OutsideLimits "M001" Error "outside the table limits"
         "The move leaves the limits of VL while limit checking is on.";

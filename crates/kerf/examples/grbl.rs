@@ -7,7 +7,8 @@
 //! ```
 //!
 //! Settings are arguments: `20=1 22=1`. Lines on standard input work it: `limit` hits a limit switch,
-//! `pins PD` closes switches, `pendant G55` sends it a line, `where` tells where it stands, an end of the input unplugs it.
+//! `pins PD` closes switches, `block X Y Z X Y Z` and `bore X Y RADIUS` are things that its probe feels
+//! until `nothing`, `pendant G55` sends it a line, `where` tells where it stands, an end of the input unplugs it.
 #![allow(clippy::print_stdout)]
 
 #[cfg(unix)]
@@ -22,7 +23,7 @@ fn main() {
 
 #[cfg(unix)]
 mod unix {
-    use kerf_driver_grbl::fake::Fake;
+    use kerf_driver_grbl::fake::{Fake, Solid};
     use kerf_transport::pretend::Plug;
     use std::io::stdin;
     use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -63,6 +64,16 @@ mod unix {
         }
     }
 
+    /// A block by its corners, a bore by its centre and radius.
+    fn solid(numbers: &str) -> Option<Solid> {
+        let numbers: Option<Vec<f64>> = numbers.split(' ').map(|word| word.parse().ok()).collect();
+        match numbers?[..] {
+            [x, y, radius] => Some(Solid::Bore { centre: [x, y], radius }),
+            [x0, y0, z0, x, y, z] => Some(Solid::Block { low: [x0, y0, z0], high: [x, y, z] }),
+            _ => None,
+        }
+    }
+
     fn work(fake: &mut Fake, line: &str) {
         match line.split_once(' ').unwrap_or((line, "")) {
             ("limit", _) => fake.hits_limit(),
@@ -70,6 +81,11 @@ mod unix {
             ("pendant", line) => {
                 fake.hear(format!("{line}\n").as_bytes(), 0.0);
             }
+            ("block" | "bore", numbers) => match solid(numbers) {
+                Some(solid) => fake.solids.push(solid),
+                None => println!("block X Y Z X Y Z, bore X Y RADIUS; mm"),
+            },
+            ("nothing", _) => fake.solids.clear(),
             ("where", _) => {
                 let [x, y, z, ..] = fake.position().0;
                 let (stands, spindle) = (fake.stands(), fake.spindle());
@@ -79,7 +95,7 @@ mod unix {
                 );
             }
             ("lines", _) => fake.lines.iter().for_each(|line| println!("{line}")),
-            _ => println!("limit, pins PXYZD, pendant LINE, where, lines"),
+            _ => println!("limit, pins PXYZD, block, bore, nothing, pendant LINE, where, lines"),
         }
     }
 }

@@ -37,6 +37,7 @@ mod own_corpus;
 mod placed;
 mod plot;
 mod preview;
+mod probing;
 mod profiles;
 mod programs;
 mod registry;

@@ -18,6 +18,7 @@ mod folders;
 mod header;
 mod indexer;
 mod lines;
+mod probe;
 mod setup;
 mod surfacer;
 mod table;

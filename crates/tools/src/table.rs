@@ -1,15 +1,16 @@
 //! The table of tools.
 
 use crate::tool::Tool;
-use crate::{copy, drill_press, fluter, header, indexer, setup, surfacer, typesetter};
+use crate::{copy, drill_press, fluter, header, indexer, probe, setup, surfacer, typesetter};
 
 /// Every tool, in the order of its letters.
-pub const TOOLS: [&Tool; 8] = [
+pub const TOOLS: [&Tool; 9] = [
     &copy::TOOL,
     &drill_press::TOOL,
     &fluter::TOOL,
     &header::TOOL,
     &indexer::TOOL,
+    &probe::TOOL,
     &setup::TOOL,
     &surfacer::TOOL,
     &typesetter::TOOL,

@@ -172,4 +172,38 @@ export const tools: Readonly<Record<string, string>> = {
   Use: "Verwenden",
   holds: "gilt",
   "Give a number for one axis at least.": "Mindestens für eine Achse eine Zahl angeben.",
+  "Probe: find a place by touch, set zero there":
+    "Taster: Ort durch Berühren finden, dort Null setzen",
+  Probe: "Taster",
+  "Plate or surface, Z": "Platte oder Fläche, Z",
+  "Outside corner, X Y Z": "Außenecke, X Y Z",
+  "Inside corner, X Y": "Innenecke, X Y",
+  "Edge, X or Y": "Kante, X oder Y",
+  "Bore, its middle": "Bohrung, Mitte",
+  "Boss, its middle": "Zapfen, Mitte",
+  "Slot, its middle": "Nut, Mitte",
+  "Angle of the material": "Winkel des Materials",
+  "The tool stands above it.": "Das Werkzeug steht darüber.",
+  "The tool stands above the material, inset from both edges.":
+    "Das Werkzeug steht über dem Material, von beiden Kanten eingerückt.",
+  "The tool stands in the corner, at the depth of the touch.":
+    "Das Werkzeug steht in der Ecke, in der Tiefe der Berührung.",
+  "The tool stands beside it, at the depth of the touch.":
+    "Das Werkzeug steht daneben, in der Tiefe der Berührung.",
+  "The tool stands in it, at the depth of the touch.":
+    "Das Werkzeug steht darin, in der Tiefe der Berührung.",
+  "The tool stands above its middle.": "Das Werkzeug steht über der Mitte.",
+  "The tool stands beside it, at the depth of the touch; the second touch is Size further.":
+    "Das Werkzeug steht daneben, in der Tiefe der Berührung; die zweite Berührung ist um Size weiter.",
+  "An entry is wrong.": "Eine Angabe ist falsch.",
+  "Make the program": "Programm erstellen",
+  "What is found": "Was gefunden wird",
+  "Check of the probe": "Prüfung des Tasters",
+  "Start probing": "Tasten starten",
+  "Input 1 is closed: take the plate away from the tool.":
+    "Eingang 1 ist geschlossen: Platte vom Werkzeug wegnehmen.",
+  "Touch the plate or the probe by hand: its input 1 has to close before anything moves.":
+    "Platte oder Taster von Hand berühren: Eingang 1 muss schließen, bevor sich etwas bewegt.",
+  "The probe works.": "Der Taster geht.",
+  "Nothing was set. {0}": "Nichts wurde gesetzt. {0}",
 };

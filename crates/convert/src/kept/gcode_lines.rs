@@ -210,6 +210,9 @@ impl Keeper<'_> {
             let text = comment.text.trim();
             match comment.kind {
                 CommentKind::Print | CommentKind::Debug => self.print(line, text)?,
+                CommentKind::Abort => {
+                    return Err(Unkept::new(line, "an end of the program by ABORT"));
+                }
                 _ if text.is_empty() => {}
                 _ => self.line(&format!("'{text}")),
             }

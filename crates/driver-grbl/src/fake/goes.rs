@@ -75,7 +75,9 @@ impl Fake {
     /// Returns `true` if its probe has contact.
     pub(super) fn touches(&self) -> bool {
         let touches = self.plate_mm.is_some_and(|plate_mm| self.motion.position.0[2] <= plate_mm);
-        touches || self.pins.contains('P')
+        let [x, y, z, ..] = self.motion.position.0;
+        let meets = self.solids.iter().any(|solid| solid.touches([x, y, z]));
+        touches || meets || self.pins.contains('P')
     }
 
     /// While it probes: latches the place of a change, slows down, and tells of it.
@@ -83,7 +85,9 @@ impl Fake {
         let Some(state) = self.probing else { return };
         if self.latched.is_none() && self.touches() == state {
             let mut place = self.motion.position;
-            place.0[2] = self.plate_mm.unwrap_or(place.0[2]);
+            if let Some(plate_mm) = self.plate_mm.filter(|plate_mm| place.0[2] <= *plate_mm) {
+                place.0[2] = plate_mm;
+            }
             self.latched = Some(place);
             self.motion.held = true;
         }

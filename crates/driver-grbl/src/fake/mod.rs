@@ -12,11 +12,13 @@ mod motion;
 mod offsets;
 mod read;
 mod report;
+mod solid;
 mod state;
 mod turned;
 
 pub use board::Board;
 pub use offsets::Offsets;
+pub use solid::Solid;
 
 use kerf_machine::driver::Axes;
 use motion::Motion;
@@ -73,6 +75,8 @@ pub struct Fake {
     pub lowest_mm: f64,
     /// Height of the plate below its probe, machine frame, mm.
     pub plate_mm: Option<f64>,
+    /// Things around it that its probe feels.
+    pub solids: Vec<Solid>,
     /// It moves until its probe is in this state.
     probing: Option<bool>,
     /// The place at which the probe has changed.
@@ -168,6 +172,7 @@ impl Fake {
             credit_out: 0.0,
             lowest_mm: 0.0,
             plate_mm: None,
+            solids: Vec::new(),
             probing: None,
             latched: None,
             relative: false,

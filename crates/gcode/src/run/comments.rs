@@ -1,8 +1,10 @@
-//! Comments that ask for something: MSG, PRINT, DEBUG.
+//! Comments that ask for something: MSG, PRINT, DEBUG, ABORT.
 
 use super::context::Context;
 use super::parameters::Parameters;
+use super::stop::{Stop, fail};
 use crate::syntax::tree::{CommentKind, Extra, Span};
+use kerf_diag::Code;
 use kerf_program::{Command, ToolPathStart};
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -11,7 +13,7 @@ use std::sync::Arc;
 const NAMED: [&str; 5] = ["toolpath name", "toolpath", "tool path", "operation", "cut name"];
 
 /// Carries out what the comments of a line ask for.
-pub(super) fn comments(c: &mut Context<'_>, extra: Option<&Extra>) {
+pub(super) fn comments(c: &mut Context<'_>, extra: Option<&Extra>) -> Result<(), Stop> {
     for comment in extra.iter().flat_map(|extra| &extra.comments) {
         match comment.kind {
             CommentKind::Plain => plain_comment(c, &comment.text),
@@ -24,9 +26,14 @@ pub(super) fn comments(c: &mut Context<'_>, extra: Option<&Extra>) {
                 let text = filled(&c.core.parameters(), &comment.text).trim().into();
                 c.emit(Command::Message { text });
             }
+            CommentKind::Abort => {
+                let text = filled(&c.core.parameters(), &comment.text);
+                return Err(fail(Code::Aborted, text.trim(), "the program ends itself here"));
+            }
             CommentKind::Log => {}
         }
     }
+    Ok(())
 }
 
 fn plain_comment(c: &mut Context<'_>, text: &Arc<str>) {

@@ -155,7 +155,7 @@ fn run_block(c: &mut Context<'_>, program: &Program, block: Block) -> Result<(),
     let extra = program.extra_of(&block);
     if let Some(o_word) = extra.and_then(|e| e.flow.as_ref()) {
         need_words(c.core.options.dialect, controllers::O_WORDS)?;
-        comments(c, extra);
+        comments(c, extra)?;
         return if is_linked(o_word) { flow(c, program, o_word) } else { bad(c, program) };
     }
     let gathered = gather(c.core, program, &block, c.span)?;
@@ -168,7 +168,7 @@ fn run_block(c: &mut Context<'_>, program: &Program, block: Block) -> Result<(),
         _ => Vec::new(),
     };
     let told = c.out.len();
-    comments(c, extra);
+    comments(c, extra)?;
     let outcome = if block.words.0 == block.words.1 { Ok(()) } else { execute(c, &gathered) };
     if matches!(outcome, Err(Stop::Waiting)) {
         c.out.truncate(told);

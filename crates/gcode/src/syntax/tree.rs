@@ -133,6 +133,8 @@ pub enum CommentKind {
     Print,
     /// Shown to the operator, parameters replaced.
     Debug,
+    /// Ends the program as a mistake does; the text is the reason, parameters replaced.
+    Abort,
     /// For a log file: not carried out.
     Log,
 }

@@ -11,6 +11,7 @@ mod inputs_and_outputs;
 mod merged;
 mod network;
 mod overrides;
+mod probing;
 #[path = "../shop/mod.rs"]
 mod shop;
 mod step_board;

@@ -129,6 +129,11 @@ fn a_check_goes_on_behind_an_error() {
 }
 
 #[test]
+fn a_program_ends_itself_with_a_reason() {
+    fails("#1=4⏎(ABORT, too deep by #1)⏎G0 X1", "G024 3:1 too deep by 4.000000");
+}
+
+#[test]
 fn a_probe_that_meets_nothing_is_told_at_its_own_line() {
     fails("G38.2 Z-10 F100⏎#1=2⏎G0 X1", "G018 2:1 G38.2 ended without");
 }

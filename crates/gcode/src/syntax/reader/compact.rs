@@ -114,6 +114,7 @@ fn kind(text: &str) -> (CommentKind, &str) {
         "MSG" => CommentKind::Msg,
         "PRINT" => CommentKind::Print,
         "DEBUG" => CommentKind::Debug,
+        "ABORT" => CommentKind::Abort,
         "LOG" | "LOGOPEN" | "LOGAPPEND" | "LOGCLOSE" | "PROBEOPEN" | "PROBECLOSE" => {
             CommentKind::Log
         }
