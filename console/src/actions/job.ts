@@ -1,6 +1,7 @@
 /** The file that is open and the job that runs it. */
 
 import { errorsOf, mistakesText, placeOf } from "../operator/fileStatus";
+import type { Snapshot } from "../wire/messages";
 import { t } from "../words/words";
 import { type Action, attempt, type World } from "./action";
 import { ask, drive } from "./ask";
@@ -31,10 +32,20 @@ function showMistake(world: World): void {
 
 /** A machine that hurts nobody is armed by starting. */
 const arms = ({ shown: { snapshot } }: World): boolean =>
-  (snapshot?.machine.offers.startArms && !snapshot.machine.armed) ?? false;
+  (snapshot?.machine.offers.startArms && !snapshot.machine.armed && !draws(snapshot)) ?? false;
 
-const whenReady = (world: World) =>
-  notPreviewed(world) ?? (arms(world) ? whenIdle(world) : unlessReady(world));
+/** A part file in preview is only drawn, and needs no armed machine. */
+const draws = ({ machine, opened }: Snapshot): boolean =>
+  machine.mode === "preview" && opened?.kind === "program";
+
+const whenReady = (world: World) => {
+  const { snapshot } = world.shown;
+  if (snapshot?.machine.mode === "preview" && snapshot.opened?.kind === "job") {
+    return t("In preview only part files are drawn. Choose Move mode first.");
+  }
+  const still = arms(world) || (snapshot !== null && draws(snapshot));
+  return notPreviewed(world) ?? (still ? whenIdle(world) : unlessReady(world));
+};
 
 /** The open job waits, paused or before its second Start: Start goes on with it. */
 const waits = ({ shown: { snapshot } }: World): boolean =>

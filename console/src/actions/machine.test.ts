@@ -44,6 +44,18 @@ describe("what can be done when", () => {
     expect(allowed(start, false)).toEqual(["idle"]);
   });
 
+  it("start draws a part file in preview, armed or not", () => {
+    const { shown, ...rest } = world("idle", false, "open", false);
+    const offers = { ...firstSnapshot.machine.offers, startArms: false };
+    const machine = { ...firstSnapshot.machine, mode: "preview" as const, armed: false, offers };
+    const inPreview = (kind: "program" | "job") => {
+      const opened = firstSnapshot.opened && { ...firstSnapshot.opened, kind };
+      return { ...rest, shown: { ...shown, snapshot: { ...firstSnapshot, machine, opened } } };
+    };
+    expect(start.refused?.(inPreview("program"))).toBeUndefined();
+    expect(start.refused?.(inPreview("job"))).toContain("only part files");
+  });
+
   it("arm what stands disarmed", () => {
     expect(allowed(arm, false)).toEqual(["idle", "held", "asking", "stopped"]);
     expect(allowed(arm, true)).toEqual([]);

@@ -8,11 +8,11 @@ import "./goes-on.css";
 /** What this page lacks for an answer behind which the machine goes on. */
 export type Lacks = "control" | "arming";
 
-/** An answer behind which the machine goes on counts from whoever drives it, armed. */
+/** An answer behind which the machine goes on counts from whoever drives it, armed unless what runs is only drawn. */
 export function lacks({ snapshot, who }: Shown): Lacks | undefined {
-  const { lease, machine } = snapshot ?? {};
+  const { lease, machine, job } = snapshot ?? {};
   if (lease && lease.client !== who?.client) return "control";
-  return lease && machine?.armed ? undefined : "arming";
+  return lease && (machine?.armed || job?.drawsOnly) ? undefined : "arming";
 }
 
 const words: Record<Lacks, string> = {

@@ -797,6 +797,8 @@ hash: string | null,
 command: string | null,
 /** Planned time, seconds; 0 when it is not known. */
 seconds: Seconds,
+/** It began in preview on a machine that nobody armed: it is only drawn to its end. */
+drawsOnly: boolean,
 /** VD without comments was carried out and nothing was printed since: the message screen is closed. */
 silent: boolean,
 /** The open files, outermost first, with the line that is read. */

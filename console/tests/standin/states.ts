@@ -31,6 +31,7 @@ const running: Partial<Snapshot> = {
     command: null,
     seconds: seconds(31.4),
     calls: [{ file: "first-cut.sbp", line: 14 }],
+    drawsOnly: false,
     silent: false,
     toolFile: "first-cut.sbp",
     heights: null,

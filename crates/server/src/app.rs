@@ -163,7 +163,7 @@ impl App {
         self.devices.revoke(device)?;
         let of_device = |client| self.pages.device_of(client) == Some(device);
         self.driving
-            .drop_lease(|lease| of_device(lease.client), "the device that drove was revoked");
+            .drop_lease(|lease| of_device(lease.client), "the controlling device was revoked");
         self.pages.of_device(device).for_each(|client| self.settings.unlocked.remove(client));
         // Pages look whether they are still paired when something is told.
         self.files.changed();

@@ -153,7 +153,7 @@ impl Driving {
     /// The turn of a script ends that is not heard any more.
     pub fn end_silent_turn(&self) {
         let runs = !matches!(self.hub.state(), State::Idle | State::Alarm);
-        let why = format!("the program that drove was not heard for {} s", SILENCE.as_secs());
+        let why = format!("the controlling program was not heard for {} s", SILENCE.as_secs());
         self.drop_lease(
             |lease| is_script(lease.client) && self.turn.is_silent(lease.number, runs),
             &why,

@@ -17,7 +17,7 @@ use crate::refusal::problem;
 use crate::setup::Options;
 use kerf_control::answers::{self, Effect};
 use kerf_handconsole::{ConsoleRequest, Key};
-use kerf_wire::{Act, Asked, Lease, Problem, Role, Snapshot, State, Who, Why};
+use kerf_wire::{Act, Asked, Lease, Mode, Problem, Role, Snapshot, State, Who, Why};
 use kerf_workspace::stored;
 
 /// Something that somebody asks for, by the way on which it came.
@@ -70,6 +70,23 @@ const fn with_lease(lease: u32) -> Need {
     Need { turn: TurnNeeded::Number(lease), ..need(Role::Operator) }
 }
 
+/// Returns the conditions for what is only drawn: whoever drives has it done, also while the machine is disarmed.
+const fn drawing(turn: TurnNeeded) -> Need {
+    Need { turn, ..need(Role::Operator) }
+}
+
+/// Returns the conditions for letting go on what runs.
+fn going_on(now: &Snapshot, turn: TurnNeeded) -> Need {
+    let draws = now.job.as_ref().is_some_and(|job| job.draws_only && job.ended.is_none());
+    if draws { drawing(turn) } else { driving(turn) }
+}
+
+/// Returns `true` if a part file or a typed line that begins now is only drawn: in preview, on a machine that nobody
+/// armed. It does not leave preview then.
+pub fn draws_only(now: &Snapshot) -> bool {
+    now.machine.mode == Mode::Preview && !now.machine.armed
+}
+
 /// Returns the conditions for an act of the driver, with the machine armed.
 const fn driving(turn: TurnNeeded) -> Need {
     Need { turn, armed: true, ..need(Role::Operator) }
@@ -91,9 +108,10 @@ fn needs(now: &Snapshot, way: Way<'_>) -> Result<Need, Problem> {
     Ok(match way {
         Way::Act(act) => return needs_of_act(now, act),
         Way::Console(request) => return needs_of_request(now, request),
+        Way::Order(order) if order.draws_only() => drawing(TurnNeeded::Own),
         Way::Order(order) if order.moves() => driving(TurnNeeded::Own),
         Way::Order(_) | Way::StartUp => need(Role::Observer),
-        Way::GoOn => driving(TurnNeeded::Own),
+        Way::GoOn => going_on(now, TurnNeeded::Own),
         Way::Value(key) if stored::is_own(key) => {
             let text = format!(
                 "Kerf alone writes {key}; values of your own have other names, as uValue or one with a $"
@@ -112,8 +130,9 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
             need(Role::Observer)
         }
         Act::Answer { question, answer } => return needs_of_answer(now, Some(*question), answer),
-        Act::Resume { lease }
-        | Act::Run { lease, .. }
+        Act::Resume { lease } => going_on(now, TurnNeeded::Number(*lease)),
+        Act::Run { lease, .. } if draws_only(now) => drawing(TurnNeeded::Number(*lease)),
+        Act::Run { lease, .. }
         | Act::TakeUp { lease }
         | Act::JogStart { lease, .. }
         | Act::JogRenew { lease, .. }
@@ -123,7 +142,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Bit { lease, .. }
         | Act::Step { lease, .. }
         | Act::Zero { lease, .. } => driving(TurnNeeded::Number(*lease)),
-        Act::Command { lease, line } => needs_of_typed(*lease, line),
+        Act::Command { lease, line } => needs_of_typed(now, *lease, line),
         // A question may wait for that very switch.
         Act::Input { lease, .. } if now.machine.state == State::Asking => {
             driving(TurnNeeded::Number(*lease))
@@ -181,7 +200,7 @@ fn needs_of_answer(now: &Snapshot, question: Option<u32>, words: &str) -> Result
     match answers::kind_of(&asked.kind).map(|kind| answers::effect(kind, words)) {
         Some(Effect::Value | Effect::Ends) => Ok(need(Role::Operator)),
         Some(Effect::Moves) => Err(problem(Why::Malformed, NO_MOTION)),
-        Some(Effect::GoesOn) | None => Ok(driving(TurnNeeded::Own)),
+        Some(Effect::GoesOn) | None => Ok(going_on(now, TurnNeeded::Own)),
     }
 }
 
@@ -190,9 +209,9 @@ const NO_MOTION: &str = "no answer moves the tool: hold a key of the keypad (jog
                          work while the question is open";
 
 /// Typed lines need an armed machine where they can move or switch something.
-fn needs_of_typed(lease: u32, lines: &str) -> Need {
+fn needs_of_typed(now: &Snapshot, lease: u32, lines: &str) -> Need {
     let program = kerf_sbp::read_typed("command".into(), &format!("{lines}\n"));
-    let need = if program.moves_nothing() {
+    let need = if draws_only(now) || program.moves_nothing() {
         with_lease(lease)
     } else {
         driving(TurnNeeded::Number(lease))

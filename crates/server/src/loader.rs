@@ -98,7 +98,7 @@ impl Loader {
         if kind_of(name) == FileKind::Job {
             open = self.added.restore(open)?;
         }
-        let hash = hash_of(&open.bytes, &parameters, &open.choice);
+        let hash = hash_of(&open.name, &open.bytes, &parameters, &open.choice);
         self.show(Open { hash, ..open })
     }
 
@@ -112,7 +112,7 @@ impl Loader {
         if open.name.is_empty() {
             return Err(problem(Why::State, "no file is open"));
         }
-        let hash = hash_of(&open.bytes, &parameters, &open.choice);
+        let hash = hash_of(&open.name, &open.bytes, &parameters, &open.choice);
         self.show(Open {
             hash,
             parameters,
@@ -128,7 +128,7 @@ impl Loader {
     /// # Errors
     /// Too much is being done already.
     pub fn cut_with(self: &Arc<Self>, open: Open, choice: JobChoice) -> Result<(), Problem> {
-        let hash = hash_of(&open.bytes, &open.parameters, &choice);
+        let hash = hash_of(&open.name, &open.bytes, &open.parameters, &choice);
         self.show(Open { hash, choice, preview: None, given_up: Arc::default(), ..open })
     }
 
@@ -305,7 +305,8 @@ impl Loader {
         }
         present.preview = made.as_ref().ok().cloned();
         if let Some(preview) = &present.preview {
-            let own = hash_of(&present.bytes, &present.parameters, &present.choice);
+            let Open { name, bytes, parameters, choice, .. } = &*present;
+            let own = hash_of(name, bytes, parameters, choice);
             present.hash = job_hash(own, &preview.called);
         }
         let hash = present.hash.clone();

@@ -16,7 +16,7 @@ pub struct Open {
     pub bytes: Arc<[u8]>,
     /// Its bytes before each shape that was added since the job was saved: first as in the file.
     pub unsaved: Vec<Arc<[u8]>>,
-    /// Hash by which it is run: that of the bytes, of the parameters, and of the files they call as soon as
+    /// Hash by which it is run: that of its name and bytes, of the parameters, and of the files they call as soon as
     /// the preview knows them.
     pub hash: String,
     /// Parameters with which it is run.
@@ -40,20 +40,25 @@ impl Open {
     }
 }
 
-/// Returns the hash by which a file is run: that of its bytes, and of parameters or choices other than the usual.
-pub fn hash_of(bytes: &[u8], parameters: &FileParameters, choice: &JobChoice) -> String {
-    if *choice != JobChoice::default() {
+/// Returns the hash by which a file is run: that of its name and bytes, and of parameters or choices other than the
+/// usual. Two files with the same text are two files: how one ran is not how the other stands.
+pub fn hash_of(
+    name: &str,
+    bytes: &[u8],
+    parameters: &FileParameters,
+    choice: &JobChoice,
+) -> String {
+    let told = if *choice != JobChoice::default() {
         let JobChoice { start, offset, origin, finish, lift } = choice;
-        let told = format!("{start:?} {offset} {origin:?} {finish:?} {lift}");
-        return hash(&[bytes, told.as_bytes()].concat());
-    }
-    if *parameters == FileParameters::default() {
-        return hash(bytes);
-    }
-    let FileParameters { proportion, repetitions, offset, plunge, tabs, plunge_from_zero } =
-        parameters;
-    let told = format!("{proportion:?} {repetitions} {offset} {plunge} {tabs} {plunge_from_zero}");
-    hash(&[bytes, told.as_bytes()].concat())
+        format!("{start:?} {offset} {origin:?} {finish:?} {lift}")
+    } else if *parameters != FileParameters::default() {
+        let FileParameters { proportion, repetitions, offset, plunge, tabs, plunge_from_zero } =
+            parameters;
+        format!("{proportion:?} {repetitions} {offset} {plunge} {tabs} {plunge_from_zero}")
+    } else {
+        String::new()
+    };
+    hash(&[name.as_bytes(), b"\n", told.as_bytes(), b"\n", bytes].concat())
 }
 
 /// Returns the hash by which a file is run: its own, or that of the hashes of all files when it calls others.

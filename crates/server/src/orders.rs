@@ -146,7 +146,7 @@ mod tests {
     use std::sync::mpsc::{Sender, channel};
 
     fn command() -> Order {
-        Order::Command { line: "MX,1".into(), opened: false, file: None }
+        Order::Command { line: "MX,1".into(), opened: false, file: None, draws_only: false }
     }
 
     /// Every order that moves the machine.
@@ -163,6 +163,7 @@ mod tests {
                 planned: Planned::default(),
                 parameters: FileParameters::default(),
                 opened: false,
+                draws_only: false,
             },
             Order::TakeUp { hash: None, planned: Planned::default() },
             command(),

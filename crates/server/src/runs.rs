@@ -2,8 +2,7 @@
 
 use crate::asker::Asker;
 use crate::configure::MachineSettings;
-use crate::digested::hash;
-use crate::gate::Way;
+use crate::gate::{self, Way};
 use crate::hub::Hub;
 use crate::interrupted;
 use crate::job::Jobs;
@@ -12,7 +11,7 @@ use crate::kind::kind_of;
 use crate::loader::Loader;
 use crate::locks::lock;
 use crate::machine::{LastState, Link, Order, Planned};
-use crate::open::Open;
+use crate::open::{Open, hash_of};
 use crate::orders::Orders;
 use crate::part_files::PartFiles;
 use crate::preview::Preview;
@@ -22,8 +21,8 @@ use kerf_control::answers;
 use kerf_import::job_file;
 use kerf_machine::driver::Override;
 use kerf_wire::{
-    Act, Asked, Change, FileKind, FileParameters, Finding, Level, Overrides, Problem, State, Tone,
-    Why,
+    Act, Asked, Change, FileKind, FileParameters, Finding, JobChoice, Level, Mode, Overrides,
+    Problem, State, Tone, Why,
 };
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex};
@@ -86,6 +85,12 @@ impl Runs {
         if let Some(question) = self.waits_for_start(hash) {
             return self.answer(asker, question, "Resume".into());
         }
+        if kind_of(&open.name) == FileKind::Job
+            && self.hub.read(|now| now.machine.mode) == Mode::Preview
+        {
+            let text = "in preview only part files are drawn: choose Move mode before a job is cut";
+            return Err(problem(Why::State, text));
+        }
         let Some(preview) = open.preview.clone() else {
             return Err(problem(Why::State, "the preview is not ready"));
         };
@@ -100,7 +105,8 @@ impl Runs {
         let opened = self.settings.opened(&asker.who, None).is_ok();
         let noticed = self.noticed(&open);
         let Open { name, hash, key, .. } = open;
-        let order = Order::File { work, name, hash, planned, parameters, opened };
+        let draws_only = self.hub.read(gate::draws_only);
+        let order = Order::File { work, name, hash, planned, parameters, opened, draws_only };
         let taken = taken.map(|at| (key, at));
         let before = std::mem::replace(&mut *self.jobs.taken.lock(), taken);
         // A job that runs keeps the origin that it took when somebody presses Start again.
@@ -163,7 +169,8 @@ impl Runs {
         }
         let opened = self.settings.opened(&asker.who, None).is_ok();
         let file = self.file_of_typed(&line);
-        self.orders.order_of(asker, Order::Command { line, opened, file })
+        let draws_only = self.hub.read(gate::draws_only) && !typed(&line).moves_nothing();
+        self.orders.order_of(asker, Order::Command { line, opened, file, draws_only })
     }
 
     /// Changes the speed of what runs, percent of what is programmed.
@@ -242,7 +249,8 @@ impl Runs {
             let planned = open.preview.map(|preview| preview.planned.clone());
             return Some((open.hash, planned.unwrap_or_default()));
         }
-        Some((hash(&bytes), Planned::default()))
+        let hash = hash_of(&name, &bytes, &FileParameters::default(), &JobChoice::default());
+        Some((hash, Planned::default()))
     }
 }
 

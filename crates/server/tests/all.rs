@@ -16,6 +16,7 @@ mod jobs;
 mod jog;
 mod jog_board;
 mod language;
+mod preview_mode;
 mod ran;
 mod requests;
 mod safety;

@@ -100,3 +100,18 @@ fn a_file_that_a_typed_line_runs_in_preview_mode_is_all_made() {
         });
     }
 }
+
+/// What ran is the file, not its text.
+#[test]
+fn a_copy_of_a_file_that_ran_has_not_run() {
+    let shop = shop(50.0, &[("a.sbp", PART), ("copy.sbp", PART)]);
+    let mut page = shop.driver();
+    page.open_file("a.sbp");
+    assert_eq!(page.run(), None);
+    has_run(&mut page);
+    page.open_file("copy.sbp");
+    assert!(page.shown["opened"]["ran"].is_null(), "that was the other file");
+    assert_ne!(page.shown["job"]["hash"], page.shown["opened"]["hash"]);
+    page.open_file("a.sbp");
+    has_run(&mut page);
+}

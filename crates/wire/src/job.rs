@@ -223,6 +223,8 @@ pub struct Job {
     /// Planned time, seconds; 0 when it is not known.
     #[ts(type = "Seconds")]
     pub seconds: f64,
+    /// It began in preview on a machine that nobody armed: it is only drawn to its end.
+    pub draws_only: bool,
     /// VD without comments was carried out and nothing was printed since: the message screen is closed.
     pub silent: bool,
     /// The open files, outermost first, with the line that is read.

@@ -37,6 +37,8 @@ export const actions: Readonly<Record<string, string>> = {
   "Go to {0}": "Gehe zu {0}",
   Held: "Angehalten",
   Hold: "Halt",
+  "In preview only part files are drawn. Choose Move mode first.":
+    "In der Vorschau werden nur Programme gezeichnet. Zuerst den Schneidebetrieb wählen.",
   "It cuts nothing.": "Sie schneidet nichts.",
   "It is armed.": "Sie ist freigegeben.",
   "It is being checked: its preview is made.": "Wird geprüft: die Vorschau entsteht.",

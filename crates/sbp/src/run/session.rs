@@ -117,6 +117,9 @@ pub struct Options {
     /// them, and what a file sets ends with it.
     #[serde(default)]
     pub protected: bool,
+    /// It began in preview on a machine that nobody armed: preview is not left.
+    #[serde(default)]
+    pub draws_only: bool,
 }
 
 impl Default for Options {
@@ -132,6 +135,7 @@ impl Default for Options {
             base_locations: false,
             gcode: false,
             protected: false,
+            draws_only: false,
         }
     }
 }

@@ -101,7 +101,7 @@ impl Owner {
                 self.log_refused(&told);
                 return self.hub.say(Tone::Warning, format!("{told}; start it here"));
             }
-            self.command(line, false, None);
+            self.command(line, false, None, false);
         }
     }
 

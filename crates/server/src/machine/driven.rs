@@ -108,6 +108,11 @@ impl Owner {
     /// Returns the summary of a run that is not begun: the controller is gone, or lacks what the run needs.
     pub(super) fn refuses(&mut self, work: &Work, options: &RunOptions) -> Option<Summary> {
         let unit = self.workshop.session.memory.settings.linear_unit;
+        if options.program.draws_only && !self.workshop.session.is_in_preview() {
+            let why = "preview was left meanwhile, and the machine is not armed";
+            let error = Diagnostic::new(Code::NotEnabled, Place::line(work.name(), 0), why);
+            return Some(Summary::not_begun(unit, Some(Box::new(error))));
+        }
         if let Err(why) = self.reach() {
             let hint = "look at its cable, its power and its port";
             let place = Place::line(work.name(), 0);
@@ -145,7 +150,7 @@ impl Owner {
                 self.hub.say(Tone::Error, why);
             }
             Ok(None) => self.rest(State::Idle, None),
-            Ok(Some(line)) => self.command(&line, false, None),
+            Ok(Some(line)) => self.command(&line, false, None, false),
         }
         self.attend();
     }

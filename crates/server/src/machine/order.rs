@@ -29,6 +29,8 @@ pub enum Order {
         parameters: FileParameters,
         /// Settings that it makes may stay.
         opened: bool,
+        /// It is only drawn, and needs no armed machine.
+        draws_only: bool,
     },
     /// Take up the run that was cut short.
     TakeUp {
@@ -45,6 +47,8 @@ pub enum Order {
         opened: bool,
         /// The file that they run and nothing else, by its hash, and its plan.
         file: Option<(String, Planned)>,
+        /// They are only drawn, and need no armed machine.
+        draws_only: bool,
     },
     /// Carry out what whoever started Kerf wrote into the start-up line, one after the other, unless a stop comes.
     StartUp {
@@ -125,6 +129,11 @@ pub enum Order {
 }
 
 impl Order {
+    /// Returns `true` if it is only drawn: begun in preview, which it does not leave.
+    pub const fn draws_only(&self) -> bool {
+        matches!(self, Self::File { draws_only: true, .. } | Self::Command { draws_only: true, .. })
+    }
+
     /// Returns `true` if it may move the machine: whoever asks for it drives, with the machine armed, when it begins.
     pub fn moves(&self) -> bool {
         match self {

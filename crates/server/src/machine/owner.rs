@@ -113,7 +113,9 @@ impl Owner {
                     order
                 }
                 Err(TryRecvError::Empty) => match self.passed_in() {
-                    Some(line) => Order::Command { line, opened: false, file: None },
+                    Some(line) => {
+                        Order::Command { line, opened: false, file: None, draws_only: false }
+                    }
                     None => {
                         self.catch_up();
                         self.rest_journal();
@@ -125,15 +127,18 @@ impl Owner {
             let moved = self.move_switches();
             match order {
                 Order::Switches if !moved => continue,
-                Order::File { work, name, hash, planned, parameters, opened } => {
+                Order::File { work, name, hash, planned, parameters, opened, draws_only } => {
                     let mut options = RunOptions { opened, ..self.options() };
                     options.program.file = parameters;
+                    options.program.draws_only = draws_only;
                     let hash = Some(hash);
-                    let job = Job { file: name, hash, ..Job::default() };
+                    let job = Job { file: name, hash, draws_only, ..Job::default() };
                     self.run(*work, options, job, planned);
                 }
                 Order::TakeUp { hash, planned } => self.take_up(hash, planned),
-                Order::Command { line, opened, file } => self.command(&line, opened, file),
+                Order::Command { line, opened, file, draws_only } => {
+                    self.command(&line, opened, file, draws_only);
+                }
                 Order::StartUp { lines, since } => self.start_up(&lines, since),
                 Order::Jog { direction, distance, speed } => self.jog(direction, distance, speed),
                 Order::Hand { errand, machine, tells } => self.hand(errand, *machine, &tells),
@@ -387,12 +392,18 @@ impl Owner {
         });
     }
 
-    pub(super) fn command(&mut self, line: &str, opened: bool, file: Option<(String, Planned)>) {
+    pub(super) fn command(
+        &mut self,
+        line: &str,
+        opened: bool,
+        file: Option<(String, Planned)>,
+        draws_only: bool,
+    ) {
         let program = kerf_sbp::read_typed("command".into(), &format!("{line}\n"));
         let mut options = RunOptions { opened, ..self.options() };
-        options.program.typed = true;
+        (options.program.typed, options.program.draws_only) = (true, draws_only);
         let (hash, planned) = file.unzip();
-        let job = Job { command: Some(line.into()), hash, ..Job::default() };
+        let job = Job { command: Some(line.into()), hash, draws_only, ..Job::default() };
         self.run(program.into(), options, job, planned.unwrap_or_default());
     }
 

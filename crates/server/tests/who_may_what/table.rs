@@ -77,6 +77,9 @@ kerf-server --test all who_may_what::`), which fails where a server says somethi
 - Of a route and a value only who asks matters, unless a command is passed in by `uCommand`, or a job is started: they were tried in all states.
 - Wishes of the hand console and the other kinds of questions have [a page of their own](who-may-what-by-hand.md).
 
+In preview mode a part file and typed lines are only drawn: they take no armed machine, and neither do the questions of
+what began so; SM ends it. The tables are of the other modes.
+
 What lets the machine move, go on, or switch something dangerous takes the turn at driving and an armed machine, whatever way it
 comes, and does not happen where a stop came since it was asked for. [Serving Kerf](serve.md) tells how one drives, arms and stops.
 ";

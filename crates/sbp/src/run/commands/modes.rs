@@ -15,7 +15,7 @@ use kerf_program::{AxisSet, Button, Command, QuestionKind};
 pub(super) fn run(c: &mut Context<'_>, act: Act, a: &Arguments) -> Result<(), Stop> {
     match act {
         Act::Distance(distance) => c.change_settings(|s| s.distance = distance),
-        Act::MoveCut => move_cut(c),
+        Act::MoveCut => return move_cut(c),
         Act::Preview if c.settings().mode == Mode::Preview => c.emit(Command::ClearPreview),
         Act::Preview => preview::enter_preview(c),
         Act::Coordinates if a.flag(0) == Some(true) => locate::use_working_locations(c),
@@ -36,12 +36,18 @@ pub(super) fn run(c: &mut Context<'_>, act: Act, a: &Arguments) -> Result<(), St
     Ok(())
 }
 
-fn move_cut(c: &mut Context<'_>) {
+fn move_cut(c: &mut Context<'_>) -> Result<(), Stop> {
+    if c.core.options.draws_only {
+        let hint = "arm the machine before this is started";
+        let message = "SM leaves preview, and the machine was not armed when this began";
+        return Err(c.fail_at(c.span, Code::NotEnabled, message, hint));
+    }
     preview::leave_preview(c);
     if !c.core.options.preview && !c.host.is_connected() {
         let text = "not connected: nothing moves; SP shows files in preview".into();
         c.emit(Command::Message { text });
     }
+    Ok(())
 }
 
 /// Words that SU takes for inches.
