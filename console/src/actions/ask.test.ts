@@ -5,7 +5,7 @@ import type { Link } from "../link/link";
 import type { Shown } from "../link/shown";
 import type { Act } from "../wire/messages";
 import type { World } from "./action";
-import { drive, withoutGrammar } from "./ask";
+import { drive } from "./ask";
 
 /** A world whose server grants the lease, telling so after its reply. */
 function world(problem: "takeLease" | null = null) {
@@ -61,12 +61,4 @@ it("says why when somebody else drives, and asks nothing more", async () => {
   expect(await drive(here, { do: "arm" })).toBe(false);
   expect(said).toEqual(["somebody else drives"]);
   expect(asked).toHaveLength(1);
-});
-
-it.each([
-  ["clause 1: group red: no height", "group red: no height"],
-  ["clause 2 `move x`: a place is missing; write `move from X,Y`", "a place is missing"],
-  ["the machine is busy", "the machine is busy"],
-])("a refusal is told without grammar: %s", (text, told) => {
-  expect(withoutGrammar(text)).toBe(told);
 });

@@ -1,5 +1,6 @@
 /** Asks the server and tells the person what it refused. */
 
+import { drawingWords } from "../app/drawingWords";
 import { leaseOf, type Shown } from "../link/shown";
 import type { Act, Reply } from "../wire/messages";
 import type { World } from "./action";
@@ -7,13 +8,11 @@ import type { World } from "./action";
 /** Asks; a refusal becomes a notice. Tells whether it was done. */
 export async function ask(world: World, act: Act): Promise<boolean> {
   const { problem } = await world.link.ask(act);
-  if (problem) world.screen.tell(withoutGrammar(problem.text));
+  if (problem) world.screen.tell(isOfDrawing(act) ? drawingWords(problem.text) : problem.text);
   return problem === null;
 }
 
-/** A refusal as a person reads it: without the number, the words and the grammar of the clause that was sent. */
-export const withoutGrammar = (text: string): string =>
-  text.replace(/^clause \d+(?: `[^`]*`)?: /i, "").replace(/; write `[^`]*`$/, "");
+const isOfDrawing = (act: Act): boolean => act.do === "draw" || act.do === "machine";
 
 /** An act of the driver: everything that carries the number of the lease. */
 type Driven = Extract<Act, { lease: number }>;

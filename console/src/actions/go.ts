@@ -70,7 +70,7 @@ export const openMoveTo = sheetAction(
 );
 export const openRecorder = sheetAction({ kind: "recorder" }, t("Recorded commands"), []);
 export const openTools = sheetAction({ kind: "tools" }, t("Virtual tools"), []);
-export const openInputs = sheetAction({ kind: "inputs" }, t("Inputs of the simulated machine"), []);
+export const openInputs = sheetAction({ kind: "inputs" }, t("Inputs of the machine"), []);
 export const openPorts = sheetAction({ kind: "ports" }, t("Ports of the card: diagnostics"), []);
 /** Zero points that a controller keeps, seen, set and chosen. */
 const openZeros: Action = {

@@ -19,7 +19,7 @@ export function Chooser({ desk, scene, size }: ChooserProps) {
     <div className="chooser" role="menu" style={{ translate: `${at.x + 8}px ${at.y + 8}px` }}>
       {choices(desk.state, desk.around).map(({ number, highlighted: marked }, n) => {
         const shape = scene.shapes.find((other) => other.number === number);
-        const name = t("Shape {0}, group {1}", number, shape?.group ?? "");
+        const name = t("Shape {0}, layer {1}", number, shape?.group ?? "");
         return (
           <button
             key={number}

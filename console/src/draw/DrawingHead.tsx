@@ -5,6 +5,7 @@ import { ask } from "../actions/ask";
 import { beginDrawing, isUnsaved, unsaved } from "../actions/draw";
 import { writing } from "../actions/replace";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { drawingWords } from "../app/drawingWords";
 import { machine } from "../job/actions";
 import { Button } from "../ui/Button";
 import type { Op } from "../wire/messages";
@@ -40,7 +41,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
   const write = (op: "save" | "program", name: string) =>
     writing(worldOf(hands), name, async (replaces) => {
       const reply = await hands.link.ask({ do: "draw", op: { op, name, replaces } });
-      for (const note of reply.notes) hands.screen.tell(note);
+      for (const note of reply.notes) hands.screen.tell(drawingWords(note));
       return reply.problem;
     });
   const program = async (name: string) => {

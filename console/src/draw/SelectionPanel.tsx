@@ -1,4 +1,5 @@
 import { useSnapshot } from "../app/context";
+import { drawingWords } from "../app/drawingWords";
 import { lengthText, numberText } from "../app/units";
 import { useLengthUnit } from "../app/useLengthUnit";
 import { useWords } from "../app/useWords";
@@ -39,7 +40,7 @@ export function SelectionPanel({ desk, scene, notes }: SelectionPanelProps) {
       {told.length > 0 && (
         <ul className="told">
           {told.slice(0, 6).map((note) => (
-            <li key={note}>{words(note)}</li>
+            <li key={note}>{words(drawingWords(note))}</li>
           ))}
           {told.length > 6 && <li>{t("and {0} more", told.length - 6)}</li>}
         </ul>
@@ -79,7 +80,7 @@ function factsOfOne(shape: Shape): [string, string][] {
   const direction = shape.area < 0 ? t("clockwise") : t("counter-clockwise");
   return [
     [t("Number"), String(shape.number)],
-    [t("Group"), shape.group],
+    [t("Layer"), shape.group],
     [
       t("Kind"),
       `${shape.closed ? t("closed, {0}", direction) : t("open")}${shape.z ? ", 3D" : ""}`,

@@ -17,8 +17,8 @@ const sheets: readonly { readonly name: string; readonly title: string; readonly
   { name: "engrave", title: t("Engrave…"), doc: t("Clears areas ring by ring") },
   { name: "pocket", title: t("Pocket…"), doc: t("Clears areas in rings or in lines") },
   { name: "array", title: t("Array…"), doc: t("Of shapes, of the drawing, of the whole job") },
-  { name: "sequence", title: t("Order…"), doc: t("By travel, by groups, by levels") },
-  { name: "set", title: t("Settings…"), doc: t("Offset, leads, tag, depth, plunge of a group") },
+  { name: "sequence", title: t("Order…"), doc: t("By travel, by layers, by levels") },
+  { name: "set", title: t("Settings…"), doc: t("Offset, leads, tab, depth, plunge of a layer") },
   { name: "justify", title: t("Justify…"), doc: t("The drawing at the origin") },
 ];
 

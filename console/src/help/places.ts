@@ -19,7 +19,7 @@ export const places: Readonly<Record<string, string>> = {
   "Watched variables": "console#line-by-line",
   Keypad: "console#the-keypad",
   "Timing chart": "console#the-operators-screen",
-  "Inputs of the simulated machine": "machine#inputs-and-outputs",
+  "Inputs of the machine": "machine#inputs-and-outputs",
   "Open a file": "console#the-operators-screen",
   "Set up the machine": "machine",
 };

@@ -92,7 +92,7 @@ function UserGuide() {
       <h3>{t("Draw")}</h3>
       <p>
         {t(
-          "Shapes, their groups and tool paths, and the part program that is made of them: with the mouse, by keys, or by typed places.",
+          "Shapes, their layers and tool paths, and the part program that is made of them: with the mouse, by keys, or by typed places.",
         )}
       </p>
       <h3>{t("Settings")}</h3>

@@ -187,7 +187,7 @@ function spots({ view }: Plan, tool: Place | null): TableItem[] {
 /** The groups that have paths, in their colours. */
 function Legend({ plan }: { plan: Plan }) {
   return (
-    <ul className="job-legend" aria-label={t("Groups")}>
+    <ul className="job-legend" aria-label={t("Layers")}>
       {plan.groups.map((group) => (
         <li key={group}>
           <i style={{ background: `var(--draw-group-${group})` }} aria-hidden="true" />

@@ -1,6 +1,8 @@
 import { useEffect, useRef } from "react";
 import { useHands, useSnapshot, worldOf } from "../app/context";
+import { drawingWords } from "../app/drawingWords";
 import { useBusy } from "../app/useBusy";
+import { useWords } from "../app/useWords";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import { t } from "../words/words";
@@ -133,12 +135,13 @@ function Comments() {
 
 /** What is wrong with the job, before it is started. */
 function Findings() {
+  const words = useWords();
   const findings = useSnapshot("opened")?.findings ?? [];
   if (findings.length === 0) return null;
   return (
     <ul className="path-findings" aria-label={t("Findings")}>
       {findings.map(({ message }) => (
-        <li key={message}>{message}</li>
+        <li key={message}>{words(drawingWords(message))}</li>
       ))}
     </ul>
   );

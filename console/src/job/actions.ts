@@ -3,6 +3,7 @@
 import type { World } from "../actions/action";
 import { ask } from "../actions/ask";
 import { mayReplace } from "../actions/replace";
+import { drawingWords } from "../app/drawingWords";
 import type { JobChoice } from "../wire/messages";
 import { t } from "../words/words";
 
@@ -24,17 +25,17 @@ export const chooseStart = (world: World, start: number | null): Promise<boolean
 /** Makes the tool path of a drawing and goes to it; nothing for the drawing on the sheet. */
 export async function machine(world: World, drawing: string | null): Promise<void> {
   const { problem, notes } = await world.link.ask({ do: "machine", drawing, anew: false });
-  for (const note of notes) world.screen.tell(note);
+  for (const note of notes) world.screen.tell(drawingWords(note));
   if (!problem) return world.screen.go("/");
   if (problem.why === "changed") {
     return world.screen.open({ kind: "confirm", action: "job.anew" });
   }
-  if (problem.why !== "replaces") return world.screen.tell(problem.text);
+  if (problem.why !== "replaces") return world.screen.tell(drawingWords(problem.text));
   const name = jobName(drawing ?? world.shown.snapshot?.drawing?.name ?? "drawing");
   if (!(await mayReplace(world, name))) return;
   const again = await world.link.ask({ do: "machine", drawing, anew: true });
-  for (const note of again.notes) world.screen.tell(note);
-  if (again.problem) world.screen.tell(again.problem.text);
+  for (const note of again.notes) world.screen.tell(drawingWords(note));
+  if (again.problem) world.screen.tell(drawingWords(again.problem.text));
   else world.screen.go("/");
 }
 

@@ -1,6 +1,7 @@
 import { useState } from "react";
 import { clearPrinted } from "../actions/job";
 import { useHands, useSnapshot } from "../app/context";
+import { drawingWords } from "../app/drawingWords";
 import { useWords } from "../app/useWords";
 import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
@@ -96,6 +97,7 @@ function FileNotes() {
   const words = useWords();
   const opened = useSnapshot("opened");
   if (!opened) return <p className="tail-empty">{t("No file is open.")}</p>;
+  const told = (text: string) => words(opened.kind === "program" ? text : drawingWords(text));
   return (
     <Tail
       label={t("About the file")}
@@ -113,9 +115,9 @@ function FileNotes() {
             file={opened.name}
             onShow={(place) => screen.showLine(place)}
           />
-          : {words(finding.message)}
+          : {told(finding.message)}
           {finding.hint && " – "}
-          <em>{words(finding.hint)}</em>
+          <em>{told(finding.hint)}</em>
         </p>
       ))}
     </Tail>

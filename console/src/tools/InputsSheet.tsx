@@ -19,7 +19,7 @@ export function InputsSheet({ onClose }: { onClose: () => void }) {
   const press = ({ number, on }: Lamp) =>
     void drive(worldOf(hands), { do: "input", number, on: !on });
   return (
-    <Sheet title="Inputs of the simulated machine" shape="side" onClose={onClose}>
+    <Sheet title="Inputs of the machine" shape="side" onClose={onClose}>
       <p className="tool-words">{t("A switch stays as it is put.")}</p>
       <ul className="inputs">
         {inputs.map((lamp) => (

@@ -44,7 +44,7 @@ async function press(number: number, on: boolean): Promise<void> {
   await expect.poll(() => one.getAttribute("aria-checked")).toBe(String(on));
 }
 
-const inputs = () => page.getByRole("dialog", { name: "Inputs of the simulated machine" });
+const inputs = () => page.getByRole("dialog", { name: "Inputs of the machine" });
 
 async function openInputs(): Promise<void> {
   await act(page, "Inputs of the");

@@ -184,7 +184,7 @@ const four = [0, 100, 200, 300].map((x) => `rect ${x},0 ${x + 50},50`).join("; "
 
 it("pro_sequence_group: a shape of each group is picked, groups follow in that order", async () => {
   await sheet.given(`${four}; select 2,4; group red`);
-  await sheet.tool("Order of groups");
+  await sheet.tool("Order of layers");
   await sheet.click([300, 25]);
   await sheet.click([0, 25]);
   await sheet.click([0, 25], "right");

@@ -2,6 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { drawingWords } from "../../src/app/drawingWords";
 import { labelsOf } from "../../src/draw/operations/form";
 import type { OperationEntry, OperationPart } from "../../src/wire/messages";
 import { openWorkshop, type Workshop } from "./workshop";
@@ -36,8 +37,8 @@ const special: Record<string, Record<string, string>> = {
   line: { Vertices: "0,0", "Vertices 2": "10,0 20,5" },
   "delete-vertices": { Place: "0,0" },
   justify: { Bottom: "-10" },
-  sequence: { Shapes: "2,1,3,4", Groups: "black,blue,red", Level: "4,3" },
-  pick: { Groups: "red", Remove: "2" },
+  sequence: { Shapes: "2,1,3,4", Layers: "black,blue,red", Level: "4,3" },
+  pick: { Layers: "red", Remove: "2" },
   stretch: { Place: "-10mm,-10mm" },
   "load-clipboard": { File: "from-a-drawing.rsg" },
   set: { Height: "-3mm", Pass: "1mm", Tool: "2", Cut: "1", Offset: "3mm", Tag: "1mm" },
@@ -87,7 +88,7 @@ function usual({ value }: OperationPart, n: number): string {
 
 /** Opens the sheet of an operation, with one of its ways to say it. */
 async function open({ name }: OperationEntry, variant: number, ways: number): Promise<void> {
-  const title = name.replaceAll("-", " ");
+  const title = drawingWords(name.replaceAll("-", " "));
   await page.getByRole("button", { name: "All operations…" }).click();
   await page.getByLabel("Find").fill(name);
   const exactly = new RegExp(`^${title}$`, "i");

@@ -79,7 +79,7 @@ const overlays: Record<string, () => Promise<void>> = {
   },
   nudge: sheet("Nudge the workpiece"),
   recorder: sheet("Recorded commands"),
-  inputs: sheet("Inputs of the simulated machine"),
+  inputs: sheet("Inputs of the machine"),
   ports: sheet("Ports of the card"),
   tools: sheet("Virtual tools"),
   "fill-in": fillIn("CC"),

@@ -151,7 +151,7 @@ const places: Record<string, () => Promise<void>> = {
   calculator: key("F10"),
   recorder: chosen("Recorded commands"),
   "virtual tools": chosen("Virtual tools"),
-  inputs: chosen("Inputs of the simulated machine"),
+  inputs: chosen("Inputs of the machine"),
   confirmation: chosen("Recover job"),
   "large picture": () => page.getByRole("button", { name: "Large" }).click({ timeout: 5000 }),
   values: key("Control+Shift+V"),

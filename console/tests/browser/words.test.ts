@@ -55,7 +55,7 @@ const sheets = [
   "Werkzeug zu einem Ort",
   "Aufgezeichnete Befehle",
   "Virtuelle Werkzeuge",
-  "Eingänge der simulierten",
+  "Eingänge der Maschine",
   "Anschlüsse der Karte",
   "Zeitverlauf",
   "Maschine einrichten",

@@ -1,4 +1,5 @@
 import { useState } from "react";
+import { drawingWords } from "../../app/drawingWords";
 import { Field } from "../../ui/Field";
 import { Sheet } from "../../ui/Sheet";
 import type { OperationEntry } from "../../wire/messages";
@@ -23,7 +24,7 @@ export function OperationList({ table, onChoose, onClose }: OperationListProps) 
           <li key={entry.name}>
             <button type="button" className="list-row" onClick={() => onChoose(entry.name)}>
               <b>{titleOf(entry)}</b>
-              <span>{entry.doc}</span>
+              <span>{drawingWords(entry.doc)}</span>
             </button>
           </li>
         ))}

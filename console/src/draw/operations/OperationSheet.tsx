@@ -1,6 +1,8 @@
 import { useState } from "react";
 import { useHands, useSnapshot } from "../../app/context";
+import { drawingWords } from "../../app/drawingWords";
 import { useLengthUnit } from "../../app/useLengthUnit";
+import { useWords } from "../../app/useWords";
 import { Button } from "../../ui/Button";
 import { Choice } from "../../ui/Choice";
 import { Field } from "../../ui/Field";
@@ -10,7 +12,7 @@ import type { ArrayState, OperationEntry, OperationPart } from "../../wire/messa
 import { t } from "../../words/words";
 import { isOfArrays, repeats, withArray } from "../arrays";
 import { groups } from "../colours";
-import { clauseOf, type Entries, exampleOf, firstEntries, labelsOf } from "./form";
+import { clauseOf, type Entries, exampleOf, firstEntries, labelsOf, wayOf } from "./form";
 import "./operations.css";
 
 interface OperationSheetProps {
@@ -63,9 +65,6 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
       onClose={onClose}
       foot={
         <>
-          <code className="operation-clause one-line">
-            {"clause" in made ? made.clause : entry.name}
-          </code>
           <Button onPress={onClose}>Close</Button>
           <Button look="primary" onPress={() => void apply()}>
             Apply
@@ -80,12 +79,15 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
           void apply();
         }}
       >
-        <p className="operation-doc">{sentence(entry.doc)}</p>
+        <p className="operation-doc">{sentence(drawingWords(entry.doc))}</p>
         {entry.variants.length > 1 && (
           <Pick
             label="How"
             value={which}
-            options={entry.variants.map(({ form }, n) => ({ value: String(n), words: form }))}
+            options={entry.variants.map(({ parts }, n) => ({
+              value: String(n),
+              words: wayOf(parts),
+            }))}
             onChange={choose}
           />
         )}
@@ -124,6 +126,7 @@ interface Told {
 const nothingTold: Told = { refused: false, texts: [] };
 
 function Outcome({ told: { refused, texts } }: { told: Told }) {
+  const words = useWords();
   if (texts.length === 0) return null;
   return (
     <div
@@ -133,14 +136,15 @@ function Outcome({ told: { refused, texts } }: { told: Told }) {
       <p>{refused ? t("Nothing was changed:") : t("Done. What was noticed:")}</p>
       <ul>
         {texts.map((text) => (
-          <li key={text}>{sentence(text)}</li>
+          <li key={text}>{sentence(words(drawingWords(text)))}</li>
         ))}
       </ul>
     </div>
   );
 }
 
-export const titleOf = ({ name }: OperationEntry): string => sentence(name.replaceAll("-", " "));
+export const titleOf = ({ name }: OperationEntry): string =>
+  drawingWords(sentence(name.replaceAll("-", " ")));
 
 const sentence = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 

@@ -1,5 +1,6 @@
 /** The form of an operation as values: what is entered, what is wrong with it, the clause it makes. */
 
+import { drawingWords } from "../../app/drawingWords";
 import type { LengthUnit } from "../../units/quantity";
 import type { OperationEntry, OperationPart, OperationValue } from "../../wire/messages";
 import { t } from "../../words/words";
@@ -52,8 +53,8 @@ const named: Partial<Record<OperationValue["is"], string>> = {
   grid: t("Rows x columns"),
   shape: t("Shape"),
   shapes: t("Shapes"),
-  group: t("Group"),
-  groups: t("Groups"),
+  group: t("Layer"),
+  groups: t("Layers"),
   words: t("Which"),
   file: t("File"),
   text: t("Words"),
@@ -73,11 +74,18 @@ export function labelsOf(parts: readonly OperationPart[]): string[] {
   const found: string[] = [];
   for (const { lead, value } of parts) {
     const word = lead.replace(/[= ]+$/, "");
-    const plain = word === "" ? nameOf(value) : capital(word.replaceAll("-", " "));
+    const plain = word === "" ? nameOf(value) : drawingWords(capital(word.replaceAll("-", " ")));
     const before = found.filter((label) => label.replace(/ \d+$/, "") === plain).length;
     found.push(before > 0 ? `${plain} ${before + 1}` : plain);
   }
   return found;
+}
+
+/** The way of an operation as a person reads it: what has to be said. */
+export function wayOf(parts: readonly OperationPart[]): string {
+  const labels = labelsOf(parts);
+  const said = labels.filter((_, n) => !parts[n]?.optional);
+  return (said.length > 0 ? said : labels).join(", ");
 }
 
 /** An example of what may be entered. */

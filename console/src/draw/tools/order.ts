@@ -48,10 +48,10 @@ const inOrder: Tool = {
 
 const byGroups: Tool = {
   id: "sequence-groups",
-  title: t("Order of groups"),
-  doc: t("Pick a shape of each group in the order of cutting."),
+  title: t("Order of layers"),
+  doc: t("Pick a shape of each layer in the order of cutting."),
   menu: "sequence",
-  asks: [{ ask: "shapes", prompt: t("A shape of each group"), numbered: true }],
+  asks: [{ ask: "shapes", prompt: t("A shape of each layer"), numbered: true }],
   clauses: ([picked]) => `sequence groups of ${numbersOf(picked).join(",")}`,
 };
 

@@ -5,7 +5,7 @@ export const drawing: Readonly<Record<string, string>> = {
   "A place to drill.": "Ein Ort zum Bohren.",
   "A point where the tool is, behind the last one (Enter)":
     "Ein Punkt beim Werkzeug, nach dem letzten (Enter)",
-  "A shape of each group": "Eine Form jeder Gruppe",
+  "A shape of each layer": "Eine Form jeder Ebene",
   "A small cross at each": "Ein kleines Kreuz an jedem",
   "All operations": "Alle Operationen",
   "All operations…": "Alle Operationen…",
@@ -34,7 +34,7 @@ export const drawing: Readonly<Record<string, string>> = {
   "Open from disk…": "Vom Rechner öffnen…",
   "By a factor about a place; 25.4 makes millimetres of inches.":
     "Um einen Faktor um einen Ort; 25,4 macht aus Zoll Millimeter.",
-  "By travel, by groups, by levels": "Nach Weg, nach Gruppen, nach Stufen",
+  "By travel, by layers, by levels": "Nach Weg, nach Ebenen, nach Stufen",
   Centre: "Mitte",
   "Centre on the mouse": "Um die Maus zentrieren",
   "Centre, then radius with the mouse or typed.":
@@ -102,7 +102,6 @@ export const drawing: Readonly<Record<string, string>> = {
   "Gap between rows": "Abstand der Reihen",
   "Gap: X {0}, Y {1}": "Abstand: X {0}, Y {1}",
   "Give the tool up": "Das Werkzeug aufgeben",
-  Group: "Gruppe",
   Height: "Höhe",
   Hide: "Ausblenden",
   Home: "Grundstellung",
@@ -119,6 +118,7 @@ export const drawing: Readonly<Record<string, string>> = {
   "Larger steps of turning": "Größere Drehschritte",
   "Largest gap": "Größte Lücke",
   "Layer colours": "Farben der Ebenen",
+  Layer: "Ebene",
   Layers: "Ebenen",
   "Layers off": "Ausgeschaltete Ebenen",
   "Lead-in": "Anfahrt",
@@ -163,8 +163,8 @@ export const drawing: Readonly<Record<string, string>> = {
   "Of shapes, of the drawing, of the whole job": "Von Formen, der Zeichnung, des ganzen Auftrags",
   "Of the tool path, right of travel": "Des Werkzeugwegs, rechts von der Fahrt",
   Offset: "Versatz",
-  "Offset, leads, tag, depth, plunge of a group":
-    "Versatz, Anfahrten, Steg, Tiefe, Eintauchen einer Gruppe",
+  "Offset, leads, tab, depth, plunge of a layer":
+    "Versatz, Anfahrten, Steg, Tiefe, Eintauchen einer Ebene",
   On: "Weiter",
   "Open a drawing": "Zeichnung öffnen",
   "Opens a closed shape at a place; makes two of an open one.":
@@ -175,7 +175,7 @@ export const drawing: Readonly<Record<string, string>> = {
   "Order by hand": "Von Hand ordnen",
   "Order from a place": "Ab einem Ort ordnen",
   "Order of a level": "Ordnung einer Stufe",
-  "Order of groups": "Ordnung der Ebenen",
+  "Order of layers": "Ordnung der Ebenen",
   "Order…": "Ordnen…",
   Origin: "Nullpunkt",
   "Outer shapes counter-clockwise, those within clockwise.":
@@ -188,8 +188,8 @@ export const drawing: Readonly<Record<string, string>> = {
     "Wege neben den Formen, rechts von der Fahrt; ein negativer Abstand links.",
   "Pause before": "Pause davor",
   "Per pass": "Je Durchgang",
-  "Pick a shape of each group in the order of cutting.":
-    "Aus jeder Gruppe eine Form wählen, in Schneidreihenfolge.",
+  "Pick a shape of each layer in the order of cutting.":
+    "Aus jeder Ebene eine Form wählen, in Schneidreihenfolge.",
   "Pick shapes that lie in the same shape in the order of cutting; what lies in them goes along.":
     "Formen, die in derselben Form liegen, in Schneidreihenfolge wählen; was in ihnen liegt, geht mit.",
   "Pick the shapes in the order of cutting; picked again, a shape is taken out.":
@@ -233,7 +233,7 @@ export const drawing: Readonly<Record<string, string>> = {
   Selection: "Auswahl",
   "Settings…": "Werte…",
   Shape: "Form",
-  "Shape {0}, group {1}": "Form {0}, Gruppe {1}",
+  "Shape {0}, layer {1}": "Form {0}, Ebene {1}",
   Shapes: "Formen",
   "Shapes in cutting order": "Formen in Schneidreihenfolge",
   "Shapes in the order of cutting": "Formen in der Reihenfolge des Schneidens",

@@ -142,8 +142,8 @@ export const help: Readonly<Record<string, string>> = {
   "Set how their layer is cut: side, depth, tool.":
     "Festlegen, wie ihre Ebene geschnitten wird: Seite, Tiefe, Werkzeug.",
   "Set the depth of its layer.": "Die Tiefe ihrer Ebene festlegen.",
-  "Shapes, their groups and tool paths, and the part program that is made of them: with the mouse, by keys, or by typed places.":
-    "Formen, ihre Gruppen und Werkzeugwege und das Programm, das daraus wird: mit der Maus, mit Tasten oder mit eingegebenen Orten.",
+  "Shapes, their layers and tool paths, and the part program that is made of them: with the mouse, by keys, or by typed places.":
+    "Formen, ihre Ebenen und Werkzeugwege und das Programm, das daraus wird: mit der Maus, mit Tasten oder mit eingegebenen Orten.",
   Slots: "Schlitze",
   "So it is after a start, an alarm, or when the controlling browser disconnected. Look that all is clear, then press Arm.":
     "So ist es nach einem Start, einem Alarm, oder wenn der steuernde Browser die Verbindung verlor. Nachsehen, ob alles frei ist, dann Freigeben drücken.",
