@@ -16,9 +16,9 @@ export function ToolsSheet({ onClose }: { onClose: () => void }) {
         {inMenu(table, "tools").map(({ letters, name, doc }) => (
           <li key={letters}>
             <Button onPress={() => screen.open({ kind: "command", letters, given: [] })}>
-              <b>{letters}</b> {name}
+              <b>{letters}</b> {t(name)}
             </Button>
-            <span>{doc}</span>
+            <span>{t(doc)}</span>
           </li>
         ))}
       </ul>

@@ -338,9 +338,7 @@ it("pro_move_cutmoveto_cut: a move at Z top, or a cut of one line", async () => 
 });
 
 it("pro_io_diag_write: an output bit of the card is switched on the page", async () => {
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("ports of the card");
-  await page.keyboard.press("Enter");
+  await act(page, "ports of the card");
   const ports = page.getByRole("dialog", { name: "Ports of the card" });
   const byte = ports.getByRole("region", { name: "Output port B" }).locator("output");
   expect(await byte.textContent()).toBe("0x00");

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import {
+  act,
   arm,
   comesToRest,
   commandDesk,
@@ -86,10 +87,7 @@ it("kerf send tells beside a page that drives how the line gets through, and sen
   expect(refused.code).toBe(1);
   expect(refused.said).toMatch(/somebody else drives: another page\. Press Give up control there/);
   expect(refused.said).toContain("kerf registry set uCommand 'MX,2'");
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("give up");
-  await page.getByRole("option", { name: "Give up control" }).waitFor();
-  await page.keyboard.press("Enter");
+  await act(page, "give up");
   await until(async () => (await stateOf(workshop)).lease === null, "nobody drives");
   const disarmed = await send("MX,1");
   expect(disarmed.code).toBe(1);

@@ -1,5 +1,6 @@
 /** The browsers of a test run: one for each worker, started once; each test file opens pages of its own in it. */
 
+import { existsSync } from "node:fs";
 import { type Browser, type BrowserContext, chromium, type Page } from "playwright-core";
 import { inject } from "vitest";
 import type { TestProject } from "vitest/node";
@@ -28,9 +29,15 @@ const flags = [
   "--process-per-site",
 ];
 
+/** The first of these browsers that is installed: the one without windows starts and draws faster. */
+function installed(): string {
+  const known = ["/usr/bin/chromium-headless-shell", "/usr/bin/chromium"];
+  return process.env.CHROMIUM ?? known.find(existsSync) ?? "chromium";
+}
+
 /** Starts them before the first test; what is returned ends them. */
 export async function setup(project: TestProject): Promise<() => Promise<void>> {
-  const executablePath = process.env.CHROMIUM ?? "/usr/bin/chromium";
+  const executablePath = installed();
   const workers = Array.from({ length: project.config.maxWorkers });
   const servers = await Promise.all(
     workers.map(() => chromium.launchServer({ executablePath, args: flags })),

@@ -1,7 +1,16 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { Controller } from "./controller";
-import { arm, openWorkshop, stands, stateOf, until, violations, type Workshop } from "./workshop";
+import {
+  act,
+  arm,
+  openWorkshop,
+  stands,
+  stateOf,
+  until,
+  violations,
+  type Workshop,
+} from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
@@ -29,9 +38,7 @@ const reads = (...places: number[]) =>
   }, `the axes read ${places}`);
 
 it("lists the zero points of the controller, G54 holds", async () => {
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("Zero points of the controller");
-  await page.keyboard.press("Enter");
+  await act(page, "Zero points of the controller");
   await page.getByRole("dialog", { name: "Zero points of the controller" }).waitFor();
   expect(await page.locator(".zeros tbody tr").count()).toBe(11);
   expect(await page.locator("tr[aria-current] th").textContent()).toBe("G54holds");
@@ -43,9 +50,7 @@ it("changes none while the machine is disarmed", async () => {
   expect(await use.isDisabled()).toBe(true);
   await page.keyboard.press("Escape");
   await arm(page);
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("Zero points of the controller");
-  await page.keyboard.press("Enter");
+  await act(page, "Zero points of the controller");
   await use.waitFor();
   expect(await use.isDisabled()).toBe(false);
 });

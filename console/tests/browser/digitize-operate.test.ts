@@ -6,7 +6,17 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { arm, kerf, openWorkshop, script, stands, stateOf, until, type Workshop } from "./workshop";
+import {
+  act,
+  arm,
+  kerf,
+  openWorkshop,
+  script,
+  stands,
+  stateOf,
+  until,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -23,10 +33,7 @@ beforeAll(async () => {
   page = await workshop.page({ width: 1360, height: 900 });
   await page.locator('.path-lines[data-path="all"]').waitFor();
   await arm(page);
-  await page.keyboard.press("Control+k");
-  await page.getByRole("dialog").getByRole("textbox").fill("Hand console");
-  await page.getByRole("option", { name: "Hand console" }).waitFor();
-  await page.keyboard.press("Enter");
+  await act(page, "Hand console");
   await panel().waitFor();
   await until(async () => (await stateOf(workshop)).lease !== null, "the page drives");
 });

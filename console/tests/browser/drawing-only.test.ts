@@ -3,7 +3,7 @@
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { openWorkshop, script, stateOf, type Workshop } from "./workshop";
+import { act, openWorkshop, script, stateOf, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 
@@ -25,9 +25,7 @@ it("leads to the drawing whatever address is asked for, without a way to the mac
     expect(links).toEqual(["Edit", "Draw", "Help"]);
     expect(await page.getByRole("button", { name: "Arm" }).count()).toBe(0);
   }
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("arm the machine");
-  await page.keyboard.press("Enter");
+  await act(page, "arm the machine");
   await page
     .getByText(/not available in the editing version|only drawings/)
     .first()

@@ -1,6 +1,7 @@
 import type { Page } from "playwright-core";
 import { afterEach, beforeEach, expect, it } from "vitest";
 import { actions } from "../../src/actions/registry";
+import { drawingWords } from "../../src/app/drawingWords";
 import { deskKeys } from "../../src/draw/keys";
 import { tools as catalog } from "../../src/draw/tools/catalog";
 import { enter, openWorkshop, stateOf, type Workshop } from "./workshop";
@@ -199,7 +200,7 @@ it("pro_select_menus: everything that has a key anywhere stands in a list that t
   await page.getByRole("button", { name: "All operations…" }).click();
   const answer = await page.request.get(`${workshop.address}/api/drawing/operations`);
   const table: { name: string }[] = await answer.json();
-  const words = (text: string) => text.toLowerCase().replaceAll("-", " ");
+  const words = (text: string) => drawingWords(text.toLowerCase().replaceAll("-", " "));
   const unlisted = async () => {
     const listed = await page.locator(".operation-list button b").allTextContents();
     const names = new Set(listed.map(words));

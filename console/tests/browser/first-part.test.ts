@@ -112,7 +112,7 @@ for (const [button, name] of [
     expect(await shapes()).toBe(1);
     await sheet.getByRole("textbox", { name: /^Depth/ }).fill("2mm");
     await sheet.getByRole("button", { name: "Apply" }).click();
-    await sheet.getByText("in group white now, which is off: only the area is cut").waitFor();
+    await sheet.getByText("in layer white now, which is off: only the area is cut").waitFor();
     const groups = new Set((await cut()).map((path) => path.split(" ")[1]));
     expect([...groups]).toEqual(["blue"]);
     const { drawing } = await stateOf(workshop);
@@ -138,13 +138,13 @@ it("tells what a tag leaves between the walls, and when the part would be loose"
     ],
     1,
   );
-  const sheet = await sheetOf("Settings…", { Offset: "3mm", Tag: "11mm" });
+  const sheet = await sheetOf("Settings…", { Offset: "3mm", Tab: "11mm" });
   await sheet.getByRole("button", { name: "Apply" }).click();
   await told()
     .getByText(/leaves a bridge of (0\.197|0\.1969) in between the walls/)
     .waitFor();
   await page.keyboard.press("Escape");
-  const again = await sheetOf("Settings…", { Tag: "5mm" });
+  const again = await sheetOf("Settings…", { Tab: "5mm" });
   await again.getByRole("button", { name: "Apply" }).click();
   await told().getByText("leaves nothing between the walls").waitFor();
   expect(await told().textContent()).toContain("loose");

@@ -1,7 +1,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Act } from "../../src/wire/messages";
-import { hold, keysOf, openWorkshop, stands, stateOf, until, type Workshop } from "./workshop";
+import { act, hold, keysOf, openWorkshop, stands, stateOf, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -27,10 +27,7 @@ afterAll(() => workshop?.close());
 
 /** An action of the palette. */
 async function chooses(words: string): Promise<void> {
-  await page.keyboard.press("Control+k");
-  await page.getByRole("dialog").getByRole("textbox").fill(words);
-  await page.getByRole("option", { name: words }).waitFor();
-  await page.keyboard.press("Enter");
+  await act(page, words);
 }
 
 const panel = () => page.getByRole("complementary", { name: "Hand console" });

@@ -4,6 +4,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import {
+  act,
   arm,
   type Hand,
   hold,
@@ -31,10 +32,7 @@ afterAll(() => workshop?.close());
 
 /** An action of the palette. */
 async function chooses(words: string) {
-  await page.keyboard.press("Control+k");
-  await page.getByRole("dialog").getByRole("textbox").fill(words);
-  await page.getByRole("option", { name: words }).waitFor();
-  await page.keyboard.press("Enter");
+  await act(page, words);
 }
 
 const placeIn = ({ motion }: Snapshot): Place => {

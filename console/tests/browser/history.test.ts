@@ -5,7 +5,16 @@ import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import { join } from "node:path";
 import { afterEach, beforeEach, expect, it } from "vitest";
-import { arm, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
+import {
+  act,
+  arm,
+  openWorkshop,
+  script,
+  stateOf,
+  until,
+  violations,
+  type Workshop,
+} from "./workshop";
 
 let workshop: Workshop;
 let hook: Server;
@@ -62,10 +71,7 @@ it("a run is on the list of jobs, in the history, in the counter, and told to an
   await ready("fails.sbp");
   await page.getByRole("button", { name: "Start", exact: true }).click();
   await until(async () => (await stateOf(workshop)).job?.ended === "failed", "it failed");
-  await page.keyboard.press("Control+k");
-  await page.getByLabel("What to do").fill("jobs to do");
-  await page.getByRole("option", { name: "Jobs to do" }).waitFor();
-  await page.keyboard.press("Enter");
+  await act(page, "jobs to do");
   await todo.filter({ hasText: "1 of 2 made" }).waitFor();
   expect(await violations(page)).toEqual([]);
   await page.screenshot({ path: process.env.KERF_SHOT_TODO ?? "/dev/null", type: "png" });

@@ -5,6 +5,7 @@ import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import {
+  act,
   arm,
   comesToRest,
   enter,
@@ -140,11 +141,7 @@ it("a job is opened, started and answered with keys only", async () => {
   await page.getByRole("dialog").waitFor({ state: "detached" });
   await until(async () => (await stateOf(workshop)).opened?.preview.state === "ready", "previewed");
   const action = async (words: string) => {
-    await page.keyboard.press("Control+k");
-    await page.getByRole("dialog").waitFor();
-    await page.keyboard.type(words);
-    await page.getByRole("option").first().waitFor();
-    await page.keyboard.press("Enter");
+    await act(page, words);
     await page.getByRole("dialog", { name: "Every action" }).waitFor({ state: "detached" });
   };
   await action("Arm the machine");

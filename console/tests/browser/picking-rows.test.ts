@@ -290,7 +290,7 @@ async function stacked(): Promise<void> {
 it("pro_select_chooser: several shapes under a click are offered in the colours of their groups", async () => {
   await stacked();
   await sheet.click([50, 0]);
-  await offers(["Shape 1, group black", "Shape 4, group red"]);
+  await offers(["Shape 1, layer black", "Shape 4, layer red"]);
   const colours = await chooser().evaluateAll((all) =>
     all.map((one) => getComputedStyle(one).backgroundColor),
   );
@@ -312,7 +312,7 @@ it("pro_select_chooser_mark: what is selected or picked already is marked", asyn
   await chooser().first().click();
   await selects([1]);
   await sheet.click([50, 0]);
-  await offers(["Shape 1, group black, selected", "Shape 4, group red"]);
+  await offers(["Shape 1, layer black, selected", "Shape 4, layer red"]);
   await chooser().first().click();
   await selects([1]);
   // A tool that picks takes out what is chosen again.
@@ -323,7 +323,7 @@ it("pro_select_chooser_mark: what is selected or picked already is marked", asyn
   await chooser().first().click();
   await says("(1 picked)");
   await sheet.click([50, 0]);
-  await offers(["Shape 1, group black, selected", "Shape 4, group red"]);
+  await offers(["Shape 1, layer black, selected", "Shape 4, layer red"]);
   await chooser().first().click();
   await says("(0 picked)");
 });
@@ -332,7 +332,7 @@ it("pro_select_chooser_order: they are offered in cutting order", async () => {
   await stacked();
   await sheet.tool("Reverse the order");
   await expect.poll(async () => (await sheet.shapes())[0]?.group).toBe("red");
-  const offered = ["Shape 1, group red", "Shape 4, group black"];
+  const offered = ["Shape 1, layer red", "Shape 4, layer black"];
   await expect
     .poll(async () => {
       await key("Escape");

@@ -5,6 +5,7 @@ import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import { Controller } from "./controller";
 import {
+  act,
   arm,
   hold,
   keysOf,
@@ -57,9 +58,7 @@ it("says which machine it drives", async () => {
 
 it("homes a controller that was locked until it is homed", async () => {
   await arm(page);
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type("Find home");
-  await page.keyboard.press("Enter");
+  await act(page, "Find home");
   await page.getByText("the controller has homed its axes").waitFor();
   await until(
     async () => (await stateOf(workshop)).setup.notHomed === "",

@@ -143,7 +143,7 @@ it("pro_files_dxf_out: tells what a DXF has no place for, and the drawing stays 
   const page = await drawn();
   await script(workshop, "draw", { op: { op: "do", clauses: "select all; group red" } });
   await write(page, "Save…", "door.dxf");
-  await page.getByText("door.dxf: groups and arrays will not be saved").first().waitFor();
+  await page.getByText("door.dxf: layers and arrays will not be saved").first().waitFor();
   const listed = async () => {
     const answer = await page.request.get(`${workshop.address}/api/drawing/shapes`);
     return (await answer.json()).shapes as { group: string; points: number[] }[];

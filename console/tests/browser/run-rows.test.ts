@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { SettingArea } from "../../src/wire/messages";
-import { arm, openWorkshop, script, stands, stateOf, until, type Workshop } from "./workshop";
+import { act, arm, openWorkshop, script, stands, stateOf, until, type Workshop } from "./workshop";
 
 const shots = process.env.KERF_SHOTS;
 let workshop: Workshop;
@@ -68,10 +68,7 @@ it("pro_homing_first: what is not homed is told beside the origin, until its swi
   expect(await homed()).toBe("");
   if (shots) await page.screenshot({ path: `${shots}/not-homed.png` });
   await arm(page);
-  await page.keyboard.press("Control+k");
-  await page.getByRole("dialog").getByRole("textbox").fill("Hand console");
-  await page.getByRole("option", { name: "Hand console" }).waitFor();
-  await page.keyboard.press("Enter");
+  await act(page, "Hand console");
   const presses = async (...keys: string[]) => {
     for (const key of keys) await page.keyboard.press(key);
   };

@@ -3,7 +3,7 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, expect, it } from "vitest";
-import { openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
+import { act, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 afterEach(() => workshop?.close());
@@ -46,9 +46,7 @@ it("sample answers are entered, drawn, kept with the file, and known after a res
   const again = await workshop.page();
   await again.getByLabel("Extents and time").filter({ hasText: "0.000 … 2.750" }).waitFor();
   // By the keyboard: the list of actions leads to them, Enter draws.
-  await again.keyboard.press("Control+k");
-  await again.keyboard.type("sample answers");
-  await again.keyboard.press("Enter");
+  await act(again, "sample answers");
   await again.getByLabel("How wide? (line 3)").fill("1");
   await again.keyboard.press("Enter");
   await again.getByLabel("Extents and time").filter({ hasText: "0.000 … 1.000" }).waitFor();

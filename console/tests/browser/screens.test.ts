@@ -2,7 +2,7 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
-import { openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
+import { act, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 let page: Page;
@@ -39,10 +39,7 @@ const wear = (theme: string) =>
 
 const dialog = () => page.getByRole("dialog").first().waitFor();
 const sheet = (action: string) => async () => {
-  await page.keyboard.press("Control+k");
-  await page.keyboard.type(action);
-  await page.getByRole("option", { name: action }).first().waitFor();
-  await page.keyboard.press("Enter");
+  await act(page, action);
   await page.getByRole("dialog", { name: "Every action" }).waitFor({ state: "detached" });
   await dialog();
 };

@@ -2,7 +2,7 @@
 
 import type { Page } from "playwright-core";
 import { expect } from "vitest";
-import { stateOf, type Workshop } from "./workshop";
+import { catchUp, stateOf, type Workshop } from "./workshop";
 
 export type Point = readonly [x: number, y: number];
 
@@ -49,8 +49,12 @@ export class Sheet {
   /** The shapes drawn since the drawing was given. */
   readonly added = async (): Promise<Listed[]> => (await this.shapes()).slice(this.#given);
 
-  /** Numbers of the shapes that are selected. */
-  readonly selected = async () => (await stateOf(this.workshop)).drawing?.selection ?? [];
+  /** Numbers of the shapes that are selected, at the server and on the page. */
+  readonly selected = async () => {
+    const { drawing } = await stateOf(this.workshop);
+    await catchUp(this.workshop);
+    return drawing?.selection ?? [];
+  };
 
   /** Waits until the page has so many shapes more than were given; while nothing is selected. */
   async shows(more: number): Promise<void> {

@@ -6,6 +6,7 @@ import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import {
+  act,
   arm,
   hold,
   keysOf,
@@ -99,9 +100,7 @@ const doings: Record<string, () => Promise<void>> = {
   },
   async step() {
     await opens("long.sbp");
-    await page.keyboard.press("Control+k");
-    await page.getByRole("dialog").getByRole("textbox").fill("single step");
-    await page.keyboard.press("Enter");
+    await act(page, "single step");
     await begins("asking");
   },
   async keypad() {

@@ -4,7 +4,7 @@ import { existsSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { afterEach, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
-import { arm, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
+import { act, arm, openWorkshop, script, stateOf, until, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 afterEach(() => workshop?.close());
@@ -87,10 +87,7 @@ it("whoever is not ready can take it up later, with keys only", async () => {
   const page = await workshop.page();
   await arm(page);
   const takesUp = async () => {
-    await page.keyboard.press("Control+k");
-    await page.keyboard.type("recover");
-    await page.getByRole("option", { name: "Recover job" }).waitFor();
-    await page.keyboard.press("Enter");
+    await act(page, "recover");
     await page.getByText("Is everything ready?").waitFor();
   };
   await takesUp();

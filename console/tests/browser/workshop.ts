@@ -111,16 +111,19 @@ export async function enter(page: Page, name: string | RegExp): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
-/** Does an action from the list of all: its name begins so. */
+/** Does an action from the list of all: the first that is found by this name. */
 export async function act(page: Page, name: string): Promise<void> {
   const entry = page.getByLabel("What to do");
-  await until(async () => {
-    if ((await entry.count()) === 0) await page.keyboard.press("Control+k");
-    return entry.waitFor({ timeout: 3000 }).then(
+  const isThere = () =>
+    entry.waitFor({ timeout: 3000 }).then(
       () => true,
       () => false,
     );
-  }, "the list of actions opens");
+  // A page that was just loaded may not hear the key yet.
+  for (let tries = 0; tries < 20; tries += 1) {
+    if ((await entry.count()) === 0) await page.keyboard.press("Control+k");
+    if (await isThere()) break;
+  }
   await entry.fill(name);
   await page.getByRole("option", { name }).first().waitFor();
   await page.keyboard.press("Enter");
@@ -148,7 +151,7 @@ const deafMs = 2000;
 const slowMs = 20_000;
 
 /** Waits until every page has drawn what the server has told so far. */
-async function catchUp(workshop: Workshop): Promise<void> {
+export async function catchUp(workshop: Workshop): Promise<void> {
   const revision = (await stateOf(workshop).catch(() => undefined))?.revision ?? 0;
   for (const page of workshop.pages.filter((one) => !one.isClosed())) {
     if (workshop.isDeaf) await shows(page, revision, deafMs);

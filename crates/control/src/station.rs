@@ -16,7 +16,7 @@ use kerf_machine::lines::Input;
 use kerf_model::Watched;
 use kerf_motion::{Move, Mover, Path, Plan};
 use kerf_program::{At, Axes, Axis, Halted, Interpreter, Sourced, Status};
-use kerf_trace::Made;
+use kerf_trace::ExecutedMove;
 use kerf_trace::event::{ArcEvent, Centre, Event, MoveEvent};
 use std::collections::VecDeque;
 
@@ -104,7 +104,7 @@ impl<I: Interpreter> Station<'_, I> {
             let event = self.move_event(&made, begin_s, end_s);
             self.world.tell(&event);
         }
-        self.world.tell_made(&Made { plan, span: &span, t0_s, alone, lift: &lift, beside });
+        self.world.tell_made(&ExecutedMove { plan, span: &span, t0_s, alone, lift: &lift, beside });
         let frame = *self.world.model.frame();
         self.world.tally.made(&made, end_s - begin_s, &frame);
         self.world.tally.carried(&made, &lift, &frame);

@@ -1,6 +1,6 @@
 //! The preparations of a run and the run itself, told as one.
 
-use kerf_trace::{Event, Made, RunStatus, Sink};
+use kerf_trace::{Event, ExecutedMove, RunStatus, Sink};
 
 /// The parts of a run as one: it begins with the first, and ends with the last.
 pub(crate) struct WholeRun<'a> {
@@ -34,11 +34,11 @@ impl Sink for WholeRun<'_> {
         self.sink.looks_at_motion()
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         self.sink.made(made);
     }
 
-    fn made_before(&mut self, made: &Made<'_>) {
+    fn made_before(&mut self, made: &ExecutedMove<'_>) {
         self.sink.made_before(made);
     }
 

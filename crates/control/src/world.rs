@@ -19,7 +19,7 @@ use kerf_program::{
 };
 use kerf_sim::{Hands, Opened, Simulation};
 use kerf_trace::event::{Event, Partial, Place};
-use kerf_trace::{Doing, Made, OpenFile, RunStatus, Sink, Tally, flag};
+use kerf_trace::{Doing, ExecutedMove, OpenFile, RunStatus, Sink, Tally, flag};
 use kerf_workspace::{Workspace, confirm, unconfirmed};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -173,7 +173,7 @@ impl<'a> World<'a> {
     }
 
     /// Tells that a move is made, and by which plan.
-    pub fn tell_made(&mut self, made: &Made<'_>) {
+    pub fn tell_made(&mut self, made: &ExecutedMove<'_>) {
         if self.silent {
             self.sink.made_before(made);
         } else {

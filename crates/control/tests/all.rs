@@ -14,6 +14,7 @@ mod journal;
 mod lost_line;
 mod machine_file;
 mod no_switch;
+mod place_and_nudge;
 mod queued;
 mod queued_boards;
 mod queued_homing;
@@ -26,7 +27,6 @@ mod runs;
 mod settings_files;
 #[path = "../../../tests/corpus/shared.rs"]
 mod shared;
-mod standing;
 mod streaming;
 mod taken_up;
 mod taking_up;

@@ -88,7 +88,7 @@ fn a_nudge_is_kept() {
     let folder = tempdir().unwrap();
     run(&folder, "MX,4\nZX\nMX,1\n", "2026-11-20");
     let (mut session, mut workspace) = recalled(&folder, "");
-    crate::standing::nudge(&mut session, kerf_program::Axis::X, 2.5);
+    crate::place_and_nudge::nudge(&mut session, kerf_program::Axis::X, 2.5);
     session.keep_place(&mut workspace).unwrap();
     let (back, _) = recalled(&folder, "");
     assert_eq!(back.memory.position[kerf_program::Axis::X], 5.0 * 25.4 + 2.5);

@@ -1,6 +1,6 @@
 //! Following a program to its end: what it does, with its comments, questions and tools.
 
-use crate::host::{Paper, Seen};
+use crate::host::{MachineAtOnce, Seen};
 use crate::item::{Item, Passage};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_program::settings::LinearUnit;
@@ -36,7 +36,7 @@ pub trait Language: Interpreter {
 /// Follows a program to its end.
 pub fn follow<I: Language>(mut interpreter: I, lines: usize, behind: &mut dyn Host) -> Passage {
     let most_items = MOST_ITEMS.max(ITEMS_A_LINE.saturating_mul(lines));
-    let mut host = Paper::new(behind, interpreter.position().0);
+    let mut host = MachineAtOnce::new(behind, interpreter.position().0);
     let mut follower = Follower::default();
     follower.passage.start = interpreter.position();
     let mut out = Vec::new();

@@ -23,7 +23,7 @@ pub enum Seen {
 }
 
 /// A machine on paper.
-pub struct Paper<'a> {
+pub struct MachineAtOnce<'a> {
     behind: &'a mut dyn Host,
     outputs: [bool; OUTPUTS],
     position: [f64; AXES],
@@ -33,7 +33,7 @@ pub struct Paper<'a> {
     told: BTreeSet<String>,
 }
 
-impl<'a> Paper<'a> {
+impl<'a> MachineAtOnce<'a> {
     /// A machine whose files and answers come from another host.
     pub fn new(behind: &'a mut dyn Host, position: [f64; AXES]) -> Self {
         let (seen, told) = (Vec::new(), BTreeSet::new());
@@ -72,7 +72,7 @@ fn of_input(number: u8) -> String {
     format!("input {number}, which was taken as off")
 }
 
-impl Host for Paper<'_> {
+impl Host for MachineAtOnce<'_> {
     fn settle(&mut self) -> Poll<()> {
         Poll::Ready(())
     }

@@ -32,4 +32,4 @@ pub use console::Console;
 pub use key::Key;
 pub use request::{ConsoleRequest, JobRequest};
 pub use screen::{COLUMNS, Screen};
-pub use view::{Job, View, Waits};
+pub use view::{OpenJob, View, Waits};

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// The job that is open.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Job {
+pub struct OpenJob {
     /// Name of its file, without folders.
     pub name: String,
     /// Width and height of its paths, mm; nothing for a part program.
@@ -38,7 +38,7 @@ pub enum Waits {
 #[derive(Clone, Debug, Default)]
 pub struct View {
     /// The job that is open.
-    pub job: Option<Job>,
+    pub job: Option<OpenJob>,
     /// Activity of the machine.
     pub state: State,
     /// Reason why it is in alarm, for a person.

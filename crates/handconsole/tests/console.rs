@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, non_snake_case)]
 
 use kerf_handconsole::functions::{FUNCTIONS, function};
-use kerf_handconsole::{COLUMNS, Console, ConsoleRequest, Job, Key, View, Waits};
+use kerf_handconsole::{COLUMNS, Console, ConsoleRequest, Key, OpenJob, View, Waits};
 use kerf_wire::{Asked, State};
 use proptest::prelude::*;
 
@@ -21,11 +21,11 @@ fn shown(keys: &str, view: &View) -> [String; 2] {
 }
 
 fn sample() -> View {
-    let job = Job {
+    let job = OpenJob {
         name: "SAMPLE.RSM".into(),
         size_mm: Some([720.0, 360.0]),
         shapes: 16,
-        ..Job::default()
+        ..OpenJob::default()
     };
     View { job: Some(job), ..View::default() }
 }
@@ -33,7 +33,7 @@ fn sample() -> View {
 #[test]
 fn a_long_name_and_a_long_size_fit_the_screen() {
     let check = |name: &str, size_mm, shapes, expected: [&str; 2]| {
-        let job = Some(Job { name: name.into(), size_mm, shapes, ..Job::default() });
+        let job = Some(OpenJob { name: name.into(), size_mm, shapes, ..OpenJob::default() });
         assert_eq!(shown("", &View { job, ..View::default() }), expected);
     };
     check("A.RSM", Some([720.04, 359.96]), 16, ["JOB: A.RSM", "720x360mm #16"]);
@@ -148,11 +148,11 @@ fn any_view() -> impl Strategy<Value = View> {
     let job = prop::option::of((".{0,30}", 0.0..1e6, 0u32..2_000_000_000));
     let parts = (prop::sample::select(states.to_vec()), prop::sample::select(waits.to_vec()), job);
     parts.prop_map(|(state, waits, job)| {
-        let job = job.map(|(name, size, shapes)| Job {
+        let job = job.map(|(name, size, shapes)| OpenJob {
             name,
             size_mm: Some([size, 1.0 / size]),
             shapes,
-            ..Job::default()
+            ..OpenJob::default()
         });
         View {
             state,

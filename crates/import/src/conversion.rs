@@ -1,7 +1,7 @@
 //! FC: a file of the part folder becomes a part file beside it.
 
-use crate::desk::Desk;
 use crate::drawn::{self, Drawn};
+use crate::host::ConversionHost;
 use kerf_convert::{Conversion, Language, Source};
 use kerf_formats::{Format, ending};
 use kerf_gcode::Dialect;
@@ -125,7 +125,7 @@ fn part_file(
     };
     // G-code reads files and writes none, so the workspace stays as it is.
     let converted = kerf_convert::convert(source, &conversion, &mut |follow| {
-        follow(&mut Desk::new(workspace, &mut |_| None))
+        follow(&mut ConversionHost::new(workspace, &mut |_| None))
     });
     converted.text.ok_or_else(|| {
         let found = converted.diagnostics.iter().find(|d| d.is_error());

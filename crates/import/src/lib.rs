@@ -3,14 +3,14 @@
 //! - [`job_file`] reads jobs (`.rsm`), takes what a person chooses about one, and prints it as a part program.
 //! - [`drawn`] makes part programs of drawings and pictures.
 //! - [`convert`] is FC: a file of the part folder becomes a part file beside it.
-//! - [`Desk`] answers a program that is followed on paper, to convert it.
+//! - [`ConversionHost`] answers a program that is followed on paper, to convert it.
 //!
 //! Nothing of it is a run: no machine, no operator, no time.
 
 mod conversion;
-mod desk;
 pub mod drawn;
+mod host;
 pub mod job_file;
 
 pub use conversion::convert;
-pub use desk::{Answers, Desk};
+pub use host::{Answers, ConversionHost};

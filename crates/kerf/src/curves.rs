@@ -9,7 +9,7 @@ use kerf_preview::Unit;
 use kerf_preview::plot::{Doing, Moment, Plot, Rates};
 use kerf_program::settings::AxisUnit;
 use kerf_program::{AXES, Axes, Axis, Settings};
-use kerf_trace::{Event, Made, Sink};
+use kerf_trace::{Event, ExecutedMove, Sink};
 
 /// Time between two questions, seconds.
 const STEP_S: f64 = 0.001;
@@ -99,7 +99,7 @@ impl Curves {
         }
     }
 
-    fn follow(&mut self, made: &Made<'_>) {
+    fn follow(&mut self, made: &ExecutedMove<'_>) {
         let span = made.span;
         let [from_s, to_s] = [span.t0_s, span.t1_s].map(|t| made.t0_s + t);
         let from = self.at;
@@ -119,7 +119,7 @@ impl Curves {
     }
 
     /// Asks the plan; jerk only on the grid of time.
-    fn ask(&mut self, made: &Made<'_>, t_s: f64, on_grid: bool) {
+    fn ask(&mut self, made: &ExecutedMove<'_>, t_s: f64, on_grid: bool) {
         if !self.shows(t_s) {
             return;
         }
@@ -150,7 +150,7 @@ impl Curves {
     }
 
     /// Asks the acceleration before a window that begins inside a plan.
-    fn remember(&mut self, made: &Made<'_>, t_s: f64) {
+    fn remember(&mut self, made: &ExecutedMove<'_>, t_s: f64) {
         if t_s - self.last.0 > 0.5 * STEP_S && t_s > made.t0_s {
             self.last = (t_s, accel(&made.plan.at(t_s - made.t0_s)));
         }
@@ -192,7 +192,7 @@ impl Sink for Curves {
         false
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         self.stand(made.t0_s + made.span.t0_s);
         self.follow(made);
     }

@@ -19,6 +19,7 @@ macro_rules! eprintln {
     }};
 }
 
+mod accepted_options;
 mod args;
 mod checked;
 mod clock;
@@ -32,7 +33,6 @@ mod exit;
 mod folders;
 mod given;
 mod groups;
-mod heeded;
 mod job_options;
 mod machine_file;
 mod machine_name;
@@ -45,6 +45,7 @@ mod out;
 mod outputs;
 mod parse;
 mod picture;
+mod picture_format;
 mod preview_mode;
 mod progress;
 mod remote;

@@ -4,7 +4,7 @@
 use kerf_motion::Move;
 use kerf_motion::controllers::Controller;
 use kerf_program::{Frame, OutputReason, ToolPathStart};
-use kerf_trace::{Event, Made, Sink, Tally};
+use kerf_trace::{Event, ExecutedMove, Sink, Tally};
 
 /// Shorter gaps between moves are rounding, seconds.
 const GAP_S: f64 = 1e-6;
@@ -79,7 +79,7 @@ impl Sink for Estimate<'_> {
         false
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         self.wait(made.t0_s + made.span.t0_s);
         self.run.push(*made.span.made);
         self.end_s = made.t0_s + made.span.t1_s;

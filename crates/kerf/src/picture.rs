@@ -1,11 +1,11 @@
 //! From the events of a run to a picture.
 
 use crate::args::OperatorArgs;
-use crate::exit::Usage;
 use crate::out;
+use crate::picture_format::PictureFormat;
 use crate::report::Diagnostics;
-use crate::setup::Job;
-use anyhow::{Result, bail};
+use crate::setup::PreparedRun;
+use anyhow::Result;
 use kerf_control::{RunContext, Session};
 use kerf_diag::{Repetitions, Severity};
 use kerf_journal::Work;
@@ -18,28 +18,12 @@ use kerf_trace::{
 };
 use std::path::Path;
 
-/// The kinds of picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Vector graphics.
-    Svg,
-    /// Pixels.
-    Png,
-    /// A page that turns in 3D.
-    Html,
-}
+/// Kinds of file that a picture of a tool path is written as.
+const WRITTEN: [PictureFormat; 3] = [PictureFormat::Svg, PictureFormat::Png, PictureFormat::Html];
 
-impl Format {
-    /// By the extension of the file to write.
-    pub fn of(path: &Path) -> Result<Self> {
-        let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        Ok(match extension.as_str() {
-            "svg" => Self::Svg,
-            "png" => Self::Png,
-            "html" | "htm" => Self::Html,
-            _ => bail!(Usage(format!("{}: pictures end in .svg, .png or .html", path.display()))),
-        })
-    }
+/// Returns the kind of picture that the ending of a file names.
+pub fn format_of(path: &Path) -> Result<PictureFormat> {
+    PictureFormat::of(path, "pictures", &WRITTEN)
 }
 
 /// Collects the scene of a run.
@@ -67,7 +51,7 @@ impl Picture {
     }
 
     /// Runs what is prepared, with its findings told, and takes the picture of it.
-    pub fn follow(mut job: Job, title: &Path, operator: &OperatorArgs) -> (Scene, Summary) {
+    pub fn follow(mut job: PreparedRun, title: &Path, operator: &OperatorArgs) -> (Scene, Summary) {
         let surface_mm = match &job.work {
             Work::Job(_, machine) => Some(machine.zpos.surface_mm),
             _ => None,
@@ -187,12 +171,12 @@ impl Sink for Picture {
 }
 
 /// Writes a picture to a file.
-pub fn write(scene: &Scene, format: Format, path: &Path) -> Result<()> {
+pub fn write(scene: &Scene, format: PictureFormat, path: &Path) -> Result<()> {
     let options = Options::default();
     let bytes = match format {
-        Format::Svg => kerf_preview::svg(scene, &options).into_bytes(),
-        Format::Html => kerf_preview::html(scene, &options).into_bytes(),
-        Format::Png => kerf_preview::png(scene, &options)?,
+        PictureFormat::Svg => kerf_preview::svg(scene, &options).into_bytes(),
+        PictureFormat::Html => kerf_preview::html(scene, &options).into_bytes(),
+        _ => kerf_preview::png(scene, &options)?,
     };
     out::file(path, bytes)
 }

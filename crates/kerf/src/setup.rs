@@ -29,8 +29,8 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Everything a run needs besides a sink.
-pub struct Job {
+/// A run that is ready to begin: all that it needs besides a sink.
+pub struct PreparedRun {
     pub work: Work,
     pub session: Session,
     pub options: RunOptions,
@@ -47,7 +47,7 @@ pub struct Job {
 }
 
 /// Reads the part file and prepares its run.
-pub fn job(file: &Path, args: &RunArgs, preview: bool) -> Result<Job> {
+pub fn prepare(file: &Path, args: &RunArgs, preview: bool) -> Result<PreparedRun> {
     if let (true, Some(name)) = (preview, args.place.machine.controller()) {
         eprintln!(
             "kerf: {name} is not opened: what only looks begins with the machine as it was left"
@@ -89,7 +89,7 @@ pub fn job_of(
     mut workspace: Workspace,
     args: &RunArgs,
     preview: bool,
-) -> Result<Job> {
+) -> Result<PreparedRun> {
     let mut work = work.into();
     let (mut session, kept) = session(&args.place, preview, &mut workspace)?;
     let replaced = args.place.machine.configuration().map(|_| session.memory.settings.clone());
@@ -131,7 +131,17 @@ pub fn job_of(
     options.started = kept.then(clock::started);
     session.memory.settings = settings;
     let visit = Visit::default();
-    Ok(Job { work, session, options, workspace, answers, kept, replaced, visit, drawing: None })
+    Ok(PreparedRun {
+        work,
+        session,
+        options,
+        workspace,
+        answers,
+        kept,
+        replaced,
+        visit,
+        drawing: None,
+    })
 }
 
 /// A job whose paths are all cut beside themselves, right of travel.

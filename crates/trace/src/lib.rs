@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!  a run ──► Sink: Event, Event, …  JsonLines   the trace as text
-//!                  Made, Doing      VcdSink     signals of the motors and the ports
+//!                  ExecutedMove, Doing      VcdSink     signals of the motors and the ports
 //!                  RunStatus         Lines       a diagram of inputs and outputs
 //!        └─► Tally                              lengths, bounds and times of the summary
 //! ```
@@ -24,6 +24,6 @@ pub mod vcd;
 
 pub use event::Event;
 pub use run_status::{OpenFile, RunStatus, flag};
-pub use sink::{Doing, Made, Sink};
+pub use sink::{Doing, ExecutedMove, Sink};
 pub use summary::Summary;
 pub use tally::{Tally, ToolPathTime};

@@ -8,9 +8,9 @@ use kerf_motion::{Plan, Span};
 use kerf_program::{At, Axes, Axis};
 use std::sync::Arc;
 
-/// A move that is made, with the plan that says how.
+/// A move that the machine executes, with its plan.
 #[derive(Clone, Copy, Debug)]
-pub struct Made<'a> {
+pub struct ExecutedMove<'a> {
     /// The plan.
     pub plan: &'a Plan,
     /// The move's part of it.
@@ -25,7 +25,7 @@ pub struct Made<'a> {
     pub beside: bool,
 }
 
-impl Made<'_> {
+impl ExecutedMove<'_> {
     /// The place of the axes at a moment of the plan within the move.
     pub fn place(&self, plan_s: f64) -> Axes {
         let mut place = self.plan.at(plan_s).position;
@@ -66,10 +66,10 @@ pub trait Sink {
     }
 
     /// A move is made: how every axis goes is in its plan.
-    fn made(&mut self, _: &Made<'_>) {}
+    fn made(&mut self, _: &ExecutedMove<'_>) {}
 
     /// A move was made before the run was cut short that is taken up: it is gone through in silence.
-    fn made_before(&mut self, _: &Made<'_>) {}
+    fn made_before(&mut self, _: &ExecutedMove<'_>) {}
 
     /// Machine time goes on from one moment to another, seconds, while the machine does this. A moment may be told twice.
     fn under_way(&mut self, _doing: &Doing<'_>, _from_s: f64, _to_s: f64) {}
@@ -118,12 +118,12 @@ impl<A: Sink, B: Sink> Sink for (A, B) {
         self.0.looks_at_motion() || self.1.looks_at_motion()
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         self.0.made(made);
         self.1.made(made);
     }
 
-    fn made_before(&mut self, made: &Made<'_>) {
+    fn made_before(&mut self, made: &ExecutedMove<'_>) {
         self.0.made_before(made);
         self.1.made_before(made);
     }
@@ -161,11 +161,11 @@ impl<S: Sink + ?Sized> Sink for &mut S {
         (**self).looks_at_motion()
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         (**self).made(made);
     }
 
-    fn made_before(&mut self, made: &Made<'_>) {
+    fn made_before(&mut self, made: &ExecutedMove<'_>) {
         (**self).made_before(made);
     }
 
@@ -202,13 +202,13 @@ impl<S: Sink> Sink for Option<S> {
         self.as_ref().is_some_and(S::looks_at_motion)
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         if let Some(sink) = self {
             sink.made(made);
         }
     }
 
-    fn made_before(&mut self, made: &Made<'_>) {
+    fn made_before(&mut self, made: &ExecutedMove<'_>) {
         if let Some(sink) = self {
             sink.made_before(made);
         }

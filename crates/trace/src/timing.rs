@@ -8,7 +8,7 @@ mod bounded_course;
 mod zero;
 
 use crate::event::Partial;
-use crate::{Event, Made, Sink};
+use crate::{Event, ExecutedMove, Sink};
 use bounded_course::BoundedCourse;
 use kerf_machine::lines::{Input, Output};
 use kerf_model::Model;
@@ -204,7 +204,7 @@ impl Sink for Lines {
         false
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         if !self.is_whole() || self.given_up.load(Ordering::Relaxed) {
             return;
         }

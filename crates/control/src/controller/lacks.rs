@@ -5,7 +5,7 @@ use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Output;
 use kerf_program::{Axes, Axis, OutputReason, SpindleTurn};
-use kerf_trace::{Event, Made, Sink, event::MoveEvent};
+use kerf_trace::{Event, ExecutedMove, Sink, event::MoveEvent};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -72,7 +72,7 @@ impl Lacks {
         (self.file, self.line) = (event.file.clone(), event.line);
     }
 
-    fn is_slower(&mut self, made: &Made<'_>) {
+    fn is_slower(&mut self, made: &ExecutedMove<'_>) {
         let (from, to, seconds) = (
             made.span.made.from,
             made.span.made.to,
@@ -189,7 +189,7 @@ impl Sink for Lacks {
         }
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         let (from, to) = (made.span.made.from, made.span.made.to);
         if let Some(why) = out_of_reach(&self.facts, from, to, self.offset) {
             self.tell(Severity::Error, &why);

@@ -65,7 +65,7 @@ fn unreadable(file: &Path) -> Checked {
 
 /// Checks a file; nothing where it cannot be read.
 fn check(file: &Path, args: &RunArgs) -> Result<Option<Checked>> {
-    let mut job = match setup::job(file, args, true) {
+    let mut job = match setup::prepare(file, args, true) {
         Ok(job) => job,
         Err(error) if error.is::<Usage>() && given::bytes(file).is_err() => return Ok(None),
         Err(error) => {

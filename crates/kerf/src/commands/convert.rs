@@ -13,7 +13,7 @@ use kerf_formats::{FORMATS, Format, ending};
 use kerf_gcode::Dialect;
 use kerf_gcode::{Writer, Writing};
 use kerf_geom::Vec2;
-use kerf_import::Desk;
+use kerf_import::ConversionHost;
 use kerf_import::drawn::{self, Drawn};
 use kerf_program::settings::LinearUnit;
 use kerf_program::{Answer, Printer, Question, Settings};
@@ -174,9 +174,11 @@ pub fn run(args: &ConvertArgs) -> Result<Exit> {
         kerf_convert::convert(&source, &conversion, &mut |follow| {
             let mut answers = answers.clone();
             match setup::workspace(parts, &args.run.place, true) {
-                Ok(mut workspace) => follow(&mut Desk::new(&mut workspace, &mut |question| {
-                    answered(&mut answers, question)
-                })),
+                Ok(mut workspace) => {
+                    follow(&mut ConversionHost::new(&mut workspace, &mut |question| {
+                        answered(&mut answers, question)
+                    }))
+                }
                 Err(_) => Passage::default(),
             }
         })

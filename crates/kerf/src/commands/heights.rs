@@ -3,6 +3,7 @@
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::outputs::{ForceArgs, Outputs};
+use crate::picture_format::PictureFormat;
 use crate::report::Diagnostics;
 use crate::{out, setup};
 use anyhow::{Result, bail};
@@ -12,7 +13,7 @@ use kerf_journal::Work;
 use kerf_preview::heights::{HeightPlot, Reading};
 use kerf_program::{Axis, MoveKind};
 use kerf_sim::Sheet;
-use kerf_trace::{Event, Made, Sink};
+use kerf_trace::{Event, ExecutedMove, Sink};
 use std::path::PathBuf;
 
 /// Measures height control: how far the gap between tool and sheet is from what is wanted
@@ -83,7 +84,7 @@ struct Place {
 }
 
 impl Place {
-    fn of(made: &Made<'_>, before_mm: f64) -> Self {
+    fn of(made: &ExecutedMove<'_>, before_mm: f64) -> Self {
         let (span, t0_s) = (made.span, made.t0_s);
         let looks = ((span.t1_s - span.t0_s) / 0.001).ceil().max(1.0) as usize;
         let step_s = (span.t1_s - span.t0_s) / looks as f64;
@@ -120,7 +121,7 @@ impl Sink for Readings {
         self.take();
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         let flat = made.span.made.from[Axis::Z] == made.span.made.to[Axis::Z];
         if made.span.made.kind == MoveKind::Cut && flat {
             self.made = Some(Place::of(made, self.cut_mm));
@@ -167,7 +168,7 @@ pub fn run(args: &HeightsArgs) -> Result<Exit> {
     let Some(sheet) = args.run.sheet else {
         bail!(Usage("there is no sheet: --sheet=-20,0.05 lays one on the table".into()));
     };
-    let mut job = setup::job(&args.file, &args.run, true)?;
+    let mut job = setup::prepare(&args.file, &args.run, true)?;
     let Work::Job(_, machine) = &job.work else {
         bail!(Usage(format!("{} is no job", args.file.display())));
     };
@@ -214,11 +215,10 @@ fn told(errors: &[f64], accuracy_mm: f64) -> String {
 
 fn write(args: &HeightsArgs, plot: &HeightPlot) -> Result<()> {
     let Some(path) = &args.output else { return Ok(()) };
-    let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    let bytes = match extension.as_str() {
-        "svg" => plot.svg().into_bytes(),
-        "png" => plot.png(PIXELS)?,
-        _ => bail!(Usage(format!("{}: diagrams end in .svg or .png", path.display()))),
-    };
+    let bytes =
+        match PictureFormat::of(path, "diagrams", &[PictureFormat::Svg, PictureFormat::Png])? {
+            PictureFormat::Svg => plot.svg().into_bytes(),
+            _ => plot.png(PIXELS)?,
+        };
     out::file(path, bytes)
 }

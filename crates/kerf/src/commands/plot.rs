@@ -4,6 +4,7 @@ use crate::args::RunArgs;
 use crate::curves::Curves;
 use crate::exit::{Exit, Usage};
 use crate::outputs::{ForceArgs, Outputs};
+use crate::picture_format::PictureFormat;
 use crate::report::Diagnostics;
 use crate::{out, parse, setup};
 use anyhow::{Result, bail};
@@ -11,7 +12,7 @@ use clap::{Args, ValueEnum};
 use kerf_control::RunContext;
 use kerf_preview::plot::{Plot, Sides};
 use kerf_program::Axis;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Plots speed, acceleration and jerk of a run, over time and along the path
 ///
@@ -63,31 +64,14 @@ enum Over {
     Both,
 }
 
-/// The kinds of plot.
-#[derive(Clone, Copy)]
-enum Format {
-    Svg,
-    Png,
-}
-
-impl Format {
-    fn of(path: &Path) -> Result<Self> {
-        let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-        Ok(match extension.as_str() {
-            "svg" => Self::Svg,
-            "png" => Self::Png,
-            _ => bail!(Usage(format!("{}: plots end in .svg or .png", path.display()))),
-        })
-    }
-}
-
 pub fn run(args: &PlotArgs) -> Result<Exit> {
-    let format = Format::of(&args.output)?;
+    let format =
+        PictureFormat::of(&args.output, "plots", &[PictureFormat::Svg, PictureFormat::Png])?;
     let window = [args.from, args.to.unwrap_or(f64::INFINITY)];
     if window[1] <= window[0] {
         bail!(Usage("--to must be later than --from".into()));
     }
-    let mut job = setup::job(&args.file, &args.run, true)?;
+    let mut job = setup::prepare(&args.file, &args.run, true)?;
     let title = args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let (axes, settings) = (args.axes.as_deref(), &job.session.memory.settings);
     let curves = Curves::new(title, axes.unwrap_or_default(), window, settings);
@@ -104,15 +88,15 @@ pub fn run(args: &PlotArgs) -> Result<Exit> {
     Ok(summary.status.into())
 }
 
-fn write(plot: &Plot, format: Format, args: &PlotArgs) -> Result<()> {
+fn write(plot: &Plot, format: PictureFormat, args: &PlotArgs) -> Result<()> {
     let sides = match args.over {
         Over::Time => Sides::Time,
         Over::Path => Sides::Path,
         Over::Both => Sides::Both,
     };
     let bytes = match format {
-        Format::Svg => plot.svg(sides).into_bytes(),
-        Format::Png => plot.png(sides, args.pixels)?,
+        PictureFormat::Svg => plot.svg(sides).into_bytes(),
+        _ => plot.png(sides, args.pixels)?,
     };
     out::file(&args.output, bytes)
 }

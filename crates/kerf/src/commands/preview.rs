@@ -5,7 +5,7 @@ use crate::coloured::{Colours, coloured};
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::outputs::{ForceArgs, Outputs};
-use crate::picture::{self, Format, Picture};
+use crate::picture::{self, Picture};
 use crate::setup;
 use anyhow::{Result, bail};
 use clap::Args;
@@ -41,11 +41,11 @@ impl PreviewArgs {
 }
 
 pub fn run(args: &PreviewArgs) -> Result<Exit> {
-    let format = Format::of(&args.output)?;
+    let format = picture::format_of(&args.output)?;
     if args.colours == Some(Colours::Group) && !drawings::is_drawing(&args.file) {
         bail!(Usage(format!("{} is a program: it has no groups to colour", args.file.display())));
     }
-    let job = setup::job(&args.file, &args.run, true)?;
+    let job = setup::prepare(&args.file, &args.run, true)?;
     let drawing = job.drawing.clone();
     let (scene, summary) = Picture::follow(job, &args.file, &args.run.operator);
     let scene = match (&drawing, args.colours) {

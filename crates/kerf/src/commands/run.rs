@@ -6,23 +6,23 @@ mod options;
 
 pub use options::MachineArgs;
 
+use crate::accepted_options::AcceptedOptions;
 use crate::args::{PlaceArgs, RunArgs};
 use crate::commands::protect;
 use crate::controller;
 use crate::drawings;
 use crate::exit::{Exit, Usage};
-use crate::heeded::Heeded;
 use crate::machine_file;
 use crate::memory;
 use crate::operator::{Clock, Person, Terminal};
 use crate::out;
 use crate::outputs::Outputs;
 use crate::parse;
-use crate::picture::{self, Format, Picture};
+use crate::picture::{self, Picture};
 use crate::preview_mode;
 use crate::progress::Progress;
 use crate::report::{Diagnostics, Talk};
-use crate::setup::{self, Job as Prepared};
+use crate::setup::{self, PreparedRun};
 use crate::sources::FileLines;
 use crate::stop::Stop;
 use crate::streamed::Streamed;
@@ -80,7 +80,7 @@ pub struct RunCommand {
 }
 
 /// Options that are heeded when a run is taken up.
-const TAKES_UP: Heeded = Heeded {
+const TAKES_UP: AcceptedOptions = AcceptedOptions {
     options: &[
         "resume",
         "folder",
@@ -107,7 +107,7 @@ const TAKES_UP: Heeded = Heeded {
 
 impl RunCommand {
     /// The options that are heeded, where not all are.
-    pub const fn heeded(&self) -> Option<Heeded> {
+    pub const fn heeded(&self) -> Option<AcceptedOptions> {
         match (self.server.is_some(), self.resume) {
             (true, _) => Some(REACHES_SERVERS),
             (_, true) => Some(TAKES_UP),
@@ -128,7 +128,7 @@ pub fn run(args: &RunCommand) -> Result<Exit> {
             if args.run.place.start.is_none() && !args.machine.quiet() {
                 tell_fresh(&run.place);
             }
-            let mut job = setup::job(file, &run, false)?;
+            let mut job = setup::prepare(file, &run, false)?;
             if let Some(by_mm) = args.offset_job {
                 job.work = setup::beside(job.work, by_mm)?;
             }
@@ -242,9 +242,9 @@ fn controller_of(
 }
 
 /// Runs a job on the machine and keeps what stays.
-pub fn on_machine(job: Prepared, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
+pub fn on_machine(job: PreparedRun, args: &MachineArgs, run: &RunArgs, talk: Talk) -> Result<Exit> {
     args.spare(Path::new(&*job.work.name()), run)?;
-    let Prepared {
+    let PreparedRun {
         work,
         mut session,
         mut options,
@@ -383,7 +383,7 @@ fn attended<'a>(
     controller: Option<&Controller>,
     runs: impl FnOnce(RunContext<'_>) -> Result<(Summary, &'a Session, Option<JournalError>)>,
 ) -> Result<Exit> {
-    let format = args.picture.as_deref().map(Format::of).transpose()?;
+    let format = args.picture.as_deref().map(picture::format_of).transpose()?;
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(show.lines));
     let data = setup::data_folder(&run.place.data).ok();

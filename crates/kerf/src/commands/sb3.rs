@@ -87,7 +87,7 @@ fn runs(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
     if let Some(Port::Number(port)) = line.port {
         keep_port(&run, port)?;
     }
-    let mut job = setup::job(Path::new(&line.file), &run, false)?;
+    let mut job = setup::prepare(Path::new(&line.file), &run, false)?;
     job.visit = visit(line);
     let exit = on_machine(job, &args.machine, &run, Talk::default())?;
     if line.close == CloseMethod::Ask {
@@ -111,7 +111,7 @@ fn draws(args: &Sb3Args, line: &StartUp) -> Result<Exit> {
     let mut run = args.run.clone();
     run.place.start = run.place.start.or(Some(Start::Kept));
     let log = logged(args, line, true)?;
-    let mut job = setup::job(Path::new(&line.file), &run, true)?;
+    let mut job = setup::prepare(Path::new(&line.file), &run, true)?;
     let context = RunContext {
         sink: &mut (),
         operator: &mut job.answers,

@@ -2,10 +2,10 @@
 
 use super::protect;
 use super::run::{MachineArgs, on_machine};
+use crate::accepted_options::AcceptedOptions;
 use crate::args::RunArgs;
 use crate::exit::{Exit, Usage};
 use crate::given;
-use crate::heeded::Heeded;
 use crate::outputs::Outputs;
 use crate::preview_mode;
 use crate::remote::{OWN_MACHINE, Remote};
@@ -61,8 +61,8 @@ pub struct SendArgs {
 }
 
 /// Options that reach a server.
-const REACHES_SERVERS: Heeded =
-    Heeded { options: &["server", "folder", "password", "quiet"], instead: OWN_MACHINE };
+const REACHES_SERVERS: AcceptedOptions =
+    AcceptedOptions { options: &["server", "folder", "password", "quiet"], instead: OWN_MACHINE };
 
 impl SendArgs {
     /// The server that carries the lines out, where one does.
@@ -72,7 +72,7 @@ impl SendArgs {
     }
 
     /// The options that are heeded, where not all are.
-    pub fn heeded(&self) -> Option<Heeded> {
+    pub fn heeded(&self) -> Option<AcceptedOptions> {
         self.server().map(|_| REACHES_SERVERS)
     }
 

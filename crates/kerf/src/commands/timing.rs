@@ -1,11 +1,12 @@
 //! `kerf timing`: which output switches when, beside the motion.
 
 use crate::args::RunArgs;
-use crate::exit::{Exit, Usage};
+use crate::exit::Exit;
 use crate::outputs::{ForceArgs, Outputs};
+use crate::picture_format::PictureFormat;
 use crate::report::Diagnostics;
 use crate::{out, setup};
-use anyhow::{Result, bail};
+use anyhow::Result;
 use clap::Args;
 use kerf_control::RunContext;
 use kerf_preview::timing::{Course, Timing, corners};
@@ -63,15 +64,12 @@ fn data(timing: &Timing) -> serde_json::Value {
     serde_json::json!({ "title": timing.title, "end": timing.end_s, "tracks": tracks })
 }
 
+/// Kinds of file that a switching diagram is written as; as JSON its numbers.
+const WRITTEN: [PictureFormat; 3] = [PictureFormat::Svg, PictureFormat::Png, PictureFormat::Json];
+
 pub fn run(args: &TimingArgs) -> Result<Exit> {
-    let extension = args.output.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    if !matches!(extension.as_str(), "svg" | "png" | "json") {
-        bail!(Usage(format!(
-            "{}: diagrams end in .svg or .png, their data in .json",
-            args.output.display()
-        )));
-    }
-    let mut job = setup::job(&args.file, &args.run, true)?;
+    let format = PictureFormat::of(&args.output, "diagrams", &WRITTEN)?;
+    let mut job = setup::prepare(&args.file, &args.run, true)?;
     let mut sink = (Diagnostics::default(), Lines::default());
     let mut pace = args.run.operator.script();
     let context = RunContext {
@@ -84,9 +82,9 @@ pub fn run(args: &TimingArgs) -> Result<Exit> {
     let name = || args.file.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let title = args.title.clone().unwrap_or_else(name);
     let timing = sink.1.timing(title);
-    let bytes = match extension.as_str() {
-        "json" => format!("{}\n", data(&timing)).into_bytes(),
-        "svg" => timing.svg().into_bytes(),
+    let bytes = match format {
+        PictureFormat::Json => format!("{}\n", data(&timing)).into_bytes(),
+        PictureFormat::Svg => timing.svg().into_bytes(),
         _ => timing.png(PIXELS)?,
     };
     out::file(&args.output, bytes)?;

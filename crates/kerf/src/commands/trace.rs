@@ -30,7 +30,7 @@ pub struct TraceArgs {
 }
 
 pub fn run(args: &TraceArgs) -> Result<Exit> {
-    let mut job = setup::job(&args.file, &args.run, true)?;
+    let mut job = setup::prepare(&args.file, &args.run, true)?;
     job.options.tell_variables = args.vars;
     let machine = VcdArgs::machine(&job.work, &job.session);
     let lines = JsonLines::new(BufWriter::with_capacity(1 << 16, io::stdout().lock()));

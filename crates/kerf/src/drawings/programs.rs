@@ -6,7 +6,7 @@ use kerf_convert::{Conversion, Language, Passage, Source};
 use kerf_files::{Folders, RealDisk};
 use kerf_formats::{Finding, Imported, Weight, motion};
 use kerf_gcode::Dialect;
-use kerf_import::Desk;
+use kerf_import::ConversionHost;
 use kerf_program::Axes;
 use kerf_program::settings::{LinearUnit, Settings};
 use kerf_workspace::{Workspace, stored::Stored};
@@ -80,11 +80,11 @@ fn follow(file: &Path, bytes: &[u8], from: Language, unit: LinearUnit) -> Passag
         title: String::new(),
     };
     let parts = file.parent().unwrap_or(Path::new(""));
-    let mut desk = |follow: &mut dyn FnMut(&mut dyn kerf_program::Host) -> Passage| {
+    let mut host = |follow: &mut dyn FnMut(&mut dyn kerf_program::Host) -> Passage| {
         let folders = Folders::new(parts.into(), Vec::new(), Vec::new());
         let mut workspace =
             Workspace::preview(RealDisk, folders, &Stored::default(), PathBuf::new());
-        follow(&mut Desk::new(&mut workspace, &mut |_| None))
+        follow(&mut ConversionHost::new(&mut workspace, &mut |_| None))
     };
-    kerf_convert::path(&source, &how, &mut desk, Axes::default())
+    kerf_convert::path(&source, &how, &mut host, Axes::default())
 }

@@ -21,6 +21,6 @@ mod moves;
 mod patient;
 mod pause;
 mod plasma;
+mod said_while_waiting;
 mod signals;
 mod timing;
-mod told;

@@ -4,7 +4,7 @@ use kerf_ledger::jobs::{JobRun, JobTrace, job, line, t1};
 use kerf_machine::hand::cut_move;
 use kerf_machine::{Errand, Held, Keypad};
 use kerf_program::{AXES, Axes, Axis, AxisSet, Settings, Status};
-use kerf_trace::{Event, Made, Sink};
+use kerf_trace::{Event, ExecutedMove, Sink};
 
 fn axes(letters: &str) -> AxisSet {
     letters.chars().filter_map(Axis::from_letter).fold(AxisSet::EMPTY, AxisSet::with)
@@ -390,7 +390,7 @@ struct Peaks {
 impl Sink for Peaks {
     fn event(&mut self, _: &Event) {}
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         let (from_s, to_s) = (made.span.t0_s, made.span.t1_s);
         let looks = ((to_s - from_s) / 0.001).floor() as u32;
         for look in 0..=looks {

@@ -3,7 +3,7 @@
 use crate::simulated::alike::{self, Point};
 use kerf_geom::Arc2;
 use kerf_program::{Axes, MoveKind};
-use kerf_trace::Made;
+use kerf_trace::ExecutedMove;
 use std::f64::consts::TAU;
 
 /// Places closer than this are the same, mm.
@@ -39,7 +39,7 @@ pub struct Piece {
 
 impl Piece {
     /// What a move cuts in the plane, if anything.
-    pub fn of(made: &Made<'_>) -> Option<Self> {
+    pub fn of(made: &ExecutedMove<'_>) -> Option<Self> {
         let it = made.span.made;
         let (from, to) = (it.from.first3(), it.to.first3());
         let level = it.kind == MoveKind::Cut;

@@ -3,7 +3,7 @@
 use crate::simulated::path::Piece;
 use kerf_machine::lines::Output;
 use kerf_program::{Axes, Axis};
-use kerf_trace::{Event, Made, Sink};
+use kerf_trace::{Event, ExecutedMove, Sink};
 use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
@@ -177,7 +177,7 @@ impl Sink for Watch<'_> {
         assert!(seen.events.len() < MOST, "it goes on for ever: {event:?}");
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         if self.seen.draws {
             return;
         }
@@ -212,7 +212,7 @@ impl Sink for Watch<'_> {
 
 impl Watch<'_> {
     /// What every axis gains in speed from one look to the next is what it can.
-    fn accelerations(&self, made: &Made<'_>) {
+    fn accelerations(&self, made: &ExecutedMove<'_>) {
         let Some(most) = self.allowed.axis_mm_s2 else { return };
         let [from_s, to_s] = [made.span.t0_s, made.span.t1_s];
         let step_s = (to_s - from_s) / f64::from(RATES);

@@ -7,7 +7,7 @@ use crate::open::Open;
 use crate::work::with_job;
 use kerf_drawing::Shape;
 use kerf_geom::{Bounds2, Vec2};
-use kerf_handconsole::{Job, View, Waits};
+use kerf_handconsole::{OpenJob, View, Waits};
 use kerf_journal::Work;
 use kerf_program::Axes;
 use kerf_wire::{Asked, FileKind, Snapshot};
@@ -18,7 +18,7 @@ use std::sync::Arc;
 pub struct Facts {
     /// The preview that belongs to it, which changes whenever the job does.
     key: String,
-    job: Option<Job>,
+    job: Option<OpenJob>,
     /// Its origin on the table and its finish, as far as it says so.
     placed: kerf_program::job::Job,
     /// Its paths, once a key has asked for them.
@@ -97,23 +97,26 @@ fn waits(asked: &Asked) -> Waits {
 }
 
 /// The open job, and where it lies without its shapes.
-fn job(app: &App, open: &Open) -> (Option<Job>, kerf_program::job::Job) {
+fn job(app: &App, open: &Open) -> (Option<OpenJob>, kerf_program::job::Job) {
     let named = open.name.rsplit('/').next().filter(|name| !name.is_empty());
     let Some(name) = named.map(str::to_owned) else { return Default::default() };
     let offset_mm = open.choice.offset;
     if kind_of(&open.name) != FileKind::Job {
-        return (Some(Job { name, ..Job::default() }), Default::default());
+        return (Some(OpenJob { name, ..OpenJob::default() }), Default::default());
     }
     let Ok(Work::Job(job, _)) = app.loader.job_of(open) else {
         let shapes = app.loader.path_count(open);
-        return (Some(Job { name, shapes, offset_mm, ..Job::default() }), Default::default());
+        return (
+            Some(OpenJob { name, shapes, offset_mm, ..OpenJob::default() }),
+            Default::default(),
+        );
     };
     let mut bounds = Bounds2::default();
     job.shapes.iter().for_each(|shape| bounds.merge(&shape.path.bounds()));
     let size = if bounds.is_empty() { Vec2::default() } else { bounds.size() };
     let (size_mm, shapes) = (Some([size.x, size.y]), job.shapes.len() as u32);
     let placed = kerf_program::job::Job { shapes: Arc::default(), ..(*job).clone() };
-    (Some(Job { name, size_mm, shapes, offset_mm }), placed)
+    (Some(OpenJob { name, size_mm, shapes, offset_mm }), placed)
 }
 
 /// The names of the jobs of a folder, as people sort them.

@@ -11,7 +11,7 @@ use kerf_diag::{Diagnostic, Place};
 use kerf_machine::{Configuration, Going};
 use kerf_model::Model;
 use kerf_program::{At, Axes, MoveKind};
-use kerf_trace::{Doing, Made, OpenFile};
+use kerf_trace::{Doing, ExecutedMove, OpenFile};
 use kerf_wire::{
     Call, Change, InForce, Io, Message, Motion, NamedValue, Pause, Positions, Snapshot, Sound,
     Speeds, Tone, Units,
@@ -218,7 +218,7 @@ impl Board {
     }
 
     /// A move was made.
-    pub fn made(&mut self, made: &Made<'_>) {
+    pub fn made(&mut self, made: &ExecutedMove<'_>) {
         self.course.made(made);
         self.motion.made = self.course.moves();
         if self.typing.as_ref().is_some_and(|typing| typing.draws(made)) {
@@ -227,7 +227,7 @@ impl Board {
     }
 
     /// A move was made before the run was cut short that is taken up.
-    pub fn made_before(&mut self, made: &Made<'_>) {
+    pub fn made_before(&mut self, made: &ExecutedMove<'_>) {
         self.made(made);
         self.before_s = self.course.made_s();
         self.stands_in(made.span.made.at.line);

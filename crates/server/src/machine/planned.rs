@@ -2,7 +2,7 @@
 
 use kerf_machine::Going;
 use kerf_program::MoveKind;
-use kerf_trace::Made;
+use kerf_trace::ExecutedMove;
 use std::sync::Arc;
 
 /// The moves of a run as they were planned in its preview.
@@ -66,7 +66,7 @@ pub struct Planning {
 
 impl Planning {
     /// A move, or a part of one.
-    pub fn add(&mut self, made: &Made<'_>) {
+    pub fn add(&mut self, made: &ExecutedMove<'_>) {
         let (span, step) = (made.span, made.span.made);
         if step.kind == MoveKind::Cut {
             self.cut_s += span.t1_s - span.t0_s;
@@ -93,7 +93,7 @@ impl Planning {
 
 /// Returns `true` if a move of the program is over: those beside it are in no plan, and an override makes one in
 /// several parts.
-const fn is_whole(made: &Made<'_>) -> bool {
+const fn is_whole(made: &ExecutedMove<'_>) -> bool {
     !made.beside && made.span.made.is_last_part
 }
 
@@ -129,7 +129,7 @@ impl Course {
     }
 
     /// A move was made, or a part of one.
-    pub fn made(&mut self, made: &Made<'_>) {
+    pub fn made(&mut self, made: &ExecutedMove<'_>) {
         if !is_whole(made) {
             return;
         }

@@ -13,7 +13,7 @@ use kerf_journal::Hurry;
 use kerf_machine::Driven;
 use kerf_machine::driver::{Override, Shares};
 use kerf_program::{Question, QuestionKind};
-use kerf_trace::{Doing, Event, Made, RunStatus, Sink};
+use kerf_trace::{Doing, Event, ExecutedMove, RunStatus, Sink};
 use kerf_wire::{Asked, Change, InForce, Machine, Overrides, State, Tone};
 use std::cell::RefCell;
 use std::path::Path;
@@ -436,11 +436,11 @@ impl Sink for Teller {
         false
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         self.shared.board.borrow_mut().made(made);
     }
 
-    fn made_before(&mut self, made: &Made<'_>) {
+    fn made_before(&mut self, made: &ExecutedMove<'_>) {
         self.shared.board.borrow_mut().made_before(made);
     }
 

@@ -2,7 +2,7 @@
 
 use crate::files::PartFolder;
 use kerf_program::FileCall;
-use kerf_trace::{Made, OpenFile};
+use kerf_trace::{ExecutedMove, OpenFile};
 use kerf_wire::FileParameters;
 use std::fmt;
 use std::sync::Arc;
@@ -60,7 +60,7 @@ impl Typing {
     }
 
     /// Returns `true` if a move is drawn as typed: that of a file on the screen is part of its picture.
-    pub const fn draws(&self, made: &Made<'_>) -> bool {
+    pub const fn draws(&self, made: &ExecutedMove<'_>) -> bool {
         !made.beside && (!self.shown || made.span.made.at.file == 0)
     }
 }

@@ -7,7 +7,7 @@ use kerf_control::Session;
 use kerf_diag::Diagnostic;
 use kerf_diag::Repetitions;
 use kerf_program::Axis;
-use kerf_trace::{Event, Made, Sink};
+use kerf_trace::{Event, ExecutedMove, Sink};
 
 /// Collects moves, their times, and what was found.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ impl Collector {
         self.findings.extend(self.again.diagnostics());
     }
 
-    fn follow(&mut self, made: &Made<'_>) {
+    fn follow(&mut self, made: &ExecutedMove<'_>) {
         let at = made.span.made.at;
         if at.file == 0 {
             self.line = at.line;
@@ -65,7 +65,7 @@ impl Sink for Collector {
         false
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         self.follow(made);
     }
 }

@@ -4,7 +4,7 @@ use super::path::{Path, Segment};
 use super::rotary;
 use kerf_motion::{Move, Path as Way};
 use kerf_program::{Axis, MoveKind};
-use kerf_trace::Made;
+use kerf_trace::ExecutedMove;
 use kerf_wire::preview::{CUT, GAP, JOG};
 
 /// Greatest distance of a chord from its arc, mm: finer than a pixel of any view.
@@ -54,7 +54,7 @@ impl Pen {
     }
 
     /// Draws a move, as one of a line and with its number.
-    pub fn follow(&mut self, made: &Made<'_>, line: u32, number: u32) {
+    pub fn follow(&mut self, made: &ExecutedMove<'_>, line: u32, number: u32) {
         let span = made.span;
         let [t0_s, t1_s] = [span.t0_s, span.t1_s].map(|t| made.t0_s + t);
         let step = span.made;

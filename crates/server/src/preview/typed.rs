@@ -1,7 +1,7 @@
 //! Draws what was typed, as the machine makes it.
 
 use super::pen::Pen;
-use kerf_trace::Made;
+use kerf_trace::ExecutedMove;
 use kerf_wire::preview::TypedPath;
 
 /// Segments that pages draw many times a second; beyond them the older half is no longer drawn.
@@ -22,7 +22,7 @@ impl Default for Typed {
 
 impl Typed {
     /// Draws a move.
-    pub fn follow(&mut self, made: &Made<'_>) {
+    pub fn follow(&mut self, made: &ExecutedMove<'_>) {
         self.pen.follow(made, 0, 0);
         self.shorten();
     }

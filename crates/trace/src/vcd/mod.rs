@@ -5,7 +5,7 @@ mod pulses;
 mod signals;
 mod waveforms;
 
-use crate::{Event, Made, Sink};
+use crate::{Event, ExecutedMove, Sink};
 use kerf_machine::Configuration;
 use kerf_machine::lines::{Output, line_of_pin};
 use kerf_machine::settings::laser::Laser;
@@ -135,7 +135,7 @@ impl<W: Write> Sink for VcdSink<W> {
         false
     }
 
-    fn made(&mut self, made: &Made<'_>) {
+    fn made(&mut self, made: &ExecutedMove<'_>) {
         let (span, t0_s) = (made.span, made.t0_s);
         let [from_s, to_s] = [span.t0_s, span.t1_s].map(|s| t0_s + s);
         // What happens during a move is told after it.

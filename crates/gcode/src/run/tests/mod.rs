@@ -1,9 +1,9 @@
 //! Tests of programs as data: a program and its motion, or what it tells.
 #![allow(clippy::unwrap_used)]
 
-mod beside;
 mod controllers;
 mod cycles;
+mod linuxcnc_readings;
 mod motion;
 mod nudge;
 mod placed;

@@ -1,10 +1,10 @@
 //! `kerf run --server`: a file that a running server runs.
 
 use super::RunCommand;
+use crate::accepted_options::AcceptedOptions;
 use crate::commands::protect;
 use crate::drawings;
 use crate::exit::{Exit, Usage};
-use crate::heeded::Heeded;
 use crate::job_options;
 use crate::operator::{Clock, Person, Terminal};
 use crate::out;
@@ -18,7 +18,7 @@ use std::io::{self, IsTerminal};
 use std::path::Path;
 
 /// Options that reach a server: the rest is refused, for nobody would heed it there.
-pub const REACHES_SERVERS: Heeded = Heeded {
+pub const REACHES_SERVERS: AcceptedOptions = AcceptedOptions {
     options: &[
         "server",
         "folder",

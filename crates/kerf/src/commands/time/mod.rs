@@ -7,7 +7,7 @@ use crate::exit::{Exit, Usage};
 use crate::other_controllers::Estimate;
 use crate::out;
 use crate::report::Diagnostics;
-use crate::setup::{self, Job};
+use crate::setup::{self, PreparedRun};
 use anyhow::{Result, bail};
 use clap::Args;
 use controller::ControllerArgs;
@@ -57,7 +57,7 @@ pub fn run(args: &TimeArgs) -> Result<Exit> {
     if args.controller.controller.is_some() {
         return run_elsewhere(args);
     }
-    let mut job = setup::job(&args.file, &args.run, true)?;
+    let mut job = setup::prepare(&args.file, &args.run, true)?;
     let ramps = job.session.memory.settings.model().word();
     args.controller.controller(&job.session.memory.settings.axis_dynamics())?;
     let mut sink = Diagnostics::default();
@@ -79,7 +79,7 @@ fn run_elsewhere(args: &TimeArgs) -> Result<Exit> {
     if let Some((name, _)) = own.into_iter().find(|(_, given)| *given) {
         bail!(Usage(format!("{name} is Kerf's own; it does not belong to --controller")));
     }
-    let mut job = setup::job(&args.file, &run, true)?;
+    let mut job = setup::prepare(&args.file, &run, true)?;
     let settings = &mut job.session.memory.settings;
     let mut dynamics = settings.axis_dynamics();
     for (own, given) in [(&mut dynamics.speed_mm_s, axes.0), (&mut dynamics.accel_mm_s2, axes.1)] {
@@ -98,7 +98,7 @@ fn run_elsewhere(args: &TimeArgs) -> Result<Exit> {
     Ok(summary.status.into())
 }
 
-fn follow(job: &mut Job, sink: &mut dyn Sink, args: &TimeArgs) -> Summary {
+fn follow(job: &mut PreparedRun, sink: &mut dyn Sink, args: &TimeArgs) -> Summary {
     let mut pace = args.run.operator.script();
     let context = RunContext {
         sink,

@@ -7,7 +7,7 @@ use crate::args::{Format, RunArgs};
 use crate::coloured::{Colours, coloured};
 use crate::exit::{Exit, Usage};
 use crate::outputs::Outputs;
-use crate::picture::{self, Format as Picture};
+use crate::picture;
 use crate::{drawings, job_options, out, parse, setup};
 use anyhow::{Result, bail};
 use clap::Args;
@@ -132,7 +132,7 @@ pub fn run(args: &ToolpathArgs) -> Result<Exit> {
     let dry = dry_run::follow(args, work(args, kind, &job, machine)?)?;
     if kind == Kind::Picture {
         let scene = coloured(&dry.scene, &job.drawing, args.colours);
-        picture::write(&scene, Picture::of(&output)?, &output)?;
+        picture::write(&scene, picture::format_of(&output)?, &output)?;
     }
     match dry.summary.status {
         _ if !args.report => {}

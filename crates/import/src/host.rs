@@ -11,19 +11,19 @@ use std::task::Poll;
 pub type Answers<'a> = &'a mut dyn FnMut(&Question) -> Option<Answer>;
 
 /// Files and answers.
-pub struct Desk<'a> {
+pub struct ConversionHost<'a> {
     workspace: &'a mut Workspace,
     answers: Answers<'a>,
 }
 
-impl<'a> Desk<'a> {
-    /// A desk with these; the workspace has to be one for previews.
+impl<'a> ConversionHost<'a> {
+    /// A host with these; the workspace has to be one for previews.
     pub fn new(workspace: &'a mut Workspace, answers: Answers<'a>) -> Self {
         Self { workspace, answers }
     }
 }
 
-impl Host for Desk<'_> {
+impl Host for ConversionHost<'_> {
     fn settle(&mut self) -> Poll<()> {
         Poll::Ready(())
     }

@@ -1,20 +1,19 @@
-//! The options of the command line that are heeded: where a command does not do all of what it may be told, the rest
-//! is refused by name.
+//! Options that a command accepts in a certain case: the others are refused by name.
 
 use crate::exit::Usage;
 use anyhow::{Result, bail};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 
-/// Options that a command heeds, and why nothing else is.
-pub struct Heeded {
+/// Options that a command accepts, and the reason for refusing the others.
+pub struct AcceptedOptions {
     /// Names of the options, as their fields are called.
     pub options: &'static [&'static str],
-    /// Words behind `--input is not heeded `: who does not heed the others, and what to do instead.
+    /// Words behind `--input is not heeded `: the case in which it does nothing, and what to do instead.
     pub instead: &'static str,
 }
 
-impl Heeded {
+impl AcceptedOptions {
     /// Refuses the options of a command that were given and are not among these.
     pub fn refuse_others(&self, cli: &clap::Command, given: &ArgMatches) -> Result<()> {
         let Some((name, given)) = given.subcommand() else { return Ok(()) };
