@@ -58,7 +58,7 @@ it("says which machine it drives", async () => {
 
 it("homes a controller that was locked until it is homed", async () => {
   await arm(page);
-  await act(page, "Find home");
+  await act(page, "Find the machine's home");
   await page.getByText("the controller has homed its axes").waitFor();
   await until(
     async () => (await stateOf(workshop)).setup.notHomed === "",
