@@ -5,7 +5,11 @@ import { t } from "../words/words";
 import { useHands, useShown, worldOf } from "./context";
 import "./mode-chip.css";
 
-const words: Record<Mode, string> = { preview: "PREVIEW", simulated: "SIMULATED", cut: "CUT" };
+const words: Record<Mode, string> = {
+  preview: t("PREVIEW"),
+  simulated: t("SIMULATED"),
+  cut: t("CUT"),
+};
 
 const meaning: Record<Mode, string> = {
   preview: t("Files are only drawn; nothing moves."),

@@ -6,7 +6,7 @@ import { Panel } from "../ui/Panel";
 import { Pick } from "../ui/Pick";
 import type { SettingArea, SettingEntry } from "../wire/messages";
 import { t } from "../words/words";
-import { isMeant } from "./names";
+import { isMeant, topicName } from "./names";
 import { TopicTables } from "./TopicTables";
 import { topicOf } from "./tables";
 
@@ -33,7 +33,7 @@ export function MachineForm({ areas }: { areas: readonly SettingArea[] }) {
         <Pick
           label="Topic"
           labelled
-          options={areas.map((area) => ({ value: area.title, words: area.title }))}
+          options={areas.map((area) => ({ value: area.title, words: topicName(area.title) }))}
           value={title || first}
           onChange={(next) => {
             setTitle(next);
@@ -51,13 +51,21 @@ export function MachineForm({ areas }: { areas: readonly SettingArea[] }) {
 
 /** Things that people look for here and that are not settings. */
 const elsewhere: readonly (readonly [string, string, string])[] = [
-  ["probe touch plate zero tool length", t("Zero Z with a touch plate (C2)"), "C2"],
   [
-    "backup save load restore export import file profile",
+    "probe touch plate zero tool length taster antasten nullen werkzeuglänge",
+    t("Zero Z with a touch plate (C2)"),
+    "C2",
+  ],
+  [
+    "backup save load restore export import file profile sicherung sichern laden wiederherstellen",
     t("Save and load all settings: Backup, on this page"),
     "",
   ],
-  ["inch metric millimetre unit imperial", t("Inches or millimetres: Units, below"), ""],
+  [
+    "inch metric millimetre unit imperial zoll einheit",
+    t("Inches or millimetres: Units, below"),
+    "",
+  ],
 ];
 
 function OtherPlaces({ wanted }: { wanted: string }) {

@@ -10,7 +10,7 @@ import { t } from "../words/words";
 import { type Cell, partsOf } from "./tables";
 import { shownUnit, shownValue, writtenValue } from "./value";
 
-const named: Record<string, string> = { true: "yes", false: "no" };
+const named: Record<string, string> = { true: t("yes"), false: t("no") };
 
 /** A value of a list by itself, in the unit of its axis. */
 export function cellValue(

@@ -3,7 +3,7 @@ import { useLengthUnit } from "../app/useLengthUnit";
 import { Button } from "../ui/Button";
 import type { SettingEntry } from "../wire/messages";
 import { t } from "../words/words";
-import { fullName, shortName } from "./names";
+import { boundText, docOf, fullName, shortName, topicName } from "./names";
 import { cellValue, SettingValue, useSet, usualText } from "./SettingValue";
 import { partsOf, type Row, type Table, type Topic } from "./tables";
 import { shownUnit } from "./value";
@@ -14,8 +14,8 @@ const isChanged = ({ value, default: usual }: SettingEntry) =>
 /** The settings of a topic: axes side by side, then what has one value. */
 export function TopicTables({ topic }: { topic: Topic }) {
   return (
-    <section className="topic" aria-label={topic.title}>
-      <h3>{topic.title}</h3>
+    <section className="topic" aria-label={topicName(topic.title)}>
+      <h3>{topicName(topic.title)}</h3>
       {topic.tables.map((table) => (
         <SettingTable key={table.columns.join()} table={table} />
       ))}
@@ -104,7 +104,7 @@ function SingleSetting({ entry }: { entry: SettingEntry }) {
       <div>
         <b>{shortName(entry.key)}</b> <span className="setting-unit">{unit}</span>
         <p className="setting-doc">
-          {entry.doc} {entry.bound && t("Allowed: {0}.", entry.bound)}
+          {docOf(entry)} {entry.bound && t("Allowed: {0}.", boundText(entry.bound))}
         </p>
       </div>
       <SettingValue cell={{ entry }} label={fullName(entry.key)} />

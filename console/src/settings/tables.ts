@@ -1,7 +1,7 @@
 /** Settings of a topic as tables: axes, or inputs, side by side. */
 
 import type { SettingArea, SettingEntry } from "../wire/messages";
-import { shortName } from "./names";
+import { docOf, shortName } from "./names";
 
 /** A value in a table: of a setting, or one of its list. */
 export interface Cell {
@@ -62,10 +62,16 @@ function placeOf(entry: SettingEntry): Place | undefined {
   if (length !== entry.kind.length || length < 3 || length > mostColumns) return undefined;
   const isOfAxes = length === axes.length;
   const columns = partsOf(entry.value).map((_, at) => {
-    const name = isOfAxes ? axes[at] : entry.key.startsWith("ports.") ? `${at}` : `${at + 1}`;
-    return [name ?? "", { entry, at }] as const;
+    return [columnOf(entry, length, at), { entry, at }] as const;
   });
   return { row: entry.key, kind: isOfAxes ? "axes" : `list ${length}`, columns };
+}
+
+/** What heads a value of a list: its axis, its bit, or its number. */
+function columnOf({ key }: SettingEntry, length: number, at: number): string {
+  if (key === "rotary") return axes[at + 3] ?? "";
+  if (length === axes.length || key === "view.table_mm") return axes[at] ?? "";
+  return key.startsWith("ports.") ? `${at}` : `${at + 1}`;
 }
 
 /** Sorts an area into tables; settings keep their order. */
@@ -81,10 +87,10 @@ export function topicOf(area: SettingArea): Topic {
     const rows = kinds.get(place.kind) ?? new Map<string, Row>();
     kinds.set(place.kind, rows);
     const row = rows.get(place.row);
-    const name = place.row.includes(".") ? shortName(place.row) : area.title;
+    const name = shortName(entry.key, place.kind === "axes");
     rows.set(place.row, {
       name,
-      doc: row?.doc ?? entry.doc,
+      doc: row?.doc ?? docOf(entry),
       cells: new Map([...(row?.cells ?? []), ...place.columns]),
     });
   }

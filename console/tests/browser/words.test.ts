@@ -1,6 +1,10 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
+import { starred } from "../../src/settings/names";
+import type { SettingArea } from "../../src/wire/messages";
+import { settingNames } from "../../src/words/english/machineSettings";
 import { german } from "../../src/words/german/german";
+import { machineSettings, topics } from "../../src/words/german/machineSettings";
 import { overlaps } from "./overlaps";
 import { openWorkshop, violations, type Workshop } from "./workshop";
 
@@ -42,6 +46,17 @@ const englishOn = (page: Page): Promise<string[]> =>
     const texts = said.map((text) => text.replace(/\s+/g, " ").trim()).filter((text) => text);
     return [...new Set(texts.filter((text) => exact.has(text) || pattern.test(text)))];
   }, others);
+
+it("every setting of the machine has a German name and description", async () => {
+  const areas: SettingArea[] = await (await fetch(`${workshop.address}/api/settings`)).json();
+  expect(areas.length).toBeGreaterThan(30);
+  const titles = areas.map(({ title }) => title).filter((title) => topics[title] === undefined);
+  const keys = areas.flatMap(({ settings }) => settings).map(({ key }) => key);
+  const without = keys.filter((key) => !machineSettings[key] && !machineSettings[starred(key)]);
+  expect({ titles, without }).toEqual({ titles: [], without: [] });
+  const english = Object.keys(settingNames).filter((key) => !machineSettings[key]);
+  expect(english).toEqual([]);
+});
 
 const screens = ["Bedienen", "Text", "Zeichnen", "Setup", "Hilfe"];
 

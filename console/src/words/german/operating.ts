@@ -370,4 +370,7 @@ export const operating: Readonly<Record<string, string>> = {
   "↑ Folder above": "↑ Ordner darüber",
   base: "Maschine",
   working: "Werkstück",
+  CUT: "SCHNEIDEN",
+  PREVIEW: "VORSCHAU",
+  SIMULATED: "SIMULIERT",
 };

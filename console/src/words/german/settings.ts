@@ -84,7 +84,7 @@ export const settings: Readonly<Record<string, string>> = {
   "Without a password everybody who may change settings changes them at once.":
     "Ohne Passwort ändert jeder, der Einstellungen ändern darf, sie sofort.",
   "Zero Z with a touch plate (C2)": "Z mit einer Tastplatte nullen (C2)",
-  "backup, inch, probe": "backup, inch, probe",
+  "backup, inch, probe": "Sicherung, Zoll, Taster",
   ", with {0}": ", mit {0}",
   "by {0}": "von {0}",
   "changes settings": "ändert Einstellungen",
@@ -108,4 +108,8 @@ export const settings: Readonly<Record<string, string>> = {
   "Press a key": "Taste drücken",
   "Usual keys": "Übliche Tasten",
   Skip: "Überspringen",
+  "greater than {0}": "größer als {0}",
+  no: "nein",
+  yes: "ja",
+  "{0} or greater": "{0} oder mehr",
 };
