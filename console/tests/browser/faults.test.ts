@@ -53,6 +53,23 @@ it("a full disk is told where something is to be written, and what lies there st
   await until(async () => read("a.sbp") === "MX,1\nMX,2\n", "what has room is saved");
 });
 
+it("a disk that is full when the editor saves is told, and what was typed is kept", async () => {
+  workshop = await openWorkshop({ mostKilobytes: 900 });
+  const before = "' nothing moves\n".repeat(57_000);
+  put("long.sbp", before);
+  const page = await workshop.page();
+  await edit(page, "long.sbp");
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+Home");
+  await page.keyboard.insertText("' typed by hand\n".repeat(1000));
+  await page.getByRole("button", { name: "Save", exact: true }).click();
+  await page.locator(".notice", { hasText: "the disk is full" }).waitFor();
+  expect(read("long.sbp")).toBe(before);
+  await page.reload();
+  await page.locator(".cm-line", { hasText: "typed by hand" }).first().waitFor();
+  expect(read("long.sbp")).toBe(before);
+});
+
 it("a program that is changed on the disk does not run before somebody has opened it again", async () => {
   workshop = await openWorkshop({ rate: 100 });
   put("a.sbp", "MX,1\nEND\n");
