@@ -3,6 +3,7 @@ import { start, takeUp } from "../actions/job";
 import { acknowledge } from "../actions/machine";
 import { useHands, useShown, useSnapshot } from "../app/context";
 import { durationText } from "../app/units";
+import { useWords } from "../app/useWords";
 import { ActionButton } from "../ui/ActionButton";
 import { t } from "../words/words";
 import { FeedOverride } from "./FeedOverride";
@@ -27,12 +28,13 @@ const asksToTakeUp = asking(takeUp);
 
 /** The run that can be taken up, while nothing else is going on. */
 function Interrupted() {
+  const words = useWords();
   const interrupted = useSnapshot("interrupted");
   const idle = useShown((shown) => shown.snapshot?.machine.state === "idle");
   if (!interrupted || !idle) return null;
   return (
     <p className="job-interrupted">
-      <span>{interrupted.text}</span>
+      <span>{words(interrupted.text)}</span>
       <ActionButton action={asksToTakeUp} size="small">
         Recover job…
       </ActionButton>

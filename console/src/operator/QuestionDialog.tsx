@@ -1,6 +1,7 @@
 import { type ReactNode, useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, worldOf } from "../app/context";
+import { useWords } from "../app/useWords";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
@@ -16,10 +17,11 @@ const icons: Record<number, string> = { 16: "✖", 32: "?", 48: "!", 64: "i" };
  * dialog closes on all of them when the server says so.
  */
 export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode }) {
+  const words = useWords();
   const [entry, setEntry] = useState(asked.prefill);
   const hands = useHands();
-  const answer = (words: string) =>
-    void ask(worldOf(hands), { do: "answer", question: asked.number, answer: words });
+  const answer = (given: string) =>
+    void ask(worldOf(hands), { do: "answer", question: asked.number, answer: given });
   const cancel = asked.buttons.find((word) => word.toLowerCase() === "cancel");
   return (
     <Sheet
@@ -45,7 +47,7 @@ export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode
             {icons[asked.icon]}
           </span>
         )}
-        <p className="question-text">{asked.text}</p>
+        <p className="question-text">{textOf(asked, words)}</p>
         {asked.entry && <Field label="Answer" value={entry} onChange={setEntry} first />}
       </form>
       {!asked.entry && <GoesOn />}
@@ -53,6 +55,12 @@ export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode
     </Sheet>
   );
 }
+
+/** Kinds of questions whose words are the program's own: they stay as they were written. */
+const ofPrograms = ["input", "msgbox", "pause"];
+
+const textOf = ({ kind, text }: Asked, words: (text: string) => string): string =>
+  ofPrograms.includes(kind) ? text : words(text);
 
 /** A title that is the path of the file is told by its name. */
 const titleOf = ({ title, file }: Asked): string =>

@@ -1,0 +1,45 @@
+/** Sentences of the server that an operator reads most, in German; a test looks that the server says each of them. */
+
+export const serverSentences: Readonly<Record<string, string>> = {
+  "the machine is disarmed: arm it first": "Die Maschine ist gesperrt: zuerst freigeben.",
+  "nobody drives: take control first": "Niemand steuert: zuerst die Steuerung übernehmen.",
+  "this belongs to an older turn at driving": "Inzwischen steuert jemand anderes.",
+  "somebody else drives: {0}. Press Give up control there, or close that page; another page takes it with Take control":
+    "Jemand anderes steuert: {0}. Dort die Steuerung abgeben oder die Seite schließen; eine andere Seite übernimmt sie.",
+  "the machine is busy": "Die Maschine ist beschäftigt.",
+  "stopped before it began: start it again": "Vor dem Beginn angehalten: noch einmal starten.",
+  "take note of the alarm first": "Zuerst den Alarm zur Kenntnis nehmen.",
+  "nothing is held": "Nichts wird gehalten.",
+  "no file is open": "Keine Datei ist offen.",
+  "no run was cut short": "Kein Lauf wurde unterbrochen.",
+  "the preview is not ready": "Die Vorschau ist noch nicht fertig.",
+  "this is not the file that is open": "Das ist nicht die offene Datei.",
+  "somebody else has answered this question": "Jemand anderes hat diese Frage beantwortet.",
+  "this question is not open any more": "Diese Frage ist nicht mehr offen.",
+  "in preview only part files are drawn: choose Move mode before a job is cut":
+    "In der Vorschau werden nur Programme gezeichnet: vor einem Auftrag den Schneidebetrieb wählen.",
+  "the file has mistakes, the first in line {0}: {1}":
+    "Die Datei hat Fehler, den ersten in Zeile {0}: {1}",
+  "{0} was changed since it was previewed; open the file again":
+    "{0} wurde seit der Vorschau geändert; die Datei noch einmal öffnen.",
+  "this needs the role {0}, this device is {1}":
+    "Das darf nur die Rolle {0}, dieses Gerät ist {1}.",
+  "the controlling browser disconnected": "Der steuernde Browser ist nicht mehr verbunden.",
+  "the controlling device was revoked": "Dem steuernden Gerät wurde der Zugang entzogen.",
+  "the controlling program was not heard for {0} s":
+    "Vom steuernden Programm kam {0} s lang nichts.",
+  "disarmed at a page": "An einer Seite gesperrt.",
+  "stopped by stop input {0}": "Angehalten durch Halteingang {0}.",
+  "stopped by limit input {0}": "Angehalten durch Endschalter {0}.",
+  "stopped by a limit": "Angehalten an einer Grenze.",
+  "Stopped. Resume, Quit, or nudge the workpiece (nudge y .05)":
+    "Angehalten. Weiter, Ende, oder das Werkstück rücken.",
+  "where the machine stands is not verified: home {0}, or zero them anew":
+    "Wo die Maschine steht, ist nicht sicher: {0} referenzieren oder neu nullen.",
+  "outputs are off: the machine was stopped or disarmed":
+    "Ausgänge sind aus: die Maschine wurde angehalten oder gesperrt.",
+  "another Kerf has run the machine: it is disarmed":
+    "Ein anderes Kerf hat die Maschine benutzt: sie ist gesperrt.",
+  "preview was left meanwhile, and the machine is not armed":
+    "Die Vorschau wurde inzwischen verlassen, und die Maschine ist gesperrt.",
+};
