@@ -41,6 +41,8 @@ pub enum Request {
     LetRest,
     /// The state of a switch is asked for.
     Switch(usize),
+    /// The condition of the motor drivers is looked at.
+    CheckDrivers,
     /// A shutdown is cleared.
     Recover,
 }
@@ -122,6 +124,11 @@ impl Desk {
                 Ok(())
             }
             Request::Switch(switch) => board.ask_switch(switch),
+            // A board that is not ready tells so by itself.
+            Request::CheckDrivers => {
+                board.check_drivers().ok();
+                Ok(())
+            }
             Request::Recover => board.recover(),
         };
         if let Err(why) = taken {

@@ -64,6 +64,9 @@ orders! {
     QueryButtons "buttons_query" ["oid" "clock" "rest_ticks" "retransmit_count" "invert"] "Inputs are looked at.";
     AckButtons "buttons_ack" ["oid" "count"] "Changes of inputs have come.";
     DriverUart "tmcuart_send" ["oid" "write" "read"] "Bits for a motor driver.";
+    ConfigSpi "config_spi" ["oid" "pin" "cs_active_high"] "A chip select.";
+    SpiBus "spi_set_sw_bus" ["oid" "miso_pin" "mosi_pin" "sclk_pin" "mode" "pulse_ticks"] "Pins of a bus of SPI.";
+    Transfer "spi_transfer" ["oid" "data"] "Bytes for a chip, and from it.";
 }
 
 /// The commands of one board.

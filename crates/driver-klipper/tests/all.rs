@@ -5,6 +5,7 @@
 mod bytes;
 mod compress;
 mod crew;
+mod drivers;
 mod line;
 mod measured;
 mod motion;

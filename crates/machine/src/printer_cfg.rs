@@ -56,6 +56,7 @@ pub fn read(text: &str) -> Result<Imported, String> {
         );
     }
     import.enable();
+    import.currents();
     import.leaves_out();
     Ok(import.told())
 }
@@ -83,6 +84,11 @@ struct Import {
     board: Vec<String>,
     motors: Vec<String>,
     homing: Vec<String>,
+    drivers: Vec<String>,
+    /// Current, sense resistors and microsteps of motors with such drivers, in the order of [`Motor`]s of a machine.
+    ///
+    /// [`Motor`]: crate::settings::motors::Motor
+    currents: [[f64; 6]; 3],
     /// Pins that give motors their current, each once.
     enables: Vec<String>,
     /// Steps a millimetre of X, Y, Z.
@@ -99,6 +105,7 @@ impl Import {
         };
         let (Some(step), Some(dir)) = (pin(self, "step_pin"), pin(self, "dir_pin")) else { return };
         self.board.push(format!("{key} = \"{step} {dir}\""));
+        self.driver(section, key, &values);
         if let Some(second) = second {
             self.motors.push(format!("{second} = \"{key}\""));
         }
@@ -112,6 +119,52 @@ impl Import {
             self.homes(section, &values);
         }
         self.steps(section, &values);
+    }
+
+    /// The driver of a motor, where the file tells of one with registers.
+    fn driver(&mut self, section: &str, key: &str, values: &BTreeMap<String, String>) {
+        let named = |(name, values): (&String, &BTreeMap<_, _>)| {
+            let (kind, of) = name.split_once(' ')?;
+            (of == section && kind.starts_with("tmc")).then(|| (kind.to_owned(), values.clone()))
+        };
+        let Some((kind, own)) = self.sections.iter().find_map(named) else { return };
+        let mut words = vec![kind.clone()];
+        for pin in ["uart_pin", "tx_pin", "cs_pin"] {
+            let told = own.get(pin).cloned();
+            words.extend(told.and_then(|told| self.pin(&kind, pin, &told)));
+        }
+        words.extend(own.get("uart_address").cloned());
+        self.drivers.push(format!("{key} = \"{}\"", words.join(" ")));
+        let bus = ["miso", "mosi", "sclk"].map(|it| own.get(&format!("spi_software_{it}_pin")));
+        if let [Some(miso), Some(mosi), Some(sck)] = bus {
+            let spi = format!("spi = \"{miso} {mosi} {sck}\"");
+            if !self.drivers.contains(&spi) {
+                self.drivers.push(spi);
+            }
+        }
+        let number = |values: &BTreeMap<String, String>, key: &str| {
+            values.get(key).and_then(|told| told.parse::<f64>().ok()).unwrap_or_default()
+        };
+        let place = ["x", "y", "z", "w", "q", "r"].iter().position(|it| *it == key);
+        if let Some(place) = place {
+            let [current, ohms, microsteps] = &mut self.currents;
+            current[place] = number(&own, "run_current");
+            ohms[place] = number(&own, "sense_resistor");
+            microsteps[place] = number(values, "microsteps");
+        }
+    }
+
+    /// The lines about all drivers together.
+    fn currents(&mut self) {
+        if self.drivers.is_empty() {
+            return;
+        }
+        let [current, ohms, microsteps] = self.currents;
+        let microsteps = microsteps.map(|many| if many > 0.0 { many } else { 16.0 });
+        for (key, numbers) in [("current_a", current), ("ohms", ohms), ("microsteps", microsteps)] {
+            self.drivers
+                .push(format!("{key} = {numbers:?}").replace(".0,", ",").replace(".0]", "]"));
+        }
     }
 
     /// Steps a millimetre: those of a turn by the way that it makes.
@@ -187,10 +240,8 @@ impl Import {
         for section in self.sections.keys() {
             let mut words = section.split_whitespace();
             let (kind, of) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
-            if kind.starts_with("tmc") {
-                self.notes.push(format!(
-                    "{section}: current and microsteps of {of} are not set by Kerf: set them at the driver itself"
-                ));
+            if kind.starts_with("tmc") && !MOTORS.iter().any(|motor| motor.section == of) {
+                self.notes.push(format!("{section}: {of} is no motor of this machine"));
             }
             if ["heater_bed", "extruder", "fan", "output_pin", "heater_fan"].contains(&kind) {
                 self.notes
@@ -205,9 +256,12 @@ impl Import {
             let [x, y, z] = self.per_unit.map(|steps| steps.unwrap_or(100.0));
             let _ = writeln!(file, "[steps]\nper_unit = [{x}, {y}, {z}, 100, 100, 100]");
         }
-        for (area, lines) in
-            [("motors", &self.motors), ("homing", &self.homing), ("board", &self.board)]
-        {
+        for (area, lines) in [
+            ("motors", &self.motors),
+            ("homing", &self.homing),
+            ("board", &self.board),
+            ("drivers", &self.drivers),
+        ] {
             if !lines.is_empty() {
                 let _ = writeln!(file, "[{area}]\n{}", lines.join("\n"));
             }
@@ -236,7 +290,7 @@ mod tests {
         microsteps = 16\nrotation_distance = 40\nendstop_pin = ^Y_STOP\nposition_endstop = 235\nposition_max = 235\n\
         [stepper_y1]\nstep_pin: PB3\ndir_pin: PB4\nenable_pin: !PC4\n[stepper_z]\nstep_pin: PB6\ndir_pin: !PB5\n\
         microsteps: 16\nrotation_distance: 8\ngear_ratio: 2:1\nendstop_pin: probe:z_virtual_endstop\n\
-        [tmc2209 stepper_x]\nuart_pin: PA1\n[board_pins]\naliases: X_STOP=PA5, Y_STOP=PA6\n[fan]\npin: PA0\n";
+        [tmc2209 stepper_x]\nuart_pin: PA1\nrun_current: 0.58\n[tmc2209 extruder]\nuart_pin: PA1\n[board_pins]\naliases: X_STOP=PA5, Y_STOP=PA6\n[fan]\npin: PA0\n";
 
     fn check(text: &str, line: &str) {
         let file = read(text).unwrap().file;
@@ -253,14 +307,20 @@ mod tests {
         check(CARTESIAN, "y2 = \"w\"");
         check(CARTESIAN, "w = \"PB3 PB4\"");
         check(CARTESIAN, "enable = \"!PC3, !PC4\"");
+        check(CARTESIAN, "x = \"tmc2209 PA1\"");
+        check(CARTESIAN, "current_a = [0.58, 0, 0, 0, 0, 0]");
+        check(CARTESIAN, "microsteps = [16, 16, 16, 16, 16, 16]");
         let machine = crate::file::read(&"m.toml".into(), &read(CARTESIAN).unwrap().file).unwrap();
         assert_eq!(machine.board.motors[2], "PB6 !PB5");
+        assert_eq!(machine.drivers.current_a[0], 0.58);
     }
 
     #[test]
     fn what_is_left_out_is_told() {
         let notes = read(CARTESIAN).unwrap().notes.join("\n");
-        for part in ["probe is no pin", "tmc2209 stepper_x", "fan: its pin may serve"] {
+        for part in
+            ["probe is no pin", "extruder is no motor of this machine", "fan: its pin may serve"]
+        {
             assert!(notes.contains(part), "{part}: {notes}");
         }
         assert!(read("[printer]\nkinematics: delta\n").unwrap_err().contains("names no motors"));

@@ -72,6 +72,15 @@ impl Session {
         Ok(self.motion.read_counts(&mut self.channel, Ended::Shutdown)?)
     }
 
+    /// Begins to look at the condition of the motor drivers.
+    pub fn check_drivers(&mut self) -> Result<(), NotNow> {
+        if !self.is_ready() || self.shutdown {
+            return Err(NotNow::Busy);
+        }
+        self.drivers.check(&self.channel.setup.tuned);
+        Ok(())
+    }
+
     pub fn set_output(&mut self, output: usize, share: f64, now_s: f64) -> Result<(), NotNow> {
         let (now, off) = self.when_ready(now_s)?;
         let value = self.channel.output_value(output, share);

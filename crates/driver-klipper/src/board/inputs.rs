@@ -7,8 +7,11 @@ use super::questions::About;
 use crate::dictionary::{Message, Value};
 use crate::orders::{Order, OrderError};
 use crate::setup::Object;
-use crate::tmc;
+use crate::tmc::{TmcError, spi, uart};
 use std::collections::VecDeque;
+
+/// The value of a register, or the reason for which it is unknown.
+pub type Value32 = Result<u32, TmcError>;
 
 /// Time until the first look, seconds: the line may need some resends by then.
 const FIRST_S: f64 = 0.5;
@@ -119,7 +122,7 @@ impl Channel {
         address: u8,
         register: u8,
     ) -> Result<(), OrderError> {
-        let command = self.bits(driver, tmc::read(address, register), tmc::ANSWER_BITS)?;
+        let command = self.bits(driver, uart::read(address, register), uart::ANSWER_BITS)?;
         self.questions.ask(About::Register(driver, register), command);
         Ok(())
     }
@@ -131,21 +134,40 @@ impl Channel {
         register: u8,
         value: u32,
     ) -> Result<(), OrderError> {
-        let command = self.bits(driver, tmc::write(address, register, value), 0)?;
+        let command = self.bits(driver, uart::write(address, register, value), 0)?;
         self.push(command, None)
     }
 
-    pub fn told_register(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) {
+    /// Reads what came over a wire: the wire, the register that was asked for, and its value.
+    pub fn told_register(&mut self, message: &Message<'_>) -> Option<(usize, u8, Value32)> {
         let oid = message.number("oid");
         let mut wires = 0..self.setup.drivers.len();
         let found = wires.find(|n| Some(self.oid(Object::Driver(*n))) == oid);
         let asked = |register: &u8| {
             self.questions.has(|about| about == About::Register(found.unwrap_or(0), *register))
         };
-        let Some((driver, register)) = found.zip((0..=u8::MAX).find(asked)) else { return };
+        let (driver, register) = found.zip((0..=u8::MAX).find(asked))?;
         self.questions.answered(About::Register(driver, register));
-        let value = tmc::answer(register, message.bytes("read").unwrap_or_default());
-        news.push_back(News::Register { driver, register, value });
+        let value = uart::answer(register, message.bytes("read").unwrap_or_default());
+        Some((driver, register, value))
+    }
+
+    /// Sends bytes to a chip behind a select, and asks for its own.
+    pub fn transfer(&mut self, select: usize, bytes: Vec<u8>) -> Result<(), OrderError> {
+        let oid = self.oid(Object::Select(select));
+        let values = [Value::Number(oid), Value::Bytes(bytes)];
+        let command = self.orders.write_values(Order::Transfer, &values)?;
+        self.questions.ask(About::Transfer(select), command);
+        Ok(())
+    }
+
+    /// Reads what came from a chip: its select, and its data.
+    pub fn told_transfer(&mut self, message: &Message<'_>) -> Option<(usize, Value32)> {
+        let oid = message.number("oid");
+        let mut selects = 0..self.setup.selects.len();
+        let select = selects.find(|n| Some(self.oid(Object::Select(*n))) == oid)?;
+        let asked = self.questions.answered(About::Transfer(select));
+        asked.then(|| (select, spi::answer(message.bytes("response").unwrap_or_default())))
     }
 
     fn bits(&self, driver: usize, bits: Vec<u8>, read: u32) -> Result<Vec<u8>, OrderError> {

@@ -19,6 +19,8 @@ pub enum Learning {
     Configured(u32),
     /// It is this machine's configuration; the counts are asked for.
     Counts,
+    /// Registers of motor drivers are written.
+    Drivers,
     /// All is known.
     Ready,
 }

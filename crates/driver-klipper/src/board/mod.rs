@@ -9,6 +9,7 @@
 
 mod acts;
 mod channel;
+mod drivers;
 mod greeting;
 mod inputs;
 mod introduction;
@@ -321,6 +322,15 @@ impl Board {
         value: u32,
     ) -> Result<(), NotNow> {
         self.open()?.way().write_register(driver, address, register, value).map_err(NotNow::Order)
+    }
+
+    /// Looks at the condition of all motor drivers. What is wrong is told as news.
+    ///
+    /// # Errors
+    ///
+    /// The board is not ready.
+    pub fn check_drivers(&mut self) -> Result<(), NotNow> {
+        self.open()?.check_drivers()
     }
 
     /// Measures a voltage again and again, every so many seconds.

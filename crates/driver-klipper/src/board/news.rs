@@ -3,6 +3,7 @@
 use crate::dictionary::DictionaryError;
 use crate::orders::OrderError;
 use crate::setup::SetupError;
+use crate::tmc::Trouble;
 
 /// The reason for which motion ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,6 +102,8 @@ pub enum News {
         /// Its value, or the reason for which it is unknown.
         value: Result<u32, crate::tmc::TmcError>,
     },
+    /// A motor driver is not well.
+    Driver(Trouble),
     /// The board shut down. Its motors stand, its outputs are off; the counts are kept.
     Shutdown(String),
     /// Nothing more can be done in this session.
@@ -148,6 +151,14 @@ pub enum Fault {
     /// A question was not answered, while other things were.
     #[error("the board does not answer `{0}`: flash its firmware anew")]
     Unanswered(&'static str),
+    /// A motor driver cannot be set.
+    #[error("the driver of motor {motor}: {why}; nothing moves")]
+    Driver {
+        /// The name of its motor.
+        motor: String,
+        /// The reason.
+        why: String,
+    },
     /// One of several boards of a machine.
     #[error("board {board}: {fault}")]
     OnBoard {

@@ -20,6 +20,8 @@ pub enum About {
     Switch(usize),
     /// A register of a motor driver behind a wire.
     Register(usize, u8),
+    /// Bytes of a chip behind a select.
+    Transfer(usize),
 }
 
 impl About {
@@ -32,6 +34,7 @@ impl About {
             Self::Latch(_) => "trsync_trigger",
             Self::Switch(_) => "endstop_query_state",
             Self::Register(..) => "tmcuart_send",
+            Self::Transfer(_) => "spi_transfer",
         }
     }
 }

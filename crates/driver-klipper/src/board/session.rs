@@ -1,6 +1,7 @@
 //! A session with a board whose words are known: what it holds, and what comes and goes.
 
 use super::channel::{ARMED, CLOCK, Channel, Told};
+use super::drivers::Drivers;
 use super::inputs::Buttons;
 use super::learn::{self, Learning};
 use super::motion::{Motion, ask_counts};
@@ -32,6 +33,7 @@ pub struct Session {
     configured: Configured,
     learning: Learning,
     buttons: Buttons,
+    pub drivers: Drivers,
 }
 
 impl Session {
@@ -52,6 +54,7 @@ impl Session {
             configured,
             learning: Learning::Asked,
             buttons: Buttons::default(),
+            drivers: Drivers::default(),
         })
     }
 
@@ -64,6 +67,7 @@ impl Session {
                 Heard::Delivered { mark: ARMED, .. } => self.motion.armed(),
                 Heard::Delivered { .. } => {}
                 Heard::Message(bytes) => self.message(&bytes, now_s, news)?,
+                Heard::OutOfTurn(bytes) => self.begins_anew(&bytes)?,
             }
         }
         Ok(())
@@ -88,7 +92,8 @@ impl Session {
         let Channel { link, clock, questions, .. } = &self.channel;
         let clock_s = clock.as_ref().map_or(f64::INFINITY, Clock::due_s);
         let motion_s = if self.is_ready() { self.motion.due_s() } else { f64::INFINITY };
-        link.due_s().min(clock_s).min(questions.due_s()).min(motion_s)
+        let asked_s = questions.due_s().min(self.drivers.due_s());
+        link.due_s().min(clock_s).min(asked_s).min(motion_s)
     }
 
     pub fn is_ready(&self) -> bool {
@@ -104,6 +109,15 @@ impl Session {
             Some(reason) => self.shut_down(reason, news),
             None => Ok(()),
         }
+    }
+
+    /// Looks at a message that fits no number: a board that begins anew counts from 0.
+    fn begins_anew(&self, bytes: &[u8]) -> Told {
+        let message = self.channel.dictionary.message(bytes);
+        if message.is_some_and(|it| it.name() == "starting") {
+            return Err(Fault::Restarted);
+        }
+        Ok(())
     }
 
     fn hear(&mut self, message: &Message<'_>, now_s: f64, news: &mut VecDeque<News>) -> Told {
@@ -133,7 +147,18 @@ impl Session {
             }
             "buttons_state" => self.buttons.told(channel, message, news)?,
             "analog_in_state" => channel.told_voltage(message, news),
-            "tmcuart_response" => channel.told_register(message, news),
+            "tmcuart_response" => {
+                if let Some((driver, register, value)) = channel.told_register(message)
+                    && !self.drivers.told_wire(channel, (driver, register), value)?
+                {
+                    news.push_back(News::Register { driver, register, value });
+                }
+            }
+            "spi_transfer_response" => {
+                if let Some((select, value)) = channel.told_transfer(message) {
+                    self.drivers.told_select(channel, select, value)?;
+                }
+            }
             _ => {}
         }
         Ok(())
@@ -189,7 +214,13 @@ impl Session {
     fn learn(&mut self, now_s: f64, news: &mut VecDeque<News>) -> Told {
         let channel = &mut self.channel;
         let counting = channel.questions.has(|about| matches!(about, About::Position(_)));
-        if self.learning != Learning::Counts || counting {
+        self.drivers.go_on(channel, now_s)?;
+        news.extend(self.drivers.troubles().into_iter().map(News::Driver));
+        if self.learning == Learning::Counts && !counting {
+            self.drivers.tune(&channel.setup.tuned)?;
+            self.learning = Learning::Drivers;
+        }
+        if self.learning != Learning::Drivers || !self.drivers.is_done() {
             return Ok(());
         }
         let Some((clock, _)) = channel.now(now_s) else { return Ok(()) };
@@ -210,6 +241,7 @@ impl Session {
         }
         self.channel.link.forget();
         self.channel.questions.clear();
+        self.drivers.forget();
         self.motion.shut_down();
         news.push_back(News::Shutdown(reason));
         Ok(())

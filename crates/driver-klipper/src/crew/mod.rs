@@ -243,6 +243,15 @@ impl Crew {
         member.board.ask_switch(switch)
     }
 
+    /// Looks at the condition of all motor drivers.
+    ///
+    /// # Errors
+    ///
+    /// A board is not ready.
+    pub fn check_drivers(&mut self) -> Result<(), NotNow> {
+        self.members.iter_mut().try_for_each(|member| member.board.check_drivers())
+    }
+
     /// Clock of the first board at a moment, and the farthest that any of them may be off, ticks; nothing before all are
     /// known.
     pub fn clock(&self, now_s: f64) -> Option<(u64, u64)> {

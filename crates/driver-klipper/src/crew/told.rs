@@ -4,6 +4,7 @@ use super::Crew;
 use super::relay::weight;
 use crate::board::{Ended, Fault, News};
 use crate::setup::own;
+use crate::tmc::Trouble;
 
 impl Crew {
     /// Takes the news of the boards.
@@ -42,6 +43,9 @@ impl Crew {
             }
             News::Register { driver, register, value } => {
                 News::Register { driver: whole(&share.drivers, driver), register, value }
+            }
+            News::Driver(trouble) => {
+                News::Driver(Trouble { name: self.named(n, trouble.name), ..trouble })
             }
             News::Shutdown(reason) => News::Shutdown(self.named(n, reason)),
             News::Fault(fault) if self.members.len() > 1 => {

@@ -1,5 +1,6 @@
 //! The board: its clock, its objects, its states, and what it does with commands.
 
+use super::chip::{Chip, bits_of, bytes_of};
 use super::events::{Event, Events};
 use super::input::{Analog, Buttons};
 use super::output::{Awaits, Output};
@@ -39,6 +40,10 @@ pub struct Board {
     /// Answers of drivers on a wire, by object: what is asked, what comes.
     pub answers: Vec<(Vec<u8>, Vec<u8>)>,
     pending_answers: BTreeMap<u8, Vec<u8>>,
+    /// Pins of wires and chip selects, by object.
+    pub wires: BTreeMap<u8, u32>,
+    /// Motor drivers behind them.
+    pub chips: Vec<Chip>,
     /// Places of the common queue, and those taken.
     pub move_count: usize,
     pub places: usize,
@@ -139,6 +144,7 @@ impl Board {
         fresh.now = self.now;
         fresh.drift = self.drift;
         fresh.records = self.records;
+        fresh.chips = std::mem::take(&mut self.chips);
         fresh.edges = std::mem::take(&mut self.edges);
         *self = fresh;
         self.say("starting", &[]);
@@ -306,7 +312,9 @@ impl Board {
             "config_analog_in" => {
                 self.analogs.insert(said.n("oid") as u8, Analog::new(said));
             }
-            "config_buttons" | "config_tmcuart" | "set_digital_out_pwm_cycle" => {}
+            "config_buttons" | "set_digital_out_pwm_cycle" | "spi_set_sw_bus" => {}
+            "config_tmcuart" => _ = self.wires.insert(said.n("oid") as u8, said.clock("rx_pin")),
+            "config_spi" => _ = self.wires.insert(said.n("oid") as u8, said.clock("pin")),
             "buttons_add" => self.buttons.entry(said.n("oid") as u8).or_default().add(said),
             "buttons_query" => self.query_buttons(said),
             "buttons_ack" => {
@@ -329,16 +337,39 @@ impl Board {
             "update_digital_out" => self.update_output(said),
             "set_digital_out" => self.edge(said.clock("pin"), said.n("value") != 0),
             "tmcuart_send" => self.ask_driver(said),
+            "spi_transfer" => self.transfer(said),
             _ => self.shut("Invalid command"),
         }
     }
 
+    /// Bits for a wire. What comes while one is under way is dropped.
     fn ask_driver(&mut self, said: &Said) {
         let oid = said.n("oid") as u8;
+        if self.pending_answers.contains_key(&oid) {
+            return;
+        }
         let written = &said.bytes["write"];
-        let answer = self.answers.iter().find(|(asked, _)| asked == written);
-        self.pending_answers.insert(oid, answer.map(|(_, a)| a.clone()).unwrap_or_default());
+        let known = self.answers.iter().find(|(asked, _)| asked == written).map(|(_, a)| a.clone());
+        let pin = self.wires.get(&oid).copied().unwrap_or_default();
+        let bytes = bytes_of(written);
+        let heard: Vec<_> = self
+            .chips
+            .iter_mut()
+            .filter(|it| it.pin == pin)
+            .filter_map(|it| it.hear(&bytes))
+            .collect();
+        let told = heard.first().map(|bytes| bits_of(bytes)).filter(|_| said.n("read") > 0);
+        self.pending_answers.insert(oid, known.or(told).unwrap_or_default());
         self.events.set(self.now + (self.frequency * 0.004) as u64, Event::Answer(oid));
+    }
+
+    fn transfer(&mut self, said: &Said) {
+        let oid = said.n("oid") as u8;
+        let bytes = &said.bytes["data"];
+        let pin = self.wires.get(&oid).copied().unwrap_or_default();
+        let chip = self.chips.iter_mut().find(|it| it.pin == pin);
+        let answer = chip.map_or_else(|| vec![0xff; bytes.len()], |it| it.swap(bytes));
+        self.say_bytes("spi_transfer_response", &[("oid", oid.into())], &answer);
     }
 
     fn identify(&mut self, said: &Said) {

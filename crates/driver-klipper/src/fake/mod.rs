@@ -5,6 +5,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 pub mod board;
+pub mod chip;
 pub mod events;
 pub mod input;
 pub mod line;
@@ -16,6 +17,7 @@ pub mod wired;
 pub mod words;
 
 pub use board::Board;
+pub use chip::Chip;
 pub use line::{Faults, Line};
 pub use wired::Wired;
 

@@ -43,6 +43,9 @@ pub const COMMANDS: &[&str] = &[
      rest_ticks=%u bytes_per_report=%c min_value=%hu max_value=%hu range_check_count=%c",
     "config_tmcuart oid=%c rx_pin=%u pull_up=%c tx_pin=%u bit_time=%u",
     "tmcuart_send oid=%c write=%*s read=%c",
+    "config_spi oid=%c pin=%u cs_active_high=%c",
+    "spi_set_sw_bus oid=%c miso_pin=%u mosi_pin=%u sclk_pin=%u mode=%u pulse_ticks=%u",
+    "spi_transfer oid=%c data=%*s",
     "invented_command oid=%c far=%i",
 ];
 
@@ -60,6 +63,7 @@ pub const RESPONSES: &[&str] = &[
     "buttons_state oid=%c ack_count=%c state=%*s",
     "analog_in_state oid=%c next_clock=%u values=%*s",
     "tmcuart_response oid=%c read=%*s",
+    "spi_transfer_response oid=%c response=%*s",
     "invented_response what=%hi",
 ];
 

@@ -49,6 +49,8 @@ pub enum Heard {
     },
     /// A message of the board, as bytes.
     Message(Vec<u8>),
+    /// A message in a frame whose number is none that can come: one of long ago, or of a board that begins anew.
+    OutOfTurn(Vec<u8>),
 }
 
 /// Bytes for the line.
@@ -138,7 +140,10 @@ impl Link {
         let mut news = Vec::new();
         for frame in self.reader.read(bytes) {
             let empty = frame.content.is_empty();
-            let Some(answer) = self.flight.heard(frame.number, empty) else { continue };
+            let Some(answer) = self.flight.heard(frame.number, empty) else {
+                news.extend((!empty).then_some(Heard::OutOfTurn(frame.content)));
+                continue;
+            };
             self.heard_s = now_s;
             for sent in answer.acknowledged {
                 let once = !sent.resent;

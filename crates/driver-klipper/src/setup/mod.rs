@@ -4,15 +4,18 @@
 //! made of the configuration's text, so a board that was configured by someone else, or otherwise, is known by its
 //! number.
 
+mod driver;
 mod needs;
 mod pins;
 mod share;
 
+pub use driver::{Driver, DriverSelect, DriverWire, Way};
 pub use pins::{Pin, Pull};
 pub use share::{Share, own};
 
 use crate::dictionary::{Dictionary, DictionaryError};
 use crate::orders::{Order, OrderError, Orders};
+use crate::tmc::spi;
 use pins::{Look, Pins};
 
 /// Version of the way in which objects are numbered.
@@ -58,15 +61,6 @@ pub struct Pulsed {
     pub watch_s: Option<f64>,
 }
 
-/// A wire to motor drivers.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DriverWire {
-    /// Pin that hears.
-    pub rx: Pin,
-    /// Pin that speaks; the same one where there is one wire.
-    pub tx: Pin,
-}
-
 /// Everything that hangs on a board. The objects of the board count up in this order; its latches are the last.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Setup {
@@ -84,6 +78,10 @@ pub struct Setup {
     pub buttons: Vec<Pin>,
     /// Wires to motor drivers.
     pub drivers: Vec<DriverWire>,
+    /// Chip selects of motor drivers.
+    pub selects: Vec<DriverSelect>,
+    /// Motor drivers whose registers are set, behind those wires and selects.
+    pub tuned: Vec<Driver>,
     /// Switches on other boards that may stop motors of this one.
     pub away: usize,
 }
@@ -155,6 +153,8 @@ pub enum Object {
     Buttons,
     /// A wire to motor drivers.
     Driver(usize),
+    /// A chip select of a motor driver.
+    Select(usize),
     /// A latch: the one over all motion, then one for each switch.
     Latch(usize),
 }
@@ -175,6 +175,7 @@ impl Setup {
             self.voltages.len(),
             usize::from(!self.buttons.is_empty()),
             self.drivers.len(),
+            self.selects.len(),
         ];
         let (row, n) = match object {
             Object::Motor(n) => (0, n),
@@ -184,7 +185,8 @@ impl Setup {
             Object::Voltage(n) => (4, n),
             Object::Buttons => (5, 0),
             Object::Driver(n) => (6, n),
-            Object::Latch(n) => (7, n),
+            Object::Select(n) => (7, n),
+            Object::Latch(n) => (8, n),
         };
         (rows[..row].iter().sum::<usize>() + n) as u32
     }
@@ -252,8 +254,11 @@ impl Setup {
         for (n, wire) in self.drivers.iter().enumerate() {
             let rx = to.pin(&wire.rx)?;
             let tx = if wire.tx.name == wire.rx.name { rx } else { to.pin(&wire.tx)? };
-            let (oid, bit) = (self.oid(Object::Driver(n)), to.ticks(1.0 / crate::tmc::BAUD));
+            let (oid, bit) = (self.oid(Object::Driver(n)), to.ticks(1.0 / crate::tmc::uart::BAUD));
             to.write(Order::ConfigDriverUart, [oid, rx, wire.rx.pull.number(), tx, bit])?;
+        }
+        for (n, select) in self.selects.iter().enumerate() {
+            to.select(self.oid(Object::Select(n)), select)?;
         }
         for n in 0..self.latches() {
             to.write(Order::ConfigTrsync, [self.oid(Object::Latch(n))])?;
@@ -290,6 +295,16 @@ impl Writer<'_> {
         let invert = if motor.both_edges { -1_i32 } else { i32::from(motor.step.inverted) };
         let pulse = self.ticks(motor.pulse_s).max(1);
         self.write(Order::ConfigStepper, [oid, step, dir, invert as u32, pulse])
+    }
+
+    fn select(&mut self, oid: u32, select: &DriverSelect) -> Result<(), SetupError> {
+        let cs = self.pin(&select.cs)?;
+        self.write(Order::ConfigSpi, [oid, cs, 0])?;
+        let share = |writer: &mut Self, pin: &Pin| writer.pins.share(writer.board, &pin.name);
+        let [miso, mosi, sck] = &select.bus;
+        let [miso, mosi, sck] = [share(self, miso)?, share(self, mosi)?, share(self, sck)?];
+        let bit = self.ticks(spi::BIT_S).max(1);
+        self.write(Order::SpiBus, [oid, miso, mosi, sck, spi::MODE, bit])
     }
 
     fn pin(&mut self, pin: &Pin) -> Result<u32, SetupError> {

@@ -57,6 +57,7 @@ impl Setup {
                 &[Order::ConfigButtons, Order::AddButton, Order::QueryButtons, Order::AckButtons],
             ),
             of(!self.drivers.is_empty(), &[Order::ConfigDriverUart, Order::DriverUart]),
+            of(!self.selects.is_empty(), &[Order::ConfigSpi, Order::SpiBus, Order::Transfer]),
         ];
         commands.into_iter().flatten().try_for_each(|order| orders.require(*order))?;
         let answer = |there: bool, name, fields| there.then_some(Wanted { name, fields });
@@ -66,6 +67,7 @@ impl Setup {
             answer(!self.voltages.is_empty(), "analog_in_state", &["oid", "values"]),
             answer(!self.buttons.is_empty(), "buttons_state", &["ack_count", "state"]),
             answer(!self.drivers.is_empty(), "tmcuart_response", &["oid", "read"]),
+            answer(!self.selects.is_empty(), "spi_transfer_response", &["oid", "response"]),
         ];
         let answers = ANSWERS.iter().chain(answers.iter().flatten());
         answers.into_iter().try_for_each(|wanted| board.answer(wanted))?;

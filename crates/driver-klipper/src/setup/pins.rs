@@ -52,6 +52,8 @@ impl Pin {
 pub struct Pins {
     reserved: BTreeMap<String, String>,
     taken: Vec<u32>,
+    /// Those of them that are of a bus.
+    shared: Vec<u32>,
     /// Inputs that are looked at, each as a switch, in a row, or as both.
     looked_at: Vec<(u32, Look)>,
 }
@@ -77,7 +79,7 @@ impl Pins {
                 );
             }
         }
-        Self { reserved, taken: Vec::new(), looked_at: Vec::new() }
+        Self { reserved, taken: Vec::new(), shared: Vec::new(), looked_at: Vec::new() }
     }
 
     /// Gives a pin a task, and returns its number.
@@ -88,6 +90,16 @@ impl Pins {
             return Err(SetupError::Twice(name.to_owned()));
         }
         self.taken.push(number);
+        Ok(number)
+    }
+
+    /// Returns the number of a pin of a bus, which several chips have in common and nothing else.
+    pub fn share(&mut self, board: &Dictionary, name: &str) -> Result<u32, SetupError> {
+        let number = self.number(board, name)?;
+        if !self.shared.contains(&number) {
+            self.take(board, name)?;
+            self.shared.push(number);
+        }
         Ok(number)
     }
 

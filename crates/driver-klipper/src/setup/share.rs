@@ -1,6 +1,6 @@
 //! The share that one board has in a machine of several: its own motors, switches and outputs, counted anew.
 
-use super::{Pin, Setup, SetupError};
+use super::{Driver, Pin, Setup, SetupError, Way};
 
 /// A board's part of a setup. The lists name its things by their places in the whole, in the order of the part.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,7 +35,9 @@ impl Setup {
     pub fn shares(&self, boards: usize) -> Result<Vec<Share>, SetupError> {
         let motors = self.motors.iter().map(|motor| [&motor.step, &motor.dir]);
         let wires = self.drivers.iter().map(|wire| [&wire.rx, &wire.tx]);
-        if let Some([one, other]) = motors.chain(wires).find(|[a, b]| a.board != b.board) {
+        let buses = self.selects.iter().flat_map(|it| it.bus.iter().map(|pin| [&it.cs, pin]));
+        let pairs = motors.chain(wires).chain(buses);
+        if let Some([one, other]) = pairs.into_iter().find(|[a, b]| a.board != b.board) {
             return Err(SetupError::Split([one.name.clone(), other.name.clone()]));
         }
         Ok((0..boards).map(|board| self.share(board)).collect())
@@ -50,6 +52,15 @@ impl Setup {
         let (voltages, own_voltages) = part(&self.voltages, pin);
         let (buttons, own_buttons) = part(&self.buttons, pin);
         let (drivers, own_drivers) = part(&self.drivers, |wire| pin(&wire.rx));
+        let (selects, own_selects) = part(&self.selects, |select| pin(&select.cs));
+        let tuned = self.tuned.iter().filter_map(|driver| {
+            let way = match driver.way {
+                Way::Wire { wire, address } => Way::Wire { wire: own(&drivers, wire)?, address },
+                Way::Select(select) => Way::Select(own(&selects, select)?),
+            };
+            Some(Driver { way, ..driver.clone() })
+        });
+        let tuned = tuned.collect();
         let behind = self.outputs.len();
         Share {
             motors,
@@ -66,6 +77,8 @@ impl Setup {
                 voltages: own_voltages,
                 buttons: own_buttons,
                 drivers: own_drivers,
+                selects: own_selects,
+                tuned,
             },
             switches,
         }

@@ -133,6 +133,7 @@ impl Wizard<'_> {
                 let letter = axis.letter();
                 self.setting(&format!("motor {letter}, step and direction"), pins)?;
                 self.setting(&format!("home switch of {letter}"), home)?;
+                self.current(axis)?;
                 let is_fitted = !get(&self.machine, home).is_empty();
                 self.machine.homing.switches[axis.index()].fitted = is_fitted;
             }
@@ -158,6 +159,26 @@ impl Wizard<'_> {
             match put(&mut self.machine, key, value) {
                 Ok(()) => return Ok(()),
                 Err(why) => out::print(&format!("{why}\n")),
+            }
+        }
+    }
+
+    /// Asks for the current of a motor whose driver is set by its registers.
+    fn current(&mut self, axis: Axis) -> Told {
+        let (motor, letter) = (axis.index(), axis.letter());
+        if self.machine.drivers.kinds[motor].is_empty() {
+            return Ok(());
+        }
+        loop {
+            let kept = self.machine.drivers.current_a[motor];
+            let answer = ask(&format!("current of {letter} while it turns, amperes [{kept}]: "))?;
+            match (&*answer, answer.parse::<f64>()) {
+                ("", _) => return Ok(()),
+                (_, Ok(current_a)) if current_a > 0.0 => {
+                    self.machine.drivers.current_a[motor] = current_a;
+                    return Ok(());
+                }
+                _ => out::print("Name it as the motor has it printed, or less: 0.8\n"),
             }
         }
     }

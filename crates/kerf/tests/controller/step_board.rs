@@ -1,7 +1,7 @@
 //! `kerf run --machine klipper:PORT`: runs on a board with step queues that is none, on a pseudo terminal.
 
 use crate::shop::{Did, Shop};
-use kerf_driver_klipper::fake::Board;
+use kerf_driver_klipper::fake::{Board, Chip};
 use kerf_transport::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
@@ -243,13 +243,15 @@ fn a_board_that_is_sold_is_wired_by_its_name() {
     let (shop, bench) = (shop(), Bench::new());
     let wire =
         |name: &str| format!("machine wire klipper:{} --board {name} --into mine.toml", bench.port);
-    let pins = "\n\n\n\n\n\n\n\nq\n";
+    let pins = "\n\n0.8\n\n\n0.8\n\n\n0.5\n\n\nq\n";
+    bench.look(|board| board.chips = [0, 2, 1].map(|address| Chip::tmc2209(9, address)).to_vec());
     shop.kerf_with(&wire("skr-pico"), pins.as_bytes())
         .exits(3)
         .says("X, Y, Z are motors X, Y, Z; outputs 1 and up are FAN1")
         .says("motor X, step and direction [gpio11 gpio10]")
         .says("home switch of Z [^gpio25]")
         .says("outputs by number (1 gpio20, 2 gpio21) [1 gpio17, 2 gpio18")
+        .says("current of Z while it turns, amperes [0]")
         .says("X goes 1 mm");
     let pins =
         bench.look(|board| board.steppers.values().map(|it| it.step_pin).collect::<Vec<_>>());
@@ -263,6 +265,28 @@ fn a_board_that_is_sold_is_wired_by_its_name() {
         .exits(0)
         .says("motor Z     step gpio19, direction gpio28")
         .says("probe       gpio22");
+}
+
+#[test]
+fn motor_drivers_are_set_and_one_that_is_not_well_is_told() {
+    let (shop, bench) = (shop(), Bench::new());
+    let drivers = "[drivers]\nx = \"tmc2209 gpio40 gpio41 0\"\ny = \"tmc2130 gpio44\"\nspi = \"gpio50 gpio51 gpio52\"\n\
+        current_a = [0.8, 0.6, 0, 0, 0, 0]\nmicrosteps = [32, 16, 16, 16, 16, 16]\n";
+    shop.write("board.toml", format!("{MACHINE}{drivers}").as_bytes());
+    bench
+        .run(&shop, "run square.sbp")
+        .exits(1)
+        .complains("the driver of motor X: the motor driver does not answer");
+    assert_eq!(bench.counts(), [0; 3], "nothing has moved");
+    bench.look(|board| board.chips = vec![Chip::tmc2209(40, 0), Chip::tmc2130(44)]);
+    bench.run(&shop, "run square.sbp").exits(0).says("ran to its end");
+    let resolutions = bench
+        .look(|board| board.chips.iter().map(|it| it.get(0x6c) >> 24 & 0xf).collect::<Vec<_>>());
+    assert_eq!(resolutions, [3, 4], "32 and 16 microsteps");
+    bench.look(|board| _ = board.chips[0].registers.insert(0x6f, 0b10));
+    bench.run(&shop, "run long.sbp").exits(1).complains("the driver of motor X: it is too hot");
+    shop.write("board.toml", format!("{MACHINE}{}", drivers.replace("0.6", "9")).as_bytes());
+    bench.run(&shop, "run square.sbp").exits(1).complains("drivers.y: 9 A is beyond its resistors");
 }
 
 #[test]

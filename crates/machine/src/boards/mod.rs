@@ -8,6 +8,7 @@ mod read;
 pub use read::{BoardsError, all};
 
 use crate::settings::Configuration;
+use crate::settings::drivers::Drivers;
 use kerf_diag::did_you_mean;
 
 /// A board and what is at its plugs, in the order of the table.
@@ -108,6 +109,8 @@ impl KnownBoard {
         }
         board.enable =
             driven.map(|motor| format!("!{}", motor.enable)).collect::<Vec<_>>().join(", ");
+        self.fill_drivers(&mut machine.drivers);
+        let board = &mut machine.board;
         for (home, plug) in board.homes.iter_mut().zip(self.home_plugs()) {
             *home = format!("^{}", plug.pin);
         }
@@ -115,6 +118,21 @@ impl KnownBoard {
         board.outputs =
             loads.map(|(plug, n)| format!("{n} {}", plug.pin)).collect::<Vec<_>>().join(", ");
         board.inputs = self.probe.as_ref().map(|pin| format!("1 ^{pin}")).unwrap_or_default();
+    }
+
+    /// Drivers that are soldered are known with their pins; their current is the motor's, so nobody knows it here.
+    fn fill_drivers(&self, drivers: &mut Drivers) {
+        drivers.spi = self.spi.as_ref().map(|pins| pins.join(" ")).unwrap_or_default();
+        for (n, motor) in self.motors.iter().take(3).enumerate() {
+            let Some(kind) = &motor.driver else { continue };
+            let pins = match (&motor.wire, &self.uart) {
+                (Wire::Own(pin), _) => pin.clone(),
+                (Wire::Shared(address), Some([rx, tx])) => format!("{rx} {tx} {address}"),
+                (Wire::Shared(_), None) => continue,
+            };
+            drivers.kinds[n] = format!("{kind} {pins}");
+            drivers.ohms[n] = motor.ohms.unwrap_or_default();
+        }
     }
 
     /// The plugs of the home switches of X, Y and Z: the first at the low end, where each axis has two.
@@ -220,9 +238,14 @@ mod tests {
         assert_eq!(board.homes[..3], ["^gpio4", "^gpio3", "^gpio25"]);
         assert!(board.outputs.starts_with("1 gpio17, 2 gpio18"), "{}", board.outputs);
         assert_eq!(board.inputs, "1 ^gpio22");
+        let kinds = &machine.drivers.kinds;
+        assert_eq!(kinds[..2], ["tmc2209 gpio9 gpio8 0", "tmc2209 gpio9 gpio8 2"]);
         named("spider-1.1").unwrap().fill(&mut machine);
         assert_eq!(machine.board.homes[..3], ["^PB14", "^PB13", "^PA0"], "minus ends");
         assert_eq!(machine.board.inputs, "");
+        named("kraken").unwrap().fill(&mut machine);
+        assert_eq!(machine.drivers.kinds[0], "tmc5160 PD6");
+        assert_eq!((&*machine.drivers.spi, machine.drivers.ohms[0]), ("PC7 PC8 PC6", 0.022));
     }
 
     #[test]

@@ -4,6 +4,7 @@ pub mod axes;
 pub mod board;
 mod choices;
 pub mod delays;
+pub mod drivers;
 pub mod estop;
 pub mod height;
 pub mod homing;
@@ -69,6 +70,8 @@ pub struct Configuration {
     pub options: options::Options,
     /// Pins of a board with step queues.
     pub board: board::Board,
+    /// Motor drivers with registers on such a board.
+    pub drivers: drivers::Drivers,
     /// Switches, start place and delays of the simulated machine.
     pub simulated: simulated::Simulated,
 }

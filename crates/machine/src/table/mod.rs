@@ -5,6 +5,7 @@
 
 mod board;
 mod bounds;
+mod drivers;
 mod machine;
 mod plain;
 mod program;
@@ -19,8 +20,15 @@ pub use setting::{Area, Refused, Setting};
 use crate::settings::Configuration;
 
 /// Every area, in the order in which files are written and read.
-pub const AREAS: &[&[Area]] =
-    &[program::AREAS, values::AREAS, machine::AREAS, tools::AREAS, switches::AREAS, board::AREAS];
+pub const AREAS: &[&[Area]] = &[
+    program::AREAS,
+    values::AREAS,
+    machine::AREAS,
+    tools::AREAS,
+    switches::AREAS,
+    board::AREAS,
+    drivers::AREAS,
+];
 
 /// Every area.
 pub fn areas() -> impl Iterator<Item = &'static Area> {

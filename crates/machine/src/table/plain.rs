@@ -74,7 +74,7 @@ macro_rules! whole {
     )*};
 }
 
-whole!(u8 i8 u32);
+whole!(u8 i8 i32 u32);
 
 impl Single for String {
     fn show(&self) -> Value {

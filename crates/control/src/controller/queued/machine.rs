@@ -9,6 +9,7 @@ use super::wiring::Wiring;
 use crate::controller::connection::NAP;
 use kerf_driver_klipper::board::{Ended, Home, News as Told, Start};
 use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
+use kerf_driver_klipper::tmc::Trouble;
 use kerf_machine::driver::Facts;
 use kerf_machine::{Fault, Going, Machine as _};
 use kerf_program::{At, Axes, Axis, AxisSet};
@@ -78,6 +79,8 @@ pub struct Queued {
     pub(super) stall_s: f64,
     /// The lead that the operator was told of, seconds; nothing before the first motion.
     pub(super) lead_told_s: Option<f64>,
+    /// A motor driver that is not well and goes on, in a sentence that was not told yet.
+    pub(super) told_drivers: Option<String>,
     /// While nothing moves: the moment of machine time that was told last, and when.
     pub(super) stood: Option<(f64, f64)>,
     /// Switches that stop motors of their own in the motion that begins next.
@@ -131,6 +134,7 @@ impl Queued {
             at: None,
             stall_s: 0.0,
             lead_told_s: None,
+            told_drivers: None,
             stood: None,
             homes: Vec::new(),
             edges: Vec::new(),
@@ -331,6 +335,14 @@ impl Queued {
             Told::Touched { switch, clock, counts } => self.edges.push((switch, clock, counts)),
             Told::Switch { switch, on } => self.switch_told(switch, on),
             Told::Ready { .. } => {}
+            Told::Driver(Trouble { name, drives: true, words }) => {
+                self.told_drivers =
+                    Some(format!("{}: the driver of motor {name}: {words}", self.name));
+            }
+            Told::Driver(Trouble { name, words, .. }) => {
+                let hint = "its place may be lost: home it first";
+                self.fail(format!("the driver of motor {name}: {words}"), hint, false);
+            }
             Told::Voltage { .. } | Told::Register { .. } => {}
         }
     }
@@ -501,6 +513,14 @@ impl Queued {
         }
         self.berth.request(Request::LetRest);
         self.wait_until(|it| it.state == State::Rest);
+        self.check_drivers();
+    }
+
+    /// Has the board look at its motor drivers; what is wrong with them is told when it is known.
+    pub(super) fn check_drivers(&mut self) {
+        if !self.wiring.setup.tuned.is_empty() {
+            self.berth.request(Request::CheckDrivers);
+        }
     }
 }
 

@@ -34,6 +34,7 @@ impl Machine for Queued {
 
     fn begin(&mut self) {
         self.stood = None;
+        self.check_drivers();
     }
 
     fn begin_plan(&mut self) {
@@ -111,7 +112,7 @@ impl Machine for Queued {
     }
 
     fn tells(&mut self) -> Option<String> {
-        self.lead_changed()
+        self.told_drivers.take().or_else(|| self.lead_changed())
     }
 
     fn look(&mut self) {

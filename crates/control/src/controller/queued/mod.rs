@@ -13,6 +13,7 @@
 mod attached;
 mod beam;
 mod berth;
+mod drivers;
 mod feeder;
 mod homing;
 mod machine;

@@ -1,5 +1,6 @@
 //! The machine's file as the setup of a board: which pin does what, which motor turns which axis.
 
+use super::drivers;
 use super::homing::AxisHome;
 use super::others;
 use super::pins::{Pins, entries};
@@ -118,6 +119,7 @@ impl Wiring {
             return Err(format!("{key}: no axis is turned by that motor (motors.x2, motors.a, …)"));
         };
         let [step, mut dir] = self.pins.pair(key, pins)?;
+        drivers::add(&mut self.setup, &self.pins, machine, name)?;
         dir.inverted ^= machine.motors.direction[axis.index()] == Direction::Backwards;
         let second = self.motors.iter().any(|motor| motor.axis == axis);
         let home = self.home(machine, axis, second)?;

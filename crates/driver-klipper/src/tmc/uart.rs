@@ -1,9 +1,11 @@
-//! Registers of motor drivers over a single wire (TMC2208, TMC2209 and their kin).
+//! Datagrams of motor drivers on a single wire (TMC2208, TMC2209 and their kin).
 //!
 //! A datagram is `0x05, address, register, check number` to read, and `0x05, address, register | 0x80, four bytes,
 //! check number` to write; the check number is CRC-8 with the polynomial x⁸ + x² + x + 1, bits lowest first (data
 //! sheet of the TMC2209, "UART datagrams"). The board sends bits, not bytes: each byte goes between a start bit 0 and
 //! a stop bit 1.
+
+use super::TmcError;
 
 /// Bits a second on the wire.
 pub const BAUD: f64 = 40_000.0;
@@ -17,21 +19,6 @@ const WRITE: u8 = 0x80;
 const ANSWER: usize = 8;
 /// Bytes of an answer with its start and stop bits.
 pub const ANSWER_BITS: u32 = 10;
-
-/// The reason for which a driver's answer is not taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum TmcError {
-    /// Nothing came.
-    #[error(
-        "the motor driver does not answer: is its supply on, is its wire on this pin, is its address right?"
-    )]
-    Silent,
-    /// Start or stop bits, address, register or check number are wrong.
-    #[error(
-        "the motor driver's answer is garbled: look at the wire, and at the resistor of 1 kΩ in it"
-    )]
-    Garbled,
-}
 
 /// Returns the bits that read a register.
 pub fn read(address: u8, register: u8) -> Vec<u8> {
