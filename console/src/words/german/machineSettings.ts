@@ -41,6 +41,7 @@ export const topics: Readonly<Record<string, string>> = {
   Miscellaneous: "Verschiedenes",
   "Options of the program": "Optionen des Programms",
   "Board with step queues": "Platine mit Schrittspeicher",
+  "Motor drivers with registers": "Motortreiber mit Registern",
 };
 
 const units: Readonly<Record<string, SettingText>> = {
@@ -385,6 +386,27 @@ const work: Readonly<Record<string, SettingText>> = {
 };
 
 const board: Readonly<Record<string, SettingText>> = {
+  "drivers.spi": said("SPI", "MISO, MOSI und SCK der Treiber mit Auswahlpin."),
+  "drivers.current_a": said(
+    "Strom",
+    "Strom einer Spule, solange der Motor dreht, Effektivwert in Ampere.",
+  ),
+  "drivers.hold": said("Strom im Stand", "Anteil des Stroms, solange der Motor steht."),
+  "drivers.ohms": said("Messwiderstand", "Messwiderstände in Ohm; 0 für die üblichen der Bauart."),
+  "drivers.microsteps": said("Mikroschritte", "Mikroschritte eines ganzen Schritts."),
+  "drivers.interpolates": said(
+    "Interpolation",
+    "Die Treiber machen von selbst 256 Mikroschritte aus jedem ganzen Schritt.",
+  ),
+  "drivers.quiet": said("Leise", "StealthChop statt SpreadCycle."),
+  "drivers.stall": said(
+    "Blockiererkennung",
+    "Schwellen, ab denen ein blockierter Motor gemeldet wird; 0, wo keiner gemeldet wird.",
+  ),
+  "drivers.*": said(
+    "Treiber",
+    "Bauart und Pins des Motortreibers: tmc2209 gpio9 gpio8 2 an einer Leitung, tmc5160 PC4 mit Auswahlpin; leer, wenn er von Hand eingestellt ist.",
+  ),
   "board.others": said(
     "Weitere Platinen",
     "Weitere Platinen mit ihrem Anschluss: „tools /dev/ttyACM1“; ihre Anschlüsse heißen tools:gpio4.",
