@@ -41,6 +41,8 @@ mod homing;
 mod host;
 mod interruption;
 mod lift_aside;
+mod map_pieces;
+mod mapped;
 mod nudge;
 mod on_record;
 mod passing;

@@ -153,6 +153,9 @@ impl Session {
     ) -> Result<Summary, JournalError> {
         let nothing = || JournalError::Unfit("nothing is kept".into());
         let journal = workspace.journal().cloned().ok_or_else(nothing)?;
+        if let Some(summary) = self.take_height_map(&work, &mut options, workspace, context.sink) {
+            return Ok(summary);
+        }
         if let Some(summary) =
             self.confirm_on_record(&work, &mut options, workspace, context.again(), &journal)?
         {

@@ -2,6 +2,8 @@
 
 use crate::command_limit::CommandLimit;
 use crate::homing::Found;
+use crate::map_pieces::Laid;
+use crate::mapped::Mapped;
 use crate::preparation::{Preparation, axis_names};
 use crate::run_context::RunContext;
 use crate::run_end::RunEnd;
@@ -13,16 +15,18 @@ use crate::trail::Trail;
 use crate::whole_run::WholeRun;
 use crate::world::World;
 use crate::{heights, homing, trail};
+use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_journal::{Door, Placed, RunOptions, Work};
 use kerf_machine::{Configuration, Errand, Hand};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::Mode;
-use kerf_program::{AXES, AxisSet, Interpreter as _, Question, Settings, Status};
+use kerf_program::{AXES, AxisSet, HeightMap, Interpreter as _, Question, Settings, Status};
 use kerf_sbp::{Dialect, Language};
 use kerf_sequence::Sequence;
 use kerf_sim::Simulation;
 use kerf_trace::{Event, Sink, Summary};
+use kerf_workspace::height_map::height_map;
 use kerf_workspace::part_log::PartLog;
 use kerf_workspace::{Workspace, unverified};
 use std::sync::Arc;
@@ -39,6 +43,9 @@ impl Session {
         let mut options = options;
         options.lines_at_once = lines_at_once(&options, &*context.sink);
         let (work, RunContext { sink, operator, requests, machine }) = (work.into(), context);
+        if let Some(summary) = self.take_height_map(&work, &mut options, workspace, sink) {
+            return summary;
+        }
         let mut whole = WholeRun::new(sink);
         let mut context = RunContext { sink: &mut whole, operator, requests, machine };
         let summary = match Preparation::of(self, &work, &mut options, workspace, context.again())
@@ -116,7 +123,10 @@ impl Session {
         (world.machine_is, world.homed) = (self.machine_is.clone(), self.homed);
         world.typed_files = depth;
         let read = kerf_part::Options { sbp: options.program, gcode: options.gcode };
-        let interpreter = Interpreter::new(program, memory, read);
+        if options.heights.is_some() {
+            world.tell_diagnostic(mapped_note(program.name()));
+        }
+        let interpreter = mapped(program, memory, read, options.heights);
         let mut runner =
             Runner::new(interpreter, world, requests, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
@@ -294,11 +304,43 @@ impl Session {
 
     /// The program has errors: it ends before it starts.
     fn refused(&mut self, program: &Program, sink: &mut dyn Sink) -> Summary {
-        let error = program.diagnostics.iter().find(|d| d.is_error()).cloned().map(Box::new);
-        let summary = Summary::not_begun(self.memory.settings.linear_unit, error);
+        let error = program.diagnostics.iter().find(|d| d.is_error()).cloned();
+        self.not_begun_for(error, sink)
+    }
+
+    /// The end of a run that was not begun, for this reason.
+    fn not_begun_for(&mut self, why: Option<Diagnostic>, sink: &mut dyn Sink) -> Summary {
+        let summary = Summary::not_begun(self.memory.settings.linear_unit, why.map(Box::new));
         let machine = self.machine.get_or_insert_default();
         sink.event(&Event::End(end_event(&summary, &machine.model, machine.astray(), None)));
         summary
+    }
+
+    /// Has a program follow the height map in force. Gives the end of a run that is not begun because it cannot
+    /// follow the map, or nobody can.
+    pub(crate) fn take_height_map(
+        &mut self,
+        work: &Work,
+        options: &mut RunOptions,
+        workspace: &Workspace,
+        sink: &mut dyn Sink,
+    ) -> Option<Summary> {
+        let why = match height_map(workspace) {
+            _ if matches!(work, Work::Hand(..)) => return None,
+            Ok(Some(_)) if matches!(work, Work::Job(..)) => {
+                "a height map is in force, and jobs do not follow it".to_owned()
+            }
+            Ok(map) => {
+                options.heights = map.map(Arc::new);
+                return None;
+            }
+            Err(why) => why,
+        };
+        let name = work.name();
+        let why =
+            Diagnostic::new(Code::MapNotFollowed, Place::line(name, 0), why).hint("kerf map off");
+        sink.event(&Event::Diag(Box::new(why.clone())));
+        Some(self.not_begun_for(Some(why), sink))
     }
 
     /// Tells which axes are not homed, where the machine has switches for them.
@@ -337,9 +379,31 @@ fn job_starts(job: &Job, preview: bool) -> Event {
     Event::Start { file: job.name.clone(), units: "mm", mode, dialect: "job" }
 }
 
-fn saved_and_restored(interpreter: &Interpreter) -> Result<Interpreter, String> {
-    let saved = serde_json::to_vec(interpreter).map_err(|e| e.to_string())?;
-    serde_json::from_slice(&saved).map_err(|e| e.to_string())
+fn saved_and_restored(interpreter: &Mapped<Interpreter>) -> Result<Mapped<Interpreter>, String> {
+    let saved = serde_json::to_vec(&interpreter.inner).map_err(|e| e.to_string())?;
+    let inner = serde_json::from_slice(&saved).map_err(|e| e.to_string())?;
+    Ok(interpreter.with(inner))
+}
+
+/// A program that follows a height map, where one is in force, from where the machine stands.
+fn mapped(
+    program: Program,
+    mut memory: kerf_part::Session,
+    read: kerf_part::Options,
+    map: Option<Arc<HeightMap>>,
+) -> Mapped<Interpreter> {
+    if let Some(map) = &map {
+        let zero = memory.sbp.frame.working_zero;
+        memory.sbp.position = Laid { map, zero }.lowered(memory.sbp.position);
+    }
+    Mapped::new(Interpreter::new(program, memory, read), map)
+}
+
+/// The note that Z follows a height map.
+fn mapped_note(name: &Arc<str>) -> Diagnostic {
+    let message = "Z follows the height map in force".to_owned();
+    let note = Diagnostic::new(Code::Mapped, Place::line(name.clone(), 0), message);
+    note.severity(Severity::Note).hint("kerf map off takes it off")
 }
 
 /// The word for a dialect.
@@ -352,20 +416,20 @@ pub const fn dialect_word(dialect: Dialect) -> &'static str {
 }
 
 fn conclude(
-    mut runner: Runner<'_, Interpreter>,
+    mut runner: Runner<'_, Mapped<Interpreter>>,
     over: RunEnd,
     variables: bool,
 ) -> (Summary, kerf_part::Session, Simulation) {
     runner.stops.station.stay_where_it_stands();
     let Station { interpreter, mut world, .. } = runner.stops.station;
-    let closes = interpreter.closes();
+    let closes = interpreter.inner.closes();
     let summary = Summary { closes, ..summary(&interpreter, &mut world, over) };
-    let variables = variables.then(|| variables_told(&interpreter));
+    let variables = variables.then(|| variables_told(&interpreter.inner));
     let end = end_event(&summary, &world.model, world.hands.astray(), variables);
     world.tell(&Event::End(end));
     let position = world.model.position();
     let independent = world.model.spinning();
-    let mut memory = interpreter.into_session();
+    let mut memory = interpreter.inner.into_session();
     (memory.sbp.position, memory.sbp.independent) = (position, independent);
     (summary, memory, world.into_simulation())
 }

@@ -248,6 +248,12 @@ codes! {
         "The controller has stopped by itself, has refused an order, or lacks what the program asks for: an axis, an output, a place within its travel. What it lacks is found before the first move, as far as the program can be looked through; nothing has moved then. After an alarm its place may be lost: home it, or set the location, before the next file. The chapter on controllers says what each kind can do.";
     NoSheet "M009" Warning "height control has no sheet"
         "Height control is on (`height.on`), a shape is cut THRU, and no sheet lies on the table of the simulated machine. A run pauses where the sensor is first needed, with the tool up: nothing is cut in the air. Lay a sheet with `--sheet`, move the switches `zhigh` and `zlow`, or set `height.on = false`. A plan, a picture and a time take the sheet to lie flat, the tool cutting at ZSurface.";
+    OutsideMap "M010" Error "a cut leaves the height map"
+        "While a height map is in force every cut follows the surface that was probed. Beyond its grid nobody knows the surface: a cut that goes more than 5 mm past it ends the program before it moves there. Probe a larger grid, or take the map off with `kerf map off`.";
+    Mapped "M011" Note "Z follows a height map"
+        "A height map is in force: Z of every move is the program's plus the height of the surface there, as it was probed. Cuts are cut into pieces of 1 mm for that; jogs go straight to the height of their end. `kerf map off` takes it off.";
+    MapNotFollowed "M012" Error "the height map cannot be followed"
+        "A height map is in force, and its file in the data folder, height.map, is damaged, or a job is to run: jobs (.rsm) know their own heights only. Nothing moves with heights that nobody knows. `kerf map off` takes the map off, `kerf map use FILE` takes another; `kerf toolpath plate.rsg -o plate.sbp` makes a part file of a drawing, which follows the map.";
     NotConverted "C001" Warning "not in the other language"
         "The language that is written, or the controller it is written for, has no words for this. A comment in the converted file says what is missing. Where motion would be missing nothing is written: choose another controller with --to, or change the program.";
     StartTaken "C002" Note "the program goes on from where the tool stands"

@@ -2,9 +2,11 @@
 
 use crate::{CarriedOver, Started};
 use kerf_model::Change;
+use kerf_program::HeightMap;
 use kerf_sim::Push;
 use kerf_sim::{Sheet, Touch};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// Options with which a program is run.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -17,6 +19,9 @@ pub struct RunOptions {
     pub inputs: Vec<Change>,
     /// The sheet on the table of the simulated machine.
     pub sheet: Option<Sheet>,
+    /// Heights of the surface that the program follows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub heights: Option<Arc<HeightMap>>,
     /// Switches of the simulated machine that feel where the tool is.
     #[serde(default)]
     pub touches: Vec<Touch>,

@@ -22,6 +22,7 @@ mod full_disk;
 mod gcode;
 mod glossary;
 mod golden;
+mod height_map;
 mod heights;
 mod hostile;
 mod job_options;

@@ -20,6 +20,7 @@ mod dynamics;
 mod frame;
 mod go_to;
 mod height;
+mod height_map;
 mod host;
 mod interpreter;
 pub mod job;
@@ -42,6 +43,7 @@ pub use dynamics::Dynamics;
 pub use frame::Frame;
 pub use go_to::GoTo;
 pub use height::{Gauge, HeightLaw};
+pub use height_map::{HEAD as HEIGHT_MAP_HEAD, HeightMap, MARGIN_MM};
 pub use host::{
     Answer, Button, ConversionRequest, CutChoice, FileConversion, FileMode, FileRequest, Folder,
     Host, HostError, Question, QuestionKind, SPINDLE_OUTPUT, SPINDLE_STATUS, ShellCall, SourceFile,

@@ -16,6 +16,7 @@ mod field;
 mod fluter;
 mod folders;
 mod header;
+mod height_grid;
 mod indexer;
 mod lines;
 mod probe;

@@ -1,15 +1,18 @@
 //! The table of tools.
 
 use crate::tool::Tool;
-use crate::{copy, drill_press, fluter, header, indexer, probe, setup, surfacer, typesetter};
+use crate::{
+    copy, drill_press, fluter, header, height_grid, indexer, probe, setup, surfacer, typesetter,
+};
 
 /// Every tool, in the order of its letters.
-pub const TOOLS: [&Tool; 9] = [
+pub const TOOLS: [&Tool; 10] = [
     &copy::TOOL,
     &drill_press::TOOL,
     &fluter::TOOL,
     &header::TOOL,
     &indexer::TOOL,
+    &height_grid::TOOL,
     &probe::TOOL,
     &setup::TOOL,
     &surfacer::TOOL,

@@ -10,6 +10,7 @@
 
 pub mod command_passing;
 mod fonts;
+pub mod height_map;
 mod host;
 pub mod part_log;
 pub mod parts;

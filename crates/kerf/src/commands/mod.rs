@@ -15,6 +15,7 @@ mod kept_values;
 mod known_boards;
 mod log;
 mod machine;
+mod map;
 mod parts;
 mod plot;
 mod preview;
@@ -63,6 +64,7 @@ pub enum Command {
     Time(time::TimeArgs),
     Timing(timing::TimingArgs),
     Heights(heights::HeightsArgs),
+    Map(map::MapArgs),
     Trace(trace::TraceArgs),
     Fmt(fmt::FmtArgs),
     Draw(draw::DrawArgs),
@@ -95,6 +97,7 @@ impl Command {
                 | Self::Set(_)
                 | Self::Machine(_)
                 | Self::Io(_)
+                | Self::Map(_)
                 | Self::Registry(_)
         );
         let moves_a_machine =
@@ -178,6 +181,7 @@ fn carry_out(command: Command) -> Result<Exit> {
         Command::Set(args) => values::set(&args),
         Command::Machine(args) => machine::run(&args),
         Command::Io(args) => io::run(&args),
+        Command::Map(args) => map::run(&args),
         Command::Sysvars(args) => sysvars::run(&args),
         Command::Registry(args) => registry::run(&args),
         Command::Log(args) => log::run(&args),

@@ -69,7 +69,7 @@ mod tests {
              RA RI RP RR RS RZ SA SC SF SI SK SL SM SO SP SR ST SV SW TC TD TF TH TI TS TT TU \
              UD UI UL UN UR US UU UV UZ VA VB VC VD VH VI VL VN VO VP VR VS VU VV \
              Z2 Z3 Z4 Z5 ZA ZB ZT ZX ZY ZZ";
-        let extensions = "JC J6 MC M6 TP TR Z6 ZC";
+        let extensions = "JC J6 MC M6 TM TP TR Z6 ZC";
         assert_eq!(named.split_whitespace().count(), 107);
         let mut wanted: Vec<_> = named.split_whitespace().chain(extensions.split(' ')).collect();
         let mut found: Vec<_> = commands().map(|c| c.letters).collect();

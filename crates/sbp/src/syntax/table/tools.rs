@@ -36,12 +36,13 @@ macro_rules! tools {
     };
 }
 
-pub(super) static SPECS: [CommandSpec; 9] = tools! {
+pub(super) static SPECS: [CommandSpec; 10] = tools! {
     "TC" 'C' "Copy machine" "Makes a file by probing an object."
     "TD" 'D' "Drill press" "Makes a part file that drills holes."
     "TF" 'F' "Fluter" "Makes a part file that cuts flutes."
     "TH" 'H' "Header writer" "Writes a head into a part file."
     "TI" 'I' "Indexer" "Makes a part file that turns the indexer."
+    "TM" 'M' "Height map" "Makes a part file that probes a surface on a grid."
     "TP" 'P' "Probe" "Makes a program that finds a place or an angle by touch, and sets zero there."
     "TS" 'S' "Setup" "Records how the machine is equipped for zeroing."
     "TT" 'T' "Typesetter" "Makes a part file that carves text."
@@ -49,10 +50,10 @@ pub(super) static SPECS: [CommandSpec; 9] = tools! {
 };
 
 /// The letters that are left for tools which somebody adds.
-pub(crate) static ADDED: [CommandSpec; 16] = tools! {
+pub(crate) static ADDED: [CommandSpec; 15] = tools! {
     "TA" 'A' "Added tool" "" "TB" 'B' "Added tool" "" "TE" 'E' "Added tool" ""
     "TG" 'G' "Added tool" "" "TJ" 'J' "Added tool" "" "TK" 'K' "Added tool" ""
-    "TL" 'L' "Added tool" "" "TM" 'M' "Added tool" "" "TN" 'N' "Added tool" ""
+    "TL" 'L' "Added tool" "" "TN" 'N' "Added tool" ""
     "TO" 'O' "Added tool" "" "TQ" 'Q' "Added tool" ""
     "TV" 'V' "Added tool" "" "TW" 'W' "Added tool" "" "TX" 'X' "Added tool" ""
     "TY" 'Y' "Added tool" "" "TZ" 'Z' "Added tool" ""
