@@ -6,6 +6,13 @@
 import { machineSwitches, machineTools } from "./machineTools";
 import { type SettingText, said } from "./settingText";
 
+/** The driver of a motor. */
+const driver = (motor: string): SettingText =>
+  said(
+    `Treiber ${motor}`,
+    "Bauart und Pins des Motortreibers: tmc2209 gpio9 gpio8 2 an einer Leitung, tmc5160 PC4 mit Auswahlpin; leer, wenn er von Hand eingestellt ist.",
+  );
+
 /** Topics, by their English titles. */
 export const topics: Readonly<Record<string, string>> = {
   "Units and axes": "Einheiten und Achsen",
@@ -403,10 +410,12 @@ const board: Readonly<Record<string, SettingText>> = {
     "Blockiererkennung",
     "Schwellen, ab denen ein blockierter Motor gemeldet wird; 0, wo keiner gemeldet wird.",
   ),
-  "drivers.*": said(
-    "Treiber",
-    "Bauart und Pins des Motortreibers: tmc2209 gpio9 gpio8 2 an einer Leitung, tmc5160 PC4 mit Auswahlpin; leer, wenn er von Hand eingestellt ist.",
-  ),
+  "drivers.x": driver("X"),
+  "drivers.y": driver("Y"),
+  "drivers.z": driver("Z"),
+  "drivers.w": driver("W"),
+  "drivers.q": driver("Q"),
+  "drivers.r": driver("R"),
   "board.others": said(
     "Weitere Platinen",
     "Weitere Platinen mit ihrem Anschluss: „tools /dev/ttyACM1“; ihre Anschlüsse heißen tools:gpio4.",

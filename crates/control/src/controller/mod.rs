@@ -35,4 +35,4 @@ pub use connection::Connection;
 pub use either::{Controller, Place};
 pub use lacks::{Lacks, lines, output_name, output_of_name, wired};
 pub use socket::{Ends, Opens, Socket};
-pub use zeros::{change_zero, zeros_of};
+pub use zeros::{change_zero, working_reads, zeros_of};

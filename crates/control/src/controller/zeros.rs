@@ -54,6 +54,23 @@ pub fn change_zero(
     connection.failure.as_ref().map_or(Ok(()), |fault| Err(fault.message.clone()))
 }
 
+/// Returns what the axes read by the zero point that holds, as far as the change is about them; nothing where none holds.
+pub fn working_reads(
+    position: Axes,
+    zeros: &[Zero],
+    change: ZeroChange,
+) -> Option<[Option<f64>; AXES]> {
+    let holding = || zeros.iter().filter(|zero| zero.holds);
+    holding().find(|zero| !zero.is_shift())?;
+    let zero = holding().fold(Axes::default(), |sum, zero| sum.plus(zero.at));
+    let reads = position.minus(zero).0.map(Some);
+    Some(match change {
+        ZeroChange::Reads(values) => values,
+        ZeroChange::Lies(at) => std::array::from_fn(|axis| at[axis].and(reads[axis])),
+        ZeroChange::Holds | ZeroChange::Gone => reads,
+    })
+}
+
 /// A place of the machine as the controller counts.
 fn counted(at: [Option<f64>; AXES], offset: Axes) -> [Option<f64>; AXES] {
     let mut at = at;

@@ -266,7 +266,7 @@ fn server(which: &Which) -> Result<Option<Remote>> {
 }
 
 /// Refuses to change what a running server would not know of.
-fn not_beside_a_server(which: &Which, mend: &str) -> Result<()> {
+pub fn not_beside_a_server(which: &Which, mend: &str) -> Result<()> {
     let folder = setup::data_folder(&which.folder())?;
     match served::address(&folder)? {
         None => Ok(()),
@@ -551,7 +551,7 @@ fn named(c: &Configuration, letter: char) -> Result<Axis> {
 }
 
 /// `10,20,-5`; empty places stay.
-fn numbers(text: &str) -> Result<[Option<f64>; AXES]> {
+pub fn numbers(text: &str) -> Result<[Option<f64>; AXES]> {
     let mut all = [None; AXES];
     for (i, word) in text.split(',').enumerate() {
         let Some(place) = all.get_mut(i) else { bail!(Usage("six axes at the most".into())) };

@@ -4,7 +4,7 @@ use super::which::Which;
 use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
-use crate::commands::{known_boards, protect, prove, step_board, wire};
+use crate::commands::{known_boards, protect, prove, step_board, wire, zeros};
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
 use crate::{given, machine_file, out, parse};
@@ -149,6 +149,12 @@ enum Action {
         #[command(subcommand)]
         action: Option<SettingsAction>,
     },
+    /// Lists the zero points (G54 to G59.3, G92) that the controller that --machine names keeps, millimetres from home; sets
+    /// them, chooses the one that holds
+    Zeros {
+        #[command(subcommand)]
+        action: Option<ZerosAction>,
+    },
     /// Prints the job origin, or sets it
     Origin {
         /// `here`, where the tool is, or X,Y: millimetres from home
@@ -224,6 +230,10 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         }
         Action::Settings { action } => {
             return board::settings(controller(&args.which)?, action.as_ref());
+        }
+        Action::Zeros { action } => {
+            controller(&args.which)?;
+            return zeros::run(&args.which, action.as_ref());
         }
         Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,

@@ -40,6 +40,7 @@ mod values;
 mod wavlength;
 mod which;
 mod wire;
+mod zeros;
 
 use crate::exit::{Exit, Usage};
 use crate::folders;

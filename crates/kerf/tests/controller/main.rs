@@ -17,6 +17,7 @@ mod shop;
 mod step_board;
 mod taken_up;
 mod tool_change;
+mod zeros;
 
 use bench::Bench;
 use kerf_driver_grbl::fake::{Board, Fake};

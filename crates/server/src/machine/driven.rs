@@ -7,7 +7,7 @@ use crate::setup::Workshop;
 use crate::to_wire;
 use kerf_control::AtRest;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{AttachReport, Controller};
+use kerf_control::controller::{AttachReport, Controller, working_reads};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::{Zero, ZeroChange};
@@ -165,7 +165,7 @@ impl Owner {
         let told = controller.zeros();
         let holds = told.iter().any(|zero| zero.name == name && zero.holds);
         let memory = &self.workshop.session.memory;
-        let reads = zeros::reads(memory.position, &told, change).filter(|_| holds);
+        let reads = working_reads(memory.position, &told, change).filter(|_| holds);
         Ok(reads.map(|reads| zeros::values(reads, &to_wire::units(&memory.settings).axes)))
     }
 }
