@@ -255,6 +255,11 @@ impl<'a> Drive<'a> {
         self.machine.borrow().facts().overrides
     }
 
+    /// Returns `true` if the machine is given all moves up to the next stand at once.
+    pub fn takes_whole(&self) -> bool {
+        self.machine.borrow().facts().takes_whole
+    }
+
     /// Returns `true` if another feed waits while inputs are watched.
     pub fn feed_waits(&self) -> bool {
         self.machine.borrow().facts().feed_waits

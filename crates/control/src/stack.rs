@@ -49,19 +49,28 @@ pub(crate) struct Running {
 
 impl Running {
     /// The next piece of plan that no later move can change, or any when the stack is complete. Moves are
-    /// planned at a share of their feed.
-    pub fn next(&mut self, complete: bool, share: f32) -> Option<Plan> {
+    /// planned at a share of their feed. One whole piece is as much as is known, up to [`READ_AHEAD`] moves.
+    pub fn next(&mut self, complete: bool, share: f32, whole: bool) -> Option<Plan> {
+        if whole {
+            self.hand(READ_AHEAD, share);
+        }
         loop {
-            let piece = self.planner.take();
+            let ends = complete && self.waiting.is_empty();
+            let piece = if whole && ends { self.planner.finish() } else { self.planner.take() };
             if piece.is_some() {
                 return piece;
             }
             if self.waiting.is_empty() {
                 return if complete { self.planner.finish() } else { None };
             }
-            for made in (0..AT_ONCE).map_while(|_| self.waiting.pop_front()) {
-                self.planner.push(made.at_feed(share));
-            }
+            self.hand(AT_ONCE, share);
+        }
+    }
+
+    /// The planner gets moves that wait, so many at most.
+    fn hand(&mut self, most: usize, share: f32) {
+        for made in (0..most).map_while(|_| self.waiting.pop_front()) {
+            self.planner.push(made.at_feed(share));
         }
     }
 

@@ -9,7 +9,9 @@ use kerf_control::Session;
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Controller, Place, Socket, queued};
 use kerf_driver_grbl::Grbl;
+use kerf_driver_linuxcnc::LinuxCnc;
 use kerf_journal::{RunOptions, Work};
+use kerf_machine::driver::Wired;
 use kerf_trace::Sink;
 use kerf_transport::{Address, Line};
 use kerf_workspace::Workspace;
@@ -31,7 +33,8 @@ fn board(name: &DriverName) -> queued::Socket {
 }
 
 fn followed(name: &DriverName) -> Socket {
-    let DriverName { words, address } = name.clone();
+    let (words, address, is_linuxcnc) =
+        (name.words.clone(), name.address.clone(), name.is_linuxcnc());
     let port = address.key();
     let known: Mutex<Option<Address>> = Mutex::default();
     let opens = Arc::new(move || {
@@ -39,7 +42,9 @@ fn followed(name: &DriverName) -> Socket {
         let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
         let line = known.as_ref().unwrap_or(&address).open().map_err(|why| why.to_string())?;
         let _ = known.get_or_insert_with(|| address.steady());
-        Ok((Box::new(Grbl::new()) as Box<_>, line))
+        let driver: Box<dyn Wired> =
+            if is_linuxcnc { Box::new(LinuxCnc::new()) } else { Box::new(Grbl::new()) };
+        Ok((driver, line))
     });
     Socket { name: words, port, opens }
 }

@@ -4,12 +4,22 @@
 use crate::exit::Usage;
 use clap::{ArgMatches, Args};
 use kerf_control::controller::queued;
+use kerf_driver_linuxcnc as linuxcnc;
 use kerf_transport::Address;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// The driver of boards with step queues.
 const KLIPPER: &str = "klipper";
+
+/// The driver of LinuxCNC.
+const LINUXCNC: &str = "linuxcnc";
+
+/// The word for this computer, where a bridge is started.
+const LOCAL: &str = "local";
+
+/// Interpreters that run the bridge, the first one that is there: that of the system knows the module of LinuxCNC.
+const PYTHONS: [&str; 2] = ["/usr/bin/python3", "python3"];
 
 /// The ending of files that say how a machine is set up.
 const ENDING: &str = "toml";
@@ -20,6 +30,9 @@ const CONTROLLERS: &str = "grbl:/dev/ttyUSB0, or grbl:/dev/ttyUSB0@250000 with a
 
 /// The way to name a board with step queues.
 const BOARDS: &str = "klipper:/dev/ttyACM0, or klipper:/dev/ttyUSB0@250000 on a serial line";
+
+/// Ways to name LinuxCNC.
+const BRIDGES: &str = "linuxcnc:local on this computer, or linuxcnc:HOST, where its bridge listens";
 
 /// One name of a machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -33,7 +46,7 @@ pub enum MachineName {
 }
 
 impl MachineName {
-    /// Reads `sim`, `grbl:PORT[@BAUD]`, `grbl:tcp:HOST[:PORT]`, `grbl:ws:HOST[:PORT]`, or the name of a configuration.
+    /// Reads `sim`, `grbl:PORT[@BAUD]`, `grbl:tcp:HOST[:PORT]`, `grbl:ws:HOST[:PORT]`, `linuxcnc:HOST[:PORT]`, or the name of a configuration.
     ///
     /// # Errors
     /// A driver that does not exist, or one without its port; the text tells how it is named.
@@ -49,6 +62,7 @@ impl MachineName {
             None if words == "sim" => Ok(Self::Sim),
             None if words == "grbl" => Err(format!("grbl needs its port: {CONTROLLERS}")),
             None if words == KLIPPER => Err(format!("klipper needs its port: {BOARDS}")),
+            None if words == LINUXCNC => Err(format!("linuxcnc needs its host: {BRIDGES}")),
             None if words.is_empty() => Err(format!("name a machine: sim, or {CONTROLLERS}")),
             _ => configured(),
         }
@@ -80,20 +94,39 @@ impl DriverName {
         self.words.starts_with(KLIPPER)
     }
 
+    /// Returns `true` for LinuxCNC behind its bridge.
+    pub fn is_linuxcnc(&self) -> bool {
+        self.words.starts_with(LINUXCNC)
+    }
+
     fn read(words: &str, driver: &str, port: &str) -> Result<Self, String> {
-        if !["grbl", KLIPPER].contains(&driver) {
-            return Err(format!(
-                "there is no driver '{driver}', only grbl and klipper: {CONTROLLERS}"
-            ));
-        }
-        let read = if driver == KLIPPER { queued::address(port) } else { Address::read(port) };
-        let address = read.map_err(|why| match &*why {
-            "" if driver == KLIPPER => format!("klipper needs its port: {BOARDS}"),
-            "" => format!("grbl needs its port: {CONTROLLERS}"),
-            _ => why,
-        })?;
+        let (read, needs) = match driver {
+            "grbl" => (Address::read(port), format!("port: {CONTROLLERS}")),
+            KLIPPER => (queued::address(port), format!("port: {BOARDS}")),
+            LINUXCNC => (bridge(port), format!("host: {BRIDGES}")),
+            _ => {
+                let drivers = "only grbl, klipper and linuxcnc";
+                return Err(format!("there is no driver '{driver}', {drivers}: {CONTROLLERS}"));
+            }
+        };
+        let needs = format!("{driver} needs its {needs}");
+        let address = read.map_err(|why| if why.is_empty() { needs } else { why })?;
         Ok(Self { words: words.to_owned(), address })
     }
+}
+
+/// The address of a bridge to LinuxCNC: a program that is started here, or one that listens at a host.
+fn bridge(host: &str) -> Result<Address, String> {
+    if host.is_empty() {
+        return Err(String::new());
+    }
+    if host != LOCAL {
+        return Address::tcp(host, linuxcnc::PORT);
+    }
+    let [system, any] = PYTHONS;
+    let python = if Path::new(system).exists() { system } else { any };
+    let words = [python, "-u", "-c", linuxcnc::BRIDGE].map(str::to_owned).into();
+    Ok(Address::Program { name: format!("{LINUXCNC}:{LOCAL}"), words })
 }
 
 impl fmt::Display for DriverName {
@@ -107,7 +140,7 @@ impl fmt::Display for DriverName {
 pub struct MachineChoice {
     /// The machine: sim, the simulated one; grbl:PORT or grbl:PORT@BAUD, a controller of the grbl family at a serial
     /// port; grbl:tcp:HOST[:PORT] or grbl:ws:HOST[:PORT], one in the network; klipper:PORT, a board with step queues;
-    /// or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
+    /// linuxcnc:local, LinuxCNC on this computer, or linuxcnc:HOST[:PORT], where its bridge listens; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
     /// is like may both be given [default: sim, as the data folder has it]
     #[arg(
         id = MACHINE,
@@ -201,6 +234,9 @@ mod tests {
         check("klipper:/dev/ttyACM0", "/dev/ttyACM0@250000");
         check("klipper:/dev/ttyUSB0@500000", "/dev/ttyUSB0@500000");
         check("grbl:ws:router.local:80", "ws:router.local:80/");
+        check("linuxcnc:10.0.0.2", "tcp:10.0.0.2:5107");
+        check("linuxcnc:mill:5200", "tcp:mill:5200");
+        check("linuxcnc:local", "linuxcnc:local");
     }
 
     #[test]
@@ -231,7 +267,9 @@ mod tests {
         check("grbl:COM3@0", "'0' is no rate");
         check("grbl:tcp:10.0.0.2:x", "'x' is no port of the network");
         check("grbl:ws:", "grbl:ws:HOST");
-        check("linuxcnc:x", "there is no driver 'linuxcnc', only grbl and klipper");
+        check("linuxcnc:", "linuxcnc:local");
+        check("linuxcnc", "linuxcnc:HOST");
+        check("marlin:x", "there is no driver 'marlin', only grbl, klipper and linuxcnc");
         check("", "name a machine: sim");
     }
 }

@@ -36,6 +36,13 @@ pub enum Address {
         /// The path of its address, with its slash.
         path: String,
     },
+    /// A program that is started for it, of a Unix.
+    Program {
+        /// Its name in messages.
+        name: String,
+        /// Its path and arguments.
+        words: Vec<String>,
+    },
 }
 
 impl Address {
@@ -48,8 +55,7 @@ impl Address {
     /// A rate or a port that is none, in words; an empty text where nothing is named.
     pub fn read(words: &str) -> Result<Self, String> {
         if let Some(rest) = words.strip_prefix("tcp:") {
-            let (host, port) = host_port(rest, TELNET)?;
-            return Ok(Self::Tcp { host, port });
+            return Self::tcp(rest, TELNET);
         }
         if let Some(rest) = words.strip_prefix("ws:") {
             let rest = rest.trim_start_matches('/');
@@ -70,6 +76,15 @@ impl Address {
         Ok(Self::Serial { path: path.to_owned(), baud })
     }
 
+    /// Reads `HOST[:PORT]` of the network.
+    ///
+    /// # Errors
+    /// A port that is none, in words.
+    pub fn tcp(words: &str, usual: u16) -> Result<Self, String> {
+        let (host, port) = host_port(words, usual)?;
+        Ok(Self::Tcp { host, port })
+    }
+
     /// Opens the line.
     ///
     /// # Errors
@@ -79,6 +94,13 @@ impl Address {
             Self::Serial { path, baud } => Box::new(Port::open(path, *baud)?),
             Self::Tcp { host, port } => Box::new(Tcp::open(host, *port)?),
             Self::WebSocket { host, port, path } => Box::new(WebSocket::open(host, *port, path)?),
+            #[cfg(unix)]
+            Self::Program { name, words } => Box::new(crate::Child::open(name, words)?),
+            #[cfg(not(unix))]
+            Self::Program { name, .. } => {
+                let (address, why) = (name.clone(), "no such program runs on this system".into());
+                return Err(LineError::Unreachable { address, why });
+            }
         })
     }
 
@@ -95,7 +117,7 @@ impl Address {
     pub fn key(&self) -> String {
         match self {
             Self::Serial { path, .. } => path.clone(),
-            Self::Tcp { .. } | Self::WebSocket { .. } => self.to_string(),
+            Self::Tcp { .. } | Self::WebSocket { .. } | Self::Program { .. } => self.to_string(),
         }
     }
 }
@@ -106,6 +128,7 @@ impl fmt::Display for Address {
             Self::Serial { path, baud } => write!(f, "{path}@{baud}"),
             Self::Tcp { host, port } => write!(f, "tcp:{host}:{port}"),
             Self::WebSocket { host, port, path } => write!(f, "ws:{host}:{port}{path}"),
+            Self::Program { name, .. } => f.write_str(name),
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A [`Line`] moves bytes; what they mean is its owner's affair. A [`Port`] is a serial one, used with 8 data bits, no
 //! parity and 1 stop bit, without flow control: what all these speak. [`Tcp`] and [`WebSocket`] reach controllers in the
-//! network. An [`Address`] is what people call such a line, and opens it.
+//! network; a `Child` is a program that is started. An [`Address`] is what people call such a line, and opens it.
 //!
 //! ```no_run
 //! # fn main() -> Result<(), kerf_transport::LineError> {
@@ -21,6 +21,8 @@
 //! ([`pretend::Plug`]) or another port ([`pretend::Cable`]). [`Faulty`] loses, doubles and spoils what passes.
 
 mod address;
+#[cfg(unix)]
+mod child;
 mod error;
 mod faulty;
 mod line;
@@ -31,6 +33,8 @@ mod tcp;
 mod websocket;
 
 pub use address::Address;
+#[cfg(unix)]
+pub use child::Child;
 pub use error::LineError;
 pub use faulty::{Damage, Fault, Faulty};
 pub use line::Line;

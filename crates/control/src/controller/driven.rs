@@ -47,7 +47,7 @@ fn leads(going: &Going<'_>, until_s: f64) -> bool {
 impl Connection {
     /// Tells whether another move may be handed over.
     const fn has_room(&self) -> bool {
-        self.open < AHEAD && self.failure.is_none()
+        (self.open < AHEAD || self.facts.takes_whole) && self.failure.is_none()
     }
 
     /// Hands the next move over, after the outputs that should be on; short ones on one line together. One that ends at a

@@ -1,19 +1,22 @@
 //! Boards: found at ports and in the network, their settings, and whether they hold what Kerf expects of a controller.
 
+use crate::controller::socket;
 use crate::exit::{Exit, Usage};
 use crate::given;
 use crate::machine_name::{DriverName, MachineName};
 use crate::out;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Subcommand;
+use kerf_control::controller::{Connection, Place};
 use kerf_driver_grbl::Grbl;
 use kerf_driver_grbl::settings::setting;
+use kerf_machine::Machine;
 use kerf_machine::driver::Wired;
 use kerf_transport::{Address, Line, ports};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
-use std::thread::spawn;
+use std::thread::{JoinHandle, spawn};
 use std::time::{Duration, Instant};
 
 /// Whoever has not told who it is after this is no controller.
@@ -28,6 +31,9 @@ const ANSWERED: Duration = Duration::from_secs(3);
 /// Names under which boards are in a network.
 const IN_NETWORKS: [&str; 4] =
     ["tcp:fluidnc.local", "tcp:fluidnc", "tcp:grblhal.local", "tcp:grblhal"];
+
+/// LinuxCNC on this computer.
+const LINUXCNC_HERE: &str = "linuxcnc:local";
 
 /// Settings by their numbers, as the board writes them.
 pub type Settings = BTreeMap<u16, String>;
@@ -158,30 +164,39 @@ impl Board {
     }
 }
 
+/// A line with the name of a machine and what it is, where one of that name answers.
+type Found = (String, String);
+
 /// Looks for boards at all serial ports and under the names that they have in networks, side by side; prints each with its
 /// firmware.
 pub fn connect(more: &[String]) -> Result<Exit> {
-    let mut addresses = Vec::new();
+    let (mut addresses, mut bridges) = (Vec::new(), vec![LINUXCNC_HERE]);
     for words in more {
+        if words.starts_with("linuxcnc:") {
+            bridges.push(words);
+            continue;
+        }
         addresses.push(Address::read(words).map_err(|why| Usage(format!("{words}: {why}")))?);
     }
     let serial = ports().into_iter().map(|path| Address::Serial { path, baud: Address::BAUD });
     let named = IN_NETWORKS.iter().filter_map(|words| Address::read(words).ok());
     addresses.extend(serial.chain(named));
-    let found = found(addresses);
+    let bridges = beside(bridges);
+    let mut found = found(addresses);
+    found.extend(bridges.join().unwrap_or_default());
     if found.is_empty() {
         eprintln!(
             "kerf: no controller was found; name where one is: kerf machine connect tcp:192.168.1.20"
         );
         return Ok(Exit::Failed);
     }
-    let lines: String = found.iter().map(|(at, name)| format!("grbl:{at:<30} {name}\n")).collect();
+    let lines: String = found.iter().map(|(at, name)| format!("{at:<35} {name}\n")).collect();
     out::print(&lines);
     Ok(Exit::Good)
 }
 
 /// Returns who answers in time, with the names of their firmware, in the order of the addresses.
-fn found(addresses: Vec<Address>) -> Vec<(String, String)> {
+fn found(addresses: Vec<Address>) -> Vec<Found> {
     let (tells, told) = channel();
     for (place, address) in addresses.into_iter().enumerate() {
         let tells = tells.clone();
@@ -190,7 +205,8 @@ fn found(addresses: Vec<Address>) -> Vec<(String, String)> {
             let axes: String =
                 "XYZABC".chars().take(board.grbl.facts().map_or(0, |it| it.axes)).collect();
             // Nobody listens any more where the time is over.
-            drop(tells.send((place, address.key(), format!("{}, axes {axes}", board.name()))));
+            let at = format!("grbl:{}", address.key());
+            drop(tells.send((place, at, format!("{}, axes {axes}", board.name()))));
             drop(board.leave());
         });
     }
@@ -198,7 +214,23 @@ fn found(addresses: Vec<Address>) -> Vec<(String, String)> {
     gathered(&told)
 }
 
-fn gathered(told: &Receiver<(usize, String, String)>) -> Vec<(String, String)> {
+/// Looks for LinuxCNC under these names, on a thread of its own.
+fn beside(names: Vec<&str>) -> JoinHandle<Vec<Found>> {
+    let names: Vec<String> = names.into_iter().map(str::to_owned).collect();
+    spawn(move || names.iter().filter_map(|words| linuxcnc(words)).collect())
+}
+
+/// Returns what LinuxCNC is under a name, where it runs.
+fn linuxcnc(words: &str) -> Option<Found> {
+    let Ok(MachineName::Controller(name)) = MachineName::read(words) else { return None };
+    let Place::Followed(socket) = socket(&name) else { return None };
+    let (driver, line) = (socket.opens)().ok()?;
+    let connection = Connection::open(words, driver, line).ok()?;
+    let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
+    Some((words.to_owned(), format!("{}, axes {axes}", connection.facts().name)))
+}
+
+fn gathered(told: &Receiver<(usize, String, String)>) -> Vec<Found> {
     let until = Instant::now() + FOUND;
     let mut found = BTreeMap::new();
     while let Ok((place, at, name)) =

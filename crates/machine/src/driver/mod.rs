@@ -250,6 +250,8 @@ pub struct Facts {
     pub holds: bool,
     /// Its stop switches every output off.
     pub stop_switches_off: bool,
+    /// It is given all moves up to the next stand at once: it stands wherever it has to wait for more.
+    pub takes_whole: bool,
     /// A repeated run gives the same inputs, so that they need no place on record.
     pub repeats: bool,
     /// Its place comes from the record of the last run; every other machine tells its own.

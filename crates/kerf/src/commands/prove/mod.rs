@@ -13,7 +13,7 @@ use kerf_machine::Machine;
 use kerf_machine::conformance::{self, Bench, CASES};
 use kerf_machine::driver::Facts;
 use outcome::Outcome;
-use own::{OWN, homes};
+use own::{OWN, SETTINGS, homes};
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
@@ -30,7 +30,8 @@ pub fn prove(name: &DriverName, report: &Path, home: bool) -> Result<Exit> {
             bench.lacks
         },
     );
-    for case in OWN {
+    let settings = if name.is_linuxcnc() { &[] } else { SETTINGS };
+    for case in OWN.iter().chain(settings) {
         told.takes(case.name, || (case.check)(name));
     }
     told.write(report)?;

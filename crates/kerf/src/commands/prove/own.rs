@@ -36,6 +36,10 @@ pub const OWN: &[Case] = &[
     Case { name: "rapid moves follow their override", check: rapid },
     Case { name: "a cable that is pulled and plugged in ends nothing silently", check: plugged },
     Case { name: "zero points are read and written, and move nothing", check: zeros },
+];
+
+/// Cases of settings of grbl.
+pub const SETTINGS: &[Case] = &[
     Case { name: "$10=0: it is driven all the same", check: |name| set_to(name, 10, "0") },
     Case { name: "$10=2: it is driven all the same", check: |name| set_to(name, 10, "2") },
     Case { name: "$13=1: it is driven all the same", check: |name| set_to(name, 13, "1") },

@@ -1,0 +1,6 @@
+//! The tests of this crate from outside, one program.
+
+#![allow(clippy::unwrap_used)]
+
+mod conformance;
+mod wire;
