@@ -184,7 +184,7 @@ impl<I: Interpreter> Interpreter for Mapped<I> {
             return self.inner.carried_out(motion);
         }
         let whole = self.last_pieces.partition_point(|(last, _)| *last <= motion);
-        if let Some((_, number)) = self.last_pieces.drain(..whole).last() {
+        if let Some((_, number)) = self.last_pieces.drain(..whole).next_back() {
             self.inner.carried_out(number);
         }
     }

@@ -232,10 +232,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Settings { action } => {
             return board::settings(controller(&args.which)?, action.as_ref());
         }
-        Action::Zeros { action } => {
-            controller(&args.which)?;
-            return zeros::run(&args.which, action.as_ref());
-        }
+        Action::Zeros { action } => return zeros::run(&args.which, action.as_ref()),
         Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
@@ -251,7 +248,7 @@ fn board_name(words: &str) -> Option<DriverName> {
 }
 
 /// Returns the controller that is named.
-fn controller(which: &Which) -> Result<&DriverName> {
+pub fn controller(which: &Which) -> Result<&DriverName> {
     let named = which.machine.controller();
     named.ok_or_else(|| Usage("name the controller: --machine grbl:PORT".into()).into())
 }

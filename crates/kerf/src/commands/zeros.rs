@@ -1,6 +1,7 @@
 //! `kerf machine zeros`: the zero points that a controller keeps.
 
 use super::by_hand::{Shop, not_beside_a_server, numbers};
+use super::machine::controller as named_controller;
 use super::which::Which;
 use crate::controller::First;
 use crate::exit::{Exit, Usage};
@@ -54,6 +55,7 @@ impl ZerosAction {
 
 /// Lists them, or changes one; Kerf's own zero follows the one that holds.
 pub fn run(which: &Which, action: Option<&ZerosAction>) -> Result<Exit> {
+    named_controller(which)?;
     let change = action.map(ZerosAction::change).transpose()?;
     not_beside_a_server(which, "see and set its zero points")?;
     let mut shop = Shop::open_after(which, First::LOOK, false)?;
