@@ -40,7 +40,11 @@ MODES = f"G17 G21 G40 G49 G80 G90 G91.1 G94 G97 G64 P{TOLERANCE_MM} Q{SAME_LINE_
 LETTERS = "XYZABC"
 SILENT_S, GONE_S = 1.5, 12.0
 TICK_S, TELL_S, IDLE_S = 0.01, 0.02, 0.1
-HOMING_S = 280.0
+HOMING_S, FOREIGN_S = 280.0, 0.5
+# What it was told shows in its state after this.
+SETTLE_S = 0.03
+# Its process is looked at so often.
+ALIVE_S = 0.3
 FIRST_OUTPUT, FIRST_INPUT = 4, 2
 
 
@@ -59,7 +63,10 @@ class Pipe:
     def read(self, wait_s):
         if not select.select([self.reads], [], [], wait_s)[0]:
             return b""
-        got = os.read(self.reads, 1 << 16)
+        try:
+            got = os.read(self.reads, 1 << 16)
+        except OSError as error:
+            raise Ended from error
         if not got:
             raise Ended
         return got
@@ -112,6 +119,27 @@ class Machine:
         self.folder = tempfile.mkdtemp(prefix="kerf-")
         os.chmod(self.folder, 0o755)
         self.pins = self.digital()
+        self.looked_s, self.alive = 0.0, True
+
+    def task(self):
+        """The process that plans, by its number in /proc; nothing where it is not found."""
+        name = os.path.basename(self.ini.find("TASK", "TASK") or "milltask")[:15]
+        for number in filter(str.isdigit, os.listdir("/proc")):
+            try:
+                with open(f"/proc/{number}/stat", encoding="utf-8") as file:
+                    words = file.read()
+            except OSError:
+                continue
+            if f"({name})" in words and words.rpartition(")")[2].split()[0] != "Z":
+                return number
+        return None
+
+    def is_alive(self):
+        """Its state stays as it was told last when its task is gone, so the process is looked at."""
+        now_s = time.monotonic()
+        if now_s - self.looked_s > ALIVE_S:
+            self.looked_s, self.alive = now_s, self.task() is not None
+        return self.alive
 
     def digital(self):
         """Bits of the outputs and inputs that its HAL has."""
@@ -193,14 +221,19 @@ class Machine:
         state = self.state
         return state.current_vel == 0 and (state.inpos or state.paused)
 
-    def has_heard(self):
-        return self.state.echo_serial_number >= self.told.serial
-
     def rests(self):
-        """It has heard all that it was told, and has nothing left to do."""
+        """It has nothing left to do."""
         state = self.state
-        return (self.has_heard() and state.state != linuxcnc.RCS_EXEC and state.queue == 0
+        return (state.state != linuxcnc.RCS_EXEC and state.queue == 0
                 and state.interp_state == linuxcnc.INTERP_IDLE and state.inpos)
+
+    def comes_to_rest(self):
+        """Waits a moment until it has nothing left to do; tells whether it has not."""
+        until_s = time.monotonic() + FOREIGN_S
+        while not self.rests() and time.monotonic() < until_s:
+            time.sleep(TICK_S / 2)
+            self.state.poll()
+        return self.rests()
 
     def mode(self, mode):
         self.state.poll()
@@ -258,6 +291,7 @@ class Bridge:
         self.is_over, self.is_probe, self.contact = True, False, None
         self.held_for, self.hears_s, self.tells_s, self.last = None, time.monotonic(), 0.0, None
         self.why, self.says_facts, self.greeting = "", False, 0
+        self.rested_s = time.monotonic()
 
     def serve(self):
         try:
@@ -267,7 +301,10 @@ class Bridge:
                 for line in lines:
                     self.hear(line)
                 self.machine.state.poll()
-                self.follow()
+                if self.machine.is_alive():
+                    self.follow()
+                else:
+                    self.fail("LinuxCNC is gone: what it had begun may go on, press the emergency stop")
                 self.tell()
         except Ended:
             pass
@@ -277,7 +314,7 @@ class Bridge:
     def leave(self):
         machine = self.machine
         machine.state.poll()
-        if self.doing != "idle" or machine.outputs():
+        if machine.is_alive() and (self.doing != "idle" or machine.outputs()):
             self.stop()
             until_s = time.monotonic() + 5.0
             while self.doing == "stopping" and time.monotonic() < until_s:
@@ -308,6 +345,8 @@ class Bridge:
             self.stop()
             return
         self.next = number + 1
+        if not self.machine.is_alive():
+            return
         if self.held_for == "silence" and command != "stop":
             self.go_on()
         self.obey(command, rest)
@@ -343,7 +382,7 @@ class Bridge:
         while machine.says():
             pass
         self.began_s, self.is_over, self.seen, self.done = time.monotonic(), False, (0, 0), 0
-        self.contact = None
+        self.contact, self.why = None, ""
         if command == "unlock":
             machine.told.state(linuxcnc.STATE_ESTOP_RESET)
             machine.told.wait_complete(1.0)
@@ -352,7 +391,7 @@ class Bridge:
             self.doing = "unlocking"
         elif not machine.is_on():
             self.fail("it is switched off: unlock it first (--unlock)")
-        elif not machine.rests():
+        elif not machine.comes_to_rest():
             self.fail("somebody else has it at work")
         elif command == "home":
             machine.mode(linuxcnc.MODE_MANUAL)
@@ -363,7 +402,7 @@ class Bridge:
         else:
             self.is_probe = any("G38" in code for code in self.codes)
             machine.open_and_run(self.codes)
-            self.doing = "run"
+            self.doing, self.began_s = "run", time.monotonic()
 
     def hold(self, cause):
         self.held_for = self.held_for or cause
@@ -382,7 +421,9 @@ class Bridge:
 
     def follow(self):
         self.look_for_silence()
-        machine, state = self.machine, self.machine.state
+        machine = self.machine
+        if self.doing != "idle" or machine.rests():
+            self.rested_s = time.monotonic()
         if self.doing == "run":
             self.follow_run()
         elif self.doing == "homing":
@@ -397,7 +438,7 @@ class Bridge:
                 self.ends()
             elif time.monotonic() - self.began_s > 2.0:
                 self.fail("it cannot be switched on: its emergency stop is pressed")
-        elif self.doing == "stopping" and machine.has_heard() and machine.stands():
+        elif self.doing == "stopping" and time.monotonic() - self.began_s > SETTLE_S and machine.stands():
             machine.switch_off()
             self.doing = "stopped"
 
@@ -412,7 +453,7 @@ class Bridge:
             # Lines that are made as one have the number of the last one: those before that one are made, no others.
             self.seen = (self.seen[1], state.motion_line)
             self.comes_to(self.seen[0])
-        if machine.rests():
+        if time.monotonic() - self.began_s > SETTLE_S and machine.rests():
             if self.is_probe and state.probe_tripped:
                 self.contact = machine.place(state.probed_position)
             self.ends()
@@ -445,6 +486,8 @@ class Bridge:
     def shows(self):
         """What it does, in a word."""
         machine, state = self.machine, self.machine.state
+        if not machine.alive:
+            return "gone"
         if self.doing in ("stopping", "stopped"):
             return self.doing
         if state.task_state == linuxcnc.STATE_ESTOP:
@@ -457,7 +500,7 @@ class Bridge:
             return "held" if self.held_for else "panel"
         if self.held_for and self.doing == "idle":
             return "held"
-        if self.doing == "idle" and not machine.rests():
+        if self.doing == "idle" and time.monotonic() - self.rested_s > FOREIGN_S:
             return "foreign"
         return self.doing
 

@@ -172,7 +172,7 @@ impl LinuxCnc {
 
     /// Sends the next piece when the one before is made.
     fn sends_piece(&mut self, now_s: f64) {
-        let waits = self.making.is_some() || self.hold != Hold::None || self.trouble_ends();
+        let waits = self.making.is_some() || self.hold != Hold::None || self.is_in_trouble();
         if self.phase != Phase::Ready || waits {
             return;
         }
@@ -190,8 +190,8 @@ impl LinuxCnc {
         self.making = Some(piece);
     }
 
-    /// Returns `true` if its trouble is no lock, which going home or switching on may end.
-    pub(crate) const fn trouble_ends(&self) -> bool {
+    /// Returns `true` if it has a trouble other than a lock, which going home or switching on may end.
+    pub(crate) const fn is_in_trouble(&self) -> bool {
         !matches!(self.trouble, None | Some(Trouble::Locked { .. }))
     }
 

@@ -40,7 +40,8 @@ impl LinuxCnc {
         if shares_are_new {
             self.shares = status.shares;
         }
-        let is_old = status.next < self.acts && status.why.is_empty();
+        // A bridge to which a line came garbled waits for none.
+        let is_old = status.next < self.acts && status.next != 0;
         let doing = if is_old { self.status.doing } else { status.doing };
         self.status = Status { doing, ..status };
         match self.phase {
@@ -69,14 +70,14 @@ impl LinuxCnc {
 
     fn is_at_work(&mut self) {
         self.follows_hold();
+        if !self.status.why.is_empty() {
+            return self.has_failed();
+        }
         if self.making.is_none() {
             return self.heeds_locks();
         }
         if self.status.piece != self.piece {
             return;
-        }
-        if !self.status.why.is_empty() {
-            return self.has_failed();
         }
         self.is_done(self.status.done);
         if self.status.is_over {
@@ -85,8 +86,13 @@ impl LinuxCnc {
     }
 
     fn has_failed(&mut self) {
+        if self.is_in_trouble() {
+            return;
+        }
+        self.trouble = None;
         let why = self.status.why.clone().into();
-        let lost = self.making.as_ref().is_some_and(|piece| piece.kind == Kind::Home);
+        let homes = self.making.as_ref().is_some_and(|piece| piece.kind == Kind::Home);
+        let lost = homes || self.status.doing == Doing::Gone;
         self.fail(Trouble::Alarm { number: 0, why, lost });
     }
 
@@ -101,13 +107,14 @@ impl LinuxCnc {
 
     /// Tells why it takes no orders, while none is under way; the reason may end at its panel.
     pub(crate) fn heeds_locks(&mut self) {
-        if self.trouble_ends() {
+        if self.is_in_trouble() {
             return;
         }
         let why = match (self.status.doing, self.status.is_homed) {
             (Doing::Estop, _) => {
                 "its emergency stop is pressed: release it, then unlock it (--unlock)"
             }
+            (Doing::Gone, _) => "LinuxCNC has ended: start it again",
             (Doing::Off, _) => "it is switched off: unlock it (--unlock)",
             (_, false) => "home it first (--home)",
             (_, true) => {

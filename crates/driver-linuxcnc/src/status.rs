@@ -40,9 +40,11 @@ pub enum Doing {
     Off,
     /// It works for somebody else.
     Foreign,
+    /// It has ended, and nobody knows whether its motion has.
+    Gone,
 }
 
-const DOINGS: [(&str, Doing); 12] = [
+const DOINGS: [(&str, Doing); 13] = [
     ("idle", Doing::Idle),
     ("run", Doing::Run),
     ("homing", Doing::Homing),
@@ -55,6 +57,7 @@ const DOINGS: [(&str, Doing); 12] = [
     ("estop", Doing::Estop),
     ("off", Doing::Off),
     ("foreign", Doing::Foreign),
+    ("gone", Doing::Gone),
 ];
 
 /// A state that the bridge told.

@@ -247,6 +247,7 @@ impl Fake {
 
     fn begin(&mut self, command: &str) {
         (self.is_over, self.done, self.contact) = (false, 0, None);
+        self.why.clear();
         match command {
             "unlock" => {
                 self.doing = Doing::Unlocking;
