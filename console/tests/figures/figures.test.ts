@@ -74,8 +74,29 @@ it("the editor", async () => {
 it("the drawing", async () => {
   await page.getByRole("link", { name: "Draw" }).click();
   await page.getByRole("button", { name: "Open…" }).click();
-  await page.getByRole("button", { name: "from-a-drawing.rsg" }).click();
+  await page.getByRole("button", { name: "from-a-drawing.rsg" }).first().click();
   await page.getByLabel("Tool paths").check();
   await wait(1000);
   await picture("drawing");
+});
+
+const sizes = [
+  { width: 390, height: 844 },
+  { width: 800, height: 1280 },
+  { width: 1440, height: 900 },
+];
+const screens = ["Operate", "Edit", "Draw", "Settings", "Help"];
+
+it.each(sizes)("every screen at $width by $height", async (size) => {
+  const shown = await workshop.page(size, size.width < 1100);
+  await shown.evaluate(() => localStorage.setItem("kerf.face", "easy"));
+  await shown.reload();
+  for (const name of screens) {
+    await shown.getByRole("link", { name, exact: true }).click();
+    await shown.getByRole("heading", { level: 1 }).waitFor({ state: "attached" });
+    await wait(1500);
+    const file = `screen-${name.toLowerCase()}-${size.width}.png`;
+    await shown.screenshot({ path: join(figures, file) });
+  }
+  await shown.close();
 });
