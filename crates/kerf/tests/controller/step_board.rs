@@ -197,8 +197,9 @@ fn two_boards_are_one_machine() {
     main.run(&shop, "run square.sbp").exits(1).complains("is on no board that board.others names");
 }
 
-/// Answers of somebody who wires three motors, two switches and an output.
-const ANSWERS: &str = "gpio0 gpio1\n^gpio10\ngpio2 gpio3\n-\n-\n-\n\n1 gpio20\n";
+/// Answers of somebody who wires X and two motors of Y, a switch and an output.
+const ANSWERS: &str =
+    "gpio0 gpio1\n^gpio10\ngpio2 gpio3\n-\n-\n-\ny\n-\ngpio4 gpio5\n-\n-\n\n1 gpio20\n";
 
 #[test]
 fn a_board_is_wired_question_by_question() {
@@ -207,15 +208,18 @@ fn a_board_is_wired_question_by_question() {
     let wire = format!("machine wire klipper:{} --machine bare.toml --into mine.toml", bench.port);
     // X goes the other way, then right; Y goes half as far; the switch is closed while it is left alone.
     bench.look(|board| _ = board.driven.insert(10, vec![(0, true)]));
-    // X is right at its first speed and not at the second; Y at none.
-    let more = "\nn\n\ny\n\n0.5\n\ny\n\n\nn\n\ny\ny\ny\nn\ny\nn\n";
+    // The second motor of Y goes the other way, then right.
+    // X is right at its first speed and not at the second, and at two accelerations; Y at no speed.
+    let more = "\nn\n\ny\n\n0.5\n\ny\n\nn\n\ny\n\n\nn\n\ny\ny\ny\nn\ny\ny\ny\nn\ny\nn\nn\n";
     shop.kerf_with(&wire, format!("{ANSWERS}{more}").as_bytes())
         .exits(0)
         .says("motor X, step and direction []")
         .says("X goes 1 mm towards plus")
         .says("Nothing changed: look at its pin")
         .says("Output 1 goes on")
+        .says("Y goes 1 mm with both motors")
         .says("X: at most 5 mm/s")
+        .says("X: at most 100 mm/s²")
         .says("Y: no speed was good, its own is kept")
         .says("written: mine.toml");
     let file = shop.read("mine.toml");
@@ -226,8 +230,9 @@ fn a_board_is_wired_question_by_question() {
     let steps = |axis: u8| bench.look(|board| board.steppers[&axis].made.len());
     let per_unit = kerf_machine::file::read(&"mine.toml".into(), &file).unwrap();
     let [x, y] = [0, 1].map(|n| per_unit.program.resolution.steps_per_unit.0[n]);
-    // Twice 1 mm there and back, and 20 mm for each of two speeds.
-    assert_eq!((y / x, steps(0)), (2.0, 84 * x as usize), "Y makes twice the steps a millimetre");
+    assert!(file.contains("w = \"gpio4 !gpio5\"") && file.contains("y2 = \"w\""), "{file}");
+    // Twice 1 mm there and back, and 20 mm for each of two speeds and three accelerations.
+    assert_eq!((y / x, steps(0)), (2.0, 204 * x as usize), "Y makes twice the steps a millimetre");
     let speeds = per_unit.program.axis_dynamics().speed_mm_s.0;
     assert!(speeds[0] == 5.0 && speeds[1] != 10.0, "{speeds:?}");
     let on =
@@ -243,7 +248,7 @@ fn a_board_that_is_sold_is_wired_by_its_name() {
     let (shop, bench) = (shop(), Bench::new());
     let wire =
         |name: &str| format!("machine wire klipper:{} --board {name} --into mine.toml", bench.port);
-    let pins = "\n\n0.8\n\n\n0.8\n\n\n0.5\n\n\nq\n";
+    let pins = "\n\n0.8\n\n\n0.8\n\n\n0.5\n\n\n\nq\n";
     bench.look(|board| board.chips = [0, 2, 1].map(|address| Chip::tmc2209(9, address)).to_vec());
     shop.kerf_with(&wire("skr-pico"), pins.as_bytes())
         .exits(3)
@@ -296,7 +301,7 @@ fn wiring_stops_at_each_question_and_writes_nothing() {
     for answers in ["", "q\n", "gpio0 gpio1\nq\n"] {
         shop.kerf_with(&wire, answers.as_bytes()).exits(3).complains("nothing is written");
     }
-    let twice = "gpio0 gpio1\n-\ngpio0 gpio3\n-\n-\n-\n-\n-\nq\n";
+    let twice = "gpio0 gpio1\n-\ngpio0 gpio3\n-\n-\n-\n\n-\n-\nq\n";
     shop.kerf_with(&wire, twice.as_bytes()).exits(3).says("pin `gpio0` is used twice");
     assert!(!shop.names().contains(&"mine.toml".to_owned()));
     assert!(bench.look(|board| board.steppers.is_empty()), "nothing was configured");

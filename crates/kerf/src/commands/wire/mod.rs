@@ -3,6 +3,8 @@
 //!
 //! Nothing is written before the last answer: whoever answers `q`, or nothing any more, leaves all as it was.
 
+mod trials;
+
 use crate::commands::step_board::{introduced, socket};
 use crate::commands::step_way::Way;
 use crate::exit::{Exit, Usage};
@@ -12,6 +14,7 @@ use anyhow::{Result, anyhow, bail};
 use kerf_control::controller::queued::Queued;
 use kerf_machine::boards::{KnownBoard, Plug};
 use kerf_machine::contradictions::contradictions;
+use kerf_machine::settings::motors::Motor;
 use kerf_machine::table;
 use kerf_machine::{Actuator, Configuration, Machine, Value, file};
 use kerf_program::{Axes, Axis, OutputReason};
@@ -24,19 +27,39 @@ use std::time::Duration;
 /// Way of a motor that is looked at, mm, and its speed, mm/s.
 const LOOK_MM: f64 = 1.0;
 const LOOK_MM_S: f64 = 2.0;
-/// Way of a trial of speed, mm; the first speed, and the highest one, mm/s.
-const TRIAL_MM: f64 = 20.0;
-const TRIALS_MM_S: [f64; 2] = [10.0, 640.0];
-/// Share of the last speed that was good which is kept.
-const KEPT: f64 = 0.5;
 /// Time for which an output that is looked at is on.
 const ON: Duration = Duration::from_secs(1);
 
-/// Axes that are wired here, each with its setting of pins.
-const AXES: [(Axis, &str, &str); 3] = [
+/// Axes that are wired here, each with its settings of pins and of its home switch.
+const AXES: [(Axis, &str, &str); 4] = [
     (Axis::X, "board.x", "board.home_x"),
     (Axis::Y, "board.y", "board.home_y"),
     (Axis::Z, "board.z", "board.home_z"),
+    (Axis::A, "board.r", "board.home_a"),
+];
+/// A motor beside those of X, Y and Z.
+struct Further {
+    what: &'static str,
+    motor: Motor,
+    /// The setting that gives it its axis.
+    role: &'static str,
+    home: &'static str,
+}
+
+const FURTHER: [Further; 3] = [
+    Further {
+        what: "second motor of X",
+        motor: Motor::Q,
+        role: "motors.x2",
+        home: "board.home_x2",
+    },
+    Further {
+        what: "second motor of Y",
+        motor: Motor::W,
+        role: "motors.y2",
+        home: "board.home_y2",
+    },
+    Further { what: "rotary axis A", motor: Motor::R, role: "motors.a", home: "board.home_a" },
 ];
 
 /// Wires a board, beginning with what is known of the machine and with the pins of a board that is sold.
@@ -54,7 +77,7 @@ pub fn wire(
     }
     let mut wizard = Wizard { name, machine, board: None };
     let told = wizard.pins().and_then(|()| wizard.motors()).and_then(|()| wizard.switches());
-    let told = told.and_then(|()| wizard.outputs()).and_then(|()| wizard.speeds());
+    let told = told.and_then(|()| wizard.outputs()).and_then(|()| wizard.trials());
     drop(wizard.board.take());
     match told {
         Err(Ends::Failed(why)) => Err(anyhow!("{why}; nothing is written")),
@@ -129,11 +152,15 @@ impl Wizard<'_> {
                 "Pins by the board's names (kerf machine connect lists them). ! turns a level round, ^ pulls up.\n\
                 Enter keeps what stands in brackets, - takes it away, q stops.\n",
             );
-            for (axis, pins, home) in AXES {
+            for ((axis, pins, home), motor) in AXES.into_iter().zip([Motor::X, Motor::Y, Motor::Z])
+            {
                 let letter = axis.letter();
                 self.setting(&format!("motor {letter}, step and direction"), pins)?;
                 self.setting(&format!("home switch of {letter}"), home)?;
-                self.current(axis)?;
+                self.current(motor)?;
+            }
+            self.further()?;
+            for (axis, _, home) in AXES {
                 let is_fitted = !get(&self.machine, home).is_empty();
                 self.machine.homing.switches[axis.index()].fitted = is_fitted;
             }
@@ -163,9 +190,45 @@ impl Wizard<'_> {
         }
     }
 
+    /// Asks for second motors and a rotary axis.
+    fn further(&mut self) -> Told {
+        if ask("Second motors of X and Y, or a rotary axis? y, n [n]: ")? != "y" {
+            return Ok(());
+        }
+        for Further { what, motor, role, home } in FURTHER {
+            let key = format!("board.{}", motor.word());
+            self.setting(&format!("{what}, step and direction"), &key)?;
+            let is_there = !get(&self.machine, &key).is_empty();
+            let turned_by = if is_there { motor.word() } else { "none" };
+            put(&mut self.machine, role, turned_by).map_err(Ends::Failed)?;
+            if is_there {
+                self.setting(&format!("home switch of {what}, - for none of its own"), home)?;
+                self.current(motor)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Turns the second motor of an axis round until both are seen to go one way.
+    fn both(&mut self, axis: Axis) -> Told {
+        let Some(second) = self.machine.motors.of_axis(axis).get(1).copied() else { return Ok(()) };
+        let letter = axis.letter();
+        loop {
+            ask(&format!("{letter} goes {LOOK_MM} mm with both motors: Enter "))?;
+            for to_mm in [LOOK_MM, 0.0] {
+                self.way(Way { axis, to_mm, mm_s: LOOK_MM_S })?;
+            }
+            if ask("Did both go the same way? y, n [y]: ")? != "n" {
+                return Ok(());
+            }
+            self.turn(&format!("board.{}", second.word()), 1)?;
+            self.opens().map_err(Ends::Failed)?;
+        }
+    }
+
     /// Asks for the current of a motor whose driver is set by its registers.
-    fn current(&mut self, axis: Axis) -> Told {
-        let (motor, letter) = (axis.index(), axis.letter());
+    fn current(&mut self, motor: Motor) -> Told {
+        let (motor, letter) = (motor.index(), motor.word().to_uppercase());
         if self.machine.drivers.kinds[motor].is_empty() {
             return Ok(());
         }
@@ -206,9 +269,9 @@ impl Wizard<'_> {
     fn motors(&mut self) -> Told {
         let axes = self.board()?.axes();
         for (axis, key, _) in AXES.into_iter().filter(|(axis, ..)| axes.contains(*axis)) {
-            let letter = axis.letter();
+            let (letter, unit) = (axis.letter(), unit(axis));
             loop {
-                ask(&format!("{letter} goes {LOOK_MM} mm towards plus: Enter "))?;
+                ask(&format!("{letter} goes {LOOK_MM} {unit} towards plus: Enter "))?;
                 self.way(Way { axis, to_mm: LOOK_MM, mm_s: LOOK_MM_S })?;
                 let answer = ask("Did it? y, n for the other way, or how far in mm [y]: ")?;
                 self.way(Way { axis, to_mm: 0.0, mm_s: LOOK_MM_S })?;
@@ -236,6 +299,7 @@ impl Wizard<'_> {
                 }
                 self.opens().map_err(Ends::Failed)?;
             }
+            self.both(axis)?;
         }
         Ok(())
     }
@@ -310,55 +374,11 @@ impl Wizard<'_> {
         }
         Ok(())
     }
+}
 
-    /// Tries higher and higher speeds, as far as somebody who watches says that they are good.
-    fn speeds(&mut self) -> Told {
-        let axes = self.board()?.axes();
-        for (axis, ..) in AXES.into_iter().filter(|(axis, ..)| axes.contains(*axis)) {
-            let letter = axis.letter();
-            let words = format!(
-                "{letter}: try its speed, {TRIAL_MM} mm there and back, faster each time? y, n [n]: "
-            );
-            if ask(&words)? != "y" {
-                continue;
-            }
-            let [mut mm_s, most] = TRIALS_MM_S;
-            let (before, mut good) = (self.machine.program.dynamics, None);
-            while mm_s <= most {
-                self.dynamics(axis, mm_s);
-                for to_mm in [TRIAL_MM, 0.0] {
-                    self.way(Way { axis, to_mm, mm_s })?;
-                }
-                if ask(&format!(
-                    "{letter} at {mm_s} mm/s: did it come back to its place? y, n [y]: "
-                ))? == "n"
-                {
-                    break;
-                }
-                good = Some(mm_s);
-                mm_s *= 2.0;
-            }
-            let Some(good) = good else {
-                self.machine.program.dynamics = before;
-                out::print(&format!(
-                    "{letter}: no speed was good, its own is kept: look at its current and its load\n"
-                ));
-                continue;
-            };
-            let kept = KEPT * good;
-            self.dynamics(axis, kept);
-            let home = &mut self.machine.homing.switches[axis.index()];
-            (home.fast, home.slow) = (home.fast.min(kept), home.slow.min(kept));
-            out::print(&format!("{letter}: at most {kept} mm/s\n"));
-        }
-        Ok(())
-    }
-
-    fn dynamics(&mut self, axis: Axis, mm_s: f64) {
-        let mut dynamics = self.machine.program.axis_dynamics();
-        dynamics.speed_mm_s[axis] = mm_s;
-        self.machine.program.dynamics = Some(dynamics);
-    }
+/// Unit of the ways of an axis.
+const fn unit(axis: Axis) -> &'static str {
+    if matches!(axis, Axis::A) { "degrees" } else { "mm" }
 }
 
 /// A pin with its level turned round.

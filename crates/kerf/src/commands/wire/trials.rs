@@ -1,0 +1,112 @@
+//! Speed and acceleration by trial: faster each time, as far as somebody who watches says that it was good.
+
+use super::{AXES, Told, Wizard, ask, unit};
+use crate::commands::step_way::Way;
+use crate::out;
+use kerf_program::Axis;
+
+/// Way of a trial, mm or degrees.
+const WAY_MM: f64 = 20.0;
+/// The first speed, and the highest one, mm/s.
+const SPEEDS_MM_S: [f64; 2] = [10.0, 640.0];
+/// The first acceleration, and the highest one, mm/s².
+const ACCELERATIONS_MM_S2: [f64; 2] = [100.0, 12_800.0];
+/// Share of the last one that was good which is kept.
+const KEPT: f64 = 0.5;
+
+/// A quantity that is tried.
+#[derive(Clone, Copy)]
+enum Tried {
+    Speed,
+    Acceleration,
+}
+
+impl Tried {
+    const fn words(self) -> &'static str {
+        match self {
+            Self::Speed => "speed",
+            Self::Acceleration => "acceleration",
+        }
+    }
+
+    const fn per(self) -> &'static str {
+        match self {
+            Self::Speed => "/s",
+            Self::Acceleration => "/s²",
+        }
+    }
+
+    const fn range(self) -> [f64; 2] {
+        match self {
+            Self::Speed => SPEEDS_MM_S,
+            Self::Acceleration => ACCELERATIONS_MM_S2,
+        }
+    }
+}
+
+impl Wizard<'_> {
+    /// Tries speeds and accelerations of each axis.
+    pub(super) fn trials(&mut self) -> Told {
+        let axes = self.board()?.axes();
+        for (axis, ..) in AXES.into_iter().filter(|(axis, ..)| axes.contains(*axis)) {
+            self.tries(axis, Tried::Speed)?;
+            self.tries(axis, Tried::Acceleration)?;
+        }
+        Ok(())
+    }
+
+    /// Tries higher and higher values, and keeps half of the last one that was good.
+    fn tries(&mut self, axis: Axis, tried: Tried) -> Told {
+        let (letter, unit) = (axis.letter(), unit(axis));
+        let [what, per] = [tried.words(), tried.per()];
+        let words = format!(
+            "{letter}: try its {what}, {WAY_MM} {unit} there and back, more each time? y, n [n]: "
+        );
+        if ask(&words)? != "y" {
+            return Ok(());
+        }
+        let [mut value, most] = tried.range();
+        let (before, mut good) = (self.machine.program.dynamics, None);
+        while value <= most {
+            self.put(axis, tried, value);
+            let mm_s = self.machine.program.axis_dynamics().speed_mm_s[axis];
+            for to_mm in [WAY_MM, 0.0] {
+                self.way(Way { axis, to_mm, mm_s })?;
+            }
+            let words = format!(
+                "{letter} at {value} {unit}{per}: did it come back to its place? y, n [y]: "
+            );
+            if ask(&words)? == "n" {
+                break;
+            }
+            good = Some(value);
+            value *= 2.0;
+        }
+        let Some(good) = good else {
+            self.machine.program.dynamics = before;
+            out::print(&format!(
+                "{letter}: no {what} was good, its own is kept: look at its current and its load\n"
+            ));
+            return Ok(());
+        };
+        let kept = KEPT * good;
+        self.put(axis, tried, kept);
+        out::print(&format!("{letter}: at most {kept} {unit}{per}\n"));
+        Ok(())
+    }
+
+    /// Sets a limit of an axis. Homing is never faster than the axis.
+    fn put(&mut self, axis: Axis, tried: Tried, value: f64) {
+        let mut dynamics = self.machine.program.axis_dynamics();
+        match tried {
+            Tried::Speed => dynamics.speed_mm_s[axis] = value,
+            Tried::Acceleration => dynamics.accel_mm_s2[axis] = value,
+        }
+        self.machine.program.dynamics = Some(dynamics);
+        let most = dynamics.speed_mm_s[axis];
+        let home = &mut self.machine.homing.switches[axis.index()];
+        if matches!(tried, Tried::Speed) {
+            (home.fast, home.slow) = (home.fast.min(most), home.slow.min(most));
+        }
+    }
+}
