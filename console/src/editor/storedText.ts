@@ -92,6 +92,8 @@ const Tree = Text.of(Array(leafLines + 1).fill("")).constructor as unknown as {
 /** The leaf that was looked at last, and its lines. */
 let seen: { readonly leaf: StoredLeaf; readonly lines: string[] } | undefined;
 
+const noLines: string[] = [];
+
 /** A few lines of a stored text, which become strings when they are looked at. */
 class StoredLeaf extends Leaf {
   readonly #bytes: Uint8Array;
@@ -99,9 +101,12 @@ class StoredLeaf extends Leaf {
   readonly #to: number;
   readonly #lines: number;
 
-  constructor(bytes: Uint8Array, [from, to]: [number, number], lines: number, length: number) {
-    super([], length);
-    [this.#bytes, this.#from, this.#to, this.#lines] = [bytes, from, to, lines];
+  constructor(bytes: Uint8Array, from: number, to: number, lines: number, length: number) {
+    super(noLines, length);
+    this.#bytes = bytes;
+    this.#from = from;
+    this.#to = to;
+    this.#lines = lines;
   }
 
   override get lines(): number {
@@ -124,8 +129,8 @@ class StoredLeaf extends Leaf {
 /** The text as the editor has it. */
 export function textOf({ bytes, starts, lengths, lines }: StoredText): Text {
   const leaves = Array.from(lengths, (length, n) => {
-    const place: [number, number] = [starts[n] ?? 0, (starts[n + 1] ?? 0) - 1];
-    return new StoredLeaf(bytes, place, Math.min(leafLines, lines - n * leafLines), length);
+    const [from, to] = [starts[n] ?? 0, (starts[n + 1] ?? 0) - 1];
+    return new StoredLeaf(bytes, from, to, Math.min(leafLines, lines - n * leafLines), length);
   });
   const breaks = leaves.length - 1;
   return Tree.from(
