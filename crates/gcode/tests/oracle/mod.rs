@@ -15,7 +15,7 @@ use canon::Move;
 use compare::difference;
 use generate::{PROGRAMS, SCALE, compensated, generated};
 use kerf_gcode::{Interpreter, Options, Session, Tool, read};
-use kerf_program::settings::LinearUnit;
+use kerf_program::settings::{AxisUnit, LinearUnit};
 use kerf_program::{Axes, Command as Given, MoveKind, Step};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -66,6 +66,7 @@ fn ours(file: &Path, scale: f64) -> Result<Vec<Move>, String> {
     let mut session = Session::default();
     session.settings.linear_unit = LinearUnit::Mm;
     session.settings.axis_count = 6;
+    session.settings.rotary_units = [AxisUnit::Degrees; 3];
     for (number, z, diameter_mm) in tools(scale) {
         let tool = Tool { diameter_mm, offset: Axes::xyz(0.0, 0.0, z) };
         session.state.tools.insert(number, tool);
@@ -97,7 +98,8 @@ fn as_move(command: &Given) -> Option<Move> {
 }
 
 /// Files of the corpus whose difference is meant, with the reason.
-const MEANT: [(&str, &str); 2] = [
+const MEANT: [(&str, &str); 3] = [
+    ("cycles.nc", "R and depth of a cycle stay when the next one has another code"),
     ("linuxcnc__raster_test.ngc", "M11 is refused there and does nothing here"),
     (
         "linuxcnc__skeleton.ngc",
