@@ -41,7 +41,7 @@ impl Wires {
         let mut bytes = Vec::new();
         for _ in 0..30_000 {
             if let Some(expected) = join.receive(&bytes, self.now_s) {
-                return Link::new(expected, None);
+                return Link::new(expected);
             }
             assert!(!join.is_vain(self.now_s), "the board does not answer");
             let out = join.transmit(self.now_s);
@@ -171,7 +171,7 @@ fn a_small_buffer_of_a_board_is_never_overrun() {
 
 #[test]
 fn a_command_that_is_urgent_goes_first() {
-    let mut link = Link::new(0, None);
+    let mut link = Link::new(0);
     assert!(link.send(vec![1], None) && link.send_urgent(vec![2], Some(9)));
     let bytes = link.transmit(0.0).bytes;
     assert_eq!((bytes[2], bytes[8]), (2, 1));
@@ -179,8 +179,18 @@ fn a_command_that_is_urgent_goes_first() {
 }
 
 #[test]
+fn on_a_serial_line_a_frame_has_the_time_that_its_bytes_need() {
+    let mut link = Link::new(0);
+    // 6 bytes of 10 bits in 0.1 s.
+    link.paces(600.0);
+    assert!(link.send(vec![1], None) && !link.transmit(0.0).bytes.is_empty());
+    assert!(link.transmit(0.12).bytes.is_empty(), "it is still on its way");
+    assert!(!link.transmit(0.13).bytes.is_empty());
+}
+
+#[test]
 fn a_frame_without_an_answer_goes_out_again_later_and_later() {
-    let mut link = Link::new(0, None);
+    let mut link = Link::new(0);
     assert!(link.send(vec![1], None));
     let mut sent = Vec::new();
     for now_ms in 0..2000 {

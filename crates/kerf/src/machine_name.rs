@@ -94,6 +94,11 @@ impl DriverName {
         self.words.starts_with(KLIPPER)
     }
 
+    /// A board with step queues at an address.
+    pub fn of_board(address: &Address) -> Self {
+        Self { words: format!("{KLIPPER}:{}", address.key()), address: address.clone() }
+    }
+
     /// Returns `true` for LinuxCNC behind its bridge.
     pub fn is_linuxcnc(&self) -> bool {
         self.words.starts_with(LINUXCNC)

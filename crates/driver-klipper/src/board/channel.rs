@@ -46,6 +46,10 @@ impl Channel {
         if let Some(window) = dictionary.constant("RECEIVE_WINDOW") {
             link.limit(window as usize);
         }
+        // A board on USB has none.
+        if let Some(baud) = dictionary.constant("SERIAL_BAUD") {
+            link.paces(baud);
+        }
         Self {
             frequency: dictionary.constant("CLOCK_FREQ").unwrap_or(1.0),
             clock: None,

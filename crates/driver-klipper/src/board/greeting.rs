@@ -8,15 +8,15 @@ use crate::link::{Heard, Join, Link, Outgoing};
 
 /// A board whose words are not known yet.
 pub enum Greeting {
-    /// It is asked for the number that it expects; bits a second of a serial line.
-    Joining(Join, Option<u32>),
+    /// It is asked for the number that it expects.
+    Joining(Join),
     /// Its dictionary is read.
     Identifying(Box<(Link, Identify)>),
 }
 
 impl Greeting {
-    pub fn new(baud: Option<u32>, now_s: f64) -> Self {
-        Self::Joining(Join::new(now_s), baud)
+    pub fn new(now_s: f64) -> Self {
+        Self::Joining(Join::new(now_s))
     }
 
     /// Reads bytes; returns the line and the words of the board once these are whole.
@@ -26,9 +26,9 @@ impl Greeting {
         now_s: f64,
     ) -> Result<Option<(Link, Dictionary)>, Fault> {
         match self {
-            Self::Joining(join, baud) => {
+            Self::Joining(join) => {
                 if let Some(expected) = join.receive(bytes, now_s) {
-                    let link = Link::new(expected, *baud);
+                    let link = Link::new(expected);
                     *self = Self::Identifying(Box::new((link, Identify::new(now_s))));
                 }
                 Ok(None)
@@ -49,8 +49,8 @@ impl Greeting {
     /// Returns the bytes to be written now.
     pub fn transmit(&mut self, now_s: f64) -> Result<Outgoing, Fault> {
         match self {
-            Self::Joining(join, _) if join.is_vain(now_s) => Err(Fault::NoBoard),
-            Self::Joining(join, _) => Ok(Outgoing { bytes: join.transmit(now_s), replaces: false }),
+            Self::Joining(join) if join.is_vain(now_s) => Err(Fault::NoBoard),
+            Self::Joining(join) => Ok(Outgoing { bytes: join.transmit(now_s), replaces: false }),
             Self::Identifying(pair) => {
                 let (link, identify) = pair.as_mut();
                 if identify.is_vain() {
@@ -65,7 +65,7 @@ impl Greeting {
 
     pub fn due_s(&self) -> f64 {
         match self {
-            Self::Joining(join, _) => join.due_s(),
+            Self::Joining(join) => join.due_s(),
             Self::Identifying(pair) => pair.0.due_s().min(pair.1.due_s()),
         }
     }

@@ -52,8 +52,8 @@ struct Asking {
 
 impl Introduction {
     /// Begins to look for a board on a line with so many bits a second; nothing over USB.
-    pub fn new(baud: Option<u32>, now_s: f64) -> Self {
-        Self { phase: Phase::Greeting(Greeting::new(baud, now_s)) }
+    pub fn new(now_s: f64) -> Self {
+        Self { phase: Phase::Greeting(Greeting::new(now_s)) }
     }
 
     /// Reads bytes that came.

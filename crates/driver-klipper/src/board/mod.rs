@@ -53,7 +53,7 @@ pub struct Board {
 impl Board {
     /// Begins to look for a board.
     pub fn new(setup: Setup, options: Options, now_s: f64) -> Self {
-        let (phase, news) = (Phase::Greeting(Greeting::new(options.baud, now_s)), VecDeque::new());
+        let (phase, news) = (Phase::Greeting(Greeting::new(now_s)), VecDeque::new());
         Self { setup, options, phase, news }
     }
 

@@ -3,8 +3,6 @@
 /// Choices for a session.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Bits a second of a serial line; none over USB.
-    pub baud: Option<u32>,
     /// Time without word from the host after which the board stops all motors by itself, seconds.
     pub deadline_s: f64,
     /// Farthest that a step is from its planned moment, seconds.
@@ -18,6 +16,6 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { baud: None, deadline_s: 0.1, error_s: 5e-6, linger_s: 0.0, clears: false }
+        Self { deadline_s: 0.1, error_s: 5e-6, linger_s: 0.0, clears: false }
     }
 }

@@ -83,20 +83,25 @@ pub struct Link {
 }
 
 impl Link {
-    /// A line whose board expects a number next, as [`Join`] found it; bits a second where it is a serial one.
-    pub fn new(expected: u8, baud: Option<u32>) -> Self {
+    /// A line whose board expects a number next, as [`Join`] found it.
+    pub fn new(expected: u8) -> Self {
         Self {
             reader: Reader::default(),
             flight: Flight::new(expected),
             round_trip: RoundTrip::default(),
             urgent: VecDeque::new(),
             waiting: VecDeque::new(),
-            byte_s: baud.map_or(0.0, |baud| BITS / f64::from(baud.max(1))),
+            byte_s: 0.0,
             free_s: f64::NEG_INFINITY,
             again: false,
             resent: 0,
             heard_s: f64::NEG_INFINITY,
         }
+    }
+
+    /// It is a serial line of so many bits a second: bytes need their time on it.
+    pub fn paces(&mut self, baud: f64) {
+        self.byte_s = BITS / baud.max(1.0);
     }
 
     /// The board's buffer holds so many bytes (its constant `RECEIVE_WINDOW`).

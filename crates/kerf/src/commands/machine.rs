@@ -210,7 +210,9 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Connect { more } => {
             let boards: Option<Vec<DriverName>> = more.iter().map(|it| board_name(it)).collect();
             return match boards {
-                Some(boards) if !boards.is_empty() => step_board::connect(&boards),
+                Some(boards) if !boards.is_empty() => {
+                    step_board::connect(&boards, &args.which.machine()?)
+                }
                 _ => board::connect(more),
             };
         }

@@ -8,7 +8,7 @@ use crate::machine_name::DriverName;
 use crate::{given, out};
 use anyhow::{Result, anyhow, bail};
 use kerf_control::controller::Place;
-use kerf_control::controller::queued::{Queued, Socket};
+use kerf_control::controller::queued::{Queued, Socket, others};
 use kerf_driver_klipper::board::{Held, Introduced, Introduction};
 use kerf_driver_klipper::dictionary::Dictionary;
 use kerf_machine::printer_cfg;
@@ -36,9 +36,13 @@ pub fn socket(name: &DriverName) -> Result<Socket> {
     }
 }
 
-/// Prints who boards are: their firmware, chip, configuration, pins. Nothing of them changes.
-pub fn connect(names: &[DriverName]) -> Result<Exit> {
-    for name in names {
+/// Prints who boards are: their firmware, chip, configuration, pins. Nothing of them changes. The other boards of the
+/// machine follow, where somebody has named a machine that has some.
+pub fn connect(names: &[DriverName], machine: &Configuration) -> Result<Exit> {
+    let others = others(&machine.board.others).map_err(|why| anyhow!(why))?;
+    let others = others.iter().map(|(_, address)| DriverName::of_board(address));
+    let others: Vec<_> = others.filter(|other| !names.contains(other)).collect();
+    for name in names.iter().chain(&others) {
         let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
         out::print(&described(name, &introduced));
     }
@@ -57,7 +61,7 @@ pub fn import(file: &Path) -> Result<Exit> {
 /// Asks a board who it is. Nothing of it changes.
 pub fn introduced(socket: &Socket) -> Result<Introduced, String> {
     let mut line = (socket.opens)()?;
-    let (since, mut board) = (Instant::now(), Introduction::new(None, 0.0));
+    let (since, mut board) = (Instant::now(), Introduction::new(0.0));
     let mut bytes = [0; 1024];
     while since.elapsed() < GREETING {
         let out = board.transmit(since.elapsed().as_secs_f64());

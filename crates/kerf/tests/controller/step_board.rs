@@ -158,6 +158,18 @@ fn who_a_board_is_is_told_and_nothing_of_it_changes() {
 }
 
 #[test]
+fn the_other_boards_of_a_machine_are_shown_with_the_first() {
+    let (shop, [main, two]) = (shop(), [Bench::new(), Bench::new()]);
+    let others = format!("[board]\nothers = \"two {}\"\n", two.port);
+    shop.write("board.toml", MACHINE.replace("[board]\n", &others).as_bytes());
+    let connect = format!("machine connect klipper:{} --machine board.toml", main.port);
+    shop.kerf(&connect)
+        .exits(0)
+        .says(&format!("klipper:{}\n", main.port))
+        .says(&format!("klipper:{}\n", two.port));
+}
+
+#[test]
 fn a_board_is_proved_with_its_steps_its_lead_and_its_stops() {
     let (shop, bench) = (shop(), Bench::new());
     let port = &bench.port;

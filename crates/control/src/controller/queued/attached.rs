@@ -58,7 +58,8 @@ impl Socket {
         let others = others::read(&machine.board.others)?;
         let ports = others.iter().map(|(name, address)| (name.clone(), address.key()));
         let first = (FIRST.to_owned(), self.port.clone());
-        others::refuse_twins(&[first].into_iter().chain(ports).collect::<Vec<_>>())?;
+        let all: Vec<_> = [first].into_iter().chain(ports).collect();
+        others::refuse_twins(&all, kerf_transport::serial_number)?;
         let first = (FIRST.to_owned(), self.opens.clone());
         let open = |(name, address): (String, Address)| {
             let opens: OpensLine = Arc::new(move || match address.open() {

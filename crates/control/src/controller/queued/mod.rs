@@ -31,6 +31,6 @@ pub const ERROR_S: f64 = 2e-6;
 pub use attached::{Attached, Socket};
 pub use berth::Berth;
 pub use machine::Queued;
-pub use others::address;
+pub use others::{address, read as others};
 pub use thread::OpensLine;
 pub use wiring::Wiring;

@@ -41,18 +41,22 @@ pub fn read(text: &str) -> Result<Vec<(String, Address)>, String> {
     Ok(boards)
 }
 
-/// Refuses two boards that are one, or that cannot be told apart, by the ports of all boards.
+/// Refuses two boards that are one, or that cannot be told apart, by the ports of all boards and the serial number behind
+/// each.
 ///
 /// # Errors
 /// Two of them hang on one port, or have one serial number; in words.
-pub fn refuse_twins(boards: &[(String, String)]) -> Result<(), String> {
+pub fn refuse_twins(
+    boards: &[(String, String)],
+    serial_number: impl Fn(&str) -> Option<String>,
+) -> Result<(), String> {
     for (n, (name, port)) in boards.iter().enumerate() {
         for (other, taken) in &boards[..n] {
             if device(port) == device(taken) {
                 return Err(format!("boards {other} and {name} hang on one port, {port}"));
             }
-            let serial = kerf_transport::serial_number(port);
-            if serial.is_some() && serial == kerf_transport::serial_number(taken) {
+            let serial = serial_number(port);
+            if serial.is_some() && serial == serial_number(taken) {
                 return Err(format!(
                     "boards {other} and {name} have one serial number, {}: they would be mixed up when they are plugged \
                      in anew; flash one with another number, or take a board of another kind",
@@ -103,11 +107,24 @@ mod tests {
         std::fs::write(&port, "").unwrap();
         std::os::unix::fs::symlink(&port, &link).unwrap();
         let named = |name: &str, path: &Path| (name.to_owned(), path.display().to_string());
-        let why = refuse_twins(&[named("main", &port), named("tools", &link)]).unwrap_err();
+        let why =
+            refuse_twins(&[named("main", &port), named("tools", &link)], |_| None).unwrap_err();
         assert!(why.contains("boards main and tools hang on one port"), "{why}");
         assert!(
-            refuse_twins(&[named("main", &port), named("tools", &folder.path().join("no"))])
-                .is_ok()
+            refuse_twins(
+                &[named("main", &port), named("tools", &folder.path().join("no"))],
+                |_| None
+            )
+            .is_ok()
         );
+    }
+
+    #[test]
+    fn two_boards_with_one_serial_number_are_refused() {
+        let boards = [("main", "a"), ("tools", "b")].map(|(name, port)| (name.into(), port.into()));
+        let why = refuse_twins(&boards, |_| Some("1d50:614e 7".into())).unwrap_err();
+        assert!(why.contains("boards main and tools have one serial number, 1d50:614e 7"), "{why}");
+        assert!(refuse_twins(&boards, |port| Some(format!("1d50:614e {port}"))).is_ok());
+        assert!(refuse_twins(&boards, |_| None).is_ok(), "ports that tell none");
     }
 }
