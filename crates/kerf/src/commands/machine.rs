@@ -207,15 +207,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),
-        Action::Connect { more } => {
-            let boards: Option<Vec<DriverName>> = more.iter().map(|it| board_name(it)).collect();
-            return match boards {
-                Some(boards) if !boards.is_empty() => {
-                    step_board::connect(&boards, &args.which.machine()?)
-                }
-                _ => board::connect(more),
-            };
-        }
+        Action::Connect { more } => return connect(more, &args.which),
         Action::Wire { board, into, known } => {
             let name = board_name(board)
                 .ok_or_else(|| Usage(format!("{board} is no board: name it as klipper:PORT")))?;
@@ -239,6 +231,15 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
     Ok(Exit::Good)
+}
+
+/// Looks for controllers, or opens the boards with step queues that are named.
+fn connect(more: &[String], which: &Which) -> Result<Exit> {
+    let boards: Option<Vec<DriverName>> = more.iter().map(|it| board_name(it)).collect();
+    match boards {
+        Some(boards) if !boards.is_empty() => step_board::connect(&boards, &which.machine()?),
+        _ => board::connect(more),
+    }
 }
 
 /// Reads the name of a board with step queues; nothing where it is that of something else.
