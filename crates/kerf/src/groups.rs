@@ -11,7 +11,7 @@ const GROUPS: [(&str, &[&str]); 6] = [
     ),
     ("Drawings", &["draw", "toolpath"]),
     ("Runs", &["run", "send", "receive", "serve", "sb3"]),
-    ("The machine", &["get", "set", "machine", "settings", "io", "log"]),
+    ("The machine", &["get", "set", "machine", "settings", "map", "io", "log"]),
     ("Older ways to get and set values, for scripts", &["registry", "sysvars"]),
     ("Files and help", &["parts", "samples", "wavlength", "explain", "help"]),
 ];

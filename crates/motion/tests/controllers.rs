@@ -131,6 +131,21 @@ fn linuxcnc_stops_at_corners_where_nothing_may_be_rounded() {
 }
 
 #[test]
+fn linuxcnc_slows_by_the_acceleration_of_z_only_what_moves_in_z() {
+    let weak_z = LinuxCnc { accel_mm_s2: Axes::xyz(500.0, 500.0, 300.0), ..linuxcnc(0.05) };
+    for flat in [zigzag(), hilbert(), circle()] {
+        assert_eq!(total(&weak_z, &flat), total(&linuxcnc(0.05), &flat));
+    }
+    let mut upright = zigzag();
+    for step in &mut upright {
+        for place in [&mut step.from, &mut step.to] {
+            place.0.swap(1, 2);
+        }
+    }
+    assert!(total(&weak_z, &upright) > 1.05 * total(&linuxcnc(0.05), &upright));
+}
+
+#[test]
 fn a_short_look_ahead_slows_short_segments() {
     let run = chords(2000);
     let far = Grbl { blocks: 100_000, ..grbl(0.05) };

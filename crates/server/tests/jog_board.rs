@@ -56,7 +56,20 @@ fn hold(page: &mut Page, board: &Shared) -> u32 {
     panic!("it does not move on");
 }
 
+/// The machine slows down and stands at the end of a hold. Where a busy computer keeps Kerf waiting for longer than the
+/// board's deadline, the board stands at once, as it should: then it is tried again.
 fn stands_after(end: &End) -> (Shop, Page) {
+    for _ in 0..3 {
+        let (shop, page, in_time) = ends_hold(end);
+        if in_time {
+            return (shop, page);
+        }
+    }
+    panic!("the board's deadline passes each time");
+}
+
+/// Tells besides whether the board heard Kerf in time.
+fn ends_hold(end: &End) -> (Shop, Page, bool) {
     let (shop, board) = shop();
     let (mut page, mut watcher) = (shop.driver(), shop.page());
     let seq = hold(&mut page, &board);
@@ -85,8 +98,9 @@ fn stands_after(end: &End) -> (Shop, Page) {
     assert!(took_s < BOUND_S, "{took_s} s");
     let gap_s = |n: usize| made[n] - made[n - 1];
     let (cruise_s, last_s) = (gap_s(made.len() / 2), gap_s(made.len() - 1));
-    println!("{took_s:.3} s to the last step");
-    assert!(last_s > 1.3 * cruise_s, "it slows down: {cruise_s} {last_s}");
+    println!("{took_s:.3} s to the last step, {} deadlines passed", fake.expired);
+    let in_time = fake.expired == 0;
+    assert!(!in_time || last_s > 1.3 * cruise_s, "it slows down: {cruise_s} {last_s}");
     assert_eq!(fake.reason(), None, "the board was late for nothing");
     drop(fake);
     let stands_mm = stood as f64 / STEPS_MM;
@@ -95,7 +109,7 @@ fn stands_after(end: &End) -> (Shop, Page) {
         (x_mm - stands_mm).abs() < 0.01
     });
     drop(page);
-    (shop, watcher)
+    (shop, watcher, in_time)
 }
 
 #[test]

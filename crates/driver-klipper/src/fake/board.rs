@@ -32,6 +32,8 @@ pub struct Board {
     pub events: Events,
     pub steppers: BTreeMap<u8, Stepper>,
     pub trsyncs: BTreeMap<u8, Trsync>,
+    /// Deadlines that passed: nobody was heard, and motors stood at once.
+    pub expired: u32,
     pub endstops: BTreeMap<u8, Endstop>,
     pub outputs: BTreeMap<u8, Output>,
     pub buttons: BTreeMap<u8, Buttons>,

@@ -74,6 +74,7 @@ impl Board {
 
     pub fn expire(&mut self, oid: u8) {
         let reason = self.trsyncs[&oid].expire_reason;
+        self.expired += u32::from(self.trsyncs[&oid].armed);
         self.trigger(oid, reason, true);
     }
 

@@ -243,6 +243,9 @@ fn gathered(told: &Receiver<(usize, String, String)>) -> Vec<Found> {
 
 /// Prints the settings of a board, or does something with them.
 pub fn settings(name: &DriverName, action: Option<&SettingsAction>) -> Result<Exit> {
+    if let Some(SettingsAction::Restore { file }) = action {
+        return restore(name, file);
+    }
     let mut board = Board::open(&name.address, Duration::from_secs(8))?;
     let done = does(&mut board, action);
     let left = board.leave();
@@ -267,7 +270,8 @@ fn does(board: &mut Board, action: Option<&SettingsAction>) -> Result<Exit> {
             std::fs::write(file, backup(&board.name(), &board.settings()))
                 .with_context(|| format!("cannot write {}", file.display()))?;
         }
-        Some(SettingsAction::Restore { file }) => restore(board, &read(file)?)?,
+        // Done by `restore`, which opens the board twice.
+        Some(SettingsAction::Restore { .. }) => {}
         Some(SettingsAction::Compare { with }) => {
             let others = match MachineName::read(with) {
                 Ok(MachineName::Controller(name)) => {
@@ -333,9 +337,42 @@ fn read(file: &Path) -> Result<Settings> {
     Ok(settings)
 }
 
-/// Changes what differs, and tells each.
-fn restore(board: &mut Board, wanted: &Settings) -> Result<()> {
+/// Makes a board's settings those of a file, and reads back what it wrote.
+///
+/// # Errors
+/// A value is out of its bounds: nothing is written then. The board refuses one, or does not answer.
+fn restore(name: &DriverName, file: &Path) -> Result<Exit> {
+    let wanted = read(file)?;
+    for (number, value) in &wanted {
+        if let Some(why) = setting(*number).and_then(|it| it.refuses(value)) {
+            bail!(Usage(format!("{}: {why}; nothing was changed", file.display())));
+        }
+    }
+    let mut board = Board::open(&name.address, Duration::from_secs(8))?;
+    let done = write_differing(&mut board, &wanted);
+    let left = board.leave();
+    let written = done?;
+    left?;
+    if written.is_empty() {
+        return Ok(Exit::Good);
+    }
+    let board = Board::open(&name.address, Duration::from_secs(8))?;
     let has = board.settings();
+    board.leave()?;
+    let mut exit = Exit::Good;
+    for number in written {
+        let (value, is) = (&wanted[&number], has.get(&number).map_or("nothing", String::as_str));
+        if !same(value, is) {
+            eprintln!("kerf: the board was told ${number}={value} and has {is}");
+            exit = Exit::Failed;
+        }
+    }
+    Ok(exit)
+}
+
+/// Changes what differs and tells each; returns the numbers that it changed.
+fn write_differing(board: &mut Board, wanted: &Settings) -> Result<Vec<u16>> {
+    let (has, mut written) = (board.settings(), Vec::new());
     for (number, value) in wanted {
         match has.get(number) {
             Some(is) if same(is, value) => {}
@@ -343,14 +380,18 @@ fn restore(board: &mut Board, wanted: &Settings) -> Result<()> {
             Some(is) => {
                 board.set(*number, value)?;
                 out::print(&format!("${number}={value}, was {is}\n"));
+                written.push(*number);
             }
         }
     }
-    Ok(())
+    Ok(written)
 }
 
+/// Boards tell a thousandth at most.
+const TOLD: f64 = 0.000_6;
+
 fn same(a: &str, b: &str) -> bool {
-    a == b || matches!((a.parse::<f64>(), b.parse::<f64>()), (Ok(a), Ok(b)) if a == b)
+    a == b || matches!((a.parse::<f64>(), b.parse::<f64>()), (Ok(a), Ok(b)) if (a - b).abs() < TOLD)
 }
 
 /// A line a setting that is another.

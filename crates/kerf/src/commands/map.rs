@@ -26,7 +26,7 @@ pub struct MapArgs {
 enum Act {
     /// Takes a file of heights into force
     Use {
-        /// The file: `kerf heights, mm` in its first line, then X,Y,Z of a place in each
+        /// The file: its first line says "kerf heights, mm", each other one X,Y,Z of a place
         #[arg(value_name = "FILE")]
         file: PathBuf,
     },

@@ -36,6 +36,9 @@ fn settings_of_a_board_are_listed_changed_kept_and_compared() {
     assert_eq!(bench.look(|fake| fake.is_set_to(110)), 5000.0);
     board("compare kept.txt").exits(1).says("$110").says("5000").says("6000");
     board(&format!("compare grbl:{}", other.port)).exits(1).says("$120").says("250");
+    shop.write("bad.txt", shop.read("kept.txt").replace("$13=0", "$13=5").as_bytes());
+    board("restore bad.txt").exits(2).complains("$13 is from 0 to 1; nothing was changed");
+    assert_eq!(bench.look(|fake| fake.is_set_to(110)), 5000.0);
     board("restore kept.txt").exits(0).says("$110=6000");
     board("compare kept.txt").exits(0);
     assert_eq!(bench.look(|fake| (fake.is_set_to(110), fake.is_set_to(10))), (6000.0, 1.0));

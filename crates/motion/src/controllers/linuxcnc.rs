@@ -10,6 +10,7 @@
 //!   twice what the arc takes of it;
 //! * on arcs √3/2 of the acceleration goes towards the centre, so v = √(½√3·A·R), and half of it
 //!   along the path;
+//! * the acceleration A of an arc is the least of the axes that move in its plane: Z slows nothing flat;
 //! * from there a pass back and a pass forward give trapezoids. The pass back looks 50 segments
 //!   ahead on the machine; that is enough where one braking distance is shorter, and taken so here.
 //!
@@ -28,6 +29,8 @@ const ACROSS: f64 = 0.866_025_403_784_438_6;
 const ALONG: f64 = 0.5;
 /// Slighter turns are none, radians.
 const SAME_RAD: f64 = 1e-6;
+/// An axis with a smaller part of a direction stands.
+const STILL: f64 = 1e-9;
 /// Sharper ones cannot be rounded, radians from turning back.
 const BACK_RAD: f64 = 0.02;
 
@@ -71,6 +74,7 @@ struct Blend {
     off_mm: f64,
     mm: f64,
     mm_s: f64,
+    accel: f64,
 }
 
 /// Passage from one leg to the next.
@@ -126,8 +130,12 @@ impl LinuxCnc {
         let along = way(0.0);
         // Only what moves in XYZ has a direction that can be rounded.
         let space = |way: Way| (norm(&way) > 0.5).then_some(way);
-        let accel =
-            if curved { self.least_accel() } else { within_axes(&self.accel_mm_s2, &along) };
+        let accel = if curved {
+            // Three directions tell the plane of an arc.
+            self.least_accel(&[along, way(0.3), way(0.6)])
+        } else {
+            within_axes(&self.accel_mm_s2, &along)
+        };
         let mut top_mm_s = feed_mm_s(a).min(within_axes(&self.speed_mm_s, &along));
         if let Some(arc) = made.arc() {
             let radius = arc.length() / arc.sweep_rad.abs();
@@ -143,9 +151,11 @@ impl LinuxCnc {
         })
     }
 
-    /// The acceleration that every one of X, Y and Z has.
-    fn least_accel(&self) -> f64 {
-        self.accel_mm_s2.first3().into_iter().fold(f64::INFINITY, f64::min)
+    /// Returns the acceleration that each of X, Y and Z has which moves in one of these directions.
+    fn least_accel(&self, ways: &[Way]) -> f64 {
+        let moves = |axis: &usize| ways.iter().any(|way| way[*axis].abs() > STILL);
+        let accels = self.accel_mm_s2.first3();
+        (0..3).filter(moves).map(|axis| accels[axis]).fold(f64::INFINITY, f64::min)
     }
 
     fn pieces(&self, legs: &[Leg]) -> Vec<Piece> {
@@ -155,7 +165,7 @@ impl LinuxCnc {
             let after = legs.get(k + 1).map_or(Joint::Stop, |next| self.joint(leg, next));
             let mut rest_mm = leg.mm;
             if let Joint::Blend(blend) = before {
-                let (mm, top_mm_s, accel) = (blend.mm, blend.mm_s, ALONG * self.least_accel());
+                let (mm, top_mm_s, accel) = (blend.mm, blend.mm_s, blend.accel);
                 pieces.push(Piece { leg: k, mm, top_mm_s, accel, stands: false });
                 rest_mm -= blend.off_mm;
             }
@@ -181,12 +191,13 @@ impl LinuxCnc {
             return Joint::Stop;
         }
         let top = a.top_mm_s.min(b.top_mm_s);
-        Joint::Blend(self.blend(turn, 0.5 * a.mm.min(b.mm), top))
+        let accel = self.least_accel(&[end, start]);
+        Joint::Blend(self.blend(turn, 0.5 * a.mm.min(b.mm), top, accel))
     }
 
-    fn blend(&self, turn: f64, room_mm: f64, top_mm_s: f64) -> Blend {
+    fn blend(&self, turn: f64, room_mm: f64, top_mm_s: f64, accel: f64) -> Blend {
         let half = 0.5 * (std::f64::consts::PI - turn);
-        let across = ACROSS * self.least_accel();
+        let across = ACROSS * accel;
         let by_tolerance = self.blend_mm * half.sin() / (1.0 - half.sin());
         // No larger than the legs have room for, and than the speed needs.
         let radius = by_tolerance.min(room_mm * half.tan()).min(top_mm_s * top_mm_s / across);
@@ -194,6 +205,7 @@ impl LinuxCnc {
             off_mm: radius / half.tan(),
             mm: radius * turn,
             mm_s: (across * radius).sqrt().min(top_mm_s),
+            accel: ALONG * accel,
         }
     }
 }
