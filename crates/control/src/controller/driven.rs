@@ -308,10 +308,10 @@ impl Machine for Connection {
 
     fn advance(&mut self, going: &Going<'_>, _: f64, until_s: f64) -> News {
         self.stood = None;
-        // What is known to be made already is not waited for.
+        // What is known to be made already is not waited for; an input that changed on its way is told before its end.
         let reached_s = self.reached_s(going);
         if reached_s >= until_s {
-            return News { reached_s, input: None };
+            return News { reached_s, input: self.inputs.pop_front() };
         }
         self.row.come_to(going.index);
         let moves = going.plan.moves();
