@@ -26,6 +26,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ("wavlength nope.wav", "nope.wav"),
     ("machine check nope.toml", "nope.toml"),
     ("machine import nope.cfg", "nope.cfg"),
+    ("map use nope.map", "nope.map"),
     ("run a.sbp --answers nope.txt", "nope.txt"),
     ("trace a.sbp --script nope.txt", "nope.txt"),
     // Folders.
@@ -48,6 +49,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ("machine show --machine nope", "'nope'"),
     ("machine use nope", "'nope'"),
     ("machine profiles nope", "nope"),
+    ("machine boards nope", "nope"),
     ("receive com1 --machine nope", "'nope'"),
     ("serve --machine nope", "'nope'"),
     ("toolpath a.rsg -o a.rsm --machine nope", "'nope'"),

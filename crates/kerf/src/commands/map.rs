@@ -2,12 +2,11 @@
 
 use crate::args::PlaceArgs;
 use crate::exit::{Exit, Usage};
-use crate::{out, setup};
-use anyhow::{Context, Result, bail};
+use crate::{given, out, setup};
+use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
 use kerf_program::{HeightMap, decimal};
 use kerf_workspace::height_map::{height_map, take_height_map_off, use_height_map};
-use std::fs::read_to_string;
 use std::path::{Path, PathBuf};
 
 /// The height map in force: a probed surface that every part file and G-code file follows with Z
@@ -41,8 +40,7 @@ pub fn run(args: &MapArgs) -> Result<Exit> {
     let mut workspace = setup::workspace(Path::new(""), &args.place, looks)?;
     let told = match &args.act {
         Act::Use { file } => {
-            let text =
-                read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
+            let text = given::text(file)?;
             let map = use_height_map(&mut workspace, &text)
                 .map_err(|why| Usage(format!("{}: {why}", file.display())))?;
             format!("Z follows the map: {}\n", extent(&map))
