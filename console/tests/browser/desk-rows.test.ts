@@ -258,6 +258,10 @@ it("sbp_cmd_z_confirm: a zero asks first in EASY, typed it acts at once", async 
 it("sbp_cmd_sa: the toggle shows absolute distances, and SA takes them", async () => {
   await run("MX,3");
   await line().pressSequentially("sa");
+  await until(async () => {
+    const { job } = await stateOf(workshop);
+    return job?.command?.toLowerCase() === "sa" && job.ended !== null;
+  }, "SA is carried out");
   await ready();
   expect(await page.getByRole("radio", { name: "Absolute" }).isChecked()).toBe(true);
   await run("M2,3,7");
