@@ -1,4 +1,4 @@
-/** What the server says of drawings, in the words of the page. */
+/** Sentences of the server about drawings, in the words of the page. */
 
 /** The page's words for those of the operations and the Profiler. */
 const inField: readonly (readonly [RegExp, string])[] = [

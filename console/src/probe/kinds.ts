@@ -1,4 +1,4 @@
-/** What the probe finds: how each kind is called, which entries of TP it needs, and its picture. */
+/** Kinds of things that the probe finds: name, entries of TP that it needs, and picture of each. */
 
 import type { CommandEntry } from "../wire/messages";
 import { t } from "../words/words";
@@ -10,7 +10,7 @@ type Way = readonly [number, number, number, number];
 interface Scene {
   /** The outline of what is touched; what is solid of it is filled. */
   readonly solid: string;
-  /** Where the tool begins. */
+  /** The place of the tool at the beginning. */
   readonly tool: readonly [number, number];
   /** Touches, in their order, as arrows. */
   readonly touches: readonly Way[];
@@ -20,7 +20,7 @@ export interface Kind {
   /** Its word in TP. */
   readonly word: string;
   readonly name: string;
-  /** Where the tool has to stand. */
+  /** The sentence that tells the place of the tool before the start. */
   readonly begins: string;
   /** Names of the entries that it needs beside those of every kind. */
   readonly needs: readonly string[];

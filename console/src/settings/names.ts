@@ -23,7 +23,7 @@ export const starred = (key: string): string => key.replace(axis, "*");
 
 const letterOf = (key: string): string => axis.exec(key)?.[0].toUpperCase() ?? "";
 
-/** What a table has for a key: that of the key itself, or of all axes. */
+/** The entry of a table for a key: that of the key itself, or that of all axes. */
 const inTable = <T>(table: Readonly<Record<string, T>>, key: string): T | undefined =>
   table[key] ?? table[starred(key)];
 

@@ -67,7 +67,7 @@ function placeOf(entry: SettingEntry): Place | undefined {
   return { row: entry.key, kind: isOfAxes ? "axes" : `list ${length}`, columns };
 }
 
-/** What heads a value of a list: its axis, its bit, or its number. */
+/** The heading of a value of a list: its axis, its bit, or its number. */
 function columnOf({ key }: SettingEntry, length: number, at: number): string {
   if (key === "rotary") return axes[at + 3] ?? "";
   if (length === axes.length || key === "view.table_mm") return axes[at] ?? "";

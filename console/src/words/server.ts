@@ -14,7 +14,7 @@ const patterns = Object.entries(serverSentences).map(
   ([said, german]) => [patternOf(said), german] as const,
 );
 
-/** What the server says, in German. */
+/** A sentence of the server in German. */
 export function inGerman(text: string): string {
   for (const [pattern, german] of patterns) {
     const found = pattern.exec(text);
@@ -23,5 +23,5 @@ export function inGerman(text: string): string {
   return text;
 }
 
-/** What the server says, in the language of the page. */
+/** A sentence of the server in the language of the page. */
 export const serverWords = (text: string): string => (language === "de" ? inGerman(text) : text);

@@ -5,7 +5,7 @@
 //!       ◄──places where the machine stands, lowered by the map──────┘
 //! ```
 //!
-//! Whoever runs a program knows only machine positions, the program only its own. Both languages and jobs go
+//! The runner knows only machine positions, the program only its own. Both languages and jobs go
 //! through here, also where they are only drawn. Without a map nothing is changed.
 
 use crate::map_pieces::Laid;

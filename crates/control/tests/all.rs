@@ -15,6 +15,7 @@ mod linuxcnc;
 mod lost_line;
 mod machine_file;
 mod no_switch;
+mod over_lines;
 mod place_and_nudge;
 mod queued;
 mod queued_boards;

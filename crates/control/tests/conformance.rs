@@ -1,15 +1,15 @@
 //! A controller against the list that every machine has to hold, over a good line and over bad ones.
 
+use crate::over_lines::{holds_or_tells_over_bad_lines, holds_over_a_good_line};
 use kerf_control::controller::Connection;
 use kerf_driver_grbl::Grbl;
 use kerf_driver_grbl::fake::Fake;
 use kerf_machine::Machine;
-use kerf_machine::conformance::{Bench, CASES, Case, Outcome, Seen};
-use kerf_sim::chance::Chance;
-use kerf_transport::{Damage, Fault, Faulty, Line, LineError};
+use kerf_machine::conformance::{Bench, Seen};
+use kerf_transport::{Fault, Faulty, Line, LineError};
 use std::cell::RefCell;
 use std::rc::Rc;
-use std::thread::{sleep, spawn};
+use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// A case takes no longer than this: the controller moves in real time, and its silence is an end after 10 s.
@@ -20,14 +20,6 @@ const PROBE: u8 = 1;
 
 /// Between two looks at a line on which nothing comes.
 const GLANCE: Duration = Duration::from_millis(1);
-
-/// One byte that is not what was sent, by a seed.
-fn spoiled(seed: u64) -> Fault {
-    let mut chance = Chance::new(seed);
-    let damages = [Damage::Lost, Damage::Doubled, Damage::Flipped(1 << (chance.next() % 7))];
-    let damage = damages[(seed % 3) as usize];
-    Fault { there: seed.is_multiple_of(2), after: chance.next() % 90, damage }
-}
 
 /// A controller at the far end of a line.
 struct Far {
@@ -110,35 +102,12 @@ impl Bench for Connected {
     }
 }
 
-/// Runs a case for each of these lines, side by side: they wait nearly all of the time.
-fn outcomes(faults: &[Option<Fault>], case: &'static Case) -> Vec<Result<Outcome, String>> {
-    let run = |fault: &Option<Fault>| {
-        let fault = *fault;
-        spawn(move || case.run(&mut Connected::new(fault)))
-    };
-    let running: Vec<_> = faults.iter().map(run).collect();
-    running.into_iter().map(|thread| thread.join().unwrap()).collect()
-}
-
 #[test]
 fn a_controller_on_a_good_line_holds_what_every_machine_has_to_hold() {
-    for case in CASES {
-        assert_eq!(outcomes(&[None], case), [Ok(Outcome::Held)], "{}", case.name);
-    }
+    holds_over_a_good_line(Connected::new);
 }
 
 #[test]
 fn a_controller_on_a_bad_line_does_what_it_is_asked_for_or_tells_that_it_does_not() {
-    let (mut held, mut failed) = (0, 0);
-    let bad: Vec<Option<Fault>> = (0..24).map(|seed| Some(spoiled(seed))).collect();
-    for case in CASES {
-        for (fault, outcome) in bad.iter().zip(outcomes(&bad, case)) {
-            match outcome {
-                Ok(Outcome::Held) => held += 1,
-                Ok(Outcome::Failed(_)) => failed += 1,
-                Err(why) => panic!("{}, {fault:?}: {why}", case.name),
-            }
-        }
-    }
-    assert!(held > 0 && failed > 0, "{held} held, {failed} were told");
+    holds_or_tells_over_bad_lines(24, 90, Connected::new);
 }

@@ -52,7 +52,7 @@ enum Turn {
 /// The way through the drivers of a board.
 #[derive(Debug, Default)]
 pub struct Drivers {
-    /// What is to be done: the place of a driver, and a step.
+    /// The next piece of work: the place of a driver, and a step.
     steps: VecDeque<(usize, Step)>,
     turn: Option<Turn>,
     tries: u32,
