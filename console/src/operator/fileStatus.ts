@@ -4,7 +4,7 @@ import type { Spot } from "../app/screen";
 import { durationText } from "../app/units";
 import type { Shown } from "../link/shown";
 import type { Seconds } from "../units/quantity";
-import type { Call, Finding, Job, LastRun, Opened, Snapshot, State } from "../wire/messages";
+import type { Call, Finding, CurrentRun, LastRun, Opened, Snapshot, State } from "../wire/messages";
 import { language, t } from "../words/words";
 import { toolLine } from "./toolLine";
 
@@ -18,7 +18,7 @@ export interface FileStatus {
 type Told = Pick<Snapshot, "opened" | "job" | "interrupted" | "machine" | "motion" | "asked">;
 
 /** Whether a job is under way. */
-export const isUnderWay = (job: Job | null): job is Job & { ended: null } =>
+export const isUnderWay = (job: CurrentRun | null): job is CurrentRun & { ended: null } =>
   job !== null && job.ended === null;
 
 /** Whether what runs, or ran last, is the file that is open. */

@@ -1,11 +1,11 @@
 import { expect, it } from "vitest";
 import { firstSnapshot } from "../../tests/standin/snapshot";
-import type { Call, Job } from "../wire/messages";
+import type { Call, CurrentRun } from "../wire/messages";
 import { filesOfTool } from "./toolLine";
 
 /** The files round the tool, which makes a move of this file and line, while these are open for the reader. */
 function files(toolFile: string, line: number, calls: Call[]): string[] {
-  const job = { ended: null, toolFile, calls } as unknown as Job;
+  const job = { ended: null, toolFile, calls } as unknown as CurrentRun;
   const told = { job, asked: null, motion: { ...firstSnapshot.motion, line } };
   return filesOfTool(told).map((place) => `${place.file} ${place.line}`);
 }

@@ -388,7 +388,7 @@ export type ChangeIo = { "change": "io", io: Io, };
 
 export type ChangeOpened = { "change": "opened", opened: Opened | null, };
 
-export type ChangeJob = { "change": "job", job: Job | null, };
+export type ChangeJob = { "change": "job", job: CurrentRun | null, };
 
 export type ChangeTyped = { "change": "typed", typed: TypedPath, };
 
@@ -506,6 +506,35 @@ kind: string,
 detail: string,
 /** Description of its effect. */
 doc: string, };
+
+/** The run that is under way, or the last one. */
+export type CurrentRun = {
+/** Number of the run since the server began. */
+run: number,
+/** The part file; empty for a command that somebody typed. */
+file: string,
+/** Its hash, when it is a file. */
+hash: string | null,
+/** The command line, when somebody typed it. */
+command: string | null,
+/** Planned time, seconds; 0 when it is not known. */
+seconds: Seconds,
+/** It began in preview on a machine that nobody armed: it is only drawn to its end. */
+drawsOnly: boolean,
+/** VD without comments was carried out and nothing was printed since: the message screen is closed. */
+silent: boolean,
+/** The open files, outermost first, with the line that is read. */
+calls: Array<Call>,
+/** The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to its end; empty before the first move. */
+toolFile: string,
+/** Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm, as they are in force in a job. Pauses and height control change them. */
+heights: [Mm, Mm, Mm] | null,
+/** Settings as a pause has changed them for the rest of a job; nothing while they are as they were set. */
+inForce: InForce | null,
+/** Word for its end: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs. */
+ended: string | null,
+/** The error that ended it, when one did. */
+error: Finding | null, };
 
 /** Depth of a cut: `thru`, `3d`, or mm above the surface. */
 export type CutHeight = string | Mm;
@@ -785,35 +814,6 @@ ports: Ports,
 /** The mend that is needed before anything moves, while a pressed stop forbids motion. */
 forbidden: string | null, };
 
-/** The run that is under way, or the last one. */
-export type Job = {
-/** Number of the run since the server began. */
-run: number,
-/** The part file; empty for a command that somebody typed. */
-file: string,
-/** Its hash, when it is a file. */
-hash: string | null,
-/** The command line, when somebody typed it. */
-command: string | null,
-/** Planned time, seconds; 0 when it is not known. */
-seconds: Seconds,
-/** It began in preview on a machine that nobody armed: it is only drawn to its end. */
-drawsOnly: boolean,
-/** VD without comments was carried out and nothing was printed since: the message screen is closed. */
-silent: boolean,
-/** The open files, outermost first, with the line that is read. */
-calls: Array<Call>,
-/** The file whose line the tool makes ([`Motion::line`](crate::Motion)): one of those, or one that is read to its end; empty before the first move. */
-toolFile: string,
-/** Z of travel, of the surface of the material and of the lowest place of the tool: from home, mm, as they are in force in a job. Pauses and height control change them. */
-heights: [Mm, Mm, Mm] | null,
-/** Settings as a pause has changed them for the rest of a job; nothing while they are as they were set. */
-inForce: InForce | null,
-/** Word for its end: `ok`, `ended`, `failed`, `stopped`, `limit`; nothing while it runs. */
-ended: string | null,
-/** The error that ended it, when one did. */
-error: Finding | null, };
-
 /** Choices of the person who starts a job. Its file stays as it is. */
 export type JobChoice = {
 /** The path with which it begins, counted from 1 in cutting order; that of the file for nothing. */
@@ -886,7 +886,7 @@ duty: Duty, };
 
 /** The last run of a file, when it is over. */
 export type LastRun = {
-/** Word for its end, as [`Job`] has it. */
+/** Word for its end, as [`CurrentRun`] has it. */
 ended: string,
 /** Time of its end: seconds since 1970. */
 at: UnixSeconds,
@@ -1492,7 +1492,7 @@ io: Io,
 /** The file that is open. */
 opened: Opened | null,
 /** The run that is under way, or the last one. */
-job: Job | null,
+job: CurrentRun | null,
 /** The path of what was typed. */
 typed: TypedPath,
 /** A run that can be taken up where it was cut short. */

@@ -100,7 +100,7 @@ pub(crate) fn cut(
 ) -> Result<Cut, CutError> {
     check(outline, passes, context)?;
     let mut job =
-        Job { outline, passes, context, trail: Trail::new(context.start), last_pass: 0..0 };
+        OutlineCut { outline, passes, context, trail: Trail::new(context.start), last_pass: 0..0 };
     job.run();
     job.trail.check()?;
     Ok(Cut {
@@ -134,7 +134,7 @@ fn check(outline: &impl Outline, passes: &Passes, context: &Context) -> Result<(
     if all < MAX_STEPS as f64 { Ok(()) } else { Err(CutError::TooManySteps) }
 }
 
-struct Job<'a, O> {
+struct OutlineCut<'a, O> {
     outline: &'a O,
     passes: &'a Passes,
     context: &'a Context,
@@ -142,7 +142,7 @@ struct Job<'a, O> {
     last_pass: Range<usize>,
 }
 
-impl<O: Outline> Job<'_, O> {
+impl<O: Outline> OutlineCut<'_, O> {
     fn run(&mut self) {
         self.trail.line(Cutting, self.outline.begin());
         if self.passes.from_zero {

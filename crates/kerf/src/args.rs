@@ -38,14 +38,14 @@ pub struct RunArgs {
     /// and length of its waves along X
     #[arg(long, value_name = "Z[,X,Y[,WAVE,LENGTH]]", value_parser = parse::sheet)]
     pub sheet: Option<Sheet>,
-    /// Pushes an axis of the simulated machine by hand, so far, at a time in seconds; may be repeated
+    /// Pushes an axis of the simulated machine by hand, by a distance, at a time in seconds; may be repeated
     #[arg(long, value_name = "AXIS@T=BY", value_parser = parse::hand_move)]
     pub hand_move: Vec<Push>,
-    /// Which reading of the language: sb3, fabmo or strict; of G-code generic, linuxcnc or grbl
+    /// Dialect of the program: sb3, fabmo or strict for OpenSBP; generic, linuxcnc or grbl for G-code
     #[arg(long, default_value = "sb3", value_parser = parse::dialect)]
     pub dialect: Dialects,
-    /// Bound on executed lines; 0 for none [default: 50 million]. What only looks at a program also stops after
-    /// so many moves and other commands [default: 2 million, or twice the lines of the file where that is more]
+    /// Bound on executed lines; 0 for none [default: 50 million]. Checks and pictures also stop after this many moves
+    /// and other commands [default: 2 million, or twice the lines of the file where that is more]
     #[arg(long, value_name = "N")]
     pub max_lines: Option<u64>,
     /// Runs a file with errors up to the first bad line that is reached
@@ -77,13 +77,13 @@ pub struct OperatorArgs {
     /// Lets a held machine go on, one time for each hold; a hold without one ends the run
     #[arg(long, value_name = "SECONDS", value_parser = parse::not_negative)]
     pub resume_at: Vec<f64>,
-    /// From a time on cuts run at so much of their feed, 10 to 200 percent; may be repeated
+    /// From a time on, cuts run at this percentage of their feed, 10 to 200; may be repeated
     #[arg(long = "override", value_name = "PERCENT@SECONDS", value_parser = parse::feed_override)]
     pub feed: Vec<(f64, f32)>,
-    /// The same of rapid moves, where the controller has it: 25, 50 or 100 percent
+    /// Override of rapid moves, where the controller has one: 25, 50 or 100 percent; may be repeated
     #[arg(long, value_name = "PERCENT@SECONDS", value_parser = parse::rapid_override)]
     pub rapids: Vec<(f64, u8)>,
-    /// The same of the spindle, where the controller has it: 10 to 200 percent
+    /// Override of the spindle, where the controller has one: 10 to 200 percent; may be repeated
     #[arg(long, value_name = "PERCENT@SECONDS", value_parser = parse::spindle_override)]
     pub spindle: Vec<(f64, u8)>,
 }
@@ -165,7 +165,7 @@ pub struct FileArgs {
     /// Scales the file
     #[arg(long, value_name = "X,Y,Z", value_parser = parse::three)]
     pub proportion: Option<[f64; 3]>,
-    /// Runs the file, or the job, so many times
+    /// Runs the file or the job this many times
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
     pub repeat: u32,
     /// Takes the tool's present place as the file's zero: 3d, or 2d without Z
@@ -184,7 +184,7 @@ pub struct FileArgs {
     #[arg(long)]
     pub step: bool,
     /// Begins at a line, or at the one executed last when the last run ended early; with "N
-    /// settings" settings and assignments before it are carried out. Of a job it is the number of a shape
+    /// settings" settings and assignments before it are carried out. In a job, N is the number of a shape
     #[arg(long, value_name = "N|last", value_parser = parse::from_line)]
     pub from_line: Option<String>,
 }

@@ -13,7 +13,7 @@ pub enum Colours {
     Group,
     /// Closed paths blue counter-clockwise and red clockwise, open ones green
     Direction,
-    /// How deep is cut
+    /// Depth of cut
     Depth,
 }
 

@@ -21,7 +21,7 @@ const MOST_KNOWN: usize = 2000;
 /// Leave to replace a file.
 #[derive(Args, Clone, Debug, Default)]
 pub struct ForceArgs {
-    /// Replaces the file that is written without a question, whoever made it
+    /// Replaces an existing output file without a question
     #[arg(long)]
     pub force: bool,
 }

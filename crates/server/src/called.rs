@@ -5,7 +5,7 @@ use crate::locks::lock;
 use crate::machine::CalledFile;
 use crate::open::Open;
 use crate::preview::Preview;
-use kerf_wire::{Change, Job, Motion, Tone};
+use kerf_wire::{Change, CurrentRun, Motion, Tone};
 use std::sync::Arc;
 
 impl Loader {
@@ -41,9 +41,9 @@ impl Loader {
         self.link.plans(run, planned.clone());
         let mut ended = None;
         self.hub.changing(|now| {
-            let unplanned = |job: &Job| job.run == run && job.seconds <= 0.0;
+            let unplanned = |job: &CurrentRun| job.run == run && job.seconds <= 0.0;
             let Some(job) = now.job.clone().filter(unplanned) else { return Vec::new() };
-            let job = Job { hash: Some(hash), seconds: planned.seconds(), ..job };
+            let job = CurrentRun { hash: Some(hash), seconds: planned.seconds(), ..job };
             ended = Some(job.clone()).filter(|job| job.ended.is_some());
             let whole = job.ended.as_deref() == Some("ok");
             let progress = if whole { 1.0 } else { planned.share(now.motion.made) };

@@ -33,7 +33,7 @@ const BY_HAND: &str = "These are tool paths: what is changed here is lost when t
 
 /// An editor and where its drawing lies.
 #[derive(Default)]
-pub struct Desk {
+pub struct OpenDrawing {
     pub(crate) editor: Editor,
     pub(crate) name: Option<String>,
     /// Grows with every change.
@@ -60,7 +60,7 @@ pub struct DrawingDesk {
     pub loader: Arc<Loader>,
     pub settings: Arc<MachineSettings>,
     /// The drawing that is open.
-    pub desk: Lock<DESK, Desk>,
+    pub desk: Lock<DESK, OpenDrawing>,
     /// The drawing that is being read to be opened.
     pub reading: Readings,
     /// The drawing that is not saved, in the data folder.
@@ -110,7 +110,7 @@ impl DrawingDesk {
     }
 
     /// Changes what lies on the desk, and tells everybody.
-    fn on_desk(&self, change: impl FnOnce(&mut Desk) -> Done) -> Done {
+    fn on_desk(&self, change: impl FnOnce(&mut OpenDrawing) -> Done) -> Done {
         let mut desk = self.desk.lock();
         let notes = change(&mut desk)?;
         desk.notes.clone_from(&notes);
@@ -131,7 +131,7 @@ impl DrawingDesk {
 
     pub(crate) fn begin(
         &self,
-        desk: &mut Desk,
+        desk: &mut OpenDrawing,
         drawing: Drawing,
         name: Option<String>,
         notes: Vec<String>,
@@ -141,7 +141,7 @@ impl DrawingDesk {
         notes
     }
 
-    fn carry_out(&self, desk: &mut Desk, operations: &[(usize, Operation)]) -> Done {
+    fn carry_out(&self, desk: &mut OpenDrawing, operations: &[(usize, Operation)]) -> Done {
         let before = desk.editor.join_mm;
         let notes = desk.carry_out(operations)?;
         if desk.editor.join_mm.to_bits() != before.to_bits() {
@@ -169,7 +169,7 @@ impl DrawingDesk {
         Ok(Read { job, imported, kept })
     }
 
-    fn open_drawing(&self, desk: &mut Desk, name: String, read: Read) -> Vec<String> {
+    fn open_drawing(&self, desk: &mut OpenDrawing, name: String, read: Read) -> Vec<String> {
         let Read { job, imported: Imported { drawing, findings, .. }, kept } = read;
         let mut notes: Vec<_> = findings.into_iter().map(|found| found.text).collect();
         notes.splice(0..0, job.is_some().then(|| BY_HAND.into()));
@@ -201,7 +201,7 @@ impl DrawingDesk {
         read.into_iter().map(with_file).collect()
     }
 
-    fn save_drawing(&self, desk: &mut Desk, name: String, replaces: Option<&str>) -> Done {
+    fn save_drawing(&self, desk: &mut OpenDrawing, name: String, replaces: Option<&str>) -> Done {
         let drawing = &desk.editor.drawing;
         let format = Format::of_file(&name)
             .filter(|format| format.is_written())
@@ -220,7 +220,13 @@ impl DrawingDesk {
     }
 
     /// Writes the part program of the drawing's tool paths, and opens it.
-    fn write_program(&self, desk: &Desk, name: &str, leave: &Leave, awaited: &Awaited) -> Done {
+    fn write_program(
+        &self,
+        desk: &OpenDrawing,
+        name: &str,
+        leave: &Leave,
+        awaited: &Awaited,
+    ) -> Done {
         self.loader.nothing_unsaved()?;
         let (job, mut warnings) = match desk.job {
             // Tool paths are cut as they are.
@@ -248,7 +254,7 @@ impl DrawingDesk {
     }
 }
 
-impl Desk {
+impl OpenDrawing {
     fn begin(&mut self, drawing: Drawing, name: Option<String>, join_mm: f64) {
         self.saved = drawing.clone();
         // What was copied is pasted into another drawing.

@@ -2,7 +2,7 @@
 //! what was drawn in the last half second. The next server begins with it.
 
 use crate::counted::{Counted, Found};
-use crate::desk::{Desk, DrawingDesk, drawing_in};
+use crate::desk::{DrawingDesk, OpenDrawing, drawing_in};
 use crate::digested::hash;
 use crate::machine::LastState;
 use crate::priority::Yields;
@@ -147,7 +147,7 @@ pub fn file_in(data: &Path) -> Counted {
     Counted::new(data.join(FILE))
 }
 
-impl Desk {
+impl OpenDrawing {
     /// Returns the draft of what would be lost.
     fn draft(&self) -> Option<Draft> {
         let drawing = &self.editor.drawing;

@@ -6,7 +6,8 @@ use crate::problems::ProblemLog;
 use crate::ran::{Ran, now_s};
 use axum::extract::ws::Utf8Bytes;
 use kerf_wire::{
-    Change, Job, LastRun, Message, Mode, Motion, Opened, RunRecord, Snapshot, State, ToPage, Tone,
+    Change, CurrentRun, LastRun, Message, Mode, Motion, Opened, RunRecord, Snapshot, State, ToPage,
+    Tone,
 };
 use std::io;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, TryLockError};
@@ -163,11 +164,13 @@ impl Hub {
 
     /// A run is over: it is the last one of its file, and all of it is made where it came to its end. A file that was
     /// called by a typed line is known by now.
-    pub fn ended(&self, job: Job) {
+    pub fn ended(&self, job: CurrentRun) {
         let mut over = None;
         self.changing(|now| {
             let job = match now.job.clone().filter(|now| now.run == job.run) {
-                Some(Job { hash, seconds, silent, .. }) => Job { hash, seconds, silent, ..job },
+                Some(CurrentRun { hash, seconds, silent, .. }) => {
+                    CurrentRun { hash, seconds, silent, ..job }
+                }
                 None => job,
             };
             let mut changes = Vec::new();
@@ -196,7 +199,7 @@ impl Hub {
     }
 
     /// A file begins to run.
-    pub fn begins(&self, job: &Job) {
+    pub fn begins(&self, job: &CurrentRun) {
         let run = self.read(|now| record(now, job.file.clone(), LastRun::default()));
         let run = RunRecord { begun: now_s(), ended: None, ..run };
         self.writes_down(self.history.begins(run));

@@ -249,10 +249,10 @@ fn from_here(mut address: SocketAddr) -> SocketAddr {
 }
 
 /// What requests share, once it is made.
-type Made = Arc<OnceLock<Weak<App>>>;
+type AppSlot = Arc<OnceLock<Weak<App>>>;
 
 /// Returns what follows a run: the machine waits for nobody who looks at files or drawings.
-fn after_runs(app: Made) -> Box<dyn Fn(Option<String>) + Send> {
+fn after_runs(app: AppSlot) -> Box<dyn Fn(Option<String>) + Send> {
     Box::new(move |made| {
         let Some(app) = app.get().and_then(Weak::upgrade) else { return };
         let (later, own) = (app.clone(), made.clone());
@@ -264,7 +264,7 @@ fn after_runs(app: Made) -> Box<dyn Fn(Option<String>) + Send> {
 }
 
 /// Returns what shows the file that a program calls.
-fn screen(app: Made) -> Screen {
+fn screen(app: AppSlot) -> Screen {
     Screen(Arc::new(move |called| {
         let Some(app) = app.get().and_then(Weak::upgrade) else { return };
         let (later, file) = (app.clone(), called);
@@ -286,7 +286,7 @@ fn machine_and_app(
     let hub = Arc::new(Hub::new(snapshot));
     let (link, left) = (Arc::<Link>::default(), Arc::<Mutex<LastState>>::default());
     let (orders, waiting) = channel();
-    let app = Made::default();
+    let app = AppSlot::default();
     let (done, screen) = (after_runs(app.clone()), screen(app.clone()));
     let parts = PartFolder::new(&options.parts)?;
     let (ready, started) = channel();

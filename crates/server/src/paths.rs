@@ -1,7 +1,7 @@
 //! The drawing as pages show it: its state, its shapes, the paths of the tool.
 
 use crate::awaited::Awaited;
-use crate::desk::{Desk, DrawingDesk, job};
+use crate::desk::{DrawingDesk, OpenDrawing, job};
 use crate::machine::LastState;
 use kerf_drawing::{ArrayLevel, CutDepth, Drawing, Group, Lead, Shape};
 use kerf_geom::Vec2;
@@ -78,7 +78,7 @@ fn cut_shape(path: &CutPath) -> CutShape {
     CutShape { path: shape_path(&path.shape, number), pass }
 }
 
-impl Desk {
+impl OpenDrawing {
     pub(crate) fn state(&self, heights: &Heights) -> DrawingState {
         let editor = &self.editor;
         let drawing = &editor.drawing;

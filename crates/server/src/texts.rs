@@ -232,17 +232,17 @@ mod tests {
     use super::*;
     use kerf_wire::TextEdit;
 
-    struct Desk {
+    struct Fixture {
         dir: tempfile::TempDir,
         parts: PartFolder,
         texts: Texts,
     }
 
-    fn desk() -> Desk {
+    fn desk() -> Fixture {
         let dir = tempfile::tempdir().unwrap();
         let parts = PartFolder::new(dir.path()).unwrap();
         let texts = Texts::new(&dir.path().join("data"));
-        Desk { dir, parts, texts }
+        Fixture { dir, parts, texts }
     }
 
     fn draft(name: &str, text: &str, of: &str) -> TextDraft {
@@ -259,7 +259,7 @@ mod tests {
     }
 
     /// Keeps what a page types into a file, having seen a text of it.
-    fn typed(Desk { texts, parts, .. }: &Desk, page: &str, text: &str, seen: &str) -> bool {
+    fn typed(Fixture { texts, parts, .. }: &Fixture, page: &str, text: &str, seen: &str) -> bool {
         let seen = if seen.is_empty() { String::new() } else { hash(seen.as_bytes()) };
         let typed = TextDraft { page: page.into(), revision: seen, ..draft("a.sbp", text, "") };
         texts.keep(&typed, parts).unwrap()
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn two_pages_that_type_into_one_file_lose_nothing() {
         let desk = &desk();
-        let Desk { parts, texts, .. } = desk;
+        let Fixture { parts, texts, .. } = desk;
         let kept = || {
             let mut all: Vec<_> =
                 texts.list(parts).unwrap().into_iter().map(|draft| draft.text).collect();
@@ -290,7 +290,7 @@ mod tests {
 
     #[test]
     fn each_file_has_its_own_draft_and_the_last_text_stays() {
-        let Desk { parts, texts, .. } = &desk();
+        let Fixture { parts, texts, .. } = &desk();
         for (name, text) in [("a.sbp", "MX"), ("b.sbp", "MY,1"), ("a.sbp", "MX,1")] {
             texts.keep(&draft(name, text, ""), parts).unwrap();
         }
@@ -305,7 +305,7 @@ mod tests {
 
     #[test]
     fn a_draft_says_that_its_file_was_changed() {
-        let Desk { parts, texts, .. } = &desk();
+        let Fixture { parts, texts, .. } = &desk();
         parts.write("a.sbp", b"MX,1").unwrap();
         texts.keep(&draft("a.sbp", "MX,1\nMX,2", "MX,1"), parts).unwrap();
         let changed = || texts.list(parts).unwrap()[0].changed_on_disk;
@@ -316,7 +316,7 @@ mod tests {
 
     #[test]
     fn what_was_typed_into_a_long_text_is_kept_with_the_text_it_was_then() {
-        let Desk { parts, texts, .. } = &desk();
+        let Fixture { parts, texts, .. } = &desk();
         let long = |of: &str| TextDraft {
             edits: Some(vec![TextEdit { line: 1, count: 1, lines: vec!["MX,2".into()] }]),
             ..draft("a.sbp", "", of)
@@ -336,7 +336,7 @@ mod tests {
 
     #[test]
     fn a_damaged_draft_is_put_aside_and_told() {
-        let Desk { dir, parts, texts } = &desk();
+        let Fixture { dir, parts, texts } = &desk();
         texts.keep(&draft("a.sbp", "MX,1", ""), parts).unwrap();
         fs::write(dir.path().join("data/texts/torn.draft"), "{\"name\":\"b.s").unwrap();
         let aside = texts.put_aside().unwrap();

@@ -146,7 +146,7 @@ impl LastNews {
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use kerf_wire::{Asked, Job};
+    use kerf_wire::{Asked, CurrentRun};
     use std::io::{Read, Write};
     use std::net::TcpListener;
     use std::thread;
@@ -201,7 +201,12 @@ mod tests {
     }
 
     fn now(run: u32, ended: Option<&str>, asked: Option<u32>) -> Snapshot {
-        let job = Job { run, file: "a.sbp".into(), ended: ended.map(Into::into), ..Job::default() };
+        let job = CurrentRun {
+            run,
+            file: "a.sbp".into(),
+            ended: ended.map(Into::into),
+            ..CurrentRun::default()
+        };
         let mut now = Snapshot { job: Some(job), ..Snapshot::default() };
         now.asked = asked.map(asked_of);
         now

@@ -8,7 +8,7 @@
 
 use crate::field::{Field, Kind, UNITS, choice, file, length, place, whole};
 use crate::lines::{foot, head, number, part_name};
-use crate::{Entries, Made, Mistake};
+use crate::{Entries, Mistake, ToolOutput};
 
 const FIELDS: &[Field] = &[
     choice("pattern", "Pattern", &["3D", "2D"])
@@ -51,7 +51,7 @@ const PROGRAM: &str = "copy_machine";
 /// Most points of a 3D copy.
 const MOST: f64 = 250_000.0;
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let [safe, lowest] = ["safe_z", "lowest"].map(|key| entries.number(key));
     if lowest >= safe {
         return Err(vec![Mistake::new("lowest", "it has to lie below Safe Z")]);
@@ -68,7 +68,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
         return Err(vec![Mistake::new("file", format!("{program} is the file that feels"))]);
     }
     let notes = vec![format!("Run {program}: it feels the object and writes {output}.")];
-    Ok(Made::part(PROGRAM, copy.program(&output), notes))
+    Ok(ToolOutput::part(PROGRAM, copy.program(&output), notes))
 }
 
 struct Copy<'a> {

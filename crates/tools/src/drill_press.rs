@@ -2,7 +2,7 @@
 
 use crate::field::{UNITS, choice, file, length, text, whole};
 use crate::lines::{foot, head, number};
-use crate::{Entries, Field, Made, Mistake, Tool};
+use crate::{Entries, Field, Mistake, Tool, ToolOutput};
 
 const FIELDS: &[Field] = &[
     length("blank_x", "Blank, X", "24", 0.0),
@@ -37,7 +37,7 @@ struct Hole {
     depth: f64,
 }
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let holes = holes(entries)?;
     let top = if entries.is("zero", "table") { entries.number("thickness") } else { 0.0 };
     let safe = top + entries.number("safe_z");
@@ -71,7 +71,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
     }
     lines.push("C7".into());
     lines.extend(foot());
-    Ok(Made::part(entries.text("file"), lines, Vec::new()))
+    Ok(ToolOutput::part(entries.text("file"), lines, Vec::new()))
 }
 
 /// Diameters of the circles that clear a hole before its wall is cut, from the inside out: nothing is

@@ -2,7 +2,7 @@
 
 use crate::field::{UNITS, choice, file, length, place, whole};
 use crate::lines::{foot, head, number};
-use crate::{Entries, Field, Kind, Made, Mistake, Tool};
+use crate::{Entries, Field, Kind, Mistake, Tool, ToolOutput};
 
 const FIELDS: &[Field] = &[
     length("table_x", "Table, X", "96", 0.0),
@@ -39,7 +39,7 @@ pub const TOOL: Tool = Tool {
     make,
 };
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let places = places(entries)?;
     let depth = depth(entries)?;
     let along_y = entries.is("direction", "y");
@@ -70,7 +70,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
     lines.push("C7".into());
     lines.extend(foot());
     let note = format!("{} flutes, {} deep", places.len(), number(depth));
-    Ok(Made::part(entries.text("file"), lines, vec![note]))
+    Ok(ToolOutput::part(entries.text("file"), lines, vec![note]))
 }
 
 /// Returns the places of the middles of the flutes, from the lower edge of the blank: as many as have room,

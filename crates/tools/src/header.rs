@@ -3,7 +3,7 @@
 use crate::entries::Mistake;
 use crate::field::{Field, Kind, choice, text};
 use crate::lines::part_name;
-use crate::{Entries, Made, MadeFile, Place, Tool};
+use crate::{Entries, OutputFile, Place, Tool, ToolOutput};
 
 const FIELDS: &[Field] = &[
     Field {
@@ -57,7 +57,7 @@ const TOLD: [(&str, &str); 8] = [
     ("Notes", "notes"),
 ];
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let name = part_name(entries.text("file"));
     let Some(before) = entries.file(&name) else {
         let text = "the name of a part file that is there";
@@ -76,8 +76,8 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
     let run = |key: &str| Some(entries.text(key)).filter(|name| !name.is_empty());
     let text = with_header(&before, &told, run("before"), run("after"));
     let backup = format!("{}.bak", name.rsplit_once('.').map_or(&*name, |(stem, _)| stem));
-    let file = |name, text| MadeFile { place: Place::Parts, name, text };
-    Ok(Made { files: vec![file(name, text), file(backup, before)], notes: Vec::new() })
+    let file = |name, text| OutputFile { place: Place::Parts, name, text };
+    Ok(ToolOutput { files: vec![file(name, text), file(backup, before)], notes: Vec::new() })
 }
 
 /// A part file with a header, and files that run before and after.

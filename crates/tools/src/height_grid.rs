@@ -7,7 +7,7 @@
 
 use crate::field::{Field, Kind, UNITS, file, length, place};
 use crate::lines::{foot, head, number};
-use crate::{Entries, Made, Mistake, Tool};
+use crate::{Entries, Mistake, Tool, ToolOutput};
 
 /// A field for a number of places along a side.
 const fn count(key: &'static str, label: &'static str) -> Field {
@@ -41,7 +41,7 @@ pub const TOOL: Tool = Tool {
     make,
 };
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let [travel, lowest, clear] = ["travel", "lowest", "clear"].map(|key| entries.number(key));
     if lowest >= travel {
         return Err(vec![Mistake::new("lowest", "it has to lie below Travel Z")]);
@@ -82,7 +82,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
          MSGBOX(The probe touches already: move it away first.,Exclamation,Height map)\nENDALL"
     );
     lines.extend(missed.lines().map(str::to_owned));
-    Ok(Made::part(entries.text("file"), lines, vec!["Run it: it writes heights.map.".into()]))
+    Ok(ToolOutput::part(entries.text("file"), lines, vec!["Run it: it writes heights.map.".into()]))
 }
 
 #[cfg(test)]

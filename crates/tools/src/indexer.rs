@@ -2,7 +2,7 @@
 
 use crate::field::{choice, file};
 use crate::lines::number;
-use crate::{Entries, Field, Kind, Made, Mistake, Tool};
+use crate::{Entries, Field, Kind, Mistake, Tool, ToolOutput};
 
 const FIELDS: &[Field] = &[
     choice("how", "What it does", &["turn to", "turn by", "spin"]),
@@ -40,7 +40,7 @@ pub const TOOL: Tool = Tool {
     make,
 };
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let axis = entries.text("axis");
     let (angle, speed) = (number(entries.number("angle")), number(entries.number("speed")));
     let speeds = match axis {
@@ -64,7 +64,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
             }
         }
     }
-    Ok(Made::part(entries.text("file"), lines, Vec::new()))
+    Ok(ToolOutput::part(entries.text("file"), lines, Vec::new()))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The virtual tools: forms that make part files (command reference, "Virtual Tools").
 //!
 //! ```text
-//!  Tool ── fields ──► a form, or KEY=VALUE in a line ──► Entries ── Tool::make ──► Made: files as text
+//!  Tool ── fields ──► a form, or KEY=VALUE in a line ──► Entries ── Tool::make ──► ToolOutput: files as text
 //! ```
 //!
 //! A tool knows no machine and no disk: what it makes is text, in the unit of the form. Whoever calls
@@ -32,7 +32,7 @@ pub use field::{Field, Kind};
 pub use folders::Folders;
 pub use header::with_header;
 pub use table::{TOOLS, tool};
-pub use tool::{Made, MadeFile, Place, Tool};
+pub use tool::{OutputFile, Place, Tool, ToolOutput};
 
 #[cfg(test)]
 mod testing {

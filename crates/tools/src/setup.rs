@@ -2,7 +2,7 @@
 
 use crate::field::{Field, Kind, choice, length, text};
 use crate::lines::number;
-use crate::{Entries, Made, MadeFile, Mistake, Place, Tool};
+use crate::{Entries, Mistake, OutputFile, Place, Tool, ToolOutput};
 
 /// A field for an input.
 const fn input(key: &'static str, label: &'static str, default: &'static str) -> Field {
@@ -33,7 +33,7 @@ pub const TOOL: Tool = Tool {
     make,
 };
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let used = [("plate", "plate_input"), ("switches", "x_input"), ("switches", "y_input")];
     let inputs: Vec<&str> =
         used.iter().filter(|(fitted, _)| entries.is(fitted, "yes")).map(|(_, key)| *key).collect();
@@ -44,7 +44,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
         }
     }
     let text = variables(entries).join("\n") + "\n";
-    let file = MadeFile { place: Place::Custom, name: "my_variables.sbc".into(), text };
+    let file = OutputFile { place: Place::Custom, name: "my_variables.sbc".into(), text };
     let mut notes = Vec::new();
     if entries.is("plate", "yes") {
         notes.push("C2 zeroes Z with the plate.".into());
@@ -52,7 +52,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
     if entries.is("switches", "yes") {
         notes.push("C3 zeroes X and Y with their switches.".into());
     }
-    Ok(Made { files: vec![file], notes })
+    Ok(ToolOutput { files: vec![file], notes })
 }
 
 /// Lines of my_variables; those of what is not fitted say so.

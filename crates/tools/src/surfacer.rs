@@ -2,7 +2,7 @@
 
 use crate::field::{UNITS, file, length, place, whole};
 use crate::lines::{foot, head, number};
-use crate::{Entries, Field, Kind, Made, Mistake, Tool};
+use crate::{Entries, Field, Kind, Mistake, Tool, ToolOutput};
 
 const FIELDS: &[Field] = &[
     length("x", "Area, X", "96", 0.001),
@@ -32,7 +32,7 @@ pub const TOOL: Tool = Tool {
     make,
 };
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let (x, y, bit) = (entries.number("x"), entries.number("y"), entries.number("bit"));
     if bit > x.min(y) {
         return Err(vec![Mistake::new("bit", "the bit is larger than the area")]);
@@ -56,7 +56,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
     lines.push("C7".into());
     lines.extend(foot());
     let note = "Level the Z axis before this file is run.".to_owned();
-    Ok(Made::part(entries.text("file"), lines, vec![note]))
+    Ok(ToolOutput::part(entries.text("file"), lines, vec![note]))
 }
 
 #[cfg(test)]

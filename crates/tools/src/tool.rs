@@ -16,21 +16,21 @@ pub struct Tool {
     pub doc: &'static str,
     /// Fields of its form, in order.
     pub fields: &'static [Field],
-    pub(crate) make: fn(&Entries<'_>) -> Result<Made, Vec<Mistake>>,
+    pub(crate) make: fn(&Entries<'_>) -> Result<ToolOutput, Vec<Mistake>>,
 }
 
 /// Result of a tool.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Made {
+pub struct ToolOutput {
     /// The files, the one to be opened first.
-    pub files: Vec<MadeFile>,
+    pub files: Vec<OutputFile>,
     /// Notes for a person.
     pub notes: Vec<String>,
 }
 
 /// A file that a tool made.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct MadeFile {
+pub struct OutputFile {
     /// Folder to which it belongs.
     pub place: Place,
     /// Its name.
@@ -58,7 +58,7 @@ impl Tool {
         entered: &[(String, String)],
         metric: bool,
         folders: &dyn Folders,
-    ) -> Result<Made, Vec<Mistake>> {
+    ) -> Result<ToolOutput, Vec<Mistake>> {
         (self.make)(&Entries::new(self.fields, entered, metric, folders)?)
     }
 
@@ -74,10 +74,10 @@ impl Tool {
     }
 }
 
-impl Made {
+impl ToolOutput {
     /// A part file, with notes.
     pub(crate) fn part(name: &str, lines: Vec<String>, notes: Vec<String>) -> Self {
         let (name, text) = (lines::part_name(name), lines.join("\n") + "\n");
-        Self { files: vec![MadeFile { place: Place::Parts, name, text }], notes }
+        Self { files: vec![OutputFile { place: Place::Parts, name, text }], notes }
     }
 }

@@ -3,7 +3,7 @@
 use crate::carve::{Spot, middle, ordered, thinned};
 use crate::field::{Field, Kind, UNITS, file, length, place, text};
 use crate::lines::{foot, head, number};
-use crate::{Entries, Made, Mistake};
+use crate::{Entries, Mistake, ToolOutput};
 use ttf_parser::{Face, OutlineBuilder};
 
 const FIELDS: &[Field] = &[
@@ -42,7 +42,7 @@ const PIECES: u32 = 16;
 /// From line to line, heights of capitals.
 const LEADING: f64 = 1.6;
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let wrong = |key: &str, text: String| vec![Mistake::new(key, text)];
     let name = entries.text("font");
     let bytes = entries.font(name).map_err(|why| wrong("font", why))?;
@@ -64,7 +64,7 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
         return Err(wrong("deepest", text));
     }
     let notes = vec![format!("The deepest place is {} below the surface.", number(deepest))];
-    Ok(Made::part(entries.text("file"), part(entries, &paths, steep), notes))
+    Ok(ToolOutput::part(entries.text("file"), part(entries, &paths, steep), notes))
 }
 
 /// The paths of the whole text.

@@ -2,9 +2,9 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job, Lease,
-    Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply, Setup,
-    Snapshot, Sound, Speeds, StartUp, Units, Who, Zero,
+    Asked, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io,
+    Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply,
+    Setup, Snapshot, Sound, Speeds, StartUp, Units, Who, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -37,7 +37,7 @@ pub enum Change {
         opened: Option<Opened>,
     },
     Job {
-        job: Option<Job>,
+        job: Option<CurrentRun>,
     },
     /// More was drawn of what is typed, or it begins anew.
     Typed {

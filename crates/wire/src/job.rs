@@ -158,7 +158,7 @@ pub struct SampleAnswer {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
 pub struct LastRun {
-    /// Word for its end, as [`Job`] has it.
+    /// Word for its end, as [`CurrentRun`] has it.
     pub ended: String,
     /// Time of its end: seconds since 1970.
     #[ts(type = "UnixSeconds")]
@@ -211,7 +211,7 @@ pub struct Interrupted {
 /// The run that is under way, or the last one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]
-pub struct Job {
+pub struct CurrentRun {
     /// Number of the run since the server began.
     pub run: u32,
     /// The part file; empty for a command that somebody typed.
@@ -362,7 +362,8 @@ pub struct Message {
 pub struct Overrides {
     /// Cuts run at so much of the speed asked for, 10 … 200.
     pub feed_percent: f64,
-    /// Rapid moves run at so much of their speed, up to 100; nothing where the machine does not override them by itself.
+    /// Rapid moves run at so much of their speed, up to 100; nothing where the machine does not override them by
+    /// itself.
     pub rapid_percent: Option<u8>,
     /// The spindle turns at so much of the speed asked for, 10 … 200; nothing where the machine does not override it.
     pub spindle_percent: Option<u8>,

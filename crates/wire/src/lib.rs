@@ -52,8 +52,9 @@ pub use file::{FileAbout, FileVersion, TextDraft, TextEdit};
 pub use hand_console::HandConsole;
 pub use history::{RunRecord, ToDo};
 pub use job::{
-    Asked, Call, FileInfo, FileParameters, Folder, InForce, Interrupted, Job, LastRun, Message,
-    Opened, Overrides, Pause, PreviewState, Recorder, RunSummary, SampleAnswer, Sound, Tone,
+    Asked, Call, CurrentRun, FileInfo, FileParameters, Folder, InForce, Interrupted, LastRun,
+    Message, Opened, Overrides, Pause, PreviewState, Recorder, RunSummary, SampleAnswer, Sound,
+    Tone,
 };
 pub use job_view::{FileKind, JobChoice, JobPath, JobView};
 pub use language::{

@@ -2,9 +2,9 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Change, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io, Job,
-    Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Setup,
-    Sound, Speeds, Units, VERSION, Zero,
+    Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, Interrupted,
+    Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder,
+    Setup, Sound, Speeds, Units, VERSION, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -57,7 +57,7 @@ pub struct Snapshot {
     /// The file that is open.
     pub opened: Option<Opened>,
     /// The run that is under way, or the last one.
-    pub job: Option<Job>,
+    pub job: Option<CurrentRun>,
     /// The path of what was typed.
     pub typed: TypedPath,
     /// A run that can be taken up where it was cut short.

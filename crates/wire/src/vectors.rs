@@ -2,9 +2,9 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    AXES, Asked, Change, Client, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io,
-    Job, Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
-    Recorder, Role, Setup, Snapshot, Sound, Speeds, StartUp, Units, Zero,
+    AXES, Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole,
+    Interrupted, Io, Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides,
+    Pause, Recorder, Role, Setup, Snapshot, Sound, Speeds, StartUp, Units, Zero,
 };
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -82,7 +82,7 @@ fn of_the_job() -> Vec<Change> {
     vec![
         Change::Opened { opened: Some(Opened::default()) },
         Change::Opened { opened: None },
-        Change::Job { job: Some(Job { run: 1, ..Job::default() }) },
+        Change::Job { job: Some(CurrentRun { run: 1, ..CurrentRun::default() }) },
         Change::Typed { typed: TypedPath { segments: 2, ..TypedPath::default() } },
         Change::Interrupted { interrupted: Some(Interrupted::default()) },
         Change::Asked { asked: Some(Asked::default()) },

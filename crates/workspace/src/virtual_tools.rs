@@ -4,7 +4,7 @@
 use crate::Workspace;
 use crate::fonts::font;
 use kerf_program::{FileRequest, Folder, HostError, ShellCall, ToolCall, no_such_tool};
-use kerf_tools::{AddIn, Folders, Made, Mistake, Place, Tool};
+use kerf_tools::{AddIn, Folders, Mistake, Place, Tool, ToolOutput};
 use std::cell::RefCell;
 
 /// Name of the file of added tools in the data folder.
@@ -63,7 +63,7 @@ pub fn use_tool(
     tool: &Tool,
     entered: &[(String, String)],
     metric: bool,
-) -> Result<Result<Made, Vec<Mistake>>, HostError> {
+) -> Result<Result<ToolOutput, Vec<Mistake>>, HostError> {
     let folders = Reading(RefCell::new(&mut *workspace));
     let made = match tool.make(entered, metric, &folders) {
         Ok(made) => made,

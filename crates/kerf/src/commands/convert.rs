@@ -39,7 +39,7 @@ pub struct ConvertArgs {
     /// The file to write
     #[arg(value_name = "OUT")]
     target: PathBuf,
-    /// What IN is, where its name does not say it: an extension, as nc or sbp
+    /// Kind of IN, where its name does not say it: an extension, as nc or sbp
     #[arg(long = "type", value_name = "EXTENSION")]
     kind: Option<String>,
     /// The controller that the G-code is written for
@@ -76,16 +76,16 @@ impl ConvertArgs {
 #[derive(Args, Clone, Copy, Debug)]
 #[command(next_help_heading = "Drawings and pictures, in the unit of --units")]
 struct DrawnArgs {
-    /// How deep is cut; of a picture the deepest place [default: 0.125 in, 3 mm]
+    /// Depth of cut; in a picture the depth of its deepest place [default: 0.125 in, 3 mm]
     #[arg(long, value_name = "DEPTH", value_parser = parse::not_negative)]
     depth: Option<f64>,
-    /// Where the tool travels, above the surface [default: 0.5 in, 12 mm]
+    /// Height of travel above the surface [default: 0.5 in, 12 mm]
     #[arg(long, value_name = "HEIGHT", value_parser = parse::not_negative)]
     safe_height: Option<f64>,
-    /// How much larger the drawing becomes
+    /// Factor by which the drawing is scaled
     #[arg(long, value_name = "FACTOR", value_parser = parse::positive, default_value_t = 1.0)]
     scale: f64,
-    /// How large the picture becomes, from the first dot to the last [default: 0.1 mm a dot]
+    /// Size of the picture, from the first dot to the last [default: 0.1 mm a dot]
     #[arg(long, value_name = "X,Y", value_parser = parse::size)]
     size: Option<[f64; 2]>,
     /// What is deepest in a picture

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 pub struct DrawArgs {
     /// The drawings: .dxf, .svg or .rsg, or programs, .nc or .sbp, as they cut; none begins an empty one
     files: Vec<PathBuf>,
-    /// What to do, clauses divided by semicolons
+    /// Operations, divided by semicolons
     #[arg(long = "do", value_name = "OP; OP; …")]
     operations: Option<String>,
     /// The drawing to write: .rsg, .dxf or .svg; .rsm when the paths of an .rsm are changed by hand
@@ -33,7 +33,7 @@ pub struct DrawArgs {
     /// Puts the shapes of each layer into a group of their own, in the order of the file
     #[arg(long)]
     layers: bool,
-    /// Takes a unit of the drawing for a millimetre, whatever the file says
+    /// Reads a unit of the drawing as a millimetre, whatever the file says
     #[arg(long)]
     unscaled: bool,
     /// Counts the blocks that are placed in the drawing instead of drawing what they hold

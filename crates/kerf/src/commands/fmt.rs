@@ -25,10 +25,10 @@ pub struct FmtArgs {
     /// Part files, or folders with part files in them; - reads standard input and writes standard output
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// Only tells which files would change
+    /// Lists the files that would change, and changes none
     #[arg(long)]
     check: bool,
-    /// How the files are read: sb3, fabmo or strict
+    /// Dialect of the files: sb3, fabmo or strict
     #[arg(long, default_value = "sb3", value_parser = parse::dialect)]
     dialect: Dialects,
 }

@@ -16,10 +16,10 @@ use kerf_sim::Sheet;
 use kerf_trace::{Event, ExecutedMove, Sink};
 use std::path::PathBuf;
 
-/// Measures height control: how far the gap between tool and sheet is from what is wanted
+/// Measures height control: the error of the gap between tool and sheet
 ///
-/// The job runs on the simulated machine over the sheet of --sheet; every reading of the sensor is looked
-/// at. The first 0.1 s of each cut, in which the tool finds its height, does not count.
+/// The job runs on the simulated machine over the sheet of --sheet; every reading of the sensor counts. The first 0.1 s
+/// of each cut, in which the tool finds its height, is left out.
 #[derive(Args)]
 #[command(after_help = "Examples:
   kerf heights plate.rsm --machine mine.toml --sheet=-20,0.05

@@ -24,7 +24,7 @@ pub struct LogArgs {
 enum Action {
     /// Prints it
     Show,
-    /// Tells lines that do not fit their check numbers
+    /// Prints the lines whose check numbers are wrong
     Verify {
         /// Another file than that of the data folder
         file: Option<PathBuf>,

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// The height map in force: a probed surface that every part file and G-code file follows with Z
 ///
-/// TM makes the program that probes it.
+/// The command TM makes the program that probes it.
 #[derive(Args)]
 #[command(after_help = "Example: kerf map use heights.map")]
 pub struct MapArgs {
@@ -23,13 +23,13 @@ pub struct MapArgs {
 
 #[derive(Subcommand)]
 enum Act {
-    /// Takes a file of heights into force
+    /// Applies a file of heights
     Use {
         /// The file: its first line says "kerf heights, mm", each other one X,Y,Z of a place
         #[arg(value_name = "FILE")]
         file: PathBuf,
     },
-    /// Takes the map off: surfaces are flat
+    /// Switches the map off: surfaces are flat
     Off,
     /// Shows the map in force
     Show,

@@ -30,10 +30,10 @@ pub struct PartsArgs {
     /// How the list is written
     #[arg(long, value_enum, default_value = "text")]
     format: Format,
-    /// Lists what a file was before the last times that Kerf wrote over it, the newest first
+    /// Lists the earlier versions of a file, the newest first
     #[arg(long, value_name = "NAME")]
     versions: Option<String>,
-    /// Brings one of those back; what it takes the place of is kept too
+    /// Restores a version; the present file becomes a version too
     #[arg(long, value_name = "NUMBER", requires = "versions")]
     restore: Option<u32>,
     #[command(flatten)]

@@ -16,7 +16,7 @@ use std::path::PathBuf;
 
 /// Plots speed, acceleration and jerk of a run, over time and along the path
 ///
-/// The curves are asked of the very plan that runs, a thousand times a second. The programmed speed
+/// The curves are samples of the plan that a run follows, 1,000 a second. The programmed speed
 /// stands beside the planned one; lines, tool paths, jogs and waits are marked.
 #[derive(Args)]
 #[command(after_help = "Examples:

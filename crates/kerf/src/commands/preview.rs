@@ -15,7 +15,7 @@ use std::path::PathBuf;
 /// Draws the tool path of a part file
 ///
 /// The extension of the picture says which kind: .svg, .png, or .html for a page that turns in 3D.
-/// What the run finds is told and listed in the picture.
+/// Findings of the run are printed, and listed in the picture.
 #[derive(Args)]
 #[command(after_help = "Example: kerf preview box.sbp -o box.html")]
 pub struct PreviewArgs {

@@ -20,8 +20,8 @@ use std::time::{Duration, Instant};
 
 /// Receives job files over a serial line, sent by `kerf send FILE PORT` on another computer
 ///
-/// Nothing is taken while the machine of the data folder moves; the transfer goes on when it stands. A file
-/// is kept when all of it is there and its checksum is right. Ctrl-C stops the transfer.
+/// The transfer waits while the machine of the data folder moves. A file is kept when it is whole and its checksum is
+/// right. Ctrl-C stops the transfer.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  kerf receive\n  kerf receive com2 --into ~/jobs\n  \
     kerf receive /dev/ttyUSB0 --baud 9600 --once")]
@@ -43,7 +43,7 @@ pub struct ReceiveArgs {
     machine: MachineChoice,
     #[command(flatten)]
     data: DataArgs,
-    /// Tells nothing
+    /// Prints nothing
     #[arg(short, long)]
     quiet: bool,
 }

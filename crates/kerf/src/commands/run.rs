@@ -47,7 +47,7 @@ use std::io::{self, IsTerminal, LineWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Runs a part file on a machine: the simulated one
+/// Runs a part file on a machine: the simulated one, or the one that --machine names
 ///
 /// What the program prints and asks goes to the terminal; Ctrl-C stops the machine with a ramp and
 /// lifts the tool. At the end a summary is told.
@@ -59,8 +59,8 @@ pub struct RunCommand {
     /// The part file
     #[arg(required_unless_present = "resume")]
     file: Option<PathBuf>,
-    /// Takes up the run that was cut short, because Kerf was killed or the power failed: the tool
-    /// lifts, the spindle starts, the tool goes over the place, plunges, and the cut goes on
+    /// Recovers the run that a kill of Kerf or a power cut interrupted: the tool lifts, the spindle starts, the tool
+    /// goes above the place, plunges, and the cut goes on
     #[arg(long, conflicts_with = "file")]
     resume: bool,
     /// Runs it on a running `kerf serve` at this address: a file of its part folder. What it prints is
@@ -70,7 +70,7 @@ pub struct RunCommand {
     /// Arms the machine of the server first
     #[arg(long, requires = "server")]
     arm: bool,
-    /// Cuts every path of a job so far beside itself, mm, to the right of travel; the file stays as it is
+    /// Offsets every path of a job by this distance, mm, to the right of travel; the file stays as it is
     #[arg(long, value_name = "MM", value_parser = parse::number)]
     offset_job: Option<f64>,
     #[command(flatten)]

@@ -18,7 +18,7 @@ use std::iter::once;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
 
-/// Starts as the software of the handbooks does: "file, port, open, timing, close, display, offset"
+/// Starts with the command line of the ShopBot software: "file, port, open, timing, close, display, offset"
 ///
 /// open: 1 to 3 show the sheet of the file in the console and wait; 4 runs it at once; 5 draws it at
 /// once; 6 only makes it the current file. close: 0 stays and serves the console, at a terminal or with

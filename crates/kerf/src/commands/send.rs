@@ -29,12 +29,12 @@ const FILE: &str = "temp_code.sbp";
 /// Carries out command lines at once, as if they were typed at the machine; or sends a file
 ///
 /// A file goes to the computer at the machine: `kerf send FILE com2` over a serial line, where `kerf receive`
-/// takes it, `kerf send FILE http://…` over the network into the part folder of `kerf serve`. While the
-/// machine there moves nothing goes over. Ctrl-C stops it; then nothing of it is kept.
+/// takes it, `kerf send FILE http://…` over the network into the part folder of `kerf serve`. The transfer waits while
+/// the machine there moves. Ctrl-C stops it, and nothing of the file is kept.
 ///
-/// Settings that they make stay. Several lines are a program: they may jump and decide. A line alone
-/// has to be a command or an assignment. The lines are kept in temp_code.sbp in the part folder: the
-/// present folder, unless --parts names another.
+/// Settings made by the lines stay. Several lines are a program and may contain jumps and conditions. A single line has
+/// to be a command or an assignment. The lines are kept in temp_code.sbp in the part folder: the present folder, unless
+/// --parts names another.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  kerf send 'MX,1' 'MY,2'\n  kerf send 'VC,.375'\n  kerf send UV \

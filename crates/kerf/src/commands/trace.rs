@@ -11,7 +11,7 @@ use kerf_trace::json::JsonLines;
 use std::io::{self, BufWriter};
 use std::path::PathBuf;
 
-/// Prints everything a run would do, an event a line, as JSON
+/// Prints every event of a run as JSON, one a line
 ///
 /// The file runs as a preview on the simulated machine: nothing outside changes. Times are seconds of
 /// machine time, locations are working locations in the program's units.
@@ -20,7 +20,7 @@ use std::path::PathBuf;
 pub struct TraceArgs {
     /// The part file
     file: PathBuf,
-    /// Tells the user's variables at the end
+    /// Prints the user's variables at the end
     #[arg(long)]
     vars: bool,
     #[command(flatten)]

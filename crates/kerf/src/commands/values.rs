@@ -16,10 +16,10 @@ use kerf_machine::Value;
 use kerf_machine::table::{self, Setting};
 use kerf_machine::wiring::{Bit, INPUT_BITS, OUTPUT_BITS};
 
-/// Prints what has a value: settings, inputs and outputs, V commands, system variables, values of programs
+/// Prints values: settings, inputs and outputs, V commands, system variables, values of programs
 ///
-/// A name alone prints its value. A part of a name lists all that have it in theirs, with what they mean; without
-/// a name everything is listed.
+/// A name alone prints its value. A part of a name lists every name with that part, with its meaning; without a name
+/// everything is listed.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  kerf get delays.end_s        a setting\n  kerf get homing              all \

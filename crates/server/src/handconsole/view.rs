@@ -139,7 +139,7 @@ mod tests {
         let mut now = Snapshot::default();
         now.motion.line = 7;
         assert_eq!(shape(&now), 0, "nothing runs");
-        now.job = Some(kerf_wire::Job::default());
+        now.job = Some(kerf_wire::CurrentRun::default());
         assert_eq!(shape(&now), 7);
         now.asked = Some(Asked { line: 3, ..Asked::default() });
         assert_eq!(shape(&now), 3);

@@ -169,8 +169,8 @@ impl Board {
         self.motion = Motion { elapsed, ..motion };
     }
 
-    /// Returns the share of the speed of its plan at which a move is made: another than 1 where the machine overrides by
-    /// itself, and its plan stays that of another feed.
+    /// Returns the share of the speed of its plan at which a move is made: another than 1 where the machine overrides
+    /// by itself, and its plan stays that of another feed.
     fn share_of_plan(&self, going: &Going<'_>, planned: f64) -> f64 {
         match going.made().map(|made| made.kind) {
             Some(MoveKind::Cut) => self.feed / planned,
@@ -370,7 +370,14 @@ impl Board {
             let in_force = self.in_force.or(job.in_force);
             let tool_file = self.tool_file.1.clone();
             let silent = self.silent;
-            let job = kerf_wire::Job { calls, tool_file, heights, in_force, silent, ..job.clone() };
+            let job = kerf_wire::CurrentRun {
+                calls,
+                tool_file,
+                heights,
+                in_force,
+                silent,
+                ..job.clone()
+            };
             let job = Some(job);
             put(now.job != job, Change::Job { job });
         }

@@ -13,7 +13,7 @@ use kerf_journal::{CutShort, Journal, JournalError};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
 use kerf_wire::{
-    Change, Folder, Interrupted, Job, Machine, NamedValue, Recorder, State, Tone, Who,
+    Change, CurrentRun, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone, Who,
 };
 use kerf_workspace::command_passing;
 use std::path::Path;
@@ -105,7 +105,8 @@ impl Owner {
         }
     }
 
-    /// The machine is busy from now on, where nobody at a page asked for it and it may move all the same; otherwise why not.
+    /// The machine is busy from now on, where nobody at a page asked for it and it may move all the same; otherwise why
+    /// not.
     fn may_run(&self, way: Way<'_>, arrived: Stops) -> Result<(), String> {
         let mut may = Ok(());
         self.hub.changing(|now| {
@@ -257,7 +258,7 @@ impl Owner {
     }
 
     /// Enters in the history which settings the run has made others, by whoever drives.
-    pub(super) fn note_settings(&self, job: &Job) {
+    pub(super) fn note_settings(&self, job: &CurrentRun) {
         let (before, after) =
             (lock(&self.left).session.configuration(), self.workshop.session.configuration());
         let by = self.hub.read(|now| now.lease.as_ref().map(|lease| lease.device.clone()));

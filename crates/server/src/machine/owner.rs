@@ -21,7 +21,7 @@ use kerf_program::{AXES, Axis};
 use kerf_sbp::Status;
 use kerf_sim::Simulated;
 use kerf_trace::Summary;
-use kerf_wire::{Change, Job, Machine, Overrides, State, Tone};
+use kerf_wire::{Change, CurrentRun, Machine, Overrides, State, Tone};
 use kerf_workspace::{Workspace, unverified};
 use std::cell::RefCell;
 use std::io;
@@ -132,7 +132,7 @@ impl Owner {
                     options.program.file = parameters;
                     options.program.draws_only = draws_only;
                     let hash = Some(hash);
-                    let job = Job { file: name, hash, draws_only, ..Job::default() };
+                    let job = CurrentRun { file: name, hash, draws_only, ..CurrentRun::default() };
                     self.run(*work, options, job, planned);
                 }
                 Order::TakeUp { hash, planned } => self.take_up(hash, planned),
@@ -162,8 +162,8 @@ impl Owner {
         }
     }
 
-    /// Waits for the next order, so long at most. What is stopped meanwhile is off at once: a stop wakes this thread, as an
-    /// order does.
+    /// Waits for the next order, so long at most. What is stopped meanwhile is off at once: a stop wakes this thread,
+    /// as an order does.
     pub(super) fn next(
         &mut self,
         orders: &Receiver<Order>,
@@ -192,7 +192,7 @@ impl Owner {
     }
 
     /// Runs something that pages see as a job.
-    fn run(&mut self, work: Work, options: RunOptions, job: Job, planned: Planned) {
+    fn run(&mut self, work: Work, options: RunOptions, job: CurrentRun, planned: Planned) {
         let job = self.tell_begun(job, &planned);
         let line = job.command.as_deref();
         let typing = line.map(|line| Typing::of(line, self.run, self.screen.clone()));
@@ -211,16 +211,16 @@ impl Owner {
             return self.rest(State::Idle, Some(why));
         }
         let file = self.parts.name_of(cut.file());
-        let job = self.tell_begun(Job { file, hash, ..Job::default() }, &planned);
+        let job = self.tell_begun(CurrentRun { file, hash, ..CurrentRun::default() }, &planned);
         let driven = self.in_context(planned, None, |workshop, context| {
             workshop.session.resume(&cut, &mut workshop.workspace, context)
         });
         self.tell_ended(job, driven);
     }
 
-    fn tell_begun(&mut self, job: Job, planned: &Planned) -> Job {
+    fn tell_begun(&mut self, job: CurrentRun, planned: &Planned) -> CurrentRun {
         self.run += 1;
-        let job = Job { run: self.run, seconds: planned.seconds(), ..job };
+        let job = CurrentRun { run: self.run, seconds: planned.seconds(), ..job };
         if job.command.is_none() {
             self.hub.begins(&job);
             self.hub.cleared(false);
@@ -234,7 +234,7 @@ impl Owner {
         job
     }
 
-    fn tell_ended(&mut self, job: Job, driven: Result<Summary, JournalError>) {
+    fn tell_ended(&mut self, job: CurrentRun, driven: Result<Summary, JournalError>) {
         let (ended, error) = match &driven {
             Ok(summary) => (summary.status.word(), summary.error.as_deref()),
             Err(_) => ("failed", None),
@@ -244,7 +244,7 @@ impl Owner {
         self.note_settings(&job);
         // Whoever hears of the end reads what the run left: variables, settings, places.
         self.tell_workspace();
-        self.hub.ended(Job { ended, error, summary, ..job });
+        self.hub.ended(CurrentRun { ended, error, summary, ..job });
         self.come_to_rest(driven);
     }
 
@@ -403,7 +403,8 @@ impl Owner {
         let mut options = RunOptions { opened, ..self.options() };
         (options.program.typed, options.program.draws_only) = (true, draws_only);
         let (hash, planned) = file.unzip();
-        let job = Job { command: Some(line.into()), hash, draws_only, ..Job::default() };
+        let job =
+            CurrentRun { command: Some(line.into()), hash, draws_only, ..CurrentRun::default() };
         self.run(program.into(), options, job, planned.unwrap_or_default());
     }
 
@@ -433,7 +434,7 @@ impl Owner {
             tell(&driven);
             return self.come_to_rest(driven);
         }
-        let job = Job { command: Some(name.into()), ..Job::default() };
+        let job = CurrentRun { command: Some(name.into()), ..CurrentRun::default() };
         let job = self.tell_begun(job, &Planned::default());
         let driven = self.drive(work, self.options(), Planned::default(), None);
         tell(&driven);
@@ -444,7 +445,7 @@ impl Owner {
     fn cut_move(&mut self, at: [f64; 2], machine: Configuration) {
         self.catch_up();
         let cut = hand::cut_move(&machine, self.workshop.session.memory.position, at);
-        let job = Job { command: Some("cut move to".into()), ..Job::default() };
+        let job = CurrentRun { command: Some("cut move to".into()), ..CurrentRun::default() };
         let work = Work::Job(Arc::new(cut), Arc::new(machine));
         self.run(work, self.options(), job, Planned::default());
     }

@@ -11,7 +11,7 @@ mod finding;
 mod lines;
 
 use crate::field::{Field, UNITS, choice, file, length};
-use crate::{Entries, Made, MadeFile, Mistake, Place, Tool};
+use crate::{Entries, Mistake, OutputFile, Place, Tool, ToolOutput};
 
 /// Things that are found, as the form names them.
 const KINDS: &[&str] =
@@ -47,7 +47,7 @@ pub const TOOL: Tool = Tool {
     make,
 };
 
-fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
+fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let mistakes = mistakes(entries);
     if !mistakes.is_empty() {
         return Err(mistakes);
@@ -55,8 +55,8 @@ fn make(entries: &Entries<'_>) -> Result<Made, Vec<Mistake>> {
     let name = entries.text("file");
     let name = if name.contains('.') { name.to_owned() } else { format!("{name}.nc") };
     let text = lines::program(entries).join("\n") + "\n";
-    let file = MadeFile { place: Place::Parts, name, text };
-    Ok(Made { files: vec![file], notes: Vec::new() })
+    let file = OutputFile { place: Place::Parts, name, text };
+    Ok(ToolOutput { files: vec![file], notes: Vec::new() })
 }
 
 fn mistakes(entries: &Entries<'_>) -> Vec<Mistake> {

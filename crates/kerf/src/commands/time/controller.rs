@@ -20,7 +20,7 @@ pub enum Kind {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Another controller; --axis-speed and --accel are its axes")]
 pub struct ControllerArgs {
-    /// Tells how long this controller would take for the same moves
+    /// Estimates the time that this controller takes for the same moves
     #[arg(long, value_enum)]
     pub controller: Option<Kind>,
     /// grbl: $11, mm [default: 0.01]
@@ -32,7 +32,7 @@ pub struct ControllerArgs {
     /// grbl: blocks of the planner's buffer [default: 16]
     #[arg(long, value_name = "BLOCKS")]
     look_ahead: Option<usize>,
-    /// grbl: speed of the line that feeds it, bits a second; 0 when lines are there at once
+    /// grbl: rate of its serial line, baud; 0 for a link without delay
     /// [default: 115200]
     #[arg(long, value_name = "BAUD", value_parser = parse::not_negative)]
     baud: Option<f64>,

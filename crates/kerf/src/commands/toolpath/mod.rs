@@ -21,7 +21,7 @@ use kerf_toolpath::{DrawnJob, Heights, Warning, off_table, too_deep, too_flat, w
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Makes the tool paths of a drawing: offsets, tags, leads, arrays
+/// Makes the tool paths of a drawing: offsets, tabs, leads, arrays
 ///
 /// What cannot be cut as it is drawn is told with the number of its shape.
 #[derive(Args)]
@@ -34,7 +34,7 @@ pub struct ToolpathArgs {
     /// drawing's name with .rsm]
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
-    /// Tells paths, lengths, tool and time of each group; the time is that of the plan
+    /// Prints paths, lengths, tool and time of each layer; the time is that of the plan
     #[arg(long)]
     report: bool,
     /// The report as text for people or JSON for programs
@@ -55,7 +55,7 @@ pub struct ToolpathArgs {
     /// The path with which the job begins, from 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     begin_with: Option<u32>,
-    /// Replaces the file that is written without a question, whoever made it, also a job whose paths were
+    /// Replaces an existing output file without a question, also a job whose paths were
     /// changed by hand
     #[arg(long)]
     force: bool,
