@@ -8,6 +8,7 @@ import { useHands, useSnapshot, worldOf } from "../app/context";
 import { drawingWords } from "../app/drawingWords";
 import { machine } from "../job/actions";
 import { Button } from "../ui/Button";
+import { drawingEndings, jobEnding, savedEndings } from "../wire/endings";
 import type { Op } from "../wire/messages";
 import { t } from "../words/words";
 import { FileSheet } from "./FileSheet";
@@ -15,12 +16,6 @@ import type { Desk } from "./useDesk";
 import { fitted, type Size } from "./window";
 
 type Asking = "open" | "save" | "program";
-
-/** Endings of files that a drawing is read from. */
-const drawings = ["dxf", "svg", "rsg", "rsm", "plt", "hpg", "hpgl"] as const;
-
-/** Endings of files as which a drawing is written. */
-const savedAs = ["rsg", "dxf", "svg"] as const;
 
 /** The drawing's name, its files, undo and redo, and the way to the machine. */
 export function DrawingHead({ desk }: { desk: Desk }) {
@@ -34,7 +29,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
     setAsking("open");
   };
   // Tool paths that were opened stay tool paths: their name is not that of their drawing.
-  const isJob = drawing?.name?.toLowerCase().endsWith(".rsm") ?? false;
+  const isJob = drawing?.name?.toLowerCase().endsWith(`.${jobEnding}`) ?? false;
   const empty = drawing?.shapes ? undefined : t("The drawing has no shapes yet.");
   const draw = (op: Op) => ask(worldOf(hands), { do: "draw", op });
   /** Writes a file of the drawing; one that is there already is replaced when the person says so. */
@@ -64,7 +59,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
           Open…
         </Button>
         <FileTrigger
-          acceptedFileTypes={drawings.map((ending) => `.${ending}`)}
+          acceptedFileTypes={drawingEndings.map((ending) => `.${ending}`)}
           onSelect={(files) => openGiven([...(files ?? [])])}
         >
           <Button size="small">Open from disk…</Button>
@@ -112,7 +107,7 @@ export function DrawingHead({ desk }: { desk: Desk }) {
         <FileSheet
           title={t("Open a drawing")}
           warning={isUnsaved(worldOf(hands)) ? unsaved : undefined}
-          endings={drawings}
+          endings={drawingEndings}
           given={given}
           onClose={() => setAsking(null)}
           onName={(name) => draw({ op: "open", name })}
@@ -121,8 +116,8 @@ export function DrawingHead({ desk }: { desk: Desk }) {
       {asking === "save" && (
         <FileSheet
           title={t("Save the drawing")}
-          endings={isJob ? ["rsm", ...savedAs] : savedAs}
-          proposal={named(drawing?.name, isJob ? "rsm" : "rsg")}
+          endings={isJob ? [jobEnding, ...savedEndings] : savedEndings}
+          proposal={named(drawing?.name, isJob ? jobEnding : "rsg")}
           onClose={() => setAsking(null)}
           onName={(name) => write("save", name)}
         />

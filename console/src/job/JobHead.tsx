@@ -4,10 +4,8 @@ import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { FileSheet } from "../draw/FileSheet";
 import { busy } from "../keypad/refusal";
 import { Button } from "../ui/Button";
+import { drawingEndings } from "../wire/endings";
 import { phrase, t } from "../words/words";
-
-/** Files that lead to a job: jobs, and drawings that become one. */
-const endings = ["rsm", "rsg", "dxf", "svg"];
 
 /** The name of the job, and another one. */
 export function JobHead() {
@@ -26,7 +24,7 @@ export function JobHead() {
       {asking && (
         <FileSheet
           title={t("Open a job or a drawing")}
-          endings={endings}
+          endings={drawingEndings}
           onClose={() => setAsking(false)}
           onName={(name) => ask(worldOf(hands), { do: "open", name })}
         />

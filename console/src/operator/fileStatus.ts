@@ -4,7 +4,7 @@ import type { Spot } from "../app/screen";
 import { durationText } from "../app/units";
 import type { Shown } from "../link/shown";
 import type { Seconds } from "../units/quantity";
-import type { Call, Finding, CurrentRun, LastRun, Opened, Snapshot, State } from "../wire/messages";
+import type { Call, CurrentRun, Finding, LastRun, Opened, Snapshot, State } from "../wire/messages";
 import { language, t } from "../words/words";
 import { toolLine } from "./toolLine";
 

@@ -11,6 +11,7 @@
 mod book;
 pub mod conformance;
 pub mod deps;
+mod endings;
 pub mod pages;
 pub mod run_tests;
 pub mod structure;

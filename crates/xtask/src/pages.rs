@@ -1,6 +1,6 @@
 //! The generated pages: what writes each, and whether they are fresh.
 
-use crate::{Finding, Tree, book, conformance};
+use crate::{Finding, Tree, book, conformance, endings};
 use anyhow::{Context, Result};
 
 /// A page that is made and never edited.
@@ -34,6 +34,11 @@ const PAGES: &[Page] = &[
     Page {
         path: "console/src/wire/fold.json",
         text: |_| Ok(kerf_wire::fold_vectors()?),
+        command: "cargo xtask wire",
+    },
+    Page {
+        path: "console/src/wire/endings.ts",
+        text: |_| Ok(endings::typescript()),
         command: "cargo xtask wire",
     },
 ];
