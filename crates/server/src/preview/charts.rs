@@ -1,8 +1,9 @@
-//! The timing chart that is being made: one at a time, for everybody who asked for that one.
+//! The timing charts that somebody waits for: made one at a time, each for everybody who asked for that one.
 
 use crate::locks::lock;
 use kerf_wire::Problem;
 use kerf_wire::preview::Timing;
+use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
@@ -10,10 +11,13 @@ use tokio::sync::watch;
 /// A chart, or why there is none.
 pub type Answer = Result<Arc<Timing>, Problem>;
 
-/// The chart that is being made.
+/// Most charts that are waited for at a time: each keeps a thread.
+const MOST: usize = 8;
+
+/// The charts that are made, the one asked for first in front.
 #[derive(Debug, Default)]
 pub struct Charts {
-    now: Mutex<Option<Arc<Chart>>>,
+    waited_for: Mutex<VecDeque<Arc<Chart>>>,
     /// Lock that whoever makes one holds.
     turn: Mutex<()>,
 }
@@ -57,25 +61,24 @@ impl Waiting {
 }
 
 impl Charts {
-    /// Waits for a chart. Where nobody has asked for this one it is to be made; another one that is being
-    /// made is given up.
+    /// Waits for a chart, which is to be made where nobody has asked for it yet. Where too many are waited for the
+    /// oldest is given up.
     pub fn ask(&self, asked: Asked) -> (Waiting, Option<Arc<Chart>>) {
-        let mut now = lock(&self.now);
-        if let Some(waiting) = now.as_ref().and_then(|chart| chart.joined(&asked)) {
+        let mut charts = lock(&self.waited_for);
+        if let Some(waiting) = charts.iter().find_map(|chart| chart.joined(&asked)) {
             return (waiting, None);
         }
         let chart = Arc::new(Chart::new(asked));
-        if let Some(before) = now.replace(chart.clone()) {
-            before.given_up.store(true, Ordering::Relaxed);
+        charts.push_back(chart.clone());
+        if charts.len() > MOST {
+            give_up(charts.pop_front());
         }
         (Waiting(chart.clone()), Some(chart))
     }
 
-    /// Gives up what is being made.
+    /// Gives up all that are being made.
     pub fn give_up(&self) {
-        if let Some(chart) = lock(&self.now).take() {
-            chart.given_up.store(true, Ordering::Relaxed);
-        }
+        give_up(lock(&self.waited_for).drain(..));
     }
 
     /// Makes a chart when the one before is over.
@@ -86,11 +89,14 @@ impl Charts {
 
     /// Tells everybody who waits for it.
     pub fn made(&self, chart: &Arc<Chart>, answer: Answer) {
-        let mut now = lock(&self.now);
-        if now.as_ref().is_some_and(|other| Arc::ptr_eq(other, chart)) {
-            *now = None;
-        }
+        lock(&self.waited_for).retain(|other| !Arc::ptr_eq(other, chart));
         chart.made.send_replace(Some(answer));
+    }
+}
+
+fn give_up(charts: impl IntoIterator<Item = Arc<Chart>>) {
+    for chart in charts {
+        chart.given_up.store(true, Ordering::Relaxed);
     }
 }
 
@@ -135,13 +141,15 @@ mod tests {
     }
 
     #[test]
-    fn who_asks_for_another_gives_up_what_is_being_made() {
+    fn a_chart_is_made_whatever_else_is_asked_for_until_too_many_are_waited_for() {
         let charts = Charts::default();
         let (_first, chart) = charts.ask(asked(""));
-        let (_second, other) = charts.ask(asked("3@1=1"));
+        let others: Vec<_> = (1..MOST).map(|n| charts.ask(asked(&format!("{n}@1=1")))).collect();
+        assert_eq!(is_given_up(chart.as_ref()), Some(false));
+        let (_last, last) = charts.ask(asked("3@2=1"));
         assert_eq!(is_given_up(chart.as_ref()), Some(true));
-        assert_eq!(is_given_up(other.as_ref()), Some(false));
+        assert!(others.iter().all(|(_, other)| is_given_up(other.as_ref()) == Some(false)));
         charts.give_up();
-        assert_eq!(is_given_up(other.as_ref()), Some(true));
+        assert_eq!(is_given_up(last.as_ref()), Some(true));
     }
 }
