@@ -5,6 +5,7 @@ import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import { phrase, t } from "../words/words";
 import { useShown } from "./context";
+import { useWords } from "./useWords";
 import "./pair-screen.css";
 
 /** Asks for the code that the machine shows, on a device that is not paired. */
@@ -12,6 +13,7 @@ export function PairScreen() {
   const unpaired = useUnpaired();
   const [code, setCode] = useState("");
   const [name, setName] = useState("");
+  const words = useWords();
   const [why, setWhy] = useState<string>();
   if (!unpaired) return null;
   // What was wrong with the code before says nothing of this one.
@@ -55,7 +57,7 @@ export function PairScreen() {
           if (ready) void pair();
         }}
       >
-        <Field label="Code" value={code} onChange={enter} error={why} first />
+        <Field label="Code" value={code} onChange={enter} error={why && words(why)} first />
         <Field label="Name of this device" value={name} onChange={setName} placeholder="Tablet" />
         <button type="submit" hidden />
       </form>

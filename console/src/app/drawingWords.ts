@@ -1,5 +1,7 @@
 /** Sentences of the server about drawings, in the words of the page. */
 
+import { serverWords } from "../words/server";
+
 /** The page's words for those of the operations and the Profiler. */
 const inField: readonly (readonly [RegExp, string])[] = [
   [/\bgroup(s?)\b/g, "layer$1"],
@@ -15,5 +17,8 @@ export const withoutGrammar = (text: string): string =>
   text.replace(/^clause \d+(?: `[^`]*`)?: /i, "").replace(/; write `[^`]*`$/, "");
 
 /** A sentence or a name about a drawing: Layer, Tab and Through, and nothing of how operations are written. */
-export const drawingWords = (text: string): string =>
-  inField.reduce((said, [other, own]) => said.replace(other, own), withoutGrammar(text));
+export function drawingWords(text: string): string {
+  const plain = withoutGrammar(text);
+  const own = serverWords(plain);
+  return own === plain ? inField.reduce((said, [from, to]) => said.replace(from, to), plain) : own;
+}

@@ -2,6 +2,7 @@ import { Choice } from "../ui/Choice";
 import { Field, Required } from "../ui/Field";
 import { Pick } from "../ui/Pick";
 import type { Parameter } from "../wire/messages";
+import { choiceWords, parameterWords } from "../words/commands";
 import { t } from "../words/words";
 import { rangeText } from "./sheet";
 
@@ -24,9 +25,10 @@ export function ParameterField({
   first,
   onChange,
 }: ParameterFieldProps) {
-  const { name, kind, doc } = parameter;
+  const { kind, doc } = parameter;
+  const name = parameterWords(parameter.name);
   if (kind.is === "choice") {
-    const options = kind.words.map((word) => ({ value: word, words: word }));
+    const options = kind.words.map((word) => ({ value: word, words: choiceWords(word) }));
     const few = options.length <= fewWords && kind.words.join("").length < 20;
     return (
       <div className="parameter" title={doc}>

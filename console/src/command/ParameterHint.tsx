@@ -1,5 +1,6 @@
 import { Button } from "../ui/Button";
 import type { CommandEntry } from "../wire/messages";
+import { parameterWords } from "../words/commands";
 import { t } from "../words/words";
 import { parameterAt } from "./line";
 
@@ -22,7 +23,7 @@ export function ParameterHint({ text, entry, table, onSheet }: ParameterHintProp
       <ol className="hint-parameters">
         {entry.parameters.map((parameter) => (
           <li key={parameter.name} className={parameter === now ? "hint-now" : ""}>
-            {parameter.name}
+            {parameterWords(parameter.name)}
             {parameter.required && "*"}
           </li>
         ))}

@@ -3,6 +3,7 @@
 import { useEffect, useState } from "react";
 import { getJson } from "../link/http";
 import type { CommandEntry } from "../wire/messages";
+import { commandWords } from "../words/commands";
 import { t } from "../words/words";
 
 /** The menus of the FULL face in the order of the manual. */
@@ -35,7 +36,7 @@ export function useCommands(fresh = false): readonly CommandEntry[] {
   const [table, setTable] = useState<readonly CommandEntry[]>([]);
   useEffect(() => {
     let wanted = true;
-    if (fresh || !fetched) fetched = getJson<CommandEntry[]>("/api/commands");
+    if (fresh || !fetched) fetched = getJson<CommandEntry[]>("/api/commands").then(commandWords);
     fetched.then(
       (entries) => wanted && setTable(entries),
       () => {

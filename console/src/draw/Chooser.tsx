@@ -1,3 +1,4 @@
+import { colourWords } from "../words/operations";
 import { t } from "../words/words";
 import { choices, chosen } from "./desk";
 import type { Scene } from "./scene";
@@ -19,7 +20,7 @@ export function Chooser({ desk, scene, size }: ChooserProps) {
     <div className="chooser" role="menu" style={{ translate: `${at.x + 8}px ${at.y + 8}px` }}>
       {choices(desk.state, desk.around).map(({ number, highlighted: marked }, n) => {
         const shape = scene.shapes.find((other) => other.number === number);
-        const name = t("Shape {0}, layer {1}", number, shape?.group ?? "");
+        const name = t("Shape {0}, layer {1}", number, colourWords(shape?.group ?? ""));
         return (
           <button
             key={number}

@@ -2,6 +2,7 @@ import { useState } from "react";
 import { useSnapshot } from "../app/context";
 import { useLengthUnit } from "../app/useLengthUnit";
 import { Panel } from "../ui/Panel";
+import { colourWords } from "../words/operations";
 import { t } from "../words/words";
 import { GroupForm } from "./GroupForm";
 import type { Scene } from "./scene";
@@ -48,7 +49,7 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
               onClick={() => setOpen(name === open ? null : name)}
             >
               <span className="swatch" style={{ background: `var(--draw-group-${name})` }} />
-              {name}
+              {colourWords(name)}
             </button>
             <span className="group-count">{countOf(name) || ""}</span>
             <button
@@ -56,8 +57,8 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
               className="link-button"
               disabled={!some}
               onClick={() => desk.send(`group ${name}`)}
-              title={t("Moves the selection to the layer {0}", name)}
-              aria-label={t("move: the selection into {0}", name)}
+              title={t("Moves the selection to the layer {0}", colourWords(name))}
+              aria-label={t("move: the selection into {0}", colourWords(name))}
             >
               {t("move")}
             </button>
@@ -66,7 +67,7 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
               className="link-button"
               disabled={!some}
               onClick={() => desk.send(`copy-to ${name}`)}
-              aria-label={t("copy: the selection into {0}", name)}
+              aria-label={t("copy: the selection into {0}", colourWords(name))}
             >
               {t("copy")}
             </button>
@@ -75,7 +76,7 @@ export function GroupPanel({ desk, scene }: GroupPanelProps) {
                 type="checkbox"
                 checked={on}
                 onChange={() => desk.send(`set ${name} on=${on ? "off" : "on"}`)}
-                aria-label={t("{0} is cut", name)}
+                aria-label={t("{0} is cut", colourWords(name))}
               />
               {t("cut")}
             </label>

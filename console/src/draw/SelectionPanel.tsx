@@ -5,6 +5,7 @@ import { useLengthUnit } from "../app/useLengthUnit";
 import { useWords } from "../app/useWords";
 import { Panel } from "../ui/Panel";
 import { type LengthUnit, mm } from "../units/quantity";
+import { colourWords } from "../words/operations";
 import { t } from "../words/words";
 import { boxOfShapes, type Shape } from "./geometry/shape";
 import { isEmpty } from "./geometry/vec";
@@ -80,7 +81,7 @@ function factsOfOne(shape: Shape): [string, string][] {
   const direction = shape.area < 0 ? t("clockwise") : t("counter-clockwise");
   return [
     [t("Number"), String(shape.number)],
-    [t("Layer"), shape.group],
+    [t("Layer"), colourWords(shape.group)],
     [
       t("Kind"),
       `${shape.closed ? t("closed, {0}", direction) : t("open")}${shape.z ? ", 3D" : ""}`,

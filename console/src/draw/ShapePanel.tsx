@@ -4,6 +4,7 @@ import { useLengthUnit } from "../app/useLengthUnit";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import { type LengthUnit, mm } from "../units/quantity";
+import { colourWords } from "../words/operations";
 import { t } from "../words/words";
 import type { Shape } from "./geometry/shape";
 import type { Scene } from "./scene";
@@ -86,5 +87,5 @@ function wordsOf({ number, closed, group, box, vertices }: Shape, unit: LengthUn
   const at = t("at {0}, {1} {2}", text(box.min.x), text(box.min.y), unit.linear);
   if (vertices.length === 1) return t("{0}: point, {1}, {2}", number, group, at);
   const size = `${text(box.max.x - box.min.x)} × ${text(box.max.y - box.min.y)}`;
-  return `${number}: ${closed ? t("closed") : t("open")}, ${group}, ${size} ${at}`;
+  return `${number}: ${closed ? t("closed") : t("open")}, ${colourWords(group)}, ${size} ${at}`;
 }

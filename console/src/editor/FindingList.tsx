@@ -3,6 +3,7 @@ import type { Spot } from "../app/screen";
 import { useWords } from "../app/useWords";
 import { FindingPlace } from "../operator/FindingPlace";
 import type { Finding } from "../wire/messages";
+import { findingWords } from "../words/findings";
 import { t } from "../words/words";
 import type { Check } from "./check";
 
@@ -15,11 +16,12 @@ interface FindingListProps {
 
 /** What is wrong with the text, for those who do not hover; and whether all of it was looked at. */
 export function FindingList({ check, file, onShow }: FindingListProps) {
+  const words = useWords();
   return (
     <section className="findings" aria-label={t("Findings")} role="status">
       {check.is === "checking" && <p className="findings-none">{t("Checking…")}</p>}
       {check.is === "unchecked" && (
-        <p className="word word-warning">{t("Not checked: {0}.", check.why)}</p>
+        <p className="word word-warning">{t("Not checked: {0}.", words(check.why))}</p>
       )}
       {check.is === "lines" && <Share {...check} />}
       {"findings" in check && (
@@ -56,17 +58,20 @@ function Found({ findings, file, onShow, children }: FoundProps) {
   if (findings.length === 0) return children ? <p className="findings-none">{children}</p> : null;
   return (
     <ul>
-      {findings.slice(0, most).map((finding) => (
-        <li
-          key={`${finding.file}:${finding.line}:${finding.column}:${finding.code}`}
-          className={`word word-${finding.level}`}
-        >
-          <FindingPlace place={placeIn(finding, file)} file={file} onShow={onShow} />{" "}
-          {words(finding.message)}
-          {finding.hint && " – "}
-          <em>{words(finding.hint)}</em>
-        </li>
-      ))}
+      {findings
+        .slice(0, most)
+        .map(findingWords)
+        .map((finding) => (
+          <li
+            key={`${finding.file}:${finding.line}:${finding.column}:${finding.code}`}
+            className={`word word-${finding.level}`}
+          >
+            <FindingPlace place={placeIn(finding, file)} file={file} onShow={onShow} />{" "}
+            {words(finding.message)}
+            {finding.hint && " – "}
+            <em>{words(finding.hint)}</em>
+          </li>
+        ))}
       {findings.length > most && <li>{t("… and {0} more", findings.length - most)}</li>}
     </ul>
   );

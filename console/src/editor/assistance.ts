@@ -9,6 +9,8 @@ import { type Diagnostic, linter } from "@codemirror/lint";
 import type { Extension, Text } from "@codemirror/state";
 import { EditorView, hoverTooltip, type Tooltip } from "@codemirror/view";
 import type { Finding, Level } from "../wire/messages";
+import { hoverWords, offerWords } from "../words/commands";
+import { findingWords } from "../words/findings";
 import { type Check, checked, checking } from "./check";
 import { longest } from "./document";
 import { type At, checkText, completionsAt, hoverAt } from "./language";
@@ -34,13 +36,14 @@ export function diagnosticOf(finding: Finding, text: Text): Diagnostic {
   const line = text.line(Math.min(Math.max(finding.line, 1), text.lines));
   const from = Math.min(line.from + Math.max(finding.column - 1, 0), line.to);
   const to = finding.length > 0 ? Math.min(from + finding.length, line.to) : line.to;
-  const hint = finding.hint ? `\n${finding.hint}` : "";
+  const said = findingWords(finding);
+  const hint = said.hint ? `\n${said.hint}` : "";
   return {
     from,
     to: Math.max(from, to),
     severity: severities[finding.level],
     source: finding.code,
-    message: finding.message + hint,
+    message: said.message + hint,
   };
 }
 
@@ -85,7 +88,7 @@ const completing = (name: string) => async (context: CompletionContext) => {
   const word = context.matchBefore(/[&$%]?\w*/);
   if (!word || (word.from === word.to && !context.explicit)) return null;
   const offered = await completionsAt(placeIn(context.state.doc, context.pos, name));
-  const options = offered.map(({ label, kind, detail, doc }) => ({
+  const options = offered.map(offerWords).map(({ label, kind, detail, doc }) => ({
     label,
     type: kind === "command" ? "function" : kind,
     detail,
@@ -105,7 +108,7 @@ const hovering = (name: string) =>
       end: start + known.to,
       create: () => {
         const dom = document.createElement("div");
-        dom.textContent = known.text;
+        dom.textContent = hoverWords(known.text);
         return { dom };
       },
     };

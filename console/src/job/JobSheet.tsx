@@ -25,6 +25,7 @@ import { ActionButton } from "../ui/ActionButton";
 import { Button } from "../ui/Button";
 import { mm } from "../units/quantity";
 import { useSize } from "../view/useSize";
+import { colourWords } from "../words/operations";
 import { phrase, t } from "../words/words";
 import { chooseStart } from "./actions";
 import { paintPlan, paintProgress } from "./paint";
@@ -191,7 +192,7 @@ function Legend({ plan }: { plan: Plan }) {
       {plan.groups.map((group) => (
         <li key={group}>
           <i style={{ background: `var(--draw-group-${group})` }} aria-hidden="true" />
-          {group}
+          {colourWords(group)}
         </li>
       ))}
     </ul>
@@ -211,7 +212,7 @@ function HoverWords({ plan, number }: { plan: Plan; number: number | null }) {
       {phrase(
         "{0}, {1}, tool {2}, {3} × {4}",
         <b>{t("Path {0}", number)}</b>,
-        group,
+        colourWords(group),
         path.tool,
         lengthText(wide, units),
         lengthText(high, units),

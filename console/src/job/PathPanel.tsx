@@ -5,6 +5,7 @@ import { useBusy } from "../app/useBusy";
 import { useWords } from "../app/useWords";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
+import { colourWords } from "../words/operations";
 import { t } from "../words/words";
 import { chooseStart } from "./actions";
 import { type Plan, type Share, type Standing, shareOf } from "./plan";
@@ -110,7 +111,7 @@ function PathList({ plan, standing }: PathPanelProps) {
               <b>{shape.number}</b>
               <i style={{ background: `var(--draw-group-${shape.group})` }} aria-hidden="true" />
               <span>
-                {shape.group}
+                {colourWords(shape.group)}
                 {traversal ? t(", way round") : t(", tool {0}", tool)}
                 {shape.pause && <em>{t("pause")}</em>}
               </span>

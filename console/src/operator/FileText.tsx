@@ -1,4 +1,5 @@
 import { useEffect, useState } from "react";
+import { useWords } from "../app/useWords";
 import { getText } from "../link/http";
 import { t } from "../words/words";
 
@@ -13,19 +14,21 @@ interface FileTextProps {
 
 /** The text of a file, to be looked at. */
 export function FileText({ address, label }: FileTextProps) {
+  const words = useWords();
   const [text, setText] = useState(t("Reading…"));
+  const [refusal, setRefusal] = useState<string>();
   useEffect(() => {
     const abort = new AbortController();
     getText(address, abort.signal).then(
       (all) => setText(shortened(all)),
-      (error: Error) => abort.signal.aborted || setText(error.message),
+      (error: Error) => abort.signal.aborted || setRefusal(error.message),
     );
     return () => abort.abort();
   }, [address]);
   return (
     <section className="file-text" aria-label={label}>
       {/* biome-ignore lint/a11y/noNoninteractiveTabindex: what is longer than its box is scrolled by keys */}
-      <pre tabIndex={0}>{text}</pre>
+      <pre tabIndex={0}>{refusal === undefined ? text : words(refusal)}</pre>
     </section>
   );
 }

@@ -1,5 +1,6 @@
 import { useEffect, useSyncExternalStore } from "react";
 import { FileTrigger } from "react-aria-components";
+import { useWords } from "../app/useWords";
 import { Button } from "../ui/Button";
 import { t } from "../words/words";
 import { isOver, stageText, type Upload, type Uploads } from "./uploads";
@@ -15,6 +16,7 @@ interface UploadListProps {
 
 /** Files on their way into the part folder: how far each is, the question before one is replaced, Stop. */
 export function UploadList({ uploads, onUse, asks = false }: UploadListProps) {
+  const words = useWords();
   const list = useSyncExternalStore(uploads.list.watch, uploads.list.get);
   const [only] = list;
   const isAlone = list.length === 1 && only?.stage.is === "done" && !only.late && !asks;
@@ -28,7 +30,7 @@ export function UploadList({ uploads, onUse, asks = false }: UploadListProps) {
       {list.map((upload) => (
         <li key={upload.id} className={`upload upload-${upload.stage.is}`}>
           <p className="upload-words">
-            <b>{upload.name}</b> {stageText(upload)}
+            <b>{upload.name}</b> {stageText(upload, words)}
           </p>
           <UploadButtons upload={upload} uploads={uploads} onUse={onUse} />
         </li>

@@ -7,6 +7,7 @@ import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Tail } from "../ui/Tail";
+import { findingWords } from "../words/findings";
 import { t } from "../words/words";
 import { FindingPlace } from "./FindingPlace";
 import { errorsOf, placeOf, placeOfMessage } from "./fileStatus";
@@ -105,7 +106,7 @@ function FileNotes() {
       count={opened.findings.length}
     >
       {opened.header && <pre className="word-printed">{opened.header}</pre>}
-      {opened.findings.map((finding) => (
+      {opened.findings.map(findingWords).map((finding) => (
         <p
           key={`${finding.code}${finding.line}${finding.column}`}
           className={`word word-${finding.level}`}

@@ -7,7 +7,7 @@ import { stageText, Uploads, type Ways } from "./uploads";
 const file = (name: string, bytes = 3) => new File(["x".repeat(bytes)], name);
 
 /** Progress of each, in words. */
-const words = (uploads: Uploads) => uploads.list.get().map(stageText);
+const words = (uploads: Uploads) => uploads.list.get().map((one) => stageText(one));
 
 const sends = (send: Ways["send"], moves = () => false) => new Uploads({ send, moves });
 

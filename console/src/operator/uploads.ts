@@ -33,7 +33,10 @@ const over: readonly Stage["is"][] = ["done", "left", "stopped", "failed"];
 export const isOver = ({ stage }: Upload): boolean => over.includes(stage.is);
 
 /** Progress of a file, in words that follow its name. */
-export function stageText({ stage, bytes }: Upload): string {
+export function stageText(
+  { stage, bytes }: Upload,
+  words = (text: string): string => text,
+): string {
   switch (stage.is) {
     case "waits":
       return t("waits for the one before it");
@@ -50,7 +53,7 @@ export function stageText({ stage, bytes }: Upload): string {
     case "stopped":
       return t("stopped: nothing is kept of a file that has not come whole");
     case "failed":
-      return t("is not sent: {0}", stage.text);
+      return t("is not sent: {0}", words(stage.text));
   }
 }
 

@@ -2,6 +2,7 @@ import { useState } from "react";
 import { drive } from "../actions/ask";
 import { start } from "../actions/job";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { useWords } from "../app/useWords";
 import { ParameterField } from "../command/ParameterField";
 import { lastEntries, rememberEntries } from "../command/preferences";
 import { type Entries, firstEntries, lineOf, mistakesIn, withEntry } from "../command/sheet";
@@ -147,13 +148,14 @@ function words(contact: { readonly isClosed: boolean; readonly wasClosed: boolea
 
 /** The result of the last run, or the reason for which nothing was set. */
 function Outcome() {
+  const words = useWords();
   const job = useSnapshot("job");
   const printed = useSnapshot("printed") ?? [];
   if (job?.file !== "probe.nc" || job.ended === null) return null;
   if (job.ended !== "ok")
     return (
       <p className="probe-wrong" role="alert">
-        {t("Nothing was set. {0}", job.error?.message ?? "")}
+        {t("Nothing was set. {0}", words(job.error?.message ?? ""))}
       </p>
     );
   const found = printed.findLast((text) => text.startsWith("Probed: "));

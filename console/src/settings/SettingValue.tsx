@@ -6,6 +6,7 @@ import { Choice } from "../ui/Choice";
 import { Pick } from "../ui/Pick";
 import type { LengthUnit } from "../units/quantity";
 import type { SettingEntry, Units } from "../wire/messages";
+import { settingWord } from "../words/settingWords";
 import { t } from "../words/words";
 import { type Cell, partsOf } from "./tables";
 import { shownUnit, shownValue, writtenValue } from "./value";
@@ -66,7 +67,7 @@ export function SettingValue({ cell, column = "", label }: SettingValueProps) {
   };
   const words = wordsOf(entry);
   if (words) {
-    const options = words.map((word) => ({ value: word, words: named[word] ?? word }));
+    const options = words.map((word) => ({ value: word, words: named[word] ?? settingWord(word) }));
     const Way = words.length <= 3 && column === "" ? Choice : Pick;
     return (
       <Way label={label} options={options} value={entry.value} onChange={(v) => void send(v)} />
@@ -106,5 +107,5 @@ function wordsOf({ kind, value }: SettingEntry): readonly string[] | undefined {
 export function usualText(entry: SettingEntry, page: LengthUnit): string {
   const value = shownValue({ ...entry, value: entry.default }, page);
   const { unit } = shownUnit(entry, page);
-  return `${named[value] ?? value}${unit === "" || value === "none" ? "" : ` ${unit}`}`;
+  return `${named[value] ?? settingWord(value)}${unit === "" || value === "none" ? "" : ` ${unit}`}`;
 }

@@ -1,5 +1,6 @@
 import { useState } from "react";
 import { useSnapshot } from "../app/context";
+import { useWords } from "../app/useWords";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
@@ -18,13 +19,14 @@ export function TimingSheet({ onClose }: { onClose: () => void }) {
   const reading = useTiming(opened?.name, key, inputs);
   const timing = timingOf(reading);
   const busy = reading.state === "reading";
+  const said = useWords();
   const words = wordsFor(opened, reading, timing);
   const title = opened ? t("Timing of {0}", opened.name) : t("Timing");
   return (
     <Sheet title={title} shape="wide" onClose={onClose}>
       {words !== undefined && (
         <p className="timing-words" role="status">
-          {words}
+          {said(words)}
         </p>
       )}
       {words === undefined && timing && (

@@ -3,6 +3,7 @@
 import { lengthText } from "../app/units";
 import { isMetric, type LengthUnit, mm } from "../units/quantity";
 import type { Timing, TimingLine } from "../wire/messages";
+import { findingWords } from "../words/findings";
 import { t } from "../words/words";
 import { nameOf } from "./course";
 import { rangeAt } from "./grains";
@@ -41,6 +42,8 @@ export function endWords(timing: Timing): string | undefined {
   if (whole) return undefined;
   if (full) return t("The chart ends here: the file switches more often than a chart holds.");
   const line = finding && finding.line > 0 ? t(" (line {0})", finding.line) : "";
-  const why = finding ? `${finding.message}${line}` : (unsaid[status] ?? t("it failed"));
+  const why = finding
+    ? `${findingWords(finding).message}${line}`
+    : (unsaid[status] ?? t("it failed"));
   return t("It ends at {0}: {1}", secondsText(timing.seconds), why);
 }

@@ -7,6 +7,7 @@ import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { CommandEntry, Values } from "../wire/messages";
+import { parameterWords } from "../words/commands";
 import { t } from "../words/words";
 import "./tools.css";
 import { VariableLines } from "./VariableLines";
@@ -93,7 +94,7 @@ function settingRows(line: string, table: readonly CommandEntry[]): Row[] {
   const parts = given.map((value, n): Row | undefined => {
     const parameter = entry?.parameters[n];
     if (!parameter || value === "") return undefined;
-    return [`${letters} ${n + 1}: ${parameter.name}`, value, parameter.unit];
+    return [`${letters} ${n + 1}: ${parameterWords(parameter.name)}`, value, parameter.unit];
   });
   return [[line, "", entry?.name ?? ""], ...parts.filter((row) => row !== undefined)];
 }

@@ -1,6 +1,7 @@
 import { useContext } from "react";
 import { Button as AriaButton, type ButtonProps as AriaProps } from "react-aria-components";
 import { HandsContext } from "../app/context";
+import { useWords } from "../app/useWords";
 import { t } from "../words/words";
 import "./button.css";
 
@@ -26,6 +27,7 @@ function spoken({ children, "aria-label": label }: AriaProps) {
 export function Button(props: ButtonProps) {
   const { look = "plain", size = "normal", className, refused, onRefused, ...rest } = props;
   const screen = useContext(HandsContext)?.screen;
+  const words = useWords();
   const extra = typeof className === "string" ? className : "";
   const button = (
     <AriaButton
@@ -41,7 +43,7 @@ export function Button(props: ButtonProps) {
     // biome-ignore lint/a11y/useKeyWithClickEvents: what has the focus can be pressed
     <span
       className="action-place"
-      title={refused && t(refused)}
+      title={refused && words(t(refused))}
       onClick={() => {
         if (refused === undefined) return;
         screen?.tell(refused);

@@ -1,10 +1,13 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { starred } from "../../src/settings/names";
-import type { SettingArea } from "../../src/wire/messages";
+import type { CommandEntry, OperationEntry, SettingArea } from "../../src/wire/messages";
+import { untold as untoldOfCommand } from "../../src/words/commands";
 import { settingNames } from "../../src/words/english/machineSettings";
 import { german } from "../../src/words/german/german";
 import { machineSettings, topics } from "../../src/words/german/machineSettings";
+import { deviceWords, settingWords } from "../../src/words/german/settingWords";
+import { untold as untoldOfOperation } from "../../src/words/operations";
 import { overlaps } from "./overlaps";
 import { openWorkshop, violations, type Workshop } from "./workshop";
 
@@ -34,9 +37,8 @@ const englishOn = (page: Page): Promise<string[]> =>
       );
     const pattern = new RegExp(`^(?:${patterns.join("|")})$`);
     const said: string[] = [];
-    // The server says these in its own language: the names of commands and settings, the book, the changelog.
-    const others =
-      "script, style, kbd, .book, .help-news, .topic, .settings-sheets, .machine-form option";
+    // The book and the changelog are written in English.
+    const others = "script, style, kbd, .book, .help-news";
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
     for (let node = walker.nextNode(); node; node = walker.nextNode())
       if (!node.parentElement?.closest(others)) said.push(node.textContent ?? "");
@@ -56,6 +58,26 @@ it("every setting of the machine has a German name and description", async () =>
   expect({ titles, without }).toEqual({ titles: [], without: [] });
   const english = Object.keys(settingNames).filter((key) => !machineSettings[key]);
   expect(english).toEqual([]);
+});
+
+it("every word that a setting may be is told in German", async () => {
+  const areas: SettingArea[] = await (await fetch(`${workshop.address}/api/settings`)).json();
+  const kinds = areas.flatMap(({ settings }) => settings.map(({ kind }) => kind));
+  const words = kinds.flatMap((kind) => (kind.is === "choice" ? kind.words : []));
+  expect(words.length).toBeGreaterThan(50);
+  // Letters of axes and units are the same in every language.
+  const told = (word: string) =>
+    word.length < 3 || settingWords[word] || deviceWords.includes(word);
+  expect([...new Set(words.filter((word) => !told(word)))]).toEqual([]);
+});
+
+it("every command and every operation of drawings is told in German", async () => {
+  const table = await (await fetch(`${workshop.address}/api/commands`)).json();
+  expect(table.length).toBeGreaterThan(100);
+  expect((table as CommandEntry[]).flatMap(untoldOfCommand)).toEqual([]);
+  const all = await (await fetch(`${workshop.address}/api/drawing/operations`)).json();
+  expect(all.length).toBeGreaterThan(40);
+  expect((all as OperationEntry[]).flatMap(untoldOfOperation)).toEqual([]);
 });
 
 const screens = ["Bedienen", "Text", "Zeichnen", "Setup", "Hilfe"];

@@ -1,9 +1,8 @@
 import { useState } from "react";
-import { drawingWords } from "../../app/drawingWords";
 import { Field } from "../../ui/Field";
 import { Sheet } from "../../ui/Sheet";
 import type { OperationEntry } from "../../wire/messages";
-import { titleOf } from "./OperationSheet";
+import { operationDoc, operationTitle } from "../../words/operations";
 
 interface OperationListProps {
   table: readonly OperationEntry[];
@@ -15,7 +14,9 @@ interface OperationListProps {
 export function OperationList({ table, onChoose, onClose }: OperationListProps) {
   const [sought, setSought] = useState("");
   const word = sought.trim().toLowerCase();
-  const found = table.filter(({ name, doc }) => `${name} ${doc}`.toLowerCase().includes(word));
+  const found = table.filter((entry) =>
+    `${operationTitle(entry)} ${entry.name} ${operationDoc(entry)}`.toLowerCase().includes(word),
+  );
   return (
     <Sheet title="All operations" shape="side" onClose={onClose}>
       <Field label="Find" value={sought} onChange={setSought} first />
@@ -23,8 +24,8 @@ export function OperationList({ table, onChoose, onClose }: OperationListProps) 
         {found.map((entry) => (
           <li key={entry.name}>
             <button type="button" className="list-row" onClick={() => onChoose(entry.name)}>
-              <b>{titleOf(entry)}</b>
-              <span>{drawingWords(entry.doc)}</span>
+              <b>{operationTitle(entry)}</b>
+              <span>{operationDoc(entry)}</span>
             </button>
           </li>
         ))}

@@ -9,6 +9,7 @@ import { Field } from "../../ui/Field";
 import { Pick } from "../../ui/Pick";
 import { Sheet } from "../../ui/Sheet";
 import type { ArrayState, OperationEntry, OperationPart } from "../../wire/messages";
+import { operationDoc, operationTitle, operationWord } from "../../words/operations";
 import { t } from "../../words/words";
 import { isOfArrays, repeats, withArray } from "../arrays";
 import { groups } from "../colours";
@@ -60,7 +61,7 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
   const labels = labelsOf(parts);
   return (
     <Sheet
-      title={titleOf(entry)}
+      title={operationTitle(entry)}
       shape="side"
       onClose={onClose}
       foot={
@@ -79,7 +80,7 @@ export function OperationSheet({ entry, onClose }: OperationSheetProps) {
           void apply();
         }}
       >
-        <p className="operation-doc">{sentence(drawingWords(entry.doc))}</p>
+        <p className="operation-doc">{sentence(operationDoc(entry))}</p>
         {entry.variants.length > 1 && (
           <Pick
             label="How"
@@ -143,9 +144,6 @@ function Outcome({ told: { refused, texts } }: { told: Told }) {
   );
 }
 
-export const titleOf = ({ name }: OperationEntry): string =>
-  drawingWords(sentence(name.replaceAll("-", " ")));
-
 const sentence = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
 
 interface PartFieldProps {
@@ -205,8 +203,8 @@ interface WordFieldProps {
 
 function WordField({ label, text, words, optional, onChange }: WordFieldProps) {
   const options = [
-    ...(optional ? [{ value: "", words: "as it is" }] : []),
-    ...words.map((word) => ({ value: word, words: word })),
+    ...(optional ? [{ value: "", words: t("as it is") }] : []),
+    ...words.map((word) => ({ value: word, words: operationWord(word) })),
   ];
   return (
     <div className="operation-words">

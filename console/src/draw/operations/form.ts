@@ -1,8 +1,8 @@
 /** The form of an operation as values: what is entered, what is wrong with it, the clause it makes. */
 
-import { drawingWords } from "../../app/drawingWords";
 import type { LengthUnit } from "../../units/quantity";
 import type { OperationEntry, OperationPart, OperationValue } from "../../wire/messages";
+import { operationLabel } from "../../words/operations";
 import { t } from "../../words/words";
 import { isWrong, type Read, readAngle, readLength, readNumber } from "../entry";
 import { num } from "../tools/tool";
@@ -60,11 +60,9 @@ const named: Partial<Record<OperationValue["is"], string>> = {
   text: t("Words"),
 };
 
-const capital = (word: string): string => word.charAt(0).toUpperCase() + word.slice(1);
-
 function nameOf(value: OperationValue | null): string {
   if (value?.is === "length" || value?.is === "number") {
-    return titles[value.name] ?? capital(value.name.toLowerCase());
+    return titles[value.name] ?? operationLabel(value.name.toLowerCase());
   }
   return (value && named[value.is]) ?? "";
 }
@@ -74,7 +72,7 @@ export function labelsOf(parts: readonly OperationPart[]): string[] {
   const found: string[] = [];
   for (const { lead, value } of parts) {
     const word = lead.replace(/[= ]+$/, "");
-    const plain = word === "" ? nameOf(value) : drawingWords(capital(word.replaceAll("-", " ")));
+    const plain = word === "" ? nameOf(value) : operationLabel(word);
     const before = found.filter((label) => label.replace(/ \d+$/, "") === plain).length;
     found.push(before > 0 ? `${plain} ${before + 1}` : plain);
   }

@@ -86,7 +86,7 @@ export const actions: Readonly<Record<string, string>> = {
   "Set up the machine, step by step": "Maschine einrichten, Schritt für Schritt",
   "Space types here: press Escape first, then Space is STOP":
     "Die Leertaste schreibt hier: erst Escape drücken, dann ist sie STOP",
-  "Space types: Esc first": "Leertaste schreibt: erst Esc",
+  "Space types: Esc first": "Leertaste: erst Esc",
   "Start the job, or go on with it": "Auftrag starten oder fortsetzen",
   "Stop pressed": "Stopp gedrückt",
   "Stop; in preview the large picture, and back":
