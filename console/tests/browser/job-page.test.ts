@@ -305,6 +305,9 @@ it("pro_job_step_start: F10 and HTTP start alike, and the second Start cuts", as
   await page.getByRole("link", { name: "Settings" }).click();
   await page.getByLabel("Search settings").fill("double_start");
   await page.getByRole("radio", { name: "yes" }).click();
+  // It is in force with the next preview.
+  const changes = async () => (await fetch(`${workshop.address}/api/settings?changes`)).text();
+  await until(async () => (await changes()).includes("double_start"), "the setting is changed");
   await page.getByRole("link", { name: "Operate" }).click();
   await previewed();
   expect(lease).toBeGreaterThan(0);

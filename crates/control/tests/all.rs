@@ -11,6 +11,7 @@ mod given_up;
 mod hold;
 mod interlock;
 mod journal;
+mod late_news;
 mod linuxcnc;
 mod lost_line;
 mod machine_file;

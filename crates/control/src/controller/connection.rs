@@ -374,6 +374,20 @@ impl Connection {
             // Nobody can answer.
             return;
         }
+        self.takes_news();
+        // What the link has just given goes out without waiting for the next look. What comes with it is news too: a place
+        // that is known is never newer than the inputs that were told with it.
+        self.carry(Duration::ZERO);
+        self.takes_news();
+        let stopped = self.link.driver().trouble().cloned();
+        if let Some(trouble) = stopped.filter(|trouble| !matches!(trouble, Trouble::Locked { .. }))
+        {
+            self.troubled(&trouble, None);
+        }
+    }
+
+    /// Takes what the driver has heard: orders that are done, inputs, the state of the link.
+    fn takes_news(&mut self) {
         self.hears_shares();
         let told = self.link.poll(self.now_s());
         for told in told {
@@ -395,13 +409,6 @@ impl Connection {
                 }
                 LinkNews::State(state) => self.state_is(state),
             }
-        }
-        // What the link has just given goes out without waiting for the next look.
-        self.carry(Duration::ZERO);
-        let stopped = self.link.driver().trouble().cloned();
-        if let Some(trouble) = stopped.filter(|trouble| !matches!(trouble, Trouble::Locked { .. }))
-        {
-            self.troubled(&trouble, None);
         }
     }
 
