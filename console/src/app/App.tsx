@@ -26,6 +26,7 @@ import { PairScreen } from "./PairScreen";
 import { type Route, shownIn } from "./routes";
 import { Sounds } from "./Sounds";
 import { StartedUp } from "./StartedUp";
+import { Together } from "./Together";
 import { TopStrip } from "./TopStrip";
 
 /** The strip with STOP, one screen, and what lies over it; the strip is never covered. */
@@ -33,6 +34,9 @@ export function App({ hands }: { hands: Hands }) {
   return (
     <HandsContext value={hands}>
       <Keys />
+      <Guard>
+        <Together />
+      </Guard>
       <TopStrip />
       <Guard>
         <OfThisVersion />

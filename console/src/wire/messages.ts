@@ -404,6 +404,8 @@ export type ChangeOverrides = { "change": "overrides", overrides: Overrides, };
 
 export type ChangeZeros = { "change": "zeros", zeros: Array<Zero>, };
 
+export type ChangeTogether = { "change": "together", together: Array<ServedMachine>, };
+
 export type ChangePrinted = { "change": "printed", lines: Array<string>, };
 
 export type ChangeClearPrinted = { "change": "clearPrinted" };
@@ -451,6 +453,7 @@ export type Change =
   | ChangeSound
   | ChangeOverrides
   | ChangeZeros
+  | ChangeTogether
   | ChangePrinted
   | ChangeClearPrinted
   | ChangeMessages
@@ -1353,6 +1356,15 @@ answer: string,
 /** The file of answers beside the program says so. */
 given: boolean, };
 
+/** A machine with an owner, a journal and a page of its own, beside others of the same server. */
+export type ServedMachine = {
+/** Its name, as the command line has it. */
+name: string,
+/** The port of its page, at the same host. */
+port: number,
+/** It is the machine that tells this. */
+here: boolean, };
+
 /** Settings that belong together. */
 export type SettingArea = {
 /** Its name, as people say it. */
@@ -1495,6 +1507,8 @@ opened: Opened | null,
 job: CurrentRun | null,
 /** The path of what was typed. */
 typed: TypedPath,
+/** The machines that are served together, this one among them; none where it is alone. */
+together: Array<ServedMachine>,
 /** A run that can be taken up where it was cut short. */
 interrupted: Interrupted | null,
 /** Settings with which Kerf was started, where a start-up line says what pages show. */

@@ -277,6 +277,8 @@ export interface WorkshopOptions {
   readonly machine?: string;
   /** The controller that it drives, as `--machine` names it. */
   readonly controller?: string;
+  /** Other machines that it serves at ports of their own, named in the same way. */
+  readonly also?: readonly string[];
   /** Seconds of machine time in a second. */
   readonly rate?: number;
   /** Pages may hear nothing for a while, because their link is tested. */
@@ -338,7 +340,8 @@ export async function openWorkshop(options: WorkshopOptions = {}): Promise<Works
   const told = options.webhook ? ["--webhook", options.webhook] : [];
   const begins = options.line ? ["sb3", options.line, "--console"] : ["serve", ...file];
   const driven = options.controller ? ["--machine", options.controller] : [];
-  const served = [kerf, ...begins, ...places, ...lan, ...only, ...told, ...driven];
+  const others = (options.also ?? []).flatMap((name) => ["--also", name]);
+  const served = [kerf, ...begins, ...places, ...lan, ...only, ...told, ...driven, ...others];
   const most = options.mostKilobytes;
   const bounded = most ? ["bash", "-c", `ulimit -f ${most}; exec "$0" "$@"`] : [];
   const [program = kerf, ...words] = [...bounded, ...served];

@@ -110,6 +110,7 @@ export const firstSnapshot = message<Snapshot>({
   },
   job: null,
   typed: { key: 0, segments: 0 },
+  together: [],
   interrupted: null,
   pause: null,
   sound: null,

@@ -1,6 +1,7 @@
 //! Options that several subcommands share.
 
-use crate::machine_name::MachineChoice;
+use crate::data_args::DataArgs;
+use crate::machine_choice::MachineChoice;
 use crate::parse::{self, Dialects};
 use clap::{Args, ValueEnum};
 use kerf_control::{OperatorRequest, Script};
@@ -126,14 +127,6 @@ pub struct PlaceArgs {
     /// Lets SHELL start programs; never in a preview
     #[arg(long)]
     pub allow_shell: bool,
-}
-
-/// Where values that survive lie.
-#[derive(Args, Clone, Debug)]
-pub struct DataArgs {
-    /// The folder of values that survive [default: KERF_DATA, or the system's place for data]
-    #[arg(long = "data", value_name = "DIR", global = true)]
-    pub folder: Option<PathBuf>,
 }
 
 impl PlaceArgs {

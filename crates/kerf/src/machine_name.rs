@@ -1,8 +1,6 @@
 //! The name of a machine, as `--machine` takes it: the simulated one, a controller at its port, or what says how a
 //! machine is set up.
 
-use crate::exit::Usage;
-use clap::{ArgMatches, Args};
 use kerf_control::controller::queued;
 use kerf_driver_linuxcnc as linuxcnc;
 use kerf_transport::Address;
@@ -137,84 +135,6 @@ fn bridge(host: &str) -> Result<Address, String> {
 impl fmt::Display for DriverName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.words)
-    }
-}
-
-/// The machine that a command means.
-#[derive(Args, Clone, Debug, Default)]
-pub struct MachineChoice {
-    /// The machine: sim, the simulated one; grbl:PORT or grbl:PORT@BAUD, a controller of the grbl family at a serial
-    /// port; grbl:tcp:HOST[:PORT] or grbl:ws:HOST[:PORT], one in the network; klipper:PORT, a board with step queues;
-    /// linuxcnc:local, LinuxCNC on this computer, or linuxcnc:HOST[:PORT], where its bridge listens; or what it is like: a .toml file, a saved machine, a ready-made one. A controller and what the machine
-    /// is like may both be given [default: sim, as the data folder has it]
-    #[arg(
-        id = MACHINE,
-        long = MACHINE,
-        alias = "driver",
-        value_name = "NAME",
-        value_parser = MachineName::read,
-        global = true
-    )]
-    names: Vec<MachineName>,
-    /// What the machine is like, as scripts name it: always a configuration, so that `sim` is the ready-made one.
-    #[arg(id = CONFIG, long = CONFIG, value_name = "FILE", hide = true, global = true)]
-    configuration: Option<PathBuf>,
-}
-
-/// The option.
-const MACHINE: &str = "machine";
-
-/// The older option that names a configuration only.
-const CONFIG: &str = "config";
-
-impl MachineChoice {
-    /// Returns the controller, where one is named.
-    pub fn controller(&self) -> Option<&DriverName> {
-        self.names.iter().find_map(|name| match name {
-            MachineName::Controller(name) => Some(name),
-            _ => None,
-        })
-    }
-
-    /// Returns the name of the configuration, where one is named: else that of the data folder holds.
-    pub fn configuration(&self) -> Option<&Path> {
-        let named = self.names.iter().find_map(|name| match name {
-            MachineName::Configured(path) => Some(&**path),
-            _ => None,
-        });
-        named.or(self.configuration.as_deref())
-    }
-
-    /// Refuses names that contradict each other, wherever a command has the option.
-    ///
-    /// # Errors
-    /// Two machines, or two configurations.
-    pub fn refuse_two(given: &ArgMatches) -> Result<(), Usage> {
-        let Some((_, given)) = given.subcommand() else { return Ok(()) };
-        let names = given.try_get_many::<MachineName>(MACHINE).ok().flatten();
-        let configuration = given.try_get_one::<PathBuf>(CONFIG).ok().flatten();
-        let configuration = configuration.map(|path| MachineName::Configured(path.clone()));
-        let all: Vec<&MachineName> = names.into_iter().flatten().chain(&configuration).collect();
-        let (configured, driven): (Vec<_>, Vec<_>) =
-            all.into_iter().partition(|name| matches!(name, MachineName::Configured(_)));
-        for of_kind in [configured, driven] {
-            if let [first, second, ..] = of_kind.as_slice() {
-                return Err(Usage(format!(
-                    "--machine {first} and --machine {second} are two machines: leave one out"
-                )));
-            }
-        }
-        Self::refuse_two(given)
-    }
-
-    /// The configurations that the options of a command name.
-    pub fn configured<'a>(given: &'a ArgMatches) -> Vec<&'a Path> {
-        let names = given.try_get_many::<MachineName>(MACHINE).ok().flatten();
-        let configured = |name: &'a MachineName| match name {
-            MachineName::Configured(path) => Some(&**path),
-            _ => None,
-        };
-        names.into_iter().flatten().filter_map(configured).collect()
     }
 }
 

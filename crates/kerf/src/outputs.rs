@@ -1,9 +1,9 @@
 //! Files that a command writes and that are there already: one that Kerf wrote, and nobody touched since, is made
 //! anew without a question; for any other a person is asked, and a script says --force.
 
-use crate::args::DataArgs;
+use crate::data_args::{DataArgs, data_folder};
 use crate::exit::{Exit, Usage};
-use crate::{clock, out, setup, streamed};
+use crate::{clock, out, streamed};
 use anyhow::{Result, bail};
 use clap::Args;
 use kerf_files::{Disk, RealDisk};
@@ -50,7 +50,7 @@ impl Outputs {
     ) -> Self {
         let usual = DataArgs { folder: None };
         // Without a folder for data nothing is known to be Kerf's: that only asks more.
-        let data = setup::data_folder(data.unwrap_or(&usual)).ok();
+        let data = data_folder(data.unwrap_or(&usual)).ok();
         Self { files: files.into_iter().map(Path::to_owned).collect(), force, data }
     }
 

@@ -1,17 +1,19 @@
 //! From options to a machine, its folders and its memory.
 
-use crate::args::{DataArgs, FileArgs, MotionArgs, PlaceArgs, RunArgs};
+use crate::args::{FileArgs, MotionArgs, PlaceArgs, RunArgs};
 use crate::clock;
+use crate::data_args::{DataArgs, data_folder};
 use crate::drawings;
 use crate::exit::Usage;
 use crate::given;
 use crate::job_options;
-use crate::machine_file::{self, Named};
-use crate::machine_name::MachineChoice;
+use crate::machine_choice::MachineChoice;
+use crate::machine_file;
 use crate::memory;
+use crate::named_machine::{self, Named};
 use crate::script::Script;
 use crate::visit::Visit;
-use anyhow::{Context, Result, bail};
+use anyhow::{Result, bail};
 use kerf_control::Session;
 use kerf_control::answers::Answers;
 use kerf_drawing::Drawing;
@@ -25,8 +27,7 @@ use kerf_sbp::{Dialect, FileParameters};
 use kerf_sim::Push;
 use kerf_toolpath::Shaping;
 use kerf_workspace::{Workspace, stored::Stored};
-use std::env;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 /// A run that is ready to begin: all that it needs besides a sink.
@@ -48,7 +49,7 @@ pub struct PreparedRun {
 
 /// Reads the part file and prepares its run.
 pub fn prepare(file: &Path, args: &RunArgs, preview: bool) -> Result<PreparedRun> {
-    if let (true, Some(name)) = (preview, args.place.machine.controller()) {
+    if let (true, Some(name)) = (preview, args.place.machine.named_controller()) {
         eprintln!(
             "kerf: {name} is not opened: what only looks begins with the machine as it was left"
         );
@@ -269,7 +270,7 @@ pub fn machine(choice: &MachineChoice, data: &DataArgs) -> Result<Configuration>
         let kept = machine_file::of_data(data)?;
         return read_machine(kept.name(), &kept.text()?.unwrap_or_default());
     };
-    match machine_file::named(name, data)? {
+    match named_machine::named(name, data)? {
         Named::Ready(ready) => read_machine(ready.name.into(), ready.text),
         Named::File(path) => read_machine(path.display().to_string(), &given::text(&path)?),
     }
@@ -376,18 +377,4 @@ fn stored(data: &Path, place: &PlaceArgs, looks: bool) -> Result<Stored> {
         opened => opened?,
     };
     Ok(journal.map(Stored::of).transpose()?.unwrap_or_default())
-}
-
-/// Returns the folder of values that survive.
-pub fn data_folder(args: &DataArgs) -> Result<PathBuf> {
-    if let Some(folder) = &args.folder {
-        return Ok(folder.clone());
-    }
-    let variable = |name| env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
-    let home = || variable("HOME").or_else(|| variable("USERPROFILE"));
-    variable("KERF_DATA")
-        .or_else(|| Some(variable("XDG_DATA_HOME")?.join("kerf")))
-        .or_else(|| Some(variable("LOCALAPPDATA")?.join("kerf")))
-        .or_else(|| Some(home()?.join(".local/share/kerf")))
-        .context("no folder for data: give --data or set KERF_DATA")
 }

@@ -52,6 +52,8 @@ const MISTAKES: &[(&str, &str)] = &[
     ("machine boards nope", "nope"),
     ("receive com1 --machine nope", "'nope'"),
     ("serve --machine nope", "'nope'"),
+    ("serve --also nope", "'nope'"),
+    ("serve --also sim", "sim is named twice"),
     ("toolpath a.rsg -o a.rsm --machine nope", "'nope'"),
     ("settings show --machine nope", "'nope'"),
     // Names.

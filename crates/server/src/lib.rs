@@ -85,7 +85,7 @@ mod who_may_what;
 mod work;
 
 pub use http::{describe, paths};
-pub use kerf_wire::{Role, StartUp};
+pub use kerf_wire::{Role, ServedMachine, StartUp};
 pub use people::TOKEN_FILE;
 pub use setup::{Builders, Options, Workshop};
 pub use webhook::Webhook;
@@ -93,7 +93,7 @@ pub use webhook::Webhook;
 use app::{App, Parts};
 use files::PartFolder;
 use hub::Hub;
-use kerf_wire::{Problem, Request, Snapshot, Who, Why};
+use kerf_wire::{Change, Problem, Request, Snapshot, Who, Why};
 use machine::{LastState, Link, Order, Owner, Screen};
 use pool::{KERF, Lane};
 use priority::Yields;
@@ -191,6 +191,11 @@ impl Server {
         let request = read.map_err(|error| problem(Why::Malformed, error.to_string()))?;
         let asker = self.app.hears(&Who { client: 0, role, device: String::new() });
         self.app.act(&asker, request.act)
+    }
+
+    /// Tells pages which machines are served together.
+    pub fn tell_together(&self, together: Vec<ServedMachine>) {
+        self.app.hub.change(vec![Change::Together { together }]);
     }
 
     /// Stops the machine, as the button does.

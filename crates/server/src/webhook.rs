@@ -94,6 +94,9 @@ impl Webhook {
 struct News {
     /// `needs you`, `done` or `failed`.
     event: &'static str,
+    /// The machine, where several are served together.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    machine: String,
     /// The file that ran.
     file: String,
     /// The same in a sentence.
@@ -127,7 +130,9 @@ impl LastNews {
             return Vec::new();
         };
         let file = &job.file;
-        let news = |event, text: String| News { event, file: file.clone(), text };
+        let machine = now.together.iter().find(|one| one.here).map(|one| one.name.clone());
+        let machine = machine.unwrap_or_default();
+        let news = |event, text| News { event, machine: machine.clone(), file: file.clone(), text };
         let mut all = Vec::new();
         if let Some(asked) = now.asked.as_ref().filter(|asked| before.asked != Some(asked.number)) {
             all.push(news("needs you", format!("{file} needs you: {}", asked.text)));
@@ -177,7 +182,12 @@ mod tests {
             stream.write_all(answer.as_bytes()).unwrap();
             read
         });
-        let news = News { event: "done", file: "a".into(), text: "a is done".into() };
+        let news = News {
+            event: "done",
+            machine: String::new(),
+            file: "a".into(),
+            text: "a is done".into(),
+        };
         let failed = Webhook::read(&address).unwrap().send(&news).err();
         (serves.join().unwrap(), failed.map(|error| error.to_string()))
     }

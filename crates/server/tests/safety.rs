@@ -5,6 +5,11 @@ use crate::support::{Page, Shop, Wanted, builders, shop, start};
 use kerf_server::{Options, Server};
 use serde_json::{Value, json};
 
+/// The cookie of a paired device: cookies know no ports, and each machine of a host has devices of its own.
+fn device_cookie(shop: &Shop) -> String {
+    format!("kerf-device-{}", shop.server.address.port())
+}
+
 /// Every path of the router with every method, and what lies beside its paths.
 fn requests() -> Vec<String> {
     let beside = ["/", "/edit", "/assets/x.js", "/api/nothing"];
@@ -183,11 +188,11 @@ fn a_device_is_paired_by_the_code_and_has_its_role_until_it_is_revoked() {
     let paired = shop.post("/api/pair", json!({ "code": code, "name": "tablet" }), &[ELSEWHERE]);
     assert!(paired.head.contains("httponly") && paired.head.contains("samesite=strict"));
     let token = paired.json()["token"].as_str().unwrap().to_owned();
-    let cookie = format!("kerf-device={token}");
+    let cookie = format!("{}={token}", device_cookie(&shop));
     let bearer = format!("Bearer {token}");
     assert_eq!(state(&[ELSEWHERE, ("Cookie", &cookie)]), 200);
     assert_eq!(state(&[ELSEWHERE, ("Authorization", &bearer)]), 200);
-    assert_eq!(state(&[ELSEWHERE, ("Cookie", "kerf-device=guess")]), 401);
+    assert_eq!(state(&[ELSEWHERE, ("Cookie", &format!("{}=guess", device_cookie(&shop)))]), 401);
 
     let as_device = [ELSEWHERE, ("Cookie", cookie.as_str())];
     let act = |name: &str, body| shop.post(&format!("/api/do/{name}"), body, &as_device).status;
@@ -214,7 +219,7 @@ fn the_history_of_settings_tells_which_device_changed_one() {
     let code = shop.post("/api/pair/code", json!({ "role": "setter" }), &[]).json();
     let named = json!({ "code": code["code"], "name": "tablet" });
     let token = shop.post("/api/pair", named, &[ELSEWHERE]).json()["token"].clone();
-    let cookie = format!("kerf-device={}", token.as_str().unwrap());
+    let cookie = format!("{}={}", device_cookie(&shop), token.as_str().unwrap());
     let act = |name: &str, body| {
         shop.post(&format!("/api/do/{name}"), body, &[ELSEWHERE, ("Cookie", &cookie)])
     };

@@ -4,7 +4,7 @@ use crate::preview::TypedPath;
 use crate::{
     Asked, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io,
     Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply,
-    Setup, Snapshot, Sound, Speeds, StartUp, Units, Who, Zero,
+    ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, Units, Who, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -62,6 +62,10 @@ pub enum Change {
     },
     Zeros {
         zeros: Vec<Zero>,
+    },
+    /// The machines that are served together.
+    Together {
+        together: Vec<ServedMachine>,
     },
     /// Lines are added to the print window.
     Printed {

@@ -34,6 +34,7 @@ mod operation;
 mod people;
 pub mod preview;
 mod reply;
+mod served_machine;
 mod setting;
 mod setup;
 mod snapshot;
@@ -68,6 +69,7 @@ pub use machine::{
 pub use operation::{OperationEntry, OperationPart, OperationValue, OperationVariant};
 pub use people::{Client, Lease, Role, Who};
 pub use reply::{Problem, Reply, Why};
+pub use served_machine::ServedMachine;
 pub use setting::{SettingArea, SettingChange, SettingEntry, SettingKind};
 pub use setup::{Setup, ZHeights};
 pub use snapshot::{Snapshot, StartUp};

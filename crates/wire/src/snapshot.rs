@@ -4,7 +4,7 @@ use crate::preview::TypedPath;
 use crate::{
     Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, Interrupted,
     Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder,
-    Setup, Sound, Speeds, Units, VERSION, Zero,
+    ServedMachine, Setup, Sound, Speeds, Units, VERSION, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -60,6 +60,8 @@ pub struct Snapshot {
     pub job: Option<CurrentRun>,
     /// The path of what was typed.
     pub typed: TypedPath,
+    /// The machines that are served together, this one among them; none where it is alone.
+    pub together: Vec<ServedMachine>,
     /// A run that can be taken up where it was cut short.
     pub interrupted: Option<Interrupted>,
     /// Settings with which Kerf was started, where a start-up line says what pages show.
@@ -119,6 +121,7 @@ impl Default for Snapshot {
             opened: None,
             job: None,
             typed: TypedPath::default(),
+            together: Vec::new(),
             interrupted: None,
             start: None,
             asked: None,
@@ -157,6 +160,7 @@ impl Snapshot {
             Change::Opened { opened } => self.opened = opened,
             Change::Job { job } => self.job = job,
             Change::Typed { typed } => self.typed = typed,
+            Change::Together { together } => self.together = together,
             Change::Interrupted { interrupted } => self.interrupted = interrupted,
             Change::Start { start } => self.start = start,
             Change::Asked { asked } => self.asked = asked,

@@ -4,7 +4,7 @@ use crate::preview::TypedPath;
 use crate::{
     AXES, Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole,
     Interrupted, Io, Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides,
-    Pause, Recorder, Role, Setup, Snapshot, Sound, Speeds, StartUp, Units, Zero,
+    Pause, Recorder, Role, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, Units, Zero,
 };
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -84,6 +84,9 @@ fn of_the_job() -> Vec<Change> {
         Change::Opened { opened: None },
         Change::Job { job: Some(CurrentRun { run: 1, ..CurrentRun::default() }) },
         Change::Typed { typed: TypedPath { segments: 2, ..TypedPath::default() } },
+        Change::Together {
+            together: vec![ServedMachine { name: "shop".into(), port: 8710, here: true }],
+        },
         Change::Interrupted { interrupted: Some(Interrupted::default()) },
         Change::Asked { asked: Some(Asked::default()) },
         Change::Pause { pause: Some(Pause { text: "so long".into(), until: 5.0 }) },

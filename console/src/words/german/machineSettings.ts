@@ -376,6 +376,10 @@ const work: Readonly<Record<string, SettingText>> = {
     "Serieller Anschluss, über den Dateien gesendet werden.",
   ),
   "options.send_baud": said("Baudrate zum Senden", "Seine Geschwindigkeit."),
+  "options.controller": said(
+    "Steuerung",
+    "Die Steuerung dieser Maschine, wie --machine sie nennt: grbl:/dev/ttyUSB0; leer ist die simulierte Maschine. Sie wird angesprochen, wo --machine diese Datei oder gespeicherte Maschine nennt.",
+  ),
   "options.firmware": said(
     "Firmware laden",
     "Befehl, der Firmware in eine echte Steuerung lädt (UI); {port} steht für ihren Anschluss.",

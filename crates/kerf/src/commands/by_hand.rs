@@ -3,6 +3,7 @@
 use super::which::Which;
 use crate::args::PlaceArgs;
 use crate::controller::{self, First};
+use crate::data_args::data_folder;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, Terminal};
 use crate::remote::{Ended, Remote, beside};
@@ -267,7 +268,7 @@ fn server(which: &Which) -> Result<Option<Remote>> {
 
 /// Refuses to change what a running server would not know of.
 pub fn not_beside_a_server(which: &Which, mend: &str) -> Result<()> {
-    let folder = setup::data_folder(&which.folder())?;
+    let folder = data_folder(&which.folder())?;
     match served::address(&folder)? {
         None => Ok(()),
         Some(address) => {

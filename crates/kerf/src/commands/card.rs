@@ -1,9 +1,9 @@
 //! The inputs and outputs of a machine: of the one that a server has, of a controller, or as the data folder keeps them.
 
-use crate::args::DataArgs;
 use crate::commands::io::{Switch, Switches};
+use crate::data_args::{DataArgs, data_folder};
 use crate::exit::Usage;
-use crate::machine_name::MachineChoice;
+use crate::machine_choice::MachineChoice;
 use crate::remote::{Card, Remote, beside};
 use crate::{memory, setup};
 use anyhow::Result;
@@ -28,7 +28,7 @@ pub struct CardArgs {
 
 impl CardArgs {
     fn journal(&self, looks: bool) -> Result<Option<Journal>> {
-        memory::journal(&setup::data_folder(&self.data)?, looks)
+        memory::journal(&data_folder(&self.data)?, looks)
     }
 
     /// Returns the machine, unless a controller is named: its card is not this one.

@@ -1,9 +1,9 @@
 //! The values that programs and other software keep: of a server, or of the data folder.
 
-use crate::args::DataArgs;
+use crate::data_args::{DataArgs, data_folder};
 use crate::exit::Usage;
+use crate::memory;
 use crate::remote::Remote;
-use crate::{memory, setup};
 use anyhow::Result;
 use clap::Args;
 use kerf_files::{Disk, RealDisk};
@@ -78,7 +78,7 @@ impl KeptValues {
     }
 
     fn folder(&self) -> Result<PathBuf> {
-        setup::data_folder(&self.data)
+        data_folder(&self.data)
     }
 
     fn looks(&self) -> Result<Option<Journal>> {

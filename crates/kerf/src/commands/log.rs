@@ -1,8 +1,8 @@
 //! `kerf log`: the system log.
 
-use crate::args::DataArgs;
+use crate::data_args::{DataArgs, data_folder};
 use crate::exit::Exit;
-use crate::{given, out, setup};
+use crate::{given, out};
 use anyhow::Result;
 use clap::{Args, Subcommand};
 use kerf_workspace::{system_log::SYSTEM_LOG, system_log::changed_lines};
@@ -32,7 +32,7 @@ enum Action {
 }
 
 pub fn run(args: &LogArgs) -> Result<Exit> {
-    let own = setup::data_folder(&args.data)?.join(SYSTEM_LOG);
+    let own = data_folder(&args.data)?.join(SYSTEM_LOG);
     match &args.action {
         Action::Show => {
             out::print(&given::text(&own)?);

@@ -1,13 +1,14 @@
 //! `kerf machine`: the configuration of a machine.
 
 use super::which::Which;
-use crate::args::DataArgs;
 use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
 use crate::commands::zeros::{self, ZerosAction};
 use crate::commands::{known_boards, protect, prove, step_board, wire};
+use crate::data_args::DataArgs;
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
+use crate::named_machine;
 use crate::{given, machine_file, out, parse};
 use anyhow::{Result, bail};
 use clap::{Args, Subcommand};
@@ -75,7 +76,7 @@ enum Action {
         /// A ready-made machine, a saved one, or a file
         name: String,
     },
-    /// Saves the machine under a name, which --machine NAME means from then on
+    /// Saves the machine under a name, which --machine NAME means from then on, with the controller that --machine names
     Save {
         /// Its name
         name: String,
@@ -193,12 +194,17 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Set { key, value } => set(&args.which, known(key)?, &Value::typed(value))?,
         Action::Use { name } => {
             args.which.to_change()?;
-            let text = machine_file::text(name.as_ref(), &args.which.folder())?;
+            let text = named_machine::text(name.as_ref(), &args.which.folder())?;
             replace(&machine_file::of_data_to_change(&args.which.folder())?, &text)?;
         }
         Action::Save { name } => {
             let file = machine_file::to_save(name, &args.which.folder())?;
-            replace(&file, &file::write(&args.which.machine()?))?;
+            let mut machine = args.which.machine()?;
+            // What drives it belongs to it: its name alone is enough from then on.
+            if let Some(controller) = args.which.machine.controller() {
+                machine.options.controller.clone_from(&controller.words);
+            }
+            replace(&file, &file::write(&machine))?;
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
         Action::Home { axes, there } => {
@@ -260,7 +266,7 @@ pub fn controller(which: &Which) -> Result<&DriverName> {
 fn machines(data: &DataArgs) -> Result<String> {
     let usual =
         ("sim".to_owned(), "the simulated machine, set up as the data folder says".to_owned());
-    let saved = machine_file::all_saved(data)?;
+    let saved = named_machine::all_saved(data)?;
     let saved = saved.into_iter().map(|(name, path)| (name, format!("saved: {}", path.display())));
     let is_taken = |name: &str| MachineName::read(name) == Ok(MachineName::Sim);
     let ready = PROFILES.iter().filter(|it| !is_taken(it.name));
@@ -292,7 +298,7 @@ fn named(name: &str) -> Result<&'static str> {
         Some(profile) => Ok(profile.text),
         None => bail!(Usage(format!(
             "no ready-made machine is called {name}; {}",
-            machine_file::nearest(name)
+            named_machine::nearest(name)
         ))),
     }
 }

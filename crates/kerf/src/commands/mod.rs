@@ -44,8 +44,8 @@ mod zeros;
 
 use crate::exit::{Exit, Usage};
 use crate::folders;
+use crate::machine_choice::MachineChoice;
 use crate::machine_file;
-use crate::machine_name::MachineChoice;
 use crate::outputs::Outputs;
 use crate::unused;
 use anyhow::{Result, bail};

@@ -1,6 +1,7 @@
 //! `kerf parts`: the part files of a folder.
 
 use crate::args::{Format, PlaceArgs};
+use crate::data_args::data_folder;
 use crate::exit::{Exit, Usage};
 use crate::{clock, folders, out, setup};
 use anyhow::{Context, Result};
@@ -43,7 +44,7 @@ pub struct PartsArgs {
 pub fn run(args: &PartsArgs) -> Result<Exit> {
     let folder = args.listed.as_deref().or(args.place.parts.as_deref()).unwrap_or(Path::new(""));
     if let Some(name) = &args.versions {
-        let versions = Versions::in_data(&setup::data_folder(&args.place.data)?);
+        let versions = Versions::in_data(&data_folder(&args.place.data)?);
         return match args.restore {
             None => list(&versions, name),
             Some(number) => restore(&versions, folder, name, number),

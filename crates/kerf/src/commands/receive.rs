@@ -1,8 +1,9 @@
 //! `kerf receive`: job files that come over a serial line.
 
-use crate::args::{DataArgs, PlaceArgs};
+use crate::args::PlaceArgs;
+use crate::data_args::{DataArgs, data_folder};
 use crate::exit::{Exit, Usage};
-use crate::machine_name::MachineChoice;
+use crate::machine_choice::MachineChoice;
 use crate::sending::{Folder, Shown, To, ended, receive_over_line};
 use crate::setup;
 use crate::stop::Stop;
@@ -126,7 +127,7 @@ pub fn run(args: &ReceiveArgs) -> Result<Exit> {
         eprintln!("kerf: receiving at {}, {baud} baud, into {}", port.path(), args.into.display());
     }
     let (journal, seen) = (RefCell::new(None), Cell::new(None));
-    let data = setup::data_folder(&args.data)?;
+    let data = data_folder(&args.data)?;
     let versions = Versions::in_data(&data);
     let watch = Watch { folder: data, journal, seen };
     let moves = || watch.moves();

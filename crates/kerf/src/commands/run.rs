@@ -10,6 +10,7 @@ use crate::accepted_options::AcceptedOptions;
 use crate::args::{PlaceArgs, RunArgs};
 use crate::commands::protect;
 use crate::controller;
+use crate::data_args::data_folder;
 use crate::drawings;
 use crate::exit::{Exit, Usage};
 use crate::machine_file;
@@ -386,7 +387,7 @@ fn attended<'a>(
     let format = args.picture.as_deref().map(picture::format_of).transpose()?;
     let picture = format.map(|_| Picture::new(Path::new(&*show.name)));
     let progress = (!args.quiet && io::stderr().is_terminal()).then(|| Progress::new(show.lines));
-    let data = setup::data_folder(&run.place.data).ok();
+    let data = data_folder(&run.place.data).ok();
     let data = data.as_deref();
     let trace = args.trace.as_deref().map(|path| trace(path, data)).transpose()?;
     let signals = args.vcd.sink(show.machine, data)?;

@@ -1,12 +1,16 @@
 //! `kerf serve`: the web console.
 
+mod together;
+
 use super::receive;
 use crate::args::PlaceArgs;
 use crate::clock;
 use crate::controller;
+use crate::data_args::data_folder;
 use crate::exit::{Exit, Usage};
-use crate::machine_file::{self, Named};
+use crate::machine_name::MachineName;
 use crate::memory;
+use crate::named_machine::{self, Named};
 use crate::served::Served;
 use crate::start_up::{OpenMethod, StartUp};
 use crate::stop::Stop;
@@ -32,13 +36,18 @@ use std::thread;
 /// here.
 #[derive(Args, Clone)]
 #[command(after_help = "Examples:\n  kerf serve\n  kerf serve box.sbp --parts ~/parts\n  \
-    kerf serve --lan --listen 0.0.0.0:8710 --host router.local")]
+    kerf serve --lan --listen 0.0.0.0:8710 --host router.local\n  \
+    kerf serve --machine shop --also laser")]
 pub struct ServeArgs {
     /// A file of the part folder that is open at the start
     file: Option<String>,
     /// Where to listen
     #[arg(long, value_name = "ADDR", default_value = "127.0.0.1:8710")]
     listen: SocketAddr,
+    /// Serves another machine too, named as --machine names one, with an owner, a journal and a page of its own two ports
+    /// on; may be repeated
+    #[arg(long, value_name = "NAME", value_parser = MachineName::read)]
+    also: Vec<MachineName>,
     /// Lets other computers in, after pairing
     #[arg(long)]
     lan: bool,
@@ -88,6 +97,7 @@ impl ServeArgs {
         Ok(Self {
             file: Some(file),
             listen,
+            also: Vec::new(),
             lan: false,
             hosts: Vec::new(),
             drawing_only: false,
@@ -160,36 +170,64 @@ fn below(parts: &Path, file: &Path) -> Result<String> {
 
 pub fn run(args: &ServeArgs) -> Result<Exit> {
     let stop = Stop::listen()?;
-    let options = options(args)?;
-    let server = Server::start(options, builders(args)).map_err(|why| cannot(args.listen, why))?;
-    let _mark = mark(args, &server)?;
-    out::print(&format!("Kerf's console is at {}\n", server.way_in()));
-    if args.lan {
-        let code = server.show_code(kerf_server::Role::Operator).context("no code can be made")?;
-        out::print(&format!(
-            "That is for this computer only. Other devices open http://ADDRESS:{}/ with the address of this computer. \
-             To pair one as operator, enter the code {code} there within five minutes.\n",
-            server.address.port()
-        ));
+    let all = together::machines(args)?;
+    let mut served = Vec::new();
+    for (name, args) in &all {
+        served.push(begin(args).with_context(|| name.clone())?);
+    }
+    let servers: Vec<&Server> = served.iter().map(|(server, _)| server).collect();
+    together::tell(&all, &servers);
+    for ((name, args), server) in all.iter().zip(&servers) {
+        tell_way_in(args, server, Some(name).filter(|_| all.len() > 1))?;
     }
     let port = args.receive.then(|| receive::port(&args.place)).transpose()?;
     let over = AtomicBool::new(false);
-    let versions = Versions::in_data(&setup::data_folder(&args.place.data)?);
+    let versions = Versions::in_data(&data_folder(&args.place.data)?);
     thread::scope(|scope| {
-        if let Some(port) = port {
-            scope.spawn(|| receive::beside(port, &parts(args), &versions, &server, &over));
+        if let (Some(port), [server, ..]) = (port, servers.as_slice()) {
+            scope.spawn(|| receive::beside(port, &parts(args), &versions, server, &over));
         }
-        server.wait(|| stop.is_wanted());
-        over.store(true, Ordering::Relaxed);
+        // A part file that closes Kerf closes all of it.
+        let wait = |server: &Server| {
+            server.wait(|| stop.is_wanted() || over.load(Ordering::Relaxed));
+            over.store(true, Ordering::Relaxed);
+        };
+        for server in servers.iter().copied() {
+            scope.spawn(move || wait(server));
+        }
     });
     Ok(Exit::Good)
+}
+
+/// Starts the server of a machine, and marks its data folder.
+fn begin(args: &ServeArgs) -> Result<(Server, Option<Served>)> {
+    let options = options(args)?;
+    let server = Server::start(options, builders(args)).map_err(|why| cannot(args.listen, why))?;
+    let mark = mark(args, &server)?;
+    Ok((server, mark))
+}
+
+/// Prints how the page of a machine is reached; its name is told where there are several.
+fn tell_way_in(args: &ServeArgs, server: &Server, name: Option<&String>) -> Result<()> {
+    let which = name.map_or_else(String::new, |name| format!(" for {name}"));
+    out::print(&format!("Kerf's console{which} is at {}\n", server.way_in()));
+    if !args.lan {
+        return Ok(());
+    }
+    let code = server.show_code(kerf_server::Role::Operator).context("no code can be made")?;
+    out::print(&format!(
+        "That is for this computer only. Other devices open http://ADDRESS:{}/ with the address of this computer. \
+         To pair one as operator, enter the code {code} there within five minutes.\n",
+        server.address.port()
+    ));
+    Ok(())
 }
 
 /// Marks the data folder, so that other commands leave its machine to the server.
 fn mark(args: &ServeArgs, server: &Server) -> Result<Option<Served>> {
     let way_in = server.way_in();
     let address = way_in.split_once("/?").map_or(way_in.as_str(), |(address, _)| address);
-    let folder = setup::data_folder(&args.place.data)?;
+    let folder = data_folder(&args.place.data)?;
     Served::begin(&folder, address).with_context(|| folder.display().to_string())
 }
 
@@ -247,7 +285,7 @@ fn options(args: &ServeArgs) -> Result<Options> {
         lan: args.lan,
         names: args.hosts.clone(),
         parts,
-        data: setup::data_folder(&args.place.data)?,
+        data: data_folder(&args.place.data)?,
         drawing_only: args.drawing_only,
         open,
         closes_with_program: args.exit_with_program,
@@ -282,7 +320,7 @@ fn workshop(args: &ServeArgs) -> Result<Workshop> {
     memory::sweep(&parts(args));
     let mut workspace = workspace(args, false)?;
     let name = args.place.machine.configuration();
-    let named = name.map(|name| machine_file::named(name, &args.place.data)).transpose()?;
+    let named = name.map(|name| named_machine::named(name, &args.place.data)).transpose()?;
     // A file that is named leads, and takes what is changed here.
     if let (Some(journal), Some(Named::File(file))) = (workspace.journal(), &named) {
         journal.settings.use_file(MachineFile::at(file));

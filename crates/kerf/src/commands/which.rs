@@ -1,8 +1,9 @@
 //! The machine whose configuration a command shows or changes.
 
 use super::protect;
-use crate::args::{DataArgs, PlaceArgs, Start};
-use crate::machine_name::MachineChoice;
+use crate::args::{PlaceArgs, Start};
+use crate::data_args::DataArgs;
+use crate::machine_choice::MachineChoice;
 use crate::{machine_file, setup};
 use anyhow::Result;
 use clap::Args;

@@ -9,10 +9,10 @@ pub use card::Card;
 pub use ended::Ended;
 pub use runs::{Along, How};
 
-use crate::args::DataArgs;
+use crate::data_args::{DataArgs, data_folder};
 use crate::exit::Usage;
-use crate::machine_name::MachineChoice;
-use crate::{served, setup};
+use crate::machine_choice::MachineChoice;
+use crate::served;
 use anyhow::{Context, Result, bail};
 use ended::number_of_run;
 use kerf_server::TOKEN_FILE;
@@ -162,7 +162,7 @@ impl Remote {
 /// # Errors
 /// Another machine is named: the server has its own.
 pub fn beside(data: &DataArgs, choice: &MachineChoice) -> Result<Option<Remote>> {
-    let Some(address) = served::address(&setup::data_folder(data)?)? else { return Ok(None) };
+    let Some(address) = served::address(&data_folder(data)?)? else { return Ok(None) };
     if let Some(name) = choice.configuration() {
         let name = name.display();
         bail!(Usage(format!(
@@ -192,7 +192,7 @@ fn is_here(address: &str) -> bool {
 
 /// The token in a data folder. A server that lets nobody else in needs none, and has none.
 fn token(data: &DataArgs) -> Option<String> {
-    let file = setup::data_folder(data).ok()?.join(TOKEN_FILE);
+    let file = data_folder(data).ok()?.join(TOKEN_FILE);
     std::fs::read_to_string(file).ok()
 }
 

@@ -9,6 +9,7 @@ mod gone;
 mod held;
 mod inputs_and_outputs;
 mod merged;
+mod named;
 mod network;
 mod overrides;
 mod probing;

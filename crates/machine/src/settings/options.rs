@@ -22,6 +22,8 @@ pub struct Options {
     pub send_port: u8,
     /// Its speed, baud: one of [`SEND_BAUDS`].
     pub send_baud: u32,
+    /// The controller, as `--machine` names it; empty for the simulated machine.
+    pub controller: String,
     /// Command that loads firmware into a controller; `{port}` in it is its port. Empty for none.
     pub firmware: String,
     /// Salted hash of the password that changing settings needs; none without protection.
@@ -45,6 +47,7 @@ impl Default for Options {
             console_baud: 2400,
             send_port: 2,
             send_baud: 19_200,
+            controller: String::new(),
             firmware: String::new(),
             password: None,
             filter_mm: 0.0,

@@ -257,6 +257,15 @@ const OPTIONS: &[Setting] = &[
     ),
     row!(
         c,
+        "options.controller",
+        c.options.controller,
+        None,
+        Any,
+        "The controller of this machine, as --machine names it: grbl:/dev/ttyUSB0; blank is the simulated machine. It is \
+         driven where --machine names this file or saved machine."
+    ),
+    row!(
+        c,
         "options.firmware",
         c.options.firmware,
         None,

@@ -18,8 +18,11 @@ use std::net::{IpAddr, SocketAddr};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// The cookie that holds a device's token.
-pub const TOKEN: &str = "kerf-device";
+/// Returns the name of the cookie that holds a device's token. Cookies know no ports, and each machine of a host has a port
+/// and devices of its own: its name does, and it is that of the console.
+pub fn device_cookie(console: u16) -> String {
+    format!("kerf-device-{console}")
+}
 
 /// Name before the token of whoever sits at the machine, in the address that is printed.
 pub const IN_ADDRESS: &str = "token";
@@ -195,7 +198,7 @@ fn is_here(peer: &Peer, headers: &HeaderMap) -> bool {
     own && !forwarded
 }
 
-/// The cookie of whoever sits at the machine. Cookies know no ports: its name does, and it is that of the console.
+/// Returns the name of the cookie of whoever sits at the machine.
 fn here_cookie(console: u16) -> String {
     format!("kerf-here-{console}")
 }
@@ -231,7 +234,7 @@ fn who(app: &App, peer: &Peer, console: u16, headers: &HeaderMap) -> Caller {
     if is_here(peer, headers) && app.here.as_ref().is_none_or(shows) {
         return Caller { role: Some(Role::Owner), device: None };
     }
-    let token = bearer(headers).or_else(|| cookie(headers, TOKEN));
+    let token = bearer(headers).or_else(|| cookie(headers, &device_cookie(console)));
     let device = token.and_then(|token| app.devices.find(token));
     let device = device.filter(|_| app.options.lan);
     Caller {

@@ -1,7 +1,7 @@
 //! Pairing of devices.
 
 use super::Refused;
-use super::guard::{Caller, Peer, TOKEN};
+use super::guard::{Caller, Peer, device_cookie};
 use super::rest::demand;
 use crate::app::App;
 use crate::people::PairError;
@@ -75,7 +75,8 @@ pub async fn pair(
         app.hub.say(Tone::Warning, text);
     }
     let (token, device) = paired.map_err(Problem::from)?;
-    let cookie = format!("{TOKEN}={token}; Path=/; HttpOnly; SameSite=Strict; Max-Age=31536000");
+    let name = device_cookie(peer.local.port());
+    let cookie = format!("{name}={token}; Path=/; HttpOnly; SameSite=Strict; Max-Age=31536000");
     Ok(([(header::SET_COOKIE, cookie)], Json(Paired { token, role: device.role })))
 }
 

@@ -1,7 +1,8 @@
 //! The options of everything that moves a machine.
 
-use crate::args::{DataArgs, RunArgs};
+use crate::args::RunArgs;
 use crate::controller::First;
+use crate::data_args::DataArgs;
 use crate::exit::Usage;
 use crate::outputs::{ForceArgs, Outputs};
 use crate::waveforms::VcdArgs;
