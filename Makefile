@@ -136,7 +136,7 @@ console-test: console/node_modules/.package-lock.json ## tests of the console th
 
 console-browser: console ## tests of the console in a browser, on the simulated machine and on a pretended controller
 	@.ci/browser
-	$(CARGO) build --locked --workspace --bin kerf --example grbl
+	$(CARGO) build --locked --workspace --bin kerf --example grbl --example linuxcnc
 	cd console && npm run --silent browser
 
 console: console/node_modules/.package-lock.json ## build the console's page

@@ -1,19 +1,19 @@
-/** A pretended controller of the grbl family, for tests. */
+/** Pretended controllers, for tests. */
 
 import { type ChildProcess, spawn } from "node:child_process";
 import { resolve } from "node:path";
 import { until } from "./workshop";
 
-const pretended = resolve(import.meta.dirname, "../../../target/debug/examples/grbl");
+const examples = resolve(import.meta.dirname, "../../../target/debug/examples");
 
-/** One on a pseudo terminal, which moves in real time. */
-export class Controller {
+/** One that moves in real time, and tells its port in its first line. */
+class Pretended {
   private readonly child: ChildProcess;
   private readonly lines: string[] = [];
   private said = "";
 
-  constructor(...settings: string[]) {
-    this.child = spawn(pretended, settings);
+  constructor(program: string, words: string[]) {
+    this.child = spawn(resolve(examples, program), words);
     this.child.stdout?.on("data", (data: Buffer) => {
       const [last = "", ...before] = (this.said + data.toString()).split("\n").reverse();
       this.said = last;
@@ -35,17 +35,31 @@ export class Controller {
     return { place, rpm: rpm === undefined ? null : Number(rpm) };
   }
 
-  /** Somebody at a pendant sends it a line. */
-  says(line: string): void {
-    this.child.stdin?.write(`pendant ${line}\n`);
-  }
-
-  /** Works it by a line of its own: `pins P` closes its probe, `bore X Y RADIUS` lays a thing around it. */
+  /** Works it by a line of its own. */
   work(line: string): void {
     this.child.stdin?.write(`${line}\n`);
   }
 
   unplug(): void {
     this.child.kill();
+  }
+}
+
+/** One of the grbl family on a pseudo terminal: `pins P` closes its probe, `bore X Y RADIUS` lays a thing around it. */
+export class Controller extends Pretended {
+  constructor(...settings: string[]) {
+    super("grbl", settings);
+  }
+
+  /** Somebody at a pendant sends it a line. */
+  says(line: string): void {
+    this.work(`pendant ${line}`);
+  }
+}
+
+/** LinuxCNC behind its bridge: `estop`, `pause`, `resume` and `panel LINE` are done at its panel. */
+export class LinuxCnc extends Pretended {
+  constructor(...words: string[]) {
+    super("linuxcnc", words);
   }
 }

@@ -4,10 +4,7 @@
 use crate::facts::KnownFacts;
 use crate::place::millimetres;
 use crate::report::axes;
-use kerf_machine::driver::{AXES, Axes, Zero, ZeroChange};
-
-/// The coordinate systems in the order of the words `G10 L2 P…`.
-const SYSTEMS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+use kerf_machine::driver::{Axes, Zero, ZeroChange};
 
 /// The axis that a length tells of which no axis is told.
 const Z: usize = 2;
@@ -28,7 +25,7 @@ impl Zeros {
     /// Learns from `[G54:1.000,2.000,3.000]`; tells whether it was one of them.
     pub fn bracket(&mut self, name: &str, value: &str, told: &KnownFacts) -> bool {
         let is_shift = [Zero::SHIFT, Zero::TOOL].contains(&name);
-        let is_one = is_shift || SYSTEMS.contains(&name);
+        let is_one = is_shift || Zero::SYSTEMS.contains(&name);
         let Some((mut at, count)) = axes(value).filter(|_| is_one) else { return is_one };
         if count == 1 {
             at.0.swap(0, Z);
@@ -47,7 +44,7 @@ impl Zeros {
     /// Learns from the words of `$G` which coordinate system holds.
     pub fn modes(&mut self, modes: &str) {
         let mut words = modes.split_whitespace();
-        let Some(system) = words.find(|word| SYSTEMS.contains(word)) else { return };
+        let Some(system) = words.find(|word| Zero::SYSTEMS.contains(word)) else { return };
         system.clone_into(&mut self.system);
         for zero in self.told.iter_mut().filter(|zero| !zero.is_shift()) {
             zero.holds = zero.name == system;
@@ -66,7 +63,7 @@ impl Zeros {
 
     /// Returns the coordinate system that holds, where it is none that a reset chooses.
     pub fn chosen(&self) -> Option<&str> {
-        Some(&*self.system).filter(|system| !["", SYSTEMS[0]].contains(system))
+        Some(&*self.system).filter(|system| !["", Zero::SYSTEMS[0]].contains(system))
     }
 
     /// Returns `true` if they are to be asked for again, once.
@@ -77,22 +74,6 @@ impl Zeros {
     /// Returns the line by which a zero point of so many axes is changed; nothing where it is not kept, or cannot be changed so.
     pub fn line(&self, name: &str, change: ZeroChange, axes: usize) -> Option<String> {
         let is_kept = self.told.iter().any(|zero| zero.name == name);
-        let system = SYSTEMS.iter().position(|system| *system == name).filter(|_| is_kept);
-        match (change, system) {
-            (ZeroChange::Lies(at), Some(index)) => written(2, index, at, axes),
-            (ZeroChange::Reads(values), Some(index)) => written(20, index, values, axes),
-            (ZeroChange::Holds, Some(_)) => Some(name.into()),
-            (ZeroChange::Gone, None) => (name == Zero::SHIFT).then(|| "G92.1".into()),
-            _ => None,
-        }
+        is_kept.then(|| change.line(name, axes))?
     }
-}
-
-/// The line that writes a coordinate system, `G10L2P1X10`; nothing without a number that is one.
-fn written(way: u8, index: usize, at: [Option<f64>; AXES], axes: usize) -> Option<String> {
-    let is_one = at.iter().flatten().all(|mm| mm.is_finite());
-    let letters = "XYZABC".chars().zip(at).take(axes);
-    let words: String =
-        letters.filter_map(|(letter, mm)| Some(format!("{letter}{:.3}", mm?))).collect();
-    (is_one && !words.is_empty()).then(|| format!("G10L{way}P{}{words}", index + 1))
 }

@@ -13,6 +13,7 @@ counts up from 0 (`hi`). One that is garbled or missing stops the machine: nobod
   home, unlock                make piece N of nothing but that
   hold, resume, stop          as on the operator's panel; a stop switches outputs off
   feed, rapid, turn PERCENT   overrides
+  zero CODE                   a change of a zero point
 
 When Kerf is silent for 1.5 s what moves is held, after 12 s stopped; when its line ends, at once.
 """
@@ -33,10 +34,10 @@ try:
 except ImportError:
     linuxcnc = None
 
-VERSION = 1
+VERSION = 2
 TOLERANCE_MM = 0.01
 SAME_LINE_MM = 0.002
-MODES = f"G17 G21 G40 G49 G80 G90 G91.1 G94 G97 G64 P{TOLERANCE_MM} Q{SAME_LINE_MM}"
+MODES = f"G17 G21 G40 G80 G90 G91.1 G94 G97 G64 P{TOLERANCE_MM} Q{SAME_LINE_MM}"
 LETTERS = "XYZABC"
 SILENT_S, GONE_S = 1.5, 12.0
 TICK_S, TELL_S, IDLE_S = 0.01, 0.02, 0.1
@@ -46,6 +47,11 @@ SETTLE_S = 0.03
 # Its process is looked at so often.
 ALIVE_S = 0.3
 FIRST_OUTPUT, FIRST_INPUT = 4, 2
+SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
+# Its file of parameters has the numbers of a system from here on, X first, its angle behind them.
+FIRST_PARAMETER, PARAMETERS, ANGLE = 5221, 20, 9
+# Zero points are looked at so often.
+ZEROS_S = 0.2
 
 
 class Ended(Exception):
@@ -120,6 +126,9 @@ class Machine:
         os.chmod(self.folder, 0o755)
         self.pins = self.digital()
         self.looked_s, self.alive = 0.0, True
+        folder = os.path.dirname(self.state.ini_filename)
+        self.parameters = os.path.join(folder, self.ini.find("RS274NGC", "PARAMETER_FILE") or "")
+        self.saved, self.saved_at = {}, None
 
     def task(self):
         """The process that plans, by its number in /proc; nothing where it is not found."""
@@ -211,6 +220,43 @@ class Machine:
             bits |= (1 if state.din[number] else 0) << (FIRST_INPUT + number - 1)
         return bits & (self.pins[1] | 1)
 
+    def reads_parameters(self):
+        """Reads its file of parameters anew where that has changed; one that cannot be read stays as it was."""
+        try:
+            saved_at = os.stat(self.parameters).st_mtime_ns
+            if saved_at == self.saved_at:
+                return
+            with open(self.parameters, encoding="ascii") as file:
+                pairs = [line.split() for line in file]
+            self.saved = {int(pair[0]): float(pair[1]) for pair in pairs if len(pair) == 2}
+            self.saved_at = saved_at
+        except (OSError, ValueError):
+            pass
+
+    def saves_parameters(self):
+        """Its file of parameters is one command behind, unless its interpreter is told to follow its motion."""
+        self.told.task_plan_synch()
+        self.told.wait_complete(1.0)
+        self.state.poll()
+
+    def zeros(self):
+        """Its zero points: the one that holds as its state tells it, the others as it has kept them."""
+        self.reads_parameters()
+        state, words, turned = self.state, {}, []
+        holds = max(state.g5x_index, 1) - 1
+        for index, name in enumerate(SYSTEMS):
+            first = FIRST_PARAMETER + PARAMETERS * index
+            at = [self.saved.get(first + axis) for axis in range(self.axes)]
+            angle = self.saved.get(first + ANGLE, 0.0)
+            if index == holds:
+                at, angle = state.g5x_offset, state.rotation_xy
+            if None not in at:
+                words[name] = self.place(at)
+            if angle != 0.0:
+                turned.append(name)
+        words["G92"], words["TLO"] = self.place(state.g92_offset), self.place(state.tool_offset)
+        return {"holds": SYSTEMS[holds], **words, "turned": ",".join(turned)}
+
     def is_on(self):
         return self.state.task_state == linuxcnc.STATE_ON
 
@@ -292,6 +338,7 @@ class Bridge:
         self.held_for, self.hears_s, self.tells_s, self.last = None, time.monotonic(), 0.0, None
         self.why, self.says_facts, self.greeting = "", False, 0
         self.rested_s = time.monotonic()
+        self.zeros_s = 0.0
 
     def serve(self):
         try:
@@ -336,6 +383,9 @@ class Bridge:
             self.greeting, self.piece, self.done, self.is_over = int(rest[0]), 0, 0, True
             if self.doing == "stopped":
                 self.doing, self.is_over = "idle", True
+            self.zeros_s = 0.0
+            if self.machine.is_on() and self.machine.rests():
+                self.machine.saves_parameters()
             return
         if self.next is None:
             return
@@ -372,6 +422,8 @@ class Bridge:
             told.rapidrate(int(rest[0]) / 100.0)
         elif command == "turn":
             told.spindleoverride(int(rest[0]) / 100.0)
+        elif command == "zero":
+            self.change_zero(rest[0])
 
     def fail(self, why):
         self.why = self.why or why
@@ -390,7 +442,7 @@ class Bridge:
             machine.told.wait_complete(1.0)
             self.doing = "unlocking"
         elif not machine.is_on():
-            self.fail("it is switched off: unlock it first (--unlock)")
+            self.fail("it is switched off: switch it on at its panel, or unlock it first (--unlock)")
         elif not machine.comes_to_rest():
             self.fail("somebody else has it at work")
         elif command == "home":
@@ -403,6 +455,18 @@ class Bridge:
             self.is_probe = any("G38" in code for code in self.codes)
             machine.open_and_run(self.codes)
             self.doing, self.began_s = "run", time.monotonic()
+
+    def change_zero(self, code):
+        machine = self.machine
+        self.zeros_s = 0.0
+        while machine.says():
+            pass
+        if self.doing != "idle" or not machine.comes_to_rest():
+            self.fail("somebody else has it at work")
+            return
+        machine.mdi(f"G21 {code}")
+        machine.saves_parameters()
+        self.hears_error()
 
     def hold(self, cause):
         self.held_for = self.held_for or cause
@@ -526,8 +590,16 @@ class Bridge:
         text = "s " + " ".join(f"{key}={value}" for key, value in words.items())
         if text == self.last and now_s - self.tells_s < IDLE_S or now_s - self.tells_s < TELL_S:
             return
+        # Whoever hears a state first knows the zero points by then.
+        if self.next is not None and now_s - self.zeros_s > ZEROS_S:
+            self.tell_zeros(now_s)
         self.last, self.tells_s = text, now_s
         self.say(text)
+
+    def tell_zeros(self, now_s):
+        self.zeros_s = now_s
+        words = {"hi": self.greeting, "next": self.next, **self.machine.zeros()}
+        self.say("z " + " ".join(f"{key}={value}" for key, value in words.items()))
 
     def say(self, text):
         data = text.encode("ascii")

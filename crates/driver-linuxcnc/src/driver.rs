@@ -4,9 +4,10 @@ use crate::check;
 use crate::lines::lines;
 use crate::piece::{Kind, Piece, Pieces};
 use crate::status::{Doing, Status};
+use crate::zeros::Zeros;
 use kerf_machine::driver::{
     Axes, ControllerState, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent, Shares,
-    Signal, Ticket, Trouble, Wired, is_sound,
+    Signal, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
 };
 use std::collections::VecDeque;
 
@@ -74,6 +75,7 @@ pub struct LinuxCnc {
     turned_s: f64,
     pub(crate) inputs: u32,
     pub(crate) contact: Option<Axes>,
+    pub(crate) zeros: Zeros,
     /// Times of the last order, of the last line to the bridge, and of the last that came.
     ordered_s: f64,
     said_s: f64,
@@ -117,6 +119,7 @@ impl LinuxCnc {
             turned_s: f64::NEG_INFINITY,
             inputs: 0,
             contact: None,
+            zeros: Zeros::default(),
             ordered_s: f64::NEG_INFINITY,
             said_s: f64::NEG_INFINITY,
         }
@@ -339,6 +342,24 @@ impl Wired for LinuxCnc {
 
     fn shares(&self) -> Option<Shares> {
         Some(self.shares)
+    }
+
+    fn zeros(&self) -> &[Zero] {
+        &self.zeros.told
+    }
+
+    fn keeps_zero(&mut self, name: &str, change: ZeroChange) -> bool {
+        let axes = self.facts.as_ref().map_or(0, |facts| facts.axes);
+        let rests = self.phase == Phase::Ready && self.open.is_empty() && self.trouble.is_none();
+        let Some(line) = self.zeros.line(name, change, axes).filter(|_| rests) else {
+            return false;
+        };
+        self.acts(&format!("zero {line}"));
+        true
+    }
+
+    fn knows_zeros(&self) -> bool {
+        self.zeros.greeting == self.greeting && self.zeros.next >= self.acts
     }
 
     fn line_is_back(&mut self, _: f64) {

@@ -4,6 +4,7 @@ use crate::check;
 use crate::driver::{LinuxCnc, Phase, with};
 use crate::piece::{Kind, Piece};
 use crate::status::{Doing, PROBE_INPUT, Status, facts};
+use crate::zeros::Zeros;
 use kerf_machine::driver::{Axes, Garbled, Hold, Order, Reply, Ticket, Trouble, way_mm};
 
 /// A place that is farther than this from the one that was ordered is another, mm: LinuxCNC cuts no corner at the end of
@@ -18,6 +19,10 @@ impl LinuxCnc {
         let Some(text) = check::text(line) else { return self.replies.push(Err(Garbled)) };
         if let Some(told) = facts(text) {
             return self.learns(told);
+        }
+        if let Some(zeros) = Zeros::read(text) {
+            self.zeros = zeros;
+            return;
         }
         match Status::read(text) {
             Some(status) => self.follows(status, shares_are_new),
@@ -112,10 +117,12 @@ impl LinuxCnc {
         }
         let why = match (self.status.doing, self.status.is_homed) {
             (Doing::Estop, _) => {
-                "its emergency stop is pressed: release it, then unlock it (--unlock)"
+                "its emergency stop is pressed: release it, then switch it on at its panel, or unlock it (--unlock)"
             }
             (Doing::Gone, _) => "LinuxCNC has ended: start it again",
-            (Doing::Off, _) => "it is switched off: unlock it (--unlock)",
+            (Doing::Off, _) => {
+                "it is switched off: switch it on at its panel, or unlock it (--unlock)"
+            }
             (_, false) => "home it first (--home)",
             (_, true) => {
                 self.trouble = None;

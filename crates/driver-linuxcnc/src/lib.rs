@@ -23,6 +23,7 @@ mod hears;
 mod lines;
 mod piece;
 mod status;
+mod zeros;
 
 pub use driver::LinuxCnc;
 

@@ -4,7 +4,7 @@ use kerf_machine::driver::{AXES, Axes, Facts, Shares, Ticket};
 use std::collections::BTreeMap;
 
 /// Version of the bridge's language.
-const VERSION: &str = "1";
+const VERSION: &str = "2";
 
 /// The input that is the probe.
 pub const PROBE_INPUT: u8 = 1;
@@ -87,15 +87,15 @@ pub struct Status {
 }
 
 /// Words of a line by their keys.
-fn words(text: &str) -> BTreeMap<&str, &str> {
+pub fn words(text: &str) -> BTreeMap<&str, &str> {
     text.split(' ').filter_map(|word| word.split_once('=')).collect()
 }
 
-fn number<T: std::str::FromStr>(words: &BTreeMap<&str, &str>, key: &str) -> Option<T> {
+pub fn number<T: std::str::FromStr>(words: &BTreeMap<&str, &str>, key: &str) -> Option<T> {
     words.get(key)?.parse().ok()
 }
 
-fn axes(told: &str) -> Option<Axes> {
+pub fn axes(told: &str) -> Option<Axes> {
     let mut place = Axes::default();
     for (axis, number) in told.split(',').enumerate() {
         *place.0.get_mut(axis)? = number.parse().ok().filter(|mm: &f64| mm.is_finite())?;
@@ -186,6 +186,7 @@ pub fn facts(text: &str) -> Option<Result<Facts, &'static str>> {
             Some((of(&ends, 2 * axis)?, of(&ends, 2 * axis + 1)?))
         }),
         homes: true,
+        is_fresh: true,
         arc_tolerance_mm: CHORD_MM,
         outputs: number(&words, "outputs")?,
         inputs: number(&words, "inputs")?,
@@ -224,7 +225,7 @@ mod tests {
 
     #[test]
     fn facts_are_read_and_what_cannot_be_driven_is_said() {
-        let text = "facts version=1 name=LinuxCNC%202.9 axes=3 speed=200,?,50 accel=500,500,? travel=-1,2,?,3,-5,0 \
+        let text = "facts version=2 name=LinuxCNC%202.9 axes=3 speed=200,?,50 accel=500,500,? travel=-1,2,?,3,-5,0 \
                     outputs=23 inputs=3 rpm=24000 unfit=no";
         let read = facts(text).expect("facts").expect("fit");
         assert_eq!((&*read.name, read.axes, read.outputs), ("LinuxCNC 2.9", 3, 23));
@@ -233,7 +234,7 @@ mod tests {
         let check = |from: &str, to: &str| {
             assert!(matches!(facts(&text.replace(from, to)), Some(Err(_))), "{to}")
         };
-        check("version=1", "version=2");
+        check("version=2", "version=1");
         check("unfit=no", "unfit=axes");
         check("unfit=no", "unfit=kinematics");
     }

@@ -4,7 +4,7 @@
 use crate::wire::{Wire, run};
 use kerf_driver_linuxcnc::fake::Fake;
 use kerf_machine::driver::conformance::CASES;
-use kerf_machine::driver::{Axes, Link, LinkState, Order, Trouble, Wired};
+use kerf_machine::driver::{AXES, Axes, Link, LinkState, Order, Trouble, Wired, ZeroChange};
 
 fn to(x: f64, y: f64) -> Order {
     Order::Move { to: Axes::xyz(x, y, 0.0), speed_mm_s: 40.0 }
@@ -150,4 +150,37 @@ fn what_is_locked_takes_orders_when_it_is_switched_on_and_at_home() {
     link.order(to(5.0, 0.0));
     run(&mut link, now_s, |_, _| {});
     assert_eq!(link.driver().fake.position().0[0], 5.0);
+}
+
+#[test]
+fn zero_points_are_changed_at_rest_and_one_that_was_set_at_its_panel_is_seen() {
+    let mut link = Link::new(Wire::new(Fake::default()));
+    let g55 = |link: &mut Link<Wire>| {
+        let zeros = link.driver().driver.zeros();
+        zeros.iter().find(|zero| zero.name == "G55").map(|zero| (zero.at.0[0], zero.holds))
+    };
+    link.order(to(10.0, 0.0));
+    link.poll(0.0);
+    let keeps = |link: &mut Link<Wire>, change| link.driver().driver.keeps_zero("G55", change);
+    let mut reads = [None; AXES];
+    reads[0] = Some(2.5);
+    assert!(!keeps(&mut link, ZeroChange::Reads(reads)), "a move is under way");
+    let mut now_s = run(&mut link, 0.0, |_, _| {});
+    let mut passes = |link: &mut Link<Wire>| {
+        (0..40).for_each(|_| {
+            now_s += 0.005;
+            link.poll(now_s);
+        });
+    };
+    for (change, expected) in
+        [(ZeroChange::Reads(reads), (7.5, false)), (ZeroChange::Holds, (7.5, true))]
+    {
+        assert!(keeps(&mut link, change) && !link.driver().driver.knows_zeros());
+        passes(&mut link);
+        assert!(link.driver().driver.knows_zeros());
+        assert_eq!(g55(&mut link), Some(expected));
+    }
+    link.driver().fake.panel("G10L2P2X-4");
+    passes(&mut link);
+    assert_eq!(g55(&mut link), Some((-4.0, true)));
 }

@@ -70,8 +70,10 @@ impl First {
     /// It is only looked at.
     pub const LOOK: Self = Self { looks: true, ..Self::NONE };
 
-    /// It goes home.
-    pub const HOME: Self = Self { home: true, ..Self::NONE };
+    /// It goes home, and is unlocked before where that is wanted.
+    pub const fn going_home(unlock: bool) -> Self {
+        Self { home: true, unlock, looks: false }
+    }
 
     /// The same for whoever attaches the controller.
     pub fn steps(self) -> kerf_control::controller::First {

@@ -9,7 +9,6 @@ mod arc;
 mod board;
 mod goes;
 mod motion;
-mod offsets;
 mod read;
 mod report;
 mod solid;
@@ -17,10 +16,9 @@ mod state;
 mod turned;
 
 pub use board::Board;
-pub use offsets::Offsets;
 pub use solid::Solid;
 
-use kerf_machine::driver::Axes;
+use kerf_machine::driver::{Axes, Offsets};
 use motion::Motion;
 use read::{Way, Words, read};
 use state::State;

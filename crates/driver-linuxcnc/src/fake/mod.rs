@@ -8,7 +8,7 @@ mod motion;
 mod program;
 
 use crate::check;
-use kerf_machine::driver::Axes;
+use kerf_machine::driver::{Axes, Offsets, Zero};
 use motion::Motion;
 use program::{Step, read};
 use std::collections::VecDeque;
@@ -75,6 +75,9 @@ pub struct Fake {
     /// Height of the plate below its probe, machine frame, mm.
     pub plate_mm: Option<f64>,
     probing: Option<bool>,
+    /// Its zero points, and those that it told last.
+    pub offsets: Offsets,
+    zeros: String,
     /// Lines of programs that it made, for tests.
     pub made: Vec<String>,
     /// Pieces that it began.
@@ -111,6 +114,8 @@ impl Default for Fake {
             homed: true,
             plate_mm: None,
             probing: None,
+            offsets: Offsets::default(),
+            zeros: String::new(),
             made: Vec::new(),
             pieces: 0,
         }
@@ -150,6 +155,11 @@ impl Fake {
         self.motion.clear();
         (self.outputs, self.is_over) = (0, true);
         self.doing = Doing::Idle;
+    }
+
+    /// Somebody gives it a line that changes a zero point, at its panel.
+    pub fn panel(&mut self, line: &str) {
+        self.offsets.keeps(line, self.motion.position);
     }
 
     fn switches_off(&mut self, why: &str) {
@@ -196,6 +206,7 @@ impl Fake {
             (self.next, self.greeting) = (Some(1), greeting.parse().unwrap_or(0));
             (self.piece, self.done, self.is_over) = (0, 0, true);
             self.why.clear();
+            self.zeros.clear();
             if self.doing == Doing::Stopped {
                 self.doing = Doing::Idle;
             }
@@ -217,7 +228,7 @@ impl Fake {
 
     fn facts(&mut self) {
         self.say(
-            "facts version=1 name=LinuxCNC%20of%20tests axes=3 speed=100,100,50 accel=400,400,400 \
+            "facts version=2 name=LinuxCNC%20of%20tests axes=3 speed=100,100,50 accel=400,400,400 \
              travel=-500,500,-500,500,-200,200 outputs=255 inputs=3 rpm=24000 unfit=no",
         );
     }
@@ -241,6 +252,10 @@ impl Fake {
             "feed" => self.shares[0] = number,
             "rapid" => self.shares[1] = number,
             "turn" => self.shares[2] = number,
+            "zero" => {
+                self.panel(rest);
+                self.zeros.clear();
+            }
             _ => {}
         }
     }
@@ -254,7 +269,11 @@ impl Fake {
                 (self.estop, self.on) = (false, true);
                 self.until_s = self.clock_s + OPENING_S;
             }
-            _ if !self.on => self.why = "it is switched off: unlock it first (--unlock)".into(),
+            _ if !self.on => {
+                self.why =
+                    "it is switched off: switch it on at its panel, or unlock it first (--unlock)"
+                        .into()
+            }
             "home" => (self.doing, self.until_s) = (Doing::Homing, self.clock_s + HOMING_S),
             _ => {
                 (self.doing, self.until_s) = (Doing::Run, self.clock_s + OPENING_S);
@@ -368,10 +387,6 @@ impl Fake {
         if self.greeting == 0 {
             return;
         }
-        let at = |place: Axes| {
-            let [x, y, z, ..] = place.0;
-            format!("{x:.5},{y:.5},{z:.5}")
-        };
         let [feed, rapid, turn] = self.shares;
         let mut text = format!(
             "s hi={} next={} piece={} done={} over={} doing={} homed={} moves={} at={} out={} in={} feed={feed} \
@@ -384,20 +399,40 @@ impl Fake {
             self.shows(),
             u8::from(self.homed),
             u8::from(self.motion.speed_mm_s > 0.0),
-            at(self.motion.position),
+            told(self.motion.position),
             self.outputs,
             self.inputs,
         );
         if let Some(contact) = self.contact {
-            text += &format!(" contact={}", at(contact));
+            text += &format!(" contact={}", told(contact));
         }
         if !self.why.is_empty() {
             text += &format!(" why={}", self.why.replace(' ', "%20"));
         }
+        self.tell_zeros();
         self.say(&text);
+    }
+
+    fn tell_zeros(&mut self) {
+        let offsets = self.offsets;
+        let shifts =
+            [(Zero::SHIFT, offsets.shift), (Zero::TOOL, Axes::xyz(0.0, 0.0, offsets.tool_mm))];
+        let each = Zero::SYSTEMS.into_iter().zip(offsets.systems).chain(shifts);
+        let words: String = each.map(|(name, at)| format!(" {name}={}", told(at))).collect();
+        let zeros = format!("holds={}{words} turned=", offsets.system());
+        if zeros != self.zeros {
+            self.say(&format!("z hi={} next={} {zeros}", self.greeting, self.next.unwrap_or(0)));
+            self.zeros = zeros;
+        }
     }
 
     fn say(&mut self, text: &str) {
         self.out.extend_from_slice(check::line(text).as_bytes());
     }
+}
+
+/// A place as the bridge tells it.
+fn told(place: Axes) -> String {
+    let [x, y, z, ..] = place.0;
+    format!("{x:.5},{y:.5},{z:.5}")
 }

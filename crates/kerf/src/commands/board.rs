@@ -243,6 +243,9 @@ fn gathered(told: &Receiver<(usize, String, String)>) -> Vec<Found> {
 
 /// Prints the settings of a board, or does something with them.
 pub fn settings(name: &DriverName, action: Option<&SettingsAction>) -> Result<Exit> {
+    if name.is_linuxcnc() {
+        bail!("LinuxCNC has its settings in its INI file: they are seen and changed there");
+    }
     if let Some(SettingsAction::Restore { file }) = action {
         return restore(name, file);
     }

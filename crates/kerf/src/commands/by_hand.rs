@@ -283,13 +283,19 @@ fn went(ended: &Ended) -> Exit {
 }
 
 /// Homes axes; all that have a switch when not told which.
-pub fn home(which: &Which, letters: Option<&str>, there: ServerArgs) -> Result<Exit> {
+pub fn home(which: &Which, letters: Option<&str>, unlock: bool, there: ServerArgs) -> Result<Exit> {
+    if unlock && which.machine.controller().is_none() {
+        bail!(Usage("--unlock is about a controller: name it with --machine".into()));
+    }
     if let Some(server) = server(which)? {
+        if unlock {
+            bail!("a `kerf serve` has the machine: unlock it at its own panel");
+        }
         let way = ByHand::FindHome { axes: letters.map(str::to_owned) };
         return Ok(went(&server.go(&way, there.arm)?));
     }
     if which.machine.controller().is_some() {
-        return home_controller(which);
+        return home_controller(which, unlock);
     }
     let mut shop = Shop::open(which, false)?;
     let axes = axes_with_switch(&shop.machine, letters)?;
@@ -297,8 +303,8 @@ pub fn home(which: &Which, letters: Option<&str>, there: ServerArgs) -> Result<E
 }
 
 /// Has a controller go home with all axes that it homes, and tells where they stand.
-fn home_controller(which: &Which) -> Result<Exit> {
-    let mut shop = Shop::open_after(which, First::HOME, false)?;
+fn home_controller(which: &Which, unlock: bool) -> Result<Exit> {
+    let mut shop = Shop::open_after(which, First::going_home(unlock), false)?;
     shop.session.keep_place(&mut shop.workspace)?;
     if let Some(controller) = &shop.controller {
         controller.ends(true, &mut shop.workspace, || false);

@@ -87,6 +87,9 @@ enum Action {
     Home {
         /// Their letters, as xyz; all that have a switch when not given
         axes: Option<String>,
+        /// Unlocks the controller first, or switches it on: look first why it stopped
+        #[arg(long)]
+        unlock: bool,
         #[command(flatten)]
         there: ServerArgs,
     },
@@ -207,8 +210,8 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             replace(&file, &file::write(&machine))?;
         }
         Action::Axes => out::print(&axes(&args.which.machine()?)),
-        Action::Home { axes, there } => {
-            return by_hand::home(&args.which, axes.as_deref(), *there);
+        Action::Home { axes, unlock, there } => {
+            return by_hand::home(&args.which, axes.as_deref(), *unlock, *there);
         }
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),

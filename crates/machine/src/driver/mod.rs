@@ -15,9 +15,11 @@
 
 pub mod conformance;
 mod link;
+mod offsets;
 mod zero;
 
 pub use link::{Link, LinkNews, LinkState, Troubles};
+pub use offsets::Offsets;
 pub use zero::{Zero, ZeroChange};
 
 pub use kerf_program::{AXES, Axes, Axis, decimal, rounded};
@@ -232,7 +234,7 @@ pub struct Facts {
     pub no_spindle: &'static str,
     /// Inputs of which it tells, a bit each, input 1 lowest.
     pub inputs: u32,
-    /// It started when its line was opened: nothing was on then.
+    /// Nothing is on when its line is opened: it starts then, or switched off when the line ended.
     pub is_fresh: bool,
     /// The input at whose change it stops by itself, and latches the place ([`Order::Probe`]); nothing where it has none.
     pub probe: Option<u8>,

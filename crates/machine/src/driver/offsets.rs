@@ -1,9 +1,6 @@
-//! Zero points that the fake keeps: G54 to G59.3, G92.
+//! Zero points as controllers that are none keep them: G54 to G59.3, G92.
 
-use kerf_machine::driver::Axes;
-
-/// The coordinate systems; a reset chooses the first.
-const SYSTEMS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+use super::{Axes, Zero};
 
 /// Zero points, machine frame.
 #[derive(Clone, Copy, Debug, Default)]
@@ -26,12 +23,12 @@ impl Offsets {
 
     /// The name of the coordinate system that holds.
     pub const fn system(&self) -> &'static str {
-        SYSTEMS[self.chosen]
+        Zero::SYSTEMS[self.chosen]
     }
 
     /// Returns the lines that tell of all of them (`$#`).
     pub fn told(&self, places: impl Fn(Axes) -> String) -> Vec<String> {
-        let named = SYSTEMS.iter().zip(self.systems).chain([(&"G92", self.shift)]);
+        let named = Zero::SYSTEMS.iter().zip(self.systems).chain([(&"G92", self.shift)]);
         let line = |(name, at): (&&str, Axes)| format!("[{name}:{}]", places(at));
         named.map(line).chain([format!("[TLO:{:.3}]", self.tool_mm)]).collect()
     }
@@ -40,7 +37,7 @@ impl Offsets {
     pub fn keeps(&mut self, line: &str, position: Axes) -> bool {
         if line == "G92.1" {
             self.shift = Axes::default();
-        } else if let Some(chosen) = SYSTEMS.iter().position(|system| *system == line) {
+        } else if let Some(chosen) = Zero::SYSTEMS.iter().position(|system| *system == line) {
             self.chosen = chosen;
         } else if let Some(words) = line.strip_prefix("G10L20P") {
             let free = position.minus(self.zero()).plus(self.systems[self.chosen]);
