@@ -8,6 +8,7 @@ mod figure;
 mod gcode;
 mod huge;
 mod inputs;
+mod linuxcnc;
 mod machine;
 mod page;
 mod record;
@@ -62,6 +63,9 @@ fn main() -> Result<()> {
     if motion {
         section += &references::tables()?;
         section += &ruckig::table()?;
+    }
+    if "linuxcnc".contains(word) {
+        section += &linuxcnc::table()?;
     }
     println!("{section}");
     if recorded {

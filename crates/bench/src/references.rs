@@ -13,9 +13,9 @@ use std::path::Path;
 /// A reference program, with the seconds published for others: the lower bound, LinuxCNC 2.9 and 2.10 with
 /// G64 P0.01, and LinuxCNC 2.10 with its S-curve; and the best along parabolic blends for each of the
 /// tolerances, where that is known.
-struct Reference {
-    name: &'static str,
-    file: &'static str,
+pub struct Reference {
+    pub name: &'static str,
+    pub file: &'static str,
     others_s: [f64; 4],
     topp_s: [Option<f64>; 3],
 }
@@ -27,7 +27,7 @@ const TOLERANCES_MM: [f64; 3] = [0.01, 0.05, 0.5];
 const ROUNDED_S: f64 = 5e-4;
 
 #[rustfmt::skip]
-const REFERENCES: [Reference; 7] = [
+pub const REFERENCES: [Reference; 7] = [
     reference("R1 rectangle", "R1_rect", [6.75, 6.992, 6.798, 6.943],
         [Some(6.769), Some(6.730), Some(6.579)]),
     reference("R2 circle, 2,000 chords", "R2_circle2000", [3.28, 3.511, 3.382, 14.5],
@@ -116,7 +116,8 @@ pub fn raster3d() -> Result<Option<Vec<Move>>> {
     shared("anchors/motion").map(|folder| moves(&folder.join("R5_raster3d_5000.xyz"))).transpose()
 }
 
-fn moves(file: &Path) -> Result<Vec<Move>> {
+/// The moves through the places of a file, at 100 mm/s.
+pub fn moves(file: &Path) -> Result<Vec<Move>> {
     let text = fs::read_to_string(file).with_context(|| file.display().to_string())?;
     let mut places = Vec::new();
     for line in text.lines() {

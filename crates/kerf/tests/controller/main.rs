@@ -1,13 +1,15 @@
 //! `kerf run --driver`: runs on a controller that is none, on a pseudo terminal. A program of its own, as the controller
 //! moves in real time and notices when nothing is sent to it.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, non_snake_case)]
+#![allow(clippy::unwrap_used, clippy::print_stdout, non_snake_case)]
 
 mod bench;
 mod boards;
 mod gone;
 mod held;
 mod inputs_and_outputs;
+#[cfg(target_os = "linux")]
+mod linuxcnc;
 mod merged;
 mod named;
 mod network;
