@@ -84,6 +84,12 @@ const openProbe = sheetAction(
   t("Probe: find a place by touch, set zero there"),
   [],
 );
+/** A surface that is not flat: probed on a grid, and followed by what is cut. */
+const openHeightMap = sheetAction(
+  { kind: "heightMap" },
+  t("Height map: probe a surface, cut along it"),
+  [],
+);
 /** Inputs and outputs of the open file beside its motion. */
 export const openTiming: Action = {
   ...sheetAction({ kind: "timing" }, t("Timing chart"), []),
@@ -136,6 +142,7 @@ export const goActions: readonly Action[] = [
   openPorts,
   openZeros,
   openProbe,
+  openHeightMap,
   openTools,
   openTiming,
   openSetup,

@@ -1,4 +1,5 @@
 import { CommandSheet } from "../command/CommandSheet";
+import { HeightMapSheet } from "../heightmap/HeightMapSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
 import { ProbeSheet } from "../probe/ProbeSheet";
@@ -55,6 +56,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <MoveToSheet onClose={close} />;
     case "probe":
       return <ProbeSheet onClose={close} />;
+    case "heightMap":
+      return <HeightMapSheet onClose={close} />;
     case "zeros":
       return <ZerosSheet onClose={close} />;
     case "ports":

@@ -24,6 +24,7 @@ export type Sheet =
   | { readonly kind: "tools" }
   | { readonly kind: "zeros" }
   | { readonly kind: "probe" }
+  | { readonly kind: "heightMap" }
   | { readonly kind: "timing" }
   | { readonly kind: "samples" }
   | { readonly kind: "history" }

@@ -2,6 +2,7 @@ import { attempt } from "../actions/action";
 import { modeOf } from "../actions/machine";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { speedText } from "../app/units";
+import { MapStatus } from "../heightmap/MapStatus";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import type { MmPerS } from "../units/quantity";
@@ -42,6 +43,7 @@ export function StatusPanel() {
           <SpeedRow title={t("Jog")} letters="JS" speeds={speeds.jogMmS} units={units} />
         </tbody>
       </table>
+      <MapStatus />
     </Panel>
   );
 }

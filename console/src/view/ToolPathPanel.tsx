@@ -100,6 +100,7 @@ export function ToolPathPanel() {
         <PathWords path={path} typed={typed} opened={opened} recorded={recorded} />
       </div>
       {path && units && !opened?.broken && <PathFacts info={path.info} units={units} />}
+      {isMapped(opened) && <p className="path-mapped">{t("Z follows the height map.")}</p>}
       <SampledWith count={opened?.samples.length ?? 0} />
       {path && !opened?.broken && (
         <PlayBar playback={playback} planned={planned} onChange={setPlayback} />
@@ -107,6 +108,10 @@ export function ToolPathPanel() {
     </Panel>
   );
 }
+
+/** The note of the server that what was drawn follows a height map. */
+const isMapped = (opened: Opened | null | undefined): boolean =>
+  opened?.findings.some(({ code }) => code === "M011") ?? false;
 
 /** Says that a program that asks was previewed with sample answers, and leads to them. */
 function SampledWith({ count }: { count: number }) {

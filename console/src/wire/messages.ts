@@ -190,6 +190,12 @@ name: string,
 /** The change. */
 change: ZeroChange, };
 
+export type ActHeightMap = { "do": "heightMap",
+/** Number of the lease. */
+lease: number,
+/** The change. */
+change: HeightMapChange, };
+
 export type ActOverride = { "do": "override",
 /** Number of the lease. */
 lease: number,
@@ -259,6 +265,7 @@ export type Act =
   | ActBit
   | ActStep
   | ActZero
+  | ActHeightMap
   | ActOverride
   | ActSheetDone
   | ActClearPrinted
@@ -406,6 +413,8 @@ export type ChangeZeros = { "change": "zeros", zeros: Array<Zero>, };
 
 export type ChangeTogether = { "change": "together", together: Array<ServedMachine>, };
 
+export type ChangeHeightMap = { "change": "heightMap", heightMap: HeightMap | null, };
+
 export type ChangePrinted = { "change": "printed", lines: Array<string>, };
 
 export type ChangeClearPrinted = { "change": "clearPrinted" };
@@ -454,6 +463,7 @@ export type Change =
   | ChangeOverrides
   | ChangeZeros
   | ChangeTogether
+  | ChangeHeightMap
   | ChangePrinted
   | ChangeClearPrinted
   | ChangeMessages
@@ -759,6 +769,38 @@ lines: [string, string],
 beeps: number,
 /** Its serial link, in a sentence: the port it is at, or why it is not. Empty where there is none. */
 link: string, };
+
+/** The height map in force: heights of a surface at the places of a grid, counted from working zero. */
+export type HeightMap = {
+/** Places along X. */
+columns: number,
+/** Places along Y. */
+rows: number,
+/** Corner with the least X and Y. */
+low: [Mm, Mm],
+/** Corner with the greatest X and Y. */
+high: [Mm, Mm],
+/** Lowest height. */
+lowest: Mm,
+/** Highest height. */
+highest: Mm,
+/** X of each column; none of a map with more than 2500 places, as the next two. */
+xs: Mm[],
+/** Y of each row. */
+ys: Mm[],
+/** The heights row by row, along X. */
+zs: Mm[], };
+
+export type HeightMapChangeFile = { "to": "file",
+/** Its name below the part folder. */
+name: string, };
+
+export type HeightMapChangeOff = { "to": "off" };
+
+/** A change of the height map in force. */
+export type HeightMapChange =
+  | HeightMapChangeFile
+  | HeightMapChangeOff;
 
 /** Which parameter of a command is being written. */
 export type Hint = {
@@ -1523,6 +1565,8 @@ sound: Sound | null,
 overrides: Overrides,
 /** Zero points that the controller keeps; none of a machine without one. */
 zeros: Array<Zero>,
+/** The height map that programs follow; nothing where surfaces are flat. */
+heightMap: HeightMap | null,
 /** The print window, oldest line first. */
 printed: Array<string>,
 /** Messages, oldest first. */

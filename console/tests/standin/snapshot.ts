@@ -118,6 +118,7 @@ export const firstSnapshot = message<Snapshot>({
   asked: null,
   overrides: { feedPercent: 100, rapidPercent: null, spindlePercent: null },
   zeros: [],
+  heightMap: null,
   printed: [],
   messages: [
     { tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0, place: null },

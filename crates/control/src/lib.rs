@@ -41,6 +41,7 @@ mod homing;
 mod host;
 mod interruption;
 mod lift_aside;
+mod map_followed;
 mod map_pieces;
 mod mapped;
 mod nudge;

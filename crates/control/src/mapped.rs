@@ -21,6 +21,8 @@ use std::sync::Arc;
 pub(crate) struct Mapped<I> {
     pub inner: I,
     map: Option<Arc<HeightMap>>,
+    /// Machine position of the map's X 0, Y 0, where that is not the program's own.
+    lies: Option<Axes>,
     /// Motion commands handed out: pieces.
     pieces: u64,
     /// The last piece of each motion command, and its number; kept only while something may interrupt.
@@ -29,18 +31,28 @@ pub(crate) struct Mapped<I> {
 
 impl<I: Interpreter> Mapped<I> {
     pub const fn new(inner: I, map: Option<Arc<HeightMap>>) -> Self {
-        Self { inner, map, pieces: 0, last_pieces: VecDeque::new() }
+        Self { inner, map, lies: None, pieces: 0, last_pieces: VecDeque::new() }
+    }
+
+    /// The same above a map that lies at a machine position, wherever the program has its zero.
+    pub const fn lying_at(mut self, zero: Axes) -> Self {
+        self.lies = Some(zero);
+        self
     }
 
     /// The same with another state of the program.
     pub fn with(&self, inner: I) -> Self {
         let (map, last_pieces) = (self.map.clone(), self.last_pieces.clone());
-        Self { inner, map, pieces: self.pieces, last_pieces }
+        Self { inner, map, lies: self.lies, pieces: self.pieces, last_pieces }
+    }
+
+    /// Machine position of the map's X 0, Y 0.
+    fn zero(&self) -> Axes {
+        self.lies.unwrap_or_else(|| self.inner.frame().working_zero)
     }
 
     fn laid(&self) -> Option<Laid<'_>> {
-        let zero = self.inner.frame().working_zero;
-        self.map.as_deref().map(|map| Laid { map, zero })
+        self.map.as_deref().map(|map| Laid { map, zero: self.zero() })
     }
 
     /// The place of the program of a machine position.
@@ -85,7 +97,7 @@ impl<I: Interpreter> Mapped<I> {
                 Command::Chorded(_) => continue,
                 other => {
                     if let Command::Location { frame, .. } = other {
-                        zero = frame.working_zero;
+                        zero = self.lies.unwrap_or(frame.working_zero);
                     }
                     out.push(sourced);
                     continue;
@@ -109,21 +121,26 @@ impl<I: Interpreter> Mapped<I> {
 
     fn outside(&self, at: At, map: &HeightMap) -> Diagnostic {
         let file = self.inner.file_name(at.file).unwrap_or_default();
-        let unit_mm = self.inner.settings().linear_unit.mm();
-        let [low, high] =
-            map.bounds().map(|corner| corner.map(|v| kerf_program::decimal(v / unit_mm, 3)));
-        let message = format!(
-            "the cut leaves the height map, which holds from X {} Y {} to X {} Y {}",
-            low[0], low[1], high[0], high[1]
-        );
-        let hint = "probe a larger grid, or take the map off: kerf map off";
-        Diagnostic::new(Code::OutsideMap, Place::line(file, at.line), message).hint(hint)
+        outside(Place::line(file, at.line), map, self.inner.settings())
     }
 
     /// State before a step: commands that are there, where the program has sent the machine, where its zero is.
     fn before(&self, out: &[Sourced]) -> (usize, Axes, Axes) {
-        (out.len(), self.inner.position(), self.inner.frame().working_zero)
+        (out.len(), self.inner.position(), self.zero())
     }
+}
+
+/// The error that a cut at a place of a source leaves the map.
+pub(crate) fn outside(place: Place, map: &HeightMap, settings: &Settings) -> Diagnostic {
+    let unit_mm = settings.linear_unit.mm();
+    let [low, high] =
+        map.bounds().map(|corner| corner.map(|v| kerf_program::decimal(v / unit_mm, 3)));
+    let message = format!(
+        "the cut leaves the height map, which holds from X {} Y {} to X {} Y {}",
+        low[0], low[1], high[0], high[1]
+    );
+    let hint = "probe a larger grid, or take the map off: kerf map off";
+    Diagnostic::new(Code::OutsideMap, place, message).hint(hint)
 }
 
 /// The end of a move.

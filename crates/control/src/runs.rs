@@ -2,7 +2,7 @@
 
 use crate::command_limit::CommandLimit;
 use crate::homing::Found;
-use crate::map_pieces::Laid;
+use crate::map_followed::{job_leaves_map, lowered, mapped, mapped_note, not_followed};
 use crate::mapped::Mapped;
 use crate::preparation::{Preparation, axis_names};
 use crate::run_context::RunContext;
@@ -15,13 +15,13 @@ use crate::trail::Trail;
 use crate::whole_run::WholeRun;
 use crate::world::World;
 use crate::{heights, homing, trail};
-use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_diag::Diagnostic;
 use kerf_journal::{Door, Placed, RunOptions, Work};
 use kerf_machine::{Configuration, Errand, Hand};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::Mode;
-use kerf_program::{AXES, AxisSet, HeightMap, Interpreter as _, Question, Settings, Status};
+use kerf_program::{AXES, AxisSet, Interpreter as _, Question, Settings, Status};
 use kerf_sbp::{Dialect, Language};
 use kerf_sequence::Sequence;
 use kerf_sim::Simulation;
@@ -177,7 +177,12 @@ impl Session {
         let (preview, before) = (options.program.preview, options.before.clone());
         let (name, on_record) = (job.name.clone(), options.started.is_some() && !preview);
         sink.event(&job_starts(&job, preview));
-        let sequence = Sequence::new(job, machine.clone(), self.memory.position);
+        let zero = self.memory.frame.working_zero;
+        let stood = lowered(options.heights.as_deref(), zero, self.memory.position);
+        let sequence = Sequence::new(job, machine.clone(), stood);
+        if let Some(why) = job_leaves_map(&sequence, options.heights.as_deref(), zero) {
+            return self.not_begun_told(why, sink);
+        }
         let sequence = match before.door {
             Door::Only => sequence.only_waits_for_door(),
             Door::Waits => sequence,
@@ -203,7 +208,11 @@ impl Session {
         (world.previews, world.silent, world.stays) = (preview, stands.is_some(), Some(frame));
         (world.machine_is, world.homed, world.tally) =
             (machine.clone(), self.homed, before.tally());
-        let mut runner = Runner::new(sequence, world, requests, options.limits, 0);
+        if options.heights.is_some() {
+            world.tell_diagnostic(mapped_note(&name));
+        }
+        let mapped = Mapped::new(sequence, options.heights).lying_at(zero);
+        let mut runner = Runner::new(mapped, world, requests, options.limits, 0);
         runner.stops.station.reentry = stands;
         let over = runner.run();
         runner.stops.station.stay_where_it_stands();
@@ -316,8 +325,8 @@ impl Session {
         summary
     }
 
-    /// Has a program follow the height map in force. Gives the end of a run that is not begun because it cannot
-    /// follow the map, or nobody can.
+    /// Has a program or a job follow the height map in force. Gives the end of a run that is not begun because nobody
+    /// can follow the map.
     pub(crate) fn take_height_map(
         &mut self,
         work: &Work,
@@ -325,22 +334,22 @@ impl Session {
         workspace: &Workspace,
         sink: &mut dyn Sink,
     ) -> Option<Summary> {
-        let why = match height_map(workspace) {
-            _ if matches!(work, Work::Hand(..)) => return None,
-            Ok(Some(_)) if matches!(work, Work::Job(..)) => {
-                "a height map is in force, and jobs do not follow it".to_owned()
-            }
+        if matches!(work, Work::Hand(..)) {
+            return None;
+        }
+        match height_map(workspace) {
             Ok(map) => {
                 options.heights = map.map(Arc::new);
-                return None;
+                None
             }
-            Err(why) => why,
-        };
-        let name = work.name();
-        let why =
-            Diagnostic::new(Code::MapNotFollowed, Place::line(name, 0), why).hint("kerf map off");
+            Err(why) => Some(self.not_begun_told(not_followed(&work.name(), why), sink)),
+        }
+    }
+
+    /// Tells the reason for which a run is not begun, and gives its end.
+    fn not_begun_told(&mut self, why: Diagnostic, sink: &mut dyn Sink) -> Summary {
         sink.event(&Event::Diag(Box::new(why.clone())));
-        Some(self.not_begun_for(Some(why), sink))
+        self.not_begun_for(Some(why), sink)
     }
 
     /// Tells which axes are not homed, where the machine has switches for them.
@@ -383,27 +392,6 @@ fn saved_and_restored(interpreter: &Mapped<Interpreter>) -> Result<Mapped<Interp
     let saved = serde_json::to_vec(&interpreter.inner).map_err(|e| e.to_string())?;
     let inner = serde_json::from_slice(&saved).map_err(|e| e.to_string())?;
     Ok(interpreter.with(inner))
-}
-
-/// A program that follows a height map, where one is in force, from where the machine stands.
-fn mapped(
-    program: Program,
-    mut memory: kerf_part::Session,
-    read: kerf_part::Options,
-    map: Option<Arc<HeightMap>>,
-) -> Mapped<Interpreter> {
-    if let Some(map) = &map {
-        let zero = memory.sbp.frame.working_zero;
-        memory.sbp.position = Laid { map, zero }.lowered(memory.sbp.position);
-    }
-    Mapped::new(Interpreter::new(program, memory, read), map)
-}
-
-/// The note that Z follows a height map.
-fn mapped_note(name: &Arc<str>) -> Diagnostic {
-    let message = "Z follows the height map in force".to_owned();
-    let note = Diagnostic::new(Code::Mapped, Place::line(name.clone(), 0), message);
-    note.severity(Severity::Note).hint("kerf map off takes it off")
 }
 
 /// The word for a dialect.

@@ -253,7 +253,7 @@ codes! {
     Mapped "M011" Note "Z follows a height map"
         "A height map is in force: Z of every move is the program's plus the height of the surface there, as it was probed. Cuts are cut into pieces of 1 mm for that; jogs go straight to the height of their end. `kerf map off` takes it off.";
     MapNotFollowed "M012" Error "the height map cannot be followed"
-        "A height map is in force, and its file in the data folder, height.map, is damaged, or a job is to run: jobs (.rsm) know their own heights only. Nothing moves with heights that nobody knows. `kerf map off` takes the map off, `kerf map use FILE` takes another; `kerf toolpath plate.rsg -o plate.sbp` makes a part file of a drawing, which follows the map.";
+        "A height map is in force, and its file in the data folder, height.map, is damaged; or a job is to run whose height control (height.on) finds the surface itself. Nothing moves with heights that nobody knows, or that are counted twice. `kerf map off` takes the map off, `kerf map use FILE` takes another.";
     NotConverted "C001" Warning "not in the other language"
         "The language that is written, or the controller it is written for, has no words for this. A comment in the converted file says what is missing. Where motion would be missing nothing is written: choose another controller with --to, or change the program.";
     StartTaken "C002" Note "the program goes on from where the tool stands"

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! Settings are arguments: `20=1 22=1`. Lines on standard input work it: `limit` hits a limit switch,
-//! `pins PD` closes switches, `block X Y Z X Y Z` and `bore X Y RADIUS` are things that its probe feels
-//! until `nothing`, `pendant G55` sends it a line, `where` tells where it stands, an end of the input unplugs it.
+//! `pins PD` closes switches, `block X Y Z X Y Z`, `bore X Y RADIUS` and `plate Z RISE RISE` are things that its
+//! probe feels until `nothing`, `pendant G55` sends it a line, `where` tells where it stands, an end of the input unplugs it.
 #![allow(clippy::print_stdout)]
 
 #[cfg(unix)]
@@ -64,10 +64,11 @@ mod unix {
         }
     }
 
-    /// A block by its corners, a bore by its centre and radius.
-    fn solid(numbers: &str) -> Option<Solid> {
+    /// A block by its corners, a bore by its centre and radius, a plate by its height and its rise along X and Y.
+    fn solid(word: &str, numbers: &str) -> Option<Solid> {
         let numbers: Option<Vec<f64>> = numbers.split(' ').map(|word| word.parse().ok()).collect();
         match numbers?[..] {
+            [height, x, y] if word == "plate" => Some(Solid::Plate { height, rise: [x, y] }),
             [x, y, radius] => Some(Solid::Bore { centre: [x, y], radius }),
             [x0, y0, z0, x, y, z] => Some(Solid::Block { low: [x0, y0, z0], high: [x, y, z] }),
             _ => None,
@@ -81,9 +82,9 @@ mod unix {
             ("pendant", line) => {
                 fake.hear(format!("{line}\n").as_bytes(), 0.0);
             }
-            ("block" | "bore", numbers) => match solid(numbers) {
+            (word @ ("block" | "bore" | "plate"), numbers) => match solid(word, numbers) {
                 Some(solid) => fake.solids.push(solid),
-                None => println!("block X Y Z X Y Z, bore X Y RADIUS; mm"),
+                None => println!("block X Y Z X Y Z, bore X Y RADIUS, plate Z RISE RISE; mm"),
             },
             ("nothing", _) => fake.solids.clear(),
             ("where", _) => {
@@ -95,7 +96,9 @@ mod unix {
                 );
             }
             ("lines", _) => fake.lines.iter().for_each(|line| println!("{line}")),
-            _ => println!("limit, pins PXYZD, block, bore, nothing, pendant LINE, where, lines"),
+            _ => println!(
+                "limit, pins PXYZD, block, bore, plate, nothing, pendant LINE, where, lines"
+            ),
         }
     }
 }

@@ -118,3 +118,81 @@ fn a_surface_is_probed_on_a_grid() {
     assert_eq!(lines, expected);
     shop.kerf("map use heights.map").exits(0).says("3 by 2 places");
 }
+
+/// A line that a job cuts from X 5 Y 5 to X 35 Y 25.
+fn job_shop() -> Shop {
+    let shop = shop();
+    let lines = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nGROUP1\n10\n5\n20\n5\n11\n35\n21\n25\n0\nENDSEC\n0\nEOF\n";
+    shop.write("line.dxf", lines.as_bytes());
+    shop.kerf("toolpath line.dxf -o line.rsm").exits(0);
+    shop
+}
+
+/// Ends of the cuts of the job, mm.
+fn cuts(shop: &Shop) -> Vec<[f64; 3]> {
+    let all = moves(shop, "line.rsm");
+    all.iter().filter(|made| made["kind"] != "jog").map(end_of_job).collect()
+}
+
+/// The end of a move of a job, whose trace is in mm.
+fn end_of_job(made: &Value) -> [f64; 3] {
+    to(made).map(|inches| inches / 25.4)
+}
+
+#[test]
+fn a_job_follows_the_map_in_force() {
+    let shop = job_shop();
+    let flat = cuts(&shop);
+    let deepest = flat.iter().map(|at| at[2]).fold(0.0, f64::min);
+    shop.kerf("map use rises.map").exits(0);
+    let raised = cuts(&shop);
+    assert!(raised.len() > flat.len() + 20, "{} pieces", raised.len());
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for [x, _, z] in raised.iter().filter(|[_, _, z]| *z < deepest + 0.51) {
+        let wanted = deepest + 0.5 * x / 40.0;
+        assert!((z - wanted).abs() < 0.001, "{z} at X {x} is not {wanted}");
+        (least, most) = (least.min(*x), most.max(*x));
+    }
+    assert!(least < 5.1 && most > 34.9, "{least} … {most}");
+    shop.kerf("run line.rsm").exits(0).complains("M011");
+}
+
+/// A map lies where it was probed: an origin of the job elsewhere does not move it.
+#[test]
+fn a_job_whose_origin_is_elsewhere_finds_the_map_where_it_was_probed() {
+    let shop = job_shop();
+    shop.kerf("toolpath line.dxf --origin 4,0 -o line.rsm").exits(0);
+    let deepest = cuts(&shop).iter().map(|at| at[2]).fold(0.0, f64::min);
+    shop.kerf("map use rises.map").exits(0);
+    let [x, _, z] = *cuts(&shop).last().unwrap();
+    assert!((x - 35.0).abs() < 0.001 && (z - deepest - 0.5 * 39.0 / 40.0).abs() < 0.001, "{x} {z}");
+}
+
+#[test]
+fn a_job_beyond_the_grid_is_not_begun() {
+    let shop = job_shop();
+    shop.kerf("toolpath line.dxf --origin 30,0 -o line.rsm").exits(0);
+    shop.kerf("map use rises.map").exits(0);
+    let ran = shop.kerf("run line.rsm --trace t.jsonl");
+    ran.exits(1).complains("M010").complains("leaves the height map");
+    assert!(!shop.read("t.jsonl").contains("\"e\":\"move\""));
+}
+
+#[test]
+fn a_job_that_is_stopped_under_a_map_goes_on_where_it_was() {
+    let shop = job_shop();
+    shop.kerf("map use rises.map").exits(0);
+    let whole = cuts(&shop);
+    shop.write("goes-on.txt", b"continue\n");
+    shop.kerf("run line.rsm --stop-at 1.9 --answers goes-on.txt --trace t.jsonl").exits(0);
+    let trace = shop.read("t.jsonl");
+    let all: Vec<_> =
+        trace.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()).collect();
+    let stop = all.iter().position(|it| it["e"] == "stop").expect("it is stopped");
+    let is_cut = |it: &&Value| it["e"] == "move" && it["kind"] == "cut";
+    let left = all[..stop].iter().rfind(is_cut).map(end_of_job).unwrap();
+    let again = all[stop..].iter().find(is_cut).map(end_of_job).unwrap();
+    assert!(left[0] > 6.0 && left[0] < 34.0, "{left:?} is within the line");
+    assert_eq!(again, left);
+    assert_eq!(all.iter().rfind(is_cut).map(end_of_job), whole.last().copied());
+}

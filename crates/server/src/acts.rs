@@ -4,6 +4,7 @@ use crate::app::App;
 use crate::asker::Asker;
 use crate::gate::{STOP_KEY, Way, open_here, pass};
 use crate::hands::makes_sense;
+use crate::height_map;
 use crate::machine::Order;
 use crate::people::Grip;
 use crate::refusal::{Done, problem};
@@ -90,6 +91,9 @@ impl App {
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
+            Act::HeightMap { change, .. } => {
+                height_map::change(&self.orders, &self.files.folder, asker, change)?;
+            }
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
                 self.turn_overrides(feed_percent, [rapid_percent, spindle_percent])?;
             }

@@ -26,7 +26,7 @@ use crate::orders::Orders;
 use crate::part_files::PartFiles;
 use crate::people::{Devices, Here, Pages};
 use crate::pool::Pool;
-use crate::preview::Charts;
+use crate::preview::{Charts, Preview};
 use crate::protect::Unlocked;
 use crate::reading::Readings;
 use crate::runs::Runs;
@@ -178,7 +178,9 @@ impl App {
         }
         self.jobs.keep_taken();
         let session = lock(&self.left).session.clone();
-        let stale = self.loader.open.lock().preview.as_ref().is_some_and(|p| p.is_stale(&session));
+        let map = self.hub.read(|now| now.height_map.clone());
+        let is_stale = |made: &Preview| made.is_stale(&session) || made.height_map != map;
+        let stale = self.loader.open.lock().preview.as_deref().is_some_and(is_stale);
         if stale {
             self.loader.preview_again();
         }

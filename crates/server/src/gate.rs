@@ -150,6 +150,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         Act::GiveLease { lease }
         | Act::Arm { lease }
         | Act::Override { lease, .. }
+        | Act::HeightMap { lease, .. }
         | Act::Key { lease, .. }
         | Act::Input { lease, .. } => with_lease(*lease),
         Act::Set { lease, .. } => setting(with_lease(*lease)),

@@ -40,6 +40,7 @@ mod files;
 mod gate;
 mod handconsole;
 mod hands;
+mod height_map;
 mod help_wanted;
 mod history;
 mod http;

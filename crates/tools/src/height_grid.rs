@@ -57,11 +57,13 @@ fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
     let (columns, rows) = (last("columns"), last("rows"));
     let [x, y, low, plate, fast, slow] = ["x", "y", "lowest", "plate", "fast", "slow"].map(shown);
     let (input, travel, clear) = (entries.text("input"), number(travel), number(clear));
+    let count = number(entries.number("columns") * entries.number("rows"));
     let mm = if entries.metric() { "1" } else { "25.4" };
     let reading = 50 + input.parse::<u32>().unwrap_or_default();
     let mut lines = head("Probes a surface, made by the Height map", entries);
     let text = format!(
         "IF %({reading}) = 1 THEN GOTO TOUCHES\nOPEN \"heights.map\" FOR OUTPUT AS #1\n\
+         PRINT \"Heights of {count} places\"\n\
          WRITE #1; \"kerf heights, mm\"\n&row = 0\n&back = 0\nROW:\n&y = {y} + &row * {dy}\n&column = 0\n\
          COLUMN:\n&at = &column\nIF &back = 1 THEN &at = {columns} - &column\n&x = {x} + &at * {dx}\n\
          JZ,{travel}\nJ2,&x,&y\n&z = {low}\nIF %(22) = 1 THEN GOTO DRAWN\nMS,,{fast}\n\
@@ -70,6 +72,7 @@ fn make(entries: &Entries<'_>) -> Result<ToolOutput, Vec<Mistake>> {
          ON INPUT({input},1)\nGOTO MISSED\nSECOND:\n&z = %(3) - {plate}\nDRAWN:\n\
          &xmm = INT(&x * {mm} * 10000 + 0.5) / 10000\n&ymm = INT(&y * {mm} * 10000 + 0.5) / 10000\n\
          &zmm = INT(&z * {mm} * 10000 + 0.5) / 10000\nWRITE #1; &xmm; \",\"; &ymm; \",\"; &zmm\n\
+         PRINT \"Height: \"; &xmm; \",\"; &ymm; \",\"; &zmm\n\
          &column = &column + 1\nIF &column <= {columns} THEN GOTO COLUMN\n&back = 1 - &back\n&row = &row + 1\n\
          IF &row <= {rows} THEN GOTO ROW\nJZ,{travel}\nCLOSE #1\nPRINT \"heights.map is written\""
     );
@@ -92,7 +95,12 @@ mod tests {
     #[test]
     fn the_grid_is_spread_over_the_sides() {
         let text = made('M', "x=1,y=2,width=6,height=3,columns=4,rows=3,units=mm,plate=.5");
-        for line in ["&y = 2 + &row * 1.5", "&x = 1 + &at * 2", "&z = %(3) - 0.5"] {
+        for line in [
+            "PRINT \"Heights of 12 places\"",
+            "&y = 2 + &row * 1.5",
+            "&x = 1 + &at * 2",
+            "&z = %(3) - 0.5",
+        ] {
             assert!(text.lines().any(|l| l == line), "{line} in\n{text}");
         }
         assert_eq!(made('M', "lowest=1"), "lowest: it has to lie below Travel Z");

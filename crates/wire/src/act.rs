@@ -1,6 +1,6 @@
 //! Requests of pages: the acts they ask for.
 
-use crate::{AXES, ByHand, FileParameters, JobChoice, Op, ZeroChange};
+use crate::{AXES, ByHand, FileParameters, HeightMapChange, JobChoice, Op, ZeroChange};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -251,6 +251,13 @@ pub enum Act {
         name: String,
         /// The change.
         change: ZeroChange,
+    },
+    /// Changes the height map that programs follow. Not while a job runs.
+    HeightMap {
+        /// Number of the lease.
+        lease: u32,
+        /// The change.
+        change: HeightMapChange,
     },
     /// Changes the operator's overrides; one that is not given stays.
     Override {

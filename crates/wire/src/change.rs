@@ -2,9 +2,9 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, Interrupted, Io,
-    Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder, Reply,
-    ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, Units, Who, Zero,
+    Asked, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, HeightMap,
+    Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
+    Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, Units, Who, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -66,6 +66,11 @@ pub enum Change {
     /// The machines that are served together.
     Together {
         together: Vec<ServedMachine>,
+    },
+    /// Another height map is followed, or none.
+    #[serde(rename_all = "camelCase")]
+    HeightMap {
+        height_map: Option<HeightMap>,
     },
     /// Lines are added to the print window.
     Printed {

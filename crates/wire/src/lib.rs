@@ -25,6 +25,7 @@ mod digitized;
 mod drawing;
 mod file;
 mod hand_console;
+mod height_map;
 mod history;
 mod job;
 mod job_view;
@@ -51,6 +52,7 @@ pub use drawing::{
 };
 pub use file::{FileAbout, FileVersion, TextDraft, TextEdit};
 pub use hand_console::HandConsole;
+pub use height_map::{HeightMap, HeightMapChange, PLACES_TOLD};
 pub use history::{RunRecord, ToDo};
 pub use job::{
     Asked, Call, CurrentRun, FileInfo, FileParameters, Folder, InForce, Interrupted, LastRun,

@@ -2,9 +2,9 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, Interrupted,
-    Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause, Recorder,
-    ServedMachine, Setup, Sound, Speeds, Units, VERSION, Zero,
+    Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, HeightMap,
+    Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
+    Recorder, ServedMachine, Setup, Sound, Speeds, Units, VERSION, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -76,6 +76,8 @@ pub struct Snapshot {
     pub overrides: Overrides,
     /// Zero points that the controller keeps; none of a machine without one.
     pub zeros: Vec<Zero>,
+    /// The height map that programs follow; nothing where surfaces are flat.
+    pub height_map: Option<HeightMap>,
     /// The print window, oldest line first.
     pub printed: Vec<String>,
     /// Messages, oldest first.
@@ -129,6 +131,7 @@ impl Default for Snapshot {
             sound: None,
             overrides: Overrides::default(),
             zeros: Vec::new(),
+            height_map: None,
             printed: Vec::new(),
             messages: Vec::new(),
             lease: None,
@@ -168,6 +171,7 @@ impl Snapshot {
             Change::Sound { sound } => self.sound = sound,
             Change::Overrides { overrides } => self.overrides = overrides,
             Change::Zeros { zeros } => self.zeros = zeros,
+            Change::HeightMap { height_map } => self.height_map = height_map,
             Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),
             Change::ClearPrinted => self.printed.clear(),
             Change::Messages { messages } => keep_last(&mut self.messages, messages, MESSAGES),

@@ -3,8 +3,9 @@
 use crate::preview::TypedPath;
 use crate::{
     AXES, Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole,
-    Interrupted, Io, Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides,
-    Pause, Recorder, Role, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, Units, Zero,
+    HeightMap, Interrupted, Io, Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened,
+    Overrides, Pause, Recorder, Role, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp,
+    Units, Zero,
 };
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -66,6 +67,8 @@ fn of_the_machine() -> Vec<Change> {
         Change::Speeds { speeds: Speeds::default() },
         Change::Io { io: Io::default() },
         Change::Zeros { zeros: vec![Zero { name: "G54".into(), at: [1.0; AXES], holds: true }] },
+        Change::HeightMap { height_map: Some(HeightMap::of(&[0.0, 1.0], &[0.0, 2.0], &[0.5; 4])) },
+        Change::HeightMap { height_map: None },
         Change::Overrides { overrides: Overrides { feed_percent: 80.0, ..Overrides::default() } },
         Change::Settings { settings: 3 },
         Change::HandConsole { hand_console: HandConsole::default() },

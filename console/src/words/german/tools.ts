@@ -200,10 +200,32 @@ export const tools: Readonly<Record<string, string>> = {
   "What is found": "Was gefunden wird",
   "Check of the probe": "Prüfung des Tasters",
   "Start probing": "Tasten starten",
-  "Input 1 is closed: take the plate away from the tool.":
-    "Eingang 1 ist geschlossen: Platte vom Werkzeug wegnehmen.",
-  "Touch the plate or the probe by hand: its input 1 has to close before anything moves.":
-    "Platte oder Taster von Hand berühren: Eingang 1 muss schließen, bevor sich etwas bewegt.",
+  "Input {0} is closed: take the plate away from the tool.":
+    "Eingang {0} ist geschlossen: Platte vom Werkzeug wegnehmen.",
+  "Touch the plate or the probe by hand: its input {0} has to close before anything moves.":
+    "Platte oder Taster von Hand berühren: Eingang {0} muss schließen, bevor sich etwas bewegt.",
   "The probe works.": "Der Taster geht.",
   "Nothing was set. {0}": "Nichts wurde gesetzt. {0}",
+  "Height map: probe a surface, cut along it": "Höhenkarte: Fläche antasten, ihr entlang schneiden",
+  "Height map": "Höhenkarte",
+  "Height map: on, {0}": "Höhenkarte: an, {0}",
+  "Height map in force": "Geltende Höhenkarte",
+  "No height map is in force: surfaces are flat.": "Keine Höhenkarte gilt: Flächen sind eben.",
+  "{0} by {1} places, from {2} to {3}": "{0} mal {1} Orte, von {2} bis {3}",
+  "File of heights": "Datei der Höhen",
+  "Use it": "Verwenden",
+  "Keep as file": "Als Datei behalten",
+  "Take the map off": "Karte abnehmen",
+  "{0} is written.": "{0} ist geschrieben.",
+  "Take the map off first: places are probed without one.":
+    "Zuerst die Karte abnehmen: Orte werden ohne Karte angetastet.",
+  "Probe a surface": "Fläche antasten",
+  "Set Z zero on the surface before. Every place is touched twice, fast and slow.":
+    "Vorher Z auf der Fläche nullen. Jeder Ort wird zweimal berührt, schnell und langsam.",
+  "Bounds of the open file": "Grenzen der offenen Datei",
+  "Places that are probed": "Angetastete Orte",
+  "{0} of {1} places are probed.": "{0} von {1} Orten sind angetastet.",
+  "The run has ended.": "Der Lauf ist zu Ende.",
+  "Heights of the surface": "Höhen der Fläche",
+  "Z follows the height map.": "Z folgt der Höhenkarte.",
 };

@@ -5,6 +5,7 @@ use super::owner::Owner;
 use crate::configure::changes_through;
 use crate::gate::{self, Way};
 use crate::handconsole::Happening;
+use crate::height_map;
 use crate::locks::lock;
 use crate::setup::Workshop;
 use crate::to_wire;
@@ -16,6 +17,7 @@ use kerf_wire::{
     Change, CurrentRun, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone, Who,
 };
 use kerf_workspace::command_passing;
+use kerf_workspace::height_map::{take_height_map_off, use_height_map};
 use std::path::Path;
 use std::sync::mpsc::Sender;
 
@@ -166,6 +168,19 @@ impl Owner {
         self.workshop.workspace.record(line);
     }
 
+    /// Takes a file of heights into force, or the map off.
+    pub(super) fn take_height_map(&mut self, text: Option<&str>) {
+        let workspace = &mut self.workshop.workspace;
+        let kept = match text {
+            Some(text) => use_height_map(workspace, text).map(drop),
+            None => take_height_map_off(workspace),
+        };
+        if let Err(why) = kept {
+            self.hub.say(Tone::Error, format!("the height map stays as it was: {why}"));
+        }
+        self.rest(State::Idle, None);
+    }
+
     /// Has another configuration from now on, keeps what is new of it, and tells whether that is on the disk.
     pub(super) fn configure(
         &mut self,
@@ -236,6 +251,7 @@ impl Owner {
         let recorder = Recorder { on, lines };
         let name = self.parts.name_of(&workspace.part_folder().display().to_string());
         let folder = Folder { name, mask: workspace.mask().to_owned() };
+        let height_map = height_map::told(&self.workshop.workspace);
         let watched = self.watched();
         let setup = crate::configure::setup(&self.workshop.session);
         let interrupted = self.interrupted();
@@ -250,6 +266,7 @@ impl Owner {
             put(now.recorder != recorder, Change::Recorder { recorder });
             put(now.folder != folder, Change::Folder { folder });
             put(now.interrupted != interrupted, Change::Interrupted { interrupted });
+            put(now.height_map != height_map, Change::HeightMap { height_map });
             put(now.watched != watched, Change::Watched { watched });
             put(now.setup != setup, Change::Setup { setup });
             put(other, Change::Settings { settings: now.settings.wrapping_add(1) });

@@ -91,6 +91,8 @@ pub enum Order {
         /// The change.
         change: ZeroChange,
     },
+    /// Take this file of heights into force, or the map off.
+    HeightMap(Option<String>),
     /// Shift the workpiece.
     Nudge(Axis, f64),
     /// Move the switches of the simulated machine that nothing which ran has moved.
@@ -150,6 +152,7 @@ impl Order {
             | Self::Zero { .. }
             | Self::Nudge(..) => true,
             Self::Switches
+            | Self::HeightMap(_)
             | Self::Folder { .. }
             | Self::Record(_)
             | Self::Watched

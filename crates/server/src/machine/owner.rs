@@ -145,6 +145,7 @@ impl Owner {
                 Order::CutMove { at, machine } => self.cut_move(at, *machine),
                 Order::Switch(number, on) => self.switch(number, on),
                 Order::Zero { name, change } => self.change_zero(&name, change),
+                Order::HeightMap(text) => self.take_height_map(text.as_deref()),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),
                 Order::Record(line) => self.record(&line),

@@ -25,6 +25,7 @@ pub use thumbnail::{thumbnail, thumbnail_of};
 pub use timing::timing;
 pub use typed::Typed;
 
+use crate::height_map;
 use crate::job_findings;
 use crate::locks::lock;
 use crate::machine::Planned;
@@ -74,6 +75,8 @@ pub struct Preview {
     pub start: (Settings, Frame),
     /// The machine that a job was made with.
     pub machine: Option<Arc<Configuration>>,
+    /// The height map that it follows.
+    pub height_map: Option<kerf_wire::HeightMap>,
     /// Other program files that it called, as they were.
     pub called: Called,
     /// The timing chart without inputs that was made last, and what its run began with.
@@ -137,6 +140,7 @@ pub fn make(
     let (work, machine) = unattended(work);
     let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
+    let height_map = height_map::told(workspace);
     let mut sink = Collector::of(&session);
     let (summary, cutter_mm, samples) =
         silently(work, options(parameters), session, workspace, given_up, &mut sink)?;
@@ -144,7 +148,7 @@ pub fn make(
     let called = workspace.take_called();
     let mut made = finish(sink, &summary, start, cutter_mm, is_job);
     made.findings.extend(not_cut);
-    Some(Preview { samples, failed, machine, called, ..made })
+    Some(Preview { samples, failed, machine, height_map, called, ..made })
 }
 
 /// The paths of a job that lie on both jigs, told before it is started: its preview waits for none.
@@ -238,6 +242,7 @@ fn finish(
         failed: false,
         start,
         machine: None,
+        height_map: None,
         called: Called::new(),
         timing: Mutex::default(),
     }

@@ -1,6 +1,6 @@
 //! Everything that can be asked of a server: a line of the table each.
 
-use kerf_wire::{Act, ByHand, FileParameters, JobChoice, Op, ZeroChange};
+use kerf_wire::{Act, ByHand, FileParameters, HeightMapChange, JobChoice, Op, ZeroChange};
 use serde_json::{Value, json};
 
 /// How something is asked for.
@@ -58,6 +58,7 @@ fn every() -> Vec<Act> {
         Act::Bit { lease, name: "none".into(), on: true },
         Act::Step { lease, motor: "none".into(), forward: true },
         Act::Zero { lease, name: "none".into(), change: ZeroChange::Holds },
+        Act::HeightMap { lease, change: HeightMapChange::File { name: "none.map".into() } },
         Act::Lift { lease, question: 0 },
         Act::Key { lease, seq: 0, key: '9', clock_ms: None },
         Act::Input { lease, number: 10, on: true },
