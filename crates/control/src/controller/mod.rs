@@ -27,6 +27,8 @@ mod lost;
 mod merged;
 pub mod queued;
 mod row;
+#[cfg(test)]
+mod sent;
 mod socket;
 mod zeros;
 
