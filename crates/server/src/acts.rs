@@ -91,9 +91,7 @@ impl App {
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
-            Act::HeightMap { change, .. } => {
-                height_map::change(&self.orders, &self.files.folder, asker, change)?;
-            }
+            Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
                 self.turn_overrides(feed_percent, [rapid_percent, spindle_percent])?;
             }

@@ -1,9 +1,8 @@
 //! The height map that programs follow, as pages change and see it.
 
+use crate::app::App;
 use crate::asker::Asker;
-use crate::files::PartFolder;
 use crate::machine::Order;
-use crate::orders::Orders;
 use crate::refusal::problem;
 use kerf_program::HeightMap;
 use kerf_wire::{HeightMapChange, Problem, Why};
@@ -13,23 +12,18 @@ use kerf_workspace::{Workspace, height_map};
 ///
 /// # Errors
 /// The file cannot be read or is no map, or the machine is busy.
-pub fn change(
-    orders: &Orders,
-    parts: &PartFolder,
-    asker: &Asker,
-    change: HeightMapChange,
-) -> Result<(), Problem> {
+pub fn change(app: &App, asker: &Asker, change: HeightMapChange) -> Result<(), Problem> {
     let text = match change {
         HeightMapChange::Off => None,
         HeightMapChange::File { name } => {
-            let text = String::from_utf8_lossy(&parts.read(&name)?).into_owned();
+            let text = String::from_utf8_lossy(&app.files.folder.read(&name)?).into_owned();
             HeightMap::read(&text).map_err(|(line, why)| {
                 problem(Why::Mistake, format!("{name}, line {line}: {why}"))
             })?;
             Some(text)
         }
     };
-    orders.order_of(asker, Order::HeightMap(text))
+    app.orders.order_of(asker, Order::HeightMap(text))
 }
 
 /// The map in force, as pages are told it. One that is damaged is told by each run.
