@@ -90,6 +90,17 @@ const openHeightMap = sheetAction(
   t("Height map: probe a surface, cut along it"),
   [],
 );
+const openSurfacing = sheetAction(
+  { kind: "surfacing" },
+  t("Surfacing: plane a board or the table"),
+  [],
+);
+/** Lengths and angles that were measured become settings. */
+const openTuning = sheetAction(
+  { kind: "tuning" },
+  t("Steps per millimetre and squareness, from what was measured"),
+  [],
+);
 /** Inputs and outputs of the open file beside its motion. */
 export const openTiming: Action = {
   ...sheetAction({ kind: "timing" }, t("Timing chart"), []),
@@ -143,6 +154,8 @@ export const goActions: readonly Action[] = [
   openZeros,
   openProbe,
   openHeightMap,
+  openSurfacing,
+  openTuning,
   openTools,
   openTiming,
   openSetup,

@@ -5,6 +5,7 @@ import { FilePicker } from "../operator/FilePicker";
 import { ProbeSheet } from "../probe/ProbeSheet";
 import { KeysSheet } from "../settings/KeysSheet";
 import { SetupSheet } from "../settings/SetupSheet";
+import { SurfacingSheet } from "../surfacing/SurfacingSheet";
 import { TimingSheet } from "../timing/TimingSheet";
 import { BinSheet } from "../tools/BinSheet";
 import { ConfirmSheet } from "../tools/ConfirmSheet";
@@ -23,6 +24,7 @@ import { ToDoSheet } from "../tools/ToDoSheet";
 import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
 import { VersionsSheet } from "../tools/VersionsSheet";
+import { TuningSheet } from "../tuning/TuningSheet";
 import { ZerosSheet } from "../zeros/ZerosSheet";
 import { useHands } from "./context";
 import type { Sheet } from "./screen";
@@ -58,6 +60,10 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <ProbeSheet onClose={close} />;
     case "heightMap":
       return <HeightMapSheet onClose={close} />;
+    case "surfacing":
+      return <SurfacingSheet onClose={close} />;
+    case "tuning":
+      return <TuningSheet onClose={close} />;
     case "zeros":
       return <ZerosSheet onClose={close} />;
     case "ports":

@@ -25,6 +25,8 @@ export type Sheet =
   | { readonly kind: "zeros" }
   | { readonly kind: "probe" }
   | { readonly kind: "heightMap" }
+  | { readonly kind: "surfacing" }
+  | { readonly kind: "tuning" }
   | { readonly kind: "timing" }
   | { readonly kind: "samples" }
   | { readonly kind: "history" }
