@@ -44,12 +44,19 @@ export async function copied(world: World, name: string, to: string): Promise<bo
   return true;
 }
 
-/** Moves a file into the bin, as it was when the person was asked, with the sample answers beside it. */
-export async function deleted(world: World, { name, hash }: FileAbout): Promise<boolean> {
+/**
+ * Moves a file into the bin, as it was when the person was asked, with the sample answers beside it; its history goes to
+ * the name that it has now, where it was renamed.
+ */
+export async function deleted(
+  world: World,
+  { name, hash }: FileAbout,
+  renamed?: string,
+): Promise<boolean> {
   // It is closed where it was open.
   const isOpen = world.shown.snapshot?.opened?.name === name;
   if (isOpen && !(await ask(world, { do: "close" }))) return false;
-  if (!(await told(world, () => deleteFile(name, hash)))) return false;
+  if (!(await told(world, () => deleteFile(name, hash, renamed)))) return false;
   await withAnswers(world, name, async (answers) =>
     deleteFile(answers, (await aboutFile(answers)).hash),
   );
@@ -61,6 +68,6 @@ export async function renamed(world: World, name: string, to: string): Promise<b
   if (to === name) return true;
   const isOpen = world.shown.snapshot?.opened?.name === name;
   const about = await aboutFile(name);
-  if (!(await copied(world, name, to)) || !(await deleted(world, about))) return false;
+  if (!(await copied(world, name, to)) || !(await deleted(world, about, to))) return false;
   return !isOpen || ask(world, { do: "open", name: to });
 }

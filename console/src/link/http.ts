@@ -142,8 +142,10 @@ export async function copyFile(
 }
 
 /** Moves the file with this hash into the bin. */
-export const deleteFile = (name: string, hash: string): Promise<void> =>
-  deleteAt(fileAddress(name), { "if-match": `"${hash}"` });
+export const deleteFile = (name: string, hash: string, renamed?: string): Promise<void> => {
+  const goes = renamed === undefined ? "" : `?renamed=${encodeURIComponent(renamed)}`;
+  return deleteAt(`${fileAddress(name)}${goes}`, { "if-match": `"${hash}"` });
+};
 
 /** Takes a file out of the bin, for good. */
 export const forgetFile = (name: string): Promise<void> => deleteAt(`${fileAddress(name)}?forget`);

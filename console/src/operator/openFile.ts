@@ -2,6 +2,7 @@
 
 import { ask } from "../actions/ask";
 import { type Hands, worldOf } from "../app/context";
+import { asNamed } from "../command/lastFile";
 import type { FileInfo } from "../wire/messages";
 import { baseOf, parentOf } from "./folder";
 
@@ -15,13 +16,17 @@ export async function openDrawing(hands: Hands, name: string): Promise<void> {
 /** Opens a program or a job to be run: with the sheet of FP where there are command keys. */
 export async function openToRun(hands: Hands, name: string, folder: string): Promise<void> {
   const { screen } = hands;
-  // Where a file is chosen, the next one is looked for (FS).
-  if (parentOf(name) !== folder)
-    await ask(worldOf(hands), { do: "folder", name: parentOf(name), mask: null });
-  if (screen.get().face === "full") {
-    return screen.open({ kind: "command", letters: "FP", given: [baseOf({ name })] });
-  }
+  const named = screen.get().face === "full" ? await namedForFp(hands, name, folder) : "";
+  if (named) return screen.open({ kind: "command", letters: "FP", given: [named] });
   if (await ask(worldOf(hands), { do: "open", name })) screen.open(null);
+}
+
+/** A file as FP names it; nothing where FP does not find it. The owner's choice of a file chooses its folder too (FS). */
+async function namedForFp(hands: Hands, name: string, folder: string): Promise<string> {
+  const world = worldOf(hands);
+  if (parentOf(name) === folder || world.shown.who?.role !== "owner") return asNamed(folder, name);
+  const chosen = await ask(world, { do: "folder", name: parentOf(name), mask: null });
+  return chosen ? baseOf({ name }) : "";
 }
 
 /** The word for what a file is opened as. */

@@ -11,7 +11,7 @@ use crate::refusal::{Done, problem};
 use crate::shop;
 use crate::stop::Halt;
 use kerf_machine::driver::Override;
-use kerf_wire::{Act, Change, Problem, StartUp, Tone, Who, Why};
+use kerf_wire::{Act, Change, Problem, StartUp, State, Tone, Who, Why};
 use std::sync::Arc;
 
 impl App {
@@ -51,6 +51,7 @@ impl App {
             Act::Arm { .. } => self.driving.arm()?,
             Act::Open { name, parameters } => {
                 self.loader.nothing_unsaved()?;
+                self.look_beside(&name)?;
                 self.loader.open_with(&name, parameters)?;
             }
             Act::Parameters { parameters } => self.loader.run_with(parameters)?,
@@ -105,6 +106,16 @@ impl App {
             Act::Unlock { password } => self.settings.unlock(who, &password)?,
         }
         Ok(Vec::new())
+    }
+
+    /// Looks for the next part files where one is opened. While something runs it goes on with the folder that it has.
+    fn look_beside(&self, name: &str) -> Result<(), Problem> {
+        let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let now = self.hub.now();
+        if now.folder.name == folder || now.machine.state != State::Idle {
+            return Ok(());
+        }
+        shop::choose_folder(&self.orders, &self.files.folder, folder, None)
     }
 
     fn give_lease(&self, who: &Who) {

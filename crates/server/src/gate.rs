@@ -155,6 +155,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Input { lease, .. } => with_lease(*lease),
         Act::Set { lease, .. } => setting(with_lease(*lease)),
         Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
+        Act::Folder { .. } => need(Role::Owner),
         Act::TakeLease { .. }
         | Act::Open { .. }
         | Act::Parameters { .. }
@@ -163,7 +164,6 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::SaveJob
         | Act::TakeShapeBack
         | Act::Machine { .. }
-        | Act::Folder { .. }
         | Act::Record { .. }
         | Act::Watch { .. }
         | Act::Close

@@ -6,6 +6,7 @@ use crate::refusal::problem;
 use kerf_files::{Disk, RealDisk};
 use kerf_wire::{Problem, RunRecord, ToDo, Why};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock};
@@ -35,6 +36,9 @@ struct Kept {
     /// Oldest first.
     runs: Vec<RunRecord>,
     todo: Vec<ToDo>,
+    /// The names that files had before, by the names that they have now.
+    #[serde(default)]
+    renamed: BTreeMap<String, String>,
 }
 
 impl History {
@@ -90,6 +94,32 @@ impl History {
         })
     }
 
+    /// A file has another name: its runs, and what is to be done with it, are those of that name.
+    ///
+    /// # Errors
+    /// It cannot be written down.
+    pub fn renamed(&self, from: &str, to: &str) -> io::Result<()> {
+        self.change(|kept| {
+            let runs = kept.runs.iter_mut().map(|run| &mut run.file);
+            let files = runs.chain(kept.todo.iter_mut().map(|todo| &mut todo.file));
+            files.filter(|file| *file == from).for_each(|file| *file = to.to_owned());
+            kept.renamed.insert(to.to_owned(), from.to_owned());
+        })
+    }
+
+    /// The name of a file and those that it had before, the newest first.
+    pub fn names_of(&self, name: &str) -> Vec<String> {
+        let renamed = &lock(&self.kept).renamed;
+        let mut names = vec![name.to_owned()];
+        while let Some(before) = names.last().and_then(|name| renamed.get(name)) {
+            if names.contains(before) {
+                break;
+            }
+            names.push(before.clone());
+        }
+        names
+    }
+
     /// The runs, the newest first.
     pub fn runs(&self) -> Vec<RunRecord> {
         lock(&self.kept).runs.iter().rev().cloned().collect()
@@ -133,6 +163,21 @@ mod tests {
     fn run(file: &str, begun: u64, ended: Option<&str>) -> RunRecord {
         let ended = ended.map(str::to_owned);
         RunRecord { file: file.into(), begun, ended, ..RunRecord::default() }
+    }
+
+    #[test]
+    fn runs_of_a_renamed_file_are_those_of_its_new_name() {
+        let history = History::default();
+        let todo = ToDo { file: "a".into(), wanted: 2, ..ToDo::default() };
+        history.put_todo(vec![todo]).unwrap();
+        history.begins(run("a", 5, Some("ok"))).unwrap();
+        history.renamed("a", "b").unwrap();
+        history.renamed("b", "c").unwrap();
+        assert_eq!(history.runs()[0].file, "c");
+        assert_eq!(history.todo()[0].file, "c");
+        assert_eq!(history.names_of("c"), ["c", "b", "a"]);
+        history.renamed("c", "a").unwrap();
+        assert_eq!(history.names_of("a"), ["a", "c", "b"]);
     }
 
     #[test]

@@ -162,6 +162,11 @@ impl Hub {
         }
     }
 
+    /// The last run of a file, also of one under the name that it had then; `hash` is that by which it runs under a name.
+    pub fn last_run(&self, name: &str, hash: impl Fn(&str) -> String) -> Option<LastRun> {
+        self.history.names_of(name).iter().find_map(|name| self.ran.of(&hash(name)))
+    }
+
     /// A run is over: it is the last one of its file, and all of it is made where it came to its end. A file that was
     /// called by a typed line is known by now.
     pub fn ended(&self, job: CurrentRun) {
@@ -205,7 +210,8 @@ impl Hub {
         self.writes_down(self.history.begins(run));
     }
 
-    fn writes_down(&self, written: io::Result<()>) {
+    /// Tells where the history of runs could not be written down.
+    pub fn writes_down(&self, written: io::Result<()>) {
         if let Err(error) = written {
             let text = format!("the history of runs is only known until Kerf ends: {error}");
             self.say(Tone::Warning, text);

@@ -8,7 +8,7 @@ use crate::job_findings;
 use crate::kind::kind_of;
 use crate::locks::{Lock, OPEN, lock};
 use crate::machine::{LastState, Link};
-use crate::open::{Open, hash_of, job_hash};
+use crate::open::{Open, hash_of};
 use crate::part_files::PartFiles;
 use crate::pool::{KERF, Lane, Pool};
 use crate::preview::Basis;
@@ -190,7 +190,7 @@ impl Loader {
             parameters: open.parameters,
             choice: open.choice,
             added: open.unsaved.len() as u32,
-            ran: self.hub.ran.of(&open.hash),
+            ran: self.hub.last_run(&open.name, |name| open.hash_as(name)),
             ..Opened::default()
         };
         match opened.kind {
@@ -304,10 +304,8 @@ impl Loader {
             return;
         }
         present.preview = made.as_ref().ok().cloned();
-        if let Some(preview) = &present.preview {
-            let Open { name, bytes, parameters, choice, .. } = &*present;
-            let own = hash_of(name, bytes, parameters, choice);
-            present.hash = job_hash(own, &preview.called);
+        if present.preview.is_some() {
+            present.hash = present.hash_as(&present.name);
         }
         let hash = present.hash.clone();
         let job = hash.clone();
@@ -315,7 +313,7 @@ impl Loader {
             let Some(opened) = now.opened.clone() else { return Vec::new() };
             let opened = match &made {
                 Ok(preview) => {
-                    let ran = self.hub.ran.of(&job);
+                    let ran = self.hub.last_run(&present.name, |name| present.hash_as(name));
                     let opened = with_preview(opened, open, preview, &self.files.folder);
                     Opened { hash: job, ran, ..opened }
                 }

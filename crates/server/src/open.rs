@@ -38,6 +38,15 @@ impl Open {
     pub fn is_of(&self, bytes: &[u8]) -> bool {
         **self.unsaved.first().unwrap_or(&self.bytes) == *bytes
     }
+
+    /// Returns the hash by which it would be run under a name.
+    pub fn hash_as(&self, name: &str) -> String {
+        let own = hash_of(name, &self.bytes, &self.parameters, &self.choice);
+        match &self.preview {
+            Some(preview) => job_hash(own, &preview.called),
+            None => own,
+        }
+    }
 }
 
 /// Returns the hash by which a file is run: that of its name and bytes, and of parameters or choices other than the
@@ -62,7 +71,7 @@ pub fn hash_of(
 }
 
 /// Returns the hash by which a file is run: its own, or that of the hashes of all files when it calls others.
-pub fn job_hash(own: String, called: &Called) -> String {
+fn job_hash(own: String, called: &Called) -> String {
     if called.is_empty() {
         return own;
     }

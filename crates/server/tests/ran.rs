@@ -101,6 +101,26 @@ fn a_file_that_a_typed_line_runs_in_preview_mode_is_all_made() {
     }
 }
 
+/// A file keeps its history under another name, also one that calls others.
+#[test]
+fn a_file_with_another_name_has_run() {
+    const CALLS: &str = "SA\nFP,sub.sbp\nEND\n";
+    for (name, text) in [("a.sbp", PART), ("calls.sbp", CALLS)] {
+        let shop = shop(50.0, &[(name, text), ("b.sbp", text), ("sub.sbp", "MX,2\n")]);
+        let mut page = shop.driver();
+        page.open_file(name);
+        assert_eq!(page.run(), None);
+        has_run(&mut page);
+        let tag = format!("\"{}\"", page.shown["opened"]["content"].as_str().unwrap());
+        let renames = format!("DELETE /api/files/{name}?renamed=b.sbp");
+        assert_eq!(shop.ask(&renames, &[("if-match", &tag)], b"").status, 200);
+        page.open_file("b.sbp");
+        assert_eq!(page.shown["opened"]["ran"]["ended"], "ok", "{name}");
+        let runs = shop.get("/api/history").json();
+        assert_eq!(runs[0]["file"], "b.sbp");
+    }
+}
+
 /// What ran is the file, not its text.
 #[test]
 fn a_copy_of_a_file_that_ran_has_not_run() {

@@ -73,6 +73,11 @@ fn sbp_file_fs_dialog() {
     // FS in a line tells pages as well.
     page.command("FS,..");
     assert_eq!(page.shown["folder"]["name"], "");
+    // Where a file is opened, the next one is looked for.
+    page.open_file("doors/in.sbp");
+    page.until("the folder", |page| page.shown["folder"]["name"] == "doors");
+    page.until_state("idle");
+    page.command("FS,..");
     for name in ["..", "no", "/etc"] {
         assert_eq!(page.act(folder(name)).as_deref(), Some("file"), "{name}");
     }

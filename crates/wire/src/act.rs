@@ -55,7 +55,8 @@ pub enum Act {
     Disarm,
     /// Gives up what this page has asked for and what is not done yet: tool paths, a drawing that is read.
     GiveUp,
-    /// Opens a file of the part folder: reads it and makes its preview.
+    /// Opens a file of the part folder: reads it and makes its preview. While nothing runs, the next file is looked
+    /// for beside it.
     Open {
         /// Its name below the part folder.
         name: String,
@@ -89,7 +90,7 @@ pub enum Act {
         #[serde(default)]
         anew: bool,
     },
-    /// Chooses the folder of part files and which of them lists show, as FS does.
+    /// Chooses the folder of part files and which of them lists show, as FS does. The owner alone may.
     Folder {
         /// Below the part folder that the server was given, which an empty name means.
         name: String,

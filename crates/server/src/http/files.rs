@@ -207,6 +207,8 @@ pub async fn restore(
 pub struct Deleting {
     /// Takes it out of the bin, for good.
     forget: Option<String>,
+    /// The name that it has now: it was copied there, and its history goes with it.
+    renamed: Option<String>,
 }
 
 /// Moves a file into the bin, or takes it out of there for good. Only while nothing runs: it may be the one that
@@ -225,9 +227,16 @@ pub async fn delete(
     }
     let leave = Writing::default().leave(&headers);
     let shop = app.clone();
-    let delete = move || match deleting.forget {
-        Some(_) => shop.files.saves.forget(&shop.files.folder, &name),
-        None => shop.files.saves.delete(&shop.files.folder, &name, &leave),
+    let delete = move || {
+        let Deleting { forget, renamed } = deleting;
+        if forget.is_some() {
+            return shop.files.saves.forget(&shop.files.folder, &name);
+        }
+        shop.files.saves.delete(&shop.files.folder, &name, &leave)?;
+        if let Some(to) = renamed {
+            shop.hub.writes_down(shop.hub.history.renamed(&name, &to));
+        }
+        Ok(())
     };
     aside(delete).await?;
     app.files.changed();

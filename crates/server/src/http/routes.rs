@@ -185,7 +185,7 @@ fn files() -> Vec<Route> {
         acts(
             "/api/files/{name}",
             "delete",
-            "Moves the file with the hash that If-Match names into the bin; with ?forget it leaves the bin for good",
+            "Moves the file with the hash that If-Match names into the bin; with ?forget it leaves the bin for good, with ?renamed=NAME its history goes to that file",
             None,
             None,
         ),
