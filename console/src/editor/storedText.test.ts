@@ -13,9 +13,9 @@ const texts: [string, string][] = [
   ["nothing", ""],
   ["a line", "MX,1"],
   ["a line that ends", "MX,1\n"],
-  ["127 lines", numbered(127, (n) => `MX,${n}`)],
-  ["128 lines that end", `${numbered(128, (n) => `MX,${n}`)}\n`],
-  ["129 lines", numbered(129, (n) => `MX,${n}`)],
+  ["1023 lines", numbered(1023, (n) => `MX,${n}`)],
+  ["1024 lines that end", `${numbered(1024, (n) => `MX,${n}`)}\n`],
+  ["1025 lines", numbered(1025, (n) => `MX,${n}`)],
   ["5000 lines", numbered(5000, (n) => `M3,${n},${n / 7}`)],
   ["empty lines", "\n".repeat(100)],
   ["signs of many bytes", numbered(200, (n) => `' Größe ${n} 𝄞 in µm`)],
@@ -27,7 +27,7 @@ it.each(texts)("%s is the text that it would be without bytes", (_, text) => {
   const [stored, expected] = [textOf(read(text)), plain(text)];
   expect(stored.toString()).toBe(expected.toString());
   expect([stored.lines, stored.length]).toEqual([expected.lines, expected.length]);
-  for (const n of [1, 17, 128, 129, expected.lines].filter((n) => n <= expected.lines))
+  for (const n of [1, 17, 1024, 1025, expected.lines].filter((n) => n <= expected.lines))
     expect(stored.line(n)).toMatchObject({ ...expected.line(n) });
 });
 

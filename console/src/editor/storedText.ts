@@ -15,7 +15,7 @@ export type LineEnd = "\n" | "\r\n" | "\r";
 const [lineFeed, carriageReturn] = [10, 13];
 
 /** Lines of a leaf: more than the editor's own have, which are made anew where somebody types. */
-const leafLines = 128;
+const leafLines = 1024;
 
 /** The bytes before a text that tell that it is UTF-8. */
 const mark = [0xef, 0xbb, 0xbf];

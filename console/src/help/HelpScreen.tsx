@@ -29,7 +29,7 @@ export function HelpScreen() {
             </button>
           ))}
         </nav>
-        <Panel title={topic.title} className="help-page">
+        <Panel title={topic.title} about="Help" className="help-page">
           <Page place={place} />
         </Panel>
       </div>

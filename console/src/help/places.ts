@@ -13,6 +13,7 @@ export const places: Readonly<Record<string, string>> = {
   Password: "promises#roles",
   Drawing: "console#the-drawing",
   Selection: "console#the-drawing",
+  View: "console#the-drawing",
   Layers: "drawings#tool-paths",
   Array: "drawings#operations",
   Digitize: "digitizing",
@@ -20,6 +21,7 @@ export const places: Readonly<Record<string, string>> = {
   Keypad: "console#the-keypad",
   "Timing chart": "console#the-operators-screen",
   "Inputs of the machine": "machine#inputs-and-outputs",
+  Help: "console#help",
   "Open a file": "console#the-operators-screen",
   "Set up the machine": "machine",
 };

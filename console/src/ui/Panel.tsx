@@ -5,6 +5,8 @@ import "./panel.css";
 
 interface PanelProps {
   title: string;
+  /** The title by which the book tells of it, where it is another. */
+  about?: string;
   /** Stands at the right of the title: a toggle, a count. */
   aside?: ReactNode;
   className?: string;
@@ -12,7 +14,7 @@ interface PanelProps {
 }
 
 /** A named region of a screen. */
-export function Panel({ title, aside, className = "", children }: PanelProps) {
+export function Panel({ title, about = title, aside, className = "", children }: PanelProps) {
   const heading = useId();
   return (
     <section className={`panel ${className}`} aria-label={t(title)}>
@@ -20,7 +22,7 @@ export function Panel({ title, aside, className = "", children }: PanelProps) {
         <h2 id={heading}>{t(title)}</h2>
         <div className="panel-aside">
           {aside}
-          <PanelHelp title={title} heading={heading} />
+          <PanelHelp title={about} heading={heading} />
         </div>
       </header>
       {children}

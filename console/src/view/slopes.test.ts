@@ -47,3 +47,19 @@ it("the wall of a round hole slopes to its middle all around, whatever steps it 
     expect(Math.cos(off), `${degrees} degrees`).toBeGreaterThan(Math.cos(Math.PI / 18));
   }
 });
+
+it("a straight wall slopes across its cut at every slant, whatever steps it has", () => {
+  for (let degrees = 0; degrees < 360; degrees += 5) {
+    const angle = (degrees * Math.PI) / 180;
+    const [over, up] = [Math.cos(angle), Math.sin(angle)];
+    const beyond = (column: number, row: number) => (column - 50) * over + (row - 50) * up;
+    const wall = slopes((column, row) => (beyond(column, row) < 0 ? -10 : 0));
+    for (let along = -25; along <= 25; along += 1) {
+      const [x, y] = at(wall, Math.round(50 - along * up), Math.round(50 + along * over));
+      const off = Math.atan2(y, x) - angle;
+      expect(Math.cos(off), `${degrees} degrees at ${along}`).toBeGreaterThan(
+        Math.cos(Math.PI / 25),
+      );
+    }
+  }
+});

@@ -6,9 +6,9 @@
  */
 
 /** Cells to each side that count. */
-const reach = 4;
+const reach = 8;
 const offsets = Array.from({ length: 2 * reach + 1 }, (_, n) => n - reach);
-const bell = offsets.map((away) => Math.exp((-away * away) / 5));
+const bell = offsets.map((away) => Math.exp((-away * away) / 32));
 const sum = (values: readonly number[]) => values.reduce((all, value) => all + value, 0);
 const even = bell.map((weight) => weight / sum(bell));
 const spread = sum(bell.map((weight, n) => weight * (offsets[n] ?? 0) ** 2));

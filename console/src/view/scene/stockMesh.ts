@@ -37,18 +37,31 @@ void main() {
 const fragmentShader = `
 precision highp float;
 uniform sampler2D slopes;
-uniform float cell;
 uniform float top;
 uniform vec3 whole;
 uniform vec3 bared;
 in vec2 vCell;
 in vec3 vPlace;
 out vec4 colour;
+// The slope between the middles of cells.
+vec2 slopeAt(vec2 at) {
+  ivec2 last = textureSize(slopes, 0) - 1;
+  ivec2 low = ivec2(floor(at));
+  ivec2 high = min(low + 1, last);
+  vec2 share = at - vec2(low);
+  vec2 front = mix(texelFetch(slopes, low, 0).rg, texelFetch(slopes, ivec2(high.x, low.y), 0).rg, share.x);
+  vec2 back = mix(texelFetch(slopes, ivec2(low.x, high.y), 0).rg, texelFetch(slopes, high, 0).rg, share.x);
+  return mix(front, back, share.y);
+}
+
 void main() {
   // What is level stays level, next to a wall too.
   vec3 facet = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
-  bool level = abs(facet.z) > 0.98;
-  vec3 normal = level ? vec3(0.0, 0.0, 1.0) : normalize(vec3(-texelFetch(slopes, ivec2(round(vCell)), 0).rg, cell));
+  float up = abs(facet.z);
+  vec2 slope = slopeAt(vCell);
+  bool level = up > 0.98 || slope == vec2(0.0);
+  // A face is as steep as it lies there, and looks the way that the curve through its steps does.
+  vec3 normal = level ? vec3(0.0, 0.0, 1.0) : vec3(-normalize(slope) * sqrt(1.0 - up * up), up);
   float light = 0.45 + 0.55 * max(dot(normal, normalize(vec3(-0.5, 0.4, 0.9))), 0.0);
   vec3 wood = top - vPlace.z > 1e-4 ? bared : whole;
   colour = vec4(wood * light, 1.0);
@@ -77,7 +90,6 @@ export class StockMesh {
       uniforms: {
         heights: { value: this.#heights },
         slopes: { value: this.#slopes },
-        cell: { value: cell },
         corner: { value: [shape.x, shape.y] },
         extent: { value: [(columns - 1) * cell, (rows - 1) * cell] },
         top: { value: shape.top },
