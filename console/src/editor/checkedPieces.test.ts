@@ -2,6 +2,7 @@ import { ChangeSet, Text } from "@codemirror/state";
 import { expect, it } from "vitest";
 import type { Finding } from "../wire/messages";
 import {
+  type CheckedPiece,
   changedPieces,
   findingsOf,
   linesOf,
@@ -81,4 +82,23 @@ it("where a piece ends, what is typed belongs to one", () => {
     const after = changedPieces(pieces, changes, now);
     expect(together(after, now) === now.toString()).toBe(true);
   }
+});
+
+it("findings of a long text look only for the lines at which something is told", () => {
+  let sought = 0;
+  const text = {
+    length: 4_000_000,
+    lineAt: () => {
+      sought += 1;
+      return { number: 7 };
+    },
+  } as unknown as Text;
+  const piece = { length: 10_000, findings: [] };
+  const pieces: Pieces = [
+    ...Array<CheckedPiece>(300).fill(piece),
+    { ...piece, findings: wrongAt(3) },
+    ...Array<CheckedPiece>(99).fill({ ...piece, findings: null }),
+  ];
+  expect(findingsOf(pieces, text).map(({ line }) => line)).toEqual([9]);
+  expect(sought).toBe(1);
 });

@@ -95,9 +95,12 @@ export const withFindings = (pieces: Pieces, of: CheckedPiece, findings: Finding
 export function findingsOf(pieces: Pieces, text: Text): Finding[] {
   let from = 0;
   return pieces.flatMap(({ length, findings }) => {
-    const before = text.lineAt(Math.min(from, text.length)).number - 1;
+    const begin = from;
     from += length;
-    return (findings ?? []).map((finding) => ({ ...finding, line: finding.line + before }));
+    // A line is looked for only where something is to be told: this is done with every key.
+    if (!findings?.length) return [];
+    const before = text.lineAt(Math.min(begin, text.length)).number - 1;
+    return findings.map((finding) => ({ ...finding, line: finding.line + before }));
   });
 }
 

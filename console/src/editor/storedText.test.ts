@@ -13,9 +13,9 @@ const texts: [string, string][] = [
   ["nothing", ""],
   ["a line", "MX,1"],
   ["a line that ends", "MX,1\n"],
-  ["1023 lines", numbered(1023, (n) => `MX,${n}`)],
-  ["1024 lines that end", `${numbered(1024, (n) => `MX,${n}`)}\n`],
-  ["1025 lines", numbered(1025, (n) => `MX,${n}`)],
+  ["511 lines", numbered(511, (n) => `MX,${n}`)],
+  ["512 lines that end", `${numbered(512, (n) => `MX,${n}`)}\n`],
+  ["513 lines", numbered(513, (n) => `MX,${n}`)],
   ["5000 lines", numbered(5000, (n) => `M3,${n},${n / 7}`)],
   ["empty lines", "\n".repeat(100)],
   ["signs of many bytes", numbered(200, (n) => `' Größe ${n} 𝄞 in µm`)],
@@ -27,8 +27,14 @@ it.each(texts)("%s is the text that it would be without bytes", (_, text) => {
   const [stored, expected] = [textOf(read(text)), plain(text)];
   expect(stored.toString()).toBe(expected.toString());
   expect([stored.lines, stored.length]).toEqual([expected.lines, expected.length]);
-  for (const n of [1, 17, 1024, 1025, expected.lines].filter((n) => n <= expected.lines))
+  for (const n of [1, 17, 512, 513, expected.lines].filter((n) => n <= expected.lines))
     expect(stored.line(n)).toMatchObject({ ...expected.line(n) });
+  const places = [0, 1, 5, 100, 4000, expected.length - 1, expected.length];
+  for (const at of places.filter((at) => at >= 0 && at <= expected.length)) {
+    expect(stored.lineAt(at)).toMatchObject({ ...expected.lineAt(at) });
+    expect(stored.sliceString(at, at + 3000)).toBe(expected.sliceString(at, at + 3000));
+    expect(stored.sliceString(at, at + 99, "\r\n")).toBe(expected.sliceString(at, at + 99, "\r\n"));
+  }
 });
 
 it("is edited as another text", () => {

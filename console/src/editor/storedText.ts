@@ -8,14 +8,14 @@
  * ```
  */
 
-import { Text } from "@codemirror/state";
+import { Line, Text } from "@codemirror/state";
 
 export type LineEnd = "\n" | "\r\n" | "\r";
 
 const [lineFeed, carriageReturn] = [10, 13];
 
 /** Lines of a leaf: more than the editor's own have, which are made anew where somebody types. */
-const leafLines = 1024;
+const leafLines = 512;
 
 /** The bytes before a text that tell that it is UTF-8. */
 const mark = [0xef, 0xbb, 0xbf];
@@ -80,17 +80,33 @@ function lengthsOf(
   return lengths;
 }
 
+/** The parts of the editor's own leaves that stored ones make otherwise. */
+interface OwnLeaf extends Omit<Pick<Text, keyof Text>, "sliceString"> {
+  sliceString(from: number, to?: number, lineEnd?: string): string;
+  /** The line with a number, or that at a place; the leaf's first line has this number, and begins at this place. */
+  lineInner(target: number, isLine: boolean, line: number, offset: number): Line;
+}
+
 /** The editor's own sorts of text, of which it exports only what they have in common. */
 const Leaf = Text.of([""]).constructor as unknown as new (
   lines: string[],
   length: number,
-) => Pick<Text, keyof Text>;
+) => OwnLeaf;
+const OwnLine = Line as unknown as new (
+  from: number,
+  to: number,
+  number: number,
+  text: string,
+) => Line;
 const Tree = Text.of(Array(leafLines + 1).fill("")).constructor as unknown as {
   from(parts: readonly Text[], length: number): Text;
 };
 
-/** The leaf that was looked at last, and its lines. */
-let seen: { readonly leaf: StoredLeaf; readonly lines: string[] } | undefined;
+/** Leaves whose lines are kept: what is in sight lies in two or three. */
+const mostSeen = 4;
+
+/** The leaves that were looked at last, the last one first, with their lines. */
+let seen: readonly { readonly leaf: StoredLeaf; readonly lines: string[] }[] = [];
 
 const noLines: string[] = [];
 
@@ -114,15 +130,37 @@ class StoredLeaf extends Leaf {
   }
 
   get text(): string[] {
-    if (seen?.leaf !== this) seen = { leaf: this, lines: this.#read() };
-    return seen.lines;
+    const known = seen.find(({ leaf }) => leaf === this);
+    if (known) return known.lines;
+    const lines = this.#decoded().split("\n");
+    seen = [{ leaf: this, lines }, ...seen].slice(0, mostSeen);
+    return lines;
   }
 
   // The editor's own leaf sets its lines once, when it is made.
   set text(_: string[]) {}
 
-  #read(): string[] {
-    return decoder.decode(this.#bytes.subarray(this.#from, this.#to)).split("\n");
+  /** One line is found by its bytes, where each is a character: the others need no strings. */
+  override lineInner(target: number, isLine: boolean, line: number, offset: number): Line {
+    if (this.length !== this.#to - this.#from) return super.lineInner(target, isLine, line, offset);
+    let [from, begin, number] = [this.#from, offset, line];
+    for (;;) {
+      const feed = this.#bytes.indexOf(lineFeed, from);
+      const to = feed < 0 ? this.#to : Math.min(feed, this.#to);
+      const end = begin + to - from;
+      if ((isLine ? number : end) >= target || to === this.#to)
+        return new OwnLine(begin, end, number, this.#decoded(from, to));
+      [from, begin, number] = [to + 1, end + 1, number + 1];
+    }
+  }
+
+  override sliceString(from: number, to = this.length, lineEnd = "\n"): string {
+    if (lineEnd !== "\n") return super.sliceString(from, to, lineEnd);
+    return this.#decoded().slice(Math.max(from, 0), Math.max(to, 0));
+  }
+
+  #decoded(from = this.#from, to = this.#to): string {
+    return decoder.decode(this.#bytes.subarray(from, to));
   }
 }
 
