@@ -21,16 +21,36 @@ async function drawPage(): Promise<Page> {
   return page;
 }
 
-it("two browsers have one drawing: what one draws the other sees, and takes back", async () => {
+/** Draws with the mouse between two places of the sheet, parts of its width and height. */
+async function drawn(page: Page, tool: string, ...places: [number, number][]): Promise<void> {
+  await page.getByRole("button", { name: tool, exact: true }).click();
+  const box = await page.getByRole("application").boundingBox();
+  if (!box) throw new Error("there is no sheet");
+  for (const [right, down] of places)
+    await page.mouse.click(box.x + right * box.width, box.y + down * box.height);
+}
+
+it("two browsers have one drawing: what one draws the other sees, draws on, and takes back", async () => {
   workshop = await openWorkshop();
   const [desk, other] = [await drawPage(), await drawPage()];
-  await script(workshop, "draw", { op: { op: "do", clauses: "circle 0,0 10" } });
-  for (const page of [desk, other])
-    await page.getByRole("button", { name: "List 1", exact: true }).waitFor();
+  const shows = (count: number) =>
+    Promise.all(
+      [desk, other].map((page) =>
+        page.getByRole("button", { name: `List ${count}`, exact: true }).waitFor(),
+      ),
+    );
+  await drawn(desk, "Circle", [0.5, 0.5], [0.6, 0.5]);
+  await shows(1);
+  await drawn(other, "Rectangle", [0.2, 0.3], [0.4, 0.6]);
+  await shows(2);
+  await desk.keyboard.press("Escape");
+  await other.keyboard.press("Escape");
+  await other.getByRole("button", { name: "Undo", exact: true }).click();
+  await shows(1);
   await other.getByRole("button", { name: "Undo", exact: true }).click();
   await until(async () => (await drawing())?.shapes === 0, "it is taken back");
   await desk.getByRole("button", { name: "Redo", exact: true }).click();
-  await other.getByRole("button", { name: "List 1", exact: true }).waitFor();
+  await shows(1);
 });
 
 it("a full disk is told where something is to be written, and what lies there stays whole", async () => {
