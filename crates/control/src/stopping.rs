@@ -265,10 +265,26 @@ impl<I: Interpreter> Stops<'_, I> {
             self.station.world.model.put(stands);
             self.station.mover.set_position(stands);
         }
+        if let Some(made_s) = failure.made_s {
+            return self.breaks_off(failure, made_s);
+        }
         self.on(Stopped::LinkLost, StopSettings::OPENSBP, &failure.message);
         let at = failure.at.unwrap_or(self.station.last_move);
         let code = if failure.silent { Code::NotConnected } else { Code::Controller };
         self.station.over(Status::Failed, code, at, failure.message.clone()).hint(failure.hint)
+    }
+
+    /// An input has stopped the machine at a moment, and it stands with everything off: the run ends there.
+    fn breaks_off(&mut self, failure: &Fault, made_s: f64) -> RunEnd {
+        let settings = StopSettings { raise: false, ..StopSettings::OPENSBP };
+        self.on(Stopped::EmergencyStop, settings, &failure.message);
+        self.stop_spindles();
+        self.on(Stopped::Stands, settings, &failure.message);
+        self.on(Stopped::Abort, settings, &failure.message);
+        self.station.world.workspace.tape.broke_off(made_s, self.station.world.placed());
+        let at = failure.at.unwrap_or(self.station.last_move);
+        let over = self.station.over(Status::Stopped, Code::InputStop, at, failure.message.clone());
+        over.hint(failure.hint)
     }
 
     /// The emergency stop ends a part file as soon as it is pressed; where the power went then, it is what it

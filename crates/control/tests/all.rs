@@ -20,6 +20,7 @@ mod over_lines;
 mod place_and_nudge;
 mod queued;
 mod queued_boards;
+mod queued_guards;
 mod queued_homing;
 mod queued_laser;
 mod queued_stops;

@@ -212,7 +212,7 @@ fn a_switch_that_is_watched_stops_both_and_leaves_outputs_as_they_are() {
     pair.crew.set_output(1, 1.0, pair.now_s).expect("an output");
     pair.wired[1].fake.stops_at = vec![(10, 0, 300)];
     pair.crew
-        .watch(&[Watched { switch: 1, opens: false, look_s: 1e-4 }], pair.now_s)
+        .watch(&[Watched { switch: 1, opens: false, look_s: 1e-4, guards: false }], pair.now_s)
         .expect("a switch");
     pair.start(&[]);
     pair.run(3.0, 20);

@@ -92,7 +92,7 @@ impl Case {
         match (self.check)(&mut run).and_then(|()| run.ends()) {
             Ok(()) => Ok(Outcome::Held),
             Err(Short::Wrong(why)) => Err(why),
-            Err(Short::Failed(fault)) => run.keeps(&fault).map(|()| Outcome::Failed(fault)),
+            Err(Short::Failed(fault)) => run.keeps(&fault).map(|()| Outcome::Failed(*fault)),
         }
     }
 }
@@ -102,7 +102,7 @@ enum Short {
     /// The machine gave a wrong answer.
     Wrong(String),
     /// It has a fault.
-    Failed(Fault),
+    Failed(Box<Fault>),
 }
 
 fn require(holds: bool, otherwise: impl FnOnce() -> String) -> Result<(), Short> {

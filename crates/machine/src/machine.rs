@@ -130,6 +130,9 @@ pub struct Fault {
     pub silent: bool,
     /// Place where it stands, machine frame, as far as it told.
     pub stands: Option<Axes>,
+    /// The moment up to which it made its moves, seconds of machine time, where an input stopped it: it may have told of
+    /// moves behind that. The run can be taken up from there.
+    pub made_s: Option<f64>,
 }
 
 /// News of a machine since it was asked last.

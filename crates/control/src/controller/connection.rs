@@ -455,7 +455,7 @@ impl Connection {
         silent: bool,
     ) {
         let stands = self.place();
-        let failure = Fault { message, hint, at, silent, stands };
+        let failure = Fault { message, hint, at, silent, stands, made_s: None };
         let _ = self.failure.get_or_insert(failure);
     }
 

@@ -18,7 +18,7 @@ pub mod reason {
     pub const HOST: u32 = 2;
     /// The deadline passed.
     pub const DEADLINE: u32 = 4;
-    /// The first of the switches that are watched for all motors changed; those behind it count up.
+    /// The first of the switches changed, and it is watched for all motors; those behind it count up.
     pub const WATCH: u32 = 16;
 }
 
@@ -78,6 +78,8 @@ pub struct Watched {
     pub opens: bool,
     /// Time between two looks, seconds: at most that of a step.
     pub look_s: f64,
+    /// Outputs go off with it: a limit, a door, an emergency stop.
+    pub guards: bool,
 }
 
 /// Latches of a board.
@@ -131,6 +133,11 @@ impl Latches {
         if let Some(found) = reason(0) {
             return Some(match found {
                 reason::DEADLINE => Ended::Deadline,
+                reason::WATCH..
+                    if self.watched.iter().any(|it| it.guards && reason_of(it) == found) =>
+                {
+                    Ended::Guarded
+                }
                 reason::WATCH.. => Ended::Touched,
                 _ => Ended::Asked,
             });
@@ -172,9 +179,8 @@ impl Latches {
         let touched = |(n, _): &(usize, &Home)| reason(n + 1) == Some(reason::TOUCH);
         let homes =
             self.holds.homes.iter().enumerate().filter(touched).map(|(_, home)| home.switch);
-        let first = reason(0).and_then(|reason| reason.checked_sub(reason::WATCH));
-        let watched = first.and_then(|n| self.watched.get(n as usize));
-        homes.chain(watched.map(|watched| watched.switch)).collect()
+        let watched = reason(0).and_then(|reason| reason.checked_sub(reason::WATCH));
+        homes.chain(watched.map(|switch| switch as usize)).collect()
     }
 
     /// Time between two looks at a switch that stopped motors, seconds.
@@ -185,7 +191,8 @@ impl Latches {
         looks.find(|(other, _)| *other == switch).map(|(_, look_s)| look_s)
     }
 
-    /// Has these switches stop all motors, from a clock on where they move, and those no more that did before.
+    /// Has these switches stop all motors, from a clock on where they move, and those no more that did before. One that did
+    /// already is not looked away from.
     pub fn watch(
         &mut self,
         channel: &mut Channel,
@@ -194,15 +201,10 @@ impl Latches {
     ) -> Result<(), OrderError> {
         let before = std::mem::replace(&mut self.watched, watched.to_vec());
         let Some(clock) = moves_from else { return Ok(()) };
-        before.iter().try_for_each(|it| stop_looking(channel, it.switch))?;
-        self.watch_from(channel, clock)
-    }
-
-    fn watch_from(&self, channel: &mut Channel, clock: u64) -> Result<(), OrderError> {
-        self.watched
-            .iter()
-            .zip(reason::WATCH..)
-            .try_for_each(|(it, reason)| look_at(channel, 0, *it, [clock as u32, reason]))
+        let mut over = before.iter().filter(|it| !self.watched.contains(it));
+        over.try_for_each(|it| stop_looking(channel, it.switch))?;
+        let mut fresh = self.watched.iter().filter(|it| !before.contains(it));
+        fresh.try_for_each(|it| look_at(channel, 0, *it, [clock as u32, reason_of(it)]))
     }
 
     /// Arms the latches for motion that begins at a clock.
@@ -236,9 +238,11 @@ impl Latches {
         for (n, home) in holds.homes.iter().enumerate() {
             let Home { switch, opens, look_s, .. } = *home;
             let clock_and_reason = [starts as u32, reason::TOUCH];
-            look_at(channel, n + 1, Watched { switch, opens, look_s }, clock_and_reason)?;
+            let watched = Watched { switch, opens, look_s, guards: false };
+            look_at(channel, n + 1, watched, clock_and_reason)?;
         }
-        self.watch_from(channel, starts)?;
+        let mut watched = self.watched.iter();
+        watched.try_for_each(|it| look_at(channel, 0, *it, [starts as u32, reason_of(it)]))?;
         // Before the first deadline, however long the later ones are.
         self.again_s = now_s + channel.options.deadline_s.min(FIRST_S / AGAIN);
         Ok(())
@@ -296,6 +300,11 @@ impl Latches {
     }
 }
 
+/// The reason with which a watched switch triggers the latch of all motors.
+const fn reason_of(watched: &Watched) -> u32 {
+    reason::WATCH + watched.switch as u32
+}
+
 /// A switch is looked at no more.
 pub fn stop_looking(channel: &mut Channel, switch: usize) -> Result<(), OrderError> {
     channel.send(Order::EndstopHome, [channel.oid(Object::Switch(switch)), 0, 0, 0, 0, 0, 0, 0])
@@ -308,7 +317,7 @@ fn look_at(
     watched: Watched,
     [clock, reason]: [u32; 2],
 ) -> Result<(), OrderError> {
-    let Watched { switch, opens, look_s } = watched;
+    let Watched { switch, opens, look_s, .. } = watched;
     let ticks = |time_s: f64| (time_s * channel.frequency).round().max(1.0) as u32;
     let inverted = channel.setup.switches.get(switch).is_some_and(|pin| pin.inverted);
     let level = u32::from(inverted == opens);

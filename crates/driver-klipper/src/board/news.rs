@@ -14,6 +14,8 @@ pub enum Ended {
     Asked,
     /// A switch that was watched stopped the motors, or the host did in the same way.
     Touched,
+    /// A limit, a door or an emergency stop stopped the motors; outputs go off.
+    Guarded,
     /// The board did not hear from its host in time.
     Deadline,
     /// The host was late with its steps, and stopped before the board would have shut down.

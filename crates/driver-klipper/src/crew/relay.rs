@@ -70,7 +70,8 @@ impl Crew {
         let broken = self.members.iter().filter(|member| !is_found(member)).filter_map(why);
         let broken = broken.filter(|why| *why != Ended::Rested).max_by_key(|why| weight(*why));
         if let Some(why) = broken {
-            return Some(if why == Ended::Touched { why } else { Ended::Asked });
+            let relayed = matches!(why, Ended::Touched | Ended::Guarded);
+            return Some(if relayed { why } else { Ended::Asked });
         }
         let mut seek = self.members.iter().filter(|it| it.board.is_sought().is_some()).peekable();
         seek.peek()?;
@@ -90,8 +91,9 @@ pub const fn weight(why: Ended) -> u8 {
         Ended::Rested => 0,
         Ended::Touched => 1,
         Ended::Asked => 2,
-        Ended::Late => 3,
-        Ended::Deadline => 4,
-        Ended::Shutdown => 5,
+        Ended::Guarded => 3,
+        Ended::Late => 4,
+        Ended::Deadline => 5,
+        Ended::Shutdown => 6,
     }
 }

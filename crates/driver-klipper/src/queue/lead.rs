@@ -33,6 +33,9 @@ pub struct Lead {
 }
 
 impl Lead {
+    /// Longest time by which a piece is sent before it begins, seconds.
+    pub const MOST_S: f64 = FULL * DEADLINE_LONGEST_S;
+
     /// For a board with so many ticks a second.
     pub const fn new(frequency: f64) -> Self {
         let shortest_s = SHORTEST_S;

@@ -50,10 +50,11 @@ impl Outputs {
         change
     }
 
-    /// Changes that put all outputs off that are on, or that were told to go on later.
+    /// Changes that put all outputs off that have a watch and are on, or that were told to go on later. What has none gives
+    /// motors their current.
     pub fn off(&self) -> impl Iterator<Item = Change> {
         let off = |output: &Output| {
-            let last = output.last.filter(|last| last.value != output.off);
+            let last = output.last.filter(|last| output.watch > 0 && last.value != output.off);
             last.map(|last| Change { clock: 0, value: output.off, ..last })
         };
         self.0.iter().filter_map(off)

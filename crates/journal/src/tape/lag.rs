@@ -12,13 +12,23 @@ pub(super) struct Lag {
     leads_s: f64,
     now_s: f64,
     sure: Share,
-    /// The shares told since, each with its moment of machine time.
+    /// The shares told lately, each with its moment of machine time, and the one told before them.
     told: VecDeque<(f64, Share)>,
+    before: Share,
+    /// The machine stood last then, seconds.
+    stood_s: f64,
 }
 
 impl Lag {
     pub const fn new(leads_s: f64, sure: Share) -> Self {
-        Self { leads_s, now_s: 0.0, sure, told: VecDeque::new() }
+        Self {
+            leads_s,
+            now_s: 0.0,
+            sure,
+            told: VecDeque::new(),
+            before: sure,
+            stood_s: f64::NEG_INFINITY,
+        }
     }
 
     /// Machine time has come to a moment.
@@ -28,7 +38,10 @@ impl Lag {
             if told_s + self.leads_s > now_s {
                 break;
             }
-            self.sure = share;
+            self.before = share;
+            if told_s > self.stood_s {
+                self.sure = share;
+            }
             self.told.pop_front();
         }
     }
@@ -40,8 +53,14 @@ impl Lag {
 
     /// The machine stands: what was told is made.
     pub fn stands(&mut self, share: Share) {
-        self.told.clear();
-        self.sure = share;
+        self.tells(share);
+        (self.sure, self.stood_s) = (share, self.now_s);
+    }
+
+    /// Returns the share that was made at a moment that is not long past.
+    pub fn made_until(&self, at_s: f64) -> Share {
+        let before = self.told.iter().take_while(|(told_s, _)| *told_s <= at_s);
+        before.last().map_or(self.before, |(_, share)| *share)
     }
 
     /// Returns the share that is made for sure.
@@ -61,6 +80,10 @@ mod tests {
             lag.comes_to(at_s);
             lag.tells(share);
         }
+        assert_eq!(
+            [0.15, 0.3, 0.35].map(|at_s| lag.made_until(at_s)),
+            [(3, 0.4), (4, 0.0), (4, 0.0)]
+        );
         let mut sure = |at_s| {
             lag.comes_to(at_s);
             lag.sure()
@@ -70,6 +93,8 @@ mod tests {
             [(3, 0.0), (3, 0.4), (4, 0.0), (4, 0.0)]
         );
         lag.stands((5, 0.0));
-        assert_eq!(lag.sure(), (5, 0.0));
+        assert_eq!((lag.sure(), lag.made_until(0.41)), ((5, 0.0), (4, 0.5)));
+        lag.comes_to(0.95);
+        assert_eq!(lag.sure(), (5, 0.0), "what was told before the stand changes nothing");
     }
 }

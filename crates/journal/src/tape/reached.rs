@@ -71,6 +71,13 @@ impl Tape {
         self.stood = Some(if partly { (made.saturating_sub(1), share) } else { (made, 0.0) });
     }
 
+    /// The machine was stopped at a moment that is not long past, and is not moved on: the run can be taken up from there,
+    /// whatever was told of moves behind it.
+    pub fn broke_off(&mut self, at_s: f64, place: Placed) {
+        self.stood = self.lag.as_ref().map(|lag| lag.made_until(at_s));
+        self.given_up(place);
+    }
+
     /// The operator stopped the run and gives it up: it can be taken up as if he had not.
     pub fn given_up(&mut self, place: Placed) {
         let Some(progress) = &mut self.writing else { return };

@@ -50,7 +50,7 @@ impl<'a> Run<'a> {
 
     /// It has no fault.
     pub fn is_sound(&mut self) -> Result<(), Short> {
-        self.machine().fault().cloned().map_or(Ok(()), |fault| Err(Short::Failed(fault)))
+        self.machine().fault().cloned().map_or(Ok(()), |fault| Err(Short::Failed(Box::new(fault))))
     }
 
     /// Checks that the machine did nothing it should not.

@@ -9,6 +9,7 @@ use super::wiring::Wiring;
 use crate::controller::connection::NAP;
 use kerf_driver_klipper::board::{Ended, Home, News as Told, Start};
 use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
+use kerf_driver_klipper::queue::Lead;
 use kerf_driver_klipper::tmc::Trouble;
 use kerf_machine::driver::Facts;
 use kerf_machine::{Fault, Going, Machine as _};
@@ -147,6 +148,7 @@ impl Queued {
             tells_s: f64::INFINITY,
         };
         queued.count_anew();
+        queued.learn_inputs();
         for enable in &queued.wiring.enables {
             queued.berth.request(Request::Output { output: *enable, share: 1.0 });
         }
@@ -315,9 +317,13 @@ impl Queued {
                 let numbers = self.wiring.inputs.iter().enumerate();
                 let moved = numbers.filter(|(bit, _)| changed & (1 << bit) != 0);
                 let moved = moved.map(|(bit, it)| (it.number, states & (1 << bit) != 0));
-                self.inputs.extend(moved);
+                let moved: Vec<(u8, bool)> = moved.collect();
                 self.pressed = states;
-                self.heeds_stop_inputs();
+                for (number, is_active) in moved {
+                    if !self.ends_motion(number, is_active) {
+                        self.inputs.push_back((number, is_active));
+                    }
+                }
             }
             Told::Shutdown(reason) => {
                 let why = format!("the board has shut down: {reason}");
@@ -366,6 +372,9 @@ impl Queued {
             self.state = State::Rest;
             return;
         }
+        if let (Ended::Guarded, Some((switch, clock, _))) = (why, edges.first()) {
+            self.guarded(*switch, *clock);
+        }
         let planned = why == Ended::Rested && self.feeder.rests;
         self.late = why == Ended::Rested && !planned;
         self.state = State::Rest;
@@ -379,7 +388,7 @@ impl Queued {
             }
         }
         match why {
-            Ended::Rested | Ended::Asked | Ended::Shutdown => {}
+            Ended::Rested | Ended::Asked | Ended::Shutdown | Ended::Guarded => {}
             Ended::Touched => self.fail(
                 "an input stopped the machine, and the run was past that place already".into(),
                 "its place is known: begin again at this line",
@@ -404,7 +413,7 @@ impl Queued {
         } else {
             self.progress.at_s + COUNTING_S
         };
-        self.fault = Some(Fault { message, hint, at: self.at, silent, stands });
+        self.fault = Some(Fault { message, hint, at: self.at, silent, stands, made_s: None });
         self.drop_all();
     }
 
@@ -542,6 +551,9 @@ impl Berth for Gone {
     }
 }
 
+/// A run tells of moves so long before they are made at most, seconds: whatever the lead and the run's own stalls are.
+const TELLS_S: f64 = Lead::MOST_S * (0.5 + SPARE) + HANDING_S + SAFETY * LONGEST_S;
+
 fn facts(version: &str, wiring: &Wiring) -> Facts {
     let bit = |number: u8| 1_u32.checked_shl(u32::from(number).wrapping_sub(1)).unwrap_or(0);
     let outputs = wiring.outputs.iter().fold(0, |bits, (number, _)| bits | bit(*number));
@@ -554,6 +566,7 @@ fn facts(version: &str, wiring: &Wiring) -> Facts {
         spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),
         follows_speed: wiring.spindle.is_some(),
         feed_waits: true,
+        leads_s: TELLS_S,
         ..Facts::default()
     }
 }

@@ -7,7 +7,8 @@ use kerf_driver_klipper::desk::Request;
 use kerf_machine::driver::Facts;
 use kerf_machine::{Actuator, Fault, Going, Machine, News};
 use kerf_motion::Move;
-use kerf_program::{Axes, Axis, Beam};
+use kerf_program::{Axes, Axis, Beam, Settings};
+use std::sync::Arc;
 use std::time::Duration;
 
 impl Machine for Queued {
@@ -30,6 +31,10 @@ impl Machine for Queued {
         let lacks = lacks.map(|axis| format!("has no motor of axis {}", axis.letter()));
         let why = lacks.or_else(|| out_of_reach(&self.facts, mv.from, mv.to, Axes::default()))?;
         Some(format!("{} {why}", self.name))
+    }
+
+    fn use_settings(&mut self, settings: &Arc<Settings>) {
+        self.wiring.inputs.iter_mut().for_each(|input| input.follow(&settings.io));
     }
 
     fn begin(&mut self) {

@@ -15,6 +15,7 @@ mod beam;
 mod berth;
 mod drivers;
 mod feeder;
+mod guard;
 mod homing;
 mod machine;
 mod made;

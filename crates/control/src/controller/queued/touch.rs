@@ -1,5 +1,6 @@
 //! Homing and probing of a board: what its latches stop, and where that was.
 
+use super::guard::LOOK_S;
 use super::homing::{Act, Came, Homing};
 use super::machine::{Queued, SAME_S, State};
 use crate::controller::connection::NAP;
@@ -10,8 +11,6 @@ use kerf_motion::{Mover, planner};
 use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};
 use std::time::Duration;
 
-/// Time between two looks of the board at an input that is watched, seconds.
-const LOOK_S: f64 = 1e-4;
 /// Time behind the board's clock up to which it would have told that an input stopped it, seconds: the line may need some
 /// resends.
 const HEARD_S: f64 = 0.2;
@@ -149,6 +148,7 @@ impl Queued {
                 let mut planner = planner(&self.wiring.by_hand);
                 planner.push(made);
                 let Some(plan) = planner.finish() else { return };
+                self.watch_for(self.guards(&[]));
                 (self.homes, self.feeder.only) = (homes, Some(motors));
                 self.feeder.is_at(from);
                 self.feeder.begin_plan();
@@ -183,18 +183,7 @@ impl Queued {
         self.elsewhere = Some(place);
     }
 
-    /// An input that stops the machine ends homing.
-    pub(super) fn heeds_stop_inputs(&mut self) {
-        let pressed = self.pressed;
-        let mut inputs = self.wiring.inputs.iter().enumerate();
-        let stop = inputs.find(|(bit, it)| it.stops == Some(pressed & (1 << bit) != 0));
-        if let (Some((_, stop)), true) = (stop, self.homing.is_some()) {
-            let why = format!("input {} stopped it while it homed", stop.number);
-            self.fail(why, "release it, and home again", false);
-        }
-    }
-
-    /// Has the board watch the inputs of a plan. Returns `false` while motion that began without them is waited for.
+    /// Has the board watch the inputs of a plan, and those at which motion ends. Returns `false` while motion that began without them is waited for.
     pub(super) fn watches(&mut self, going: &Going<'_>) -> bool {
         if self.probe.watches != going.watches {
             self.probe.watches = going.watches.to_vec();
@@ -206,25 +195,34 @@ impl Queued {
             return false;
         }
         self.probe.waits = false;
+        self.watch_for(told);
+        true
+    }
+
+    fn watch_for(&mut self, told: Vec<Watched>) {
         if told != self.probe.told {
             self.berth.request(Request::Watch(told.clone()));
             self.probe.told = told;
         }
-        true
     }
 
-    /// The switches of inputs that were not as they are watched for when that began.
+    /// The switches at which motion ends, and those of inputs that were not as they are watched for when that began.
     fn switches(&self, watches: &[Watch]) -> Vec<Watched> {
         let switch = |watch: &Watch| {
             let mut inputs = self.wiring.inputs.iter().enumerate();
             let (bit, input) = inputs.find(|(_, it)| it.number == watch.input)?;
             let is_there = (self.pressed & (1 << bit) != 0) == watch.active;
             let opens = watch.active == input.turned;
-            let watched = Watched { switch: input.switch, opens, look_s: LOOK_S };
+            let watched = Watched { switch: input.switch, opens, look_s: LOOK_S, guards: false };
             let is_watched = !self.probe.waits && self.probe.told.contains(&watched);
             (is_watched || !is_there).then_some(watched)
         };
-        watches.iter().filter_map(switch).collect()
+        let mut all = self.guards(&self.probe.told);
+        let probes = watches.iter().filter_map(switch);
+        let probes = probes.filter(|it| all.iter().all(|guard| guard.switch != it.switch));
+        let probes: Vec<Watched> = probes.collect();
+        all.extend(probes);
+        all
     }
 
     /// A switch stopped all motors: learns which input that was, and when. Returns `false` where the run is past that.

@@ -9,6 +9,8 @@ use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_machine::planning::hand_settings;
 use kerf_machine::settings::motors::{Direction, Motor as Name};
+use kerf_model::Duty;
+use kerf_program::settings::IoModes;
 use kerf_program::{Axis, AxisSet, Settings};
 
 /// A motor of the board with the axis that it turns.
@@ -52,8 +54,34 @@ pub struct Looked {
     pub switch: usize,
     /// That one is active when this one is not.
     pub turned: bool,
-    /// The state in which nothing moves by itself: it is an emergency stop or a stop input.
+    /// The state of the pin in which nothing moves: an emergency stop, a stop input, a door.
     pub stops: Option<bool>,
+    /// Motion that comes to its limit ends, when it is active.
+    pub limits: bool,
+}
+
+impl Looked {
+    /// An input by its number, as a machine's settings have it.
+    pub fn of(machine: &Configuration, number: u8, (switch, turned): (usize, bool)) -> Self {
+        let emergency = (number == Input::EmergencyStop.number()).then_some(machine.estop.active);
+        let mut looked = Self { number, switch, turned, stops: emergency, limits: false };
+        looked.follow(&machine.program.io);
+        looked
+    }
+
+    /// The state of the pin at which motion ends at once; while axes are homed, limits are no end of it.
+    pub fn ends_motion(&self, homes: bool) -> Option<bool> {
+        self.stops.or((self.limits && !homes).then_some(true))
+    }
+
+    /// Its effect on motion is that of these modes. However a contact is wired, the pin is active where it stops.
+    pub fn follow(&mut self, io: &IoModes) {
+        let duty = kerf_model::duty(self.number, io);
+        if self.number != Input::EmergencyStop.number() {
+            self.stops = (duty == Duty::Stop).then_some(true);
+        }
+        self.limits = duty == Duty::Limit;
+    }
 }
 
 impl Wiring {
@@ -86,10 +114,7 @@ impl Wiring {
     fn input(&mut self, machine: &Configuration, number: u8, pin: Pin) {
         let switch = self.switch(pin.clone());
         let turned = self.setup.switches[switch].inverted != pin.inverted;
-        let stops = machine.program.io.stop_inputs().any(|stop| stop == number);
-        let stops = stops.then(|| kerf_model::pin(number, true, &machine.program.io));
-        let emergency = (number == Input::EmergencyStop.number()).then_some(machine.estop.active);
-        self.inputs.push(Looked { number, switch, turned, stops: stops.or(emergency) });
+        self.inputs.push(Looked::of(machine, number, (switch, turned)));
         self.setup.buttons.push(pin);
     }
 
