@@ -13,7 +13,7 @@ use kerf_driver_linuxcnc::LinuxCnc;
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::Wired;
 use kerf_trace::Sink;
-use kerf_transport::{Address, Line};
+use kerf_transport::Address;
 use kerf_workspace::Workspace;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -24,12 +24,7 @@ pub fn socket(name: &DriverName) -> Place {
 
 fn board(name: &DriverName) -> queued::Socket {
     let DriverName { words, address } = name.clone();
-    let port = address.key();
-    let opens = Arc::new(move || match address.open() {
-        Ok(line) => Ok(line as Box<dyn Line>),
-        Err(why) => Err(why.to_string()),
-    });
-    queued::Socket { name: words, port, opens }
+    queued::Socket::of(words, address)
 }
 
 fn followed(name: &DriverName) -> Socket {

@@ -30,7 +30,6 @@ mod send;
 mod serve;
 mod settings;
 mod step_board;
-mod step_way;
 mod sysvars;
 mod time;
 mod timing;

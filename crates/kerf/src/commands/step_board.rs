@@ -1,27 +1,22 @@
 //! Boards with step queues on the bench: who they are, and a proof that they make what is planned, with numbers.
 
 use crate::commands::prove::{OnBench, Report};
-use crate::commands::step_way::Way;
 use crate::controller;
 use crate::exit::Exit;
 use crate::machine_name::DriverName;
 use crate::{given, out};
 use anyhow::{Result, anyhow, bail};
 use kerf_control::controller::Place;
-use kerf_control::controller::queued::{Queued, Socket, others};
-use kerf_driver_klipper::board::{Held, Introduced, Introduction};
+use kerf_control::controller::queued::{Queued, Socket, Way, introduced, others};
+use kerf_driver_klipper::board::{Held, Introduced};
 use kerf_driver_klipper::dictionary::Dictionary;
 use kerf_machine::printer_cfg;
 use kerf_machine::{Configuration, Machine};
 use kerf_program::{Axes, Axis};
 use std::fmt::Write;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-/// A board that has not told who it is by then is none.
-const GREETING: Duration = Duration::from_secs(12);
-/// One look at a line.
-const NAP: Duration = Duration::from_millis(5);
 /// X goes there and back so far and so often, mm, at a speed in mm/s.
 const WAY_MM: f64 = 20.0;
 const TIMES: usize = 5;
@@ -56,25 +51,6 @@ pub fn import(file: &Path) -> Result<Exit> {
     imported.notes.iter().for_each(|note| eprintln!("kerf: {note}"));
     out::print(&imported.file);
     Ok(Exit::Good)
-}
-
-/// Asks a board who it is. Nothing of it changes.
-pub fn introduced(socket: &Socket) -> Result<Introduced, String> {
-    let mut line = (socket.opens)()?;
-    let (since, mut board) = (Instant::now(), Introduction::new(0.0));
-    let mut bytes = [0; 1024];
-    while since.elapsed() < GREETING {
-        let out = board.transmit(since.elapsed().as_secs_f64());
-        if !out.bytes.is_empty() {
-            line.write(&out.bytes).map_err(|why| why.to_string())?;
-        }
-        let count = line.read(&mut bytes, NAP).map_err(|why| why.to_string())?;
-        board.receive(&bytes[..count], since.elapsed().as_secs_f64());
-        if let Some(told) = board.take() {
-            return told.map_err(|why| why.to_string());
-        }
-    }
-    Err("no board answers: is this its port and its rate?".into())
 }
 
 fn described(name: &DriverName, Introduced { dictionary, held }: &Introduced) -> String {
@@ -153,8 +129,8 @@ pub fn prove(name: &DriverName, machine: &Configuration, report: &Path) -> Resul
 fn measured(queued: &mut Queued, machine: &Configuration) -> Result<String, String> {
     let [before, _] = queued.counts();
     for _ in 0..TIMES {
-        way(WAY_MM).moves(queued, machine)?;
-        way(0.0).moves(queued, machine)?;
+        way(WAY_MM).moves(queued, machine, || false)?;
+        way(0.0).moves(queued, machine, || false)?;
     }
     queued.close(true, || false);
     let [made, planned] = queued.counts();
@@ -178,7 +154,7 @@ fn measured(queued: &mut Queued, machine: &Configuration) -> Result<String, Stri
     let mut stops_s = Vec::new();
     for _ in 0..STOPS {
         stops_s.push(stop_s(queued, machine)?);
-        way(0.0).moves(queued, machine)?;
+        way(0.0).moves(queued, machine, || false)?;
     }
     let longest_s = stops_s.into_iter().fold(0.0, f64::max);
     let _ = writeln!(

@@ -37,6 +37,16 @@ pub struct Socket {
 }
 
 impl Socket {
+    /// The place behind an address, with its name.
+    pub fn of(name: String, address: Address) -> Self {
+        let port = address.key();
+        let opens: OpensLine = Arc::new(move || match address.open() {
+            Ok(line) => Ok(line as Box<dyn Line>),
+            Err(why) => Err(why.to_string()),
+        });
+        Self { name, port, opens }
+    }
+
     /// Opens the port and waits until the board is ready; a shutdown is cleared where somebody has looked why.
     ///
     /// # Errors
@@ -62,10 +72,7 @@ impl Socket {
         others::refuse_twins(&all, kerf_transport::serial_number)?;
         let first = (FIRST.to_owned(), self.opens.clone());
         let open = |(name, address): (String, Address)| {
-            let opens: OpensLine = Arc::new(move || match address.open() {
-                Ok(line) => Ok(line as Box<dyn Line>),
-                Err(why) => Err(why.to_string()),
-            });
+            let opens = Self::of(String::new(), address).opens;
             (name, opens)
         };
         Ok([first].into_iter().chain(others.into_iter().map(open)).collect())

@@ -17,6 +17,7 @@ mod drivers;
 mod feeder;
 mod guard;
 mod homing;
+mod introduced;
 mod machine;
 mod made;
 mod others;
@@ -24,14 +25,18 @@ mod outputs;
 mod pins;
 mod thread;
 mod touch;
+mod way;
 mod wiring;
+pub mod wizard;
 
 /// Farthest that a step is from its planned moment, seconds.
 pub const ERROR_S: f64 = 2e-6;
 
 pub use attached::{Attached, Socket};
 pub use berth::Berth;
+pub use introduced::introduced;
 pub use machine::Queued;
 pub use others::{address, read as others};
 pub use thread::OpensLine;
+pub use way::Way;
 pub use wiring::Wiring;

@@ -1,31 +1,61 @@
-//! `kerf machine wire klipper:PORT`: asks which pin does what, turns each motor a little to be looked at, looks at
-//! switches and outputs, and writes the machine's file.
+//! The wizard that wires a board: asks which pin does what, turns each motor a little to be looked at, looks at switches and
+//! outputs, tries speeds, and gives the machine's configuration.
 //!
-//! Nothing is written before the last answer: whoever answers `q`, or nothing any more, leaves all as it was.
+//! ```text
+//!  shell ───┐ Watcher: ask, tell, stop          ┌─ Socket ─► board
+//!  page ────┴───────────────────► Wizard ───────┴─ Configuration
+//! ```
+//!
+//! It knows nobody who answers: a shell and a page are both a [`Watcher`]. It takes its time, so it has a thread of its own.
 
+mod question;
 mod trials;
 
-use crate::commands::step_board::{introduced, socket};
-use crate::commands::step_way::Way;
-use crate::exit::{Exit, Usage};
-use crate::machine_name::DriverName;
-use crate::out;
-use anyhow::{Result, anyhow, bail};
-use kerf_control::controller::queued::Queued;
+pub use question::{LOOK_MM, Question, Step};
+
+use super::attached::Socket;
+use super::introduced::introduced;
+use super::machine::Queued;
+use super::way::Way;
 use kerf_machine::boards::{KnownBoard, Plug};
-use kerf_machine::contradictions::contradictions;
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::table;
-use kerf_machine::{Actuator, Configuration, Machine, Value, file};
+use kerf_machine::{Actuator, Configuration, Machine, Value};
 use kerf_program::{Axes, Axis, OutputReason};
-use std::fs;
-use std::io::{self, BufRead};
-use std::path::Path;
+use std::fmt::Display;
 use std::thread::sleep;
 use std::time::Duration;
 
-/// Way of a motor that is looked at, mm, and its speed, mm/s.
-const LOOK_MM: f64 = 1.0;
+/// Whoever sits before the machine.
+pub trait Watcher {
+    /// Asks, and waits for the answer: `y`, `n`, a pin, a number, nothing for what stands. Without one it is over.
+    fn ask(&mut self, question: &Question) -> Option<String>;
+
+    /// Tells a sentence.
+    fn tell(&mut self, words: &str);
+
+    /// The machine is to stop at once.
+    fn is_stopped(&self) -> bool {
+        false
+    }
+}
+
+/// The reason for which the wizard does not come to its end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// Somebody wanted no more.
+    Stopped,
+    /// It cannot go on, in words.
+    Failed(String),
+}
+
+type Told<T = ()> = Result<T, Ends>;
+
+/// Told before pins are asked for.
+const PINS: &str = "Pins by the board's names (kerf machine connect lists them). ! turns a level round, ^ pulls up.\n\
+    Enter keeps what stands in brackets, - takes it away, q stops.";
+
+/// Speed of a motor that is looked at, mm/s.
 const LOOK_MM_S: f64 = 2.0;
 /// Time for which an output that is looked at is on.
 const ON: Duration = Duration::from_secs(1);
@@ -39,7 +69,8 @@ const AXES: [(Axis, &str, &str); 4] = [
 ];
 /// A motor beside those of X, Y and Z.
 struct Further {
-    what: &'static str,
+    /// The step that asks for it, and what it is about.
+    asks: (Step, &'static str),
     motor: Motor,
     /// The setting that gives it its axis.
     role: &'static str,
@@ -48,115 +79,103 @@ struct Further {
 
 const FURTHER: [Further; 3] = [
     Further {
-        what: "second motor of X",
+        asks: (Step::SecondMotor, "X"),
         motor: Motor::Q,
         role: "motors.x2",
         home: "board.home_x2",
     },
     Further {
-        what: "second motor of Y",
+        asks: (Step::SecondMotor, "Y"),
         motor: Motor::W,
         role: "motors.y2",
         home: "board.home_y2",
     },
-    Further { what: "rotary axis A", motor: Motor::R, role: "motors.a", home: "board.home_a" },
+    Further { asks: (Step::Motor, "A"), motor: Motor::R, role: "motors.a", home: "board.home_a" },
 ];
 
-/// Wires a board, beginning with what is known of the machine and with the pins of a board that is sold.
+/// Wires a board, beginning with what is known of the machine and with the pins of a board that is sold. Returns the machine
+/// as it is wired then.
+///
+/// # Errors
+/// Somebody stopped it, or the board cannot be wired so.
 pub fn wire(
-    name: &DriverName,
+    socket: &Socket,
     mut machine: Configuration,
-    into: &Path,
     known: Option<&KnownBoard>,
-) -> Result<Exit> {
-    if into.exists() {
-        bail!(Usage(format!("{} is there already: name another file with --into", into.display())));
-    }
+    watcher: &mut dyn Watcher,
+) -> Result<Configuration, Ends> {
     if let Some(known) = known {
-        begins_with(name, known, &mut machine)?;
+        let told = begins_with(socket, known, &mut machine).map_err(Ends::Failed)?;
+        watcher.tell(&told);
     }
-    let mut wizard = Wizard { name, machine, board: None };
-    let told = wizard.pins().and_then(|()| wizard.motors()).and_then(|()| wizard.switches());
-    let told = told.and_then(|()| wizard.outputs()).and_then(|()| wizard.trials());
-    drop(wizard.board.take());
-    match told {
-        Err(Ends::Failed(why)) => Err(anyhow!("{why}; nothing is written")),
-        Err(Ends::Stopped) => {
-            eprintln!("kerf: stopped; nothing is written");
-            Ok(Exit::Stopped)
-        }
-        Ok(()) => {
-            fs::write(into, file::write(&wizard.machine))?;
-            let into = into.display();
-            for crossed in contradictions(&wizard.machine) {
-                eprintln!("kerf: mend in {into}: {}; {}", crossed.message, crossed.hint);
-            }
-            out::print(&format!(
-                "written: {into}\nkerf run FILE --machine {name} --machine {into}\n"
-            ));
-            Ok(Exit::Good)
-        }
-    }
+    let mut wizard = Wizard { socket, machine, board: None, watcher };
+    wizard.pins()?;
+    wizard.motors()?;
+    wizard.switches()?;
+    wizard.outputs()?;
+    wizard.trials()?;
+    Ok(wizard.machine)
 }
 
 /// Fills the pins of a board that is sold, where the one at the port has its chip.
-fn begins_with(name: &DriverName, known: &KnownBoard, machine: &mut Configuration) -> Result<()> {
-    let introduced = introduced(&socket(name)?).map_err(|why| anyhow!("{name}: {why}"))?;
+fn begins_with(
+    socket: &Socket,
+    known: &KnownBoard,
+    machine: &mut Configuration,
+) -> Result<String, String> {
+    let introduced = introduced(socket).map_err(|why| format!("{}: {why}", socket.name))?;
     let chip = introduced.dictionary.text("MCU").unwrap_or("unknown");
     if !known.may_have(chip) {
         let chips = known.chips.join(" or ");
-        bail!(
-            "{name}: the board has the chip {chip}, and the {} has {chips}: name the board that it is (kerf \
+        return Err(format!(
+            "{}: the board has the chip {chip}, and the {} has {chips}: name the board that it is (kerf \
                machine boards), or wire it without --board",
-            known.title
-        );
+            socket.name, known.title
+        ));
     }
     known.fill(machine);
     let plugs =
         |plugs: &[Plug]| plugs.iter().map(|it| it.name.clone()).collect::<Vec<_>>().join(", ");
     let motors: Vec<_> = known.motors.iter().map(|it| &*it.name).collect();
-    out::print(&format!(
-        "{}: X, Y, Z are motors {}; outputs 1 and up are {}{}\n",
+    let servo = known.servo.as_ref();
+    Ok(format!(
+        "{}: X, Y, Z are motors {}; outputs 1 and up are {}{}",
         known.title,
         motors[..motors.len().min(3)].join(", "),
         plugs(&known.outputs),
-        known
-            .servo
-            .as_ref()
-            .map(|it| format!("; for the speed of a spindle: {it}"))
-            .unwrap_or_default()
-    ));
-    Ok(())
+        servo.map(|it| format!("; for the speed of a spindle: {it}")).unwrap_or_default()
+    ))
 }
 
-/// The reason for which it does not come to its end.
-enum Ends {
-    Stopped,
-    Failed(String),
-}
-
-type Told<T = ()> = Result<T, Ends>;
-
-struct Wizard<'a> {
-    name: &'a DriverName,
+struct Wizard<'a, 'w> {
+    socket: &'a Socket,
     machine: Configuration,
     /// The board, once it is configured.
     board: Option<Queued>,
+    watcher: &'w mut dyn Watcher,
 }
 
-impl Wizard<'_> {
+impl Wizard<'_, '_> {
+    /// Asks, and returns the answer.
+    fn ask(&mut self, question: Question) -> Told<String> {
+        let answer = self.watcher.ask(&question).ok_or(Ends::Stopped)?;
+        let answer = answer.trim();
+        if answer == "q" { Err(Ends::Stopped) } else { Ok(answer.to_owned()) }
+    }
+
+    fn tell(&mut self, words: &str) {
+        self.watcher.tell(words);
+    }
+
     /// Asks for pins until the board takes them.
     fn pins(&mut self) -> Told {
         loop {
-            out::print(
-                "Pins by the board's names (kerf machine connect lists them). ! turns a level round, ^ pulls up.\n\
-                Enter keeps what stands in brackets, - takes it away, q stops.\n",
-            );
+            self.tell(PINS);
             for ((axis, pins, home), motor) in AXES.into_iter().zip([Motor::X, Motor::Y, Motor::Z])
             {
                 let letter = axis.letter();
-                self.setting(&format!("motor {letter}, step and direction"), pins)?;
-                self.setting(&format!("home switch of {letter}"), home)?;
+                self.setting(Step::Motor, letter, pins)?;
+                self.setting(Step::Home, letter, home)?;
                 self.current(motor)?;
             }
             self.further()?;
@@ -164,20 +183,20 @@ impl Wizard<'_> {
                 let is_fitted = !get(&self.machine, home).is_empty();
                 self.machine.homing.switches[axis.index()].fitted = is_fitted;
             }
-            self.setting("current of the motors", "board.enable")?;
-            self.setting("outputs by number (1 gpio20, 2 gpio21)", "board.outputs")?;
+            self.setting(Step::Enable, "", "board.enable")?;
+            self.setting(Step::Outputs, "", "board.outputs")?;
             match self.opens() {
                 Ok(()) => return Ok(()),
-                Err(why) => out::print(&format!("{why}\n")),
+                Err(why) => self.tell(&why),
             }
         }
     }
 
     /// Asks for a setting until it is one.
-    fn setting(&mut self, what: &str, key: &str) -> Told {
+    fn setting(&mut self, step: Step, about: impl Display, key: &str) -> Told {
         loop {
             let kept = get(&self.machine, key);
-            let answer = ask(&format!("{what} [{kept}]: "))?;
+            let answer = self.ask(Question::of(step, &about, kept))?;
             let value = match &*answer {
                 "" => return Ok(()),
                 "-" => "",
@@ -185,24 +204,25 @@ impl Wizard<'_> {
             };
             match put(&mut self.machine, key, value) {
                 Ok(()) => return Ok(()),
-                Err(why) => out::print(&format!("{why}\n")),
+                Err(why) => self.tell(&why),
             }
         }
     }
 
     /// Asks for second motors and a rotary axis.
     fn further(&mut self) -> Told {
-        if ask("Second motors of X and Y, or a rotary axis? y, n [n]: ")? != "y" {
+        if self.ask(Question::of(Step::Further, "", ""))? != "y" {
             return Ok(());
         }
-        for Further { what, motor, role, home } in FURTHER {
+        for Further { asks: (step, about), motor, role, home } in FURTHER {
             let key = format!("board.{}", motor.word());
-            self.setting(&format!("{what}, step and direction"), &key)?;
+            self.setting(step, about, &key)?;
             let is_there = !get(&self.machine, &key).is_empty();
             let turned_by = if is_there { motor.word() } else { "none" };
             put(&mut self.machine, role, turned_by).map_err(Ends::Failed)?;
             if is_there {
-                self.setting(&format!("home switch of {what}, - for none of its own"), home)?;
+                let is_second = step == Step::SecondMotor;
+                self.setting(if is_second { Step::SecondHome } else { Step::Home }, about, home)?;
                 self.current(motor)?;
             }
         }
@@ -214,11 +234,11 @@ impl Wizard<'_> {
         let Some(second) = self.machine.motors.of_axis(axis).get(1).copied() else { return Ok(()) };
         let letter = axis.letter();
         loop {
-            ask(&format!("{letter} goes {LOOK_MM} mm with both motors: Enter "))?;
+            self.ask(Question::of(Step::BothGo, letter, ""))?;
             for to_mm in [LOOK_MM, 0.0] {
                 self.way(Way { axis, to_mm, mm_s: LOOK_MM_S })?;
             }
-            if ask("Did both go the same way? y, n [y]: ")? != "n" {
+            if self.ask(Question::of(Step::BothWent, letter, ""))? != "n" {
                 return Ok(());
             }
             self.turn(&format!("board.{}", second.word()), 1)?;
@@ -234,14 +254,14 @@ impl Wizard<'_> {
         }
         loop {
             let kept = self.machine.drivers.current_a[motor];
-            let answer = ask(&format!("current of {letter} while it turns, amperes [{kept}]: "))?;
+            let answer = self.ask(Question::of(Step::Current, &letter, kept))?;
             match (&*answer, answer.parse::<f64>()) {
                 ("", _) => return Ok(()),
                 (_, Ok(current_a)) if current_a > 0.0 => {
                     self.machine.drivers.current_a[motor] = current_a;
                     return Ok(());
                 }
-                _ => out::print("Name it as the motor has it printed, or less: 0.8\n"),
+                _ => self.tell("Name it as the motor has it printed, or less: 0.8"),
             }
         }
     }
@@ -249,8 +269,7 @@ impl Wizard<'_> {
     /// Opens the board with what is known by now: what only the host knows may change, pins may not.
     fn opens(&mut self) -> Result<(), String> {
         self.board = None;
-        let socket = socket(self.name).map_err(|why| why.to_string())?;
-        let mut board = socket.open(&self.machine, false)?;
+        let mut board = self.socket.open(&self.machine, false)?;
         board.is_at(Axes::default());
         self.board = Some(board);
         Ok(())
@@ -261,19 +280,20 @@ impl Wizard<'_> {
     }
 
     fn way(&mut self, way: Way) -> Told {
-        let machine = self.machine.clone();
-        way.moves(self.board()?, &machine).map_err(Ends::Failed)
+        let board = self.board.as_mut().ok_or_else(|| Ends::Failed("the board is gone".into()))?;
+        let came = way.moves(board, &self.machine, || self.watcher.is_stopped());
+        if came.map_err(Ends::Failed)? { Ok(()) } else { Err(Ends::Stopped) }
     }
 
     /// Turns each motor a little, until somebody has seen it go the right way.
     fn motors(&mut self) -> Told {
         let axes = self.board()?.axes();
         for (axis, key, _) in AXES.into_iter().filter(|(axis, ..)| axes.contains(*axis)) {
-            let (letter, unit) = (axis.letter(), unit(axis));
+            let letter = axis.letter();
             loop {
-                ask(&format!("{letter} goes {LOOK_MM} {unit} towards plus: Enter "))?;
+                self.ask(Question::of(Step::Goes, letter, ""))?;
                 self.way(Way { axis, to_mm: LOOK_MM, mm_s: LOOK_MM_S })?;
-                let answer = ask("Did it? y, n for the other way, or how far in mm [y]: ")?;
+                let answer = self.ask(Question::of(Step::Went, letter, ""))?;
                 self.way(Way { axis, to_mm: 0.0, mm_s: LOOK_MM_S })?;
                 let turns = match &*answer {
                     "" | "y" => break,
@@ -285,11 +305,11 @@ impl Wizard<'_> {
                             way_mm < 0.0
                         }
                         Ok(_) => {
-                            out::print("Look at its pins, its wires and its current.\n");
+                            self.tell("Look at its pins, its wires and its current.");
                             false
                         }
                         Err(_) => {
-                            out::print("Answer y, n, or a number of mm.\n");
+                            self.tell("Answer y, n, or a number of mm.");
                             continue;
                         }
                     },
@@ -319,29 +339,23 @@ impl Wizard<'_> {
             let letter = axis.letter();
             while let Some(switch) = self.board()?.home_switch(axis) {
                 let mut looks = [false; 2];
-                let words = ["leave its home switch alone", "press it and hold it"];
-                for (look, words) in looks.iter_mut().zip(words) {
-                    ask(&format!("{letter}: {words}, Enter "))?;
+                for (look, step) in looks.iter_mut().zip([Step::LeaveSwitch, Step::PressSwitch]) {
+                    self.ask(Question::of(step, letter, ""))?;
                     let seen = self.board()?.is_on(switch);
                     *look = seen.ok_or_else(|| Ends::Failed("a switch is not told".into()))?;
                 }
                 match looks {
                     [false, true] => {
-                        out::print(&format!("{letter}: its home switch is seen\n"));
+                        self.tell(&format!("{letter}: its home switch is seen"));
                         break;
                     }
                     [true, false] => {
-                        out::print(&format!("{letter}: its home switch is seen, turned round\n"));
+                        self.tell(&format!("{letter}: its home switch is seen, turned round"));
                         self.turn(key, 0)?;
                         self.opens().map_err(Ends::Failed)?;
                         break;
                     }
-                    _ if ask(
-                        "Nothing changed: look at its pin and its wires. Again? y, n [y]: ",
-                    )? == "n" =>
-                    {
-                        break;
-                    }
+                    _ if self.ask(Question::of(Step::Unseen, letter, ""))? == "n" => break,
                     _ => {}
                 }
             }
@@ -352,8 +366,7 @@ impl Wizard<'_> {
     /// Has each output go on for a moment.
     fn outputs(&mut self) -> Told {
         for number in self.board()?.outputs() {
-            let answer =
-                ask(&format!("Output {number} goes on for a second: Enter, s leaves it out: "))?;
+            let answer = self.ask(Question::of(Step::OutputGoes, number, ""))?;
             if answer == "s" {
                 continue;
             }
@@ -368,17 +381,12 @@ impl Wizard<'_> {
                     return Err(Ends::Failed(fault.message.clone()));
                 }
             }
-            if ask("Did it? y, n [y]: ")? == "n" {
-                out::print(&format!("Output {number}: look at its pin in board.outputs.\n"));
+            if self.ask(Question::of(Step::OutputWent, number, ""))? == "n" {
+                self.tell(&format!("Output {number}: look at its pin in board.outputs."));
             }
         }
         Ok(())
     }
-}
-
-/// Unit of the ways of an axis.
-const fn unit(axis: Axis) -> &'static str {
-    if matches!(axis, Axis::A) { "degrees" } else { "mm" }
 }
 
 /// A pin with its level turned round.
@@ -394,15 +402,6 @@ fn get(machine: &Configuration, key: &str) -> String {
 fn put(machine: &mut Configuration, key: &str, value: &str) -> Result<(), String> {
     let setting = table::setting(key).ok_or_else(|| format!("there is no setting {key}"))?;
     setting.set(machine, &Value::typed(value)).map_err(|why| why.to_string())
-}
-
-/// Asks, and returns the line that was typed.
-fn ask(words: &str) -> Told<String> {
-    out::print(words);
-    let mut line = String::new();
-    let count = io::stdin().lock().read_line(&mut line).unwrap_or_default();
-    let answer = line.trim();
-    if count == 0 || answer == "q" { Err(Ends::Stopped) } else { Ok(answer.to_owned()) }
 }
 
 #[cfg(test)]

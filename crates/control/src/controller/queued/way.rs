@@ -1,6 +1,6 @@
 //! Ways of one axis of a board with step queues, outside a run: on the bench.
 
-use kerf_control::controller::queued::Queued;
+use super::machine::Queued;
 use kerf_machine::{Configuration, Going, Machine};
 use kerf_motion::{Mover, Plan, planner};
 use kerf_program::{At, Axis, Feed, Line, MoveKind};
@@ -32,15 +32,30 @@ impl Way {
         planner.finish()
     }
 
-    /// Makes it, and waits until the axis stands.
-    pub fn moves(self, queued: &mut Queued, machine: &Configuration) -> Result<(), String> {
-        self.goes(queued, machine, |_| false)?;
-        while queued.settle() {}
+    /// Makes it, and waits until the axis stands. Returns `false` where it was stopped, at once and without a ramp.
+    ///
+    /// # Errors
+    /// It does not come to its place; in words.
+    pub fn moves(
+        self,
+        queued: &mut Queued,
+        machine: &Configuration,
+        is_stopped: impl Fn() -> bool,
+    ) -> Result<bool, String> {
+        self.goes(queued, machine, |_| is_stopped())?;
+        while !is_stopped() && queued.settle() {}
+        if is_stopped() {
+            queued.halt();
+            return Ok(false);
+        }
         queued.close(true, || false);
-        queued.fault().map_or(Ok(()), |fault| Err(fault.message.clone()))
+        queued.fault().map_or(Ok(true), |fault| Err(fault.message.clone()))
     }
 
     /// Makes it until something holds of the time since its beginning, seconds, or the axis is there.
+    ///
+    /// # Errors
+    /// It does not come to its place; in words.
     pub fn goes(
         self,
         queued: &mut Queued,

@@ -1,12 +1,10 @@
 //! Speed and acceleration by trial: faster each time, as far as somebody who watches says that it was good.
 
-use super::{AXES, Told, Wizard, ask, unit};
-use crate::commands::step_way::Way;
-use crate::out;
+use super::question::{Question, Step, WAY_MM, unit};
+use super::{AXES, Told, Wizard};
+use crate::controller::queued::Way;
 use kerf_program::Axis;
 
-/// Way of a trial, mm or degrees.
-const WAY_MM: f64 = 20.0;
 /// The first speed, and the highest one, mm/s.
 const SPEEDS_MM_S: [f64; 2] = [10.0, 640.0];
 /// The first acceleration, and the highest one, mm/s².
@@ -36,6 +34,14 @@ impl Tried {
         }
     }
 
+    /// The questions before the trials and behind each.
+    const fn steps(self) -> [Step; 2] {
+        match self {
+            Self::Speed => [Step::TrySpeed, Step::SpeedGood],
+            Self::Acceleration => [Step::TryAcceleration, Step::AccelerationGood],
+        }
+    }
+
     const fn range(self) -> [f64; 2] {
         match self {
             Self::Speed => SPEEDS_MM_S,
@@ -44,7 +50,7 @@ impl Tried {
     }
 }
 
-impl Wizard<'_> {
+impl Wizard<'_, '_> {
     /// Tries speeds and accelerations of each axis.
     pub(super) fn trials(&mut self) -> Told {
         let axes = self.board()?.axes();
@@ -59,10 +65,8 @@ impl Wizard<'_> {
     fn tries(&mut self, axis: Axis, tried: Tried) -> Told {
         let (letter, unit) = (axis.letter(), unit(axis));
         let [what, per] = [tried.words(), tried.per()];
-        let words = format!(
-            "{letter}: try its {what}, {WAY_MM} {unit} there and back, more each time? y, n [n]: "
-        );
-        if ask(&words)? != "y" {
+        let [wanted, good_at] = tried.steps();
+        if self.ask(Question::of(wanted, letter, ""))? != "y" {
             return Ok(());
         }
         let [mut value, most] = tried.range();
@@ -73,10 +77,7 @@ impl Wizard<'_> {
             for to_mm in [WAY_MM, 0.0] {
                 self.way(Way { axis, to_mm, mm_s })?;
             }
-            let words = format!(
-                "{letter} at {value} {unit}{per}: did it come back to its place? y, n [y]: "
-            );
-            if ask(&words)? == "n" {
+            if self.ask(Question::of(good_at, letter, value))? == "n" {
                 break;
             }
             good = Some(value);
@@ -84,14 +85,14 @@ impl Wizard<'_> {
         }
         let Some(good) = good else {
             self.machine.program.dynamics = before;
-            out::print(&format!(
-                "{letter}: no {what} was good, its own is kept: look at its current and its load\n"
+            self.tell(&format!(
+                "{letter}: no {what} was good, its own is kept: look at its current and its load"
             ));
             return Ok(());
         };
         let kept = KEPT * good;
         self.put(axis, tried, kept);
-        out::print(&format!("{letter}: at most {kept} {unit}{per}\n"));
+        self.tell(&format!("{letter}: at most {kept} {unit}{per}"));
         Ok(())
     }
 
