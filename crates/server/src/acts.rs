@@ -72,10 +72,7 @@ impl App {
                 shop::press(&self.orders, &pins, asker, (lease, number, on))?;
             }
             Act::Set { key, value, .. } => self.settings.configure(who, &key, &value)?,
-            Act::Close => {
-                self.loader.nothing_unsaved()?;
-                self.loader.close_file();
-            }
+            Act::Close => self.close_file()?,
             Act::Run { hash, step, .. } => self.runs.run(asker, &hash, step)?,
             Act::TakeUp { .. } => self.runs.take_up(asker)?,
             Act::Command { line, .. } => self.runs.command(asker, line)?,
@@ -106,6 +103,13 @@ impl App {
             Act::Unlock { password } => self.settings.unlock(who, &password)?,
         }
         Ok(Vec::new())
+    }
+
+    /// Closes the open file, with nothing of it unsaved.
+    fn close_file(&self) -> Result<(), Problem> {
+        self.loader.nothing_unsaved()?;
+        self.loader.close_file();
+        Ok(())
     }
 
     /// Looks for the next part files where one is opened. While something runs it goes on with the folder that it has.

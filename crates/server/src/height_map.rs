@@ -1,4 +1,4 @@
-//! The height map that programs follow, as pages change and see it.
+//! The height map that programs follow, as pages change it.
 
 use crate::app::App;
 use crate::asker::Asker;
@@ -6,7 +6,6 @@ use crate::machine::Order;
 use crate::refusal::problem;
 use kerf_program::HeightMap;
 use kerf_wire::{HeightMapChange, Problem, Why};
-use kerf_workspace::{Workspace, height_map};
 
 /// Takes a file of the part folder into force, or the map off.
 ///
@@ -24,11 +23,4 @@ pub fn change(app: &App, asker: &Asker, change: HeightMapChange) -> Result<(), P
         }
     };
     app.orders.order_of(asker, Order::HeightMap(text))
-}
-
-/// The map in force, as pages are told it. One that is damaged is told by each run.
-pub fn told(workspace: &Workspace) -> Option<kerf_wire::HeightMap> {
-    let map = height_map::height_map(workspace).ok().flatten()?;
-    let (xs, ys, zs) = map.grid();
-    Some(kerf_wire::HeightMap::of(xs, ys, zs))
 }

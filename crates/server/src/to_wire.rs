@@ -14,9 +14,17 @@ use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
 use kerf_trace::Summary;
 use kerf_wire::{
-    AxisUnits, Digitized, DigitizedPoint, Duty, Io, LAMPS, Lamp, Mode, NamedValue, Offers,
-    Positions, RunSummary, Speeds, Tone, Units,
+    AxisUnits, Digitized, DigitizedPoint, Duty, HeightMap, Io, LAMPS, Lamp, Mode, NamedValue,
+    Offers, Positions, RunSummary, Speeds, Tone, Units,
 };
+use kerf_workspace::Workspace;
+
+/// Returns the height map in force. One that is damaged is told by each run.
+pub fn height_map(workspace: &Workspace) -> Option<HeightMap> {
+    let map = kerf_workspace::height_map::height_map(workspace).ok().flatten()?;
+    let (xs, ys, zs) = map.grid();
+    Some(HeightMap::of(xs, ys, zs))
+}
 
 /// The points that are being digitized, which count from the job origin.
 pub fn digitized(points: &Digitizer, origin: [f64; 2]) -> Digitized {

@@ -5,7 +5,6 @@ use super::owner::Owner;
 use crate::configure::changes_through;
 use crate::gate::{self, Way};
 use crate::handconsole::Happening;
-use crate::height_map;
 use crate::locks::lock;
 use crate::setup::Workshop;
 use crate::to_wire;
@@ -251,7 +250,7 @@ impl Owner {
         let recorder = Recorder { on, lines };
         let name = self.parts.name_of(&workspace.part_folder().display().to_string());
         let folder = Folder { name, mask: workspace.mask().to_owned() };
-        let height_map = height_map::told(&self.workshop.workspace);
+        let height_map = to_wire::height_map(&self.workshop.workspace);
         let watched = self.watched();
         let setup = crate::configure::setup(&self.workshop.session);
         let interrupted = self.interrupted();

@@ -25,10 +25,10 @@ pub use thumbnail::{thumbnail, thumbnail_of};
 pub use timing::timing;
 pub use typed::Typed;
 
-use crate::height_map;
 use crate::job_findings;
 use crate::locks::lock;
 use crate::machine::Planned;
+use crate::to_wire;
 use collect::Collector;
 use kerf_control::answers::Answers;
 use kerf_control::{OperatorRequest, Requests, RunContext, Session};
@@ -140,7 +140,7 @@ pub fn make(
     let (work, machine) = unattended(work);
     let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
-    let height_map = height_map::told(workspace);
+    let height_map = to_wire::height_map(workspace);
     let mut sink = Collector::of(&session);
     let (summary, cutter_mm, samples) =
         silently(work, options(parameters), session, workspace, given_up, &mut sink)?;
