@@ -173,7 +173,8 @@ pub fn run(args: &ServeArgs) -> Result<Exit> {
     let all = together::machines(args)?;
     let mut served = Vec::new();
     for (name, args) in &all {
-        served.push(begin(args).with_context(|| name.clone())?);
+        let begun = begin(args);
+        served.push(if all.len() > 1 { begun.with_context(|| name.clone())? } else { begun? });
     }
     let servers: Vec<&Server> = served.iter().map(|(server, _)| server).collect();
     together::tell(&all, &servers);

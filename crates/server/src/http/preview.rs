@@ -144,12 +144,7 @@ async fn chart_of(
     changes: Vec<Change>,
 ) {
     let (making, made) = (app.clone(), chart.clone());
-    let answer = aside(move || {
-        making
-            .loader
-            .charts
-            .make(&made, |given_up| making.loader.timing(&key, &preview, changes, given_up))
-    });
+    let answer = aside(move || making.loader.timing(&key, &preview, changes, &made.given_up));
     let answer = answer.await.map_err(|Refused(why)| why);
     app.loader.charts.made(&chart, answer);
 }

@@ -1,4 +1,4 @@
-//! The timing charts that somebody waits for: made one at a time, each for everybody who asked for that one.
+//! The timing charts that somebody waits for, each made once for everybody who asked for that one.
 
 use crate::locks::lock;
 use kerf_wire::Problem;
@@ -11,15 +11,13 @@ use tokio::sync::watch;
 /// A chart, or why there is none.
 pub type Answer = Result<Arc<Timing>, Problem>;
 
-/// Most charts that are waited for at a time: each keeps a thread.
-const MOST: usize = 8;
+/// Most charts that are made at a time: each keeps a thread.
+const MOST: usize = 3;
 
 /// The charts that are made, the one asked for first in front.
 #[derive(Debug, Default)]
 pub struct Charts {
     waited_for: Mutex<VecDeque<Arc<Chart>>>,
-    /// Lock that whoever makes one holds.
-    turn: Mutex<()>,
 }
 
 /// Request for a chart.
@@ -35,7 +33,8 @@ pub struct Asked {
 #[derive(Debug)]
 pub struct Chart {
     asked: Asked,
-    given_up: Arc<AtomicBool>,
+    /// Nobody waits for it any more.
+    pub given_up: Arc<AtomicBool>,
     waiting: AtomicUsize,
     made: watch::Sender<Option<Answer>>,
 }
@@ -79,12 +78,6 @@ impl Charts {
     /// Gives up all that are being made.
     pub fn give_up(&self) {
         give_up(lock(&self.waited_for).drain(..));
-    }
-
-    /// Makes a chart when the one before is over.
-    pub fn make(&self, chart: &Chart, make: impl FnOnce(&Arc<AtomicBool>) -> Answer) -> Answer {
-        let _turn = lock(&self.turn);
-        make(&chart.given_up)
     }
 
     /// Tells everybody who waits for it.
