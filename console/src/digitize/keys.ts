@@ -15,7 +15,7 @@ export interface DigitizingKey {
 const key = (title: string, keys: string, doc: string): DigitizingKey => ({ title, keys, doc });
 const run = (title: string, number: number, doc: string) => key(title, `U${number}E`, doc);
 
-export const begin = run("Digitize", 70, "Record the points of a shape with the tool");
+export const begin = run(t("Digitize"), 70, t("Record the points of a shape with the tool"));
 export const record = key(
   t("Record"),
   "E",
@@ -24,41 +24,41 @@ export const record = key(
 export const kind = key(t("Line / arc"), "-", t("The kind of the next point (+/-)"));
 
 export const steps: readonly DigitizingKey[] = [
-  run("To start", 5, "Along the path to the first point"),
+  run(t("To start"), 5, t("Along the path to the first point")),
   key(t("Back"), "F", t("To the point before, along its line or arc (File)")),
   key(t("On"), "S", t("To the point behind, along its line or arc (Start)")),
-  run("To end", 4, "Along the path to the last point"),
-  run("To current", 6, "Straight to the current point"),
-  run("To nearest", 7, "Straight to the nearest point, which becomes current"),
+  run(t("To end"), 4, t("Along the path to the last point")),
+  run(t("To current"), 6, t("Straight to the current point")),
+  run(t("To nearest"), 7, t("Straight to the nearest point, which becomes current")),
 ];
 
 export const edits: readonly DigitizingKey[] = [
-  run("Insert after", 0, "A point where the tool is, behind the current one"),
-  run("Insert before", 1, "A point where the tool is, before the current one"),
-  run("Modify", 3, "The current point goes where the tool is"),
-  run("Delete", 2, "Takes the current point out"),
+  run(t("Insert after"), 0, t("A point where the tool is, behind the current one")),
+  run(t("Insert before"), 1, t("A point where the tool is, before the current one")),
+  run(t("Modify"), 3, t("The current point goes where the tool is")),
+  run(t("Delete"), 2, t("Takes the current point out")),
 ];
 
 export const shapes: readonly DigitizingKey[] = [
-  run("Save open", 8, "Adds an open shape to the job or the drawing"),
-  run("Save closed", 9, "Adds a closed shape to the job or the drawing"),
-  run("Load nearest", 10, "The points of the shape nearest to the tool"),
-  run("Clear", 15, "Forgets all points"),
+  run(t("Save open"), 8, t("Adds an open shape to the job or the drawing")),
+  run(t("Save closed"), 9, t("Adds a closed shape to the job or the drawing")),
+  run(t("Load nearest"), 10, t("The points of the shape nearest to the tool")),
+  run(t("Clear"), 15, t("Forgets all points")),
 ];
 
 export const looks: readonly DigitizingKey[] = [
-  run("Show points", 30, "The points on every sheet"),
-  run("Show all", 31, "All shapes on every sheet"),
-  run("Show machine", 32, "The machine's bounds on every sheet"),
-  run("Zoom out", 33, "Twice as much on every sheet"),
+  run(t("Show points"), 30, t("The points on every sheet")),
+  run(t("Show all"), 31, t("All shapes on every sheet")),
+  run(t("Show machine"), 32, t("The machine's bounds on every sheet")),
+  run(t("Zoom out"), 33, t("Twice as much on every sheet")),
 ];
 
 export const dimensions = {
-  flat: run("2D", 11, "Shapes without heights"),
-  space: run("3D", 12, "Shapes with the height of each point, without arcs"),
+  flat: run(t("2D"), 11, t("Shapes without heights")),
+  space: run(t("3D"), 12, t("Shapes with the height of each point, without arcs")),
 } as const;
 
-export const exit = run("Exit", 99, "Ends digitizing");
+export const exit = run(t("Exit"), 99, t("Ends digitizing"));
 
 /** A place that is typed, from the job origin. */
 export const moveTo = (x: Mm, y: Mm): DigitizingKey =>

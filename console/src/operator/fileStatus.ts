@@ -1,5 +1,6 @@
 /** How the open file stands, and how far what runs is: what is told beside its name. */
 
+import { endWord } from "../app/endWords";
 import type { Spot } from "../app/screen";
 import { durationText } from "../app/units";
 import type { Shown } from "../link/shown";
@@ -132,7 +133,7 @@ function ranStatus({ ended, at, line }: LastRun, opened: Opened, now: Date): Fil
     case "limit":
       return warning(t("ended at a limit{0} at {1}", behind, when), place);
     default:
-      return warning(t("{0}{1} at {2}", ended, behind, when), place);
+      return warning(t("{0}{1} at {2}", endWord(ended), behind, when), place);
   }
 }
 

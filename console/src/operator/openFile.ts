@@ -4,6 +4,7 @@ import { ask } from "../actions/ask";
 import { type Hands, worldOf } from "../app/context";
 import { asNamed } from "../command/lastFile";
 import type { FileInfo } from "../wire/messages";
+import { t } from "../words/words";
 import { baseOf, parentOf } from "./folder";
 
 /** Opens a drawing on its own screen; the one on the sheet goes. */
@@ -34,12 +35,12 @@ export const kindWord = ({ folder, opens }: FileInfo): string => {
   if (folder) return "";
   switch (opens) {
     case "program":
-      return "program";
+      return t("program");
     case "job":
-      return "job";
+      return t("job");
     case "drawing":
-      return "drawing";
+      return t("drawing");
     default:
-      return "text";
+      return t("text");
   }
 };

@@ -1,18 +1,13 @@
 /** Runs as people read them, and parts that were made. */
 
+import { endWord } from "../app/endWords";
 import type { RunRecord, ToDo } from "../wire/messages";
 import { t } from "../words/words";
-
-const words: Record<string, string> = {
-  ok: t("finished"),
-  ended: t("ended by itself"),
-  limit: t("ended at a limit"),
-};
 
 /** `finished`, `stopped behind line 12`, `runs`. */
 export function endText({ ended, line }: RunRecord): string {
   if (ended === null) return t("runs");
-  const word = words[ended] ?? ended;
+  const word = endWord(ended);
   return ended === "ok" || line === 0 ? word : t("{0} behind line {1}", word, line);
 }
 

@@ -1,5 +1,12 @@
 /** Texts of the editor in German, by their English ones. */
 export const files: Readonly<Record<string, string>> = {
+  program: "Programm",
+  job: "Auftrag",
+  drawing: "Zeichnung",
+  text: "Text",
+  failed: "fehlgeschlagen",
+  stopped: "angehalten",
+  "cut short": "abgebrochen",
   ", another text": ", ein anderer Text",
   "A click beside a line number, or F9, sets a breakpoint.":
     "Ein Klick neben eine Zeilennummer oder F9 setzt einen Haltepunkt.",

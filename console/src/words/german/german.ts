@@ -1,6 +1,7 @@
 /** The texts of the console in German, by their English ones. Numbers and commands stay as they are. */
 
 import { actions } from "./actions";
+import { digitizing } from "./digitizing";
 import { drawing } from "./drawing";
 import { files } from "./files";
 import { help } from "./help";
@@ -11,6 +12,7 @@ import { tools } from "./tools";
 
 export const german: Readonly<Record<string, string>> = {
   ...actions,
+  ...digitizing,
   ...drawing,
   ...files,
   ...help,

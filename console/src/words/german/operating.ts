@@ -303,7 +303,7 @@ export const operating: Readonly<Record<string, string>> = {
   "fixed distance on and off": "fester Weg ein und aus",
   "held: the machine moves, and files are taken when it stands":
     "wartet: die Maschine fährt; Dateien werden genommen, wenn sie steht",
-  "in all folders; *.log for other files": "in allen Ordnern; *.log für andere Dateien",
+  "in all folders; *.log for other files": "in allen Ordnern; auch *.log",
   "interrupted before its first move": "vor der ersten Bewegung unterbrochen",
   "interrupted behind {0} {1}": "unterbrochen nach {0} {1}",
   "is a drawing: it has no tool path yet, and the machine cuts nothing of it.":

@@ -1,0 +1,15 @@
+/** Words for the ends of runs. */
+
+import { t } from "../words/words";
+
+const words: Readonly<Record<string, string>> = {
+  ok: t("finished"),
+  ended: t("ended by itself"),
+  limit: t("ended at a limit"),
+  failed: t("failed"),
+  stopped: t("stopped"),
+  "cut short": t("cut short"),
+};
+
+/** How a run ended, as a person reads it. */
+export const endWord = (ended: string): string => words[ended] ?? ended;
