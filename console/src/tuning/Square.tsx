@@ -6,11 +6,11 @@ import { squareness } from "./tuning";
 import { useLengths } from "./useLengths";
 
 const fields = [
-  ["x", "Rectangle, X"],
-  ["y", "Rectangle, Y"],
-  ["d1", "Diagonal from the front left"],
-  ["d2", "Diagonal from the front right"],
-  ["apart", "Between the two motors"],
+  ["x", t("Rectangle, X")],
+  ["y", t("Rectangle, Y")],
+  ["d1", t("Diagonal from the front left")],
+  ["d2", t("Diagonal from the front right")],
+  ["apart", t("Between the two motors")],
 ] as const;
 
 /** Squareness of a gantry with two motors: from the diagonals of a rectangle that it marked. */
