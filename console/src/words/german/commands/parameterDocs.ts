@@ -184,6 +184,12 @@ const tools: Readonly<Record<string, string>> = {
   "Blank: asks for one.": "Leer: fragt danach.",
 };
 
+const surfacing: Readonly<Record<string, string>> = {
+  "Rows clear the corners: the cutter reaches over the edges at their ends by its radius.":
+    "Zeilen räumen die Ecken: der Fräser ragt an ihren Enden um seinen Radius über die Kanten.",
+  "0 is the move speed that is set.": "0 ist die eingestellte Geschwindigkeit der Fahrten.",
+};
+
 const values: Readonly<Record<string, string>> = {
   "What the display shows here from now on.": "Was die Anzeige hier von nun an zeigt.",
   "The same quantity as %(6) to %(10): how far base is ahead of working; a location in the dialect strict.":
@@ -286,6 +292,7 @@ export const parameterDocs: Readonly<Record<string, string>> = {
   ...moves,
   ...feeling,
   ...tools,
+  ...surfacing,
   ...values,
   ...outputs,
   ...motion,
