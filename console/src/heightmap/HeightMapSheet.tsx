@@ -1,5 +1,6 @@
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { useLengthUnit } from "../app/useLengthUnit";
+import { useWords } from "../app/useWords";
 import { findCommand, useCommands } from "../command/table";
 import { getJson } from "../link/http";
 import { EntryFields } from "../probe/EntryFields";
@@ -92,6 +93,7 @@ function OverFile({ entry, maker }: { entry: CommandEntry; maker: Maker }) {
 
 /** The places that the last run has probed so far. */
 function Probed() {
+  const words = useWords();
   const job = useSnapshot("job");
   const printed = useSnapshot("printed") ?? [];
   if (job?.file !== program) return null;
@@ -101,7 +103,11 @@ function Probed() {
     <section aria-label={t("Places that are probed")}>
       <p role="status">{t("{0} of {1} places are probed.", places.length, of)}</p>
       {places.length > 0 && <HeightPicture places={places} />}
-      {failed && <p className="probe-wrong">{job.error?.message ?? t("The run has ended.")}</p>}
+      {failed && (
+        <p className="probe-wrong">
+          {job.error ? words(job.error.message) : t("The run has ended.")}
+        </p>
+      )}
     </section>
   );
 }

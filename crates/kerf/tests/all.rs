@@ -51,6 +51,7 @@ mod structured;
 mod terminal;
 mod three_d;
 mod time;
+mod tool_table;
 mod toolpath;
 mod traversal;
 mod values;

@@ -207,6 +207,11 @@ impl Shop {
         }
     }
 
+    /// Keeps where the machine is, and what it knows.
+    pub fn keep(&mut self) -> Result<()> {
+        Ok(self.session.keep_place(&mut self.workspace)?)
+    }
+
     /// The controller is left as it was found.
     pub fn leave(&mut self) {
         if let Some(controller) = &self.controller {
@@ -305,7 +310,7 @@ pub fn home(which: &Which, letters: Option<&str>, unlock: bool, there: ServerArg
 /// Has a controller go home with all axes that it homes, and tells where they stand.
 fn home_controller(which: &Which, unlock: bool) -> Result<Exit> {
     let mut shop = Shop::open_after(which, First::going_home(unlock), false)?;
-    shop.session.keep_place(&mut shop.workspace)?;
+    shop.keep()?;
     if let Some(controller) = &shop.controller {
         controller.ends(true, &mut shop.workspace, || false);
         controller.detach(&mut shop.workspace);

@@ -3,6 +3,7 @@
 use super::which::Which;
 use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
+use crate::commands::tool_table::{self, ToolsAction};
 use crate::commands::zeros::{self, ZerosAction};
 use crate::commands::{known_boards, protect, prove, step_board, wire};
 use crate::data_args::DataArgs;
@@ -160,6 +161,11 @@ enum Action {
         #[command(subcommand)]
         action: Option<ZerosAction>,
     },
+    /// Lists the tools of G-code by their numbers (G43, G41), with diameter and length; sets and forgets them
+    Tools {
+        #[command(subcommand)]
+        action: Option<ToolsAction>,
+    },
     /// Prints the job origin, or sets it
     Origin {
         /// `here`, where the tool is, or X,Y: millimetres from home
@@ -236,6 +242,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             return board::settings(controller(&args.which)?, action.as_ref());
         }
         Action::Zeros { action } => return zeros::run(&args.which, action.as_ref()),
+        Action::Tools { action } => return tool_table::run(&args.which, *action),
         Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }

@@ -33,6 +33,7 @@ mod step_board;
 mod sysvars;
 mod time;
 mod timing;
+mod tool_table;
 mod toolpath;
 mod trace;
 mod values;
