@@ -234,7 +234,11 @@ class Machine:
             pass
 
     def saves_parameters(self):
-        """Its file of parameters is one command behind, unless its interpreter is told to follow its motion."""
+        """Its file of parameters is one command behind, unless its interpreter is told to follow its motion.
+
+        It is not told so in mode AUTO, which it has gone to by way of saving them."""
+        if self.state.task_mode == linuxcnc.MODE_AUTO:
+            return
         self.told.task_plan_synch()
         self.told.wait_complete(1.0)
         self.state.poll()
