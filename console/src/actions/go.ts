@@ -101,6 +101,8 @@ const openTuning = sheetAction(
   t("Steps per millimetre and squareness, from what was measured"),
   [],
 );
+/** A board with step queues that becomes the controller of the machine, question by question. */
+const openWiring = sheetAction({ kind: "wiring" }, t("Wire a board of a printer"), []);
 /** Inputs and outputs of the open file beside its motion. */
 export const openTiming: Action = {
   ...sheetAction({ kind: "timing" }, t("Timing chart"), []),
@@ -156,6 +158,7 @@ export const goActions: readonly Action[] = [
   openHeightMap,
   openSurfacing,
   openTuning,
+  openWiring,
   openTools,
   openTiming,
   openSetup,

@@ -25,6 +25,7 @@ import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
 import { VersionsSheet } from "../tools/VersionsSheet";
 import { TuningSheet } from "../tuning/TuningSheet";
+import { WiringSheet } from "../wiring/WiringSheet";
 import { ZerosSheet } from "../zeros/ZerosSheet";
 import { useHands } from "./context";
 import type { Sheet } from "./screen";
@@ -64,6 +65,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <SurfacingSheet onClose={close} />;
     case "tuning":
       return <TuningSheet onClose={close} />;
+    case "wiring":
+      return <WiringSheet onClose={close} />;
     case "zeros":
       return <ZerosSheet onClose={close} />;
     case "ports":

@@ -27,6 +27,7 @@ export type Sheet =
   | { readonly kind: "heightMap" }
   | { readonly kind: "surfacing" }
   | { readonly kind: "tuning" }
+  | { readonly kind: "wiring" }
   | { readonly kind: "timing" }
   | { readonly kind: "samples" }
   | { readonly kind: "history" }

@@ -119,6 +119,7 @@ export const firstSnapshot = message<Snapshot>({
   overrides: { feedPercent: 100, rapidPercent: null, spindlePercent: null },
   zeros: [],
   heightMap: null,
+  wiring: null,
   printed: [],
   messages: [
     { tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0, place: null },

@@ -35,6 +35,7 @@ use crate::setting_changes::SettingChanges;
 use crate::setup::{Builders, Options};
 use crate::texts::Texts;
 use crate::thumbnails::Thumbnails;
+use crate::wirings::Wirings;
 use kerf_wire::Tone;
 use std::io;
 use std::sync::atomic::AtomicU32;
@@ -75,6 +76,8 @@ pub struct App {
     pub hands: Hands,
     /// The hand console.
     pub keys: Keys,
+    /// A board that is being wired.
+    pub wirings: Wirings,
     /// Paired devices.
     pub devices: Devices,
     /// Token of whoever sits at the machine, where others may connect as well.
@@ -132,6 +135,7 @@ impl App {
             runs: lent.runs(&orders, &jobs),
             hands: lent.hands(&orders, &loader, &pages, &clock),
             files: loader.files.clone(),
+            wirings: Wirings::new(hub.clone(), link.clone(), left.clone(), loader.files.clone()),
             texts: Texts::new(&options.data),
             driving: Arc::new(driving),
             keys: Keys::default(),

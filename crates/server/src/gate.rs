@@ -154,6 +154,9 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Key { lease, .. }
         | Act::Input { lease, .. } => with_lease(*lease),
         Act::Set { lease, .. } => setting(with_lease(*lease)),
+        Act::Wire { lease, .. } | Act::WireAnswer { lease, .. } => {
+            setting(driving(TurnNeeded::Number(*lease)))
+        }
         Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
         Act::Folder { .. } => need(Role::Owner),
         Act::TakeLease { .. }
@@ -326,6 +329,8 @@ fn is_by_hand(act: &Act) -> bool {
         | Act::JogRenew { .. }
         | Act::Lift { .. }
         | Act::Nudge { .. }
+        | Act::Wire { .. }
+        | Act::WireAnswer { .. }
         | Act::Key { .. } => true,
         _ => false,
     }

@@ -83,6 +83,7 @@ mod webhook;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod who_may_what;
+mod wirings;
 mod work;
 
 pub use http::{describe, paths};

@@ -260,6 +260,29 @@ pub enum Act {
         /// The change.
         change: HeightMapChange,
     },
+    /// Begins to wire a board with step queues that hangs on a port of this computer; questions follow, and each motor
+    /// turns a little. Not while a real machine is driven.
+    Wire {
+        /// Number of the lease.
+        lease: u32,
+        /// Its port, as /dev/ttyACM0.
+        port: String,
+        /// The name of a board that is sold: its pins are known.
+        #[serde(default)]
+        #[ts(optional)]
+        board: Option<String>,
+        /// Name of the machine's file that is written into the part folder at the end.
+        into: String,
+    },
+    /// Answers the question of this number about the board that is being wired. `q` ends it, and nothing is written.
+    WireAnswer {
+        /// Number of the lease.
+        lease: u32,
+        /// Number of the question.
+        question: u32,
+        /// y, n, a pin, a number; nothing for what stands.
+        answer: String,
+    },
     /// Changes the operator's overrides; one that is not given stays.
     Override {
         /// Number of the lease.

@@ -4,7 +4,8 @@ use crate::preview::TypedPath;
 use crate::{
     Asked, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, HeightMap,
     Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
-    Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, Units, Who, Zero,
+    Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, Units, Who, Wiring,
+    Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,6 +72,9 @@ pub enum Change {
     #[serde(rename_all = "camelCase")]
     HeightMap {
         height_map: Option<HeightMap>,
+    },
+    Wiring {
+        wiring: Option<Wiring>,
     },
     /// Lines are added to the print window.
     Printed {

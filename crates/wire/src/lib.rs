@@ -41,6 +41,7 @@ mod setup;
 mod snapshot;
 mod typescript;
 mod vectors;
+mod wiring;
 
 pub use act::{Act, Request};
 pub use by_hand::ByHand;
@@ -77,6 +78,7 @@ pub use setup::{Setup, ZHeights};
 pub use snapshot::{Snapshot, StartUp};
 pub use typescript::typescript;
 pub use vectors::fold_vectors;
+pub use wiring::Wiring;
 
 /// Inputs, and outputs, of a machine.
 pub const LAMPS: usize = 12;

@@ -4,7 +4,7 @@ use crate::preview::TypedPath;
 use crate::{
     Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, HeightMap,
     Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
-    Recorder, ServedMachine, Setup, Sound, Speeds, Units, VERSION, Zero,
+    Recorder, ServedMachine, Setup, Sound, Speeds, Units, VERSION, Wiring, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -78,6 +78,8 @@ pub struct Snapshot {
     pub zeros: Vec<Zero>,
     /// The height map that programs follow; nothing where surfaces are flat.
     pub height_map: Option<HeightMap>,
+    /// A board that is being wired, or was wired last.
+    pub wiring: Option<Wiring>,
     /// The print window, oldest line first.
     pub printed: Vec<String>,
     /// Messages, oldest first.
@@ -132,6 +134,7 @@ impl Default for Snapshot {
             overrides: Overrides::default(),
             zeros: Vec::new(),
             height_map: None,
+            wiring: None,
             printed: Vec::new(),
             messages: Vec::new(),
             lease: None,
@@ -172,6 +175,7 @@ impl Snapshot {
             Change::Overrides { overrides } => self.overrides = overrides,
             Change::Zeros { zeros } => self.zeros = zeros,
             Change::HeightMap { height_map } => self.height_map = height_map,
+            Change::Wiring { wiring } => self.wiring = wiring,
             Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),
             Change::ClearPrinted => self.printed.clear(),
             Change::Messages { messages } => keep_last(&mut self.messages, messages, MESSAGES),

@@ -69,6 +69,7 @@ fn of_the_machine() -> Vec<Change> {
         Change::Zeros { zeros: vec![Zero { name: "G54".into(), at: [1.0; AXES], holds: true }] },
         Change::HeightMap { height_map: Some(HeightMap::of(&[0.0, 1.0], &[0.0, 2.0], &[0.5; 4])) },
         Change::HeightMap { height_map: None },
+        Change::Wiring { wiring: Some(crate::Wiring { question: 2, ..crate::Wiring::default() }) },
         Change::Overrides { overrides: Overrides { feed_percent: 80.0, ..Overrides::default() } },
         Change::Settings { settings: 3 },
         Change::HandConsole { hand_console: HandConsole::default() },

@@ -74,6 +74,7 @@ export const actions: Readonly<Record<string, string>> = {
   Paused: "Pause",
   "Ports of the card: diagnostics": "Anschlüsse der Karte: Diagnose",
   "Zero points of the controller: G54 to G59.3": "Nullpunkte der Steuerung: G54 bis G59.3",
+  "Wire a board of a printer": "Eine Druckerplatine verdrahten",
   "The machine keeps no zero points.": "Die Maschine merkt sich keine Nullpunkte.",
   "Preview mode: files are only drawn": "Vorschaubetrieb: Dateien werden nur gezeichnet",
   "Raise the tool above the work first: it goes round at this height.":

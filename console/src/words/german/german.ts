@@ -9,6 +9,7 @@ import { operating } from "./operating";
 import { settings } from "./settings";
 import { shared } from "./shared";
 import { tools } from "./tools";
+import { wiring } from "./wiring";
 
 export const german: Readonly<Record<string, string>> = {
   ...actions,
@@ -20,4 +21,5 @@ export const german: Readonly<Record<string, string>> = {
   ...settings,
   ...shared,
   ...tools,
+  ...wiring,
 };

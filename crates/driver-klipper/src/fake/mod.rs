@@ -23,19 +23,29 @@ pub use wired::Wired;
 
 /// Time of a board that shares its processor with others: where it is kept waiting its clock does too, so that it is late
 /// for nothing, as no real one is.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Pace {
     real_s: f64,
     own_s: f64,
+    /// The longest turn, seconds: where it waits for longer its clock stops.
+    turn_s: f64,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self::of_turn(0.002)
+    }
 }
 
 impl Pace {
-    /// The longest turn, seconds.
-    const TURN_S: f64 = 0.002;
+    /// A board that catches up with turns of so many seconds; its host sends as far ahead at least.
+    pub const fn of_turn(turn_s: f64) -> Self {
+        Self { real_s: 0.0, own_s: 0.0, turn_s }
+    }
 
     /// Returns the board's time at a moment of the world, seconds.
     pub fn at(&mut self, real_s: f64) -> f64 {
-        self.own_s += (real_s - self.real_s).clamp(0.0, Self::TURN_S);
+        self.own_s += (real_s - self.real_s).clamp(0.0, self.turn_s);
         self.real_s = real_s;
         self.own_s
     }

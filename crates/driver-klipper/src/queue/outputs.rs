@@ -65,19 +65,44 @@ impl Outputs {
         self.0.iter_mut().for_each(|output| output.last = None);
     }
 
-    /// Changes that tell again what stands, for outputs that are on.
+    /// Changes that tell again what stands, for outputs that are on: ahead by the shortest lead, and by less than the watch,
+    /// beyond which the board takes none.
     pub fn again(&mut self, now: u64, lead: &Lead) -> impl Iterator<Item = Change> + use<> {
-        let clock = now + lead.least();
+        let clock = |output: &Output| now + lead.least().min(output.watch / 2);
         let due = |output: &&mut Output| {
             let on = output.last.filter(|last| last.value != output.off && output.watch > 0);
-            on.is_some_and(|last| last.clock + output.watch / AGAIN <= clock)
+            on.is_some_and(|last| last.clock + output.watch / AGAIN <= clock(output))
         };
         let again = |output: &mut Output| {
+            let clock = clock(output);
             let change = output.last.map(|last| Change { clock, ..last });
             output.last = change;
             change
         };
         let told: Vec<Change> = self.0.iter_mut().filter(due).filter_map(again).collect();
         told.into_iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_output_is_told_again_within_its_watch_however_long_the_lead_is() {
+        let lead = Lead::new(1e6).of_deadline(2.0);
+        let watch = 500_000;
+        let mut outputs = Outputs::new(&[(watch, 0)]);
+        let mut last = outputs.sent(Change { output: 0, clock: 0, value: 1 }, 0).clock;
+        for now in (0..3_000_000).step_by(5_000) {
+            for change in outputs.again(now, &lead) {
+                assert!(
+                    change.clock > now && change.clock - last <= watch,
+                    "{now} {last} {change:?}"
+                );
+                last = change.clock;
+            }
+            assert!(last + watch > now, "{now}: it was told last for {last}");
+        }
     }
 }

@@ -7,7 +7,7 @@ use crate::exit::{Exit, Usage};
 use crate::machine_name::DriverName;
 use crate::out;
 use anyhow::{Result, anyhow, bail};
-use kerf_control::controller::queued::wizard::{self, Ends, Question, Watcher};
+use kerf_control::controller::queued::wizard::{self, Ends, Question, Step, Watcher};
 use kerf_machine::boards::KnownBoard;
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::{Configuration, file};
@@ -45,11 +45,18 @@ pub fn wire(
     }
 }
 
+/// Told before pins are asked for.
+const PINS: &str = "Pins by the board's names (kerf machine connect lists them). ! turns a level round, ^ pulls up.\n\
+    Enter keeps what stands in brackets, - takes it away, q stops.\n";
+
 /// Whoever types at a shell.
 struct Shell;
 
 impl Watcher for Shell {
     fn ask(&mut self, question: &Question) -> Option<String> {
+        if question.step == Step::Motor && question.about == "X" {
+            out::print(PINS);
+        }
         out::print(&question.to_string());
         let mut line = String::new();
         let count = io::stdin().lock().read_line(&mut line).unwrap_or_default();

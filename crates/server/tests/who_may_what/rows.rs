@@ -59,6 +59,8 @@ fn every() -> Vec<Act> {
         Act::Step { lease, motor: "none".into(), forward: true },
         Act::Zero { lease, name: "none".into(), change: ZeroChange::Holds },
         Act::HeightMap { lease, change: HeightMapChange::File { name: "none.map".into() } },
+        Act::Wire { lease, port: "none".into(), board: None, into: "none".into() },
+        Act::WireAnswer { lease, question: 0, answer: "q".into() },
         Act::Lift { lease, question: 0 },
         Act::Key { lease, seq: 0, key: '9', clock_ms: None },
         Act::Input { lease, number: 10, on: true },

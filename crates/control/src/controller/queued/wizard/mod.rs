@@ -51,10 +51,6 @@ pub enum Ends {
 
 type Told<T = ()> = Result<T, Ends>;
 
-/// Told before pins are asked for.
-const PINS: &str = "Pins by the board's names (kerf machine connect lists them). ! turns a level round, ^ pulls up.\n\
-    Enter keeps what stands in brackets, - takes it away, q stops.";
-
 /// Speed of a motor that is looked at, mm/s.
 const LOOK_MM_S: f64 = 2.0;
 /// Time for which an output that is looked at is on.
@@ -170,7 +166,6 @@ impl Wizard<'_, '_> {
     /// Asks for pins until the board takes them.
     fn pins(&mut self) -> Told {
         loop {
-            self.tell(PINS);
             for ((axis, pins, home), motor) in AXES.into_iter().zip([Motor::X, Motor::Y, Motor::Z])
             {
                 let letter = axis.letter();

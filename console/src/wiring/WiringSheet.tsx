@@ -1,0 +1,133 @@
+import { useState } from "react";
+import { drive } from "../actions/ask";
+import { unlessReady } from "../actions/machine";
+import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { Button } from "../ui/Button";
+import { Field } from "../ui/Field";
+import { Sheet } from "../ui/Sheet";
+import type { Wiring } from "../wire/messages";
+import { t } from "../words/words";
+import { steps } from "./steps";
+import "./wiring.css";
+
+/** Wires a board with step queues: pins, then each motor, switch and output is looked at, then speeds are tried. */
+export function WiringSheet({ onClose }: { onClose: () => void }) {
+  const { link, screen } = useHands();
+  const refused = useShown((shown) => unlessReady({ shown, link, screen }));
+  const wiring = useSnapshot("wiring");
+  const isOpen = wiring && wiring.ended === null;
+  return (
+    <Sheet title={t("Wire a board")} shape="side" onClose={onClose}>
+      {isOpen ? (
+        <Asked key={wiring.question} wiring={wiring} refused={refused} />
+      ) : (
+        <Begin ended={wiring?.ended ?? null} refused={refused} />
+      )}
+    </Sheet>
+  );
+}
+
+interface BeginProps {
+  ended: string | null;
+  refused: string | undefined;
+}
+
+function Begin({ ended, refused }: BeginProps) {
+  const hands = useHands();
+  const [port, setPort] = useState("/dev/ttyACM0");
+  const [board, setBoard] = useState("");
+  const [into, setInto] = useState("mine.toml");
+  const named = board.trim() === "" ? {} : { board: board.trim() };
+  const begin = () => void drive(worldOf(hands), { do: "wire", port, into, ...named });
+  return (
+    <>
+      {ended !== null && (
+        <p className="wiring-told" role="status">
+          {ended}
+        </p>
+      )}
+      <p className="wiring-words">
+        {t(
+          "A board with Klipper's firmware becomes the controller of this machine. Motors turn 1 mm: have their shafts free, the spindle unplugged, and a hand at the switch of the supply. STOP ends it at once.",
+        )}
+      </p>
+      <Field label="Port of the board" value={port} onChange={setPort} isRequired first />
+      <Field
+        label="Board that is sold"
+        value={board}
+        onChange={setBoard}
+        hint="Its pins are known: skr-pico, octopus-1.1 … kerf machine boards lists them."
+      />
+      <Field label="File of the machine" value={into} onChange={setInto} isRequired />
+      <Button look="primary" refused={refused} onPress={begin}>
+        Begin
+      </Button>
+    </>
+  );
+}
+
+interface AskedProps {
+  wiring: Wiring;
+  refused: string | undefined;
+}
+
+function Asked({ wiring, refused }: AskedProps) {
+  const hands = useHands();
+  const [entry, setEntry] = useState(wiring.value);
+  const step = wiring.step === null ? undefined : steps[wiring.step];
+  const give = (answer: string) =>
+    void drive(worldOf(hands), { do: "wireAnswer", question: wiring.question, answer });
+  return (
+    <>
+      {wiring.told.map((words) => (
+        <p className="wiring-told" role="status" key={words}>
+          {words}
+        </p>
+      ))}
+      {step ? (
+        <section className="wiring-asked" aria-label={t("Question")}>
+          <p className="wiring-question">{step.ask(wiring.about, wiring.value)}</p>
+          <div className="wiring-choices">
+            {step.choices.map(({ answer, words }, n) => (
+              <Button
+                key={words}
+                look={n === 0 ? "primary" : "plain"}
+                refused={refused}
+                onPress={() => give(answer)}
+              >
+                {words}
+              </Button>
+            ))}
+          </div>
+          {step.entry && (
+            <form
+              className="wiring-entry"
+              onSubmit={(event) => {
+                event.preventDefault();
+                give(entry);
+              }}
+            >
+              <Field
+                label={step.entry}
+                value={entry}
+                onChange={setEntry}
+                hint={step.hint}
+                first={step.choices.length === 0}
+              />
+              <Button type="submit" refused={refused}>
+                Next
+              </Button>
+            </form>
+          )}
+        </section>
+      ) : (
+        <p className="wiring-words" role="status">
+          {t("The board is at work …")}
+        </p>
+      )}
+      <Button look="quiet" onPress={() => give("q")}>
+        End without writing
+      </Button>
+    </>
+  );
+}

@@ -1,0 +1,138 @@
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import type { Page } from "playwright-core";
+import { afterAll, beforeAll, expect, it } from "vitest";
+import { Board } from "./board";
+import { act, arm, kerf, openWorkshop, stateOf, violations, type Workshop } from "./workshop";
+
+let board: Board;
+let port: string;
+const folder = mkdtempSync(join(tmpdir(), "kerf-wiring-"));
+let workshop: Workshop;
+let page: Page;
+
+beforeAll(async () => {
+  board = new Board();
+  port = await board.line();
+  // Patient with a computer that does much else.
+  execFileSync(kerf, ["set", "--data", folder, "board.deadline_s=2"]);
+  workshop = await openWorkshop({ folder });
+  page = await workshop.page();
+});
+afterAll(async () => {
+  await workshop?.close();
+  board?.unplug();
+});
+
+const question = (words: string | RegExp) =>
+  page.locator(".wiring-question", { hasText: words }).waitFor();
+const press = (name: string) => page.getByRole("button", { name, exact: true }).click();
+const shot = (name: string) =>
+  process.env.SHOTS ? page.screenshot({ path: `${process.env.SHOTS}/wiring-${name}.png` }) : null;
+
+/** Fills the entry of a question in, and goes on. */
+const give = async (asked: string, entry: string) => {
+  await question(asked);
+  await page.locator(".wiring-entry input").fill(entry);
+  await press("Next");
+};
+
+const begin = async (into: string) => {
+  await page.getByLabel("Port of the board").fill(port);
+  await page.getByLabel("File of the machine").fill(into);
+  await press("Begin");
+};
+
+it("wires nothing while the machine is disarmed", async () => {
+  await act(page, "Wire a board of a printer");
+  await page.getByRole("dialog", { name: "Wire a board" }).waitFor();
+  expect(await page.getByRole("button", { name: "Begin" }).isDisabled()).toBe(true);
+  expect(await violations(page)).toEqual([]);
+  await page.keyboard.press("Escape");
+  await arm(page);
+  await act(page, "Wire a board of a printer");
+});
+
+it("asks for the pins, and takes them once the board does", async () => {
+  await begin("mine.toml");
+  await shot("begins");
+  await give("Motor X", "gpio0 gpio1");
+  await give("Home switch of X", "gpio10");
+  await give("Motor Y", "gpio0 gpio3");
+  await give("Home switch of Y", "");
+  await give("Motor Z", "");
+  await give("Home switch of Z", "");
+  await question("two motors");
+  await press("No");
+  await give("current", "");
+  await give("Outputs by number", "1 gpio20");
+  await page.getByText("pin `gpio0` is used twice").waitFor();
+  await shot("twice");
+  await give("Motor X", "gpio0 gpio1");
+  await give("Home switch of X", "gpio10");
+  await give("Motor Y", "-");
+  await give("Home switch of Y", "");
+  await give("Motor Z", "");
+  await give("Home switch of Z", "");
+  await question("two motors");
+  await press("No");
+  await give("current", "");
+  await give("Outputs by number", "1 gpio20");
+  await question("X goes 1 mm");
+  await shot("goes");
+  expect(await violations(page)).toEqual([]);
+});
+
+it("turns a motor that goes the wrong way round, and measures its steps", async () => {
+  await press("Turn it");
+  await question("Which way did X go?");
+  await shot("went");
+  await press("It moved the wrong way");
+  await question("X goes 1 mm");
+  await press("Turn it");
+  await give("Which way", "0.5");
+  await question("X goes 1 mm");
+  await press("Turn it");
+  await question("Which way");
+  await press("It moved right");
+});
+
+it("sees the home switch, and the output", async () => {
+  await question("leave its home switch alone");
+  await press("Done");
+  await question("press its home switch");
+  board.work("pin 10 1");
+  await press("Done");
+  await page.getByText("its home switch is seen").waitFor();
+  await question("Output 1 goes on");
+  await press("Switch it on");
+  await question("Did it go on?");
+  await press("It did");
+});
+
+it("tries the speed, and writes the file of the machine", async () => {
+  await question("X: try its speed");
+  await press("Try");
+  await question("X at 10 mm/s");
+  await press("It came back to its place");
+  await question("X at 20 mm/s");
+  await press("It did not");
+  await page.getByText("X: at most 5 mm/s").waitFor();
+  await question("X: try its acceleration");
+  await press("Leave it as it is");
+  await page.getByText("written: mine.toml").waitFor();
+  await shot("written");
+  const file = readFileSync(join(folder, "mine.toml"), "utf8");
+  expect(file).toContain('x = "gpio0 !gpio1"');
+  expect(await board.counts()).toEqual([0]);
+});
+
+it("ends at once when it is stopped, and writes nothing", async () => {
+  await begin("other.toml");
+  await question("Motor X");
+  await page.getByRole("button", { name: /^STOP/ }).first().click();
+  await page.getByText("stopped; nothing is written").waitFor();
+  expect((await stateOf(workshop)).wiring?.step).toBeNull();
+});

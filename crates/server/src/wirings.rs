@@ -1,0 +1,221 @@
+//! A board with step queues that is wired from a page: the wizard on a thread of its own, its questions as state that every
+//! page shows, its answers as acts.
+//!
+//! A stop ends it at once, and so does whoever takes the turn at driving away: motors stand, nothing is written.
+
+use crate::asker::Asker;
+use crate::hub::Hub;
+use crate::locks::lock;
+use crate::machine::{LastState, Link, Stops};
+use crate::part_files::PartFiles;
+use crate::refusal::problem;
+use crate::saving::Leave;
+use kerf_control::controller::queued::wizard::{Ends, Question, Watcher, wire};
+use kerf_control::controller::queued::{Socket, address};
+use kerf_machine::boards::{KnownBoard, named};
+use kerf_machine::{Configuration, file};
+use kerf_wire::{Change, Mode, Problem, State, Why, Wiring};
+use std::path::Path;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex};
+use std::thread::Builder;
+use std::time::Duration;
+
+/// Interval at which a stop is looked for while an answer is waited for.
+const GLANCE: Duration = Duration::from_millis(50);
+
+/// The way to whoever wires a board.
+pub struct Wirings {
+    hub: Arc<Hub>,
+    link: Arc<Link>,
+    left: Arc<Mutex<LastState>>,
+    files: Arc<PartFiles>,
+    /// The way to the wizard that is open.
+    answers: Arc<Mutex<Option<Sender<String>>>>,
+}
+
+impl Wirings {
+    /// No board is being wired.
+    pub fn new(
+        hub: Arc<Hub>,
+        link: Arc<Link>,
+        left: Arc<Mutex<LastState>>,
+        files: Arc<PartFiles>,
+    ) -> Self {
+        Self { hub, link, left, files, answers: Arc::default() }
+    }
+
+    /// Begins to wire the board at a port, from the pins of one that is sold where it is named.
+    ///
+    /// # Errors
+    /// The machine is busy or real, a board is being wired already, a name is none, or the file is there.
+    pub fn begin(
+        &self,
+        asker: &Asker,
+        port: &str,
+        board: Option<&str>,
+        into: String,
+    ) -> Result<(), Problem> {
+        self.may_begin(&into)?;
+        let known = board.map(named).transpose();
+        let known = known.map_err(|why| problem(Why::Malformed, why.to_string()))?;
+        let port = port.trim();
+        let place = address(port).map_err(|why| problem(Why::Malformed, why))?;
+        let socket = Socket::of(format!("klipper:{port}"), place);
+        let mut answers = lock(&self.answers);
+        if answers.is_some() {
+            return Err(problem(Why::State, "a board is being wired: end that first"));
+        }
+        let (answer, answered) = channel();
+        let pages = Pages {
+            hub: self.hub.clone(),
+            link: self.link.clone(),
+            since: asker.stops(),
+            answered,
+            shown: Wiring { question: self.last(), ..Wiring::default() },
+        };
+        pages.show();
+        let (open, files) = (self.answers.clone(), self.files.clone());
+        let machine = lock(&self.left).session.configuration();
+        let wires = move || {
+            let ended = wires((&socket, machine), known.as_ref(), pages, (&files, &into));
+            *lock(&open) = None;
+            ended.tell();
+        };
+        Builder::new()
+            .name("wiring".into())
+            .spawn(wires)
+            .map_err(|why| problem(Why::Server, format!("no thread for it: {why}")))?;
+        *answers = Some(answer);
+        Ok(())
+    }
+
+    /// The number of the last question that was asked.
+    fn last(&self) -> u32 {
+        self.hub.read(|now| now.wiring.as_ref().map_or(0, |wiring| wiring.question))
+    }
+
+    fn may_begin(&self, into: &str) -> Result<(), Problem> {
+        let (state, mode) = self.hub.read(|now| (now.machine.state, now.machine.mode));
+        if mode == Mode::Cut {
+            let text =
+                "a real machine is driven: start Kerf without one (kerf serve) to wire a board";
+            return Err(problem(Why::State, text));
+        }
+        if state != State::Idle {
+            return Err(problem(Why::State, "the machine is busy"));
+        }
+        if Path::new(into).extension().is_none_or(|ending| ending != "toml") {
+            return Err(problem(Why::Malformed, "name the machine's file, as mine.toml"));
+        }
+        if self.files.folder.present(into)?.is_some() {
+            return Err(problem(
+                Why::Replaces,
+                format!("{into} is there already: name another file"),
+            ));
+        }
+        Ok(())
+    }
+
+    /// Answers the question that is open.
+    ///
+    /// # Errors
+    /// It is another one, or none.
+    pub fn answer(&self, question: u32, answer: String) -> Result<(), Problem> {
+        let open = |wiring: &Wiring| wiring.step.is_some() && wiring.question == question;
+        let is_open = self.hub.read(|now| now.wiring.as_ref().is_some_and(open));
+        let late = || problem(Why::Late, "this question is not open any more");
+        let answers = lock(&self.answers);
+        let answers = answers.as_ref().filter(|_| is_open).ok_or_else(late)?;
+        answers.send(answer).map_err(|_| late())
+    }
+}
+
+/// Wires a board to its end, and writes the machine's file.
+fn wires(
+    (socket, machine): (&Socket, Configuration),
+    known: Option<&KnownBoard>,
+    mut pages: Pages,
+    (files, into): (&PartFiles, &str),
+) -> Ended {
+    let wired = wire(socket, machine, known, &mut pages);
+    let words = match wired {
+        Ok(machine) => {
+            let text = file::write(&machine);
+            let path = files.folder.root().join(into);
+            match files.save(into, text.as_bytes(), &Leave::Nothing) {
+                Ok(_) => format!(
+                    "written: {into}. It is driven by: kerf serve --machine {} --machine {}",
+                    socket.name,
+                    path.display()
+                ),
+                Err(why) => format!("not written: {}", why.text),
+            }
+        }
+        Err(Ends::Stopped) => "stopped; nothing is written".to_owned(),
+        Err(Ends::Failed(why)) => format!("{why}; nothing is written"),
+    };
+    Ended { pages, words }
+}
+
+/// What came of it.
+struct Ended {
+    pages: Pages,
+    words: String,
+}
+
+impl Ended {
+    fn tell(mut self) {
+        self.pages.shown.step = None;
+        self.pages.shown.ended = Some(self.words);
+        self.pages.show();
+    }
+}
+
+/// Pages, as those who watch the machine.
+struct Pages {
+    hub: Arc<Hub>,
+    link: Arc<Link>,
+    /// Stops that had come when it began.
+    since: Stops,
+    answered: Receiver<String>,
+    shown: Wiring,
+}
+
+impl Pages {
+    fn show(&self) {
+        self.hub.change(vec![Change::Wiring { wiring: Some(self.shown.clone()) }]);
+    }
+
+    /// Waits for an answer; without one where a stop comes before.
+    fn waits(&self) -> Option<String> {
+        loop {
+            match self.answered.recv_timeout(GLANCE) {
+                Ok(answer) => return Some(answer),
+                Err(RecvTimeoutError::Timeout) if !self.is_stopped() => {}
+                Err(_) => return None,
+            }
+        }
+    }
+}
+
+impl Watcher for Pages {
+    fn ask(&mut self, question: &Question) -> Option<String> {
+        self.shown.question += 1;
+        self.shown.step = Some(question.step.name().to_owned());
+        (self.shown.about, self.shown.value) = (question.about.clone(), question.value.clone());
+        self.show();
+        let answer = self.waits();
+        (self.shown.step, self.shown.told) = (None, Vec::new());
+        self.show();
+        answer
+    }
+
+    fn tell(&mut self, words: &str) {
+        self.shown.told.push(words.to_owned());
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.link.stops() != self.since
+    }
+}
