@@ -196,6 +196,24 @@ lease: number,
 /** The change. */
 change: HeightMapChange, };
 
+export type ActWire = { "do": "wire",
+/** Number of the lease. */
+lease: number,
+/** Its port, as /dev/ttyACM0. */
+port: string,
+/** The name of a board that is sold: its pins are known. */
+board?: string,
+/** Name of the machine's file that is written into the part folder at the end. */
+into: string, };
+
+export type ActWireAnswer = { "do": "wireAnswer",
+/** Number of the lease. */
+lease: number,
+/** Number of the question. */
+question: number,
+/** y, n, a pin, a number; nothing for what stands. */
+answer: string, };
+
 export type ActOverride = { "do": "override",
 /** Number of the lease. */
 lease: number,
@@ -266,6 +284,8 @@ export type Act =
   | ActStep
   | ActZero
   | ActHeightMap
+  | ActWire
+  | ActWireAnswer
   | ActOverride
   | ActSheetDone
   | ActClearPrinted
@@ -415,6 +435,8 @@ export type ChangeTogether = { "change": "together", together: Array<ServedMachi
 
 export type ChangeHeightMap = { "change": "heightMap", heightMap: HeightMap | null, };
 
+export type ChangeWiring = { "change": "wiring", wiring: Wiring | null, };
+
 export type ChangePrinted = { "change": "printed", lines: Array<string>, };
 
 export type ChangeClearPrinted = { "change": "clearPrinted" };
@@ -464,6 +486,7 @@ export type Change =
   | ChangeZeros
   | ChangeTogether
   | ChangeHeightMap
+  | ChangeWiring
   | ChangePrinted
   | ChangeClearPrinted
   | ChangeMessages
@@ -1567,6 +1590,8 @@ overrides: Overrides,
 zeros: Array<Zero>,
 /** The height map that programs follow; nothing where surfaces are flat. */
 heightMap: HeightMap | null,
+/** A board that is being wired, or was wired last. */
+wiring: Wiring | null,
 /** The print window, oldest line first. */
 printed: Array<string>,
 /** Messages, oldest first. */
@@ -1792,6 +1817,21 @@ device: string, };
 
 /** The sort of reason. */
 export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "state" | "file" | "changed" | "replaces" | "mistake" | "late" | "server" | "full";
+
+/** The question of the wizard that is open, or its end. */
+export type Wiring = {
+/** Number of the question: an answer to an older one is refused. */
+question: number,
+/** The step whose words a page has: `motor`, `went` and so on. Nothing while the machine is at work, and at the end. */
+step: string | null,
+/** What it is about: the letter of an axis or a motor, the number of an output. */
+about: string,
+/** The value that holds, or that was tried. */
+value: string,
+/** Sentences that were told since the question before. */
+told: Array<string>,
+/** It is over: a sentence about what came of it. */
+ended: string | null, };
 
 /** Heights at which a job is cut. */
 export type ZHeights = {

@@ -90,10 +90,7 @@ impl App {
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
-            Act::Wire { port, board, into, .. } => {
-                self.wirings.begin(asker, &port, board.as_deref(), into)?;
-            }
-            Act::WireAnswer { question, answer, .. } => self.wirings.answer(question, answer)?,
+            act @ (Act::Wire { .. } | Act::WireAnswer { .. }) => self.wirings.hears(asker, act)?,
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
                 self.turn_overrides(feed_percent, [rapid_percent, spindle_percent])?;
             }

@@ -14,7 +14,7 @@ use kerf_control::controller::queued::wizard::{Ends, Question, Watcher, wire};
 use kerf_control::controller::queued::{Socket, address};
 use kerf_machine::boards::{KnownBoard, named};
 use kerf_machine::{Configuration, file};
-use kerf_wire::{Change, Mode, Problem, State, Why, Wiring};
+use kerf_wire::{Act, Change, Mode, Problem, State, Why, Wiring};
 use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex};
@@ -45,11 +45,23 @@ impl Wirings {
         Self { hub, link, left, files, answers: Arc::default() }
     }
 
+    /// Does what a page asks for.
+    ///
+    /// # Errors
+    /// As [`Wirings::begin`] and [`Wirings::answer`].
+    pub fn hears(&self, asker: &Asker, act: Act) -> Result<(), Problem> {
+        match act {
+            Act::Wire { port, board, into, .. } => self.begin(asker, &port, board.as_deref(), into),
+            Act::WireAnswer { question, answer, .. } => self.answer(question, answer),
+            _ => Ok(()),
+        }
+    }
+
     /// Begins to wire the board at a port, from the pins of one that is sold where it is named.
     ///
     /// # Errors
     /// The machine is busy or real, a board is being wired already, a name is none, or the file is there.
-    pub fn begin(
+    fn begin(
         &self,
         asker: &Asker,
         port: &str,
@@ -121,7 +133,7 @@ impl Wirings {
     ///
     /// # Errors
     /// It is another one, or none.
-    pub fn answer(&self, question: u32, answer: String) -> Result<(), Problem> {
+    fn answer(&self, question: u32, answer: String) -> Result<(), Problem> {
         let open = |wiring: &Wiring| wiring.step.is_some() && wiring.question == question;
         let is_open = self.hub.read(|now| now.wiring.as_ref().is_some_and(open));
         let late = || problem(Why::Late, "this question is not open any more");
