@@ -26,7 +26,7 @@ beforeAll(async () => {
   workshop = await openWorkshop({ controller: `linuxcnc:${await linuxcnc.line()}` });
   writeFileSync(
     join(workshop.parts, "square.sbp"),
-    ["SO,1,1", "MS,2", "MX,3", "MY,2", "MX,0", "MY,0", "SO,1,0", ""].join("\n"),
+    ["SO,1,1", "MS,1", "MX,3", "MY,2", "MX,0", "MY,0", "SO,1,0", ""].join("\n"),
   );
   page = await workshop.page();
 });
@@ -112,6 +112,16 @@ it("stops where LinuxCNC stands, with the spindle off", async () => {
   await quit.click();
   await state("Ready").waitFor();
   await agree();
+});
+
+it("tells that its emergency stop is pressed while it stands, and when it is released", async () => {
+  linuxcnc.work("estop");
+  const told = page.locator(".state", { hasText: "its emergency stop is pressed" });
+  await told.waitFor();
+  await state("Disarmed").waitFor();
+  linuxcnc.work("on");
+  await told.waitFor({ state: "detached" });
+  await arm(page);
 });
 
 it("shows its zero points, changes them, and sees one that is set at its panel", async () => {

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! `unhomed` as an argument has it begin without knowing its place. Lines on standard input work it: `estop` presses its
-//! emergency stop, `pause`, `resume` and `abort` its panel, `panel G10L2P2X5` changes a zero point there, `where` tells
-//! where it stands, an end of the input ends it.
+//! emergency stop, `on` releases it and switches it on, `pause`, `resume` and `abort` its panel, `panel G10L2P2X5` changes a
+//! zero point there, `where` tells where it stands, an end of the input ends it.
 #![allow(clippy::print_stdout)]
 
 use kerf_driver_linuxcnc::fake::Fake;
@@ -78,6 +78,7 @@ fn heard(stream: &mut TcpStream) -> Option<Vec<u8>> {
 fn work(fake: &mut Fake, line: &str) {
     match line.split_once(' ').unwrap_or((line, "")) {
         ("estop", _) => fake.presses_estop(),
+        ("on", _) => fake.panel_switches_on(),
         ("pause", _) => fake.panel_pauses(true),
         ("resume", _) => fake.panel_pauses(false),
         ("abort", _) => fake.panel_aborts(),
@@ -87,6 +88,6 @@ fn work(fake: &mut Fake, line: &str) {
             let (stands, spindle) = (fake.stands(), fake.spindle());
             println!("{x:.3},{y:.3},{z:.3} spindle {spindle:?}, {stands} stands");
         }
-        _ => println!("estop, pause, resume, abort, panel LINE, where"),
+        _ => println!("estop, on, pause, resume, abort, panel LINE, where"),
     }
 }

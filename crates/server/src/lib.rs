@@ -327,6 +327,7 @@ fn machine_and_app(
             asked: 0,
             run: 0,
             looked: None,
+            locked: None,
             previews,
         };
         owner.tell_found();

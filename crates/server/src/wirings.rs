@@ -156,11 +156,10 @@ fn wires(
             let text = file::write(&machine);
             let path = files.folder.root().join(into);
             match files.save(into, text.as_bytes(), &Leave::Nothing) {
-                Ok(_) => format!(
-                    "written: {into}. It is driven by: kerf serve --machine {} --machine {}",
-                    socket.name,
-                    path.display()
-                ),
+                Ok(_) => {
+                    let path = path.display();
+                    format!("written: {into}. kerf serve --machine {path} drives it")
+                }
                 Err(why) => format!("not written: {}", why.text),
             }
         }

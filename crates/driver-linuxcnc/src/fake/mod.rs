@@ -144,6 +144,11 @@ impl Fake {
         self.switches_off("its emergency stop was pressed");
     }
 
+    /// Somebody releases its emergency stop and switches it on.
+    pub const fn panel_switches_on(&mut self) {
+        (self.estop, self.on) = (false, true);
+    }
+
     /// Somebody presses pause, or resume, at its panel.
     pub fn panel_pauses(&mut self, paused: bool) {
         self.paused = paused;

@@ -37,9 +37,7 @@ pub fn wire(
             for crossed in contradictions(&machine) {
                 eprintln!("kerf: mend in {into}: {}; {}", crossed.message, crossed.hint);
             }
-            out::print(&format!(
-                "written: {into}\nkerf run FILE --machine {name} --machine {into}\n"
-            ));
+            out::print(&format!("written: {into}\nkerf run FILE --machine {into}\n"));
             Ok(Exit::Good)
         }
     }

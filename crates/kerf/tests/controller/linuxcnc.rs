@@ -23,6 +23,19 @@ while not select.select([sys.stdin], [], [], 0.001)[0]:
     was = now
 ";
 
+/// Waits until LinuxCNC itself has seen its emergency stop.
+const STOPPED: &str = "
+import linuxcnc, time
+state = linuxcnc.stat()
+for _ in range(1000):
+    state.poll()
+    if state.estop:
+        break
+    time.sleep(0.01)
+else:
+    raise SystemExit('its emergency stop is not seen')
+";
+
 fn kerf(shop: &Shop, words: &str) -> Did {
     shop.kerf(&format!("{words} --machine linuxcnc:local"))
 }
@@ -81,4 +94,5 @@ fn presses_stop(session: &Session) {
     hal.args(["setp", "button.in1", "0"])
         .env("RTAPI_FIFO_PATH", session.folder.path().join("fifo"));
     assert!(hal.status().unwrap().success());
+    assert!(Command::new(PYTHON).args(["-c", STOPPED]).status().unwrap().success());
 }

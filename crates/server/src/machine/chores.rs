@@ -343,6 +343,7 @@ mod tests {
             asked: 0,
             run: 0,
             looked: None,
+            locked: None,
             previews: Arc::new(|| Err(std::io::ErrorKind::Unsupported.into())),
         }
     }

@@ -52,7 +52,7 @@ impl Owner {
         let lost = self.hub.read(|now| now.machine.state == State::Alarm);
         let (inputs, place) = controller.attend();
         let zeros: Vec<_> = controller.zeros().into_iter().map(shown).collect();
-        let fault = controller.fault();
+        let (fault, locked) = (controller.fault(), controller.locked());
         let memory = &mut session.memory;
         // What is only drawn is elsewhere than the machine.
         let drawn = &mut memory.before_preview;
@@ -70,9 +70,23 @@ impl Owner {
         });
         match fault {
             Some(why) if !lost => self.rest(State::Alarm, Some(why)),
+            _ if locked != self.locked => self.lock(locked),
             _ if changed => self.settle(Machine::clone),
             _ => {}
         }
+    }
+
+    /// The controller takes no orders from now on, for a reason, or takes them again: it is disarmed and tells why.
+    fn lock(&mut self, why: Option<String>) {
+        let before = std::mem::replace(&mut self.locked, why.clone());
+        self.settle(|machine| {
+            let others = machine.why.clone().filter(|told| Some(told) != before.as_ref());
+            Machine {
+                armed: machine.armed && why.is_none(),
+                why: why.or(others),
+                ..machine.clone()
+            }
+        });
     }
 
     /// Attaches the controller once more where it was lost or had an alarm.

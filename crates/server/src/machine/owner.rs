@@ -65,6 +65,8 @@ pub struct Owner {
     pub run: u32,
     /// Stops that had come when it was looked last for a command that was passed in.
     pub looked: Option<Stops>,
+    /// The reason for which the controller takes no orders, as it was told last.
+    pub locked: Option<String>,
     /// Builds the files of a dry run, which changes none.
     pub previews: PreviewFiles,
 }

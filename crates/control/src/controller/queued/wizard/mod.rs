@@ -90,7 +90,7 @@ const FURTHER: [Further; 3] = [
 ];
 
 /// Wires a board, beginning with what is known of the machine and with the pins of a board that is sold. Returns the machine
-/// as it is wired then.
+/// as it is wired then, with the board as its controller.
 ///
 /// # Errors
 /// Somebody stopped it, or the board cannot be wired so.
@@ -110,7 +110,9 @@ pub fn wire(
     wizard.switches()?;
     wizard.outputs()?;
     wizard.trials()?;
-    Ok(wizard.machine)
+    let mut machine = wizard.machine;
+    machine.options.controller.clone_from(&socket.name);
+    Ok(machine)
 }
 
 /// Fills the pins of a board that is sold, where the one at the port has its chip.
