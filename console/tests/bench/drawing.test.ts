@@ -80,7 +80,7 @@ it.each([10_000, 100_000])("moves %d segments", async (segments) => {
   await page.goto(`${workshop.address}/draw`);
   await page.getByRole("button", { name: "Open…" }).click();
   const before = Date.now();
-  await page.getByRole("button", { name: "waves.dxf" }).click();
+  await page.getByRole("button", { name: "waves.dxf", exact: true }).click();
   const shapes = page.locator(".facts div").filter({ hasText: "Shapes" }).locator("dd");
   await expect.poll(() => shapes.textContent(), { timeout: 60_000 }).toBe(String(segments / 100));
   const opened = Date.now() - before;

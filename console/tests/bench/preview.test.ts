@@ -149,7 +149,7 @@ it.each(sizes)(
     });
     figures.push(
       ms("plan ready in the server", readyMs),
-      ms("first picture after opening", pictureMs, 2000),
+      ms("first picture after opening", pictureMs, 1000),
       ms("all of it drawn", allMs),
       ms("longest task of the page while it loads", loading, 50),
       ms("longest task of the page with turning", await longest(page), 50),
