@@ -57,15 +57,24 @@ function make(strokes: readonly Stroke[]): Made {
   return { all, index };
 }
 
+/** Segments of one path. A browser that draws with the processor takes more than in proportion for a longer one. */
+const together = 200;
+
 function batched(strokes: readonly Stroke[]): Lines[] {
-  const found = new Map<string, Lines>();
+  const found = new Map<string, { all: Lines[]; room: number }>();
   for (const { kind, ink, dash, shape } of strokes) {
     const key = `${kind} ${ink} ${dash}`;
-    const lines = found.get(key) ?? { kind, token: ink, dash, path: new Path2D() };
+    const lines = found.get(key) ?? { all: [], room: 0 };
     found.set(key, lines);
-    traceDrawn(lines.path, shape.segments);
+    if (lines.room <= 0) {
+      lines.all.push({ kind, token: ink, dash, path: new Path2D() });
+      lines.room = together;
+    }
+    lines.room -= shape.segments.length;
+    const last = lines.all.at(-1);
+    if (last) traceDrawn(last.path, shape.segments);
   }
-  return [...found.values()];
+  return [...found.values()].flatMap(({ all }) => all);
 }
 
 /** Points are as large at every zoom: rings with a cross. */
