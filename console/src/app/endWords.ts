@@ -11,5 +11,5 @@ const words: Readonly<Record<string, string>> = {
   "cut short": t("cut short"),
 };
 
-/** How a run ended, as a person reads it. */
+/** Words for the end of a run. */
 export const endWord = (ended: string): string => words[ended] ?? ended;

@@ -1,4 +1,4 @@
-/** What measured lengths say of a machine: its steps, and how far it is out of square. */
+/** Arithmetic on measured lengths: the steps of an axis, and how far a machine is out of square. */
 
 import type { Mm } from "../units/quantity";
 

@@ -1824,7 +1824,7 @@ export type Wiring = {
 question: number,
 /** The step whose words a page has: `motor`, `went` and so on. Nothing while the machine is at work, and at the end. */
 step: string | null,
-/** What it is about: the letter of an axis or a motor, the number of an output. */
+/** Subject: the letter of an axis or a motor, the number of an output. */
 about: string,
 /** The value that holds, or that was tried. */
 value: string,

@@ -42,7 +42,7 @@ export const parameterWords = (name: string): string =>
 export const choiceWords = (word: string): string =>
   language === "de" ? (choices[word] ?? word) : word;
 
-/** What the server explains about a word of a text: a command's letters and name, its values, what it does. */
+/** Explanation of a word of a text by the server: a command's letters and name, its values, its effect. */
 export function hoverWords(text: string): string {
   const [, letters = "", name = "", values = ""] = /^(\w\w): ([^\n]*)\n([^\n]*)\n/.exec(text) ?? [];
   const doc = commandDocs[letters];
@@ -51,13 +51,13 @@ export function hoverWords(text: string): string {
   return `${letters}: ${said(nameOf, name)}\n${names.join(", ")}\n${doc}`;
 }
 
-/** What the server offers to write, in the language of the page. */
+/** Completions that the server offers, in the language of the page. */
 export function offerWords({ label, kind, detail, doc }: Completion): Completion {
   if (language !== "de" || kind !== "command") return { label, kind, detail, doc };
   return { label, kind, detail: said(nameOf, detail), doc: commandDocs[label] ?? doc };
 }
 
-/** What of a command has no German words. */
+/** Texts of a command without German words. */
 export const untold = ({ letters, name, parameters }: CommandEntry): string[] => {
   const words = parameters.flatMap(({ kind }) => (kind.is === "choice" ? kind.words : []));
   return [

@@ -5,7 +5,7 @@ import { findingTexts } from "./german/findings/findings";
 import { inGerman } from "./server";
 import { language } from "./words";
 
-/** What a sentence names: quoted words, lengths, variables, commands, axes. */
+/** Names in a sentence: quoted words, lengths, variables, commands, axes. */
 const named =
   /`[^`]+`|'[^']+'|"[^"]+"|(?<![\w.])-?\d+(?:\.\d+)?(?: (?:mm|in)\b)?|[&%#][\w()<>]+|\b[A-Z][A-Z0-9]*\b/g;
 

@@ -30,7 +30,7 @@ export const operationWord = (word: string): string =>
 /** The colour by which a layer is called. */
 export const colourWords = (name: string): string => own(colours, name);
 
-/** What of an operation has no German words. */
+/** Texts of an operation without German words. */
 export function untold({ name, variants }: OperationEntry): string[] {
   const parts = variants.flatMap((variant) => variant.parts);
   const labels = parts.map(({ lead }) => lead.replace(/[= ]+$/, "")).filter((lead) => lead !== "");

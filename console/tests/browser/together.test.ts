@@ -27,7 +27,7 @@ afterAll(async () => {
 
 const machines = () => page.getByRole("navigation", { name: "Machines" });
 
-/** What the server of the page that is shown tells of its machine. */
+/** State of the machine whose page is shown, as its server tells it. */
 const here = async () =>
   (await (await fetch(new URL("/api/state", page.url()))).json()) as Snapshot;
 

@@ -55,31 +55,27 @@ it("wires nothing while the machine is disarmed", async () => {
   await act(page, "Wire a board of a printer");
 });
 
+/** Pins of X, of the motor of Y as told, none of Z, and one output. */
+async function givesPins(y: string): Promise<void> {
+  await give("Motor X", "gpio0 gpio1");
+  await give("Home switch of X", "gpio10");
+  await give("Motor Y", y);
+  await give("Home switch of Y", "");
+  await give("Motor Z", "");
+  await give("Home switch of Z", "");
+  await question("two motors");
+  await press("No");
+  await give("current", "");
+  await give("Outputs by number", "1 gpio20");
+}
+
 it("asks for the pins, and takes them once the board does", async () => {
   await begin("mine.toml");
   await shot("begins");
-  await give("Motor X", "gpio0 gpio1");
-  await give("Home switch of X", "gpio10");
-  await give("Motor Y", "gpio0 gpio3");
-  await give("Home switch of Y", "");
-  await give("Motor Z", "");
-  await give("Home switch of Z", "");
-  await question("two motors");
-  await press("No");
-  await give("current", "");
-  await give("Outputs by number", "1 gpio20");
+  await givesPins("gpio0 gpio3");
   await page.getByText("pin `gpio0` is used twice").waitFor();
   await shot("twice");
-  await give("Motor X", "gpio0 gpio1");
-  await give("Home switch of X", "gpio10");
-  await give("Motor Y", "-");
-  await give("Home switch of Y", "");
-  await give("Motor Z", "");
-  await give("Home switch of Z", "");
-  await question("two motors");
-  await press("No");
-  await give("current", "");
-  await give("Outputs by number", "1 gpio20");
+  await givesPins("-");
   await question("X goes 1 mm");
   await shot("goes");
   expect(await violations(page)).toEqual([]);

@@ -3,7 +3,7 @@
 use crate::status::{axes, number, words};
 use kerf_machine::driver::{Zero, ZeroChange};
 
-/// What the bridge told of them.
+/// News of the bridge about them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Zeros {
     /// Number of the greeting since which it tells, and that of the next line that it waits for.

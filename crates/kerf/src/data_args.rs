@@ -5,7 +5,7 @@ use clap::{ArgMatches, Args};
 use std::env;
 use std::path::PathBuf;
 
-/// Where values that survive lie.
+/// Options that name the folder of values that survive.
 #[derive(Args, Clone, Debug)]
 pub struct DataArgs {
     /// The folder of values that survive [default: KERF_DATA, or the system's place for data]

@@ -169,7 +169,7 @@ fn wires(
     Ended { pages, words }
 }
 
-/// What came of it.
+/// Result of the wiring, in words.
 struct Ended {
     pages: Pages,
     words: String,

@@ -12,7 +12,7 @@ pub struct Wiring {
     pub question: u32,
     /// The step whose words a page has: `motor`, `went` and so on. Nothing while the machine is at work, and at the end.
     pub step: Option<String>,
-    /// What it is about: the letter of an axis or a motor, the number of an output.
+    /// Subject: the letter of an axis or a motor, the number of an output.
     pub about: String,
     /// The value that holds, or that was tried.
     pub value: String,

@@ -135,7 +135,7 @@ impl SpecialHeight {
 /// The machine, while somebody works on it by hand.
 pub struct Shop {
     pub session: Session,
-    workspace: Workspace,
+    pub workspace: Workspace,
     machine: Arc<Configuration>,
     pub controller: Option<Controller>,
     place: PlaceArgs,
@@ -205,11 +205,6 @@ impl Shop {
         for input in controller.attend().0 {
             AtRest(&mut self.session).senses(input);
         }
-    }
-
-    /// Keeps where the machine is, and what it knows.
-    pub fn keep(&mut self) -> Result<()> {
-        Ok(self.session.keep_place(&mut self.workspace)?)
     }
 
     /// The controller is left as it was found.
@@ -310,7 +305,7 @@ pub fn home(which: &Which, letters: Option<&str>, unlock: bool, there: ServerArg
 /// Has a controller go home with all axes that it homes, and tells where they stand.
 fn home_controller(which: &Which, unlock: bool) -> Result<Exit> {
     let mut shop = Shop::open_after(which, First::going_home(unlock), false)?;
-    shop.keep()?;
+    shop.session.keep_place(&mut shop.workspace)?;
     if let Some(controller) = &shop.controller {
         controller.ends(true, &mut shop.workspace, || false);
         controller.detach(&mut shop.workspace);

@@ -57,7 +57,7 @@ pub fn run(which: &Which, action: Option<ToolsAction>) -> Result<Exit> {
             }
         }
     }
-    shop.keep()?;
+    shop.session.keep_place(&mut shop.workspace)?;
     Ok(Exit::Good)
 }
 

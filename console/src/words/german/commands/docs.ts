@@ -1,4 +1,4 @@
-/** What the commands of OpenSBP do, in German, by the letters of each. */
+/** Effects of the commands of OpenSBP in German, by their letters. */
 
 const fromFirst = (kind: string): string =>
   `${kind} die ersten Achsen zusammen geradeaus; eine leere bleibt, wo sie ist.`;

@@ -1,4 +1,4 @@
-/** What the values of commands mean, in German, by the English sentences. */
+/** Meanings of the values of commands in German, by the English sentences. */
 
 const cuts: Readonly<Record<string, string>> = {
   "Span of the arch.": "Spannweite des Bogens.",

@@ -1,4 +1,4 @@
-/** What each code of findings says, in German, by its code. */
+/** Sentences of findings in German, by their codes. */
 
 import type { FindingText } from "./finding";
 import { gcodeFindings } from "./gcode";

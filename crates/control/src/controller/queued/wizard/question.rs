@@ -76,7 +76,7 @@ steps! {
 pub struct Question {
     /// The step.
     pub step: Step,
-    /// What it is about: the letter of an axis or a motor, the number of an output.
+    /// Subject: the letter of an axis or a motor, the number of an output.
     pub about: String,
     /// The value that holds now, or that was tried.
     pub value: String,
