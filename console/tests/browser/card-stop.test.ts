@@ -112,11 +112,12 @@ it("pro_estop_operator: pressed in a job, released, acknowledged, gone on with: 
   await stopped.getByText("Nothing moves: release the emergency stop.").waitFor();
   const [x] = (await stateOf(workshop)).motion.at.machine;
   // Resume says what is missing, and does nothing else.
+  const before = (await stateOf(workshop)).asked?.number;
   await stopped.getByRole("button", { name: "Resume" }).click();
-  await until(
-    async () => (await stateOf(workshop)).asked?.text === "Paused: emergency stop",
-    "asked again",
-  );
+  await until(async () => {
+    const { asked } = await stateOf(workshop);
+    return asked?.text === "Paused: emergency stop" && asked.number !== before;
+  }, "asked again");
   expect((await stateOf(workshop)).motion.at.machine[0]).toBe(x);
   expect((await stateOf(workshop)).io.ports.inputs[0] & 0x40).toBe(0x40);
   await stopped.getByRole("button", { name: "Inputs…" }).click();
