@@ -4,7 +4,7 @@ use crate::references::{REFERENCES, Reference, moves};
 use crate::shared::shared;
 use anyhow::{Context, Result, ensure};
 use kerf_motion::Move;
-use kerf_motion::controllers::{Controller, LinuxCnc};
+use kerf_motion::controllers::{Controller, LinuxCnc, Release};
 use kerf_program::Axes;
 use session::{PYTHON, Session, begins};
 use std::fmt::Write as _;
@@ -55,7 +55,9 @@ pub fn table() -> Result<String> {
 /// The sum of the times that the model of LinuxCNC tells.
 fn told(moves: &[Move]) -> f64 {
     let (speed_mm_s, accel_mm_s2) = (Axes::splat(200.0), Axes::splat(500.0));
-    let linuxcnc = LinuxCnc { speed_mm_s, accel_mm_s2, blend_mm: BLEND_MM };
+    let (blend_mm, same_line_mm) = (BLEND_MM, BLEND_MM);
+    let linuxcnc =
+        LinuxCnc { release: Release::default(), speed_mm_s, accel_mm_s2, blend_mm, same_line_mm };
     linuxcnc.seconds(moves).iter().sum()
 }
 

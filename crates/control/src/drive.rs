@@ -255,9 +255,9 @@ impl<'a> Drive<'a> {
         self.machine.borrow().facts().overrides
     }
 
-    /// Returns `true` if the machine is given all moves up to the next stand at once.
-    pub fn takes_whole(&self) -> bool {
-        self.machine.borrow().facts().takes_whole
+    /// Returns `true` if the machine passes corners at a speed of its own.
+    pub fn plans_corners(&self) -> bool {
+        self.machine.borrow().facts().plans_corners
     }
 
     /// Returns `true` if another feed waits while inputs are watched.

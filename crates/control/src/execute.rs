@@ -36,7 +36,7 @@ impl<I: Interpreter> Runner<'_, I> {
 
     /// Makes what is planned for good of the stack that moves; all of it when it is complete.
     pub(crate) fn run_on(&mut self, complete: bool) -> Result<(), Break> {
-        let whole = self.stops.station.drive.takes_whole();
+        let whole = self.stops.station.drive.plans_corners();
         while let Some(running) = &mut self.stops.station.stack.running {
             let Some(piece) = running.next(complete, self.stops.station.feed, whole) else { break };
             let made = self.run_piece(piece);

@@ -1,6 +1,7 @@
 //! One machine and everything about it that stays between runs.
 
 use crate::nudge::{Nudge, Outside};
+use crate::own_pace::OwnPace;
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::homing::bounds_by_hand;
 use kerf_machine::{Configuration, Errand};
@@ -11,12 +12,14 @@ use kerf_sim::Simulation;
 use std::sync::Arc;
 
 /// A controller, as far as a session has to know it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct DrivenBy {
     /// Its name, as people give it.
     pub name: String,
     /// The axes that it homes by itself.
     pub homes: AxisSet,
+    /// The way in which it makes moves in a time of its own; nothing where it makes the plan in its time.
+    pub pace: Option<OwnPace>,
 }
 
 /// One machine and everything about it that stays between runs.

@@ -2,7 +2,8 @@
 
 use crate::error_texts;
 use crate::own_words::OwnWords;
-use kerf_machine::driver::{AXES, Changed, Facts};
+use kerf_machine::driver::planners::{Grbl, Link, OwnPlanner};
+use kerf_machine::driver::{AXES, Axes, Changed, Facts};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -332,8 +333,31 @@ impl KnownFacts {
             overrides_more: true,
             holds: true,
             stop_switches_off: true,
+            plans_corners: true,
+            planner: self.own_planner(axes),
             ..Facts::default()
         }
+    }
+
+    /// Its planner as it is set, fed without delay; nothing where it does not tell speeds and accelerations.
+    fn own_planner(&self, axes: usize) -> Option<OwnPlanner> {
+        let each = |first: u16, per_second: f64| {
+            let mut all = Axes::splat(f64::INFINITY);
+            for axis in 0..axes {
+                all.0[axis] =
+                    self.of(first + axis as u16).filter(|value| *value > 0.0)? / per_second;
+            }
+            Some(all)
+        };
+        let usual = Grbl::new(each(110, 60.0)?, each(120, 1.0)?);
+        Some(OwnPlanner::Grbl(Grbl {
+            junction_deviation_mm: self.of(11).unwrap_or(usual.junction_deviation_mm),
+            arc_tolerance_mm: self.of(12).unwrap_or(usual.arc_tolerance_mm),
+            // One block of the ring stays free.
+            blocks: self.planner + 1,
+            link: Some(Link { baud: f64::INFINITY, buffer: self.rx }),
+            ..usual
+        }))
     }
 }
 

@@ -6,6 +6,7 @@ mod arcs;
 mod conformance;
 mod faults;
 mod gap;
+mod own_planner;
 mod set_up;
 mod turned;
 mod wire;

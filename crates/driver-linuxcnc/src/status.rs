@@ -1,5 +1,6 @@
 //! What the bridge tells: facts once, the state often, both as `key=value` words.
 
+use kerf_machine::driver::planners::{LinuxCnc, OwnPlanner, Release};
 use kerf_machine::driver::{AXES, Axes, Facts, Shares, Ticket};
 use std::collections::BTreeMap;
 
@@ -9,8 +10,14 @@ const VERSION: &str = "2";
 /// The input that is the probe.
 pub const PROBE_INPUT: u8 = 1;
 
-/// Greatest distance of a chord from its arc, mm: half of what the bridge has LinuxCNC cut corners by.
-const CHORD_MM: f64 = 0.005;
+/// G64 P of the bridge: LinuxCNC cuts corners by so much, mm.
+const BLEND_MM: f64 = 0.01;
+
+/// G64 Q of the bridge: LinuxCNC makes straight moves that lie so near one line as that line, mm.
+const SAME_LINE_MM: f64 = 0.002;
+
+/// Greatest distance of a chord from its arc, mm.
+const CHORD_MM: f64 = 0.5 * BLEND_MM;
 
 /// What LinuxCNC does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -196,9 +203,37 @@ pub fn facts(text: &str) -> Option<Result<Facts, &'static str>> {
         overrides_more: true,
         holds: true,
         stop_switches_off: true,
+        plans_corners: true,
         takes_whole: true,
+        planner: own_planner(&plain(words.get("name")?), &speeds, &known(words.get("accel")?)?),
         ..Facts::default()
     }))
+}
+
+/// Its planner, where it tells speed and acceleration of each axis.
+fn own_planner(name: &str, speeds: &[Option<f64>], accels: &[Option<f64>]) -> Option<OwnPlanner> {
+    let each = |told: &[Option<f64>]| {
+        let mut all = Axes::splat(f64::INFINITY);
+        for (axis, told) in told.iter().enumerate().take(AXES) {
+            all.0[axis] = told.filter(|value| *value > 0.0)?;
+        }
+        Some(all)
+    };
+    Some(OwnPlanner::LinuxCnc(LinuxCnc {
+        release: release(name),
+        speed_mm_s: each(speeds)?,
+        accel_mm_s2: each(accels)?,
+        blend_mm: BLEND_MM,
+        same_line_mm: SAME_LINE_MM,
+    }))
+}
+
+/// The version in a name such as `LinuxCNC 2.9.4 (mill)`.
+fn release(name: &str) -> Release {
+    let version = name.split(' ').nth(1).unwrap_or_default();
+    let mut numbers = version.split('.').map(|number| number.parse::<u32>().unwrap_or(0));
+    let (major, minor) = (numbers.next().unwrap_or(0), numbers.next().unwrap_or(0));
+    if (major, minor) < (2, 10) { Release::V2_9 } else { Release::V2_10 }
 }
 
 #[cfg(test)]

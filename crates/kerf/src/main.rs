@@ -43,7 +43,6 @@ mod memory;
 mod messages;
 mod named_machine;
 mod operator;
-mod other_controllers;
 mod out;
 mod outputs;
 mod parse;

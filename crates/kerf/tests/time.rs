@@ -36,11 +36,13 @@ fn other_controllers_take_other_times() {
     };
     let near = |got: f64, expected: f64| assert!((got - expected).abs() < 0.002, "{got}");
     // Exact stop: four times 100 mm at 100 mm/s and a ramp of 0.2 s.
-    let [total, cut, wait] = times("--controller linuxcnc --blend 0");
+    let [total, cut, wait] = times("--controller linuxcnc --blend 0 --release 2.10");
     near(cut, 4.8);
     assert_eq!((wait, total), (2.0, cut + 2.0));
+    // Before 2.10 both moves before a stand take a ramp of 0.4 s at each end.
+    near(times("--controller linuxcnc --blend 0")[1], 5.2);
     // Two corners are rounded, one is a stop because of the pause.
-    let blended = times("--controller linuxcnc")[1];
+    let blended = times("--controller linuxcnc --release 2.10")[1];
     assert!(blended < 4.8 && blended > 4.7, "{blended}");
     let jumps = times("--controller grbl --junction-deviation 0.05")[1];
     assert!(jumps < blended, "{jumps}");
@@ -53,6 +55,7 @@ fn options_of_other_controllers_belong_to_them() {
     for (options, part) in [
         ("--blend 1", "--blend: no controller is named"),
         ("--controller grbl --blend 1", "--blend: it does not belong to --controller grbl"),
+        ("--controller grbl --release 2.9", "--release: it does not belong to --controller grbl"),
         ("--controller linuxcnc --baud 1", "--baud: it does not belong to --controller linuxcnc"),
         ("--controller grbl --ramps optimal", "--ramps is Kerf's own"),
         ("--controller grbl --arc-tolerance 0", "greater than 0"),

@@ -3,7 +3,7 @@
 //! The programs: R1 a rectangle, R4 a zigzag, R6 a Hilbert curve; 100 mm/s, 500 mm/s² and 200 mm/s
 //! an axis.
 
-use kerf_motion::controllers::{Controller, Grbl, Link, LinuxCnc};
+use kerf_motion::controllers::{Controller, Grbl, Link, LinuxCnc, Release};
 use kerf_motion::{Move, Mover};
 use kerf_program::{Arc, At, Axes, Feed, Line, MoveKind, Settings};
 
@@ -82,7 +82,13 @@ fn grbl(deviation: f64) -> Grbl {
 }
 
 fn linuxcnc(blend_mm: f64) -> LinuxCnc {
-    LinuxCnc { speed_mm_s: AXES_MM_S, accel_mm_s2: ACCEL, blend_mm }
+    LinuxCnc {
+        release: Release::V2_10,
+        speed_mm_s: AXES_MM_S,
+        accel_mm_s2: ACCEL,
+        blend_mm,
+        same_line_mm: blend_mm,
+    }
 }
 
 fn total(controller: &dyn Controller, run: &[Move]) -> f64 {
@@ -121,6 +127,20 @@ fn linuxcnc_takes_what_the_real_one_takes() {
         (0.05, circle(), 3.544),
     ] {
         near(total(&linuxcnc(blend), &run), measured, 1.0);
+    }
+}
+
+#[test]
+fn linuxcnc_before_2_10_makes_the_last_leg_with_half_the_acceleration() {
+    for (blend, run, measured) in [
+        (0.05, rectangle(), 6.977),
+        (0.01, rectangle(), 6.992),
+        (0.05, zigzag(), 17.171),
+        (0.01, zigzag(), 17.086),
+        (0.01, hilbert(), 78.779),
+    ] {
+        let older = LinuxCnc { release: Release::V2_9, ..linuxcnc(blend) };
+        near(total(&older, &run), measured, 0.1);
     }
 }
 

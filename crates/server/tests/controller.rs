@@ -20,6 +20,28 @@ fn cutting() -> (Shop, Arc<Mutex<Fake>>, Page) {
     (shop, fake, page)
 }
 
+/// Seconds of the preview of a zigzag, on a controller whose axes gain so much speed.
+fn told_s(accel_mm_s2: f64) -> f64 {
+    let fake = Fake::new(&[(120, accel_mm_s2), (121, accel_mm_s2)]);
+    let controller = Some(Arc::new(Mutex::new(fake)));
+    let files = vec![(
+        "zigzag.sbp",
+        "MS,3\nSR\n&n = 0\nagain:\nM2,0.2,0.2\nM2,0.2,-0.2\n&n = &n + 1\nIF &n < 20 THEN GOTO again\nSA\n",
+    )];
+    let shop = start(Wanted { files, controller, ..Wanted::default() });
+    let mut page = shop.driver();
+    page.open_file("zigzag.sbp");
+    let key = page.shown["opened"]["preview"]["key"].as_str().unwrap().to_owned();
+    shop.get(&format!("/api/preview/{key}")).json()["seconds"].as_f64().unwrap()
+}
+
+#[test]
+fn the_time_of_a_file_is_that_of_the_controller_with_its_settings() {
+    let (usual, slow) = (told_s(400.0), told_s(100.0));
+    // Legs that never come to their speed take as long as the root of the acceleration says.
+    assert!((slow / usual - 2.0).abs() < 0.02, "{slow} s and {usual} s");
+}
+
 #[test]
 fn what_a_machine_waits_for_at_its_own_controls_is_told_to_pages() {
     let (_shop, fake, mut page) = cutting();

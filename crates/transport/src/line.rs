@@ -21,6 +21,11 @@ pub trait Line {
     /// # Errors
     /// The line is gone.
     fn write(&mut self, bytes: &[u8]) -> Result<(), LineError>;
+
+    /// Returns the bits that it takes a second, baud, a byte being ten; nothing where it is as fast as what hangs on it.
+    fn rate(&self) -> Option<u32> {
+        None
+    }
 }
 
 impl<L: Line + ?Sized> Line for Box<L> {
@@ -30,6 +35,10 @@ impl<L: Line + ?Sized> Line for Box<L> {
 
     fn write(&mut self, bytes: &[u8]) -> Result<(), LineError> {
         (**self).write(bytes)
+    }
+
+    fn rate(&self) -> Option<u32> {
+        (**self).rate()
     }
 }
 
@@ -42,6 +51,10 @@ impl<L: Line> Line for Rc<RefCell<L>> {
     fn write(&mut self, bytes: &[u8]) -> Result<(), LineError> {
         self.borrow_mut().write(bytes)
     }
+
+    fn rate(&self) -> Option<u32> {
+        self.borrow().rate()
+    }
 }
 
 impl Line for Port {
@@ -51,5 +64,9 @@ impl Line for Port {
 
     fn write(&mut self, bytes: &[u8]) -> Result<(), LineError> {
         Self::write(self, bytes)
+    }
+
+    fn rate(&self) -> Option<u32> {
+        Self::rate(self)
     }
 }

@@ -54,6 +54,15 @@ impl Port {
         &self.path
     }
 
+    /// Returns its rate, baud; nothing where it is the port of a board on USB itself, which takes bytes as fast as it reads
+    /// them, whatever rate is named.
+    pub fn rate(&self) -> Option<u32> {
+        let device = std::fs::canonicalize(&self.path).unwrap_or_else(|_| (&self.path).into());
+        let on_usb =
+            device.file_name().is_some_and(|name| name.to_string_lossy().starts_with("ttyACM"));
+        if on_usb { None } else { self.baud().ok() }
+    }
+
     /// The bytes that came, waiting for the first of them at most `wait`; 0 when none did.
     pub fn read(&mut self, into: &mut [u8], wait: Duration) -> Result<usize, LineError> {
         let outcome = self.line.set_timeout(wait).map_err(std::io::Error::from);

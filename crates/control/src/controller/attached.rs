@@ -5,6 +5,7 @@ use super::lacks::{lines, listed};
 use super::{Connection, Lacks, Socket, zeros};
 use crate::Session;
 use crate::answers::Operator;
+use crate::own_pace::OwnPace;
 use crate::session::DrivenBy;
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work, facts::Fact};
@@ -102,7 +103,8 @@ impl Controller {
         if !abandoned && !connection.facts().is_fresh {
             told.warnings.extend(keeps_on(&socket, &mut connection, session, workspace));
         }
-        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes });
+        let pace = OwnPace::of(connection.facts());
+        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes, pace });
         let connection = Rc::new(RefCell::new(connection));
         let mut controller = Self { socket, counts: true, connection };
         controller.finds_place(first, abandoned, session, workspace, &mut told);

@@ -5,6 +5,7 @@ use super::lacks::no_output;
 use super::lost::Lost;
 use super::row::Row;
 use super::socket::{Ends, Opens};
+use kerf_machine::driver::planners::{Grbl, OwnPlanner};
 use kerf_machine::driver::{
     Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Override, Shares, Signal,
     Ticket, Trouble, Wired,
@@ -174,6 +175,7 @@ impl Connection {
             }
             if let Some(facts) = self.link.driver().facts().cloned() {
                 self.facts = Facts { leads_s: LEAD_S, ..facts };
+                self.feeds_planner();
                 self.owed = self.link.driver().changed();
                 self.link.restart(self.now_s());
                 return Ok(self);
@@ -186,6 +188,14 @@ impl Connection {
                 "{} does not answer: is it switched on, is this its port, and its rate?",
                 self.name
             )),
+        }
+    }
+
+    /// Moves come to its planner no faster than its line takes them.
+    fn feeds_planner(&mut self) {
+        let Some(baud) = self.line.rate() else { return };
+        if let Some(OwnPlanner::Grbl(Grbl { link: Some(link), .. })) = &mut self.facts.planner {
+            link.baud = f64::from(baud);
         }
     }
 

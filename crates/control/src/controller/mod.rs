@@ -24,7 +24,7 @@ mod driven;
 mod either;
 mod lacks;
 mod lost;
-mod merged;
+pub(crate) mod merged;
 pub mod queued;
 mod row;
 #[cfg(test)]

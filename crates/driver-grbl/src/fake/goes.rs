@@ -7,6 +7,8 @@ use kerf_machine::driver::Axes;
 impl Fake {
     /// Makes the move of a line, as far as it is one; returns the number of the error where it is refused.
     pub(super) fn go(&mut self, words: &Words) -> Option<u16> {
+        self.motion.accel_mm_s2 = [120, 121, 122].map(|number| self.setting(number));
+        self.motion.junction_mm = self.setting(11);
         self.relative = words.relative.unwrap_or(self.relative);
         self.way = words.way.or(self.way);
         let moves = words.to.iter().any(Option::is_some) && words.probes.is_none();

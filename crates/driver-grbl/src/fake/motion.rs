@@ -4,11 +4,8 @@
 use kerf_machine::driver::{Axes, way_mm};
 use std::collections::VecDeque;
 
-/// Acceleration along the path, whether it gains or loses speed, mm/s².
+/// Acceleration where its settings name none, mm/s².
 const ACCEL_MM_S2: f64 = 400.0;
-
-/// Distance by which a corner may be cut in thought, mm: the larger this is, the faster the corner is passed.
-const JUNCTION_MM: f64 = 0.01;
 
 /// A move leaves the planner so long before its end, seconds.
 const SEGMENTS_S: f64 = 0.05;
@@ -19,6 +16,8 @@ struct Block {
     way: Axes,
     length_mm: f64,
     speed_mm_s: f64,
+    /// Acceleration along it, mm/s².
+    accel_mm_s2: f64,
     /// It is a rapid move.
     rapid: bool,
     /// The number of its line.
@@ -32,6 +31,10 @@ struct Block {
 pub struct Motion {
     /// Moves that the planner holds.
     holds: usize,
+    /// What the axes can do, mm/s²: `$120` and those behind it.
+    pub accel_mm_s2: [f64; 3],
+    /// Distance by which a corner may be cut in thought, mm: the larger this is, the faster the corner is passed (`$11`).
+    pub junction_mm: f64,
     blocks: VecDeque<Block>,
     pub position: Axes,
     pub speed_mm_s: f64,
@@ -59,8 +62,38 @@ impl Motion {
         let way = to.minus(from);
         let way = Axes(way.0.map(|v| v / length_mm));
         let before = self.blocks.back();
-        let entry_mm_s = before.map_or(0.0, |before| corner(before, way).min(speed_mm_s));
-        self.blocks.push_back(Block { to, way, length_mm, speed_mm_s, rapid, line, entry_mm_s });
+        let entry_mm_s = before.map_or(0.0, |before| self.corner(before, way).min(speed_mm_s));
+        let accel_mm_s2 = self.along(way);
+        self.blocks.push_back(Block {
+            to,
+            way,
+            length_mm,
+            speed_mm_s,
+            accel_mm_s2,
+            rapid,
+            line,
+            entry_mm_s,
+        });
+    }
+
+    /// The acceleration along a way at which no axis exceeds its own, mm/s².
+    fn along(&self, way: Axes) -> f64 {
+        let axes = self.accel_mm_s2.iter().zip(way.0).filter(|(_, share)| share.abs() > 1e-9);
+        let most = axes.map(|(own, share)| own / share.abs()).fold(f64::INFINITY, f64::min);
+        if most.is_finite() && most > 0.0 { most } else { ACCEL_MM_S2 }
+    }
+
+    /// Returns the speed at which the corner between a move and the next one may be passed.
+    fn corner(&self, before: &Block, way: Axes) -> f64 {
+        let cosine: f64 = before.way.0.iter().zip(way.0).map(|(a, b)| a * b).sum();
+        let half_sine = ((1.0 + cosine) / 2.0).max(0.0).sqrt();
+        if half_sine > 0.999_999 {
+            return before.speed_mm_s;
+        }
+        let change = way.minus(before.way);
+        let size = change.0.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let accel = self.along(Axes(change.0.map(|v| v / size)));
+        (accel * self.junction_mm * half_sine / (1.0 - half_sine)).sqrt().min(before.speed_mm_s)
     }
 
     /// Returns `true` if nothing is left to make.
@@ -130,35 +163,22 @@ impl Motion {
 
     /// As fast as wanted, gained or lost steadily, slow enough for every corner and for the end.
     fn next_speed(&self, step_s: f64) -> f64 {
-        let change = ACCEL_MM_S2 * step_s;
         let Some(first) = self.blocks.front() else { return 0.0 };
+        let change = first.accel_mm_s2 * step_s;
         if self.held {
             return (self.speed_mm_s - change).max(0.0);
         }
         let share = if first.rapid { self.rapid } else { self.feed };
         let most = (first.speed_mm_s * share).max(self.speed_mm_s - change);
-        let mut most = most.min(self.speed_mm_s + change);
-        let mut ahead_mm = left(first, self.position);
-        for next in self.blocks.iter().skip(1) {
-            most = most.min((next.entry_mm_s.powi(2) + 2.0 * ACCEL_MM_S2 * ahead_mm).sqrt());
-            ahead_mm += next.length_mm;
-        }
-        most.min((2.0 * ACCEL_MM_S2 * ahead_mm).sqrt()).max(change)
+        let most = most.min(self.speed_mm_s + change);
+        let exit_sqr = self.blocks.iter().skip(1).rev().fold(0.0, |exit_sqr: f64, block| {
+            (exit_sqr + 2.0 * block.accel_mm_s2 * block.length_mm).min(block.entry_mm_s.powi(2))
+        });
+        let brakes_sqr = exit_sqr + 2.0 * first.accel_mm_s2 * left(first, self.position);
+        most.min(brakes_sqr.sqrt()).max(change)
     }
 }
 
 fn left(block: &Block, position: Axes) -> f64 {
     way_mm(position, block.to)
-}
-
-/// Returns the speed at which the corner between a move and the next one may be passed.
-fn corner(before: &Block, way: Axes) -> f64 {
-    let cosine: f64 = before.way.0.iter().zip(way.0).map(|(a, b)| a * b).sum();
-    let half_sine = ((1.0 + cosine) / 2.0).max(0.0).sqrt();
-    let most = if half_sine > 0.999_999 {
-        f64::INFINITY
-    } else {
-        (ACCEL_MM_S2 * JUNCTION_MM * half_sine / (1.0 - half_sine)).sqrt()
-    };
-    most.min(before.speed_mm_s)
 }

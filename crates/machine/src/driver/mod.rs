@@ -22,6 +22,8 @@ pub use link::{Link, LinkNews, LinkState, Troubles};
 pub use offsets::Offsets;
 pub use zero::{Zero, ZeroChange};
 
+/// Planners of controllers that plan for themselves.
+pub use kerf_motion::controllers as planners;
 pub use kerf_program::{AXES, Axes, Axis, decimal, rounded};
 use std::borrow::Cow;
 
@@ -252,12 +254,17 @@ pub struct Facts {
     pub holds: bool,
     /// Its stop switches every output off.
     pub stop_switches_off: bool,
+    /// It passes corners at a speed of its own: the plan of all moves up to the next stand is one piece, and it does not wait for
+    /// the plan at corners where that stands.
+    pub plans_corners: bool,
     /// It is given all moves up to the next stand at once: it stands wherever it has to wait for more.
     pub takes_whole: bool,
     /// A repeated run gives the same inputs, so that they need no place on record.
     pub repeats: bool,
     /// Its place comes from the record of the last run; every other machine tells its own.
     pub placed_by_record: bool,
+    /// Its planner, where it plans for itself and has told how it is set: by it the time of a run is told.
+    pub planner: Option<planners::OwnPlanner>,
     /// A run may tell of a move so long before it is made, seconds.
     pub leads_s: f64,
     /// Its switches are moved here: of every other machine they are moved where they are.

@@ -1,4 +1,4 @@
-//! LinuxCNC 2.10 with G64 Pn: trapezoids of speed over the whole program, corners rounded by arcs
+//! LinuxCNC with G64 Pn: trapezoids of speed over the whole program, corners rounded by arcs
 //! within a tolerance, small segments merged.
 //!
 //! What its trajectory planner does, as its documentation ("Trajectory Control", "INI
@@ -14,8 +14,11 @@
 //! * from there a pass back and a pass forward give trapezoids. The pass back looks 50 segments
 //!   ahead on the machine; that is enough where one braking distance is shorter, and taken so here.
 //!
-//! The times of the seven reference programs come out within 1 % of the real ones at P 0.01 and
-//! 0.05. Version 2.9 is up to 4 % slower.
+//! In version 2.9 the last leg before a stand has half the acceleration, as if a corner behind it were to be rounded.
+//!
+//! The times of the seven reference programs come out within 1 % of the real ones of 2.10 at P 0.01 and 0.05. Those of 2.9
+//! come out within 0.3 % for five of them; it takes 3 % longer for a circle of 2,000 chords, and 6 % for a raster in three
+//! dimensions, than is told.
 
 use super::Controller;
 use super::block::{Way, feed_mm_s, path_mm, trapezoid_s, within_axes};
@@ -34,15 +37,29 @@ const STILL: f64 = 1e-9;
 /// Sharper ones cannot be rounded, radians from turning back.
 const BACK_RAD: f64 = 0.02;
 
+/// A version of LinuxCNC, as far as its times differ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Release {
+    /// 2.9 and before.
+    #[default]
+    V2_9,
+    /// 2.10 and behind.
+    V2_10,
+}
+
 /// A machine under LinuxCNC.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinuxCnc {
+    /// Its version.
+    pub release: Release,
     /// `MAX_VELOCITY` of the axes, mm/s.
     pub speed_mm_s: Axes,
     /// `MAX_ACCELERATION` of the axes, mm/s².
     pub accel_mm_s2: Axes,
-    /// G64 P and Q, mm; 0 is exact stop, G61.1.
+    /// G64 P, mm; 0 is exact stop, G61.1.
     pub blend_mm: f64,
+    /// G64 Q: straight feeds that lie so near one line are made as that line, mm.
+    pub same_line_mm: f64,
 }
 
 /// A way that is made in one go: straight or an arc.
@@ -108,9 +125,12 @@ impl LinuxCnc {
         let mut legs = Vec::new();
         let mut first = 0;
         while first < run.len() {
-            let count = merged(&run[first..], self.blend_mm);
+            let count = merged(&run[first..], self.same_line_mm);
             legs.extend(self.leg(&run[first..first + count], first));
             first += count;
+        }
+        if let (Release::V2_9, Some(last)) = (self.release, legs.last_mut()) {
+            last.accel *= 0.5;
         }
         legs
     }

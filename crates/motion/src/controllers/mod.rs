@@ -13,10 +13,12 @@ mod grbl;
 mod link;
 mod linuxcnc;
 mod naive_cam;
+mod own_planner;
 
 pub use grbl::Grbl;
 pub use link::Link;
-pub use linuxcnc::LinuxCnc;
+pub use linuxcnc::{LinuxCnc, Release};
+pub use own_planner::OwnPlanner;
 
 use crate::moves::Move;
 

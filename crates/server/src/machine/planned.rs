@@ -1,5 +1,6 @@
 //! Progress of a run, by the plan of its preview.
 
+use kerf_control::Clocks;
 use kerf_machine::Going;
 use kerf_program::MoveKind;
 use kerf_trace::ExecutedMove;
@@ -76,6 +77,18 @@ impl Planning {
             self.times.push((made.t0_s + span.t1_s) as f32);
             self.cuts.push(self.cut_s as f32);
             self.ends.push((step.at.line, [x, y]));
+        }
+    }
+
+    /// Tells the times of a controller in place of those of the plan.
+    pub fn takes(&mut self, clocks: &Clocks) {
+        let (mut before_s, mut cut_s) = (0.0, 0.0);
+        for (time, cut) in self.times.iter_mut().zip(&mut self.cuts) {
+            let [end_s, cut_before_s] = [*time, *cut].map(f64::from);
+            let begin_s = end_s - (cut_before_s - before_s);
+            cut_s += clocks.own_s(end_s) - clocks.own_s(begin_s);
+            before_s = cut_before_s;
+            (*time, *cut) = (clocks.own_s(end_s) as f32, cut_s as f32);
         }
     }
 

@@ -3,11 +3,11 @@
 use super::pen::Pen;
 use super::rotary::is_rotary;
 use crate::machine::Planning;
-use kerf_control::Session;
+use kerf_control::{OwnTime, Session};
 use kerf_diag::Diagnostic;
 use kerf_diag::Repetitions;
 use kerf_program::Axis;
-use kerf_trace::{Event, ExecutedMove, Sink};
+use kerf_trace::{Event, ExecutedMove, Sink, Tally};
 
 /// Collects moves, their times, and what was found.
 #[derive(Debug)]
@@ -35,6 +35,15 @@ impl Collector {
         };
         let (plan, findings, again) = Default::default();
         Self { pen, plan, findings, again, line: 0 }
+    }
+
+    /// Tells all moments in the time of the controller that makes the run, and returns its seconds and counts.
+    pub fn takes(&mut self, mut own: OwnTime<'_>) -> (f64, Tally) {
+        let (seconds, tally) = (own.total_s(), std::mem::take(&mut own.tally));
+        let clocks = own.clocks();
+        self.pen.path.takes(&clocks);
+        self.plan.takes(&clocks);
+        (seconds, tally)
     }
 
     /// Tells how often something was found again; nothing more comes.

@@ -31,14 +31,14 @@ use crate::machine::Planned;
 use crate::to_wire;
 use collect::Collector;
 use kerf_control::answers::Answers;
-use kerf_control::{OperatorRequest, Requests, RunContext, Session};
+use kerf_control::{DrivenBy, OperatorRequest, OwnTime, Requests, RunContext, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::Configuration;
 use kerf_program::settings::Mode;
 use kerf_program::{Axis, Frame, Settings};
 use kerf_sbp::{FileParameters, Status};
 use kerf_sequence::straddling;
-use kerf_trace::{Sink, Summary};
+use kerf_trace::{Sink, Summary, Tally};
 use kerf_wire::preview::{Detail, PreviewInfo, Timing, ToolPathInfo};
 use kerf_wire::{Finding, SampleAnswer};
 use kerf_workspace::Workspace;
@@ -75,6 +75,8 @@ pub struct Preview {
     pub start: (Settings, Frame),
     /// The machine that a job was made with.
     pub machine: Option<Arc<Configuration>>,
+    /// The controller in whose time it is told.
+    pub driven_by: Option<DrivenBy>,
     /// The height map that it follows.
     pub height_map: Option<kerf_wire::HeightMap>,
     /// Other program files that it called, as they were.
@@ -95,6 +97,10 @@ pub struct Rolled {
 impl Preview {
     /// Returns `true` if the machine is not any more what it was made with.
     pub fn is_stale(&self, session: &Session) -> bool {
+        let pace = |by: &Option<DrivenBy>| by.as_ref().and_then(|by| by.pace.clone());
+        if pace(&self.driven_by) != pace(&session.driven_by) {
+            return true;
+        }
         match &self.machine {
             // A job brings its own frame.
             Some(machine) => **machine != session.configuration(),
@@ -141,14 +147,30 @@ pub fn make(
     let is_job = machine.is_some();
     let start = (session.memory.settings.clone(), session.memory.frame);
     let height_map = to_wire::height_map(workspace);
-    let mut sink = Collector::of(&session);
+    let driven_by = session.driven_by.clone();
+    let mut sink = (Collector::of(&session), own_time(driven_by.as_ref()));
     let (summary, cutter_mm, samples) =
         silently(work, options(parameters), session, workspace, given_up, &mut sink)?;
+    let (mut sink, own) = sink;
+    let summary = in_own_time(summary, own.map(|own| sink.takes(own)));
     let failed = failed || is_job && summary.status == Status::Failed;
     let called = workspace.take_called();
     let mut made = finish(sink, &summary, start, cutter_mm, is_job);
     made.findings.extend(not_cut);
-    Some(Preview { samples, failed, machine, height_map, called, ..made })
+    Some(Preview { samples, failed, machine, height_map, called, driven_by, ..made })
+}
+
+/// Counts a run in the time of the controller that makes it, where that plans for itself.
+fn own_time(driven_by: Option<&DrivenBy>) -> Option<OwnTime<'_>> {
+    driven_by?.pace.as_ref().map(OwnTime::of_run)
+}
+
+/// The summary of a run with the seconds and counts of the controller that makes it.
+fn in_own_time(summary: Summary, own: Option<(f64, Tally)>) -> Summary {
+    match own {
+        None => summary,
+        Some((seconds, tally)) => Summary { seconds, tally, ..summary },
+    }
 }
 
 /// The paths of a job that lie on both jigs, told before it is started: its preview waits for none.
@@ -168,8 +190,11 @@ pub fn plan(
     let mut options = RunOptions { controller: None, ..options };
     (options.program.preview, options.program.max_lines) = (true, MOST_LINES);
     options.program.file.stepped = false;
-    let mut sink = Collector::of(&session);
+    let driven_by = session.driven_by.clone();
+    let mut sink = (Collector::of(&session), own_time(driven_by.as_ref()));
     silently(work, options, session, workspace, &AtomicBool::new(false), &mut sink);
+    let (mut sink, own) = sink;
+    own.map(|own| sink.takes(own));
     sink.plan.finish(machine.is_some())
 }
 
@@ -242,6 +267,7 @@ fn finish(
         failed: false,
         start,
         machine: None,
+        driven_by: None,
         height_map: None,
         called: Called::new(),
         timing: Mutex::default(),

@@ -1,5 +1,6 @@
 //! A path as a chain of straight segments, and its pieces as bytes.
 
+use kerf_control::Clocks;
 use kerf_wire::preview::{CUT, Detail, PIECE};
 
 /// A chain of segments; vertices in mm from its origin, machine frame.
@@ -40,6 +41,13 @@ impl Path {
     /// Returns the number of segments.
     pub fn len(&self) -> usize {
         self.segments.len()
+    }
+
+    /// Tells the times of a controller in place of those of the plan.
+    pub fn takes(&mut self, clocks: &Clocks) {
+        for segment in &mut self.segments {
+            segment.end_s = clocks.own_s(f64::from(segment.end_s)) as f32;
+        }
     }
 
     /// Goes on to a place.

@@ -125,7 +125,7 @@ impl Attached {
         let counts = find_place(&socket, &mut queued, abandoned, (session, workspace), &mut told);
         // Outputs and switches of the simulated machine are none of this one's.
         session.machine = None;
-        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes });
+        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes, pace: None });
         if first.home {
             session.memory.position = queued.comes_home(is_stopped)?;
             homes.iter().for_each(|axis| session.homed.insert(axis));

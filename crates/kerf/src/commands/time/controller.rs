@@ -4,7 +4,7 @@ use crate::exit::Usage;
 use crate::parse;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
-use kerf_motion::controllers::{Controller, Grbl, Link, LinuxCnc};
+use kerf_motion::controllers::{Controller, Grbl, Link, LinuxCnc, Release};
 use kerf_program::Dynamics;
 
 /// The controllers whose times can be told.
@@ -12,8 +12,19 @@ use kerf_program::Dynamics;
 pub enum Kind {
     /// grbl 1.1 and its family: junction deviation, short look-ahead, a serial line
     Grbl,
-    /// LinuxCNC 2.10 with G64 P: corners rounded within a tolerance
+    /// LinuxCNC with G64 P: corners rounded within a tolerance
     Linuxcnc,
+}
+
+/// The versions of LinuxCNC whose times differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum LinuxCncRelease {
+    /// 2.9 and before
+    #[value(name = "2.9")]
+    V2_9,
+    /// 2.10
+    #[value(name = "2.10")]
+    V2_10,
 }
 
 /// Another controller and its settings.
@@ -42,6 +53,9 @@ pub struct ControllerArgs {
     /// linuxcnc: G64 P, how far corners may be rounded, mm; 0 for exact stop [default: 0.05]
     #[arg(long, value_name = "MM", value_parser = parse::not_negative)]
     blend: Option<f64>,
+    /// linuxcnc: its version [default: 2.9]
+    #[arg(long, value_enum, value_name = "VERSION")]
+    release: Option<LinuxCncRelease>,
 }
 
 impl ControllerArgs {
@@ -61,12 +75,22 @@ impl ControllerArgs {
         Ok(match self.controller {
             None => None,
             Some(Kind::Grbl) => Some(Box::new(self.grbl(axes))),
-            Some(Kind::Linuxcnc) => Some(Box::new(LinuxCnc {
-                speed_mm_s: axes.speed_mm_s,
-                accel_mm_s2: axes.accel_mm_s2,
-                blend_mm: self.blend.unwrap_or(0.05),
-            })),
+            Some(Kind::Linuxcnc) => Some(Box::new(self.linuxcnc(axes))),
         })
+    }
+
+    fn linuxcnc(&self, axes: &Dynamics) -> LinuxCnc {
+        let blend_mm = self.blend.unwrap_or(0.05);
+        LinuxCnc {
+            release: match self.release {
+                None | Some(LinuxCncRelease::V2_9) => Release::V2_9,
+                Some(LinuxCncRelease::V2_10) => Release::V2_10,
+            },
+            speed_mm_s: axes.speed_mm_s,
+            accel_mm_s2: axes.accel_mm_s2,
+            blend_mm,
+            same_line_mm: blend_mm,
+        }
     }
 
     fn grbl(&self, axes: &Dynamics) -> Grbl {
@@ -93,6 +117,7 @@ impl ControllerArgs {
             ("--baud", self.baud.is_some(), grbl),
             ("--receive-buffer", self.receive_buffer.is_some(), grbl),
             ("--blend", self.blend.is_some(), linuxcnc),
+            ("--release", self.release.is_some(), linuxcnc),
         ];
         options.into_iter().find(|(_, given, fits)| *given && !fits).map(|(name, ..)| name)
     }

@@ -4,13 +4,13 @@ mod controller;
 
 use crate::args::{Format, RunArgs};
 use crate::exit::{Exit, Usage};
-use crate::other_controllers::Estimate;
 use crate::out;
 use crate::report::Diagnostics;
 use crate::setup::{self, PreparedRun};
 use anyhow::{Result, bail};
 use clap::Args;
 use controller::ControllerArgs;
+use kerf_control::OwnTime;
 use kerf_control::RunContext;
 use kerf_motion::controllers::Controller;
 use kerf_program::RampModel;
@@ -91,7 +91,7 @@ fn run_elsewhere(args: &TimeArgs) -> Result<Exit> {
     settings.ramp_model = Some(RampModel::Shopbot);
     let Some(controller) = args.controller.controller(&dynamics)? else { return Ok(Exit::Good) };
     let controller: &dyn Controller = &*controller;
-    let mut sink = (Diagnostics::default(), Estimate::new(controller));
+    let mut sink = (Diagnostics::default(), OwnTime::of_file(controller));
     let summary = follow(&mut job, &mut sink, args);
     let estimate = sink.1;
     tell(&times(estimate.total_s(), &estimate.tally), args);
