@@ -11,7 +11,7 @@ it.each([
   ["S002", "unknown command QX", "Unbekannter Befehl: QX"],
   ["S012", "THEN expected", "THEN fehlt"],
   ["R003", "division by zero", "Division durch null"],
-  ["R001", "&depth has no value", "Die Variable hat keinen Wert: &depth"],
+  ["R001", "&depth has no value", "&depth hat keinen Wert"],
   ["S009", "MX takes 1 value, this is one too many", "MX nimmt 1 Wert; das ist einer zu viel"],
   [
     "M001",

@@ -1,9 +1,7 @@
-import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
 import { expect, it } from "vitest";
-import { drawingSentences } from "./german/drawingSentences";
-import { findingSentences } from "./german/findings/sentences";
-import { serverSentences } from "./german/server";
+import { sentences } from "./german/sentences/sentences";
+import { notForPages, texts } from "./otherTexts";
+import { textsOfCrate } from "./rustTexts";
 import { inGerman } from "./server";
 
 it.each([
@@ -22,22 +20,43 @@ it.each([
   ["a sentence that is in no table", "a sentence that is in no table"],
 ])("%s", (said, german) => expect(inGerman(said)).toBe(german));
 
-/** The texts of the crates that speak to pages; what a format puts in is `{}`. */
-function textsOfServer(): string {
-  const crates = join(import.meta.dirname, "../../../crates");
-  const speaking = ["server", "control", "model", "sbp", "drawing"];
-  const files = speaking.flatMap((crate) => {
-    const folder = join(crates, crate, "src");
-    const names = readdirSync(folder, { recursive: true, encoding: "utf8" });
-    return names.filter((name) => name.endsWith(".rs")).map((name) => join(folder, name));
-  });
-  const joined = files.map((file) => readFileSync(file, "utf8").replace(/\\\n\s*/g, ""));
-  return joined.join("\n").replace(/\{[\w:?]*\}/g, "{}");
-}
+/** Crates whose sentences reach a page as text. */
+const speaking = [
+  ...["server", "control", "model", "machine", "sequence", "toolpath", "part", "drawing"],
+  ...["driver-grbl", "driver-linuxcnc", "driver-klipper", "transport"],
+  ...["files", "journal", "import", "formats", "workspace"],
+];
 
-it("the server says every sentence of the table", () => {
-  const texts = textsOfServer();
-  const isSaid = (said: string) => texts.includes(`"${said.replace(/\{\d\}/g, "{}")}"`);
-  const sentences = Object.keys({ ...serverSentences, ...findingSentences, ...drawingSentences });
-  expect(sentences.filter((said) => !isSaid(said))).toEqual([]);
+/** Crates whose other sentences are findings, which have their German by the code. */
+const findings = ["sbp"];
+
+const said = (sentence: string): string => sentence.replace(/\{\d\}/g, "{}");
+
+/** Two words side by side, or a word with a value behind it. */
+const isSentence = (text: string): boolean =>
+  /\p{L}{2}\S* +\S*\p{L}{2}|^[a-z]+ \{\}/u.test(text) && !/[%<>]\w+=|=%/.test(text);
+
+it("every sentence of the server that a page shows has German words", () => {
+  const german = new Set(Object.keys(sentences).map(said));
+  const missing = speaking.flatMap((crate) =>
+    [...textsOfCrate(crate)]
+      .filter(([text, file]) => isSentence(text) && !notForPages[crate]?.test(file))
+      .filter(([text]) => !german.has(text) && !texts.includes(text))
+      .map(([text, file]) => `${crate}/${file}: ${text}`),
+  );
+  expect(missing).toEqual([]);
+});
+
+it("the server says every sentence of the table, and every text that is left English", () => {
+  const spoken = new Set(
+    [...speaking, ...findings].flatMap((crate) => [...textsOfCrate(crate).keys()]),
+  );
+  const table = Object.keys(sentences).map(said);
+  expect([...table, ...texts].filter((text) => !spoken.has(text))).toEqual([]);
+});
+
+it("German sentences have the values of the English ones", () => {
+  const places = (text: string): string => (text.match(/\{\d\}/g) ?? []).sort().join();
+  const other = Object.entries(sentences).filter(([en, de]) => places(en) !== places(de));
+  expect(other.map(([english]) => english)).toEqual(["nothing to {0}"]);
 });

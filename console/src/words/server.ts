@@ -1,14 +1,12 @@
-/** Sentences of the server in the language of the page, as far as its table has them; the others stay as they are said. */
+/** Sentences of the server in the language of the page; a test holds the German ones to what its crates say. */
 
-import { drawingSentences } from "./german/drawingSentences";
-import { findingSentences } from "./german/findings/sentences";
-import { serverSentences } from "./german/server";
+import { sentences } from "./german/sentences/sentences";
 import { translator } from "./translator";
 import { language } from "./words";
 
-const translate = translator({ ...serverSentences, ...findingSentences, ...drawingSentences });
+const translate = translator(sentences);
 
-/** A sentence of the server in German. */
+/** A sentence of the server in German; what a program or a person wrote stays as it is. */
 export const inGerman = (text: string): string => translate(text) ?? text;
 
 /** A sentence of the server in the language of the page. */

@@ -13,16 +13,27 @@ const placeOf = (_: string, __: string, at: number, said: string): string =>
 const patternOf = (said: string): RegExp =>
   new RegExp(`^${said.replace(special, "\\$&").replace(places, placeOf)}$`, "s");
 
+/** Signs of a sentence that always stand there; of two with the same, the one with more places comes first. */
+const weight = (said: string): number =>
+  100 * said.replace(/\{\d\}/g, "").length + (said.match(/\{\d\}/g) ?? []).length;
+
+/** Sentences that are kept once they are translated; a page hears the same ones again and again. */
+const keptSentences = 2000;
+
 /** Translates a sentence; nothing where the table has none for it. */
 export type Translate = (text: string) => string | undefined;
 
-/** Reads a table once: sentences without places are looked up, the others compared in their order. */
+/**
+ * Reads a table once: sentences without places are looked up, the others compared. Of several that fit, the one
+ * counts that says most by itself.
+ */
 export function translator(table: Table): Translate {
   const patterns = Object.entries(table)
     .filter(([said]) => /\{\d\}/.test(said))
+    .sort(([a], [b]) => weight(b) - weight(a))
     .map(([said, own]) => [patternOf(said), own] as const);
-  const translate: Translate = (text) => {
-    if (Object.hasOwn(table, text)) return table[text];
+  const kept = new Map<string, string | undefined>();
+  const compare: Translate = (text) => {
     for (const [pattern, own] of patterns) {
       const found = pattern.exec(text);
       if (!found) continue;
@@ -31,6 +42,14 @@ export function translator(table: Table): Translate {
       return own.replace(/\{(\d)\}/g, (_, at) => values[Number(at)] ?? "");
     }
     return undefined;
+  };
+  const translate: Translate = (text) => {
+    if (Object.hasOwn(table, text)) return table[text];
+    if (!kept.has(text)) {
+      if (kept.size >= keptSentences) kept.clear();
+      kept.set(text, compare(text));
+    }
+    return kept.get(text);
   };
   return translate;
 }

@@ -1,6 +1,6 @@
-/** Sentences of the server that an operator reads most, in German; a test looks that the server says each of them. */
+/** Sentences of the server that an operator reads most, in German. */
 
-export const serverSentences: Readonly<Record<string, string>> = {
+export const operatingSentences: Readonly<Record<string, string>> = {
   "the machine is disarmed: arm it first": "Die Maschine ist gesperrt: zuerst freigeben.",
   "nobody drives: take control first": "Niemand steuert: zuerst die Steuerung übernehmen.",
   "this belongs to an older turn at driving": "Inzwischen steuert jemand anderes.",

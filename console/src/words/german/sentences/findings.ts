@@ -13,4 +13,8 @@ export const findingSentences: Readonly<Record<string, string>> = {
   "unknown command or missing separator: {0}": "Unbekannter Befehl, oder ein Komma fehlt: {0}",
   "nobody answers '{0}' here: 0 is taken": "Niemand antwortet hier auf »{0}«: 0 gilt",
   "file #{0} is already open": "Die Datei #{0} ist schon offen",
+  "variable &{0} has no value": "Die Variable &{0} hat keinen Wert",
+  "{0} has no value": "{0} hat keinen Wert",
+  "{0} has no result for {1}": "{0} hat für {1} kein Ergebnis",
+  "the calculation has no finite result": "Die Rechnung hat kein endliches Ergebnis",
 };

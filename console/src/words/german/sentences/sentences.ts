@@ -1,0 +1,29 @@
+/** Every sentence of the server that a page shows, in German. */
+
+import { boardsSentences } from "./boards";
+import { configurationSentences } from "./configuration";
+import { controllersSentences } from "./controllers";
+import { drawingSentences } from "./drawing";
+import { filesSentences } from "./files";
+import { findingSentences } from "./findings";
+import { importingSentences } from "./importing";
+import { jobsSentences } from "./jobs";
+import { journalSentences } from "./journal";
+import { operatingSentences } from "./operating";
+import { runningSentences } from "./running";
+import { servingSentences } from "./serving";
+
+export const sentences: Readonly<Record<string, string>> = {
+  ...operatingSentences,
+  ...findingSentences,
+  ...filesSentences,
+  ...servingSentences,
+  ...runningSentences,
+  ...controllersSentences,
+  ...boardsSentences,
+  ...configurationSentences,
+  ...journalSentences,
+  ...importingSentences,
+  ...jobsSentences,
+  ...drawingSentences,
+};
