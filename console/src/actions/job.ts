@@ -2,6 +2,7 @@
 
 import { errorsOf, mistakesText, placeOf } from "../operator/fileStatus";
 import type { Snapshot } from "../wire/messages";
+import { serverWords } from "../words/server";
 import { t } from "../words/words";
 import { type Action, attempt, type World } from "./action";
 import { ask, drive } from "./ask";
@@ -125,7 +126,7 @@ function warnings(world: World): string {
     "The machine moved when Kerf ended: make sure that it is where the display says, and zero it anew if not.",
   );
   const once = t("Before the tool goes back and anything turns you are asked once more.");
-  return [sentence(interrupted?.text ?? ""), interrupted?.moved ? doubt : "", once]
+  return [sentence(serverWords(interrupted?.text ?? "")), interrupted?.moved ? doubt : "", once]
     .filter((words) => words !== "")
     .join(" ");
 }

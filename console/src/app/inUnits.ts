@@ -14,7 +14,7 @@ const numbers = `${number}(?:(?: x | × |, ?| … )${number})*`;
 const lengths = new RegExp(`(?<![\\w.])(${numbers}) mm(/s²|/s|/min)?(?![\\w²³/])`, "g");
 
 /** Places of shapes, which are told without a unit. */
-const places = new RegExp(`(shape \\d+ at )(${number}),(${number})`, "gi");
+const places = new RegExp(`((?:shape|Form) \\d+ (?:at|bei) )(${number}),(${number})`, "gi");
 
 /** Digits behind the point: a ten thousandth of an inch is 3 µm. */
 const decimals = 4;

@@ -1,6 +1,7 @@
 /** Notifications of the browser: somebody is needed, a run is done or has failed. */
 
 import type { Snapshot } from "../wire/messages";
+import { askedWords } from "../words/asked";
 import { t } from "../words/words";
 
 const key = "kerf.notify";
@@ -27,7 +28,7 @@ type Told = Pick<Snapshot, "job" | "asked">;
 export function newsOf(before: Told, { job, asked }: Told): string | undefined {
   if (!job || job.command !== null || job.file === "") return undefined;
   if (asked && asked.number !== before.asked?.number)
-    return t("{0} needs you: {1}", job.file, asked.text);
+    return t("{0} needs you: {1}", job.file, askedWords(asked).text);
   const over = before.job?.run === job.run && before.job.ended !== null;
   if (job.ended === null || over) return undefined;
   return job.ended === "ok" || job.ended === "ended"

@@ -11,6 +11,7 @@ import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import { difference } from "../units/quantity";
 import type { CommandEntry, PreviewInfo } from "../wire/messages";
+import { findingWords } from "../words/findings";
 import { t } from "../words/words";
 import { HeightPicture } from "./HeightPicture";
 import { gridOver, probedPlaces } from "./heights";
@@ -105,7 +106,7 @@ function Probed() {
       {places.length > 0 && <HeightPicture places={places} />}
       {failed && (
         <p className="probe-wrong">
-          {job.error ? words(job.error.message) : t("The run has ended.")}
+          {job.error ? words(findingWords(job.error).message) : t("The run has ended.")}
         </p>
       )}
     </section>

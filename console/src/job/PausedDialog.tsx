@@ -1,6 +1,7 @@
 import { ask } from "../actions/ask";
 import { useHands, useSnapshot, worldOf } from "../app/context";
 import { lengthText, placeText } from "../app/units";
+import { useAsked, useWords } from "../app/useWords";
 import { GoesOn } from "../operator/GoesOn";
 import { useAside } from "../operator/useAside";
 import { Button } from "../ui/Button";
@@ -8,6 +9,7 @@ import { Choice } from "../ui/Choice";
 import { Sheet } from "../ui/Sheet";
 import { mm } from "../units/quantity";
 import type { Asked } from "../wire/messages";
+import { buttonWords } from "../words/asked";
 import { phrase, t } from "../words/words";
 import { headAt, near } from "./head";
 import { useJob } from "./useJob";
@@ -23,20 +25,21 @@ export function PausedDialog({ asked }: { asked: Asked }) {
   const { sheet, buttons } = useAside(["keypad", "inputs"]);
   const say = (words: string) =>
     ask(worldOf(hands), { do: "answer", question: asked.number, answer: words });
+  const told = useAsked(asked);
   if (sheet) return sheet;
   const chooses = asked.text.startsWith("Start with shape");
   const [goesOn = "Resume", ends = "Quit"] = asked.buttons;
   return (
     <Sheet
-      title={asked.text || asked.title}
+      title={told.text || told.title}
       shape="side"
       foot={
         <>
           <Button size="large" onPress={() => void say(ends)}>
-            {ends}
+            {buttonWords(ends)}
           </Button>
           <Button size="large" look="go" autoFocus onPress={() => void say(goesOn)}>
-            {chooses ? t("Start") : goesOn}
+            {chooses ? t("Start") : buttonWords(goesOn)}
           </Button>
         </>
       }
@@ -54,9 +57,10 @@ export function PausedDialog({ asked }: { asked: Asked }) {
 /** The mend that is needed before anything moves again. */
 function Forbidden() {
   const forbidden = useSnapshot("io")?.forbidden;
+  const words = useWords();
   return forbidden ? (
     <p className="paused-forbidden" role="alert">
-      {t("Nothing moves: {0}.", forbidden)}
+      {t("Nothing moves: {0}.", words(forbidden))}
     </p>
   ) : null;
 }

@@ -1,11 +1,12 @@
 import { type ReactNode, useState } from "react";
 import { ask } from "../actions/ask";
 import { useHands, worldOf } from "../app/context";
-import { useWords } from "../app/useWords";
+import { useAsked } from "../app/useWords";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Asked } from "../wire/messages";
+import { buttonWords } from "../words/asked";
 import { t } from "../words/words";
 import { GoesOn } from "./GoesOn";
 import "./question-dialog.css";
@@ -16,8 +17,8 @@ const icons: Record<number, string> = { 16: "✖", 32: "?", 48: "!", 64: "i" };
  * A question of the job. It belongs to the job and not to this page: any page may answer, and the
  * dialog closes on all of them when the server says so.
  */
-export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode }) {
-  const words = useWords();
+export function QuestionDialog({ asked: told, more }: { asked: Asked; more?: ReactNode }) {
+  const asked = useAsked(told);
   const [entry, setEntry] = useState(asked.prefill);
   const hands = useHands();
   const answer = (given: string) =>
@@ -47,7 +48,7 @@ export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode
             {icons[asked.icon]}
           </span>
         )}
-        <p className="question-text">{textOf(asked, words)}</p>
+        <p className="question-text">{asked.text}</p>
         {asked.entry && <Field label="Answer" value={entry} onChange={setEntry} first />}
       </form>
       {!asked.entry && <GoesOn />}
@@ -55,12 +56,6 @@ export function QuestionDialog({ asked, more }: { asked: Asked; more?: ReactNode
     </Sheet>
   );
 }
-
-/** Kinds of questions whose words are the program's own: they stay as they were written. */
-const ofPrograms = ["input", "msgbox", "pause"];
-
-const textOf = ({ kind, text }: Asked, words: (text: string) => string): string =>
-  ofPrograms.includes(kind) ? text : words(text);
 
 /** A title that is the path of the file is told by its name. */
 const titleOf = ({ title, file }: Asked): string =>
@@ -83,7 +78,7 @@ function Answers({ asked, entry, answer }: AnswersProps) {
       autoFocus={n === asked.default && !asked.entry}
       onPress={() => answer(asked.entry && n === asked.default ? entry : word)}
     >
-      {word}
+      {buttonWords(word)}
     </Button>
   ));
 }

@@ -7,7 +7,7 @@ import { ActionButton } from "../ui/ActionButton";
 import { Choice } from "../ui/Choice";
 import { Panel } from "../ui/Panel";
 import { Tail } from "../ui/Tail";
-import { findingWords } from "../words/findings";
+import { findingWords, messageWords } from "../words/findings";
 import { t } from "../words/words";
 import { FindingPlace } from "./FindingPlace";
 import { errorsOf, placeOf, placeOfMessage } from "./fileStatus";
@@ -64,7 +64,7 @@ function Messages() {
             )}
             {/* A comment of the program stays as it was written. */}
             {place && ": "}
-            {message.tone === "program" ? message.text : words(message.text)}
+            {message.tone === "program" ? message.text : words(messageWords(message))}
           </p>
         );
       })}

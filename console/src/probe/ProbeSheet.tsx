@@ -5,6 +5,7 @@ import { findCommand, useCommands } from "../command/table";
 import { Button } from "../ui/Button";
 import { Sheet } from "../ui/Sheet";
 import type { CommandEntry } from "../wire/messages";
+import { findingWords } from "../words/findings";
 import { t } from "../words/words";
 import { EntryFields } from "./EntryFields";
 import { entriesOf, type Kind, kinds } from "./kinds";
@@ -83,7 +84,7 @@ function Outcome() {
   if (job.ended !== "ok")
     return (
       <p className="probe-wrong" role="alert">
-        {t("Nothing was set. {0}", words(job.error?.message ?? ""))}
+        {t("Nothing was set. {0}", words(job.error ? findingWords(job.error).message : ""))}
       </p>
     );
   const found = printed.findLast((text) => text.startsWith("Probed: "));

@@ -9,6 +9,7 @@ import { Choice } from "../ui/Choice";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Opened, SampleAnswer } from "../wire/messages";
+import { buttonWords } from "../words/asked";
 import { t } from "../words/words";
 import { answersText } from "./samples";
 
@@ -89,7 +90,7 @@ function SampleField({ sample, answer, first, onChange }: SampleFieldProps) {
   if (sample.buttons.length === 0) {
     return <Field label={label} value={answer} onChange={onChange} placeholder="0" first={first} />;
   }
-  const options = sample.buttons.map((word) => ({ value: word, words: word }));
+  const options = sample.buttons.map((word) => ({ value: word, words: buttonWords(word) }));
   return (
     <div className="samples-choice">
       <span>{label}</span>

@@ -1004,8 +1004,12 @@ offers: Offers, };
 export type Message = {
 /** Its sort. */
 tone: Tone,
+/** Code of a finding, by which a page tells it in another language; empty where it is none. */
+code: string,
 /** The text, which does not repeat the place. */
 text: string,
+/** A way to mend it; empty where none is told. */
+hint: string,
 /** The run it belongs to; 0 when to none. */
 run: number,
 /** The place in a file that it is about, with the line that stands there; nothing where it is about none. */

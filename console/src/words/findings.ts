@@ -1,6 +1,6 @@
 /** Findings in the language of the page: by their sentence, else by their code with the values that they name. */
 
-import type { Finding } from "../wire/messages";
+import type { Finding, Message } from "../wire/messages";
 import { findingTexts } from "./german/findings/findings";
 import { inGerman } from "./server";
 import { language } from "./words";
@@ -32,3 +32,19 @@ export function findingInGerman<Found extends Pick<Finding, "code" | "message" |
 export const findingWords = <Found extends Pick<Finding, "code" | "message" | "hint">>(
   finding: Found,
 ): Found => (language === "de" ? findingInGerman(finding) : finding);
+
+const withHint = (text: string, hint: string): string => (hint === "" ? text : `${text} (${hint})`);
+
+/** A message of the machine in German, by the code of its finding where it is one. */
+export function messageInGerman({
+  code,
+  text,
+  hint,
+}: Pick<Message, "code" | "text" | "hint">): string {
+  const found = findingInGerman({ code, message: text, hint });
+  return withHint(found.message, found.hint);
+}
+
+/** A message of the machine with the way to mend it, in the language of the page. */
+export const messageWords = (message: Pick<Message, "code" | "text" | "hint">): string =>
+  language === "de" ? messageInGerman(message) : withHint(message.text, message.hint);

@@ -122,7 +122,14 @@ export const firstSnapshot = message<Snapshot>({
   wiring: null,
   printed: [],
   messages: [
-    { tone: "note", text: "Kerf is ready: the machine is simulated.", run: 0, place: null },
+    {
+      tone: "note",
+      code: "",
+      text: "Kerf is ready: the machine is simulated.",
+      hint: "",
+      run: 0,
+      place: null,
+    },
   ],
   lease: null,
   clients: [],

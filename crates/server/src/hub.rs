@@ -220,7 +220,11 @@ impl Hub {
 
     /// A line for the message area.
     pub fn say(&self, tone: Tone, text: impl Into<String>) {
-        let message = Message { tone, text: text.into(), ..Message::default() };
+        self.tell(Message { tone, text: text.into(), ..Message::default() });
+    }
+
+    /// Adds a message to those that pages show.
+    pub fn tell(&self, message: Message) {
         self.change(vec![Change::Messages { messages: vec![message] }]);
     }
 

@@ -1,5 +1,6 @@
 //! The problem log: what went wrong, kept in the data folder for whoever is asked for help (HN).
 
+use crate::to_wire;
 use kerf_journal::Started;
 use kerf_wire::{Call, Change, Message, Tone};
 use std::fs::{self, OpenOptions};
@@ -45,9 +46,9 @@ impl ProblemLog {
         let line = |message: &Message| {
             let Started { date, time } = (self.now)()?;
             let tone = if message.tone == Tone::Error { "error" } else { "warning" };
-            let Message { text, place, .. } = message;
+            let Message { text, hint, place, .. } = message;
             let place = place.as_ref().map(|Call { file, line }| format!("{file}, line {line}: "));
-            let words = place.unwrap_or_default() + text;
+            let words = place.unwrap_or_default() + &to_wire::with_hint(text, hint);
             Some(format!("{date} {time} {tone}: {}\n", words.replace('\n', " ")))
         };
         wrong.filter_map(line).collect()
@@ -74,9 +75,10 @@ mod tests {
             Some(Started { date: "1-2-2026".into(), time: "3:04".into() })
         });
         let place = Some(Call { file: "a.sbp".into(), line: 2 });
-        let message = Message { tone: Tone::Error, text: "it fails".into(), place, run: 1 };
+        let (text, hint) = ("it fails".into(), "mend it".into());
+        let message = Message { tone: Tone::Error, text, hint, place, ..Message::default() };
         log.note(&[Change::Messages { messages: vec![message] }]);
         let text = fs::read_to_string(folder.path().join(FILE)).unwrap();
-        assert_eq!(text, "1-2-2026 3:04 error: a.sbp, line 2: it fails\n");
+        assert_eq!(text, "1-2-2026 3:04 error: a.sbp, line 2: it fails (mend it)\n");
     }
 }

@@ -14,8 +14,8 @@ use kerf_program::{Axes, Axis, Frame, Settings};
 use kerf_sbp::Status;
 use kerf_trace::Summary;
 use kerf_wire::{
-    AxisUnits, Digitized, DigitizedPoint, Duty, HeightMap, Io, LAMPS, Lamp, Mode, NamedValue,
-    Offers, Positions, RunSummary, Speeds, Tone, Units,
+    AxisUnits, Digitized, DigitizedPoint, Duty, HeightMap, Io, LAMPS, Lamp, Message, Mode,
+    NamedValue, Offers, Positions, RunSummary, Speeds, Tone, Units,
 };
 use kerf_workspace::Workspace;
 
@@ -178,15 +178,28 @@ pub const fn tone(found: &Diagnostic) -> Tone {
     }
 }
 
-/// A diagnostic in a sentence, without its place.
-pub fn words(Diagnostic { message, hint, .. }: &Diagnostic) -> String {
-    let hint = if hint.is_empty() { String::new() } else { format!(" ({hint})") };
-    format!("{message}{hint}")
+/// Returns a sentence with the way to mend it behind, where one is told.
+pub fn with_hint(text: &str, hint: &str) -> String {
+    if hint.is_empty() { text.into() } else { format!("{text} ({hint})") }
+}
+
+/// Returns a diagnostic as a message of no run, without its place.
+pub fn message(found: &Diagnostic) -> Message {
+    Message {
+        tone: tone(found),
+        code: found.code.as_str().into(),
+        text: found.message.clone(),
+        hint: found.hint.clone(),
+        ..Message::default()
+    }
+}
+
+/// Returns the message of a diagnostic behind its line.
+pub fn at_line(Diagnostic { message, place, .. }: &Diagnostic) -> String {
+    if place.line > 0 { format!("line {}: {message}", place.line) } else { message.clone() }
 }
 
 /// A diagnostic in a sentence that begins with its line.
 pub fn sentence(found: &Diagnostic) -> String {
-    let line = found.place.line;
-    let place = if line > 0 { format!("line {line}: ") } else { String::new() };
-    place + &words(found)
+    with_hint(&at_line(found), &found.hint)
 }

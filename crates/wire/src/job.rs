@@ -348,8 +348,12 @@ pub enum Tone {
 pub struct Message {
     /// Its sort.
     pub tone: Tone,
+    /// Code of a finding, by which a page tells it in another language; empty where it is none.
+    pub code: String,
     /// The text, which does not repeat the place.
     pub text: String,
+    /// A way to mend it; empty where none is told.
+    pub hint: String,
     /// The run it belongs to; 0 when to none.
     pub run: u32,
     /// The place in a file that it is about, with the line that stands there; nothing where it is about none.

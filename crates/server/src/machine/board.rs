@@ -277,16 +277,16 @@ impl Board {
     pub fn say(&mut self, tone: Tone, text: impl Into<String>) {
         // Pages know files by their names below the part folder.
         let text = self.parts.named_in(&text.into());
-        self.messages.push(Message { tone, text, run: self.run, place: None });
+        self.messages.push(Message { tone, text, run: self.run, ..Message::default() });
     }
 
     /// A finding of the run, with its place for whoever goes to see it.
     pub fn finds(&mut self, found: &Diagnostic) {
-        self.say(to_wire::tone(found), to_wire::words(found));
         let Place { file, line, .. } = &found.place;
-        if let Some(message) = self.messages.last_mut().filter(|_| *line > 0) {
-            message.place = Some(Call { file: self.parts.name_of(file), line: *line });
-        }
+        let place = (*line > 0).then(|| Call { file: self.parts.name_of(file), line: *line });
+        let told = to_wire::message(found);
+        let (text, hint) = (self.parts.named_in(&told.text), self.parts.named_in(&told.hint));
+        self.messages.push(Message { text, hint, place, run: self.run, ..told });
     }
 
     /// A comment of the program: the text of a pause that comes next.

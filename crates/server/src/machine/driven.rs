@@ -14,7 +14,7 @@ use kerf_machine::driver::{Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
 use kerf_program::Axes;
 use kerf_trace::Summary;
-use kerf_wire::{Change, Machine, State, Tone};
+use kerf_wire::{Change, Machine, Message, State, Tone};
 
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
@@ -150,7 +150,9 @@ impl Owner {
         let mut answers = Answers::default();
         let found =
             controller.as_ref()?.lacks(work, session, options, &mut workspace, &mut answers);
-        found.iter().for_each(|it| self.hub.say(to_wire::tone(it), to_wire::sentence(it)));
+        for it in &found {
+            self.hub.tell(Message { text: to_wire::at_line(it), ..to_wire::message(it) });
+        }
         let error = found.into_iter().find(Diagnostic::is_error)?;
         Some(Summary::not_begun(unit, Some(Box::new(error))))
     }

@@ -17,4 +17,7 @@ export const findingSentences: Readonly<Record<string, string>> = {
   "{0} has no value": "{0} hat keinen Wert",
   "{0} has no result for {1}": "{0} hat für {1} kein Ergebnis",
   "the calculation has no finite result": "Die Rechnung hat kein endliches Ergebnis",
+  "The spindle is about to start.": "Die Spindel läuft gleich an.",
+  "Set spindle {0} to {1} rpm.": "Die Spindel {0} auf {1} U/min stellen.",
+  "Continue?": "Weiter?",
 };

@@ -33,7 +33,7 @@ export const operatingSentences: Readonly<Record<string, string>> = {
   "stopped by limit input {0}": "Angehalten durch Endschalter {0}.",
   "stopped by a limit": "Angehalten an einer Grenze.",
   "Stopped. Resume, Quit, or nudge the workpiece (nudge y .05)":
-    "Angehalten. Weiter, Ende, oder das Werkstück rücken.",
+    "Angehalten. Fortsetzen, beenden, oder das Werkstück rücken.",
   "where the machine stands is not verified: home {0}, or zero them anew":
     "Wo die Maschine steht, ist nicht sicher: {0} referenzieren oder neu nullen.",
   "outputs are off: the machine was stopped or disarmed":

@@ -25,7 +25,7 @@ export const runningSentences: Readonly<Record<string, string>> = {
   "the tool rises": "das Werkzeug hebt sich",
   "the program waits no longer": "das Programm wartet nicht länger",
   "{0}. When it is released, Resume: {1}{2}, and goes on":
-    "{0}. Ist es gelöst, Weiter: {1}{2}, und es geht weiter",
+    "{0}. Ist es gelöst, Fortsetzen: {1}{2}, und es geht weiter",
   "the controller has homed its axes": "die Steuerung hat ihre Achsen referenziert",
   "nothing moves on; look at the switch on input {0} (homing), and at the length of the axis (axis.length)":
     "nichts fährt weiter; den Schalter an Eingang {0} (homing) und die Länge der Achse (axis.length) prüfen",

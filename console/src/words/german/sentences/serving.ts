@@ -157,7 +157,6 @@ export const servingSentences: Readonly<Record<string, string>> = {
   "inputs are 1 to {0}": "Eingänge gehen von 1 bis {0}.",
   "release the emergency stop": "Den Not-Halt lösen",
   "release stop input {0}": "Halteingang {0} lösen",
-  "line {0}: ": "Zeile {0}: ",
   "a webhook begins with http:// or https://, without spaces":
     "Ein Webhook beginnt mit http:// oder https://, ohne Leerzeichen.",
   "a webhook has the name of a host behind http:// or https://":
