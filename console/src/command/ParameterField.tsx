@@ -66,7 +66,7 @@ export function ParameterField({
 /** Default and range in few words. */
 function facts({ default: usual, bound, least, most }: Parameter): string {
   const range = bound || rangeText(least, most);
-  return [usual !== null ? t("default {0}", usual) : "", range]
+  return [usual !== null ? t("default {0}", choiceWords(usual)) : "", range]
     .filter((text) => text !== "")
     .join(", ");
 }

@@ -55,7 +55,7 @@ export const cards: readonly Card[] = [
     steps: [
       t("Wire the plate to an input."),
       t("Lay it on the stock below the tool."),
-      t("Choose C2 in the Expert layout."),
+      t("Choose Probe in the list of actions, and Plate or surface."),
     ],
     place: "machine#custom-cuts",
   },

@@ -63,6 +63,7 @@ export function FilePicker({ given }: FilePickerProps) {
     return <FileQuestion use={use} name={asking} onDone={() => setAsking(null)} />;
   return (
     <Sheet
+      about="Open a file"
       title={folder ? t("Part folder / {0}", folder) : t("Part folder")}
       shape="wide"
       onClose={close}

@@ -23,7 +23,7 @@ export function TimingSheet({ onClose }: { onClose: () => void }) {
   const words = wordsFor(opened, reading, timing);
   const title = opened ? t("Timing of {0}", opened.name) : t("Timing");
   return (
-    <Sheet title={title} shape="wide" onClose={onClose}>
+    <Sheet title={title} about="Timing chart" shape="wide" onClose={onClose}>
       {words !== undefined && (
         <p className="timing-words" role="status">
           {said(words)}

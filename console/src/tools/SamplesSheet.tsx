@@ -43,6 +43,7 @@ function Samples({ opened, onClose }: { opened: Opened; onClose: () => void }) {
   return (
     <Sheet
       title={t("Sample answers of {0}", name)}
+      about="Sample answers"
       onClose={onClose}
       foot={
         <Button look="primary" size="large" onPress={() => void draw()}>

@@ -6,6 +6,8 @@ import "./sheet.css";
 
 interface SheetProps {
   title: string;
+  /** The title by which the book tells of it, where it is another. */
+  about?: string;
   /** Without it the sheet cannot be closed, only answered. */
   onClose?: () => void;
   /** `question` asks for an answer; `side` leaves the screen in sight. */
@@ -19,7 +21,8 @@ interface SheetProps {
  * What lies over a screen. It covers the screen, never the strip with STOP: the screen behind is
  * inert, so that Tab goes between the sheet and the strip only.
  */
-export function Sheet({ title, onClose, shape = "middle", foot, children }: SheetProps) {
+export function Sheet(props: SheetProps) {
+  const { title, about = title, onClose, shape = "middle", foot, children } = props;
   const name = useId();
   const box = useFocusWithin();
   useEscape(onClose);
@@ -34,7 +37,7 @@ export function Sheet({ title, onClose, shape = "middle", foot, children }: Shee
       >
         <div className="sheet-head">
           <h2 id={name}>{t(title)}</h2>
-          <PanelHelp title={title} heading={name} />
+          <PanelHelp title={about} heading={name} />
           {onClose && (
             <Button look="quiet" size="small" onPress={onClose} aria-label="Close">
               ✕

@@ -2,6 +2,7 @@ import { useState } from "react";
 import { drive } from "../actions/ask";
 import { unlessReady } from "../actions/machine";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { useWords } from "../app/useWords";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
@@ -37,13 +38,14 @@ function Begin({ ended, refused }: BeginProps) {
   const [port, setPort] = useState("/dev/ttyACM0");
   const [board, setBoard] = useState("");
   const [into, setInto] = useState("mine.toml");
+  const said = useWords();
   const named = board.trim() === "" ? {} : { board: board.trim() };
   const begin = () => void drive(worldOf(hands), { do: "wire", port, into, ...named });
   return (
-    <>
+    <div className="wiring-entry">
       {ended !== null && (
         <p className="wiring-told" role="status">
-          {ended}
+          {said(ended)}
         </p>
       )}
       <p className="wiring-words">
@@ -62,7 +64,7 @@ function Begin({ ended, refused }: BeginProps) {
       <Button look="primary" refused={refused} onPress={begin}>
         Begin
       </Button>
-    </>
+    </div>
   );
 }
 
@@ -74,6 +76,7 @@ interface AskedProps {
 function Asked({ wiring, refused }: AskedProps) {
   const hands = useHands();
   const [entry, setEntry] = useState(wiring.value);
+  const said = useWords();
   const step = wiring.step === null ? undefined : steps[wiring.step];
   const give = (answer: string) =>
     void drive(worldOf(hands), { do: "wireAnswer", question: wiring.question, answer });
@@ -81,7 +84,7 @@ function Asked({ wiring, refused }: AskedProps) {
     <>
       {wiring.told.map((words) => (
         <p className="wiring-told" role="status" key={words}>
-          {words}
+          {said(words)}
         </p>
       ))}
       {step ? (

@@ -1,3 +1,5 @@
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { starred } from "../../src/settings/names";
@@ -9,7 +11,7 @@ import { machineSettings, topics } from "../../src/words/german/machineSettings"
 import { deviceWords, settingWords } from "../../src/words/german/settingWords";
 import { untold as untoldOfOperation } from "../../src/words/operations";
 import { overlaps } from "./overlaps";
-import { openWorkshop, violations, type Workshop } from "./workshop";
+import { comesToRest, openWorkshop, stateOf, until, violations, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 
@@ -111,7 +113,10 @@ async function speakGerman(page: Page): Promise<void> {
 
 it.each([
   { width: 390, height: 844 },
+  { width: 800, height: 1280 },
+  { width: 1024, height: 768 },
   { width: 1440, height: 900 },
+  { width: 1920, height: 1080 },
 ])("every screen speaks German when it is chosen, at $width by $height", async (size) => {
   const page = await workshop.page(size);
   await speakGerman(page);
@@ -151,5 +156,49 @@ it("every sheet speaks German, and the page after it was loaded again", async ()
     await page.getByRole("dialog").first().waitFor({ state: "detached" });
   }
   expect(found).toEqual([]);
+  await page.close();
+});
+
+/** A page in German with the command line, on a machine that is armed. */
+async function germanDesk(): Promise<Page> {
+  const page = await workshop.page({ width: 1440, height: 900 });
+  await page.evaluate(() => localStorage.setItem("kerf.language", "de"));
+  await page.evaluate(() => localStorage.setItem("kerf.face", "full"));
+  await page.evaluate(() => localStorage.setItem("kerf.sheets", "never"));
+  await page.reload();
+  await page.getByRole("button", { name: "Freigeben", exact: true }).click();
+  await page.locator(".state", { hasText: "Bereit" }).waitFor();
+  return page;
+}
+
+async function types(page: Page, line: string): Promise<void> {
+  await page.getByLabel("Befehlszeile").fill(line);
+  await page.keyboard.press("Enter");
+}
+
+it("questions, messages and refusals of the server are German, and answers arrive all the same", async () => {
+  const file = (name: string, text: string) => writeFileSync(join(workshop.parts, name), text);
+  file("unknown.sbp", "MX,&nothing\nEND\n");
+  file("clamped.sbp", "MSGBOX(Is it clamped?, YesNo)\nPRINT &msganswer\nEND\n");
+  const page = await germanDesk();
+  const dialog = page.getByRole("dialog");
+  await types(page, "MX,9999");
+  await page.getByRole("dialog", { name: "Grenzen" }).waitFor();
+  expect(await dialog.textContent()).toContain("Außerhalb");
+  await dialog.getByRole("button", { name: "Ende", exact: true }).click();
+  await dialog.waitFor({ state: "detached" });
+  // What the program asks stays as it was written; the words on its buttons are Kerf's.
+  await types(page, "FP,clamped.sbp");
+  await dialog.getByText("Is it clamped?").waitFor();
+  await dialog.getByRole("button", { name: "Nein", exact: true }).click();
+  await until(async () => (await stateOf(workshop)).printed.join() === "NO", "the answer is No");
+  await comesToRest(workshop);
+  await page.getByRole("button", { name: "Schließen" }).first().click();
+  await types(page, "FP,unknown.sbp");
+  const message = page.locator(".word-error");
+  await message.waitFor();
+  expect(await message.textContent()).toContain("Die Variable &NOTHING hat keinen Wert");
+  await types(page, "QX");
+  await page.locator(".notice-words, .word-error", { hasText: "Unbekannter Befehl" }).waitFor();
   await page.close();
 });

@@ -113,7 +113,7 @@ export async function enter(page: Page, name: string | RegExp): Promise<void> {
 
 /** Does an action from the list of all: the first that is found by this name. */
 export async function act(page: Page, name: string): Promise<void> {
-  const entry = page.getByLabel("What to do");
+  const entry = page.getByLabel(/^(?:What to do|Was zu tun ist)$/);
   const isThere = () =>
     entry.waitFor({ timeout: 3000 }).then(
       () => true,

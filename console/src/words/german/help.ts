@@ -18,7 +18,8 @@ export const help: Readonly<Record<string, string>> = {
   Bracket: "Winkel",
   Bulletins: "Neuigkeiten",
   Chapter: "Kapitel",
-  "Choose C2 in the Expert layout.": "C2 im Layout Voll wählen.",
+  "Choose Probe in the list of actions, and Plate or surface.":
+    "In der Liste der Aktionen Taster wählen, dann Platte oder Fläche.",
   "Choose a file": "Datei wählen",
   "Choose a step, or While held.": "Einen Schritt wählen, oder Solange gehalten.",
   "Choose mm at Units.": "Bei Einheiten mm wählen.",
