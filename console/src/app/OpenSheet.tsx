@@ -4,6 +4,7 @@ import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
 import { ProbeSheet } from "../probe/ProbeSheet";
 import { KeysSheet } from "../settings/KeysSheet";
+import { LoadedFile } from "../settings/LoadSheet";
 import { SetupSheet } from "../settings/SetupSheet";
 import { SurfacingSheet } from "../surfacing/SurfacingSheet";
 import { TimingSheet } from "../timing/TimingSheet";
@@ -83,6 +84,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <TimingSheet onClose={close} />;
     case "versions":
       return <VersionsSheet name={sheet.name} onClose={close} />;
+    case "loadSettings":
+      return <LoadedFile text={sheet.text} onClose={close} />;
     case "setup":
       return <SetupSheet onClose={close} />;
     case "keys":

@@ -35,6 +35,7 @@ export type Sheet =
   | { readonly kind: "macros" }
   | { readonly kind: "versions"; readonly name: string }
   | { readonly kind: "bin" }
+  | { readonly kind: "loadSettings"; readonly text: string }
   | { readonly kind: "setup" }
   | { readonly kind: "keys" }
   | { readonly kind: "confirm"; readonly action: string }

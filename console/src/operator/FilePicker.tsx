@@ -17,6 +17,7 @@ import { copyName, type FileUse, fileUses } from "./fileUses";
 import { sizeText } from "./fileWords";
 import { baseOf, listed, parentOf } from "./folder";
 import { kindWord, openDrawing, openToRun } from "./openFile";
+import { openOther } from "./openOther";
 import { RecentFiles } from "./RecentFiles";
 import { Thumbnail } from "./Thumbnail";
 import { UploadButton, UploadList } from "./UploadList";
@@ -44,9 +45,9 @@ export function FilePicker({ given }: FilePickerProps) {
   useEffect(() => uploads.add(folder, given ?? []), [given]);
   const close = () => hands.screen.open(null);
   const open = async (name: string) => {
-    const as = (files.find((file) => file.name === name) ?? (await fileNamed(name)))?.opens;
-    if (as === null) return hands.screen.edit(name);
-    if (as !== "drawing") return void openToRun(hands, name, kept?.name ?? "");
+    const file = files.find((file) => file.name === name) ?? (await fileNamed(name));
+    if (file?.opens === null) return void openOther(hands, file, kept?.name ?? "");
+    if (file?.opens !== "drawing") return void openToRun(hands, name, kept?.name ?? "");
     if (isUnsaved(worldOf(hands))) setLost(name);
     else void openDrawing(hands, name);
   };

@@ -2,6 +2,12 @@
 
 import type { SettingArea, SettingEntry } from "../wire/messages";
 
+/** A file of settings begins with it. */
+const head = "# Kerf: settings of the machine";
+
+/** True for the text of a file of settings. */
+export const isOfSettings = (text: string): boolean => text.startsWith(head);
+
 /** Every setting, by topic. */
 export function fileOf(areas: readonly SettingArea[], machine: string): string {
   const told = new Set<string>();
@@ -9,7 +15,7 @@ export function fileOf(areas: readonly SettingArea[], machine: string): string {
     const fresh = settings.filter(({ key }) => !told.has(key) && told.add(key));
     return ["", `# ${title}`, ...fresh.map(({ key, value }) => `${key} = ${value}`)];
   });
-  return [`# Kerf: settings of the machine ${machine}`, ...lines, ""].join("\n");
+  return [`${head} ${machine}`, ...lines, ""].join("\n");
 }
 
 export interface Wanted {

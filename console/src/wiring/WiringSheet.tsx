@@ -2,16 +2,19 @@ import { useState } from "react";
 import { drive } from "../actions/ask";
 import { unlessReady } from "../actions/machine";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
-import { useWords } from "../app/useWords";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { Wiring } from "../wire/messages";
+import { serverWords } from "../words/server";
 import { t } from "../words/words";
 import { steps } from "./steps";
 import "./wiring.css";
 
-/** Wires a board with step queues: pins, then each motor, switch and output is looked at, then speeds are tried. */
+/**
+ * Wires a board with step queues: pins, then each motor, switch and output is looked at, then speeds are tried. What is
+ * told is in millimetres, as the questions are.
+ */
 export function WiringSheet({ onClose }: { onClose: () => void }) {
   const { link, screen } = useHands();
   const refused = useShown((shown) => unlessReady({ shown, link, screen }));
@@ -38,14 +41,13 @@ function Begin({ ended, refused }: BeginProps) {
   const [port, setPort] = useState("/dev/ttyACM0");
   const [board, setBoard] = useState("");
   const [into, setInto] = useState("mine.toml");
-  const said = useWords();
   const named = board.trim() === "" ? {} : { board: board.trim() };
   const begin = () => void drive(worldOf(hands), { do: "wire", port, into, ...named });
   return (
     <div className="wiring-entry">
       {ended !== null && (
         <p className="wiring-told" role="status">
-          {said(ended)}
+          {serverWords(ended)}
         </p>
       )}
       <p className="wiring-words">
@@ -76,7 +78,6 @@ interface AskedProps {
 function Asked({ wiring, refused }: AskedProps) {
   const hands = useHands();
   const [entry, setEntry] = useState(wiring.value);
-  const said = useWords();
   const step = wiring.step === null ? undefined : steps[wiring.step];
   const give = (answer: string) =>
     void drive(worldOf(hands), { do: "wireAnswer", question: wiring.question, answer });
@@ -84,7 +85,7 @@ function Asked({ wiring, refused }: AskedProps) {
     <>
       {wiring.told.map((words) => (
         <p className="wiring-told" role="status" key={words}>
-          {said(words)}
+          {serverWords(words)}
         </p>
       ))}
       {step ? (

@@ -66,7 +66,7 @@ const sheets: Readonly<Record<string, string>> = {
 /** Sheets with tests of their own, because something else opens them, or another machine has them. */
 const elsewhere = [
   ...["command", "keypad", "palette", "versions", "bin", "confirm", "replace"],
-  ...["inputs", "ports"],
+  ...["inputs", "ports", "loadSettings"],
 ];
 
 it("no sheet of the page is forgotten", () => {

@@ -55,6 +55,11 @@ function faultsOf(): string[] {
     .filter((e) => isSeen(e) && e.scrollWidth > e.clientWidth + slack)
     .map((e) => `cut off: ${wordsOf(e)}`);
 
+  // Nobody can scroll these, so what goes beyond their edge is lost.
+  const lost = within(".panel")
+    .filter((e) => isSeen(e) && e.scrollWidth > e.clientWidth + slack)
+    .map((e) => `lost beyond the edge: ${wordsOf(e)}`);
+
   const isText = (node: Node): node is Text =>
     node.nodeType === Node.TEXT_NODE && node.textContent?.trim() !== "";
   const texts = within("*")
@@ -88,5 +93,5 @@ function faultsOf(): string[] {
   const wide = document.querySelector(".screen");
   const scrolls =
     wide && wide.scrollWidth > wide.clientWidth + slack ? ["the screen scrolls across"] : [];
-  return [...new Set([...unreachable, ...cut, ...printed, ...scrolls])];
+  return [...new Set([...unreachable, ...cut, ...lost, ...printed, ...scrolls])];
 }

@@ -1,6 +1,7 @@
 /** Files of this computer on their way into the part folder: chosen, dropped, asked about, held, refused. */
 
 import {
+  copyFileSync,
   existsSync,
   mkdirSync,
   readdirSync,
@@ -12,6 +13,7 @@ import { basename, join } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, beforeEach, expect, it } from "vitest";
 import { mostBytes } from "../../src/link/send";
+import type { SettingArea } from "../../src/wire/messages";
 import { arm, openWorkshop, script, stateOf, until, violations, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -70,6 +72,10 @@ const says = (name: string, words: string) =>
     .filter({ hasText: name })
     .filter({ hasText: words })
     .first();
+const settingOf = async (key: string): Promise<string | undefined> => {
+  const areas: SettingArea[] = await (await fetch(`${workshop.address}/api/settings`)).json();
+  return areas.flatMap(({ settings }) => settings).find((setting) => setting.key === key)?.value;
+};
 const press = (name: string) => page.getByRole("button", { name, exact: true }).click();
 
 it("pro_send_http: files chosen in the browser lie in the part folder byte for byte, and one is opened", async () => {
@@ -215,6 +221,22 @@ it("pro_send_http: files are dropped onto the list, or anywhere on the page", as
   await until(async () => bytes("in.rsm").toString() === "other", "it is replaced");
   expect(bytes("in.rsm").toString()).toBe("other");
   expect(page.url()).toBe(`${workshop.address}/help`);
+});
+
+it("a picture that is brought is converted, and settings that are brought are loaded after a question", async () => {
+  const [picture, settings] = [place("x/plate.png"), place("x/mine.txt")];
+  copyFileSync(join(import.meta.dirname, "../../../docs/figures/screen-help-390.png"), picture);
+  writeFileSync(settings, "# Kerf: settings of the machine mill\nview.grid_mm = 12\n");
+  await page.getByRole("link", { name: "Operate" }).click();
+  await drop([picture], 500, 300);
+  const sheet = page.getByRole("dialog", { name: /^FC / });
+  await sheet.waitFor();
+  expect(await sheet.getByLabel("File name").inputValue()).toBe("plate.png");
+  await page.keyboard.press("Escape");
+  await drop([settings], 500, 300);
+  const question = page.getByRole("dialog", { name: "Load settings?" });
+  await question.getByRole("button", { name: "Change 1 setting" }).click();
+  await until(async () => (await settingOf("view.grid_mm")) === "12", "the setting is loaded");
 });
 
 it("nothing else went wrong on the page", () => {

@@ -11,7 +11,7 @@ import { machineSettings, topics } from "../../src/words/german/machineSettings"
 import { deviceWords, settingWords } from "../../src/words/german/settingWords";
 import { untold as untoldOfOperation } from "../../src/words/operations";
 import { overlaps } from "./overlaps";
-import { comesToRest, openWorkshop, stateOf, until, violations, type Workshop } from "./workshop";
+import { openWorkshop, stateOf, until, violations, type Workshop } from "./workshop";
 
 let workshop: Workshop;
 
@@ -176,29 +176,37 @@ async function types(page: Page, line: string): Promise<void> {
   await page.keyboard.press("Enter");
 }
 
-it("questions, messages and refusals of the server are German, and answers arrive all the same", async () => {
+/** Types a line and waits until it has ended so. */
+async function runs(page: Page, line: string, ended: string): Promise<void> {
+  await types(page, line);
+  await until(async () => (await stateOf(workshop)).job?.command === line, `${line} begins`);
+  await until(async () => (await stateOf(workshop)).job?.ended === ended, `${line}: ${ended}`);
+}
+
+it("questions, messages and alarms are German, and answers arrive all the same", async () => {
   const file = (name: string, text: string) => writeFileSync(join(workshop.parts, name), text);
+  file("limit.sbp", "MX,12\nEND\n");
   file("unknown.sbp", "MX,&nothing\nEND\n");
-  file("clamped.sbp", "MSGBOX(Is it clamped?, YesNo)\nPRINT &msganswer\nEND\n");
+  file(
+    "clamped.sbp",
+    'MSGBOX(Is it clamped?, YesNo)\nIF &msganswer = "NO" THEN GOTO LOOSE\nMX,1\nEND\nLOOSE:\nMX,2\n',
+  );
   const page = await germanDesk();
   const dialog = page.getByRole("dialog");
-  await types(page, "MX,9999");
-  await page.getByRole("dialog", { name: "Grenzen" }).waitFor();
-  expect(await dialog.textContent()).toContain("Außerhalb");
-  await dialog.getByRole("button", { name: "Ende", exact: true }).click();
-  await dialog.waitFor({ state: "detached" });
   // What the program asks stays as it was written; the words on its buttons are Kerf's.
   await types(page, "FP,clamped.sbp");
   await dialog.getByText("Is it clamped?").waitFor();
   await dialog.getByRole("button", { name: "Nein", exact: true }).click();
-  await until(async () => (await stateOf(workshop)).printed.join() === "NO", "the answer is No");
-  await comesToRest(workshop);
-  await page.getByRole("button", { name: "Schließen" }).first().click();
-  await types(page, "FP,unknown.sbp");
-  const message = page.locator(".word-error");
-  await message.waitFor();
-  expect(await message.textContent()).toContain("Die Variable &NOTHING hat keinen Wert");
-  await types(page, "QX");
-  await page.locator(".notice-words, .word-error", { hasText: "Unbekannter Befehl" }).waitFor();
+  await until(async () => (await stateOf(workshop)).job?.ended === "ok", "it is done");
+  expect((await stateOf(workshop)).motion.at.working[0]).toBeCloseTo(50.8);
+  await runs(page, "FP,unknown.sbp", "failed");
+  await page.locator(".word-error", { hasText: "Die Variable &NOTHING hat keinen Wert" }).waitFor();
+  await runs(page, "VL,0,10", "ok");
+  await runs(page, "SF,1", "ok");
+  await types(page, "FP,limit.sbp");
+  const limits = page.getByRole("dialog", { name: "Grenzen" });
+  await limits.getByText(/X käme nach 12, die Tischgrenze ist 10/).waitFor();
+  await limits.getByRole("button", { name: "Ende", exact: true }).click();
+  await page.locator(".state-why", { hasText: "die Tischgrenze ist 10" }).waitFor();
   await page.close();
 });

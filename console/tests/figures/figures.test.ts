@@ -3,7 +3,8 @@
 import { join, resolve } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, it } from "vitest";
-import { arm, fullFace, openWorkshop, type Workshop } from "../browser/workshop";
+import { Controller } from "../browser/controller";
+import { act, arm, fullFace, openWorkshop, type Workshop } from "../browser/workshop";
 
 const figures = resolve(import.meta.dirname, "../../../docs/figures");
 let workshop: Workshop;
@@ -83,14 +84,34 @@ it("the drawing", async () => {
 const sizes = [
   { width: 390, height: 844 },
   { width: 800, height: 1280 },
+  { width: 1024, height: 768 },
   { width: 1440, height: 900 },
+  { width: 1920, height: 1080 },
 ];
 const screens = ["Operate", "Edit", "Draw", "Settings", "Help"];
 
+/** Sheets by their file names, with the actions that open them. */
+const sheets: Readonly<Record<string, string>> = {
+  probe: "Probe: find a place by touch",
+  "height-map": "Height map: probe a surface",
+  surfacing: "Surfacing: plane a board",
+  tuning: "Steps per millimetre and squareness",
+  wiring: "Wire a board of a printer",
+};
+
+async function pageOf(size: (typeof sizes)[number]): Promise<Page> {
+  await page?.close();
+  page = await workshop.page(size, size.width < 1100);
+  await page.evaluate(() => localStorage.setItem("kerf.face", "easy"));
+  await page.reload();
+  await page.locator(".state").waitFor();
+  const takes = page.getByRole("button", { name: "Take control" });
+  if ((await takes.count()) > 0) await takes.click();
+  return page;
+}
+
 it.each(sizes)("every screen at $width by $height", async (size) => {
-  const shown = await workshop.page(size, size.width < 1100);
-  await shown.evaluate(() => localStorage.setItem("kerf.face", "easy"));
-  await shown.reload();
+  const shown = await pageOf(size);
   for (const name of screens) {
     await shown.getByRole("link", { name, exact: true }).click();
     await shown.getByRole("heading", { level: 1 }).waitFor({ state: "attached" });
@@ -98,5 +119,34 @@ it.each(sizes)("every screen at $width by $height", async (size) => {
     const file = `screen-${name.toLowerCase()}-${size.width}.png`;
     await shown.screenshot({ path: join(figures, file) });
   }
-  await shown.close();
+});
+
+it.each([390, 1440])("sheets of the machine, %d wide", async (width) => {
+  const size = sizes.find((one) => one.width === width);
+  if (!size) throw new Error(`no size is ${width} wide`);
+  const shown = await pageOf(size);
+  for (const [name, action] of Object.entries(sheets)) {
+    await act(shown, action);
+    await shown.getByLabel("What to do").waitFor({ state: "detached" });
+    await shown.getByRole("dialog").first().waitFor();
+    await wait(500);
+    await shown.screenshot({ path: join(figures, `sheet-${name}-${width}.png`) });
+    await shown.keyboard.press("Escape");
+    await shown.getByRole("dialog").first().waitFor({ state: "detached" });
+  }
+});
+
+it("two machines in one server", async () => {
+  await workshop.close();
+  const controller = new Controller();
+  workshop = await openWorkshop({
+    parts: ["03-coaster/coaster.sbp"],
+    open: "coaster.sbp",
+    also: [`grbl:${await controller.line()}`],
+  });
+  const shown = await workshop.page({ width: 1440, height: 900 });
+  await shown.getByRole("navigation", { name: "Machines" }).waitFor();
+  await wait(1500);
+  await shown.screenshot({ path: join(figures, "console-machines.png") });
+  controller.unplug();
 });

@@ -112,4 +112,5 @@ export const settings: Readonly<Record<string, string>> = {
   no: "nein",
   yes: "ja",
   "{0} or greater": "{0} oder mehr",
+  nothing: "nichts",
 };
