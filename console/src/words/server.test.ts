@@ -17,6 +17,19 @@ it.each([
   ],
   ["shape 12 at 10,5.25: why", "Form 12 bei 10,5.25: why"],
   ["shape 12: why", "Form 12: why"],
+  ["LINE without length: left out", "LINE ohne Länge: ausgelassen"],
+  [
+    "SPLINE with fewer than two different points: left out (line 7)",
+    "SPLINE mit weniger als zwei verschiedenen Punkten: ausgelassen (line 7)",
+  ],
+  [
+    "line 3: X would reach 650, the table limit is 610 (table base coordinates) (why)",
+    "Zeile 3: X käme nach 650, die Tischgrenze ist 610 (Koordinaten des Tisches) (why)",
+  ],
+  [
+    "grbl:/dev/ttyUSB0 does not answer any more; the machine stands at 1, 2, 3",
+    "grbl:/dev/ttyUSB0 antwortet nicht mehr; die Maschine steht bei 1, 2, 3",
+  ],
   ["a sentence that is in no table", "a sentence that is in no table"],
 ])("%s", (said, german) => expect(inGerman(said)).toBe(german));
 

@@ -4,13 +4,7 @@ import { sentences } from "./german/sentences/sentences";
 import { translator } from "./translator";
 import { language } from "./words";
 
-/** Sentences that the server puts together: parts that have their German by themselves. */
-const joints = ["{0} ({1})", "{0}: {1}", "{0}; {1}"];
-
-const translate = translator({
-  ...sentences,
-  ...Object.fromEntries(joints.map((joint) => [joint, joint])),
-});
+const translate = translator(sentences);
 
 /** A sentence of the server in German; what a program or a person wrote stays as it is. */
 export const inGerman = (text: string): string => translate(text) ?? text;

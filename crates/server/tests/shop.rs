@@ -432,7 +432,7 @@ fn sbp_ctl_api__positions_ten_times_a_second() {
 }
 
 #[test]
-fn a_message_carries_its_place_apart_from_its_words() {
+fn a_message_carries_its_place_and_its_code_apart_from_its_words() {
     let shop = shop(100.0, &[("a.sbp", "&a = 0\nMX,1/&a\nEND\n")]);
     let mut page = shop.driver();
     page.command("FP,a.sbp");
@@ -442,4 +442,5 @@ fn a_message_carries_its_place_apart_from_its_words() {
     assert_eq!(message["place"], json!({ "file": "a.sbp", "line": 2 }));
     let text = message["text"].as_str().unwrap();
     assert!(!text.contains("line 2") && !text.is_empty(), "{text}");
+    assert_eq!(message["code"], "R003", "pages tell it in their language by its code");
 }
