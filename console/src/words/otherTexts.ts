@@ -61,4 +61,5 @@ export const texts: readonly string[] = [
   "{} mm in {} s",
   "Roboto Bold",
   "{},Total Time,{}",
+  "transform: {}",
 ];

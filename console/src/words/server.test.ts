@@ -47,7 +47,7 @@ const said = (sentence: string): string => sentence.replace(/\{\d\}/g, "{}");
 
 /** Two words side by side, or a word with a value behind it. */
 const isSentence = (text: string): boolean =>
-  /\p{L}{2}\S* +\S*\p{L}{2}|^[a-z]+ \{\}/u.test(text) && !/[%<>]\w+=|=%/.test(text);
+  /\p{L}{2}\S* +\S*\p{L}{2}|^[a-z]+:? \{\}/u.test(text) && !/[%<>]\w+=|=%/.test(text);
 
 it("every sentence of the server that a page shows has German words", () => {
   const german = new Set(Object.keys(sentences).map(said));

@@ -124,4 +124,5 @@ export const filesSentences: Readonly<Record<string, string>> = {
   "it lies in {0}": "Er liegt in {0}",
   "text of the editor that was not saved cannot be read: {0}":
     "Ungespeicherter Text des Editors lässt sich nicht lesen: {0}",
+  "drafts: {0}": "Entwürfe: {0}",
 };

@@ -108,4 +108,5 @@ export const runningSentences: Readonly<Record<string, string>> = {
   "there is no folder of custom cuts": "es gibt keinen Ordner eigener Schnitte",
   "there is no font {0} on this computer; there are {1}{2}":
     "die Schrift {0} gibt es auf diesem Rechner nicht; es gibt {1}{2}",
+  "failed: {0}": "misslungen: {0}",
 };

@@ -1,5 +1,6 @@
 /** Every sentence of the server that a page shows, in German. */
 
+import { colours } from "../operations";
 import { boardsSentences } from "./boards";
 import { configurationSentences } from "./configuration";
 import { controllersSentences } from "./controllers";
@@ -14,6 +15,7 @@ import { runningSentences } from "./running";
 import { servingSentences } from "./serving";
 
 export const sentences: Readonly<Record<string, string>> = {
+  ...colours,
   ...operatingSentences,
   ...findingSentences,
   ...filesSentences,
