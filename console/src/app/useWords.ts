@@ -1,6 +1,6 @@
 import { useContext, useSyncExternalStore } from "react";
 import type { Asked, Units } from "../wire/messages";
-import { askedWords } from "../words/asked";
+import { askedWords, isOfProgram } from "../words/asked";
 import { serverWords } from "../words/server";
 import { HandsContext } from "./context";
 import { inUnits } from "./inUnits";
@@ -21,12 +21,9 @@ export function useWords(): (text: string) => string {
   return (text) => inUnits(serverWords(text), units);
 }
 
-/** Kinds of questions whose words are the program's own: their lengths too stay as they were written. */
-const ofPrograms = ["input", "msgbox", "pause"];
-
-/** A question in the language and the unit of the page. */
+/** A question in the language and the unit of the page; lengths that a program wrote stay as they are. */
 export function useAsked(asked: Asked): Asked {
   const units = useUnits();
   const told = askedWords(asked);
-  return ofPrograms.includes(asked.kind) ? told : { ...told, text: inUnits(told.text, units) };
+  return isOfProgram(asked) ? told : { ...told, text: inUnits(told.text, units) };
 }

@@ -11,8 +11,12 @@ const ofPrograms = ["input", "msgbox", "pause"];
 /** The text of a pause above which no comment stands. */
 const bare = "Continue?";
 
-/** Kerf asks of the place and of homing in a box as programs do; its titles tell it. */
-const isOfProgram = ({ kind, title, text }: Pick<Asked, "kind" | "title" | "text">): boolean =>
+/** True where a program asks in its own words. Kerf asks of the place and of homing in a box too; its titles tell it. */
+export const isOfProgram = ({
+  kind,
+  title,
+  text,
+}: Pick<Asked, "kind" | "title" | "text">): boolean =>
   ofPrograms.includes(kind) && questionTitles[title] === undefined && text !== bare;
 
 /** The words on a button; what is answered stays English. */
