@@ -10,6 +10,7 @@ import { afterAll, beforeAll, expect, it } from "vitest";
 import { german } from "../../src/words/german/german";
 import { Controller } from "./controller";
 import { overlaps } from "./overlaps";
+import { sizes, themes } from "./sizes";
 import { act, openWorkshop, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
@@ -29,15 +30,6 @@ afterAll(async () => {
   await workshop?.close();
   controller?.unplug();
 });
-
-const themes = ["light", "dark", "contrast"];
-const sizes = [
-  { width: 390, height: 844 },
-  { width: 800, height: 1280 },
-  { width: 1024, height: 768 },
-  { width: 1440, height: 900 },
-  { width: 1920, height: 1080 },
-];
 
 /** The action that opens each sheet. */
 const sheets: Readonly<Record<string, string>> = {

@@ -4,6 +4,7 @@ import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import { overlaps } from "./overlaps";
+import { phone, sizes, tablet, themes } from "./sizes";
 import {
   act,
   arm,
@@ -38,7 +39,6 @@ afterEach(async () => {
   await comesToRest(workshop);
 });
 
-const themes = ["light", "dark", "contrast"];
 const routes = ["/", "/edit", "/draw", "/settings", "/help"];
 /** Folder of the pictures that are looked at. */
 const shots = process.env.KERF_SHOTS;
@@ -46,16 +46,6 @@ async function photograph(page: Page, name: string): Promise<void> {
   const { width = 0, height = 0 } = page.viewportSize() ?? {};
   if (shots) await page.screenshot({ path: join(shots, `${name}-${width}x${height}.png`) });
 }
-
-const phone = { width: 390, height: 844 };
-const tablet = { width: 800, height: 1280 };
-const sizes = [
-  phone,
-  tablet,
-  { width: 1024, height: 768 },
-  { width: 1440, height: 900 },
-  { width: 1920, height: 1080 },
-];
 
 /** Puts a theme on, as the settings do. */
 const wear = (page: Page, theme: string) =>

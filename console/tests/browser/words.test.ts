@@ -11,6 +11,7 @@ import { machineSettings, topics } from "../../src/words/german/machineSettings"
 import { deviceWords, settingWords } from "../../src/words/german/settingWords";
 import { untold as untoldOfOperation } from "../../src/words/operations";
 import { overlaps } from "./overlaps";
+import { sizes } from "./sizes";
 import { openWorkshop, stateOf, until, violations, type Workshop } from "./workshop";
 
 let workshop: Workshop;
@@ -111,28 +112,25 @@ async function speakGerman(page: Page): Promise<void> {
   await page.getByRole("link", { name: "Bedienen" }).waitFor();
 }
 
-it.each([
-  { width: 390, height: 844 },
-  { width: 800, height: 1280 },
-  { width: 1024, height: 768 },
-  { width: 1440, height: 900 },
-  { width: 1920, height: 1080 },
-])("every screen speaks German when it is chosen, at $width by $height", async (size) => {
-  const page = await workshop.page(size);
-  await speakGerman(page);
-  expect(await page.locator("html").getAttribute("lang")).toBe("de");
-  const found: string[] = [];
-  for (const name of screens) {
-    await page.getByRole("link", { name, exact: true }).click();
-    await page.getByRole("heading", { level: 1 }).waitFor({ state: "attached" });
-    const faults = [...(await overlaps(page)), ...(await violations(page))];
-    found.push(...[...faults, ...(await englishOn(page))].map((fault) => `${name}: ${fault}`));
-    if (process.env.PICTURES)
-      await page.screenshot({ path: `${process.env.PICTURES}/${name}-${size.width}.png` });
-  }
-  expect(found).toEqual([]);
-  await page.close();
-});
+it.each(sizes)(
+  "every screen speaks German when it is chosen, at $width by $height",
+  async (size) => {
+    const page = await workshop.page(size);
+    await speakGerman(page);
+    expect(await page.locator("html").getAttribute("lang")).toBe("de");
+    const found: string[] = [];
+    for (const name of screens) {
+      await page.getByRole("link", { name, exact: true }).click();
+      await page.getByRole("heading", { level: 1 }).waitFor({ state: "attached" });
+      const faults = [...(await overlaps(page)), ...(await violations(page))];
+      found.push(...[...faults, ...(await englishOn(page))].map((fault) => `${name}: ${fault}`));
+      if (process.env.PICTURES)
+        await page.screenshot({ path: `${process.env.PICTURES}/${name}-${size.width}.png` });
+    }
+    expect(found).toEqual([]);
+    await page.close();
+  },
+);
 
 it("every sheet speaks German, and the page after it was loaded again", async () => {
   const page = await workshop.page({ width: 1440, height: 900 });

@@ -4,6 +4,7 @@ import { join, resolve } from "node:path";
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, it } from "vitest";
 import { Controller } from "../browser/controller";
+import { sizes } from "../browser/sizes";
 import { act, arm, fullFace, openWorkshop, type Workshop } from "../browser/workshop";
 
 const figures = resolve(import.meta.dirname, "../../../docs/figures");
@@ -81,13 +82,6 @@ it("the drawing", async () => {
   await picture("drawing");
 });
 
-const sizes = [
-  { width: 390, height: 844 },
-  { width: 800, height: 1280 },
-  { width: 1024, height: 768 },
-  { width: 1440, height: 900 },
-  { width: 1920, height: 1080 },
-];
 const screens = ["Operate", "Edit", "Draw", "Settings", "Help"];
 
 /** Sheets by their file names, with the actions that open them. */
