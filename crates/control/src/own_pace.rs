@@ -197,8 +197,9 @@ mod tests {
     #[test]
     fn a_moment_within_a_move_lies_within_it_in_the_time_of_the_controller_too() {
         let mut clocks = Clocks::default();
-        [(1.0, 2.0), (3.0, 2.0), (4.0, 1.0)]
-            .map(|(plan_s, takes_s)| clocks.goes_on(plan_s, takes_s));
+        for (plan_s, takes_s) in [(1.0, 2.0), (3.0, 2.0), (4.0, 1.0)] {
+            clocks.goes_on(plan_s, takes_s);
+        }
         for (plan_s, own_s) in
             [(0.0, 0.0), (0.5, 1.0), (1.0, 2.0), (2.0, 3.0), (4.0, 5.0), (4.5, 5.5)]
         {

@@ -17,6 +17,7 @@ mod lost_line;
 mod machine_file;
 mod no_switch;
 mod over_lines;
+mod own_planner;
 mod place_and_nudge;
 mod queued;
 mod queued_boards;
@@ -35,3 +36,6 @@ mod streaming;
 mod taken_up;
 mod taking_up;
 mod vcd;
+#[allow(dead_code, reason = "its other tests use the rest")]
+#[path = "../../driver-grbl/tests/wire.rs"]
+mod wire;

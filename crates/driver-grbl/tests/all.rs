@@ -6,7 +6,6 @@ mod arcs;
 mod conformance;
 mod faults;
 mod gap;
-mod own_planner;
 mod set_up;
 mod turned;
 mod wire;
