@@ -61,13 +61,16 @@ pub struct Clock {
     newest: u64,
     exchanges: VecDeque<Exchange>,
     strays: u32,
+    /// Enough was heard once: a line that is drawn anew keeps its slope until it is long enough again.
+    known: bool,
     /// Ticks a second as measured.
     rate: f64,
     /// A moment, and the clock then.
     anchor: (f64, f64),
     /// Half of the narrowest box, seconds.
     half_s: f64,
-    /// Moment of the next question.
+    /// Moment of the last question, and of the next.
+    asked_s: f64,
     ask_s: f64,
 }
 
@@ -81,9 +84,11 @@ impl Clock {
             newest: uptime,
             exchanges,
             strays: 0,
+            known: false,
             rate,
             anchor,
             half_s: 1.0,
+            asked_s: f64::NEG_INFINITY,
             ask_s: now_s,
         }
     }
@@ -92,9 +97,25 @@ impl Clock {
     pub fn asks(&mut self, now_s: f64) -> bool {
         let due = now_s >= self.ask_s;
         if due {
-            self.ask_s = now_s + PACES_S[usize::from(self.is_known())];
+            self.asked_s = now_s;
+            self.ask_s = now_s + PACES_S[usize::from(self.exchanges.len() >= FEW)];
         }
         due
+    }
+
+    /// The next question comes as soon as the last one has had time for its answer.
+    pub fn hurry(&mut self) {
+        self.ask_s = self.ask_s.min(self.asked_s + PACES_S[0]);
+    }
+
+    /// Newest value that the board told: its clock is at least there, whatever the estimate says.
+    pub const fn newest(&self) -> u64 {
+        self.newest
+    }
+
+    /// Reads an answer whose question went out at an unknown moment: it tells how far the clock is at least.
+    pub fn told(&mut self, clock: u32) {
+        self.newest = self.newest.max(self.unwrapped(clock));
     }
 
     /// Moment of the next question.
@@ -103,8 +124,8 @@ impl Clock {
     }
 
     /// Enough was heard to tell the time in the board.
-    pub fn is_known(&self) -> bool {
-        self.exchanges.len() >= FEW
+    pub const fn is_known(&self) -> bool {
+        self.known
     }
 
     /// Returns a clock of 32 bits without end: the one nearest to the newest that was told.
@@ -171,8 +192,11 @@ impl Clock {
         let spread: f64 = points.clone().map(|(t, _)| (t - mean_t).powi(2)).sum();
         let both: f64 = points.map(|(t, c)| (t - mean_t) * (c - mean_c)).sum();
         let off = if last.middle_s() - from_s > LONG_S { CRYSTAL } else { ANY };
-        let rate = if spread > 0.0 { both / spread } else { self.nominal };
-        self.rate = rate.clamp(self.nominal * (1.0 - off), self.nominal * (1.0 + off));
+        if self.exchanges.len() >= FEW || !self.known {
+            let rate = if spread > 0.0 { both / spread } else { self.nominal };
+            self.rate = rate.clamp(self.nominal * (1.0 - off), self.nominal * (1.0 + off));
+        }
+        self.known |= self.exchanges.len() >= FEW;
         self.anchor = (from_s + mean_t, from as f64 + mean_c);
         self.half_s = 0.5 * shortest_s + LONGER_S;
     }

@@ -90,6 +90,25 @@ fn steps_that_were_lost_are_told() {
 }
 
 #[test]
+fn a_board_whose_clock_stood_still_makes_its_last_steps() {
+    for still_s in [0.03, 0.3, 1.5] {
+        for faults in [Faults::default(), Faults::all(0.01 / 6.0)] {
+            let mut world = World::ready(2, faults);
+            let motion = Motion::straight(500.0, 1.0);
+            let mut feed = world.begin(&motion, &[]);
+            while world.feed(&motion, &mut feed) {
+                world.pass();
+            }
+            world.pass_for(0.2);
+            let made = world.fake.steppers[&0].position;
+            assert!((1..500).contains(&made), "it is on its way: {made}");
+            world.fake.stand_still(still_s);
+            assert_eq!(world.wait_end(), (Ended::Rested, vec![500, 0, 0]), "{still_s} s");
+        }
+    }
+}
+
+#[test]
 fn a_board_that_was_configured_otherwise_is_refused() {
     let mut world = World::ready(3, Faults::default());
     let other = Setup { motors: vec![motor(5)], ..Setup::default() };

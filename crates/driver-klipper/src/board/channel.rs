@@ -140,9 +140,22 @@ impl Channel {
 
     /// The board told its clock.
     pub fn told_clock(&mut self, now_s: f64, clock: u32) {
-        if let (Some(sent_s), Some(line)) = (self.clock_sent_s.take(), &mut self.clock) {
-            line.heard(sent_s, now_s, clock);
+        let Some(line) = &mut self.clock else { return };
+        match self.clock_sent_s.take() {
+            Some(sent_s) => line.heard(sent_s, now_s, clock),
+            None => line.told(clock),
         }
+    }
+
+    /// Returns `true` once the board itself told a clock behind this one. Until then it is asked soon and again: a board
+    /// that was kept waiting is behind the estimate of its clock.
+    pub fn has_passed(&mut self, clock: u64) -> bool {
+        let Some(line) = &mut self.clock else { return false };
+        let passed = line.newest() > clock;
+        if !passed {
+            line.hurry();
+        }
+        passed
     }
 
     /// Asks for the clock when it is time to.

@@ -99,7 +99,8 @@ impl Motion {
         let lingers = self.lingers && !self.queue.is_stopping();
         let lingers_s = if lingers { channel.options.linger_s } else { 0.0 };
         let settled = self.queue.ends() + off + channel.ticks(SETTLED_S + lingers_s);
-        if self.state == State::Moving && self.queue.is_sent() && now > settled {
+        let is_made = self.state == State::Moving && self.queue.is_sent() && now > settled;
+        if is_made && channel.has_passed(self.queue.ends()) {
             self.state = State::Ending(Ended::Rested);
             self.latches.trigger(channel)?;
         }

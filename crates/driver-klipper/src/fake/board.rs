@@ -93,6 +93,11 @@ impl Board {
         self.start = clock.wrapping_sub((t_s * self.frequency * (1.0 + drift)).round() as u64);
     }
 
+    /// Its clock stands still for a time, seconds, as that of a board whose processor does something else.
+    pub fn stand_still(&mut self, time_s: f64) {
+        self.start = self.start.wrapping_sub((time_s * self.frequency) as u64);
+    }
+
     pub fn time_at(&self, clock: u64) -> f64 {
         (clock.wrapping_sub(self.start) as i64) as f64 / (self.frequency * (1.0 + self.drift))
     }
