@@ -190,7 +190,9 @@ impl Session {
         };
         if before.door != Door::Only {
             self.tell_not_homed(machine, &options, sink);
-            heights::tell_no_sheet(&name, &sequence, &options, sink);
+            if !driven.machine.borrow().facts().follows_sheet {
+                heights::tell_no_sheet(&name, &sequence, &options, sink);
+            }
         }
         let sheet = options.sheet.or_else(|| heights::planned_sheet(&sequence, preview));
         let settings =

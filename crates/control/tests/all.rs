@@ -22,6 +22,7 @@ mod place_and_nudge;
 mod queued;
 mod queued_boards;
 mod queued_guards;
+mod queued_height;
 mod queued_homing;
 mod queued_laser;
 mod queued_stops;

@@ -48,6 +48,8 @@ pub struct World {
     /// The host does nothing up to a moment.
     pub stalls_until_s: f64,
     pub far: Vec<Far>,
+    /// Share of the full voltage at all pins that measure one, by the places of the motors.
+    pub voltage: Option<fn(&Fake) -> f64>,
     heard: Vec<Answer>,
 }
 
@@ -72,7 +74,7 @@ impl World {
         let crew = Crew::new(&wiring.setup, names, options, 0.0).expect("a setup");
         let wired = (seed..).take(names.len()).map(|seed| Wired::new(seed, faults)).collect();
         let (desk, far, heard) = (Desk::new(crew), Vec::new(), Vec::new());
-        Self { wired, desk, now_s: 0.0, stalls_until_s: 0.0, far, heard }
+        Self { wired, desk, now_s: 0.0, stalls_until_s: 0.0, far, voltage: None, heard }
     }
 
     /// Lets a grain of time go by.
@@ -90,6 +92,12 @@ impl World {
             let is_on = self.wired[of].fake.steppers[&motor].position < count;
             let fake = &mut self.wired[board].fake;
             fake.driven.insert(pin, vec![(fake.now, is_on)]);
+        }
+        if let Some(voltage) = self.voltage {
+            let fake = &mut self.wired[0].fake;
+            let reading = (voltage(fake).clamp(0.0, 1.0) * 4095.0).round() as u32;
+            let pins: Vec<u32> = fake.analogs.values().map(|analog| analog.pin).collect();
+            fake.voltages.extend(pins.into_iter().map(|pin| (pin, reading)));
         }
         if !sleeps {
             self.heard.extend(self.desk.answers());

@@ -41,6 +41,13 @@ pub enum Request {
     LetRest,
     /// The state of a switch is asked for.
     Switch(usize),
+    /// A voltage is measured every so many seconds from soon on, or no more.
+    Measure {
+        /// Its place among the voltages.
+        voltage: usize,
+        /// Time between two measurements, seconds.
+        every_s: Option<f64>,
+    },
     /// The condition of the motor drivers is looked at.
     CheckDrivers,
     /// A shutdown is cleared.
@@ -124,6 +131,7 @@ impl Desk {
                 Ok(())
             }
             Request::Switch(switch) => board.ask_switch(switch),
+            Request::Measure { voltage, every_s } => board.measure(voltage, every_s, now_s),
             // A board that is not ready tells so by itself.
             Request::CheckDrivers => {
                 board.check_drivers().ok();

@@ -289,10 +289,22 @@ fn voltages_and_registers_are_read() {
     world.host.ask_register(0, 0, 6).expect("a board");
     let told = world.wait(|news| matches!(news, News::Register { .. }));
     assert_eq!(told, News::Register { driver: 0, register: 6, value: Ok(0x2100_0040) });
-    world.host.measure(0, 0.1, world.now_s).expect("a board");
-    let News::Voltage { shares, .. } = world.wait(|news| matches!(news, News::Voltage { .. }))
-    else {
-        panic!()
-    };
-    assert!((shares[0] - 0.5).abs() < 0.01, "{shares:?}");
+    world.host.measure(0, Some(0.1), world.now_s).expect("a board");
+    let asked = world.fake.now;
+    let voltage = |news: &News| matches!(news, News::Voltage { .. });
+    let mut all = Vec::new();
+    for _ in 0..3 {
+        let News::Voltage { all: told, .. } = world.wait(voltage) else { panic!() };
+        all.extend(told);
+    }
+    assert!((all[0].share - 0.5).abs() < 0.01, "{all:?}");
+    // From half a second on, in the middle of eight samples 1 ms apart.
+    let first_s = (all[0].clock - asked) as f64 / 12e6;
+    assert!((first_s - 0.5035).abs() < 0.005, "{first_s}");
+    assert!(all.windows(2).all(|pair| pair[1].clock - pair[0].clock == 1_200_000), "{all:?}");
+    world.host.measure(0, None, world.now_s).expect("a board");
+    world.pass_for(0.2);
+    world.news.clear();
+    world.pass_for(0.5);
+    assert!(!world.news.iter().any(voltage), "no more");
 }

@@ -16,6 +16,7 @@ pub mod contradictions;
 pub mod driver;
 pub mod file;
 pub mod hand;
+pub mod height_follower;
 pub mod homing;
 mod levels;
 mod lift;

@@ -43,6 +43,11 @@ impl Lift {
         [self.before_mm, self.moments.last().map_or(self.before_mm, |(_, mm)| *mm)]
     }
 
+    /// The moment of the last distance, seconds of machine time; nothing where nothing carries it on.
+    pub fn ends_s(&self) -> Option<f64> {
+        self.moments.last().map(|(t_s, _)| *t_s)
+    }
+
     /// The least and the greatest distance, mm.
     pub fn range(&self) -> [f64; 2] {
         let all = || self.moments.iter().map(|(_, mm)| *mm);

@@ -8,6 +8,7 @@
 //!               t
 //! ```
 
+use crate::Move;
 use crate::chain::{Clocked, plain_clock};
 use crate::plan::{Law, Plan};
 use crate::state::State;
@@ -61,14 +62,15 @@ impl Leg {
         (made.kind != MoveKind::Jog).then(|| state.path_speed_mm_s / made.top_mm_s())
     }
 
+    /// The move under way at a time of the plan, seconds, and place and speed of every axis.
+    pub fn under_way(&self, t_s: f64) -> Option<(&Move, State)> {
+        let state = self.0.at(t_s);
+        Some((self.0.moves().get(state.move_index)?, state))
+    }
+
     /// The steps of the motors from one time of the plan to another, in order of time.
     pub fn steps(&self, stepper: &mut Stepper, [from_s, to_s]: [f64; 2]) -> Vec<Step> {
         stepper.follow(from_s, to_s, |t_s| self.at(t_s))
-    }
-
-    /// The same, some µs off: see [`Stepper::sketch`].
-    pub fn sketch(&self, stepper: &mut Stepper, [from_s, to_s]: [f64; 2]) -> Vec<Step> {
-        stepper.sketch(from_s, to_s, |t_s| self.at(t_s))
     }
 
     /// The times at which it begins and ends, seconds of the plan.
@@ -115,11 +117,6 @@ impl Rest {
             RestLaw::Ramped(plan) => plan.at(t_s),
             RestLaw::Clocked(law) => law.at(t_s),
         }
-    }
-
-    /// The steps of the motors from a time of the plan to where it stands, in order of time, some µs off.
-    pub fn steps(&self, stepper: &mut Stepper, from_s: f64) -> Vec<Step> {
-        stepper.sketch(from_s, self.end_s, |t_s| self.at(t_s))
     }
 }
 

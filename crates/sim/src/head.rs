@@ -1,14 +1,16 @@
 //! Height control on the simulated machine: Z beside the plan, and what the sensors of the head tell.
 
-use crate::follower::{self, Follower, Sensed, TICK_S};
 use crate::sheet::Sheet;
+use kerf_machine::height_follower::{
+    self as follower, Follower, Sensed, TICK_S, acts_in, is_above_band, listens_in,
+};
 use kerf_machine::lines::Input;
 use kerf_machine::{Ahead, Carried, Lift, Reading};
 use kerf_model::flips;
 use kerf_model::{Change, Inputs};
 use kerf_motion::{Plan, Span, State};
 use kerf_program::settings::IoModes;
-use kerf_program::{Axes, Axis, Gauge, HeightLaw, MoveKind};
+use kerf_program::{Axes, Axis, Gauge, HeightLaw};
 
 /// The head, and Z while it follows the sheet.
 #[derive(Clone, Debug, Default)]
@@ -68,8 +70,8 @@ impl Following<'_> {
         from_s: f64,
         each: &mut dyn FnMut(&Tick),
     ) {
-        let acts = self.law.acts_in(span);
-        if !acts && !self.law.listens_in(span) {
+        let acts = acts_in(&self.law, span.made);
+        if !acts && !listens_in(&self.law, span.made) {
             return;
         }
         let begin_s = span.t0_s.max(from_s);
@@ -139,30 +141,6 @@ impl Following<'_> {
         let silent = self.is_silent();
         let active = state.path_speed_mm_s >= self.law.activation * full_mm_s;
         Sensed { gap_mm, silent, high, low, way: [vx, vy], active }
-    }
-}
-
-/// Moves in which a law acts.
-trait Acts {
-    /// Tells whether Z follows during a move: a cut whose Z is the plan's own, or a jog in the plane where the law is
-    /// for travel.
-    fn acts_in(&self, span: &Span<'_>) -> bool;
-
-    /// Tells whether readings are awaited during a move on which Z is the plan's own: the way down to the sheet.
-    fn listens_in(&self, span: &Span<'_>) -> bool;
-}
-
-impl Acts for HeightLaw {
-    fn acts_in(&self, span: &Span<'_>) -> bool {
-        let made = span.made;
-        let wanted = if self.raised_mm.is_some() { MoveKind::Jog } else { MoveKind::Cut };
-        made.kind == wanted && made.from[Axis::Z] == made.to[Axis::Z]
-    }
-
-    fn listens_in(&self, span: &Span<'_>) -> bool {
-        let made = span.made;
-        let reads = matches!(self.gauge, Gauge::Proportional { .. }) && self.raised_mm.is_none();
-        reads && made.kind == MoveKind::Cut && made.to[Axis::Z] < made.from[Axis::Z]
     }
 }
 
@@ -364,16 +342,10 @@ impl Feels {
             z - sheet.height_mm(x, y) - self.raised_mm
         });
         match (self.felt, gap_mm) {
-            (Felt::Above(law), Some(gap_mm)) => silent || is_above_band(&law, gap_mm),
+            (Felt::Above(law), Some(gap_mm)) => silent || is_above_band(&law, law.reading(gap_mm)),
             (Felt::Above(_), None) => true,
             (Felt::High, gap_mm) => gap_mm.is_some_and(is_high),
             (Felt::Low, gap_mm) => gap_mm.is_some_and(is_low),
         }
     }
-}
-
-/// Tells whether the reading says that the head is above the band it is to keep.
-fn is_above_band(law: &HeightLaw, gap_mm: f64) -> bool {
-    let Gauge::Proportional { gain_mm, set_points, .. } = law.gauge else { return false };
-    (law.reading(gap_mm) - set_points[0]) * gain_mm.signum() >= 1.0
 }

@@ -16,7 +16,6 @@
 
 mod carriages;
 pub mod chance;
-mod follower;
 mod hands;
 mod head;
 mod physics;

@@ -449,6 +449,15 @@ const board: Readonly<Record<string, SettingText>> = {
     "Drehzahl, wenn der Anschluss immer an ist, Umdrehungen je Minute.",
   ),
   "board.spindle_hz": said("Takt der Spindel", "Takt des Anschlusses der Spindel."),
+  "board.pwm": said(
+    "PWM-Kanäle",
+    "PWM-Kanäle mit ihren Anschlüssen, jeder einen Teil der Zeit an: „1 gpio5, 2 gpio6“; 1 ist E0 von M67 und M68.",
+  ),
+  "board.pwm_hz": said("Takt der PWM-Kanäle", "Takt der Anschlüsse der PWM-Kanäle."),
+  "board.height": said(
+    "Höhe des Brenners",
+    "Anschluss, der die Höhe des Brenners misst: die geteilte Spannung seines Lichtbogens; leer, wenn es keinen gibt.",
+  ),
   "board.inputs": said(
     "Eingänge",
     "Eingänge der Programme mit ihren Anschlüssen, höchstens acht: „3 ^gpio22“.",

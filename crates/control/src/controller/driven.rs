@@ -287,7 +287,7 @@ impl Machine for Connection {
         match *actuator {
             Actuator::Output { number, on, why } if why != OutputReason::Trigger => {
                 let lacks = needs(&self.facts, number, why);
-                match wired(number) {
+                match wired(&self.facts, number) {
                     Some(_) if lacks && on => self.lacks(number),
                     Some(line) if !lacks => self.want(line, on),
                     _ => {}

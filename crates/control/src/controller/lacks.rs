@@ -53,11 +53,12 @@ impl Lacks {
 
     /// The machine of the job is a plasma table or a laser.
     pub fn burns(&mut self, plasma: bool) {
-        if self.facts.follows_speed && !plasma {
-            return;
+        let torch = Output::Cut1.number();
+        let burns = if plasma { has(&self.facts, torch) } else { self.facts.follows_speed };
+        if !burns {
+            let what = "has no output for a torch or a beam: it drives machines with a spindle";
+            self.tell(Severity::Error, what);
         }
-        let what = "has no output for a torch or a beam: it drives machines with a spindle";
-        self.tell(Severity::Error, what);
     }
 
     fn tell(&mut self, severity: Severity, what: &str) {
@@ -100,12 +101,17 @@ pub(super) fn needs(facts: &Facts, number: u8, why: OutputReason) -> bool {
 }
 
 fn is_missing(facts: &Facts, number: u8) -> bool {
-    wired(number).is_some_and(|line| facts.outputs & (1 << (line - 1)) == 0)
+    wired(facts, number).is_some_and(|line| !has(facts, line))
+}
+
+/// Tells whether a controller has an output.
+fn has(facts: &Facts, line: u8) -> bool {
+    lines(facts.outputs).any(|own| own == line)
 }
 
 /// Tells in words that a controller lacks an output, and which ones it has.
 pub(super) fn no_output(facts: &Facts, number: u8) -> String {
-    if wired(number) == Some(1) && !facts.no_spindle.is_empty() {
+    if wired(facts, number) == Some(1) && !facts.no_spindle.is_empty() {
         return format!("has no spindle: {}", facts.no_spindle);
     }
     format!("has no output {number}, but {}", listed(facts.outputs))
@@ -138,9 +144,12 @@ pub(super) fn listed(outputs: u32) -> String {
     lines(outputs).map(shown).collect::<Vec<_>>().join(", ")
 }
 
-/// The controller's line for an output of the machine. The router of a job is its spindle; signals for
-/// other machines, and what follows the first tool up and down, it can do without.
-pub fn wired(number: u8) -> Option<u8> {
+/// The controller's line for an output of the machine: that of its own number, where it has one. The router of a job is its
+/// spindle; signals for other machines, and what follows the first tool up and down, it can do without.
+pub fn wired(facts: &Facts, number: u8) -> Option<u8> {
+    if has(facts, number) {
+        return Some(number);
+    }
     match Output::of_number(number) {
         Some(Output::Router) => Some(1),
         Some(Output::JobRunning | Output::Jig1 | Output::Jig2) => None,
@@ -160,7 +169,9 @@ impl Sink for Lacks {
             Event::Move(made) => self.moves(made),
             Event::Arc(arc) => self.moves(&arc.made),
             Event::Start { file, .. } => self.file = file.clone(),
-            Event::Output { n, on: true, name: Some(name), .. } if is_followed(*n) => {
+            Event::Output { n, on: true, name: Some(name), .. }
+                if is_followed(*n) && !has(&self.facts, *n) =>
+            {
                 let what = format!("has no output {n} ({name}): it is left out");
                 self.tell(Severity::Warning, &what);
             }
@@ -175,7 +186,9 @@ impl Sink for Lacks {
             Event::Independent { speed, frequency, .. } if *speed != 0.0 || *frequency != 0.0 => {
                 self.tell(Severity::Error, "has no axis that moves by itself");
             }
-            Event::Height { .. } => self.tell(Severity::Error, "has no height control"),
+            Event::Height { .. } if !self.facts.follows_sheet => {
+                self.tell(Severity::Error, "has no height control");
+            }
             other => {
                 let beam = matches!(
                     other,

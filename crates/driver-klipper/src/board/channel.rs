@@ -33,6 +33,8 @@ pub struct Channel {
     /// Moment at which a question for the clock went out, where it went out once.
     clock_sent_s: Option<f64>,
     pub questions: Questions,
+    /// Ticks between two measurements of each voltage.
+    pub rests: Vec<u64>,
 }
 
 impl Channel {
@@ -55,6 +57,7 @@ impl Channel {
             clock: None,
             clock_sent_s: None,
             questions: Questions::default(),
+            rests: vec![0; setup.voltages.len()],
             setup,
             options,
             link,

@@ -2,7 +2,7 @@
 
 use super::channel::{Channel, Told};
 use super::motion::Motion;
-use super::news::{News, NotNow};
+use super::news::{Measured, News, NotNow};
 use super::questions::About;
 use crate::dictionary::{Message, Value};
 use crate::orders::{Order, OrderError};
@@ -95,25 +95,45 @@ impl Channel {
         news.push_back(News::Switch { switch, on: (number("pin_value") != 0) != inverted });
     }
 
-    pub fn measure(&mut self, voltage: usize, every_s: f64, now_s: f64) -> Result<(), NotNow> {
+    /// Measures a voltage every so many seconds from a moment on, or no more.
+    pub fn measure(
+        &mut self,
+        voltage: usize,
+        every_s: Option<f64>,
+        now_s: f64,
+    ) -> Result<(), NotNow> {
         let Some((clock, _)) = self.now(now_s) else { return Err(NotNow::Busy) };
-        let ticks = |time_s: f64| (time_s * self.frequency) as u32;
-        let first = (clock + u64::from(ticks(FIRST_S))) as u32;
+        let first = (clock + self.ticks(FIRST_S)) as u32;
         let oid = self.oid(Object::Voltage(voltage));
-        let (sample, rest) = (ticks(SAMPLE_S), ticks(every_s));
-        let numbers = [oid, first, sample, SAMPLES, rest, REPORT, 0, 0xffff, 0];
+        let samples = if every_s.is_some() { SAMPLES } else { 0 };
+        let rest = every_s.map_or(0, |every_s| self.ticks(every_s));
+        if let Some(own) = self.rests.get_mut(voltage) {
+            *own = rest;
+        }
+        let sample = self.ticks(SAMPLE_S) as u32;
+        let numbers = [oid, first, sample, samples, rest as u32, REPORT, 0, 0xffff, 0];
         Ok(self.send(Order::QueryAnalog, numbers)?)
     }
 
+    /// Reads measurements of a voltage: each is the mean of some samples, and its clock is in their middle.
     pub fn told_voltage(&mut self, message: &Message<'_>, news: &mut VecDeque<News>) {
         let oid = message.number("oid");
         let mut voltages = 0..self.setup.voltages.len();
         let found = voltages.find(|n| Some(self.oid(Object::Voltage(*n))) == oid);
-        let Some(voltage) = found else { return };
+        let (Some(voltage), Some(line)) = (found, &self.clock) else { return };
         let full = self.dictionary.constant("ADC_MAX").unwrap_or(4095.0) * f64::from(SAMPLES);
-        let sums = message.bytes("values").unwrap_or_default().chunks_exact(2);
-        let share = |sum: &[u8]| f64::from(u16::from_le_bytes([sum[0], sum[1]])) / full;
-        news.push_back(News::Voltage { voltage, shares: sums.map(share).collect() });
+        let next = line.unwrapped(message.number("next_clock").unwrap_or_default());
+        let rest = self.rests.get(voltage).copied().unwrap_or_default();
+        let middle = self.ticks(0.5 * f64::from(SAMPLES - 1) * SAMPLE_S);
+        let sums: Vec<&[u8]> =
+            message.bytes("values").unwrap_or_default().chunks_exact(2).collect();
+        let many = sums.len() as u64;
+        let measured = |(n, sum): (u64, &&[u8])| Measured {
+            clock: next.saturating_sub((many - n) * rest) + middle,
+            share: f64::from(u16::from_le_bytes([sum[0], sum[1]])) / full,
+        };
+        let all = (0..).zip(&sums).map(measured).collect();
+        news.push_back(News::Voltage { voltage, all });
     }
 
     pub fn ask_register(

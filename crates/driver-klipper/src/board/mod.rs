@@ -24,7 +24,7 @@ mod session;
 pub use acts::FIRST_S;
 pub use introduction::{Held, Introduced, Introduction};
 pub use latch::{Holds, Home, Watched};
-pub use news::{Ended, Fault, News, NotNow, Start};
+pub use news::{Ended, Fault, Measured, News, NotNow, Start};
 pub use options::Options;
 
 use crate::clock::Clock;
@@ -333,12 +333,17 @@ impl Board {
         self.open()?.check_drivers()
     }
 
-    /// Measures a voltage again and again, every so many seconds.
+    /// Measures a voltage again and again, every so many seconds, or no more.
     ///
     /// # Errors
     ///
     /// The board is not ready.
-    pub fn measure(&mut self, voltage: usize, every_s: f64, now_s: f64) -> Result<(), NotNow> {
+    pub fn measure(
+        &mut self,
+        voltage: usize,
+        every_s: Option<f64>,
+        now_s: f64,
+    ) -> Result<(), NotNow> {
         self.open()?.way().measure(voltage, every_s, now_s)
     }
 

@@ -53,6 +53,15 @@ pub struct Start {
     pub ticks_per_s: f64,
 }
 
+/// A measurement of a voltage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// Clock in the middle of its samples.
+    pub clock: u64,
+    /// Share of the full voltage, from 0 to 1.
+    pub share: f64,
+}
+
 /// News of a board.
 #[derive(Clone, Debug, PartialEq)]
 pub enum News {
@@ -88,12 +97,12 @@ pub enum News {
     },
     /// Inputs that are looked at all the time changed: a bit each, set where it is on.
     Buttons(u8),
-    /// A voltage was measured: shares of the full one, in order of time.
+    /// A voltage was measured.
     Voltage {
         /// Its place among the voltages.
         voltage: usize,
-        /// Shares from 0 to 1.
-        shares: Vec<f64>,
+        /// Measurements in order of time.
+        all: Vec<Measured>,
     },
     /// A register of a motor driver.
     Register {

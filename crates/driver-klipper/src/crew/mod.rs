@@ -243,6 +243,23 @@ impl Crew {
         member.board.ask_switch(switch)
     }
 
+    /// Measures a voltage again and again, every so many seconds, or no more.
+    ///
+    /// # Errors
+    ///
+    /// Its board is not ready.
+    pub fn measure(
+        &mut self,
+        voltage: usize,
+        every_s: Option<f64>,
+        now_s: f64,
+    ) -> Result<(), NotNow> {
+        let mut members = self.members.iter_mut();
+        let found = members.find_map(|it| Some((own(&it.share.voltages, voltage)?, it)));
+        let (voltage, member) = found.ok_or(NotNow::Absent)?;
+        member.board.measure(voltage, every_s, now_s)
+    }
+
     /// Looks at the condition of all motor drivers.
     ///
     /// # Errors

@@ -38,8 +38,9 @@ impl Crew {
                 News::Switch { switch: whole(&share.switches, switch), on }
             }
             News::Buttons(states) => News::Buttons(self.buttons(n, states)),
-            News::Voltage { voltage, shares } => {
-                News::Voltage { voltage: whole(&share.voltages, voltage), shares }
+            News::Voltage { voltage, mut all } => {
+                all.iter_mut().for_each(|it| it.clock = member.back(it.clock));
+                News::Voltage { voltage: whole(&share.voltages, voltage), all }
             }
             News::Register { driver, register, value } => {
                 News::Register { driver: whole(&share.drivers, driver), register, value }

@@ -64,7 +64,7 @@ impl Setup {
         let answers = [
             answer(!self.motors.is_empty(), "stepper_position", &["oid", "pos"]),
             answer(!self.switches.is_empty(), "endstop_state", &["oid", "next_clock", "pin_value"]),
-            answer(!self.voltages.is_empty(), "analog_in_state", &["oid", "values"]),
+            answer(!self.voltages.is_empty(), "analog_in_state", &["oid", "next_clock", "values"]),
             answer(!self.buttons.is_empty(), "buttons_state", &["ack_count", "state"]),
             answer(!self.drivers.is_empty(), "tmcuart_response", &["oid", "read"]),
             answer(!self.selects.is_empty(), "spi_transfer_response", &["oid", "response"]),

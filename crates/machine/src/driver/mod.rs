@@ -248,6 +248,8 @@ pub struct Facts {
     pub feed_waits: bool,
     /// The output of its spindle can be a laser's, whose power follows the speed.
     pub follows_speed: bool,
+    /// Z follows a sheet by the voltage of a torch (height control).
+    pub follows_sheet: bool,
     /// It changes the speed of its rapid moves, and that of its spindle, by itself ([`Override`]).
     pub overrides_more: bool,
     /// It stops on its path and goes on from there, with its outputs as they are (feed hold).

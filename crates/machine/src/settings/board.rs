@@ -27,6 +27,12 @@ pub struct Board {
     pub spindle_rpm: f64,
     /// Cycles of that pin, Hz.
     pub spindle_hz: f64,
+    /// PWM channels of part files with their pins, each a share of time: `1 gpio5`. The first is E0 of M67 and M68.
+    pub pwm: String,
+    /// Cycles of those pins, Hz.
+    pub pwm_hz: f64,
+    /// Pin that measures the height of a torch, the voltage of its arc behind a divider. Empty for none.
+    pub height: String,
     /// Inputs of part files with their pins, at most eight: `3 ^gpio22`.
     pub inputs: String,
     /// Least width of a step pulse, microseconds.
@@ -55,6 +61,9 @@ impl Default for Board {
             spindle: String::new(),
             spindle_rpm: 24_000.0,
             spindle_hz: 1000.0,
+            pwm: String::new(),
+            pwm_hz: 1000.0,
+            height: String::new(),
             inputs: String::new(),
             pulse_us: 2.0,
             turn_us: 20.0,

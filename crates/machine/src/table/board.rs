@@ -172,6 +172,30 @@ const BOARD: &[Setting] = &[
     ),
     row!(
         c,
+        "board.pwm",
+        c.board.pwm,
+        None,
+        Any,
+        "PWM channels with their pins, each on for a share of time: \"1 gpio5, 2 gpio6\"; 1 is E0 of M67 and M68."
+    ),
+    row!(
+        c,
+        "board.pwm_hz",
+        c.board.pwm_hz,
+        Hz,
+        Range(1.0, 100_000.0),
+        "Cycles of the pins of PWM channels."
+    ),
+    row!(
+        c,
+        "board.height",
+        c.board.height,
+        None,
+        Any,
+        "Pin that measures the height of the torch: the voltage of its arc, divided; empty for none."
+    ),
+    row!(
+        c,
         "board.inputs",
         c.board.inputs,
         None,

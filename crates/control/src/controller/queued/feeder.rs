@@ -3,9 +3,10 @@
 //! Times are seconds of machine time; clocks are ticks of the board.
 
 use super::beam::Follow;
+use super::height::Height;
 use kerf_driver_klipper::desk::Set;
 use kerf_driver_klipper::queue::{Piece, Step};
-use kerf_machine::Going;
+use kerf_machine::{Going, Lift};
 use kerf_motion::{Leg, Rest, Stepper};
 use kerf_program::{Axes, Axis};
 use std::collections::VecDeque;
@@ -72,6 +73,8 @@ pub struct Feeder {
     pub only: Option<Vec<usize>>,
     /// The output that follows the speed.
     pub follow: Option<Follow>,
+    /// Z follows a sheet beside the plan.
+    pub height: Option<Height>,
     /// The plan that follows has to be known first: the way to rest would lead beyond this one.
     pub starves: bool,
 }
@@ -91,6 +94,7 @@ impl Feeder {
             rests: true,
             only: None,
             follow: None,
+            height: None,
             starves: false,
         }
     }
@@ -169,7 +173,15 @@ impl Feeder {
         }
         let ends = (scale.at(to_s).ceil() as u64).max(starts);
         let t0_s = front.t0_s;
-        let made = front.leg.steps(&mut self.stepper, [from_s - t0_s, to_s - t0_s]);
+        let span_s = [from_s - t0_s, to_s - t0_s];
+        let lift = self.height.as_mut().map(|height| height.carry(&front.leg, t0_s, span_s));
+        let made = match &lift {
+            None => front.leg.steps(&mut self.stepper, span_s),
+            Some(lift) => {
+                let place = |t_s: f64| lifted(front.leg.at(t_s), lift, t0_s + t_s);
+                self.stepper.follow(span_s[0], span_s[1], place)
+            }
+        };
         let steps = self.of_motors(&made, t0_s, scale, [starts, ends]);
         let (tail, at_rest) = self.tail(&rests, scale, ends);
         let sets = self.beam([from_s, to_s], scale, [starts, ends, at_rest], &rests);
@@ -229,12 +241,16 @@ impl Feeder {
     }
 
     /// Steps of the ways to rest, and the clock at which the machine stands.
-    fn tail(&self, ways: &[(f64, Way)], scale: &Scale, ends: u64) -> (Vec<Vec<Step>>, u64) {
+    fn tail(&mut self, ways: &[(f64, Way)], scale: &Scale, ends: u64) -> (Vec<Vec<Step>>, u64) {
         let mut stepper = self.stepper.clone();
         let mut all = vec![Vec::new(); self.motors.len()];
         let mut at_rest = ends;
-        for (t0_s, way) in ways {
-            let (made, end_s) = way.steps(&mut stepper);
+        let begin_s = ways.first().map(|(t0_s, way)| t0_s + way.span_s()[0]);
+        let lift = self.height.as_mut().zip(begin_s).map(|(height, from_s)| height.coast(from_s));
+        // Where Z takes longer to come to rest than the path, it does so at the end of it.
+        let alone = lift.as_ref().and_then(|lift| Way::alone(lift, ways.last()?));
+        for (t0_s, way) in ways.iter().chain(&alone) {
+            let (made, end_s) = way.steps(&mut stepper, *t0_s, lift.as_ref());
             at_rest = at_rest.max(scale.at(t0_s + end_s).ceil() as u64);
             let steps = self.of_motors(&made, *t0_s, scale, [ends, at_rest]);
             all.iter_mut().zip(steps).for_each(|(all, steps)| all.extend(steps));
@@ -269,13 +285,15 @@ enum Way {
     Planned(Leg, [f64; 2]),
     /// Braking, from a time of the plan on.
     Brakes(f64, Box<Rest>),
+    /// It stands at a place but for what carries it beside the plan, between times of the plan.
+    Stands(Axes, [f64; 2]),
 }
 
 impl Way {
     /// The times of the plan at which it begins and ends.
     const fn span_s(&self) -> [f64; 2] {
         match self {
-            Self::Planned(_, span_s) => *span_s,
+            Self::Planned(_, span_s) | Self::Stands(_, span_s) => *span_s,
             Self::Brakes(from_s, rest) => [*from_s, rest.end_s],
         }
     }
@@ -284,6 +302,7 @@ impl Way {
     fn pace(&self, t_s: f64, begin: Option<f64>) -> Option<f64> {
         match self {
             Self::Planned(leg, _) => leg.pace(t_s),
+            Self::Stands(..) => Some(0.0),
             Self::Brakes(from_s, rest) => {
                 let full_mm_s = rest.speed_mm_s(*from_s);
                 let share = if full_mm_s > 0.0 { rest.speed_mm_s(t_s) / full_mm_s } else { 0.0 };
@@ -292,11 +311,43 @@ impl Way {
         }
     }
 
-    /// The steps of it, and the time of the plan at its end.
-    fn steps(&self, stepper: &mut Stepper) -> (Vec<kerf_motion::Step>, f64) {
+    /// The way of what carries the machine on beside the plan, where it comes to rest behind another way.
+    fn alone(lift: &Lift, (t0_s, way): &(f64, Self)) -> Option<(f64, Self)> {
+        let [_, end_s] = way.span_s();
+        let rests_s = lift.ends_s()? - t0_s;
+        (rests_s > end_s).then(|| (*t0_s, Self::Stands(way.place(end_s), [end_s, rests_s])))
+    }
+
+    /// Place of every axis at a time of the plan.
+    fn place(&self, t_s: f64) -> Axes {
         match self {
-            Self::Planned(leg, span_s) => (leg.sketch(stepper, *span_s), span_s[1]),
-            Self::Brakes(from_s, rest) => (rest.steps(stepper, *from_s), rest.end_s),
+            Self::Planned(leg, _) => leg.at(t_s),
+            Self::Brakes(_, rest) => rest.at(t_s),
+            Self::Stands(place, _) => *place,
         }
     }
+
+    /// The steps of it, in a plan that begins at a moment and with what carries the machine beside it, and the time of the
+    /// plan at its end.
+    fn steps(
+        &self,
+        stepper: &mut Stepper,
+        t0_s: f64,
+        lift: Option<&Lift>,
+    ) -> (Vec<kerf_motion::Step>, f64) {
+        let [from_s, to_s] = self.span_s();
+        let steps = match lift {
+            None => stepper.sketch(from_s, to_s, |t_s| self.place(t_s)),
+            Some(lift) => {
+                stepper.sketch(from_s, to_s, |t_s| lifted(self.place(t_s), lift, t0_s + t_s))
+            }
+        };
+        (steps, to_s)
+    }
+}
+
+/// A place with Z carried beside the plan as at a moment of machine time.
+fn lifted(mut place: Axes, lift: &Lift, t_s: f64) -> Axes {
+    place[Axis::Z] += lift.at(t_s);
+    place
 }

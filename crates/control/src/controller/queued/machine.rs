@@ -2,6 +2,7 @@
 
 use super::berth::Berth;
 use super::feeder::{Feeder, Scale};
+use super::height::{EVERY_S, Height, Sensor, reads};
 use super::homing::{Came, Homing};
 use super::outputs::Outputs;
 use super::touch::Probe;
@@ -12,8 +13,9 @@ use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
 use kerf_driver_klipper::queue::Lead;
 use kerf_driver_klipper::tmc::Trouble;
 use kerf_machine::driver::Facts;
+use kerf_machine::lines::Input;
 use kerf_machine::{Fault, Going, Machine as _};
-use kerf_program::{At, Axes, Axis, AxisSet};
+use kerf_program::{At, Axes, Axis, AxisSet, HeightLaw};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -98,6 +100,8 @@ pub struct Queued {
     pub(super) told_s: f64,
     /// Inputs at whose change it stands by itself.
     pub(super) probe: Probe,
+    /// The pin that measures the height of a torch.
+    pub(super) sensor: Sensor,
     /// Nothing more is done.
     pub(super) fault: Option<Fault>,
     /// It is told from this moment on, or once it is known where the machine stands.
@@ -144,6 +148,7 @@ impl Queued {
             asked: Vec::new(),
             told_s: f64::NEG_INFINITY,
             probe: Probe::default(),
+            sensor: Sensor::default(),
             fault: None,
             tells_s: f64::INFINITY,
         };
@@ -304,6 +309,38 @@ impl Queued {
                 Answer::News(told) => self.told(told),
             }
         }
+        if let (State::Moving(scale, _), Some((now, _))) = (self.state, self.progress.clock) {
+            self.sensor.look(scale.moment(now), self.feeder.height.as_mut());
+        }
+    }
+
+    /// The pin of the height is measured from now on, or no more.
+    pub(super) fn measures(&mut self, measures: bool) {
+        if let Some(voltage) = self.wiring.height.filter(|_| self.sensor.measures != measures) {
+            self.sensor = Sensor::new(measures);
+            let every_s = measures.then_some(EVERY_S);
+            self.berth.request(Request::Measure { voltage, every_s });
+        }
+    }
+
+    /// Z follows a sheet from here on, or does not. Returns what the readings tell of the head, as a contact.
+    pub(super) fn follow_sheet(&mut self, law: Option<HeightLaw>) -> Vec<(u8, bool)> {
+        self.feeder.height = None;
+        let Some(law) = law else { return Vec::new() };
+        if self.wiring.height.is_none() || !reads(&law) {
+            let why = "has no height control by this sensor: it reads the voltage of a torch at the pin board.height";
+            self.fail(why.into(), "set height.mode = \"proportional\"", false);
+            return Vec::new();
+        }
+        self.measures(true);
+        self.tend(Duration::ZERO);
+        if self.feeder.rests {
+            self.wait_until(|it| it.sensor.reading().is_some());
+        }
+        let height = Height::new(law, self.sensor.reading());
+        let contacts = vec![(Input::ZHigh.number(), height.is_high())];
+        self.feeder.height = Some(height);
+        contacts
     }
 
     fn told(&mut self, told: Told) {
@@ -349,7 +386,14 @@ impl Queued {
                 let hint = "its place may be lost: home it first";
                 self.fail(format!("the driver of motor {name}: {words}"), hint, false);
             }
-            Told::Voltage { .. } | Told::Register { .. } => {}
+            Told::Voltage { all, .. } => {
+                let scale = match self.state {
+                    State::Moving(scale, _) => Some(scale),
+                    _ => None,
+                };
+                self.sensor.measured(&all, scale, self.feeder.height.as_mut());
+            }
+            Told::Register { .. } => {}
         }
     }
 
@@ -522,6 +566,7 @@ impl Queued {
         }
         self.berth.request(Request::LetRest);
         self.wait_until(|it| it.state == State::Rest);
+        self.measures(false);
         self.check_drivers();
     }
 
@@ -565,6 +610,7 @@ fn facts(version: &str, wiring: &Wiring) -> Facts {
         homes: !wiring.homes.is_empty(),
         spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),
         follows_speed: wiring.spindle.is_some(),
+        follows_sheet: wiring.height.is_some(),
         feed_waits: true,
         leads_s: TELLS_S,
         ..Facts::default()

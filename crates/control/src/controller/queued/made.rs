@@ -1,13 +1,14 @@
 //! A board with step queues as the trait [`Machine`] has it.
 
+use super::height::Height;
 use super::machine::{Queued, State};
 use crate::controller::connection::NAP;
 use crate::controller::lacks::out_of_reach;
 use kerf_driver_klipper::desk::Request;
 use kerf_machine::driver::Facts;
-use kerf_machine::{Actuator, Fault, Going, Machine, News};
-use kerf_motion::Move;
-use kerf_program::{Axes, Axis, Beam, Settings};
+use kerf_machine::{Actuator, Carried, Fault, Going, Machine, News};
+use kerf_motion::{Move, Plan, Span};
+use kerf_program::{Axes, Axis, Beam, HeightLaw, Settings};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -40,6 +41,7 @@ impl Machine for Queued {
     fn begin(&mut self) {
         self.stood = None;
         self.check_drivers();
+        self.measures(true);
     }
 
     fn begin_plan(&mut self) {
@@ -67,7 +69,7 @@ impl Machine for Queued {
         }
     }
 
-    fn advance(&mut self, going: &Going<'_>, from_s: f64, _: f64) -> News {
+    fn advance(&mut self, going: &Going<'_>, from_s: f64, until_s: f64) -> News {
         (self.stood, self.at) = (None, going.made().map(|made| made.at));
         let end_s = going.t0_s + going.plan.span_s(going.index).1;
         if let Some(news) = self.touched(from_s, end_s) {
@@ -83,6 +85,8 @@ impl Machine for Queued {
             return News { reached_s: from_s, input: None };
         }
         self.elsewhere = None;
+        let height = self.feeder.height.as_ref().zip(going.made());
+        self.probe.listens = height.is_some_and(|(height, made)| height.listens_in(made));
         if !self.watches(going) {
             self.tend(NAP);
             return News { reached_s: from_s, input: self.inputs.pop_front() };
@@ -90,7 +94,9 @@ impl Machine for Queued {
         if !self.feeder.follow(going).is_empty() {
             self.count_anew();
         }
-        let wait = if self.hand_on() { Duration::ZERO } else { NAP };
+        // Where no time is to pass the plan is about to be left: nothing more of it is handed over.
+        let hands = until_s > from_s || end_s <= from_s;
+        let wait = if hands && self.hand_on() { Duration::ZERO } else { NAP };
         if self.probe.is_armed() && self.feeder.rests {
             // Whether an input stopped it is known when its motion is over.
             self.berth.request(Request::LetRest);
@@ -100,6 +106,13 @@ impl Machine for Queued {
             return news;
         }
         let reached_s = self.reached_s(going);
+        let reached_s = if hands { reached_s } else { reached_s.max(from_s) };
+        if let Some((at_s, input)) = self.sensor.take() {
+            // What readings tell is known sooner than that nothing else has stopped the machine.
+            let reached_s = reached_s.min(end_s).max(at_s.clamp(from_s, end_s));
+            self.told_s = reached_s;
+            return News { reached_s, input: Some(input) };
+        }
         self.told_s = reached_s.min(end_s);
         News { reached_s, input: self.inputs.pop_front() }
     }
@@ -116,8 +129,22 @@ impl Machine for Queued {
         News { reached_s, input: self.inputs.pop_front() }
     }
 
+    fn made(&mut self, t0_s: f64, _: &Plan, span: &Span<'_>) -> Carried {
+        let height = self.feeder.height.as_mut();
+        height.map_or_else(Carried::default, |it| it.made([t0_s + span.t0_s, t0_s + span.t1_s]))
+    }
+
+    fn height_control(&mut self, law: Option<HeightLaw>, _: &Axes) -> Vec<(u8, bool)> {
+        self.follow_sheet(law)
+    }
+
+    fn land(&mut self) {
+        self.feeder.height.iter_mut().for_each(Height::land);
+    }
+
     fn tells(&mut self) -> Option<String> {
-        self.told_drivers.take().or_else(|| self.lead_changed())
+        let behind = self.sensor.tells(&self.name, self.feeder.height.as_ref());
+        self.told_drivers.take().or(behind).or_else(|| self.lead_changed())
     }
 
     fn look(&mut self) {

@@ -16,6 +16,7 @@ mod berth;
 mod drivers;
 mod feeder;
 mod guard;
+mod height;
 mod homing;
 mod introduced;
 mod machine;

@@ -40,7 +40,7 @@ impl Outputs {
     ) -> Result<Vec<(usize, f64)>, String> {
         match *actuator {
             Actuator::Output { number, on, why } if why != OutputReason::Trigger => {
-                let Some(line) = wired(number) else { return Ok(Vec::new()) };
+                let Some(line) = wired(facts, number) else { return Ok(Vec::new()) };
                 if facts.outputs & (1 << (line - 1)) == 0 {
                     let needs = on && why != OutputReason::Motion;
                     return if needs { Err(no_output(facts, number)) } else { Ok(Vec::new()) };

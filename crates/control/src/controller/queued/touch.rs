@@ -1,6 +1,7 @@
 //! Homing and probing of a board: what its latches stop, and where that was.
 
 use super::guard::LOOK_S;
+use super::height::Height;
 use super::homing::{Act, Came, Homing};
 use super::machine::{Queued, SAME_S, State};
 use crate::controller::connection::NAP;
@@ -34,6 +35,8 @@ pub struct Probe {
     slows: bool,
     /// The change that stopped the machine.
     touch: Option<Touch>,
+    /// Readings of the height are awaited on the way down to the sheet.
+    pub(super) listens: bool,
 }
 
 /// A change of an input that stopped the machine.
@@ -49,7 +52,7 @@ struct Touch {
 impl Probe {
     /// Something is watched: no moment is told before the machine has passed it.
     pub const fn is_armed(&self) -> bool {
-        !self.watches.is_empty()
+        self.listens || !self.watches.is_empty()
     }
 }
 
@@ -277,7 +280,8 @@ impl Queued {
         let counted = self.counted();
         let axes = self.wiring.axes();
         let off = |t_s: f64| {
-            let place = going.at(t_s).position;
+            let mut place = going.at(t_s).position;
+            place[Axis::Z] += self.feeder.height.as_ref().map_or(0.0, |it| it.offset_at(t_s));
             let steps = |axis| ((place[axis] - counted[axis]) * self.per_unit[axis]).abs();
             axes.iter().map(steps).fold(0.0, f64::max)
         };
@@ -293,6 +297,7 @@ impl Queued {
         }
         let stands_s = nearest.map_or(from_s, |(t_s, _)| t_s);
         self.feeder.forget();
+        self.feeder.height.iter_mut().for_each(|height| height.stands(stands_s));
         self.feeder.is_at(counted);
         self.feeder.handed_s = stands_s;
         Some(stands_s)
@@ -311,6 +316,9 @@ impl Queued {
             self.tend(NAP);
         }
         let is_touched = !std::mem::take(&mut self.probe.slows);
+        if !is_touched {
+            self.feeder.height.iter_mut().for_each(Height::coasted);
+        }
         self.late = false;
         let (now, _) = self.progress.clock?;
         let from_s = if is_touched { self.told_s } else { self.feeder.handed_s - SAME_S };

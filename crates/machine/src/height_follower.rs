@@ -1,17 +1,37 @@
 //! Z that follows the sheet: the controller's side of automatic height control, tick by tick
 //! (Profiler reference, "Automatic Height Control"; readings, Height control).
 
-use kerf_program::{Gauge, HeightLaw};
+use kerf_motion::Move;
+use kerf_program::{Axis, Gauge, HeightLaw, MoveKind};
 
 /// Time from one look to the next, seconds.
-pub(crate) const TICK_S: f64 = 0.001;
+pub const TICK_S: f64 = 0.001;
 
 /// Without a reading for so long the sensor counts as lost, seconds (readings, P-84).
-const SILENCE_S: f64 = 0.1;
+pub const SILENCE_S: f64 = 0.1;
+
+/// Tells whether Z follows during a move: a cut whose Z is the plan's own, or a jog in the plane where the law is for
+/// travel.
+pub fn acts_in(law: &HeightLaw, made: &Move) -> bool {
+    let wanted = if law.raised_mm.is_some() { MoveKind::Jog } else { MoveKind::Cut };
+    made.kind == wanted && made.from[Axis::Z] == made.to[Axis::Z]
+}
+
+/// Tells whether readings are awaited during a move on which Z is the plan's own: the way down to the sheet.
+pub fn listens_in(law: &HeightLaw, made: &Move) -> bool {
+    let reads = matches!(law.gauge, Gauge::Proportional { .. }) && law.raised_mm.is_none();
+    reads && made.kind == MoveKind::Cut && made.to[Axis::Z] < made.from[Axis::Z]
+}
+
+/// Tells whether a reading says that the head is above the band it is to keep.
+pub fn is_above_band(law: &HeightLaw, reading: f64) -> bool {
+    let Gauge::Proportional { gain_mm, set_points, .. } = law.gauge else { return false };
+    (reading - set_points[0]) * gain_mm.signum() >= 1.0
+}
 
 /// State that the head senses.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Sensed {
+pub struct Sensed {
     /// Distance of the sensor to the sheet, mm, when there is one: less what a way between paths is higher than a
     /// cut.
     pub gap_mm: Option<f64>,
@@ -29,7 +49,7 @@ pub(crate) struct Sensed {
 
 /// A reading of the sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Reading {
+pub struct Reading {
     /// Value of the reading, 0 … 255.
     pub value: u8,
     /// Difference of the gap from the one that is wanted, mm.
@@ -38,7 +58,7 @@ pub(crate) struct Reading {
 
 /// Distance that Z has been carried beside the plan, and its motion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Follower {
+pub struct Follower {
     /// Distance from the plan, mm.
     pub offset_mm: f64,
     mm_s: f64,
@@ -51,6 +71,11 @@ pub(crate) struct Follower {
 }
 
 impl Follower {
+    /// Z that stands, carried by a distance, mm.
+    pub fn standing(offset_mm: f64) -> Self {
+        Self { offset_mm, target_mm: offset_mm, ..Self::default() }
+    }
+
     /// One tick; `z_mm` is the planned height. Tells the reading that came.
     pub fn tick(
         &mut self,
@@ -62,13 +87,37 @@ impl Follower {
         let reading = self.read(t_s, law, sensed);
         let wanted_mm_s = match law.gauge {
             Gauge::Simple { .. } => simple(law, sensed),
-            Gauge::Proportional { .. } => self.towards(law),
+            Gauge::Proportional { .. } => self.towards(law, TICK_S),
         };
-        let change = law.accel_mm_s2 * TICK_S;
+        self.go(z_mm, law, wanted_mm_s, TICK_S);
+        reading
+    }
+
+    /// Goes on for a time towards a speed, mm/s, no quicker than the law's acceleration allows and within its heights;
+    /// `z_mm` is the planned height.
+    pub fn go(&mut self, z_mm: f64, law: &HeightLaw, wanted_mm_s: f64, time_s: f64) {
+        let change = law.accel_mm_s2 * time_s;
         self.mm_s += (wanted_mm_s - self.mm_s).clamp(-change, change);
         let (low, high) = (law.floor_mm - z_mm, law.ceiling_mm - z_mm);
-        self.offset_mm = (self.offset_mm + self.mm_s * TICK_S).min(high).max(low.min(high));
-        reading
+        self.offset_mm = (self.offset_mm + self.mm_s * time_s).min(high).max(low.min(high));
+    }
+
+    /// Z is to go to where a reading says, which was taken while it was carried by a distance, mm: `error` is the
+    /// reading less the one that is wanted.
+    pub fn aim(&mut self, law: &HeightLaw, offset_mm: f64, error: f64) {
+        if let Gauge::Proportional { gain_mm, .. } = law.gauge {
+            self.target_mm = offset_mm - error * gain_mm;
+        }
+    }
+
+    /// Z stays where it is, as soon as it can stand.
+    pub const fn stay(&mut self) {
+        self.target_mm = self.offset_mm;
+    }
+
+    /// It stands.
+    pub fn stands(&self) -> bool {
+        self.mm_s == 0.0
     }
 
     /// One tick in which a reading is missing, or not.
@@ -83,7 +132,7 @@ impl Follower {
 
     /// Takes the reading that is due.
     fn read(&mut self, t_s: f64, law: &HeightLaw, sensed: &Sensed) -> Option<Reading> {
-        let Gauge::Proportional { gain_mm, interval_s, .. } = law.gauge else {
+        let Gauge::Proportional { interval_s, .. } = law.gauge else {
             return None;
         };
         self.listen(sensed.silent && sensed.active);
@@ -95,17 +144,16 @@ impl Follower {
         let reading = law.reading(gap_mm).round().clamp(0.0, 255.0);
         let set_point = law.set_point(sensed.way[0], sensed.way[1]);
         let error = if sensed.active { reading - set_point } else { 0.0 };
-        self.target_mm = self.offset_mm - error * gain_mm;
+        self.aim(law, self.offset_mm, error);
         let error_mm = gap_mm - law.gap_mm(set_point);
         Some(Reading { value: reading as u8, error_mm })
     }
 
-    /// The speed that comes to rest at the target.
-    fn towards(&self, law: &HeightLaw) -> f64 {
+    /// The speed that comes to rest at the target, and no further than that in a time, mm/s.
+    pub fn towards(&self, law: &HeightLaw, time_s: f64) -> f64 {
         let way_mm = self.target_mm - self.offset_mm;
         let stopping = (2.0 * law.accel_mm_s2 * way_mm.abs()).sqrt();
-        // No further than the target in one tick.
-        way_mm.signum() * stopping.min(law.speed_mm_s).min(way_mm.abs() / TICK_S)
+        way_mm.signum() * stopping.min(law.speed_mm_s).min(way_mm.abs() / time_s)
     }
 }
 
