@@ -121,7 +121,7 @@ pub(crate) const fn actuator(what: &What) -> Option<Actuator> {
     Some(match *what {
         What::Output { number, on, why } => Actuator::Output { number, on, why },
         What::Spindle { rpm, .. } => Actuator::Spindle { rpm },
-        What::Pwm { percent, .. } => Actuator::Pwm { percent },
+        What::Pwm { channel, percent, .. } => Actuator::Pwm { channel, percent },
         What::Intensity { value, burn } => {
             Actuator::Intensity { byte: intensity_byte(value, burn) }
         }

@@ -55,7 +55,7 @@ fn hand_over<I: Interpreter>(stops: &mut Stops<'_, I>, from: Axes) -> Result<Bre
     tell_taken_up(stops);
     let at = kerf_program::Halted { motion, began, stands: from };
     let outputs = stops.station.interpreter.comes_on(&at);
-    whether_ready(stops, &WasOn { outputs, pwm_percent: 0.0 }).0?;
+    whether_ready(stops, &WasOn { outputs, pwm: Vec::new() }).0?;
     let stands = stops.station.world.model.position();
     stops.station.world.tell(&Event::Resume { t: stops.station.world.now() });
     let at = kerf_program::Halted { stands, ..at };
@@ -133,8 +133,8 @@ fn switch_on<I: Interpreter>(stops: &mut Stops<'_, I>, was_on: &WasOn) {
     for number in &was_on.outputs {
         stops.station.world.model.output(*number, true, OutputReason::Program);
     }
-    if was_on.pwm_percent > 0.0 {
-        stops.station.world.model.pwm(1, was_on.pwm_percent);
+    for (channel, percent) in &was_on.pwm {
+        stops.station.world.model.pwm(*channel, *percent);
     }
     stops.station.world.tell_log();
     if was_on.turns() {

@@ -25,6 +25,7 @@ mod queued_guards;
 mod queued_height;
 mod queued_homing;
 mod queued_laser;
+mod queued_outputs;
 mod queued_stops;
 mod queued_watched;
 mod references;

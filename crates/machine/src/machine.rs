@@ -107,6 +107,8 @@ pub enum Actuator {
     },
     /// The share of a PWM channel, percent.
     Pwm {
+        /// Its number, from 1.
+        channel: u8,
         /// Percent.
         percent: f64,
     },

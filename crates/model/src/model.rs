@@ -22,6 +22,7 @@ use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::Mode;
 use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, OutputReason, Settings};
 use shine::Shine;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use torch::{TORCH_INPUT, Torch, in_xy};
 
@@ -51,7 +52,7 @@ pub struct Model {
     bounds: [Option<(f64, f64)>; AXES],
     /// Factors of coarser steps.
     coarse: [u8; AXES],
-    pwm_percent: f64,
+    pwm: BTreeMap<u8, f64>,
     shine: Shine,
     light: bool,
     /// Outputs of mode 2 that a stop switched off: they come back when motion goes on.
@@ -91,7 +92,7 @@ impl Model {
             carried_mm: 0.0,
             bounds: [None; AXES],
             coarse: [1; AXES],
-            pwm_percent: 0.0,
+            pwm: BTreeMap::new(),
             shine: Shine::default(),
             light: false,
             come_back: Vec::new(),

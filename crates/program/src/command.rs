@@ -344,8 +344,9 @@ impl Command {
             | Self::PathControl(_)
             | Self::Chorded(_)
             | Self::Overrides { .. }
-            // S in the lines of a laser raster.
-            | Self::Spindle { .. } => false,
+            // S in the lines of a laser raster, M67.
+            | Self::Spindle { .. }
+            | Self::Pwm { .. } => false,
             _ => true,
         }
     }

@@ -117,6 +117,11 @@ pub(super) fn no_output(facts: &Facts, number: u8) -> String {
     format!("has no output {number}, but {}", listed(facts.outputs))
 }
 
+/// Tells in words that a controller lacks a PWM channel, and which ones it has.
+pub(super) fn no_channel(facts: &Facts, channel: u8) -> String {
+    format!("has no PWM channel {channel}, but {}", shown(lines(facts.pwm).map(|n| n.to_string())))
+}
+
 /// Names of the outputs that have a line of their own in every controller.
 const NAMED: [(u8, &str); 3] = [(1, "spindle"), (2, "flood"), (3, "mist")];
 
@@ -137,11 +142,14 @@ pub fn lines(bits: u32) -> impl Iterator<Item = u8> {
 
 /// Outputs by number, with the names that they have.
 pub(super) fn listed(outputs: u32) -> String {
-    let shown = |line| match output_name(line) {
+    shown(lines(outputs).map(|line| match output_name(line) {
         Some(name) => format!("{line} ({name})"),
         None => line.to_string(),
-    };
-    lines(outputs).map(shown).collect::<Vec<_>>().join(", ")
+    }))
+}
+
+fn shown(names: impl Iterator<Item = String>) -> String {
+    names.collect::<Vec<_>>().join(", ")
 }
 
 /// The controller's line for an output of the machine: that of its own number, where it has one. The router of a job is its
@@ -186,6 +194,11 @@ impl Sink for Lacks {
             Event::Independent { speed, frequency, .. } if *speed != 0.0 || *frequency != 0.0 => {
                 self.tell(Severity::Error, "has no axis that moves by itself");
             }
+            Event::Pwm { channel, percent, .. } if *percent > 0.0 && self.facts.pwm != 0 => {
+                if !lines(self.facts.pwm).any(|own| own == *channel) {
+                    self.tell(Severity::Error, &no_channel(&self.facts, *channel));
+                }
+            }
             Event::Height { .. } if !self.facts.follows_sheet => {
                 self.tell(Severity::Error, "has no height control");
             }
@@ -215,7 +228,7 @@ impl Sink for Lacks {
 fn set_by(event: &Event) -> Option<Actuator> {
     Some(match *event {
         Event::Output { n: number, on, why, .. } => Actuator::Output { number, on, why },
-        Event::Pwm { percent, .. } => Actuator::Pwm { percent },
+        Event::Pwm { channel, percent, .. } => Actuator::Pwm { channel, percent },
         Event::Intensity { byte, .. } => Actuator::Intensity { byte },
         Event::Turn { turn, .. } => Actuator::Turn(turn),
         _ => return None,
@@ -228,7 +241,7 @@ pub(super) fn lacked(actuator: &Actuator) -> Option<&'static str> {
         Actuator::Output { on: true, why: OutputReason::Trigger, .. } => {
             Some("output that switches within a move (VC)")
         }
-        Actuator::Pwm { percent } if percent > 0.0 => Some("PWM output"),
+        Actuator::Pwm { percent, .. } if percent > 0.0 => Some("PWM output"),
         Actuator::Intensity { byte } if byte > 0 => Some("intensity output"),
         Actuator::Turn(SpindleTurn::Counterclockwise) => Some("spindle that turns the other way"),
         Actuator::Turn(SpindleTurn::Dynamic) => Some("laser whose power follows the speed"),

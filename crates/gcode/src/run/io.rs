@@ -12,16 +12,20 @@ use kerf_program::{Command, QuestionKind};
 /// M62 … M68.
 pub(super) fn inputs_and_outputs(c: &mut Context<'_>, g: &Gathered) -> Result<(), Stop> {
     match g.m[IO] {
-        // M62 and M63 change with the next motion, M64 and M65 at once; a machine here changes
-        // outputs between moves either way.
+        // M62 and M63 change with the next motion, M64 and M65 at once; what goes on does so between moves
+        // either way, and what goes off where the machine stands.
         Some(code @ 62..=65) => {
             let number = switch(g.or_zero(b'P'))?;
             c.emit(Command::Output { number, on: code % 2 == 0 });
             Ok(())
         }
         Some(66) => wait_for_input(c, g),
-        Some(67 | 68) => {
+        // M67 changes with the next motion, which goes on through it; M68 at once, where the machine stands.
+        Some(code @ (67 | 68)) => {
             let channel = switch(g.or_zero(b'E'))?;
+            if code == 68 {
+                c.settle()?;
+            }
             let percent = g.or_zero(b'Q').clamp(0.0, 100.0);
             c.emit(Command::Pwm { channel, percent });
             Ok(())

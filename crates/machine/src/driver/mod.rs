@@ -232,6 +232,8 @@ pub struct Facts {
     pub arcs: bool,
     /// Outputs it has, a bit each, line 1 lowest.
     pub outputs: u32,
+    /// PWM channels it has, a bit each, channel 1 lowest.
+    pub pwm: u32,
     /// The reason for which it has no spindle, in words; empty where it has one, or tells none.
     pub no_spindle: &'static str,
     /// Inputs of which it tells, a bit each, input 1 lowest.

@@ -25,14 +25,14 @@ const SPINDLES: [u8; 2] = [1, 2];
 pub struct WasOn {
     /// Outputs, by number.
     pub outputs: Vec<u8>,
-    /// The PWM channel.
-    pub pwm_percent: f64,
+    /// PWM channels, each with its percent.
+    pub pwm: Vec<(u8, f64)>,
 }
 
 impl WasOn {
     /// Tells whether a spindle is among them: outputs 1 and 2, or the speed that a PWM channel sets.
     pub fn turns(&self) -> bool {
-        self.outputs.iter().any(|n| SPINDLES.contains(n)) || self.pwm_percent > 0.0
+        self.outputs.iter().any(|n| SPINDLES.contains(n)) || !self.pwm.is_empty()
     }
 }
 
@@ -123,7 +123,8 @@ impl Model {
     pub fn outputs_off(&mut self) {
         self.set_light(false);
         self.all_off(OutputReason::Stop);
-        self.pwm(HEATER_CHANNEL, 0.0);
+        let channels: Vec<u8> = self.pwm.keys().copied().collect();
+        channels.into_iter().for_each(|channel| self.pwm(channel, 0.0));
     }
 
     fn outputs_of_mode_2(&self) -> Vec<u8> {
@@ -149,7 +150,8 @@ impl Model {
         self.position = position;
         self.motors.say(self.true_position());
         self.light = false;
-        let pwm_percent = std::mem::take(&mut self.pwm_percent);
+        let pwm = std::mem::take(&mut self.pwm).into_iter();
+        let pwm = pwm.filter(|(_, percent)| *percent > 0.0).collect();
         self.shine = Shine::default();
         self.carried_mm = 0.0;
         let outputs = std::mem::take(&mut self.outputs);
@@ -159,7 +161,7 @@ impl Model {
                 || trigger.active && n == trigger.output
         };
         let on = |n: &u8| outputs.is_on(*n) && !by_itself(*n);
-        WasOn { outputs: (1..=SWITCHES as u8).filter(on).collect(), pwm_percent }
+        WasOn { outputs: (1..=SWITCHES as u8).filter(on).collect(), pwm }
     }
 
     /// An output was left on, as far as anybody knows: whatever it is switched to is told.
@@ -172,7 +174,7 @@ impl Model {
         self.output_at(self.clock_s, number, on, why);
     }
 
-    /// Sets the PWM channel.
+    /// Sets a PWM channel.
     pub fn pwm(&mut self, channel: u8, percent: f64) {
         self.pwm_at(self.clock_s, channel, percent);
     }
@@ -224,8 +226,9 @@ impl Model {
     }
 
     pub(super) fn pwm_at(&mut self, t_s: f64, channel: u8, percent: f64) {
-        if !self.draws() && (self.pwm_percent - percent).abs() > 1e-9 {
-            self.pwm_percent = percent;
+        let before = self.pwm.get(&channel).copied().unwrap_or_default();
+        if !self.draws() && (before - percent).abs() > 1e-9 {
+            self.pwm.insert(channel, percent);
             let frequency_khz = self.settings.height.frequency_khz;
             self.log.add(t_s, What::Pwm { channel, percent, frequency_khz });
         }

@@ -89,6 +89,20 @@ fn inputs_change_while_the_clock_runs() {
 }
 
 #[test]
+fn each_pwm_channel_has_a_share_of_its_own_and_all_go_off() {
+    let mut m = machine(|_| (), &[]);
+    m.pwm(1, 50.0);
+    m.pwm(2, 50.0);
+    m.pwm(2, 50.0);
+    m.outputs_off();
+    let told = m.log().take().filter_map(|happening| match happening.what {
+        What::Pwm { channel, percent, .. } => Some((channel, percent)),
+        _ => None,
+    });
+    assert_eq!(told.collect::<Vec<_>>(), [(1, 50.0), (2, 50.0), (1, 0.0), (2, 0.0)]);
+}
+
+#[test]
 fn while_a_preview_is_drawn_nothing_has_an_effect() {
     let mut m = machine(|_| (), &[Change { input: 4, at_s: 0.1, on: false }]);
     let draw = |m: &Model, mode| Arc::new(Settings { mode, ..(**m.settings()).clone() });

@@ -601,11 +601,13 @@ const TELLS_S: f64 = Lead::MOST_S * (0.5 + SPARE) + HANDING_S + SAFETY * LONGEST
 
 fn facts(version: &str, wiring: &Wiring) -> Facts {
     let bit = |number: u8| 1_u32.checked_shl(u32::from(number).wrapping_sub(1)).unwrap_or(0);
-    let outputs = wiring.outputs.iter().fold(0, |bits, (number, _)| bits | bit(*number));
+    let bits = |all: &[(u8, usize)]| all.iter().fold(0, |bits, (number, _)| bits | bit(*number));
+    let outputs = bits(&wiring.outputs);
     Facts {
         name: version.to_owned(),
         axes: wiring.motors.iter().map(|motor| motor.axis.index() + 1).max().unwrap_or(0),
         outputs: outputs | wiring.spindle.map_or(0, |_| 1),
+        pwm: bits(&wiring.pwm),
         inputs: wiring.inputs.iter().fold(0, |bits, looked| bits | bit(looked.number)),
         homes: !wiring.homes.is_empty(),
         spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),

@@ -2,7 +2,7 @@
 
 use super::beam::{Follow, Law, level};
 use super::wiring::Wiring;
-use crate::controller::lacks::{lacked, no_output, wired};
+use crate::controller::lacks::{lacked, no_channel, no_output, wired};
 use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
 use kerf_program::{Beam, OutputReason, SpindleTurn};
@@ -61,6 +61,14 @@ impl Outputs {
                 self.is_dynamic = turn == SpindleTurn::Dynamic;
                 Ok(self.spins(wiring).into_iter().collect())
             }
+            Actuator::Pwm { channel, percent } if !wiring.pwm.is_empty() => {
+                let found = wiring.pwm.iter().find(|(own, _)| *own == channel);
+                match found {
+                    Some((_, place)) => Ok(vec![(*place, 0.01 * percent)]),
+                    None if percent > 0.0 => Err(no_channel(facts, channel)),
+                    None => Ok(Vec::new()),
+                }
+            }
             // The beam itself is told.
             Actuator::Intensity { .. } if wiring.spindle.is_some() => Ok(Vec::new()),
             other => match lacked(&other) {
@@ -73,7 +81,7 @@ impl Outputs {
     /// All outputs that go off at a stop.
     pub fn off(&mut self, wiring: &Wiring) -> Vec<(usize, f64)> {
         (self.turns, self.beam) = (false, Beam::Off);
-        let switched = wiring.outputs.iter().map(|(_, place)| (*place, 0.0));
+        let switched = wiring.outputs.iter().chain(&wiring.pwm).map(|(_, place)| (*place, 0.0));
         switched.chain(wiring.spindle.map(|(place, _)| (place, 0.0))).collect()
     }
 

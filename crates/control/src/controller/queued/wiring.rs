@@ -37,6 +37,8 @@ pub struct Wiring {
     pub enables: Vec<usize>,
     /// Output of the spindle's speed, and revolutions a minute at a share of all the time.
     pub spindle: Option<(usize, f64)>,
+    /// PWM channels: number of part files, place among the outputs.
+    pub pwm: Vec<(u8, usize)>,
     /// The pin that measures the height of a torch, among the voltages.
     pub height: Option<usize>,
     /// Inputs that are looked at all the time, in the order of the setup.
@@ -197,6 +199,10 @@ impl Wiring {
             self.spindle = Some((self.setup.outputs.len(), board.spindle_rpm));
             let pin = self.pins.pin("board.spindle", board.spindle.trim())?;
             self.setup.pulsed.push(Pulsed { pin, cycle_s: 1.0 / board.spindle_hz, watch_s });
+        }
+        for (channel, pin) in self.pins.numbered("board.pwm", &board.pwm)? {
+            self.pwm.push((channel, self.setup.outputs.len() + self.setup.pulsed.len()));
+            self.setup.pulsed.push(Pulsed { pin, cycle_s: 1.0 / board.pwm_hz, watch_s });
         }
         if !board.height.trim().is_empty() {
             self.height = Some(self.setup.voltages.len());
