@@ -1,6 +1,6 @@
 //! A board with step queues as a machine, in time that is none: the list that every machine has to hold.
 
-use kerf_control::controller::queued::{Berth, ERROR_S, Queued, Wiring};
+use kerf_control::controller::queued::{Berth, Queued, Wiring};
 use kerf_control::{Requests, RunContext, Session};
 use kerf_driver_klipper::board::{News, Options};
 use kerf_driver_klipper::crew::Crew;
@@ -9,6 +9,7 @@ use kerf_driver_klipper::fake::{Board as Fake, Faults, Wired};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::conformance::{Bench, CASES, Case, Outcome, Seen};
+use kerf_machine::settings::board::Board;
 use kerf_machine::{Configuration, Driven, Machine};
 use kerf_program::{Axes, Axis};
 use kerf_trace::{Sink, Summary};
@@ -68,8 +69,9 @@ impl DerefMut for World {
 }
 
 impl World {
-    pub fn new(seed: u64, faults: Faults, wiring: &Wiring, deadline_s: f64) -> Self {
-        let options = Options { linger_s: 1.0, error_s: ERROR_S, deadline_s, ..Options::default() };
+    pub fn new(seed: u64, faults: Faults, wiring: &Wiring, board: &Board) -> Self {
+        let (deadline_s, error_s) = (board.deadline_s, 1e-6 * board.error_us);
+        let options = Options { linger_s: 1.0, error_s, deadline_s, ..Options::default() };
         let names = &wiring.pins.boards;
         let crew = Crew::new(&wiring.setup, names, options, 0.0).expect("a setup");
         let wired = (seed..).take(names.len()).map(|seed| Wired::new(seed, faults)).collect();
@@ -161,7 +163,7 @@ impl Shop {
         prepares: impl Fn(&mut Fake),
     ) -> Self {
         let wiring = Wiring::of(machine).unwrap();
-        let mut world = World::new(seed, Faults::default(), &wiring, machine.board.deadline_s);
+        let mut world = World::new(seed, Faults::default(), &wiring, &machine.board);
         world.wired.iter_mut().for_each(|wired| prepares(&mut wired.fake));
         let (version, counts) = world.ready();
         world.wired.iter_mut().for_each(|wired| wired.spoil(faults));

@@ -174,7 +174,7 @@ fn a_command_that_is_urgent_goes_first() {
     let mut link = Link::new(0);
     assert!(link.send(vec![1], None) && link.send_urgent(vec![2], Some(9)));
     let bytes = link.transmit(0.0).bytes;
-    assert_eq!((bytes[2], bytes[8]), (2, 1));
+    assert_eq!(bytes[2..4], [2, 1], "in one frame");
     assert!(!link.send(vec![0; 60], None) && !link.send(vec![], None));
 }
 
@@ -201,4 +201,28 @@ fn a_frame_without_an_answer_goes_out_again_later_and_later() {
     let expected = [0, 25, 75, 175, 375, 775, 1575];
     let near = |(sent, expected): (&i32, &i32)| (sent - expected).abs() <= 2;
     assert!(sent.len() == 7 && sent.iter().zip(&expected).all(near), "{sent:?}");
+}
+
+#[test]
+fn motion_waits_a_moment_for_its_frame_to_be_filled() {
+    let mut link = Link::new(0);
+    let put = |link: &mut Link| assert!(link.send_motion(vec![7; 6]));
+    put(&mut link);
+    assert!(link.transmit(0.0).bytes.is_empty());
+    let due_s = link.due_s();
+    assert!((0.02..0.03).contains(&due_s), "{due_s}");
+    put(&mut link);
+    assert!(link.transmit(0.5 * due_s).bytes.is_empty());
+    // Both in one frame, once the first has waited.
+    assert_eq!(link.transmit(due_s).bytes.len(), 5 + 12);
+    // A frame that is full goes at once, and what is left waits.
+    (0..10).for_each(|_| put(&mut link));
+    assert_eq!(link.transmit(due_s).bytes.len(), 5 + 54);
+    assert!(link.due_s() > due_s);
+    // So does what is in a hurry, and what goes before it.
+    link.hurry();
+    assert_eq!(link.transmit(due_s).bytes.len(), 5 + 6);
+    put(&mut link);
+    assert!(link.send_urgent(vec![9], None));
+    assert_eq!(link.transmit(due_s).bytes.len(), 5 + 7);
 }

@@ -449,6 +449,10 @@ const board: Readonly<Record<string, SettingText>> = {
     "Drehzahl, wenn der Anschluss immer an ist, Umdrehungen je Minute.",
   ),
   "board.spindle_hz": said("Takt der Spindel", "Takt des Anschlusses der Spindel."),
+  "board.error_us": said(
+    "Abweichung der Schritte",
+    "Wie weit ein Schritt höchstens von seinem geplanten Zeitpunkt liegt; ist es mehr, gehen weniger Bytes über die Leitung.",
+  ),
   "board.pwm": said(
     "PWM-Kanäle",
     "PWM-Kanäle mit ihren Anschlüssen, jeder einen Teil der Zeit an: „1 gpio5, 2 gpio6“; 1 ist E0 von M67 und M68.",

@@ -4,11 +4,14 @@ use super::channel::{Channel, Told};
 use super::latch::{Holds, Latches, Watched};
 use super::news::{Ended, Fault, News, Start};
 use super::questions::About;
+use crate::link::FILLS_S;
 use crate::orders::{Order, OrderError};
 use crate::queue::{Change, Lead, Queue, Release};
 use crate::setup::Object;
 use std::collections::VecDeque;
 
+/// Times that a frame may take to be filled, before the first step in it is due.
+const SOON: f64 = 2.0;
 /// Time between two looks at the queue, seconds.
 const LOOK_S: f64 = 0.005;
 /// Time behind the last step after which it has surely been made, seconds.
@@ -88,11 +91,18 @@ impl Motion {
     pub fn move_on(&mut self, channel: &mut Channel, now_s: f64) -> Told {
         let Some((now, off)) = channel.now(now_s) else { return Ok(()) };
         self.lead.looked(now_s);
+        let moves = self.state != State::Arming;
+        let released = self.queue.release(now, off, &self.lead, moves);
         if self.state == State::Moving {
             self.latches.push_along(channel, now, now_s)?;
         }
-        let moves = self.state != State::Arming;
-        match self.queue.release(now, off, &self.lead, moves) {
+        // What is due soon does not wait for its frame to be filled.
+        let soon = now + off + channel.ticks(SOON * FILLS_S);
+        let mut clocks = released.iter().flatten().filter_map(Release::clock);
+        if self.queue.is_stopping() || clocks.any(|clock| clock < soon) {
+            channel.link.hurry();
+        }
+        match released {
             Ok(releases) => releases.into_iter().try_for_each(|it| release(channel, it))?,
             Err(_) => self.stop(channel, Ended::Late)?,
         }

@@ -23,6 +23,9 @@ use flight::Flight;
 use round_trip::RoundTrip;
 use std::collections::VecDeque;
 
+/// Time for which commands of motion wait for others to fill their frame, seconds: longer than from one piece of motion to
+/// the next.
+pub const FILLS_S: f64 = 0.025;
 /// Bits of a byte on a serial line: start, eight, stop.
 const BITS: f64 = 10.0;
 
@@ -70,6 +73,10 @@ pub struct Link {
     round_trip: RoundTrip,
     urgent: VecDeque<Command>,
     waiting: VecDeque<Command>,
+    /// Moment from which commands of motion wait for others to fill their frame.
+    fills_s: Option<f64>,
+    /// They do not wait.
+    hurries: bool,
     /// Seconds a byte takes on the line.
     byte_s: f64,
     /// Moment from which the line is free.
@@ -91,6 +98,8 @@ impl Link {
             round_trip: RoundTrip::default(),
             urgent: VecDeque::new(),
             waiting: VecDeque::new(),
+            fills_s: None,
+            hurries: false,
             byte_s: 0.0,
             free_s: f64::NEG_INFINITY,
             again: false,
@@ -115,7 +124,8 @@ impl Link {
         Self::queue(&mut self.waiting, Command { bytes, mark, motion: false })
     }
 
-    /// Sends a command behind all others that is of no use once motion is dropped. One that is too long is refused.
+    /// Sends a command behind all others that is of no use once motion is dropped. It may wait for [`FILLS_S`] for others to
+    /// fill its frame. One that is too long is refused.
     #[must_use = "a command that is too long is not sent"]
     pub fn send_motion(&mut self, bytes: Vec<u8>) -> bool {
         Self::queue(&mut self.waiting, Command { bytes, mark: None, motion: true })
@@ -133,6 +143,11 @@ impl Link {
             queue.push_back(command);
         }
         fits
+    }
+
+    /// What waits for its frame to be filled goes out now.
+    pub const fn hurry(&mut self) {
+        self.hurries = true;
     }
 
     /// Drops the commands of motion that are in no frame yet.
@@ -196,8 +211,11 @@ impl Link {
     pub fn due_s(&self) -> f64 {
         let first = self.urgent.front().or(self.waiting.front());
         let fits = |command: &Command| self.flight.room().is_some_and(|n| n >= command.bytes.len());
-        if self.again || first.is_some_and(fits) {
+        if self.again || first.is_some_and(fits) && !self.may_fill() {
             return f64::NEG_INFINITY;
+        }
+        if self.may_fill() {
+            return self.fills_s.map_or(f64::NEG_INFINITY, |since_s| since_s + FILLS_S);
         }
         if self.flight.is_idle() { f64::INFINITY } else { self.round_trip.due_s() }
     }
@@ -242,18 +260,36 @@ impl Link {
         self.again = true;
     }
 
+    /// All that waits is motion that does not fill a frame.
+    fn may_fill(&self) -> bool {
+        let waits = self.urgent.is_empty() && !self.waiting.is_empty() && !self.hurries;
+        waits && self.waiting.iter().all(|command| command.motion) && self.waiting() < CONTENT
+    }
+
     /// Fills the next frame with whole commands, as far as the board has room.
     fn next_frame(&mut self, now_s: f64) -> Option<Vec<u8>> {
+        if self.may_fill() && now_s < *self.fills_s.get_or_insert(now_s) + FILLS_S {
+            return None;
+        }
+        let frame = self.fill(now_s);
+        self.fills_s = None;
+        self.hurries &= !self.waiting.is_empty();
+        frame
+    }
+
+    fn fill(&mut self, now_s: f64) -> Option<Vec<u8>> {
         let room = self.flight.room()?;
-        let queue = if self.urgent.is_empty() { &mut self.waiting } else { &mut self.urgent };
         let (mut content, mut marks) = (Vec::new(), Vec::new());
-        while let Some(command) = queue.front() {
-            if content.len() + command.bytes.len() > room {
-                break;
+        for queue in [&mut self.urgent, &mut self.waiting] {
+            while let Some(command) = queue.front() {
+                if content.len() + command.bytes.len() > room {
+                    // Whatever is behind it waits for the next frame.
+                    return (!content.is_empty()).then(|| self.flight.push(&content, marks, now_s));
+                }
+                content.extend_from_slice(&command.bytes);
+                marks.extend(command.mark);
+                queue.pop_front();
             }
-            content.extend_from_slice(&command.bytes);
-            marks.extend(command.mark);
-            queue.pop_front();
         }
         (!content.is_empty()).then(|| self.flight.push(&content, marks, now_s))
     }

@@ -77,6 +77,16 @@ pub enum Release {
     Output(Change),
 }
 
+impl Release {
+    /// Clock of the first thing that it does; none for a direction, which goes with the steps behind it.
+    pub fn clock(&self) -> Option<u64> {
+        match self {
+            Self::Turn { .. } => None,
+            release => Some(due(release)),
+        }
+    }
+}
+
 /// The host was late: steps that should have gone out are due already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Late;

@@ -41,6 +41,8 @@ pub struct Board {
     pub turn_us: f64,
     /// Each edge is a step, where board and drivers can.
     pub both_edges: bool,
+    /// Farthest that a step is from its planned moment, microseconds: less asks more of the line.
+    pub error_us: f64,
     /// Steps a second that a motor makes at most.
     pub steps_s: f64,
     /// Time without word from its host after which the board stops all motors, seconds.
@@ -68,6 +70,7 @@ impl Default for Board {
             pulse_us: 2.0,
             turn_us: 20.0,
             both_edges: false,
+            error_us: 2.0,
             steps_s: 200_000.0,
             deadline_s: 0.1,
             watch_s: 0.5,

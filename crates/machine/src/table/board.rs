@@ -228,6 +228,14 @@ const BOARD: &[Setting] = &[
     ),
     row!(
         c,
+        "board.error_us",
+        c.board.error_us,
+        Us,
+        Range(0.5, 50.0),
+        "Farthest that a step is from its planned moment; where it is more, fewer bytes go over the line."
+    ),
+    row!(
+        c,
         "board.steps_s",
         c.board.steps_s,
         Hz,

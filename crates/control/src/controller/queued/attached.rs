@@ -55,8 +55,8 @@ impl Socket {
         let named = |why: String| format!("{}: {why}", self.name);
         let wiring = Wiring::of(machine).map_err(named)?;
         let boards = self.boards(machine).map_err(named)?;
-        let deadline_s = machine.board.deadline_s;
-        let options = Options { deadline_s, clears, ..Options::default() };
+        let (deadline_s, error_s) = (machine.board.deadline_s, 1e-6 * machine.board.error_us);
+        let options = Options { deadline_s, error_s, clears, ..Options::default() };
         let opened = Threaded::open(&wiring.setup, options, boards);
         let Greeted { berth, version, counts } = opened.map_err(named)?;
         let parts = (wiring, machine.program.resolution.steps_per_unit);

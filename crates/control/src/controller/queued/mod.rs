@@ -30,9 +30,6 @@ mod way;
 mod wiring;
 pub mod wizard;
 
-/// Farthest that a step is from its planned moment, seconds.
-pub const ERROR_S: f64 = 2e-6;
-
 pub use attached::{Attached, Socket};
 pub use berth::Berth;
 pub use introduced::introduced;

@@ -68,7 +68,7 @@ impl Threaded {
         let (told, answers) = channel();
         let progress = Arc::new(Mutex::new(Progress::default()));
         let since = Instant::now();
-        let options = Options { linger_s: LINGER_S, error_s: super::ERROR_S, ..options };
+        let options = Options { linger_s: LINGER_S, ..options };
         let (names, opens): (Vec<_>, Vec<_>) = boards.into_iter().unzip();
         let crew = Crew::new(setup, &names, options, 0.0).map_err(|why| why.to_string())?;
         let mut tender = Tender {
