@@ -3,6 +3,7 @@
 //! it, `--record` writes the figures into `docs/benchmarks.md`.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
+mod boards;
 mod child;
 mod figure;
 mod gcode;
@@ -63,6 +64,9 @@ fn main() -> Result<()> {
     if motion {
         section += &references::tables()?;
         section += &ruckig::table()?;
+    }
+    if "steps-3x300k".contains(word) {
+        section += &boards::table()?;
     }
     if "linuxcnc".contains(word) {
         section += &linuxcnc::table()?;

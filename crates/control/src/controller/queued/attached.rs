@@ -58,9 +58,11 @@ impl Socket {
         let (deadline_s, error_s) = (machine.board.deadline_s, 1e-6 * machine.board.error_us);
         let options = Options { deadline_s, error_s, clears, ..Options::default() };
         let opened = Threaded::open(&wiring.setup, options, boards);
-        let Greeted { berth, version, counts } = opened.map_err(named)?;
+        let Greeted { berth, version, counts, priority } = opened.map_err(named)?;
         let parts = (wiring, machine.program.resolution.steps_per_unit);
-        Ok(Queued::new(&self.name, &version, parts, counts, Box::new(berth)))
+        let mut queued = Queued::new(&self.name, &version, parts, counts, Box::new(berth));
+        queued.priority = priority;
+        Ok(queued)
     }
 
     /// All boards of a machine, this one first.
@@ -121,6 +123,7 @@ impl Attached {
         let mut told = AttachReport::default();
         let version = &queued.facts().name;
         told.notes.push(format!("{}: {version}, motors: {motors}", socket.name));
+        told.notes.extend(queued.priority.take().map(named));
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
         let counts = find_place(&socket, &mut queued, abandoned, (session, workspace), &mut told);
         // Outputs and switches of the simulated machine are none of this one's.

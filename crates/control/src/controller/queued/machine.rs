@@ -1,6 +1,7 @@
 //! A board with step queues as a machine that a run drives.
 
 use super::berth::Berth;
+use super::facts::{self, HANDING_S, LONGEST_S, SAFETY, SPARE};
 use super::feeder::{Feeder, Scale};
 use super::height::{EVERY_S, Height, Sensor, reads};
 use super::homing::{Came, Homing};
@@ -10,7 +11,6 @@ use super::wiring::Wiring;
 use crate::controller::connection::NAP;
 use kerf_driver_klipper::board::{Ended, Home, News as Told, Start};
 use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
-use kerf_driver_klipper::queue::Lead;
 use kerf_driver_klipper::tmc::Trouble;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Input;
@@ -19,16 +19,8 @@ use kerf_program::{At, Axes, Axis, AxisSet, HeightLaw};
 use std::collections::VecDeque;
 use std::time::Duration;
 
-/// Time that a piece needs from one thread to the other, seconds.
-const HANDING_S: f64 = 0.02;
-/// Share of the board's lead that the run may stall for, whatever was measured.
-const SPARE: f64 = 0.34;
 /// A lead that is so many times the one that was told, or that part of it, is told.
 const TOLD: f64 = 1.5;
-/// Times the longest one that is provided for.
-const SAFETY: f64 = 2.0;
-/// Longest one that is, seconds.
-const LONGEST_S: f64 = 0.4;
 /// Share of it that is forgotten in a second.
 const FORGOTTEN: f64 = 0.02;
 /// Time behind the last step after which it has surely been made, seconds.
@@ -102,6 +94,8 @@ pub struct Queued {
     pub(super) probe: Probe,
     /// The pin that measures the height of a torch.
     pub(super) sensor: Sensor,
+    /// A sentence where the thread of the link has no real-time priority.
+    pub(super) priority: Option<String>,
     /// Nothing more is done.
     pub(super) fault: Option<Fault>,
     /// It is told from this moment on, or once it is known where the machine stands.
@@ -121,7 +115,7 @@ impl Queued {
         let motors: Vec<Axis> = wiring.motors.iter().map(|motor| motor.axis).collect();
         let mut queued = Self {
             name: name.to_owned(),
-            facts: facts(version, &wiring),
+            facts: facts::of(version, &wiring),
             feeder: Feeder::new(motors, per_unit),
             wiring,
             per_unit,
@@ -149,6 +143,7 @@ impl Queued {
             told_s: f64::NEG_INFINITY,
             probe: Probe::default(),
             sensor: Sensor::default(),
+            priority: None,
             fault: None,
             tells_s: f64::INFINITY,
         };
@@ -593,28 +588,5 @@ impl Berth for Gone {
 
     fn look(&mut self, _: Duration) -> (Progress, Vec<Answer>) {
         (Progress::default(), Vec::new())
-    }
-}
-
-/// A run tells of moves so long before they are made at most, seconds: whatever the lead and the run's own stalls are.
-const TELLS_S: f64 = Lead::MOST_S * (0.5 + SPARE) + HANDING_S + SAFETY * LONGEST_S;
-
-fn facts(version: &str, wiring: &Wiring) -> Facts {
-    let bit = |number: u8| 1_u32.checked_shl(u32::from(number).wrapping_sub(1)).unwrap_or(0);
-    let bits = |all: &[(u8, usize)]| all.iter().fold(0, |bits, (number, _)| bits | bit(*number));
-    let outputs = bits(&wiring.outputs);
-    Facts {
-        name: version.to_owned(),
-        axes: wiring.motors.iter().map(|motor| motor.axis.index() + 1).max().unwrap_or(0),
-        outputs: outputs | wiring.spindle.map_or(0, |_| 1),
-        pwm: bits(&wiring.pwm),
-        inputs: wiring.inputs.iter().fold(0, |bits, looked| bits | bit(looked.number)),
-        homes: !wiring.homes.is_empty(),
-        spindle_rpm: wiring.spindle.map_or(0.0, |(_, most)| most),
-        follows_speed: wiring.spindle.is_some(),
-        follows_sheet: wiring.height.is_some(),
-        feed_waits: true,
-        leads_s: TELLS_S,
-        ..Facts::default()
     }
 }

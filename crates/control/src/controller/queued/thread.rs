@@ -8,13 +8,14 @@
 //! It ends with whoever has made it: motion is stopped first.
 
 use super::berth::Berth;
+use super::priority;
 use kerf_driver_klipper::board::{Fault, News, Options};
 use kerf_driver_klipper::crew::Crew;
 use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
 use kerf_driver_klipper::setup::Setup;
 use kerf_transport::Line;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -52,6 +53,8 @@ pub struct Greeted {
     pub version: String,
     /// Steps of its motors.
     pub counts: Vec<i64>,
+    /// A sentence where its thread has no real-time priority.
+    pub priority: Option<String>,
 }
 
 impl Threaded {
@@ -78,10 +81,18 @@ impl Threaded {
             progress: progress.clone(),
             since,
         };
-        let run = move || tender.run(&opens);
+        let priority = Arc::new(OnceLock::new());
+        let given = priority.clone();
+        let run = move || {
+            drop(given.set(priority::raise()));
+            tender.run(&opens);
+        };
         let thread = Builder::new().name("board".into()).spawn(run).map_err(|it| it.to_string())?;
         let (requests, thread) = (Some(requests), Some(thread));
-        Self { requests, answers, progress, since, thread }.greeted()
+        let mut greeted = Self { requests, answers, progress, since, thread }.greeted()?;
+        let refused = priority.get().and_then(|given| given.as_ref().err());
+        greeted.priority = refused.map(|why| priority::words(why));
+        Ok(greeted)
     }
 
     fn greeted(self) -> Result<Greeted, String> {
@@ -89,7 +100,7 @@ impl Threaded {
         loop {
             match self.answers.recv_timeout(until.saturating_duration_since(Instant::now())) {
                 Ok(Answer::News(News::Ready { version, counts })) => {
-                    return Ok(Greeted { berth: self, version, counts });
+                    return Ok(Greeted { berth: self, version, counts, priority: None });
                 }
                 Ok(Answer::News(News::Fault(fault))) => return Err(fault.to_string()),
                 Ok(Answer::Refused(why)) => return Err(why),
