@@ -4,8 +4,8 @@ use kerf_control::controller::queued::{Berth, Queued, Wiring};
 use kerf_control::{Requests, RunContext, Session};
 use kerf_driver_klipper::board::{News, Options};
 use kerf_driver_klipper::crew::Crew;
-use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
 use kerf_driver_klipper::fake::{Board as Fake, Faults, Wired};
+use kerf_driver_klipper::mailbox::{Answer, Mailbox, Progress, Request};
 use kerf_files::MemoryDisk;
 use kerf_journal::RunOptions;
 use kerf_machine::conformance::{Bench, CASES, Case, Outcome, Seen};
@@ -44,7 +44,7 @@ pub type Far = ((usize, u32), (usize, u8), i64);
 pub struct World {
     /// The boards, the first one first.
     pub wired: Vec<Wired>,
-    pub desk: Desk,
+    pub mailbox: Mailbox,
     pub now_s: f64,
     /// The host does nothing up to a moment.
     pub stalls_until_s: f64,
@@ -75,8 +75,8 @@ impl World {
         let names = &wiring.pins.boards;
         let crew = Crew::new(&wiring.setup, names, options, 0.0).expect("a setup");
         let wired = (seed..).take(names.len()).map(|seed| Wired::new(seed, faults)).collect();
-        let (desk, far, heard) = (Desk::new(crew), Vec::new(), Vec::new());
-        Self { wired, desk, now_s: 0.0, stalls_until_s: 0.0, far, voltage: None, heard }
+        let (mailbox, far, heard) = (Mailbox::new(crew), Vec::new(), Vec::new());
+        Self { wired, mailbox, now_s: 0.0, stalls_until_s: 0.0, far, voltage: None, heard }
     }
 
     /// Lets a grain of time go by.
@@ -84,7 +84,7 @@ impl World {
         self.now_s += GRAIN_S;
         let (now_s, sleeps) = (self.now_s, self.now_s < self.stalls_until_s);
         for (n, wired) in self.wired.iter_mut().enumerate() {
-            let crew = self.desk.crew();
+            let crew = self.mailbox.crew();
             wired.pass(now_s, sleeps, |heard| {
                 crew.receive(n, heard, now_s);
                 crew.transmit(n, now_s).bytes
@@ -102,7 +102,7 @@ impl World {
             fake.voltages.extend(pins.into_iter().map(|pin| (pin, reading)));
         }
         if !sleeps {
-            self.heard.extend(self.desk.answers());
+            self.heard.extend(self.mailbox.answers());
         }
     }
 
@@ -128,7 +128,7 @@ struct Virtual(Rc<RefCell<World>>);
 impl Berth for Virtual {
     fn request(&mut self, request: Request) {
         let world = &mut *self.0.borrow_mut();
-        world.desk.take(request, world.now_s);
+        world.mailbox.take(request, world.now_s);
     }
 
     fn look(&mut self, wait: Duration) -> (Progress, Vec<Answer>) {
@@ -137,8 +137,8 @@ impl Berth for Virtual {
         while world.now_s < until_s || world.now_s < world.stalls_until_s {
             world.pass();
         }
-        world.heard.extend(world.desk.answers());
-        (world.desk.progress(world.now_s), std::mem::take(&mut world.heard))
+        world.heard.extend(world.mailbox.answers());
+        (world.mailbox.progress(world.now_s), std::mem::take(&mut world.heard))
     }
 }
 

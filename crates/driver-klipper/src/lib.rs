@@ -19,7 +19,7 @@
 //! - [`setup`]: what hangs on a board, as its configuration. [`clock`]: the time in the board.
 //! - [`compress`]: steps as few commands. [`queue`]: motion that ends at rest whatever happens to its planner.
 //! - [`board`]: all of that for one board: found, configured, moved, stopped, counted.
-//! - [`desk`]: boards as the owner of a plan deals with them, from another thread.
+//! - [`mailbox`]: boards as the owner of a plan deals with them, from another thread.
 //! - [`crew`]: one board or several as one machine, each on its [`timeline`].
 //! - [`fake`]: a board that is none.
 //! - [`tmc`]: registers of motor drivers on a single wire.
@@ -33,11 +33,11 @@ pub mod board;
 pub mod clock;
 pub mod compress;
 pub mod crew;
-pub mod desk;
 pub mod dictionary;
 pub mod fake;
 pub mod identify;
 pub mod link;
+pub mod mailbox;
 pub mod orders;
 pub mod queue;
 pub mod setup;

@@ -20,32 +20,32 @@ const UNROUND_MM: f64 = 0.002;
 
 /// Orders that came, and replies that are due.
 #[derive(Default)]
-struct Desk {
+struct Record {
     orders: Vec<Order>,
     due: Vec<Reply>,
     /// Each order is done as soon as it comes.
     makes: bool,
 }
 
-/// A controller at a desk.
+/// A controller that records its orders.
 struct Fake {
-    desk: Rc<RefCell<Desk>>,
+    record: Rc<RefCell<Record>>,
     facts: Facts,
 }
 
 impl Driver for Fake {
     fn send(&mut self, sent: &Sent, _: f64) {
-        let mut desk = self.desk.borrow_mut();
-        desk.orders.push(sent.order);
-        if desk.makes {
-            desk.due.push(Reply::Done(sent.ticket));
+        let mut record = self.record.borrow_mut();
+        record.orders.push(sent.order);
+        if record.makes {
+            record.due.push(Reply::Done(sent.ticket));
         }
     }
 
     fn signal(&mut self, _: Signal, _: f64) {}
 
     fn replies(&mut self, _: f64) -> Vec<Result<Reply, Garbled>> {
-        self.desk.borrow_mut().due.drain(..).map(Ok).collect()
+        self.record.borrow_mut().due.drain(..).map(Ok).collect()
     }
 }
 
@@ -86,14 +86,14 @@ impl kerf_transport::Line for Silent {
     }
 }
 
-fn connected(facts: Facts) -> (Connection, Rc<RefCell<Desk>>) {
-    let desk = Rc::<RefCell<Desk>>::default();
-    let fake = Fake { desk: desk.clone(), facts };
+fn connected(facts: Facts) -> (Connection, Rc<RefCell<Record>>) {
+    let record = Rc::<RefCell<Record>>::default();
+    let fake = Fake { record: record.clone(), facts };
     let mut connection =
         Connection::open("fake", Box::new(fake), Box::new(Silent)).expect("it answers");
     connection.begin();
     connection.begin_plan();
-    (connection, desk)
+    (connection, record)
 }
 
 fn planned(moves: Vec<Move>) -> Plan {
@@ -108,7 +108,7 @@ const fn going(plan: &Plan, index: usize, until: usize) -> Going<'_> {
 
 #[test]
 fn an_input_that_changed_on_the_way_of_a_move_is_told_before_its_end() {
-    let (mut connection, desk) = connected(Facts::default());
+    let (mut connection, record) = connected(Facts::default());
     let to = Line { kind: MoveKind::Cut, to: Axes::xyz(10.0, 0.0, 0.0), feed: Feed::Path(10.0) };
     let mut mover = Mover::new(Axes::default(), &Settings::default());
     let plan = planned(mover.line(At::default(), &to).into_iter().collect());
@@ -116,7 +116,7 @@ fn an_input_that_changed_on_the_way_of_a_move_is_told_before_its_end() {
     let first = connection.advance(&going, 0.0, end_s);
     assert!(first.reached_s < end_s && first.input.is_none());
     // Both are heard in one look: the end of the move is known when it is asked for next.
-    desk.borrow_mut().due.extend([Reply::Input { line: 1, on: true }, Reply::Done(1)]);
+    record.borrow_mut().due.extend([Reply::Input { line: 1, on: true }, Reply::Done(1)]);
     connection.look();
     let news = connection.advance(&going, 0.0, end_s);
     assert_eq!((news.reached_s >= end_s, news.input), (true, Some((1, true))));
@@ -243,15 +243,15 @@ fn moves(numbers: &mut Numbers, count: usize) -> Vec<Move> {
 fn what_is_sent_stays_within_the_tolerance_of_the_path() {
     for (seed, arcs) in [(1, true), (2, false), (3, true)] {
         let facts = Facts { arcs, arc_tolerance_mm: TOLERANCE_MM, ..Facts::default() };
-        let (mut connection, desk) = connected(facts);
-        desk.borrow_mut().makes = true;
+        let (mut connection, record) = connected(facts);
+        record.borrow_mut().makes = true;
         let plan = planned(moves(&mut Numbers(seed), 150));
         let count = plan.moves().len();
         for index in 0..count {
             let end_s = plan.span_s(index).1;
             while connection.advance(&going(&plan, index, count), 0.0, end_s).reached_s < end_s {}
         }
-        let sent = ordered(&desk.borrow().orders, plan.moves()[0].from);
+        let sent = ordered(&record.borrow().orders, plan.moves()[0].from);
         let path: Vec<Way> = plan.moves().iter().map(Way::of).collect();
         assert!(!arcs || sent.iter().any(|way| way.arc.is_some()), "arcs are sent as such");
         within(&sent, &path, "what is sent from the path");

@@ -11,8 +11,8 @@
 //! on all. A machine with one board is a crew of one.
 
 mod member;
+mod news;
 mod relay;
-mod told;
 
 use crate::board::{Board, FIRST_S, Holds, Home, News, NotNow, Options, Start, Watched};
 use crate::link::Outgoing;

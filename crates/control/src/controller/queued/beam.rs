@@ -6,7 +6,7 @@
 //!        └─╱────────────╲──►           └──┘            └──►
 //! ```
 
-use kerf_driver_klipper::desk::Set;
+use kerf_driver_klipper::mailbox::Set;
 use kerf_program::IntensityLaw;
 use std::sync::Arc;
 

@@ -1,6 +1,6 @@
 //! The place where a board lies: requests go there, answers and time come from there.
 
-use kerf_driver_klipper::desk::{Answer, Progress, Request};
+use kerf_driver_klipper::mailbox::{Answer, Progress, Request};
 use std::time::Duration;
 
 /// A board that something else feeds with bytes.

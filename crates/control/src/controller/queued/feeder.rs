@@ -4,7 +4,7 @@
 
 use super::beam::Follow;
 use super::height::Height;
-use kerf_driver_klipper::desk::Set;
+use kerf_driver_klipper::mailbox::Set;
 use kerf_driver_klipper::queue::{Piece, Step};
 use kerf_machine::{Going, Lift};
 use kerf_motion::{Leg, Rest, Stepper};

@@ -4,7 +4,7 @@
 use super::machine::{Queued, State};
 use super::wiring::{Looked, Wiring};
 use kerf_driver_klipper::board::Watched;
-use kerf_driver_klipper::desk::Request;
+use kerf_driver_klipper::mailbox::Request;
 
 /// Time between two looks of the board at an input that is watched, seconds.
 pub const LOOK_S: f64 = 1e-4;

@@ -10,7 +10,7 @@ use super::touch::Probe;
 use super::wiring::Wiring;
 use crate::controller::connection::NAP;
 use kerf_driver_klipper::board::{Ended, Home, News as Told, Start};
-use kerf_driver_klipper::desk::{Answer, Progress, Request, Set};
+use kerf_driver_klipper::mailbox::{Answer, Progress, Request, Set};
 use kerf_driver_klipper::tmc::Trouble;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Input;

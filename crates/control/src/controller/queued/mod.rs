@@ -1,7 +1,7 @@
 //! Boards with step queues as machines: the plan is made to the step, by whoever planned it.
 //!
 //! ```text
-//!  Runner ── advance(move …) ─► Queued ── Feeder: pieces with their tails ─► Berth ─► Desk: Board ── bytes ──► board
+//!  Runner ── advance(move …) ─► Queued ── Feeder: pieces with their tails ─► Berth ─► Mailbox: Board ── bytes ──► board
 //!  World  ── set(output) ─────►   │                                            │ (a thread of its own)
 //!     ▲                           │                                            │
 //!     └── reached, inputs, fault ─┴──◄── Progress, Answers ────────────────────┘
@@ -10,6 +10,7 @@
 //! Motion that was handed to a board is made: so the run goes ahead of the machine by the board's lead, some 0.14 s, and what it
 //! changes (a stop, another feed) it changes from there on.
 
+mod as_machine;
 mod attached;
 mod beam;
 mod berth;
@@ -21,7 +22,6 @@ mod height;
 mod homing;
 mod introduced;
 mod machine;
-mod made;
 mod others;
 mod outputs;
 mod pins;

@@ -11,7 +11,7 @@ use super::berth::Berth;
 use super::priority;
 use kerf_driver_klipper::board::{Fault, News, Options};
 use kerf_driver_klipper::crew::Crew;
-use kerf_driver_klipper::desk::{Answer, Desk, Progress, Request};
+use kerf_driver_klipper::mailbox::{Answer, Mailbox, Progress, Request};
 use kerf_driver_klipper::setup::Setup;
 use kerf_transport::Line;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError, channel};
@@ -75,7 +75,7 @@ impl Threaded {
         let (names, opens): (Vec<_>, Vec<_>) = boards.into_iter().unzip();
         let crew = Crew::new(setup, &names, options, 0.0).map_err(|why| why.to_string())?;
         let mut tender = Tender {
-            desk: Desk::new(crew),
+            mailbox: Mailbox::new(crew),
             requests: taken,
             answers: told,
             progress: progress.clone(),
@@ -149,7 +149,7 @@ impl Drop for Threaded {
 
 /// The far end, on the thread.
 struct Tender {
-    desk: Desk,
+    mailbox: Mailbox,
     requests: Receiver<Request>,
     answers: Sender<Answer>,
     progress: Arc<Mutex<Progress>>,
@@ -183,7 +183,7 @@ impl Tender {
     fn turn(&mut self, lines: &mut Lines) -> Result<bool, String> {
         let wanted = loop {
             match self.requests.try_recv() {
-                Ok(request) => self.desk.take(request, self.now_s()),
+                Ok(request) => self.mailbox.take(request, self.now_s()),
                 Err(TryRecvError::Empty) => break true,
                 Err(TryRecvError::Disconnected) => break false,
             }
@@ -206,9 +206,9 @@ impl Tender {
                 (*line, broken) = (None, Err(why));
             }
         }
-        let progress = self.desk.progress(self.now_s());
+        let progress = self.mailbox.progress(self.now_s());
         *self.progress.lock().unwrap_or_else(PoisonError::into_inner) = progress;
-        for answer in self.desk.answers() {
+        for answer in self.mailbox.answers() {
             let _ = self.answers.send(answer);
         }
         broken
@@ -216,7 +216,7 @@ impl Tender {
 
     fn write(&mut self, board: usize, line: &mut Option<Box<dyn Line>>) -> Result<(), String> {
         let now_s = self.now_s();
-        let out = self.desk.crew().transmit(board, now_s).bytes;
+        let out = self.mailbox.crew().transmit(board, now_s).bytes;
         match line {
             Some(line) if !out.is_empty() => line.write(&out).map_err(|why| why.to_string()),
             _ => Ok(()),
@@ -230,21 +230,21 @@ impl Tender {
         glance_s: f64,
     ) -> Result<(), String> {
         let Some(line) = line else { return Ok(()) };
-        let due_s = (self.desk.crew().due_s() - self.now_s()).clamp(0.0, glance_s);
+        let due_s = (self.mailbox.crew().due_s() - self.now_s()).clamp(0.0, glance_s);
         let mut bytes = [0; 1024];
         let read = line.read(&mut bytes, Duration::from_secs_f64(due_s));
         let count = read.map_err(|why| why.to_string())?;
         let now_s = self.now_s();
-        self.desk.crew().receive(board, &bytes[..count], now_s);
+        self.mailbox.crew().receive(board, &bytes[..count], now_s);
         Ok(())
     }
 
     /// Nobody wants it any more, or a line is broken: what moves is stopped.
     fn part(&mut self, lines: &mut Lines) -> Result<(), String> {
         let until = Instant::now() + PARTING;
-        self.desk.take(Request::Stop, self.now_s());
+        self.mailbox.take(Request::Stop, self.now_s());
         let least = Instant::now() + FAREWELL;
-        while (self.desk.crew().is_stopping() || Instant::now() < least)
+        while (self.mailbox.crew().is_stopping() || Instant::now() < least)
             && Instant::now() < until
             && lines.iter().any(Option::is_some)
         {

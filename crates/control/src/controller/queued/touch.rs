@@ -6,7 +6,7 @@ use super::homing::{Act, Came, Homing};
 use super::machine::{Queued, SAME_S, State};
 use crate::controller::connection::NAP;
 use kerf_driver_klipper::board::{Ended, Watched};
-use kerf_driver_klipper::desk::Request;
+use kerf_driver_klipper::mailbox::Request;
 use kerf_machine::{Going, Machine, News, Watch};
 use kerf_motion::{Mover, planner};
 use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};

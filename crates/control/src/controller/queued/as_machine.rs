@@ -4,7 +4,7 @@ use super::height::Height;
 use super::machine::{Queued, State};
 use crate::controller::connection::NAP;
 use crate::controller::lacks::out_of_reach;
-use kerf_driver_klipper::desk::Request;
+use kerf_driver_klipper::mailbox::Request;
 use kerf_machine::driver::Facts;
 use kerf_machine::{Actuator, Carried, Fault, Going, Machine, News};
 use kerf_motion::{Move, Plan, Span};

@@ -1,6 +1,6 @@
 //! Boards as the owner of a plan deals with them: requests go in, answers and a look at their progress come out.
 //!
-//! The desk is what the thread of the link owns; the owner of the plan may be on another one.
+//! The mailbox is what the thread of the link owns; the owner of the plan may be on another one.
 
 use crate::board::{Board, Home, News, Start, Watched};
 use crate::crew::Crew;
@@ -85,13 +85,13 @@ pub struct Progress {
 }
 
 /// Boards with the requests of their owner.
-pub struct Desk {
+pub struct Mailbox {
     crew: Crew,
     answers: Vec<Answer>,
 }
 
-impl Desk {
-    /// A desk for boards.
+impl Mailbox {
+    /// A mailbox for boards.
     pub const fn new(crew: Crew) -> Self {
         Self { crew, answers: Vec::new() }
     }
