@@ -206,7 +206,7 @@ fn a_frame_without_an_answer_goes_out_again_later_and_later() {
 #[test]
 fn motion_waits_a_moment_for_its_frame_to_be_filled() {
     let mut link = Link::new(0);
-    let put = |link: &mut Link| assert!(link.send_motion(vec![7; 6]));
+    let put = |link: &mut Link| assert!(link.send_motion(vec![7; 6], 0));
     put(&mut link);
     assert!(link.transmit(0.0).bytes.is_empty());
     let due_s = link.due_s();

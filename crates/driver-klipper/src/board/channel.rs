@@ -105,14 +105,15 @@ impl Channel {
         Ok(())
     }
 
-    /// Sends a command that is of no use once motion is dropped.
+    /// Sends a command that is of no use once motion is dropped, with the clock of its first step.
     pub fn send_motion<const N: usize>(
         &mut self,
         order: Order,
         numbers: [u32; N],
+        clock: u64,
     ) -> Result<(), OrderError> {
         let command = self.orders.write(order, numbers)?;
-        let sent = self.link.send_motion(command);
+        let sent = self.link.send_motion(command, clock);
         debug_assert!(sent, "no command is longer than a frame");
         Ok(())
     }

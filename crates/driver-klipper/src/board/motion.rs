@@ -91,6 +91,10 @@ impl Motion {
     pub fn move_on(&mut self, channel: &mut Channel, now_s: f64) -> Told {
         let Some((now, off)) = channel.now(now_s) else { return Ok(()) };
         self.lead.looked(now_s);
+        if self.moves() && channel.link.first_step().is_some_and(|clock| clock < now + off) {
+            // The host stalled while a frame was being filled.
+            self.stop(channel, Ended::Late)?;
+        }
         let moves = self.state != State::Arming;
         let released = self.queue.release(now, off, &self.lead, moves);
         if self.state == State::Moving {
@@ -233,18 +237,18 @@ fn release(channel: &mut Channel, release: Release) -> Result<(), OrderError> {
     match release {
         Release::Reset { motor, clock } => {
             let oid = channel.oid(Object::Motor(motor));
-            channel.send_motion(Order::ResetStepClock, [oid, clock as u32])
+            channel.send_motion(Order::ResetStepClock, [oid, clock as u32], u64::MAX)
         }
         Release::Turn { motor, forward } => {
             let oid = channel.oid(Object::Motor(motor));
             let dir = forward != channel.setup.motors.get(motor).is_some_and(|m| m.dir.inverted);
-            channel.send_motion(Order::NextDir, [oid, dir.into()])
+            channel.send_motion(Order::NextDir, [oid, dir.into()], u64::MAX)
         }
         Release::Steps { motor, steps } => {
             let oid = channel.oid(Object::Motor(motor));
             let add = i32::from(steps.add) as u32;
             let numbers = [oid, steps.interval, steps.count.into(), add];
-            channel.send_motion(Order::QueueStep, numbers)
+            channel.send_motion(Order::QueueStep, numbers, steps.at(1))
         }
         Release::Output(Change { output, clock, value }) => {
             let switched = channel.setup.outputs.len();

@@ -34,8 +34,8 @@ const BITS: f64 = 10.0;
 struct Command {
     bytes: Vec<u8>,
     mark: Option<u32>,
-    /// Of no use once motion is dropped.
-    motion: bool,
+    /// Of no use once motion is dropped: the clock of its first step, or the end of all clocks where it makes none.
+    motion: Option<u64>,
 }
 
 /// News of a line.
@@ -121,20 +121,25 @@ impl Link {
     /// Sends a command behind all others. It has at most [`CONTENT`] bytes; a longer one is refused.
     #[must_use = "a command that is too long is not sent"]
     pub fn send(&mut self, bytes: Vec<u8>, mark: Option<u32>) -> bool {
-        Self::queue(&mut self.waiting, Command { bytes, mark, motion: false })
+        Self::queue(&mut self.waiting, Command { bytes, mark, motion: None })
     }
 
     /// Sends a command behind all others that is of no use once motion is dropped. It may wait for [`FILLS_S`] for others to
     /// fill its frame. One that is too long is refused.
     #[must_use = "a command that is too long is not sent"]
-    pub fn send_motion(&mut self, bytes: Vec<u8>) -> bool {
-        Self::queue(&mut self.waiting, Command { bytes, mark: None, motion: true })
+    pub fn send_motion(&mut self, bytes: Vec<u8>, clock: u64) -> bool {
+        Self::queue(&mut self.waiting, Command { bytes, mark: None, motion: Some(clock) })
+    }
+
+    /// Clock of the first step that is in no frame yet.
+    pub fn first_step(&self) -> Option<u64> {
+        self.waiting.iter().filter_map(|command| command.motion).min()
     }
 
     /// Sends a command before those that wait. One that is too long is refused.
     #[must_use = "a command that is too long is not sent"]
     pub fn send_urgent(&mut self, bytes: Vec<u8>, mark: Option<u32>) -> bool {
-        Self::queue(&mut self.urgent, Command { bytes, mark, motion: false })
+        Self::queue(&mut self.urgent, Command { bytes, mark, motion: None })
     }
 
     fn queue(queue: &mut VecDeque<Command>, command: Command) -> bool {
@@ -152,7 +157,7 @@ impl Link {
 
     /// Drops the commands of motion that are in no frame yet.
     pub fn forget(&mut self) {
-        self.waiting.retain(|command| !command.motion);
+        self.waiting.retain(|command| command.motion.is_none());
     }
 
     /// Reads bytes of the board.
@@ -263,7 +268,9 @@ impl Link {
     /// All that waits is motion that does not fill a frame.
     fn may_fill(&self) -> bool {
         let waits = self.urgent.is_empty() && !self.waiting.is_empty() && !self.hurries;
-        waits && self.waiting.iter().all(|command| command.motion) && self.waiting() < CONTENT
+        waits
+            && self.waiting.iter().all(|command| command.motion.is_some())
+            && self.waiting() < CONTENT
     }
 
     /// Fills the next frame with whole commands, as far as the board has room.

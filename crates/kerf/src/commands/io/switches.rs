@@ -9,6 +9,7 @@ use crate::exit::{Exit, Usage};
 use crate::summary::told_by_server;
 use anyhow::{Result, bail};
 use kerf_control::controller::{lines, output_name, output_of_name, wired};
+use kerf_machine::driver::Facts;
 use kerf_machine::lines::Output;
 use kerf_machine::wiring;
 use kerf_program::settings::SWITCHES;
@@ -53,7 +54,8 @@ impl Switch {
 fn output_of_controller(word: &str) -> Option<u8> {
     let of_card = || {
         let (is_output, bit) = wiring::bit(word)?;
-        wired(Output::of_name(bit.name).filter(|_| is_output)?.number())
+        // What the controller has is looked at once it is connected.
+        wired(&Facts::default(), Output::of_name(bit.name).filter(|_| is_output)?.number())
     };
     output_of_name(word).or_else(of_card).filter(|line| usize::from(*line) <= SWITCHES)
 }
