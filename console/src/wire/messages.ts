@@ -190,6 +190,26 @@ name: string,
 /** The change. */
 change: ZeroChange, };
 
+export type ActTool = { "do": "tool",
+/** Number of the lease. */
+lease: number,
+/** Its number, from 1. */
+number: number,
+/** The change. */
+change: ToolChange, };
+
+export type ActToolIn = { "do": "toolIn",
+/** Number of the lease. */
+lease: number, };
+
+export type ActControllerSteps = { "do": "controllerSteps",
+/** Number of the lease. */
+lease: number,
+/** Letter of the axis. */
+axis: string,
+/** Steps of a millimetre. */
+steps: number, };
+
 export type ActHeightMap = { "do": "heightMap",
 /** Number of the lease. */
 lease: number,
@@ -283,6 +303,9 @@ export type Act =
   | ActBit
   | ActStep
   | ActZero
+  | ActTool
+  | ActToolIn
+  | ActControllerSteps
   | ActHeightMap
   | ActWire
   | ActWireAnswer
@@ -431,6 +454,10 @@ export type ChangeOverrides = { "change": "overrides", overrides: Overrides, };
 
 export type ChangeZeros = { "change": "zeros", zeros: Array<Zero>, };
 
+export type ChangeControllerSteps = { "change": "controllerSteps", controllerSteps: Array<number>, };
+
+export type ChangeTools = { "change": "tools", tools: ToolTable, };
+
 export type ChangeTogether = { "change": "together", together: Array<ServedMachine>, };
 
 export type ChangeHeightMap = { "change": "heightMap", heightMap: HeightMap | null, };
@@ -484,6 +511,8 @@ export type Change =
   | ChangeSound
   | ChangeOverrides
   | ChangeZeros
+  | ChangeControllerSteps
+  | ChangeTools
   | ChangeTogether
   | ChangeHeightMap
   | ChangeWiring
@@ -995,6 +1024,8 @@ mode: Mode,
 armed: boolean,
 /** Reason why it is disarmed, held or in alarm, for a person. */
 why: string | null,
+/** Its controller has begun a change of tools and waits for the tool. */
+wantsTool: boolean,
 /** Its name. */
 name: string,
 /** Acts that a page may do to it beside moving it. */
@@ -1045,6 +1076,19 @@ export type NamedValue = {
 name: string,
 /** Its value. */
 value: string, };
+
+/** A tool that is known by its number. */
+export type NumberedTool = {
+/** Its number, from 1. */
+number: number,
+/** Its name; empty where it has none. */
+name: string,
+/** Diameter of its cutter; 0 where it is not known. */
+diameter: Mm,
+/** Its length: of one that was measured, the height of the table base at which it touched the sensor. */
+length: Mm,
+/** Its length was measured at the sensor of the machine: Z zero goes with it. */
+measured: boolean, };
 
 /** Acts that a page may do to a machine beside moving it, as the machine itself tells. */
 export type Offers = {
@@ -1592,6 +1636,10 @@ sound: Sound | null,
 overrides: Overrides,
 /** Zero points that the controller keeps; none of a machine without one. */
 zeros: Array<Zero>,
+/** Steps of a millimetre that the controller keeps, of each axis; none of a machine whose settings have them. */
+controllerSteps: Array<number>,
+/** The tools by their numbers. */
+tools: ToolTable,
 /** The height map that programs follow; nothing where surfaces are flat. */
 heightMap: HeightMap | null,
 /** A board that is being wired, or was wired last. */
@@ -1749,6 +1797,24 @@ export type ToPage =
 /** Sort of message. */
 export type Tone = "note" | "program" | "warning" | "error";
 
+export type ToolChangeIs = { "to": "is",
+/** Its name; empty for none. */
+name: string,
+/** Diameter of its cutter; 0 where it is not known. */
+diameter: Mm,
+/** Its length. */
+length: Mm, };
+
+export type ToolChangeGone = { "to": "gone" };
+
+export type ToolChangeIn = { "to": "in" };
+
+/** A change of a tool. */
+export type ToolChange =
+  | ToolChangeIs
+  | ToolChangeGone
+  | ToolChangeIn;
+
 /** A tool path that the program names. */
 export type ToolPathInfo = {
 /** Its name. */
@@ -1772,6 +1838,15 @@ smoothed: Array<ShapePath>,
 filtered: Array<number>,
 /** Notes from their making, or the reason why there are none. */
 notes: Array<string>, };
+
+/** All tools that are known. */
+export type ToolTable = {
+/** The tools, in order of their numbers. */
+tools: Array<NumberedTool>,
+/** Number of the one in the spindle; 0 for none that is known. */
+inSpindle: number,
+/** The machine has a sensor that measures tools. */
+hasSensor: boolean, };
 
 /** The path of what was typed, so far. */
 export type TypedPath = {

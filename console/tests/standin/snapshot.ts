@@ -118,6 +118,8 @@ export const firstSnapshot = message<Snapshot>({
   asked: null,
   overrides: { feedPercent: 100, rapidPercent: null, spindlePercent: null },
   zeros: [],
+  controllerSteps: [],
+  tools: { tools: [], inSpindle: 0, hasSensor: false },
   heightMap: null,
   wiring: null,
   printed: [],

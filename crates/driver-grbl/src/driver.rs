@@ -8,10 +8,11 @@ use crate::lines::{Modal, lines, parts, told_as};
 use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
+use crate::tool_wait::{JOG_CANCEL, TOOL, ToolWait};
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
     Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent,
-    Shares, Signal, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
+    Shares, Signal, Ticket, Trouble, Wired, Zero, ZeroChange, decimal, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -31,6 +32,9 @@ const NUMBERED_EVERY: Ticket = 8;
 
 /// Numbers of lines are below this: more than there are ever orders on their way.
 const NUMBERS: Ticket = 1000;
+
+/// The setting of the steps of X; those of the other axes follow.
+const STEPS: u16 = 100;
 
 /// A line longer than this is no answer.
 const LONGEST: usize = 1024;
@@ -106,6 +110,8 @@ pub struct Grbl {
     /// Time when it was told another one last.
     pub(crate) turned_s: f64,
     pub(crate) zeros: Zeros,
+    /// The tool for which it waits.
+    pub(crate) tool: ToolWait,
     /// Outputs that are on after the last order.
     pub(crate) planned_on: u32,
     /// Time when it was told to stop.
@@ -185,6 +191,7 @@ impl Grbl {
             shares: Shares::default(),
             turned_s: f64::NEG_INFINITY,
             zeros: Zeros::default(),
+            tool: ToolWait::default(),
             planned_on: 0,
             stopped_s: 0.0,
             reset_s: None,
@@ -282,7 +289,8 @@ impl Grbl {
 
     /// Returns `true` if it stands because of a stop. It may be idle because the report is older than that.
     pub(crate) fn has_stopped(&self, now_s: f64) -> bool {
-        self.doing.stands() && (self.doing != Doing::Idle || now_s - self.stopped_s > STALE_S)
+        let may_be_old = matches!(self.doing, Doing::Idle | Doing::Tool);
+        self.doing.stands() && (!may_be_old || now_s - self.stopped_s > STALE_S)
     }
 
     pub(crate) fn reset(&mut self) {
@@ -296,6 +304,12 @@ impl Grbl {
         match self.phase {
             // It hears nothing else while it goes home.
             Phase::Ready if self.quiet() => self.reset(),
+            // A reset would end the change of tools.
+            Phase::Ready if self.tool.takes_jogs() && !self.flights.is_empty() => {
+                (self.phase, self.doing) = (Phase::Stopping, Doing::Slowing);
+                self.out.extend([JOG_CANCEL, at_once::ASK]);
+                return;
+            }
             Phase::Ready => {
                 self.phase = Phase::Stopping;
                 self.out.extend([at_once::HOLD, at_once::ASK]);
@@ -310,6 +324,7 @@ impl Grbl {
             }
             Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
         }
+        self.tool = ToolWait::default();
     }
 
     /// Returns its place when it told last, machine frame.
@@ -324,7 +339,10 @@ impl Grbl {
 
     fn take(&mut self, sent: &Sent, facts: &Facts) {
         let order = told_as(sent.order, self.planned, facts, self.shares);
-        let lines = lines(&order, self.planned, facts, self.planned_on, &mut self.modal);
+        let lines = match self.tool.takes_jogs() {
+            true => ToolWait::line(&order, self.planned, facts),
+            false => lines(&order, self.planned, facts, self.planned_on, &mut self.modal),
+        };
         let mut lines = match lines {
             Ok(lines) => lines,
             Err(why) => {
@@ -342,7 +360,7 @@ impl Grbl {
             }
             Order::Move { to, .. } | Order::Jog { to, .. } => {
                 self.arrived = false;
-                let numbers = sent.ticket.is_multiple_of(NUMBERED_EVERY);
+                let numbers = sent.ticket.is_multiple_of(NUMBERED_EVERY) && !self.tool.takes_jogs();
                 self.number(&mut lines, sent.ticket, numbers);
                 (to, usize::from(self.steps(to)))
             }
@@ -430,6 +448,14 @@ impl Driver for Grbl {
                 self.out.push(at_once::RESUME);
             }
             Signal::Stop => self.stop(now_s),
+            Signal::ByHand => {
+                let rests = self.has_said_all() && self.flights.is_empty();
+                if self.phase == Phase::Ready && rests && self.tool.hears() {
+                    self.out.push(TOOL);
+                }
+            }
+            Signal::ToolIn if self.tool.is_on() => self.out.extend(self.tool.is_in()),
+            Signal::ToolIn => {}
             Signal::Feed(percent) => {
                 (self.shares.feed, self.turned_s) = (percent.clamp(10, 200), now_s);
                 self.out.extend(at_once::feed(percent));
@@ -537,6 +563,10 @@ impl Wired for Grbl {
         self.hold
     }
 
+    fn waits_for_tool(&self) -> bool {
+        self.tool.is_on()
+    }
+
     fn shares(&self) -> Option<Shares> {
         Some(self.shares)
     }
@@ -553,6 +583,22 @@ impl Wired for Grbl {
         };
         self.say(line);
         self.asks_zeros();
+        true
+    }
+
+    fn steps_per_mm(&self) -> Vec<f64> {
+        let axes = self.facts.as_ref().map_or(0, |facts| facts.axes);
+        let steps = (0..axes).map(|axis| self.told.steps(axis));
+        steps.take_while(|steps| *steps > 0.0).collect()
+    }
+
+    fn keeps_steps(&mut self, axis: usize, steps: f64) -> bool {
+        let rests = self.phase == Phase::Ready && self.flights.is_empty() && self.trouble.is_none();
+        if !rests || axis >= self.steps_per_mm().len() {
+            return false;
+        }
+        self.writes(STEPS + axis as u16, &decimal(steps, 3));
+        self.say("$$");
         true
     }
 

@@ -7,6 +7,7 @@ use crate::facts::{self, INPUTS, PROBE, PROBE_INPUT};
 use crate::lines::straight;
 use crate::place::{millimetres, on_steps};
 use crate::report::{Doing, Report, axes};
+use crate::tool_wait::{JOG_CANCEL, TOOL};
 use kerf_machine::driver::{Driver, Facts, Garbled, Hold, Order, Reply, Ticket, Trouble};
 
 /// The error of a controller that moves, and tells nothing of itself meanwhile.
@@ -187,10 +188,12 @@ impl Grbl {
             self.shares = shares;
         }
         self.tell_inputs(&report.pins);
+        self.hears_of_tool(report.doing, now_s);
         match self.phase {
             Phase::Silent | Phase::Asked => self.learns(report),
             Phase::Ready => self.follows(report, now_s),
             Phase::Gap => self.reports_in_gap(now_s),
+            Phase::Stopping if self.tool.takes_jogs() => self.ends_jog(now_s),
             Phase::Stopping if self.has_stopped(now_s) => self.reset(),
             // A hold that came while its spindle came up is forgotten by then.
             Phase::Stopping if self.runs_on(now_s) => self.out.push(at_once::HOLD),
@@ -200,6 +203,24 @@ impl Grbl {
             Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
         }
         self.replies.push(Ok(Reply::State(self.standing())));
+    }
+
+    /// It waits for a tool, or does no more. What it is asked about itself it answers once it was told that it was heard.
+    fn hears_of_tool(&mut self, doing: Doing, now_s: f64) {
+        self.tool.sees(doing, !self.flights.is_empty());
+        if matches!(self.phase, Phase::Silent | Phase::Asked) && self.tool.hears() {
+            self.out.push(TOOL);
+            self.ask_all(now_s);
+        }
+    }
+
+    /// A jog was ended while it waits for a tool: it stands, and begins anew without a reset.
+    fn ends_jog(&mut self, now_s: f64) {
+        if self.has_stopped(now_s) && self.has_said_all() {
+            self.phase = Phase::Stopped;
+        } else if self.runs_on(now_s) {
+            self.out.push(JOG_CANCEL);
+        }
     }
 
     /// Follows the hold that was ordered: what moves again behind it was had to go on at the controller.
@@ -310,7 +331,8 @@ impl Grbl {
     }
 
     fn finish(&mut self, now_s: f64) {
-        let stands = self.doing == Doing::Idle;
+        let stands =
+            self.doing == Doing::Idle || self.doing == Doing::Tool && self.tool.takes_jogs();
         while let Some(flight) = self.flights.done(stands, now_s) {
             self.done = flight.sent.ticket;
             match flight.sent.order {

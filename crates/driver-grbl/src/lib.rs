@@ -33,6 +33,7 @@ mod own_words;
 mod place;
 mod report;
 pub mod settings;
+mod tool_wait;
 mod zeros;
 
 pub use driver::Grbl;

@@ -160,6 +160,15 @@ fn is_rapid(from: Axes, to: Axes, speed_mm_s: f64, facts: &Facts) -> bool {
     most_mm_s.is_finite() && speed_mm_s >= most_mm_s * (1.0 - SAME)
 }
 
+/// A jog in the machine frame (`$J=`), which leaves the words that hold as they are.
+pub fn jog(from: Axes, to: Axes, speed_mm_s: f64, facts: &Facts) -> Result<String, &'static str> {
+    let words = words(from, to, facts)?;
+    if words.is_empty() {
+        return Ok("G90".into());
+    }
+    Ok(format!("$J=G21G90G53{words}F{}", number(speed_mm_s * 60.0)))
+}
+
 /// The words of the axes that move.
 fn words(from: Axes, to: Axes, facts: &Facts) -> Result<String, &'static str> {
     let mut words = String::new();

@@ -65,7 +65,9 @@ impl Doing {
             Self::DoorOpen => Some("its door is open"),
             Self::DoorClosed => Some("its door was open: its own button has it go on"),
             Self::Resuming => Some("its spindle comes up again"),
-            Self::Tool => Some("it waits for a tool: its own button has it go on"),
+            Self::Tool => {
+                Some("it waits for a tool: put it in, then press Continue, or its own button")
+            }
             Self::Idle | Self::Run | Self::Home | Self::Alarm(_) | Self::Check | Self::Sleep => {
                 None
             }

@@ -7,5 +7,6 @@ mod conformance;
 mod faults;
 mod gap;
 mod set_up;
+mod tool_wait;
 mod turned;
 mod wire;

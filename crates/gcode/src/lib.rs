@@ -23,7 +23,6 @@ mod testing;
 
 pub use run::{
     CoordinateSystem, FeedMode, Interpreter, Modal, Options, Plane, Rates, Session, Side, State,
-    Tool,
 };
 pub use syntax::dialect::Dialect;
 pub use syntax::expr::{Expr, Function, Operator};

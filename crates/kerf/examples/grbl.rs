@@ -8,7 +8,7 @@
 //!
 //! Settings are arguments: `20=1 22=1`. Lines on standard input work it: `limit` hits a limit switch,
 //! `pins PD` closes switches, `block X Y Z X Y Z`, `bore X Y RADIUS` and `plate Z RISE RISE` are things that its
-//! probe feels until `nothing`, `pendant G55` sends it a line, `where` tells where it stands, an end of the input unplugs it.
+//! probe feels until `nothing`, `pendant G55` sends it a line, `tool` has it change the tool by itself, `where` tells where it stands, an end of the input unplugs it.
 #![allow(clippy::print_stdout)]
 
 #[cfg(unix)]
@@ -86,18 +86,20 @@ mod unix {
                 Some(solid) => fake.solids.push(solid),
                 None => println!("block X Y Z X Y Z, bore X Y RADIUS, plate Z RISE RISE; mm"),
             },
+            ("tool", _) => fake.changes_tool(),
             ("nothing", _) => fake.solids.clear(),
             ("where", _) => {
                 let [x, y, z, ..] = fake.position().0;
                 let (stands, spindle) = (fake.stands(), fake.spindle());
                 println!(
-                    "{x:.3},{y:.3},{z:.3} spindle {spindle:?}, {stands} stands, {} bytes lost",
-                    fake.overflowed
+                    "{x:.3},{y:.3},{z:.3} spindle {spindle:?}, {stands} stands, {} bytes lost{}",
+                    fake.overflowed,
+                    if fake.waits_for_tool() { ", waits for a tool" } else { "" }
                 );
             }
             ("lines", _) => fake.lines.iter().for_each(|line| println!("{line}")),
             _ => println!(
-                "limit, pins PXYZD, block, bore, plate, nothing, pendant LINE, where, lines"
+                "limit, pins PXYZD, block, bore, plate, nothing, pendant LINE, tool, where, lines"
             ),
         }
     }

@@ -279,6 +279,14 @@ pub trait Machine {
         None
     }
 
+    /// Returns `true` if it has begun a change of tools and waits for the tool: until then it makes moves by hand alone.
+    fn waits_for_tool(&mut self) -> bool {
+        false
+    }
+
+    /// The tool is in for which it waits: it goes on.
+    fn tool_is_in(&mut self) {}
+
     /// Returns the reason for which it does nothing more.
     fn fault(&self) -> Option<&Fault>;
 }

@@ -90,6 +90,7 @@ impl Guest {
     pub(crate) fn catch_up(&mut self, sbp: &kerf_sbp::Interpreter) {
         if std::mem::take(&mut self.stale) {
             self.interpreter.adopt(sbp.settings(), sbp.frame(), sbp.position());
+            self.interpreter.use_tools(sbp.tools());
         }
     }
 
@@ -106,6 +107,7 @@ impl Guest {
             self.interpreter.tool_is_in();
             return None;
         }
+        sbp.use_tools(self.interpreter.state().tool_table());
         let step = sbp.change_tool(tool, &self.done(), host, out);
         self.changing = step == Step::Ran;
         Some(step)

@@ -58,9 +58,10 @@ impl Interpreter {
         let Program { sbp, gcode, .. } = program;
         let Options { sbp: mut options, gcode: gcode_options } = options;
         options.gcode = true;
-        let sbp = kerf_sbp::Interpreter::new(sbp, session.sbp, options.clone());
+        let mut sbp = kerf_sbp::Interpreter::new(sbp, session.sbp, options.clone());
         let mut files = Files::default();
         files.learn_sbp(&sbp);
+        sbp.use_tools(session.gcode.tool_table());
         Self {
             sbp,
             gcode: gcode_options,
@@ -96,6 +97,7 @@ impl Interpreter {
     /// Returns the state that stays after the run.
     pub fn into_session(mut self) -> Session {
         self.retire();
+        self.state.use_tools(self.sbp.tools());
         Session { sbp: self.sbp.into_session(), gcode: self.state }
     }
 
@@ -115,6 +117,9 @@ impl Interpreter {
 
     fn go_sbp(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>, lines: u64) -> Step {
         let given = out.len();
+        if let Some(guest) = self.guests.last().filter(|g| !g.stale) {
+            self.sbp.use_tools(guest.interpreter.state().tool_table());
+        }
         self.guests.iter_mut().for_each(|g| g.stale = true);
         let step = match lines {
             1 => self.sbp.step(host, out),
@@ -257,16 +262,19 @@ impl Interpreter {
             |(_, interpreter)| interpreter,
         );
         interpreter.adopt(self.sbp.settings(), self.sbp.frame(), self.sbp.position());
+        interpreter.use_tools(self.sbp.tools());
         interpreter.enter_line(at.line);
         interpreter
     }
 
     fn gcode_session(&self) -> kerf_gcode::Session {
+        let mut state = self.state.clone();
+        state.use_tools(self.sbp.tools());
         kerf_gcode::Session {
             settings: (**self.sbp.settings()).clone(),
             frame: *self.sbp.frame(),
             position: self.sbp.position(),
-            state: self.state.clone(),
+            state,
         }
     }
 
@@ -296,6 +304,10 @@ impl Interpreter {
 
     fn keep(&mut self, guest: Guest) {
         self.state = guest.interpreter.state().clone();
+        match guest.stale {
+            true => self.state.use_tools(self.sbp.tools()),
+            false => self.sbp.use_tools(self.state.tool_table()),
+        }
         self.parameters = guest.interpreter.variables();
         if let GcodeDue::Line(at) = guest.due {
             self.lines = Some((at.file, guest.interpreter));

@@ -31,6 +31,7 @@ mod shift;
 mod smoothing;
 pub mod testing;
 mod tool_change;
+mod tool_table;
 
 pub use asking::{Answers, StepChoice};
 pub use axes::{AXES, AXIS_LETTERS, Axes, Axis, AxisSet};
@@ -55,3 +56,4 @@ pub use printer::{Hold, Lost, Printer, Written, length_places};
 pub use settings::Settings;
 pub use smoothing::{FACTOR_MM, RampModel, Smoothing};
 pub use tool_change::{ChangeWords, Changing};
+pub use tool_table::{Tool, ToolTable};

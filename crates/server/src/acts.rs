@@ -10,6 +10,7 @@ use crate::people::Grip;
 use crate::refusal::{Done, problem};
 use crate::shop;
 use crate::stop::Halt;
+use crate::tools;
 use kerf_machine::driver::Override;
 use kerf_wire::{Act, Change, Problem, StartUp, State, Tone, Who, Why};
 use std::sync::Arc;
@@ -89,6 +90,11 @@ impl App {
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
+            Act::Tool { number, change, .. } => tools::change(self, asker, number, change)?,
+            Act::ControllerSteps { axis, steps, .. } => {
+                self.hands.keep_steps(asker, axis, steps)?
+            }
+            Act::ToolIn { .. } => self.hands.tool_is_in(asker)?,
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
             act @ (Act::Wire { .. } | Act::WireAnswer { .. }) => self.wirings.hears(asker, act)?,
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {

@@ -9,7 +9,7 @@ use kerf_machine::lines::Output;
 use kerf_machine::settings::io::IoMap;
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::{Configuration, Errand, driver, wiring};
-use kerf_program::{AXES, AxisSet};
+use kerf_program::{AXES, Axis, AxisSet};
 use kerf_wire::{ByHand, Problem, Why, ZeroChange};
 use std::sync::mpsc::channel;
 
@@ -101,6 +101,22 @@ impl Hands {
             ZeroChange::Gone => driver::ZeroChange::Gone,
         };
         self.orders.order_of(asker, Order::Zero { name, change })
+    }
+
+    /// Writes the steps of a millimetre of an axis into the controller.
+    ///
+    /// # Errors
+    /// The machine keeps none of this axis, the number is no such number, or the machine is busy.
+    pub fn keep_steps(&self, asker: &Asker, axis: char, steps: f64) -> Result<(), Problem> {
+        let count = self.hub.read(|now| now.controller_steps.len());
+        let axis = Axis::from_letter(axis).filter(|axis| axis.index() < count);
+        let axis = axis.ok_or_else(|| {
+            problem(Why::State, "the controller of this machine keeps no steps of this axis")
+        })?;
+        if !(steps.is_finite() && steps > 0.0) {
+            return Err(problem(Why::Malformed, "steps of a millimetre are a number above 0"));
+        }
+        self.orders.order_of(asker, Order::Steps { axis, steps })
     }
 
     /// Returns the pins of the switches that are moved on a page.

@@ -141,7 +141,8 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Go { lease, .. }
         | Act::Bit { lease, .. }
         | Act::Step { lease, .. }
-        | Act::Zero { lease, .. } => driving(TurnNeeded::Number(*lease)),
+        | Act::Zero { lease, .. }
+        | Act::ToolIn { lease } => driving(TurnNeeded::Number(*lease)),
         Act::Command { lease, line } => needs_of_typed(now, *lease, line),
         // A question may wait for that very switch.
         Act::Input { lease, .. } if now.machine.state == State::Asking => {
@@ -151,12 +152,13 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Arm { lease }
         | Act::Override { lease, .. }
         | Act::HeightMap { lease, .. }
+        | Act::Tool { lease, .. }
         | Act::Key { lease, .. }
         | Act::Input { lease, .. } => with_lease(*lease),
         Act::Set { lease, .. } => setting(with_lease(*lease)),
-        Act::Wire { lease, .. } | Act::WireAnswer { lease, .. } => {
-            setting(driving(TurnNeeded::Number(*lease)))
-        }
+        Act::Wire { lease, .. }
+        | Act::WireAnswer { lease, .. }
+        | Act::ControllerSteps { lease, .. } => setting(driving(TurnNeeded::Number(*lease))),
         Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
         Act::Folder { .. } => need(Role::Owner),
         Act::TakeLease { .. }

@@ -92,6 +92,21 @@ impl Hands {
         counts.then_some(()).ok_or_else(late)
     }
 
+    /// The tool is in for which the controller waits: what runs goes on, or the controller alone.
+    ///
+    /// # Errors
+    /// It waits for none.
+    pub fn tool_is_in(&self, asker: &Asker) -> Result<(), Problem> {
+        let (wants_tool, state) = self.hub.read(|now| (now.machine.wants_tool, now.machine.state));
+        if !wants_tool {
+            return Err(problem(Why::State, "the controller waits for no tool"));
+        }
+        if state == State::Idle {
+            return self.orders.order_of(asker, Order::ToolIn);
+        }
+        self.orders.want_of(asker, Way::GoOn, |wanted| wanted.tool_in = true)
+    }
+
     /// The number of the question that lets the tool be moved while it is open, where it is of one of these kinds.
     fn question_for_hands(&self, kinds: &str) -> Option<u32> {
         self.hub.read(|now| {

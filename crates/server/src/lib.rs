@@ -79,6 +79,7 @@ mod stop;
 mod texts;
 mod thumbnails;
 mod to_wire;
+mod tools;
 mod webhook;
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
@@ -328,6 +329,7 @@ fn machine_and_app(
             run: 0,
             looked: None,
             locked: None,
+            waits: None,
             previews,
         };
         owner.tell_found();

@@ -15,7 +15,7 @@ use kerf_sbp::Status;
 use kerf_trace::Summary;
 use kerf_wire::{
     AxisUnits, Digitized, DigitizedPoint, Duty, HeightMap, Io, LAMPS, Lamp, Message, Mode,
-    NamedValue, Offers, Positions, RunSummary, Speeds, Tone, Units,
+    NamedValue, NumberedTool, Offers, Positions, RunSummary, Speeds, Tone, ToolTable, Units,
 };
 use kerf_workspace::Workspace;
 
@@ -24,6 +24,23 @@ pub fn height_map(workspace: &Workspace) -> Option<HeightMap> {
     let map = kerf_workspace::height_map::height_map(workspace).ok().flatten()?;
     let (xs, ys, zs) = map.grid();
     Some(HeightMap::of(xs, ys, zs))
+}
+
+/// Returns the tools that are known by their numbers.
+pub fn tools(session: &Session, workspace: &Workspace) -> ToolTable {
+    let tool = |(number, tool): (&u32, &kerf_program::Tool)| NumberedTool {
+        number: *number,
+        name: tool.name.as_deref().unwrap_or_default().to_owned(),
+        diameter: tool.diameter_mm,
+        length: tool.offset[Axis::Z],
+        measured: tool.measured,
+    };
+    ToolTable {
+        tools: session.gcode.tools.iter().map(tool).collect(),
+        in_spindle: session.gcode.tool,
+        has_sensor: session.memory.settings.tool_changes.sensor_input.is_some()
+            || workspace.stored.get("$tool_sensor").is_some_and(|input| !input.is_empty()),
+    }
 }
 
 /// The points that are being digitized, which count from the job origin.

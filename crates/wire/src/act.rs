@@ -1,6 +1,6 @@
 //! Requests of pages: the acts they ask for.
 
-use crate::{AXES, ByHand, FileParameters, HeightMapChange, JobChoice, Op, ZeroChange};
+use crate::{AXES, ByHand, FileParameters, HeightMapChange, JobChoice, Op, ToolChange, ZeroChange};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
@@ -252,6 +252,29 @@ pub enum Act {
         name: String,
         /// The change.
         change: ZeroChange,
+    },
+    /// Changes a tool that is known by its number. Not while a job runs.
+    Tool {
+        /// Number of the lease.
+        lease: u32,
+        /// Its number, from 1.
+        number: u32,
+        /// The change.
+        change: ToolChange,
+    },
+    /// The tool is in for which the controller waits: it goes on.
+    ToolIn {
+        /// Number of the lease.
+        lease: u32,
+    },
+    /// Writes the steps of a millimetre of an axis into the controller, and reads them back.
+    ControllerSteps {
+        /// Number of the lease.
+        lease: u32,
+        /// Letter of the axis.
+        axis: char,
+        /// Steps of a millimetre.
+        steps: f64,
     },
     /// Changes the height map that programs follow. Not while a job runs.
     HeightMap {

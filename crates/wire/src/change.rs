@@ -4,8 +4,8 @@ use crate::preview::TypedPath;
 use crate::{
     Asked, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, HeightMap,
     Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
-    Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, Units, Who, Wiring,
-    Zero,
+    Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, ToolTable, Units, Who,
+    Wiring, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -63,6 +63,14 @@ pub enum Change {
     },
     Zeros {
         zeros: Vec<Zero>,
+    },
+    /// Steps of a millimetre that the controller keeps.
+    #[serde(rename_all = "camelCase")]
+    ControllerSteps {
+        controller_steps: Vec<f64>,
+    },
+    Tools {
+        tools: ToolTable,
     },
     /// The machines that are served together.
     Together {

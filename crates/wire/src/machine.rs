@@ -51,6 +51,8 @@ pub struct Machine {
     pub armed: bool,
     /// Reason why it is disarmed, held or in alarm, for a person.
     pub why: Option<String>,
+    /// Its controller has begun a change of tools and waits for the tool.
+    pub wants_tool: bool,
     /// Its name.
     pub name: String,
     /// Acts that a page may do to it beside moving it.

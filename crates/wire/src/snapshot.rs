@@ -4,7 +4,7 @@ use crate::preview::TypedPath;
 use crate::{
     Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, HeightMap,
     Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
-    Recorder, ServedMachine, Setup, Sound, Speeds, Units, VERSION, Wiring, Zero,
+    Recorder, ServedMachine, Setup, Sound, Speeds, ToolTable, Units, VERSION, Wiring, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -76,6 +76,10 @@ pub struct Snapshot {
     pub overrides: Overrides,
     /// Zero points that the controller keeps; none of a machine without one.
     pub zeros: Vec<Zero>,
+    /// Steps of a millimetre that the controller keeps, of each axis; none of a machine whose settings have them.
+    pub controller_steps: Vec<f64>,
+    /// The tools by their numbers.
+    pub tools: ToolTable,
     /// The height map that programs follow; nothing where surfaces are flat.
     pub height_map: Option<HeightMap>,
     /// A board that is being wired, or was wired last.
@@ -133,6 +137,8 @@ impl Default for Snapshot {
             sound: None,
             overrides: Overrides::default(),
             zeros: Vec::new(),
+            controller_steps: Vec::new(),
+            tools: ToolTable::default(),
             height_map: None,
             wiring: None,
             printed: Vec::new(),
@@ -174,6 +180,10 @@ impl Snapshot {
             Change::Sound { sound } => self.sound = sound,
             Change::Overrides { overrides } => self.overrides = overrides,
             Change::Zeros { zeros } => self.zeros = zeros,
+            Change::ControllerSteps { controller_steps } => {
+                self.controller_steps = controller_steps;
+            }
+            Change::Tools { tools } => self.tools = tools,
             Change::HeightMap { height_map } => self.height_map = height_map,
             Change::Wiring { wiring } => self.wiring = wiring,
             Change::Printed { lines } => keep_last(&mut self.printed, lines, PRINTED),

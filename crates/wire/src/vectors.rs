@@ -5,7 +5,7 @@ use crate::{
     AXES, Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole,
     HeightMap, Interrupted, Io, Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened,
     Overrides, Pause, Recorder, Role, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp,
-    Units, Zero,
+    ToolTable, Units, Zero,
 };
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -67,6 +67,8 @@ fn of_the_machine() -> Vec<Change> {
         Change::Speeds { speeds: Speeds::default() },
         Change::Io { io: Io::default() },
         Change::Zeros { zeros: vec![Zero { name: "G54".into(), at: [1.0; AXES], holds: true }] },
+        Change::ControllerSteps { controller_steps: vec![250.0, 80.0] },
+        Change::Tools { tools: ToolTable { in_spindle: 2, ..ToolTable::default() } },
         Change::HeightMap { height_map: Some(HeightMap::of(&[0.0, 1.0], &[0.0, 2.0], &[0.5; 4])) },
         Change::HeightMap { height_map: None },
         Change::Wiring { wiring: Some(crate::Wiring { question: 2, ..crate::Wiring::default() }) },

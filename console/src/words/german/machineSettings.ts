@@ -16,6 +16,7 @@ const driver = (motor: string): SettingText =>
 /** Topics, by their English titles. */
 export const topics: Readonly<Record<string, string>> = {
   "Units and axes": "Einheiten und Achsen",
+  "Changing tools": "Werkzeugwechsel",
   Speeds: "Geschwindigkeiten",
   Ramps: "Rampen",
   "Table limits": "Tischgrenzen",
@@ -489,9 +490,45 @@ const board: Readonly<Record<string, SettingText>> = {
   ),
 };
 
+const toolChanges: Readonly<Record<string, SettingText>> = {
+  "tool_change.place_x": said(
+    "Wechselort X",
+    "X des Ortes, an dem der Bediener das Werkzeug wechselt, vom Tisch aus; none: dort, wo es steht.",
+  ),
+  "tool_change.place_y": said(
+    "Wechselort Y",
+    "Y des Ortes, an dem der Bediener das Werkzeug wechselt, vom Tisch aus; none: dort, wo es steht.",
+  ),
+  "tool_change.sensor_input": said(
+    "Eingang des Werkzeugtasters",
+    "Eingang des Tasters oder der festen Platte, an der Werkzeuge beim Wechsel gemessen werden; none ohne.",
+  ),
+  "tool_change.sensor_x": said(
+    "Werkzeugtaster X",
+    "X des Tasters, der Werkzeuge misst, vom Tisch aus.",
+  ),
+  "tool_change.sensor_y": said(
+    "Werkzeugtaster Y",
+    "Y des Tasters, der Werkzeuge misst, vom Tisch aus.",
+  ),
+  "tool_change.sensor_reach": said(
+    "Weg zum Werkzeugtaster",
+    "So weit sucht das Werkzeug den Taster unterhalb der sicheren Höhe; none: 4 Zoll oder was my_variables.sbc sagt.",
+  ),
+  "tool_change.sensor_speed": said(
+    "Geschwindigkeit des Messens",
+    "So schnell fährt das Werkzeug auf den Taster; none: wie bei der Tastplatte in my_variables.sbc.",
+  ),
+  "tool_change.keeps_lengths": said(
+    "Werkzeuge behalten ihre Länge",
+    "Werkzeuge behalten in ihren Haltern ihre Länge: Eines, dessen Länge bekannt ist, wird nicht neu gemessen.",
+  ),
+};
+
 /** All of them. */
 export const machineSettings: Readonly<Record<string, SettingText>> = {
   ...units,
+  ...toolChanges,
   ...motion,
   ...machineSwitches,
   ...machineTools,

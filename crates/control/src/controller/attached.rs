@@ -2,14 +2,14 @@
 
 use super::either::dry_run;
 use super::lacks::{lines, listed};
-use super::{Connection, Lacks, Socket, zeros};
+use super::{Connection, Lacks, Socket, steps, zeros};
 use crate::Session;
 use crate::answers::Operator;
 use crate::own_pace::OwnPace;
 use crate::session::DrivenBy;
-use kerf_diag::Diagnostic;
+use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work, facts::Fact};
-use kerf_machine::driver::{Changed, Zero, ZeroChange};
+use kerf_machine::driver::{Changed, Signal, Zero, ZeroChange};
 use kerf_machine::{Driven, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_workspace::{Firmware, Workspace};
@@ -197,7 +197,15 @@ impl Controller {
     pub fn attend(&self) -> (Vec<(u8, bool)>, Option<Axes>) {
         let mut connection = self.connection.borrow_mut();
         connection.look();
+        if connection.waits_for_tool() {
+            connection.signal(Signal::ByHand);
+        }
         (connection.take_inputs(), connection.place())
+    }
+
+    /// Returns for what it waits at its own controls while nothing runs, in words.
+    pub fn waits(&self) -> Option<&'static str> {
+        self.connection.borrow_mut().waits()
     }
 
     /// Returns the zero points that the controller keeps, machine frame.
@@ -218,9 +226,32 @@ impl Controller {
         zeros::change_zero(&mut self.connection.borrow_mut(), name, change, is_stopped)
     }
 
+    /// Returns the steps of a millimetre that the controller keeps, of each axis; none where it keeps none.
+    pub fn steps_per_mm(&self) -> Vec<f64> {
+        self.connection.borrow_mut().link.driver().steps_per_mm()
+    }
+
+    /// Has the controller keep other steps of an axis, X being 0; returns those that it told then.
+    ///
+    /// # Errors
+    /// As [`change_steps`](steps::change_steps).
+    pub fn keeps_steps(
+        &self,
+        axis: usize,
+        steps: f64,
+        is_stopped: impl FnMut() -> bool,
+    ) -> Result<f64, String> {
+        steps::change_steps(&mut self.connection.borrow_mut(), axis, steps, is_stopped)
+    }
+
     /// Tells why it takes no orders but to go home, in words.
     pub fn locked(&self) -> Option<String> {
         self.connection.borrow_mut().locked()
+    }
+
+    /// Returns `true` if it has begun a change of tools by itself and waits for the tool.
+    pub fn waits_for_tool(&self) -> bool {
+        self.connection.borrow_mut().waits_for_tool()
     }
 
     /// Returns the reason for which it does nothing more, in words.
@@ -311,6 +342,12 @@ impl Controller {
         workspace: &mut Workspace,
         operator: &mut dyn Operator,
     ) -> Vec<Diagnostic> {
+        if let (true, Some(why)) =
+            (!matches!(work, Work::Hand(..)) && self.waits_for_tool(), self.waits())
+        {
+            let why = format!("{}: {why}", self.name());
+            return vec![Diagnostic::new(Code::Controller, Place::line(work.name(), 0), why)];
+        }
         let connection = self.connection.borrow();
         let lacks = Lacks::new(connection.name(), connection.facts(), connection.offset());
         drop(connection);

@@ -411,6 +411,14 @@ impl Machine for Connection {
         self.link.driver().waits()
     }
 
+    fn waits_for_tool(&mut self) -> bool {
+        self.lost.is_none() && self.link.driver().waits_for_tool()
+    }
+
+    fn tool_is_in(&mut self) {
+        self.signal(Signal::ToolIn);
+    }
+
     fn fault(&self) -> Option<&Fault> {
         self.failure.as_ref()
     }

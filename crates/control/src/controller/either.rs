@@ -113,6 +113,14 @@ impl Controller {
         }
     }
 
+    /// Returns for what it waits at its own controls while nothing runs, in words.
+    pub fn waits(&self) -> Option<&'static str> {
+        match self {
+            Self::Followed(controller) => controller.waits(),
+            Self::Queued(_) => None,
+        }
+    }
+
     /// Returns the zero points that it keeps, machine frame.
     pub fn zeros(&self) -> Vec<Zero> {
         match self {
@@ -135,6 +143,33 @@ impl Controller {
             Self::Followed(controller) => controller.keeps_zero(name, change, is_stopped),
             Self::Queued(attached) => Err(format!(
                 "{} keeps no zero points: Kerf keeps its own (ZX, VA)",
+                attached.name()
+            )),
+        }
+    }
+
+    /// Returns the steps of a millimetre that it keeps itself, of each axis; none where Kerf's own settings have them.
+    pub fn steps_per_mm(&self) -> Vec<f64> {
+        match self {
+            Self::Followed(controller) => controller.steps_per_mm(),
+            Self::Queued(_) => Vec::new(),
+        }
+    }
+
+    /// Has it keep other steps of an axis, X being 0; returns those that it told then.
+    ///
+    /// # Errors
+    /// It keeps none, is at work, or refuses.
+    pub fn keeps_steps(
+        &self,
+        axis: usize,
+        steps: f64,
+        is_stopped: impl FnMut() -> bool,
+    ) -> Result<f64, String> {
+        match self {
+            Self::Followed(controller) => controller.keeps_steps(axis, steps, is_stopped),
+            Self::Queued(attached) => Err(format!(
+                "{} keeps no steps: they are in its machine's file (steps.per_unit)",
                 attached.name()
             )),
         }

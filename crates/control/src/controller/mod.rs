@@ -30,6 +30,7 @@ mod row;
 #[cfg(test)]
 mod sent;
 mod socket;
+mod steps;
 mod zeros;
 
 pub use attached::{AttachReport, First};

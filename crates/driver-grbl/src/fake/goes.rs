@@ -65,7 +65,7 @@ impl Fake {
     }
 
     /// The feed, as far as every axis can follow.
-    fn speed(&self, to: Axes, feed_mm_s: f64) -> f64 {
+    pub(super) fn speed(&self, to: Axes, feed_mm_s: f64) -> f64 {
         let way = kerf_machine::driver::way_mm(self.planned, to);
         (0..3_u16).fold(feed_mm_s, |speed, axis| {
             let share = (to.0[usize::from(axis)] - self.planned.0[usize::from(axis)]).abs() / way;

@@ -13,6 +13,7 @@ mod read;
 mod report;
 mod solid;
 mod state;
+mod tool;
 mod turned;
 
 pub use board::Board;
@@ -23,6 +24,7 @@ use motion::Motion;
 use read::{Way, Words, read};
 use state::State;
 use std::collections::{BTreeMap, VecDeque};
+use tool::{Change, WAITS_FOR_TOOL};
 use turned::turn;
 
 /// Time is followed in steps of this, seconds.
@@ -87,6 +89,8 @@ pub struct Fake {
     /// The state that it claims, in place of its own.
     pub says: Option<String>,
     resumed_s: f64,
+    /// The change of tools that is under way.
+    change: Change,
     /// It takes no setting.
     pub keeps_settings: bool,
     /// Outputs of `M64` that are on.
@@ -178,6 +182,7 @@ impl Fake {
             chords: (Vec::new(), 0),
             says: None,
             resumed_s: 0.0,
+            change: Change::default(),
             keeps_settings: false,
             aux: 0,
             pins: String::new(),
@@ -234,6 +239,7 @@ impl Fake {
     /// Somebody presses its button to go on.
     pub fn cycle_start(&mut self) {
         match self.state {
+            State::Tool => self.tool_is_in(),
             State::Hold => {
                 self.state = State::Ready;
                 self.motion.held = false;
@@ -304,6 +310,8 @@ impl Fake {
                 b'~' => self.cycle_start(),
                 b'!' => {}
                 0x18 => self.reset(),
+                0xa3 => self.hears_of_tool(),
+                0x85 => self.cancels_jog(),
                 0x90..=0x9d => turn(self, *byte),
                 0x80.. => {}
                 _ if self.buffer.len() < self.board.rx => self.buffer.push_back(*byte),
@@ -329,6 +337,7 @@ impl Fake {
             self.clock_s += STEP_S;
             self.motion.step(STEP_S);
             self.carry();
+            self.jog_ends();
             if self.spindle().is_some() && self.motion.speed_mm_s > 0.0 {
                 self.cut.push(self.motion.position);
             }
@@ -404,7 +413,7 @@ impl Fake {
         self.feed_mm_min = 0.0;
         let too_early = self.motion.speed_mm_s > 0.0 || self.state == State::Homing;
         self.halt();
-        self.motion.held = false;
+        (self.motion.held, self.change) = (false, Change::default());
         if too_early {
             self.tell("ALARM:3");
             self.state = State::Alarm;
@@ -420,7 +429,9 @@ impl Fake {
     fn read_on(&mut self) {
         loop {
             // A hold suspends what is not in the planner yet.
+            let unheard = self.state == State::Tool && !self.change.heard;
             let suspended = self.probing.is_some()
+                || unheard
                 || matches!(
                     self.state,
                     State::Homing | State::Hold | State::Door | State::Resuming
@@ -464,6 +475,7 @@ impl Fake {
 
     fn dollar(&mut self, command: &str) {
         match command {
+            _ if command.starts_with("J=") => self.jogs(command.trim_start_matches("J=")),
             "I" | "$" if !self.motion.is_empty() => self.tell("error:8"),
             "G" => {
                 self.tell(&self.modes());
@@ -501,6 +513,7 @@ impl Fake {
                 let setting = other.split_once('=');
                 let read: Option<(u16, f64)> =
                     setting.and_then(|(n, v)| Some((n.parse().ok()?, v.parse().ok()?)));
+                read.into_iter().for_each(|(number, value)| self.counts_by(number, value));
                 self.settings.extend(read);
                 self.tell(if read.is_some() { "ok" } else { "error:3" });
             }
@@ -512,6 +525,9 @@ impl Fake {
     }
 
     fn make(&mut self, words: &Words) {
+        if self.state == State::Tool && words.to.iter().any(Option::is_some) {
+            return self.tell(&format!("error:{WAITS_FOR_TOOL}"));
+        }
         if self.state == State::Check {
             return self.tell("ok");
         }
@@ -534,6 +550,9 @@ impl Fake {
         }
         if let Some(error) = self.go(words) {
             return self.tell(&format!("error:{error}"));
+        }
+        if words.changes_tool {
+            self.changes_tool();
         }
         // A move that probes is answered when it is over.
         self.probing = words.probes;

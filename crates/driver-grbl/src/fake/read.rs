@@ -39,6 +39,8 @@ pub struct Words {
     pub way: Option<Way>,
     /// Its places are those of the machine.
     pub machine: bool,
+    /// It changes the tool.
+    pub changes_tool: bool,
     /// Everything before it is made first.
     pub waits: bool,
 }
@@ -76,6 +78,8 @@ fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
         ('G', 17 | 21 | 94) => {}
         ('M', 3) => (words.spindle, words.waits) = (Some(true), true),
         ('M', 5) => (words.spindle, words.waits) = (Some(false), true),
+        ('M', 6) => (words.changes_tool, words.waits) = (true, true),
+        ('T', _) => {}
         ('M', 7) => (words.coolant, words.waits) = (Some(2), true),
         ('M', 8) => (words.coolant, words.waits) = (Some(1), true),
         ('M', 9) => (words.coolant, words.waits) = (Some(0), true),

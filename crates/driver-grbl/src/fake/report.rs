@@ -80,6 +80,8 @@ impl Fake {
             State::Sleep => "Sleep",
             State::Check => "Check",
             State::Homing => "Home",
+            State::Tool if self.motion.is_empty() => "Tool",
+            State::Tool => "Jog",
             State::Ready if self.motion.is_empty() => "Idle",
             State::Ready => "Run",
         }
@@ -95,6 +97,14 @@ impl Fake {
 
     fn unit_mm(&self) -> f64 {
         if self.setting(13) == 1.0 { 25.4 } else { 1.0 }
+    }
+
+    /// It counts where it stands in steps: other steps of a millimetre (`$100` to `$102`) make it another place.
+    pub(super) fn counts_by(&mut self, number: u16, value: f64) {
+        if (100..103).contains(&number) && value > 0.0 {
+            self.motion.position.0[usize::from(number - 100)] *= self.setting(number) / value;
+            self.planned = self.motion.position;
+        }
     }
 
     pub(super) fn setting(&self, number: u16) -> f64 {

@@ -11,4 +11,6 @@ pub enum State {
     Alarm,
     Sleep,
     Check,
+    /// It waits for a tool (grblHAL).
+    Tool,
 }

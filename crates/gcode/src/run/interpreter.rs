@@ -6,7 +6,7 @@ use super::state::State;
 use super::{fast, probe, step};
 use crate::syntax::reader::read_text;
 use crate::syntax::tree::Program;
-use kerf_program::{At, Axes, Frame, Host, Settings, Sourced, Status, Step, Watch};
+use kerf_program::{At, Axes, Frame, Host, Settings, Sourced, Status, Step, ToolTable, Watch};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -38,6 +38,11 @@ impl Interpreter {
     /// [`tool_is_in`](Self::tool_is_in).
     pub const fn tool_due(&self) -> Option<u32> {
         self.core.under_way.due_tool
+    }
+
+    /// Takes over the tools that another language has changed.
+    pub fn use_tools(&mut self, table: &ToolTable) {
+        self.core.state.use_tools(table);
     }
 
     /// The tool that was due is in the spindle.

@@ -69,4 +69,4 @@ mod under_way;
 
 pub use interpreter::Interpreter;
 pub use session::{Options, Session};
-pub use state::{CoordinateSystem, FeedMode, Modal, Plane, Rates, Side, State, Tool};
+pub use state::{CoordinateSystem, FeedMode, Modal, Plane, Rates, Side, State};

@@ -4,12 +4,12 @@ use super::context::Context;
 use super::core::Core;
 use super::go;
 use super::modes::doubt_unit;
-use super::state::{CoordinateSystem, Tool};
+use super::state::CoordinateSystem;
 use super::stop::{Refused, Stop, fail};
 use crate::syntax::codes::{ONCE, SYSTEM, TOOL_LENGTH};
 use crate::syntax::gathered::{AXIS_WORDS, Gathered};
 use kerf_diag::Code;
-use kerf_program::{Axes, Axis, MoveKind};
+use kerf_program::{Axes, Axis, MoveKind, Tool};
 
 /// The way the offset of a tool is told.
 #[derive(Clone, Copy, Debug)]
@@ -62,11 +62,23 @@ fn length_of(c: &mut Context<'_>, g: &Gathered) -> Axes {
         return Axes::default();
     }
     if let Some(tool) = c.core.state.tools.get(&number) {
-        return tool.offset;
+        return beside_zero(c.core, number, tool);
     }
     let message = format!("the length of tool {number} is not known");
     c.warn(Code::Unusual, message, "its offset counts as zero; zero Z with this tool");
     Axes::default()
+}
+
+/// The offset of a tool. Where M6 measures tools Z zero is that of the tool in the spindle: only what another one
+/// is longer is beside it.
+fn beside_zero(core: &Core, number: u32, tool: &Tool) -> Axes {
+    let mut offset = tool.offset;
+    if core.options.changes_elsewhere && tool.measured {
+        let in_spindle = core.state.tools.get(&core.state.tool).and_then(Tool::touch_mm);
+        let inside_mm = in_spindle.filter(|_| number != core.state.tool);
+        offset[Axis::Z] -= inside_mm.unwrap_or(offset[Axis::Z]);
+    }
+    offset
 }
 
 /// The axis words of a block.
@@ -208,11 +220,10 @@ fn set_tool(core: &mut Core, g: &Gathered, how: Measured) -> Result<(), Refused>
             "G10 L1 P3 Z40 R3 tells length and radius of tool 3",
         ));
     }
-    let mut tool =
-        core.state.tools.get(&(p as u32)).copied().unwrap_or(Tool {
-            diameter_mm: core.settings.cutter.diameter_mm,
-            offset: Axes::default(),
-        });
+    let mut tool = core.state.tools.get(&(p as u32)).cloned().unwrap_or_else(|| Tool {
+        diameter_mm: core.settings.cutter.diameter_mm,
+        ..Tool::default()
+    });
     let place = core.coordinates.place_of(core.place.programmed);
     let fixture = place_of_last_system(core);
     for (axis, value) in given(g) {
@@ -223,6 +234,8 @@ fn set_tool(core: &mut Core, g: &Gathered, how: Measured) -> Result<(), Refused>
             Measured::InLastSystem => fixture[axis] - reading,
         };
     }
+    // A length that a program gives is one for G43.
+    tool.measured &= !g.has(b'Z');
     if let Some(radius) = g.get(b'R') {
         tool.diameter_mm = 2.0 * radius * core.state.modal.unit.mm();
     }

@@ -1,7 +1,7 @@
 //! The memory of G-code: modes, offsets, parameters, tools.
 
 use kerf_program::settings::{AxisUnit, LinearUnit};
-use kerf_program::{Axes, Axis, PathControl, Settings, SpindleTurn};
+use kerf_program::{Axes, Axis, PathControl, Settings, SpindleTurn, Tool, ToolTable};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -183,15 +183,6 @@ fn turned(mut place: Axes, degrees: f64) -> Axes {
     place
 }
 
-/// A tool of the tool table.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Tool {
-    /// Cutter diameter, mm.
-    pub diameter_mm: f64,
-    /// Its offset, mm: Z is its length.
-    pub offset: Axes,
-}
-
 /// State that G-code remembers between blocks and between runs. All lengths are millimetres.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct State {
@@ -227,5 +218,16 @@ impl State {
     /// The coordinate system in force.
     pub(super) fn system(&self) -> CoordinateSystem {
         self.systems[self.modal.system.min(8)]
+    }
+
+    /// Returns the tools that are known, and the one in the spindle.
+    pub fn tool_table(&self) -> ToolTable {
+        ToolTable { tools: self.tools.clone(), in_spindle: self.tool }
+    }
+
+    /// Takes over the tools that another language has changed.
+    pub fn use_tools(&mut self, table: &ToolTable) {
+        self.tools.clone_from(&table.tools);
+        self.tool = table.in_spindle;
     }
 }

@@ -55,8 +55,10 @@ const fn changes_elsewhere(c: &Context<'_>, tool: u32) -> bool {
 fn change_tool(c: &mut Context<'_>) -> Result<(), Stop> {
     let tool = c.core.state.selected;
     if tool != c.core.state.tool && !changes_elsewhere(c, tool) {
-        let text =
-            if tool == 0 { "take the tool out".into() } else { format!("put in tool {tool}") };
+        let text = match tool {
+            0 => "take the tool out".into(),
+            _ => format!("put in tool {}", c.core.state.tool_table().asked_for(tool)),
+        };
         c.hold_for(QuestionKind::Pause, &text, None)?;
         c.emit(Command::ToolChange { begin: false });
     }

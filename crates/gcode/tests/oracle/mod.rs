@@ -14,9 +14,9 @@ use crate::support::Quiet;
 use canon::Move;
 use compare::difference;
 use generate::{PROGRAMS, SCALE, compensated, generated};
-use kerf_gcode::{Interpreter, Options, Session, Tool, read};
+use kerf_gcode::{Interpreter, Options, Session, read};
 use kerf_program::settings::{AxisUnit, LinearUnit};
-use kerf_program::{Axes, Command as Given, MoveKind, Step};
+use kerf_program::{Axes, Command as Given, MoveKind, Step, Tool};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -68,7 +68,8 @@ fn ours(file: &Path, scale: f64) -> Result<Vec<Move>, String> {
     session.settings.axis_count = 6;
     session.settings.rotary_units = [AxisUnit::Degrees; 3];
     for (number, z, diameter_mm) in tools(scale) {
-        let tool = Tool { diameter_mm, offset: Axes::xyz(0.0, 0.0, z) };
+        let offset = Axes::xyz(0.0, 0.0, z);
+        let tool = Tool { diameter_mm, offset, ..Tool::default() };
         session.state.tools.insert(number, tool);
     }
     let options = Options { preview: true, max_lines: 2_000_000, ..Options::default() };

@@ -161,7 +161,7 @@ enum Action {
         #[command(subcommand)]
         action: Option<ZerosAction>,
     },
-    /// Lists the tools of G-code by their numbers (G43, G41), with diameter and length; sets and forgets them
+    /// Lists the tools by their numbers (T of G-code, &Tool of C9), with diameter, length and name; sets and forgets them
     Tools {
         #[command(subcommand)]
         action: Option<ToolsAction>,
@@ -242,7 +242,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             return board::settings(controller(&args.which)?, action.as_ref());
         }
         Action::Zeros { action } => return zeros::run(&args.which, action.as_ref()),
-        Action::Tools { action } => return tool_table::run(&args.which, *action),
+        Action::Tools { action } => return tool_table::run(&args.which, action.as_ref()),
         Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }

@@ -32,6 +32,7 @@ const CHECKS: &[Check] = &[
     tools::jigs,
     tools::start_sequences,
     tools::laser,
+    tools::sensor,
 ];
 
 /// Everything that contradicts itself in a configuration.

@@ -209,3 +209,10 @@ fn sbp_val_vd_remote__a_key_is_nothing_else() {
     refused(&format!("{on}pendant.fast = 13"), "pendant.fast must be 0 to 12, not 13");
     accepted("pendant.z = [5, 10]");
 }
+
+#[test]
+fn a_sensor_for_tools_has_a_place() {
+    refused("tool_change.sensor_input = 1", "tool_change.sensor_x or tool_change.sensor_y is none");
+    refused("tool_change.sensor_x = 1\ntool_change.sensor_input = 1", "names a sensor");
+    accepted("tool_change.sensor_x = 1\ntool_change.sensor_y = 2\ntool_change.sensor_input = 1");
+}

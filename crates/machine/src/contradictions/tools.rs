@@ -20,6 +20,19 @@ pub(super) fn home_input(c: &Configuration, found: &mut Found) {
     }
 }
 
+/// A tool that is measured goes to the sensor first.
+pub(super) fn sensor(c: &Configuration, found: &mut Found) {
+    let changes = &c.program.tool_changes;
+    let places = [changes.sensor_x_mm, changes.sensor_y_mm];
+    if changes.sensor_input.is_some() && places.contains(&None) {
+        found.push(Contradiction::new(
+            &["tool_change.sensor_input", "tool_change.sensor_x", "tool_change.sensor_y"],
+            "tool_change.sensor_input names a sensor, but tool_change.sensor_x or tool_change.sensor_y is none",
+            "Give the place of the sensor first.",
+        ));
+    }
+}
+
 /// Bit 1 of input port A is the W home switch, Too-Close of a plasma, or the external start.
 pub(super) fn shared_input(c: &Configuration, found: &mut Found) {
     let homes_w = c.homing.of(W).fitted;

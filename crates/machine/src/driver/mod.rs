@@ -135,6 +135,10 @@ pub enum Signal {
     Hold,
     /// Go on.
     Resume,
+    /// Nothing runs: whoever moves you now does it by hand, also while you [wait for a tool](Wired::waits_for_tool).
+    ByHand,
+    /// The tool is in for which you [wait](Wired::waits_for_tool).
+    ToolIn,
     /// Slow down, forget every order that is not done, switch outputs off.
     Stop,
     /// Make moves at so many percent of the speed that was ordered, from now on.
@@ -376,6 +380,11 @@ pub trait Wired: Driver {
         None
     }
 
+    /// Returns `true` if it has begun a change of tools and waits: it makes moves by hand, and goes on by [`Signal::ToolIn`].
+    fn waits_for_tool(&self) -> bool {
+        false
+    }
+
     /// Returns the state of a hold that was ordered.
     fn hold(&self) -> Hold {
         Hold::None
@@ -399,6 +408,16 @@ pub trait Wired: Driver {
     /// Returns `true` if its zero points are told as it was last had to keep them.
     fn knows_zeros(&self) -> bool {
         true
+    }
+
+    /// Returns the steps of a millimetre that it keeps, of each axis; none where it keeps none.
+    fn steps_per_mm(&self) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Has it keep other steps of an axis, X being 0, while nothing moves, and tell all of them again; tells whether it does.
+    fn keeps_steps(&mut self, _axis: usize, _steps: f64) -> bool {
+        false
     }
 
     /// The line was gone and is there again. Finds out what the controller has got of what was sent, before anything else is

@@ -11,6 +11,7 @@ use kerf_program::{Axes, Dynamics};
 /// In the order of a file: units first, since lengths of rotary axes follow them.
 pub(super) const AREAS: &[Area] = &[
     Area { title: "Units and axes", manual: "command reference, VU, VD", rows: GENERAL },
+    Area { title: "Changing tools", manual: "book, machine", rows: TOOL_CHANGES },
     Area { title: "Speeds", manual: "command reference, VS", rows: SPEEDS },
     Area { title: "Ramps", manual: "command reference, VR", rows: RAMPS },
     Area { title: "Table limits", manual: "command reference, VL", rows: LIMITS },
@@ -103,6 +104,73 @@ const GENERAL: &[Setting] = &[
         None,
         Any,
         "The model of motion: shopbot (ramps of VR), profiler (smoothed sections) or optimal; none for optimal where it is known what the axes can do, else shopbot."
+    ),
+];
+
+const TOOL_CHANGES: &[Setting] = &[
+    row!(
+        c,
+        "tool_change.place_x",
+        c.program.tool_changes.place_x_mm,
+        Mm,
+        Any,
+        "X of the place where the operator changes the tool, table base; none where it stands."
+    ),
+    row!(
+        c,
+        "tool_change.place_y",
+        c.program.tool_changes.place_y_mm,
+        Mm,
+        Any,
+        "Y of the place where the operator changes the tool, table base; none where it stands."
+    ),
+    row!(
+        c,
+        "tool_change.sensor_input",
+        c.program.tool_changes.sensor_input,
+        None,
+        Range(1.0, 12.0),
+        "Input of the sensor, or of the fixed plate, that measures tools when they are changed; none without one."
+    ),
+    row!(
+        c,
+        "tool_change.sensor_x",
+        c.program.tool_changes.sensor_x_mm,
+        Mm,
+        Any,
+        "X of the sensor that measures tools, table base."
+    ),
+    row!(
+        c,
+        "tool_change.sensor_y",
+        c.program.tool_changes.sensor_y_mm,
+        Mm,
+        Any,
+        "Y of the sensor that measures tools, table base."
+    ),
+    row!(
+        c,
+        "tool_change.sensor_reach",
+        c.program.tool_changes.sensor_reach_mm,
+        Mm,
+        Positive,
+        "How far down from Safe-Z the tool looks for the sensor; none for 4 inches, or what my_variables.sbc says."
+    ),
+    row!(
+        c,
+        "tool_change.sensor_speed",
+        c.program.tool_changes.sensor_speed_mm_s,
+        MmPerS,
+        Positive,
+        "How fast the tool goes down onto the sensor; none for the speed of the touch plate in my_variables.sbc."
+    ),
+    row!(
+        c,
+        "tool_change.keeps_lengths",
+        c.program.tool_changes.keeps_lengths,
+        None,
+        Any,
+        "Tools keep their lengths in their holders: one whose length is known is not measured again."
     ),
 ];
 

@@ -10,6 +10,7 @@ mod cutter;
 mod io;
 mod speeds;
 mod table;
+mod tool_change;
 mod unit;
 mod view;
 
@@ -18,6 +19,7 @@ pub use cutter::{Cutter, PlungeSign, Tabs, ToolOffset, Trigger};
 pub use io::{IoModes, LINES, SWITCHES, TorchHeight};
 pub use speeds::{PerGroup, RAMP_SPEED_STEP_MM_S, Ramps, Speeds};
 pub use table::{Driver, Limits, NO_SHIFT_JOG_MM_S, Resolution};
+pub use tool_change::ToolChanges;
 pub use unit::{AxisUnit, LinearUnit, MM_PER_INCH, to_user};
 pub use view::{Display, View};
 
@@ -78,6 +80,9 @@ pub struct Settings {
     /// M6 of G-code runs the owner's tool change, the custom cut C9.
     #[serde(default)]
     pub m6_runs_c9: bool,
+    /// Where tools are changed and measured; from the machine's configuration.
+    #[serde(default)]
+    pub tool_changes: ToolChanges,
     /// A device takes the speeds that programs give spindles (TR); without one the operator sets them.
     #[serde(default = "yes")]
     pub spindle_device: bool,
@@ -177,6 +182,7 @@ impl Default for Settings {
             warning_s: 0.0,
             ask_spindle: true,
             m6_runs_c9: false,
+            tool_changes: ToolChanges::default(),
             spindle_device: true,
             dynamics: None,
             stack_limit: None,

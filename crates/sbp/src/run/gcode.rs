@@ -11,7 +11,8 @@ use super::state::Level;
 use super::{Context, Core, Interpreter, lifecycle, programs};
 use crate::tree::Span;
 use kerf_diag::Place;
-use kerf_program::{At, Axes, Axis, Frame, GoTo, Host, Sourced, Step};
+use kerf_program::{At, Axes, Axis, Frame, GoTo, Host, Sourced, Step, ToolTable};
+use std::sync::Arc;
 
 /// G-code that has to run before the program goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -160,6 +161,18 @@ impl Interpreter {
         let mut context = Context { core, program, host, out, at, span: Span::default() };
         let outcome = programs::change_tool(&mut context, tool);
         lifecycle::after(&mut self.core, host, out, outcome)
+    }
+
+    /// Returns the tools that are known, and the one in the spindle.
+    pub fn tools(&self) -> &ToolTable {
+        &self.core.memory.tools
+    }
+
+    /// Takes over the tools as whoever owns both languages knows them.
+    pub fn use_tools(&mut self, table: ToolTable) {
+        if *self.core.memory.tools != table {
+            self.core.memory.tools = Arc::new(table);
+        }
     }
 
     /// Returns the placement of what is in the innermost file.

@@ -7,7 +7,7 @@
 
 use super::registry::PART_FILE;
 use super::state::{Level, Purpose};
-use super::{Context, FileParameters, Stop, cutting, preview};
+use super::{Context, FileParameters, Stop, cutting, preview, tool_changes};
 use crate::{Language, Program};
 use kerf_diag::{Code, Place};
 use kerf_program::settings::PlungeSign;
@@ -204,6 +204,9 @@ pub(crate) fn file_over(c: &mut Context<'_>) {
         refresh_tabs(c);
     } else {
         let (start_z, goes_on) = (level.start_z, level.goes_on);
+        if level.purpose == Purpose::ToolChange {
+            tool_changes::end(c);
+        }
         leave_levels(c, c.core.flow.levels.len() - 1);
         c.core.flow.gcode_line = goes_on;
         if let Some(z) = start_z {

@@ -46,6 +46,7 @@ mod stepping;
 mod sysvar;
 #[cfg(test)]
 mod tests;
+mod tool_changes;
 mod user_files;
 mod z_moves;
 

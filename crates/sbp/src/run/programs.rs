@@ -1,7 +1,6 @@
 //! PLAY, SHELL and custom cuts: sounds and programs that lie outside the part file.
 
-use super::state::Purpose;
-use super::{Context, FileParameters, Stop, cutting, eval, levels, questions};
+use super::{Context, FileParameters, Stop, cutting, eval, levels, questions, tool_changes};
 use crate::syntax::Dialect;
 use crate::tree::{DialogText, Shell};
 use crate::{Expr, Value};
@@ -71,7 +70,7 @@ pub(super) fn custom_cut(c: &mut Context<'_>, number: &Expr) -> Result<(), Stop>
             Ok(())
         }
         Ok(()) if n == TOOL_CHANGE => {
-            begin_tool_change(c);
+            tool_changes::begin(c);
             Ok(())
         }
         outcome => outcome,
@@ -82,12 +81,12 @@ pub(super) fn custom_cut(c: &mut Context<'_>, number: &Expr) -> Result<(), Stop>
 pub(super) fn change_tool(c: &mut Context<'_>, tool: u32) -> Result<(), Stop> {
     let file = custom_file(c, TOOL_CHANGE);
     levels::call_file(c, file, FileParameters::default())?;
-    begin_tool_change(c);
+    c.core.memory.variables.set("TOOL", Value::Number(f64::from(tool)));
+    tool_changes::begin(c);
     let goes_on = c.core.flow.gcode_line.take();
     if let Some(level) = c.core.flow.levels.last_mut() {
         level.goes_on = goes_on;
     }
-    c.core.memory.variables.set("TOOL", Value::Number(f64::from(tool)));
     Ok(())
 }
 
@@ -103,14 +102,6 @@ fn custom_file(c: &mut Context<'_>, n: i64) -> FileRequest {
         }
     }
     file(format!("Custom{n}.sbc"))
-}
-
-/// The file just opened changes the tool; its end is told when it is left.
-fn begin_tool_change(c: &mut Context<'_>) {
-    if let Some(level) = c.core.flow.levels.last_mut() {
-        level.purpose = Purpose::ToolChange;
-        c.emit(Command::ToolChange { begin: true });
-    }
 }
 
 /// A line of G-code: whoever runs both languages takes it from here.

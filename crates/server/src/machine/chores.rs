@@ -12,8 +12,10 @@ use kerf_control::AtRest;
 use kerf_journal::{CutShort, Journal, JournalError};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
+use kerf_program::Axis;
 use kerf_wire::{
-    Change, CurrentRun, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone, Who,
+    Change, CurrentRun, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone,
+    ToolChange, Who,
 };
 use kerf_workspace::command_passing;
 use kerf_workspace::height_map::{take_height_map_off, use_height_map};
@@ -138,12 +140,17 @@ impl Owner {
 
     /// The machine stands and was stopped, or nobody has armed it: what a stop switches off is off.
     pub(super) fn stop_at_rest(&mut self) {
-        let stopped = self.hub.read(|now| {
+        let (pressed, stopped) = self.hub.read(|now| {
             let stands = matches!(now.machine.state, State::Idle | State::Alarm);
-            let stopped = self.link.lock().hear_stop_at_rest(stands);
-            stopped || stands && !now.machine.armed
+            let pressed = self.link.lock().hear_stop_at_rest(stands);
+            (pressed, pressed || stands && !now.machine.armed)
         });
         let driven = self.driven();
+        if pressed && driven.borrow_mut().waits_for_tool() {
+            driven.borrow_mut().halt();
+            let text = "the controller does not wait for a tool any more: it was stopped, and has given the change up";
+            self.hub.say(Tone::Note, text);
+        }
         let Workshop { session, workspace, .. } = &mut self.workshop;
         if stopped && AtRest(session).stop(workspace, &driven) {
             self.settle(Machine::clone);
@@ -178,6 +185,27 @@ impl Owner {
             self.hub.say(Tone::Error, format!("the height map stays as it was: {why}"));
         }
         self.rest(State::Idle, None);
+    }
+
+    /// Changes a tool that is known by its number, and keeps it.
+    pub(super) fn change_tool(&mut self, number: u32, change: &ToolChange) {
+        self.catch_up();
+        let Workshop { session, workspace, kept, .. } = &mut self.workshop;
+        match change {
+            ToolChange::Is { name, diameter, length } => {
+                let tool = session.gcode.tools.entry(number).or_default();
+                tool.name = (!name.is_empty()).then(|| name.as_str().into());
+                (tool.diameter_mm, tool.offset[Axis::Z]) = (*diameter, *length);
+            }
+            ToolChange::Gone => drop(session.gcode.tools.remove(&number)),
+            ToolChange::In => session.gcode.tool = number,
+        }
+        let unkept = if *kept { session.keep_place(workspace).err() } else { None };
+        self.rest(State::Idle, None);
+        if let Some(error) = unkept {
+            let why = format!("the tools hold until Kerf ends, they cannot be kept: {error}");
+            self.hub.say(Tone::Error, why);
+        }
     }
 
     /// Has another configuration from now on, keeps what is new of it, and tells whether that is on the disk.
@@ -251,6 +279,7 @@ impl Owner {
         let name = self.parts.name_of(&workspace.part_folder().display().to_string());
         let folder = Folder { name, mask: workspace.mask().to_owned() };
         let height_map = to_wire::height_map(&self.workshop.workspace);
+        let tools = to_wire::tools(&self.workshop.session, &self.workshop.workspace);
         let watched = self.watched();
         let setup = crate::configure::setup(&self.workshop.session);
         let interrupted = self.interrupted();
@@ -265,6 +294,7 @@ impl Owner {
             put(now.recorder != recorder, Change::Recorder { recorder });
             put(now.folder != folder, Change::Folder { folder });
             put(now.interrupted != interrupted, Change::Interrupted { interrupted });
+            put(now.tools != tools, Change::Tools { tools });
             put(now.height_map != height_map, Change::HeightMap { height_map });
             put(now.watched != watched, Change::Watched { watched });
             put(now.setup != setup, Change::Setup { setup });
@@ -344,6 +374,7 @@ mod tests {
             run: 0,
             looked: None,
             locked: None,
+            waits: None,
             previews: Arc::new(|| Err(std::io::ErrorKind::Unsupported.into())),
         }
     }

@@ -12,7 +12,7 @@ use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::{Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
-use kerf_program::Axes;
+use kerf_program::{Axes, Axis};
 use kerf_trace::Summary;
 use kerf_wire::{Change, Machine, Message, State, Tone};
 
@@ -51,8 +51,10 @@ impl Owner {
         let Some(controller) = controller else { return };
         let lost = self.hub.read(|now| now.machine.state == State::Alarm);
         let (inputs, place) = controller.attend();
+        let controller_steps = controller.steps_per_mm();
         let zeros: Vec<_> = controller.zeros().into_iter().map(shown).collect();
-        let (fault, locked) = (controller.fault(), controller.locked());
+        let (fault, locked, waits) = (controller.fault(), controller.locked(), controller.waits());
+        let wants_tool = controller.driven().borrow_mut().waits_for_tool();
         let memory = &mut session.memory;
         // What is only drawn is elsewhere than the machine.
         let drawn = &mut memory.before_preview;
@@ -65,8 +67,10 @@ impl Owner {
         }
         inputs.into_iter().for_each(|input| AtRest(&mut *session).senses(input));
         self.hub.changing(|now| {
-            let other = now.zeros != zeros;
-            other.then_some(Change::Zeros { zeros }).into_iter().collect()
+            let zeros = (now.zeros != zeros).then_some(Change::Zeros { zeros });
+            let other = now.controller_steps != controller_steps;
+            let steps = other.then_some(Change::ControllerSteps { controller_steps });
+            zeros.into_iter().chain(steps).collect()
         });
         match fault {
             Some(why) if !lost => self.rest(State::Alarm, Some(why)),
@@ -74,6 +78,25 @@ impl Owner {
             _ if changed => self.settle(Machine::clone),
             _ => {}
         }
+        self.tell_waits(waits, wants_tool);
+    }
+
+    /// Tells for what the controller waits at its own controls while nothing runs, and whether that is a tool.
+    fn tell_waits(&mut self, waits: Option<&'static str>, wants_tool: bool) {
+        let before = std::mem::replace(&mut self.waits, waits);
+        self.hub.changing(|now| {
+            let mut machine = Machine { wants_tool, ..now.machine.clone() };
+            machine.why = machine.why.filter(|told| Some(&**told) != before);
+            machine.why = machine.why.or(waits.map(str::to_owned));
+            let other = machine != now.machine;
+            other.then_some(Change::Machine { machine }).into_iter().collect()
+        });
+    }
+
+    /// The tool is in for which the controller waits.
+    pub(super) fn tool_is_in(&mut self) {
+        self.driven().borrow_mut().tool_is_in();
+        self.rest(State::Idle, None);
     }
 
     /// The controller takes no orders from now on, for a reason, or takes them again: it is disarmed and tells why.
@@ -167,6 +190,30 @@ impl Owner {
             }
             Ok(None) => self.rest(State::Idle, None),
             Ok(Some(line)) => self.command(&line, false, None, false),
+        }
+        self.attend();
+    }
+
+    /// Writes the steps of a millimetre of an axis into the controller. Its own count of where it stands is another then.
+    pub(super) fn change_steps(&mut self, axis: Axis, steps: f64) {
+        self.catch_up();
+        let link = self.link.clone();
+        let missing = || Err("there is no controller that keeps steps".into());
+        let written = self.reach().and_then(|()| {
+            self.workshop.controller.as_ref().map_or_else(missing, |controller| {
+                controller.keeps_steps(axis.index(), steps, || link.lock().is_to_stop())
+            })
+        });
+        self.rest(State::Idle, None);
+        let letter = axis.letter();
+        match written {
+            Err(why) => self.hub.say(Tone::Error, why),
+            Ok(kept) => self.hub.say(
+                Tone::Warning,
+                format!(
+                    "the controller keeps {kept} steps a millimetre of {letter} now: it counts anew where {letter} stands, so home it or set its location"
+                ),
+            ),
         }
         self.attend();
     }

@@ -63,6 +63,8 @@ pub struct Wanted {
     pub jog: Option<Held>,
     /// A stop came while nothing ran, and nobody has seen to it yet.
     rests: bool,
+    /// The tool is in for which the controller waits.
+    pub tool_in: bool,
     /// Switches that are moved: by what runs, or else before the next thing begins.
     pub presses: VecDeque<Press>,
 }
@@ -124,6 +126,11 @@ impl Wanted {
             return Some(OperatorRequest::Hold);
         }
         self.pressed().or_else(|| self.feed.take().map(OperatorRequest::Feed))
+    }
+
+    /// Returns `true` once where somebody has said that the tool is in.
+    pub const fn takes_tool(&mut self) -> bool {
+        std::mem::replace(&mut self.tool_in, false)
     }
 
     /// Drops the hold that is wanted, because the machine stands already and waits for a person.

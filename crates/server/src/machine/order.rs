@@ -9,6 +9,7 @@ use kerf_machine::table::Setting;
 use kerf_machine::{Configuration, Errand};
 use kerf_program::{AXES, Axis};
 use kerf_sbp::FileParameters;
+use kerf_wire::ToolChange;
 use std::path::PathBuf;
 use std::sync::mpsc::Sender;
 
@@ -91,6 +92,22 @@ pub enum Order {
         /// The change.
         change: ZeroChange,
     },
+    /// Change a tool that is known by its number.
+    Tool {
+        /// Its number.
+        number: u32,
+        /// The change.
+        change: ToolChange,
+    },
+    /// Write the steps of a millimetre of an axis into the controller.
+    Steps {
+        /// The axis.
+        axis: Axis,
+        /// Steps of a millimetre.
+        steps: f64,
+    },
+    /// The tool is in for which the controller waits.
+    ToolIn,
     /// Take this file of heights into force, or the map off.
     HeightMap(Option<String>),
     /// Shift the workpiece.
@@ -150,9 +167,12 @@ impl Order {
             | Self::CutMove { .. }
             | Self::Switch(..)
             | Self::Zero { .. }
+            | Self::ToolIn
+            | Self::Steps { .. }
             | Self::Nudge(..) => true,
             Self::Switches
             | Self::HeightMap(_)
+            | Self::Tool { .. }
             | Self::Folder { .. }
             | Self::Record(_)
             | Self::Watched

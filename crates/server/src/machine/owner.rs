@@ -67,6 +67,8 @@ pub struct Owner {
     pub looked: Option<Stops>,
     /// The reason for which the controller takes no orders, as it was told last.
     pub locked: Option<String>,
+    /// What the controller waits for while nothing runs, as it was told last.
+    pub waits: Option<&'static str>,
     /// Builds the files of a dry run, which changes none.
     pub previews: PreviewFiles,
 }
@@ -147,6 +149,9 @@ impl Owner {
                 Order::CutMove { at, machine } => self.cut_move(at, *machine),
                 Order::Switch(number, on) => self.switch(number, on),
                 Order::Zero { name, change } => self.change_zero(&name, change),
+                Order::Tool { number, change } => self.change_tool(number, &change),
+                Order::Steps { axis, steps } => self.change_steps(axis, steps),
+                Order::ToolIn => self.tool_is_in(),
                 Order::HeightMap(text) => self.take_height_map(text.as_deref()),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),

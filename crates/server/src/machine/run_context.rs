@@ -10,8 +10,8 @@ use crate::to_wire;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Jog, LIFT, OperatorRequest, Requests, WorldClock};
 use kerf_journal::Hurry;
-use kerf_machine::Driven;
 use kerf_machine::driver::{Override, Shares};
+use kerf_machine::{Driven, Machine as DrivenMachine};
 use kerf_program::{Question, QuestionKind};
 use kerf_trace::{Doing, Event, ExecutedMove, RunStatus, Sink};
 use kerf_wire::{Asked, Change, InForce, Machine, Overrides, State, Tone};
@@ -63,18 +63,29 @@ impl Shared {
 
     /// Looks at the machine while its run waits for somebody.
     fn look(&self, machine: &Driven) {
-        let waits = machine.try_borrow_mut().ok().and_then(|mut machine| {
+        let told = machine.try_borrow_mut().ok().map(|mut machine| {
             machine.look();
-            machine.waits()
+            self.passes_tool(&mut *machine)
         });
-        self.waits(waits);
+        let (waits, wants_tool) = told.unwrap_or_default();
+        self.waits(waits, wants_tool);
+    }
+
+    /// Tells the machine that the tool is in for which it waits, where somebody said so. Returns for what it waits, and
+    /// whether that is a tool.
+    fn passes_tool(&self, machine: &mut dyn DrivenMachine) -> (Option<&'static str>, bool) {
+        if self.link.lock().takes_tool() {
+            machine.tool_is_in();
+        }
+        (machine.waits(), machine.waits_for_tool())
     }
 
     /// Tells pages for what the machine waits at its own controls.
-    fn waits(&self, why: Option<&'static str>) {
+    fn waits(&self, why: Option<&'static str>, wants_tool: bool) {
         self.hub.changing(|now| {
-            let other = now.machine.why.as_deref() != why;
-            let machine = || Machine { why: why.map(String::from), ..now.machine.clone() };
+            let other = now.machine.why.as_deref() != why || now.machine.wants_tool != wants_tool;
+            let machine =
+                || Machine { why: why.map(String::from), wants_tool, ..now.machine.clone() };
             other.then(|| Change::Machine { machine: machine() }).into_iter().collect()
         });
     }
@@ -184,9 +195,10 @@ impl PageRequests {
 impl Requests for PageRequests {
     fn take(&mut self, from_s: f64, _: f64) -> Option<(f64, OperatorRequest)> {
         let told = self.machine.try_borrow_mut().ok();
-        let told = told.map(|mut machine| (machine.waits(), machine.turned_by_hand()));
-        let (waits, turned) = told.unwrap_or_default();
-        self.shared.waits(waits);
+        let told = told
+            .map(|mut machine| (self.shared.passes_tool(&mut *machine), machine.turned_by_hand()));
+        let ((waits, wants_tool), turned) = told.unwrap_or_default();
+        self.shared.waits(waits, wants_tool);
         turned.into_iter().for_each(|shares| self.shared.is_turned(shares));
         self.shared.link.lock().request().map(|request| (from_s, request))
     }

@@ -1,6 +1,8 @@
 //! Everything that can be asked of a server: a line of the table each.
 
-use kerf_wire::{Act, ByHand, FileParameters, HeightMapChange, JobChoice, Op, ZeroChange};
+use kerf_wire::{
+    Act, ByHand, FileParameters, HeightMapChange, JobChoice, Op, ToolChange, ZeroChange,
+};
 use serde_json::{Value, json};
 
 /// How something is asked for.
@@ -58,6 +60,9 @@ fn every() -> Vec<Act> {
         Act::Bit { lease, name: "none".into(), on: true },
         Act::Step { lease, motor: "none".into(), forward: true },
         Act::Zero { lease, name: "none".into(), change: ZeroChange::Holds },
+        Act::Tool { lease, number: 0, change: ToolChange::Gone },
+        Act::ToolIn { lease },
+        Act::ControllerSteps { lease, axis: 'X', steps: 0.0 },
         Act::HeightMap { lease, change: HeightMapChange::File { name: "none.map".into() } },
         Act::Wire { lease, port: "none".into(), board: None, into: "none".into() },
         Act::WireAnswer { lease, question: 0, answer: "q".into() },

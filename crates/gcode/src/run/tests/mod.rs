@@ -12,7 +12,8 @@ mod programs;
 mod state;
 
 use crate::testing::{FakeHost, Ran, metric, run, run_with};
-use crate::{Dialect, Options, Session, Tool};
+use crate::{Dialect, Options, Session};
+use kerf_program::Tool;
 use kerf_program::{Answer, Axes, Axis, Button, Command, Feed, Status};
 
 /// The motion of a program in millimetres.

@@ -1,13 +1,17 @@
 //! Files that FP lays elsewhere, scales or mirrors: what counts as the file, and what as the machine.
 
+use crate::Options;
 use crate::testing::{FakeHost, Ran, metric, run_with};
-use crate::{Options, Tool};
+use kerf_program::Tool;
 use kerf_program::{Axes, Command};
 
 /// Runs a program as FP calls it, with a tool of length 40 and G28 at 100, 200, 300.
 fn placed(text: &str, proportion: [f64; 3], zero: [f64; 3]) -> Ran {
     let mut session = metric();
-    session.state.tools.insert(1, Tool { diameter_mm: 2.0, offset: Axes::xyz(0.0, 0.0, 40.0) });
+    session
+        .state
+        .tools
+        .insert(1, Tool { diameter_mm: 2.0, offset: Axes::xyz(0.0, 0.0, 40.0), ..Tool::default() });
     session.state.home[0] = Axes::xyz(100.0, 200.0, 300.0);
     let options = Options { proportion, temporary_zero_mm: zero, ..Options::default() };
     run_with(&format!("G21 F100⏎{text}"), FakeHost::default(), session, options)

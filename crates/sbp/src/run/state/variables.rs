@@ -1,6 +1,7 @@
 //! The user's variables: global to all files, kept until the software ends.
 
 use crate::syntax::Value;
+use kerf_program::ToolTable;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -107,11 +108,14 @@ pub(crate) struct Memory {
     pub(crate) random: u64,
     /// Variables made beyond the hundredth were told of.
     pub(crate) told_many_variables: bool,
+    /// The tools by their numbers; shared until one changes, because interpreter states are cloned often.
+    #[serde(default)]
+    pub(crate) tools: Arc<ToolTable>,
 }
 
 impl Memory {
-    pub(crate) const fn new(variables: Variables, random: u64) -> Self {
-        Self { variables, random, told_many_variables: false }
+    pub(crate) fn new(variables: Variables, random: u64) -> Self {
+        Self { variables, random, told_many_variables: false, tools: Arc::default() }
     }
 }
 
