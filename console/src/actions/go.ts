@@ -78,6 +78,12 @@ const openZeros: Action = {
   refused: ({ shown }) =>
     shown.snapshot?.zeros.length ? undefined : t("The machine keeps no zero points."),
 };
+/** Tools by their numbers, where they are changed and measured. */
+export const openToolTable = sheetAction(
+  { kind: "toolTable" },
+  t("Tools by their numbers: lengths, changing and measuring them"),
+  [],
+);
 /** Zero set by touch: plates, corners, bores, the angle of the material. */
 const openProbe = sheetAction(
   { kind: "probe" },
@@ -154,6 +160,7 @@ export const goActions: readonly Action[] = [
   openInputs,
   openPorts,
   openZeros,
+  openToolTable,
   openProbe,
   openHeightMap,
   openSurfacing,

@@ -74,6 +74,16 @@ export const resume: Action = {
   run: (world) => void drive(world, { do: "resume" }),
 };
 
+/** The tool is in for which the controller waits: it goes on. */
+export const toolIn: Action = {
+  id: "machine.toolIn",
+  title: t("Continue: the tool is in"),
+  section: "machine",
+  refused: (world) =>
+    machineOf(world)?.wantsTool ? undefined : t("The controller waits for no tool."),
+  run: (world) => void drive(world, { do: "toolIn" }),
+};
+
 export const arm: Action = {
   id: "machine.arm",
   title: t("Arm the machine"),
@@ -180,6 +190,7 @@ export const machineActions: readonly Action[] = [
   hold,
   findHome,
   resume,
+  toolIn,
   arm,
   disarm,
   acknowledge,

@@ -1,11 +1,18 @@
-import { hold, resume } from "../actions/machine";
+import { hold, resume, toolIn } from "../actions/machine";
 import { ActionButton } from "../ui/ActionButton";
 import { useShown } from "./context";
 
-/** Hold while something moves, resume while it is held: one place for both. */
+/** Hold while something moves, resume while it is held, continue where a tool is waited for: one place for all. */
 export function HoldButton() {
-  const held = useShown((shown) => shown.snapshot?.machine.state === "held");
-  return held ? (
+  const state = useShown((shown) => shown.snapshot?.machine.state);
+  const wantsTool = useShown((shown) => shown.snapshot?.machine.wantsTool);
+  if (wantsTool && (state === "idle" || state === "running"))
+    return (
+      <ActionButton action={toolIn} look="go" className="hold-button">
+        Continue
+      </ActionButton>
+    );
+  return state === "held" ? (
     <ActionButton action={resume} look="go" className="hold-button" />
   ) : (
     <ActionButton action={hold} look="hold" className="hold-button" />

@@ -25,6 +25,7 @@ import { ToDoSheet } from "../tools/ToDoSheet";
 import { ToolsSheet } from "../tools/ToolsSheet";
 import { ValuesSheet } from "../tools/ValuesSheet";
 import { VersionsSheet } from "../tools/VersionsSheet";
+import { ToolTableSheet } from "../toolTable/ToolTableSheet";
 import { TuningSheet } from "../tuning/TuningSheet";
 import { WiringSheet } from "../wiring/WiringSheet";
 import { ZerosSheet } from "../zeros/ZerosSheet";
@@ -70,6 +71,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <WiringSheet onClose={close} />;
     case "zeros":
       return <ZerosSheet onClose={close} />;
+    case "toolTable":
+      return <ToolTableSheet onClose={close} />;
     case "ports":
       return <PortsSheet onClose={close} />;
     case "samples":

@@ -35,7 +35,8 @@ export function Steps() {
   const axes = (units ? usedAxes(units) : []).filter(({ at }) => at < 3);
   const at = axes.find(({ axis }) => axis.letter === letter)?.at ?? 0;
   const [asked, measured] = [length("asked"), length("measured")];
-  const steps = entry && numbersOf(entry.value)[at];
+  const kept = useSnapshot("controllerSteps")?.[at];
+  const steps = kept ?? (entry && numbersOf(entry.value)[at]);
   if (!entry || steps === undefined) return null;
   const truer = asked && measured ? truerSteps(steps, asked, measured) : undefined;
   const move = () => {
@@ -46,7 +47,12 @@ export function Steps() {
   const write = () => {
     setAsks(false);
     if (truer === undefined) return;
-    void drive(worldOf(hands), { do: "set", key, value: withNumber(entry.value, at, truer) });
+    void drive(
+      worldOf(hands),
+      kept === undefined
+        ? { do: "set", key, value: withNumber(entry.value, at, truer) }
+        : { do: "controllerSteps", axis: letter, steps: truer },
+    );
   };
   return (
     <section className="tuning-part" aria-label={t("Steps per millimetre")}>
@@ -73,17 +79,22 @@ export function Steps() {
         value={text("measured")}
         onChange={type("measured")}
       />
-      <p role="status">{t("{0} has {1} steps a millimetre.", letter, shortly(steps))}</p>
+      <p role="status">
+        {kept === undefined
+          ? t("{0} has {1} steps a millimetre.", letter, shortly(steps))
+          : t("The controller keeps {1} steps a millimetre of {0}.", letter, shortly(steps))}
+      </p>
       {truer !== undefined && (
         <>
           <p>{t("{0} steps make the way true.", shortly(truer))}</p>
-          <p className="tuning-note">
-            {t(
-              "A controller that plans for itself keeps its own: multiply its setting {0} by {1}: `kerf machine settings set {0}`.",
-              100 + at,
-              shortly(truer / steps),
-            )}
-          </p>
+          {kept !== undefined && (
+            <p className="tuning-note">
+              {t(
+                "They are written into the controller and read back. It counts anew where {0} stands: home it then, or set its location.",
+                letter,
+              )}
+            </p>
+          )}
           {asks ? (
             <div className="tuning-asks" role="alertdialog" aria-label={t("Write the steps?")}>
               <p>{t("Write {0} in the place of {1}?", shortly(truer), shortly(steps))}</p>
@@ -93,7 +104,12 @@ export function Steps() {
               <Button onPress={() => setAsks(false)}>Cancel</Button>
             </div>
           ) : (
-            <Button onPress={() => setAsks(true)}>Write the steps…</Button>
+            <Button
+              refused={kept === undefined ? undefined : refused}
+              onPress={() => setAsks(true)}
+            >
+              Write the steps…
+            </Button>
           )}
         </>
       )}

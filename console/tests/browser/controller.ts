@@ -27,12 +27,13 @@ class Pretended {
   }
 
   /** Its place, mm, and the speed of its spindle, revolutions a minute; nothing where that is off. */
-  async look(): Promise<{ place: number[]; rpm: number | null }> {
+  async look(): Promise<{ place: number[]; rpm: number | null; waitsForTool: boolean }> {
     this.child.stdin?.write("where\n");
     const line = await this.line();
     const place = line.split(" ")[0]?.split(",").map(Number) ?? [];
     const rpm = /spindle Some\(([\d.]+)\)/.exec(line)?.[1];
-    return { place, rpm: rpm === undefined ? null : Number(rpm) };
+    const waitsForTool = line.endsWith("waits for a tool");
+    return { place, rpm: rpm === undefined ? null : Number(rpm), waitsForTool };
   }
 
   /** Works it by a line of its own. */
@@ -49,6 +50,12 @@ class Pretended {
 export class Controller extends Pretended {
   constructor(...settings: string[]) {
     super("grbl", settings);
+  }
+
+  /** A value of its settings. */
+  async setting(number: number): Promise<number> {
+    this.work(`setting ${number}`);
+    return Number(await this.line());
   }
 
   /** Somebody at a pendant sends it a line. */

@@ -41,6 +41,7 @@ export const firstSnapshot = message<Snapshot>({
     mode: "simulated",
     armed: false,
     why: null,
+    wantsTool: false,
     name: "Simulated machine",
     offers: { inputs: true, card: true, startArms: true },
   },

@@ -305,7 +305,7 @@ impl Grbl {
             // It hears nothing else while it goes home.
             Phase::Ready if self.quiet() => self.reset(),
             // A reset would end the change of tools.
-            Phase::Ready if self.tool.takes_jogs() && !self.flights.is_empty() => {
+            Phase::Ready if self.tool.takes_jogs() => {
                 (self.phase, self.doing) = (Phase::Stopping, Doing::Slowing);
                 self.out.extend([JOG_CANCEL, at_once::ASK]);
                 return;
@@ -455,7 +455,11 @@ impl Driver for Grbl {
                 }
             }
             Signal::ToolIn if self.tool.is_on() => self.out.extend(self.tool.is_in()),
-            Signal::ToolIn => {}
+            Signal::ToolOff if self.tool.is_on() => {
+                self.tool = ToolWait::default();
+                self.reset();
+            }
+            Signal::ToolIn | Signal::ToolOff => {}
             Signal::Feed(percent) => {
                 (self.shares.feed, self.turned_s) = (percent.clamp(10, 200), now_s);
                 self.out.extend(at_once::feed(percent));

@@ -66,9 +66,13 @@ fn a_jog_that_is_ended_leaves_it_waiting() {
 }
 
 #[test]
-fn a_stop_at_rest_gives_the_change_of_tools_up() {
+fn a_change_of_tools_is_given_up_by_a_reset_alone() {
     let (mut link, now_s) = changing();
     link.stop(now_s);
+    let now_s = looks(&mut link, now_s, 1.0);
+    let Wire { grbl, fake, .. } = link.driver();
+    assert!(fake.waits_for_tool() && grbl.begin_anew());
+    link.driver().signal(Signal::ToolOff, now_s);
     looks(&mut link, now_s, 1.0);
     let Wire { grbl, fake, .. } = link.driver();
     assert!(!fake.waits_for_tool() && grbl.begin_anew());

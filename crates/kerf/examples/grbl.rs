@@ -8,7 +8,8 @@
 //!
 //! Settings are arguments: `20=1 22=1`. Lines on standard input work it: `limit` hits a limit switch,
 //! `pins PD` closes switches, `block X Y Z X Y Z`, `bore X Y RADIUS` and `plate Z RISE RISE` are things that its
-//! probe feels until `nothing`, `pendant G55` sends it a line, `tool` has it change the tool by itself, `where` tells where it stands, an end of the input unplugs it.
+//! probe feels until `nothing`, `pendant G55` sends it a line, `tool` has it change the tool by itself, `setting 100` and
+//! `where` tell a setting and where it stands, an end of the input unplugs it.
 #![allow(clippy::print_stdout)]
 
 #[cfg(unix)]
@@ -97,9 +98,12 @@ mod unix {
                     if fake.waits_for_tool() { ", waits for a tool" } else { "" }
                 );
             }
+            ("setting", number) => {
+                println!("{}", fake.is_set_to(number.parse().unwrap_or_default()));
+            }
             ("lines", _) => fake.lines.iter().for_each(|line| println!("{line}")),
             _ => println!(
-                "limit, pins PXYZD, block, bore, plate, nothing, pendant LINE, tool, where, lines"
+                "limit, pins PXYZD, block, bore, plate, nothing, pendant LINE, tool, setting N, where, lines"
             ),
         }
     }

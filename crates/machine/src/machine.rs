@@ -287,6 +287,9 @@ pub trait Machine {
     /// The tool is in for which it waits: it goes on.
     fn tool_is_in(&mut self) {}
 
+    /// Nobody puts in the tool for which it waits: it gives its change of tools up.
+    fn gives_tool_up(&mut self) {}
+
     /// Returns the reason for which it does nothing more.
     fn fault(&self) -> Option<&Fault>;
 }

@@ -167,7 +167,11 @@ impl Driver for Controller {
             Signal::Hold => self.held = true,
             Signal::Resume => self.held = false,
             Signal::Stop => self.stopping = true,
-            Signal::Feed(_) | Signal::Override(_) | Signal::ByHand | Signal::ToolIn => {}
+            Signal::Feed(_)
+            | Signal::Override(_)
+            | Signal::ByHand
+            | Signal::ToolIn
+            | Signal::ToolOff => {}
         }
     }
 

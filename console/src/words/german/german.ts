@@ -9,6 +9,7 @@ import { operating } from "./operating";
 import { settings } from "./settings";
 import { shared } from "./shared";
 import { tools } from "./tools";
+import { toolTable } from "./toolTable";
 import { wiring } from "./wiring";
 
 export const german: Readonly<Record<string, string>> = {
@@ -21,5 +22,6 @@ export const german: Readonly<Record<string, string>> = {
   ...settings,
   ...shared,
   ...tools,
+  ...toolTable,
   ...wiring,
 };

@@ -244,8 +244,10 @@ export const tools: Readonly<Record<string, string>> = {
   "Way that was measured": "Gemessener Weg",
   "{0} has {1} steps a millimetre.": "{0} hat {1} Schritte je Millimeter.",
   "{0} steps make the way true.": "Mit {0} Schritten stimmt der Weg.",
-  "A controller that plans for itself keeps its own: multiply its setting {0} by {1}: `kerf machine settings set {0}`.":
-    "Eine Steuerung, die selbst plant, hat ihre eigenen: ihre Einstellung {0} mit {1} malnehmen: `kerf machine settings set {0}`.",
+  "The controller keeps {1} steps a millimetre of {0}.":
+    "Die Steuerung hat für {0} {1} Schritte je Millimeter.",
+  "They are written into the controller and read back. It counts anew where {0} stands: home it then, or set its location.":
+    "Sie werden in die Steuerung geschrieben und zurückgelesen. Wo {0} steht, zählt sie dann neu: danach referenzieren oder den Ort setzen.",
   "Write the steps?": "Schritte schreiben?",
   "Write {0} in the place of {1}?": "{0} anstelle von {1} schreiben?",
   Axis: "Achse",

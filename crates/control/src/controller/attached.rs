@@ -342,9 +342,7 @@ impl Controller {
         workspace: &mut Workspace,
         operator: &mut dyn Operator,
     ) -> Vec<Diagnostic> {
-        if let (true, Some(why)) =
-            (!matches!(work, Work::Hand(..)) && self.waits_for_tool(), self.waits())
-        {
+        if let (true, Some(why)) = (!is_by_hand(work) && self.waits_for_tool(), self.waits()) {
             let why = format!("{}: {why}", self.name());
             return vec![Diagnostic::new(Code::Controller, Place::line(work.name(), 0), why)];
         }
@@ -369,6 +367,15 @@ impl Controller {
             done?;
             again.map_err(HostError::Refused)
         })
+    }
+}
+
+/// Returns `true` for what somebody's hands move: errands, and the keypad (SK) that is typed.
+fn is_by_hand(work: &Work) -> bool {
+    match work {
+        Work::Hand(..) => true,
+        Work::Part(program) => program.sbp.text.trim().eq_ignore_ascii_case("SK"),
+        Work::Job(..) => false,
     }
 }
 

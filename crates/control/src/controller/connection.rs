@@ -566,9 +566,7 @@ impl Connection {
         if well {
             self.finish(is_stopped);
         }
-        // A reset would end a change of tools that the controller has begun, and it has switched its outputs off itself.
-        let waits_for_tool = self.open == 0 && self.link.driver().waits_for_tool();
-        if !well && !waits_for_tool || self.failure.is_some() {
+        if !well || self.failure.is_some() {
             self.wanted = 0;
             self.stop_at_once();
         }

@@ -419,6 +419,11 @@ impl Machine for Connection {
         self.signal(Signal::ToolIn);
     }
 
+    fn gives_tool_up(&mut self) {
+        self.signal(Signal::ToolOff);
+        self.stop_at_once();
+    }
+
     fn fault(&self) -> Option<&Fault> {
         self.failure.as_ref()
     }

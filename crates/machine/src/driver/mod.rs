@@ -139,6 +139,8 @@ pub enum Signal {
     ByHand,
     /// The tool is in for which you [wait](Wired::waits_for_tool).
     ToolIn,
+    /// Nobody puts it in: give the change of tools up.
+    ToolOff,
     /// Slow down, forget every order that is not done, switch outputs off.
     Stop,
     /// Make moves at so many percent of the speed that was ordered, from now on.

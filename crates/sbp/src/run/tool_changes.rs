@@ -11,7 +11,7 @@
 use super::Context;
 use super::state::Purpose;
 use crate::Value;
-use kerf_program::{Command, ToolTable};
+use kerf_program::{Command, ToolTable, rounded};
 use std::sync::Arc;
 
 /// The tool that is wanted.
@@ -19,6 +19,9 @@ const WANTED: &str = "TOOL";
 
 /// Its length at the sensor, or of the one in the spindle before.
 const LENGTHS: [&str; 2] = ["TOOL_LENGTH", "TOOL_IN_LENGTH"];
+
+/// Digits of a length behind the point, mm: what is less is rounding of units.
+const PLACES: i32 = 4;
 
 /// Lengths that differ by less are the same, rounded to another unit and back, mm.
 const SAME_MM: f64 = 1e-4;
@@ -75,7 +78,7 @@ pub(super) fn end(c: &mut Context<'_>) {
     for (number, told_mm) in [(table.in_spindle, before_mm), (wanted, length_mm)] {
         let other = |mm: &f64| table.touch_mm(number).is_none_or(|was| (was - mm).abs() > SAME_MM);
         if let Some(mm) = told_mm.filter(|mm| number > 0 && mm.is_finite() && other(mm)) {
-            table.tools.entry(number).or_default().touched(mm);
+            table.tools.entry(number).or_default().touched(rounded(mm, PLACES));
         }
     }
     table.in_spindle = wanted;

@@ -147,7 +147,7 @@ impl Owner {
         });
         let driven = self.driven();
         if pressed && driven.borrow_mut().waits_for_tool() {
-            driven.borrow_mut().halt();
+            driven.borrow_mut().gives_tool_up();
             let text = "the controller does not wait for a tool any more: it was stopped, and has given the change up";
             self.hub.say(Tone::Note, text);
         }

@@ -9,6 +9,11 @@ export const operatingSentences: Readonly<Record<string, string>> = {
   "the machine is busy": "Die Maschine ist beschäftigt.",
   "stopped before it began: start it again": "Vor dem Beginn angehalten: noch einmal starten.",
   "take note of the alarm first": "Zuerst den Alarm zur Kenntnis nehmen.",
+  "it waits for a tool: put it in, then press Continue, or its own button":
+    "Sie wartet auf ein Werkzeug: einsetzen, dann Weiter drücken, oder ihren eigenen Knopf.",
+  "the controller waits for no tool": "Die Steuerung wartet auf kein Werkzeug.",
+  "the controller does not wait for a tool any more: it was stopped, and has given the change up":
+    "Die Steuerung wartet nicht mehr auf ein Werkzeug: Sie wurde angehalten und hat den Wechsel aufgegeben.",
   "nothing is held": "Nichts wird gehalten.",
   "no file is open": "Keine Datei ist offen.",
   "no run was cut short": "Kein Lauf wurde unterbrochen.",
