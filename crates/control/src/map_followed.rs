@@ -6,9 +6,11 @@
 use crate::map_pieces::Laid;
 use crate::mapped::{Mapped, outside};
 use kerf_diag::{Code, Diagnostic, Place, Severity};
+use kerf_machine::homing::{bounds_by_hand, table_bounds};
+use kerf_machine::{Configuration, Driven};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::JobShape;
-use kerf_program::{Axes, HeightMap, Interpreter as _, MARGIN_MM};
+use kerf_program::{Axes, Axis, Frame, HeightMap, Interpreter as _, MARGIN_MM};
 use kerf_sequence::Sequence;
 use std::sync::Arc;
 
@@ -18,15 +20,27 @@ pub(crate) fn mapped(
     mut memory: kerf_part::Session,
     read: kerf_part::Options,
     map: Option<Arc<HeightMap>>,
+    top_mm: f64,
 ) -> Mapped<Interpreter> {
     let zero = memory.sbp.frame.working_zero;
     memory.sbp.position = lowered(map.as_deref(), zero, memory.sbp.position);
-    Mapped::new(Interpreter::new(program, memory, read), map)
+    Mapped::new(Interpreter::new(program, memory, read), map).below(top_mm)
 }
 
 /// The place that a program names where the machine stands at a position, above a map that lies at a zero.
 pub(crate) fn lowered(map: Option<&HeightMap>, zero: Axes, position: Axes) -> Axes {
-    map.map_or(position, |map| Laid { map, zero }.lowered(position))
+    map.map_or(position, |map| Laid { map, zero, top_mm: f64::INFINITY }.lowered(position))
+}
+
+/// Returns the highest place of Z, machine frame, mm: by its length, the table limits and the controller; infinite where none
+/// is known.
+pub(crate) fn top_mm(machine: &Configuration, homed: bool, frame: &Frame, driven: &Driven) -> f64 {
+    let (_, length) = bounds_by_hand(machine, Axis::Z, homed);
+    let table = table_bounds(machine, Axis::Z).map(|(_, high)| high + frame.base_zero[Axis::Z]);
+    let driven = driven.borrow();
+    let own = driven.facts().travel_mm[Axis::Z.index()].filter(|_| driven.facts().homes);
+    let own = own.map(|(_, high)| high);
+    length.min(table.unwrap_or(f64::INFINITY)).min(own.unwrap_or(f64::INFINITY))
 }
 
 /// The reason for which a job cannot follow a map that lies at a zero: it leaves the map, or finds the surface itself.
@@ -40,7 +54,7 @@ pub(crate) fn job_leaves_map(
         let why = "a height map is in force, and the job's height control (height.on) finds the surface itself";
         return Some(not_followed(&job.name, why.to_owned()));
     }
-    let laid = Laid { map, zero };
+    let laid = Laid { map, zero, top_mm: f64::INFINITY };
     let leaves = |shape: &&JobShape| {
         let bounds = shape.path.bounds();
         let corners = [bounds.min, bounds.max].map(|corner| job.on_table(corner));

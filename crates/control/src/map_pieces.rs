@@ -18,6 +18,8 @@ const SAME: f64 = 1e-9;
 pub(crate) struct Laid<'a> {
     pub map: &'a HeightMap,
     pub zero: Axes,
+    /// The machine's top, Z of the machine frame, mm: what travels there is not lifted beyond it.
+    pub top_mm: f64,
 }
 
 impl Laid<'_> {
@@ -28,7 +30,9 @@ impl Laid<'_> {
 
     /// The machine position of a place of the program.
     pub fn lifted(&self, mut place: Axes) -> Axes {
-        place[Axis::Z] += self.height(place);
+        let flat_mm = place[Axis::Z];
+        let lifted_mm = flat_mm + self.height(place);
+        place[Axis::Z] = lifted_mm.min(flat_mm.max(self.top_mm));
         place
     }
 
@@ -145,7 +149,7 @@ mod tests {
     #[track_caller]
     fn check(command: Command, from: Axes, within_mm: f64) {
         let (map, zero) = (saddle(), Axes::xyz(100.0, 50.0, -7.0));
-        let laid = Laid { map: &map, zero };
+        let laid = Laid { map: &map, zero, top_mm: f64::INFINITY };
         let settings = Settings::default();
         let (mut flat, mut raised) =
             (Mover::new(from, &settings), Mover::new(laid.lifted(from), &settings));
@@ -212,7 +216,7 @@ mod tests {
     #[test]
     fn a_jog_goes_to_the_height_of_its_end_and_time_is_shared() {
         let map = saddle();
-        let laid = Laid { map: &map, zero: Axes::default() };
+        let laid = Laid { map: &map, zero: Axes::default(), top_mm: f64::INFINITY };
         let jog = Line { kind: MoveKind::Jog, to: Axes::xyz(40.0, 30.0, 5.0), feed: Feed::Axis };
         assert_eq!(laid.line(Axes::default(), &jog).len(), 1);
         let cut = Line { kind: MoveKind::Cut, to: Axes::xyz(3.5, 0.0, 0.0), feed: Feed::Time(7.0) };
@@ -225,5 +229,19 @@ mod tests {
             })
             .collect();
         assert_eq!(times, [1.75; 4]);
+    }
+
+    #[test]
+    fn what_travels_at_the_top_of_the_machine_is_not_lifted_beyond_it() {
+        let map = saddle();
+        let laid = Laid { map: &map, zero: Axes::default(), top_mm: 10.0 };
+        let height = laid.lifted(Axes::xyz(40.0, 30.0, 0.0))[Axis::Z];
+        assert!(height > 0.5, "{height}");
+        for (flat_mm, mm) in
+            [(10.0, 10.0), (9.9, 10.0), (5.0, 5.0 + height), (12.0, 12.0), (-1.0, height - 1.0)]
+        {
+            let at = laid.lifted(Axes::xyz(40.0, 30.0, flat_mm))[Axis::Z];
+            assert!((at - mm).abs() < 1e-9, "{flat_mm}: {at}, not {mm}");
+        }
     }
 }

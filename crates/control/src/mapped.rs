@@ -17,12 +17,26 @@ use kerf_program::{
 use std::collections::VecDeque;
 use std::sync::Arc;
 
+/// A change of tools: its place and its sensor lie on the table, not on the surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Changing {
+    /// There is none.
+    No,
+    /// It has begun: what was before it may still be made.
+    Begun,
+    /// It moves the machine.
+    Moves,
+}
+
 /// An interpreter below a height map.
 pub(crate) struct Mapped<I> {
     pub inner: I,
     map: Option<Arc<HeightMap>>,
     /// Machine position of the map's X 0, Y 0, where that is not the program's own.
     lies: Option<Axes>,
+    /// The machine's top, Z of the machine frame, mm.
+    top_mm: f64,
+    changing: Changing,
     /// Motion commands handed out: pieces.
     pieces: u64,
     /// The last piece of each motion command, and its number; kept only while something may interrupt.
@@ -31,7 +45,15 @@ pub(crate) struct Mapped<I> {
 
 impl<I: Interpreter> Mapped<I> {
     pub const fn new(inner: I, map: Option<Arc<HeightMap>>) -> Self {
-        Self { inner, map, lies: None, pieces: 0, last_pieces: VecDeque::new() }
+        Self {
+            inner,
+            map,
+            lies: None,
+            top_mm: f64::INFINITY,
+            changing: Changing::No,
+            pieces: 0,
+            last_pieces: VecDeque::new(),
+        }
     }
 
     /// The same above a map that lies at a machine position, wherever the program has its zero.
@@ -40,10 +62,16 @@ impl<I: Interpreter> Mapped<I> {
         self
     }
 
+    /// The same on a machine whose Z ends there, mm of the machine frame.
+    pub const fn below(mut self, top_mm: f64) -> Self {
+        self.top_mm = top_mm;
+        self
+    }
+
     /// The same with another state of the program.
     pub fn with(&self, inner: I) -> Self {
         let (map, last_pieces) = (self.map.clone(), self.last_pieces.clone());
-        Self { inner, map, lies: self.lies, pieces: self.pieces, last_pieces }
+        Self { inner, map, last_pieces, ..*self }
     }
 
     /// Machine position of the map's X 0, Y 0.
@@ -52,7 +80,8 @@ impl<I: Interpreter> Mapped<I> {
     }
 
     fn laid(&self) -> Option<Laid<'_>> {
-        self.map.as_deref().map(|map| Laid { map, zero: self.zero() })
+        let map = self.map.as_deref().filter(|_| self.changing != Changing::Moves)?;
+        Some(Laid { map, zero: self.zero(), top_mm: self.top_mm })
     }
 
     /// The place of the program of a machine position.
@@ -90,14 +119,24 @@ impl<I: Interpreter> Mapped<I> {
             self.last_pieces.clear();
         }
         for sourced in given {
-            let laid = Laid { map: &map, zero };
+            let laid = Laid { map: &map, zero, top_mm: self.top_mm };
+            if sourced.command.is_motion() && self.changing == Changing::Begun {
+                self.changing = Changing::Moves;
+            }
+            let is_flat = self.changing == Changing::Moves;
+            let flat = || vec![sourced.command.clone()];
             let (pieces, to, kind) = match &sourced.command {
+                Command::Line(line) if is_flat => (flat(), line.to, MoveKind::Jog),
+                Command::Arc(arc) if is_flat => (flat(), arc.to, MoveKind::Jog),
                 Command::Line(line) => (laid.line(from, line), line.to, line.kind),
                 Command::Arc(arc) => (laid.arc(from, arc), arc.to, arc.kind),
                 Command::Chorded(_) => continue,
                 other => {
                     if let Command::Location { frame, .. } = other {
                         zero = self.lies.unwrap_or(frame.working_zero);
+                    }
+                    if let Command::ToolChange { begin } = other {
+                        self.changing = if *begin { Changing::Begun } else { Changing::No };
                     }
                     out.push(sourced);
                     continue;
@@ -193,6 +232,8 @@ impl<I: Interpreter> Interpreter for Mapped<I> {
     }
 
     fn nudge(&mut self, by: Axes) {
+        // The surface is that of the workpiece, which lies elsewhere.
+        self.lies = self.lies.map(|zero| zero.plus(by));
         self.inner.nudge(by);
     }
 

@@ -2,7 +2,7 @@
 
 use crate::command_limit::CommandLimit;
 use crate::homing::Found;
-use crate::map_followed::{job_leaves_map, lowered, mapped, mapped_note, not_followed};
+use crate::map_followed::{job_leaves_map, lowered, mapped, mapped_note, not_followed, top_mm};
 use crate::mapped::Mapped;
 use crate::preparation::{Preparation, axis_names};
 use crate::run_context::RunContext;
@@ -21,7 +21,7 @@ use kerf_machine::{Configuration, Errand, Hand};
 use kerf_part::{Interpreter, Program};
 use kerf_program::job::Job;
 use kerf_program::settings::Mode;
-use kerf_program::{AXES, AxisSet, Interpreter as _, Question, Settings, Status};
+use kerf_program::{AXES, Axis, AxisSet, Interpreter as _, Question, Settings, Status};
 use kerf_sbp::{Dialect, Language};
 use kerf_sequence::Sequence;
 use kerf_sim::Simulation;
@@ -117,6 +117,8 @@ impl Session {
             sbp: std::mem::take(&mut self.memory),
             gcode: std::mem::take(&mut self.gcode),
         };
+        let homed = self.homed.contains(Axis::Z);
+        let top_mm = top_mm(&self.machine_is, homed, &memory.sbp.frame, &driven.machine);
         let mut world = World::new(machine, workspace, sink, operator, driven);
         (world.previews, world.tally) = (options.program.preview, tally);
         world.silent = stands.is_some();
@@ -126,7 +128,7 @@ impl Session {
         if options.heights.is_some() {
             world.tell_diagnostic(mapped_note(program.name()));
         }
-        let interpreter = mapped(program, memory, read, options.heights);
+        let interpreter = mapped(program, memory, read, options.heights, top_mm);
         let mut runner =
             Runner::new(interpreter, world, requests, options.limits, options.lines_at_once);
         runner.restore = options.restore.then_some(saved_and_restored);
@@ -174,6 +176,8 @@ impl Session {
         stands: Option<Placed>,
     ) -> Summary {
         let RunContext { sink, operator, requests, machine: driven } = context;
+        let homed = self.homed.contains(Axis::Z);
+        let top_mm = top_mm(machine, homed, &self.memory.frame, &driven.machine);
         let (preview, before) = (options.program.preview, options.before.clone());
         let (name, on_record) = (job.name.clone(), options.started.is_some() && !preview);
         sink.event(&job_starts(&job, preview));
@@ -213,7 +217,7 @@ impl Session {
         if options.heights.is_some() {
             world.tell_diagnostic(mapped_note(&name));
         }
-        let mapped = Mapped::new(sequence, options.heights).lying_at(zero);
+        let mapped = Mapped::new(sequence, options.heights).lying_at(zero).below(top_mm);
         let mut runner = Runner::new(mapped, world, requests, options.limits, 0);
         runner.stops.station.reentry = stands;
         let over = runner.run();

@@ -196,3 +196,72 @@ fn a_job_that_is_stopped_under_a_map_goes_on_where_it_was() {
     assert_eq!(again, left);
     assert_eq!(all.iter().rfind(is_cut).map(end_of_job), whole.last().copied());
 }
+
+#[test]
+fn a_nudge_moves_the_surface_with_the_workpiece() {
+    let shop = shop();
+    shop.kerf("map use rises.map").exits(0);
+    let whole = moves(&shop, "part.nc");
+    shop.write("nudged.txt", b"nudge x .1\nnudge z .05\nResume\n");
+    let ran = shop.kerf("run part.nc --stop-at 2.5 --answers nudged.txt --trace t.jsonl");
+    ran.exits(0);
+    let trace = shop.read("t.jsonl");
+    let all: Vec<_> =
+        trace.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()).collect();
+    let stop = all.iter().position(|it| it["e"] == "stop").expect("it is stopped");
+    let rest: Vec<_> = all[stop..]
+        .iter()
+        .filter(|it| it["e"] == "move" && it["kind"] == "cut" || it["e"] == "arc")
+        .map(to)
+        .collect();
+    assert!(rest.len() > 20, "{} pieces are left", rest.len());
+    for [x, _, z] in &rest {
+        let z_wanted = 0.5 * x.clamp(0.0, 40.0) / 40.0 - 2.0;
+        assert!((z - z_wanted).abs() < 0.001, "{z} at X {x} is not {z_wanted}");
+    }
+    assert_eq!(rest.last().copied(), whole.last().map(to));
+    shop.write("base.sbp", b"PRINT \"base \";INT((%(1) + %(6)) * 2540 + .5) / 100\n");
+    // The end of the arc lies 2.54 mm farther on the table.
+    shop.kerf("run base.sbp").exits(0).says("base 32.54");
+}
+
+#[test]
+fn a_jog_at_the_top_of_z_does_not_pass_it() {
+    let shop = shop();
+    shop.write("top.nc", b"G21 F600\nG0 Z20\nG0 X40\nG1 X30\nG0 Z10\n");
+    for (key, value) in [("limits.high", "[500,500,20]"), ("limits.check", "true")] {
+        shop.kerf(&format!("machine set {key} {value}")).exits(0);
+    }
+    shop.kerf("map use rises.map").exits(0);
+    let [_, jog, .., last] = &moves(&shop, "top.nc")[..] else { panic!("three moves at least") };
+    assert_eq!(to(jog).map(|at| (at * 1e3).round()), [40_000.0, 0.0, 20_000.0]);
+    let [x, _, z] = to(last);
+    assert!((z - 10.0 - 0.5 * x / 40.0).abs() < 0.001, "below the top it is lifted: {z} at {x}");
+}
+
+#[test]
+fn a_tool_is_measured_beside_the_map_and_not_above_it() {
+    let shop = shop();
+    shop.write("sensor.txt", b"input 1 on in box 90,10,-30 110,30,-7\n");
+    shop.write("two.nc", b"G21 F600\nG0 X30\nG1 Z-1\nT2 M6\nG0 X10 Y0\nG1 Z-1\nX20\n");
+    for (key, value) in [
+        ("m6_runs_c9", "true"),
+        ("tool_change.sensor_x", "100"),
+        ("tool_change.sensor_y", "20"),
+        ("tool_change.sensor_input", "1"),
+    ] {
+        shop.kerf(&format!("machine set {key} {value}")).exits(0);
+    }
+    shop.kerf("map use rises.map").exits(0);
+    shop.write("measure.sbp", b"&Tool = 1\n&tool_measure = 1\nC9\n");
+    shop.kerf("run measure.sbp --script sensor.txt").exits(0);
+    let ran = shop.kerf("run two.nc --script sensor.txt --trace t.jsonl");
+    ran.exits(0);
+    let tools = shop.kerf("machine tools");
+    tools.exits(0).says("T1     diameter        0 mm  length        -7 mm  measured\n");
+    tools.says("T2     diameter        0 mm  length        -7 mm  measured  in the spindle");
+    let trace = shop.read("t.jsonl");
+    let all = trace.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    let [x, _, z] = all.filter(|it| it["e"] == "move").map(|it| to(&it)).last().unwrap();
+    assert!((x - 20.0).abs() < 0.001 && (z + 1.0 - 0.25).abs() < 0.001, "{z} at {x}");
+}
