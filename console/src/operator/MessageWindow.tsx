@@ -56,15 +56,18 @@ const least = 120;
 
 type Place = DisplaySettings["message"];
 
-/** Where nobody put it, it stands at the right, over the listing and not over the locations. */
+/** Room between it and what it must not cover, pixels. */
+const room = 8;
+
+/** Where nobody put it, it stands at the right, over the listing: neither over the locations nor over Start. */
 function placed([x, y, width, height]: Place): Place {
   if (x !== 0 || y !== 0) return [x, y, width, height];
-  return [
-    Math.max(0, innerWidth - width - 24),
-    Math.max(0, innerHeight - height - 190),
-    width,
-    height,
-  ];
+  const bar = document.querySelector(".job-start, .job.panel")?.getBoundingClientRect();
+  const strip = document.querySelector(".strip")?.getBoundingClientRect();
+  const low = bar ? bar.top - room : innerHeight - 190;
+  const high = (strip?.bottom ?? 0) + room;
+  const tall = Math.min(height, Math.max(least, low - high));
+  return [Math.max(0, innerWidth - width - 24), Math.max(0, low - tall), width, tall];
 }
 
 function Opened({ display, onClose }: { display: DisplaySettings; onClose: () => void }) {
@@ -72,6 +75,17 @@ function Opened({ display, onClose }: { display: DisplaySettings; onClose: () =>
   const { lines } = useSaid(display.comments);
   const [[x, y, width, height], setPlace] = useState(() => placed(display.message));
   const box = useRef<HTMLElement>(null);
+  const moved = useRef(false);
+  useEffect(() => {
+    const bar = document.querySelector(".job.panel");
+    if (!bar) return;
+    // The panel with Start grows and shrinks with what it says.
+    const watch = new ResizeObserver(() => {
+      if (!moved.current) setPlace(placed(display.message));
+    });
+    watch.observe(bar);
+    return () => watch.disconnect();
+  }, [display]);
   const keep = () => {
     const size = box.current?.getBoundingClientRect();
     if (!size) return;
@@ -83,6 +97,7 @@ function Opened({ display, onClose }: { display: DisplaySettings; onClose: () =>
   };
   const move = (event: PointerEvent) => {
     if (event.buttons !== 1) return;
+    moved.current = true;
     const [right, low] = [innerWidth - least, innerHeight - least];
     setPlace([
       Math.min(Math.max(0, x + event.movementX), right),

@@ -93,8 +93,10 @@ it("cuts along the plate, says so, and goes back to flat", async () => {
   await script(workshop, "open", { name: "plate.nc" });
   await page.getByText("Z follows the height map.").waitFor();
   await shot("height-map-operate");
-  await page.getByRole("button", { name: "Close the message screen" }).click();
+  // What the probing printed stands beside Start.
+  await page.getByRole("region", { name: "Message screen" }).waitFor();
   expect(await runs("Start")).toBe("ok");
+  await page.getByRole("button", { name: "Close the message screen" }).click();
   const { motion } = await stateOf(workshop);
   expect((motion.at.machine[2] ?? 0) - 3).toBeCloseTo(-0.1, 1);
   await status.click();

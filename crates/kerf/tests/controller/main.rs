@@ -375,6 +375,21 @@ fn a_process_that_is_to_end_stops_its_controller_first() {
     }
 }
 
+#[test]
+fn whoever_watches_inputs_is_ended_by_a_signal() {
+    for signal in [Signal::SIGTERM, Signal::SIGINT] {
+        let (shop, bench) = (Shop::new(&[]), Bench::new(&[]));
+        let port = format!("grbl:{}", bench.port);
+        let mut command = shop.command();
+        command.args(["io", "watch", "--machine", &port]).stdin(Stdio::null());
+        let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        bench.until(|fake| fake.lines.iter().any(|line| line == "$#"));
+        sleep(Duration::from_millis(500));
+        send(signal, &child);
+        Did::of(child.wait_with_output().unwrap()).exits(0);
+    }
+}
+
 /// A process that is suspended hears nothing, and its controller would go on with what it has.
 #[test]
 fn a_run_on_a_controller_is_stopped_and_not_suspended() {

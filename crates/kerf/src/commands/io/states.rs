@@ -1,6 +1,7 @@
 //! States of inputs and outputs, whichever machine has them: listed, and watched.
 
 use crate::out;
+use crate::stop::Stop;
 use anyhow::Result;
 use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
@@ -67,8 +68,10 @@ pub fn of_card(ports: &Ports, machine: &Configuration) -> Vec<State> {
 
 /// Prints every change as it happens, for so many seconds where they are given.
 pub fn watch(mut states: States, seconds: Option<f64>) -> Result<()> {
+    let stop = Stop::listen()?;
     let (began, mut before) = (Instant::now(), states()?);
-    while seconds.is_none_or(|most| began.elapsed().as_secs_f64() < most) {
+    let is_over = || stop.is_wanted() || stop.leaves();
+    while !is_over() && seconds.is_none_or(|most| began.elapsed().as_secs_f64() < most) {
         thread::sleep(LOOK);
         let now = states()?;
         let changed = now.iter().zip(&before).filter(|(now, before)| now.on != before.on);

@@ -18,6 +18,12 @@ const NEAR_MM: f64 = 0.02;
 /// Turned down by half, and rapid moves to a quarter, a way takes at least so much longer: ramps are no shorter.
 const LONGER: f64 = 1.4;
 
+/// A way is not made in less than this share of the time that its speed alone takes.
+const NEARLY: f64 = 0.9;
+
+/// A way is made so often at most before a computer is too busy to be trusted.
+const TRIES: usize = 5;
+
 /// The system of zero points that is changed for a moment, and the way by which.
 const KEPT: (&str, f64) = ("G59.3", 5.0);
 
@@ -81,33 +87,42 @@ fn hold(name: &DriverName) -> Result<Outcome> {
     }
 }
 
-/// Turned down, a way takes longer; the share is as before afterwards.
+/// Turned down to a share, a way takes longer; the share is as before afterwards. A busy computer sees late that a way is made,
+/// which makes the quick way as long as the slow one: it is tried again then.
 fn turned(
     name: &DriverName,
-    there: Way,
+    (there, least_s): (Way, f64),
     turns: fn(&mut kerf_control::controller::Connection, bool),
 ) -> Result<Outcome> {
     let mut bench = OnBench::open(name)?;
     let back = Way { from_mm: there.to_mm, to_mm: 0.0, ..there };
-    let plain_s = bench.goes(there, |_, _| {})?;
-    turns(&mut bench.board, true);
-    let slow_s = bench.goes(back, |_, _| {});
-    turns(&mut bench.board, false);
-    let slow_s = slow_s?;
-    if slow_s < LONGER * plain_s {
-        return Ok(Outcome::Wrong(format!("{plain_s:.2} s have become {slow_s:.2} s")));
+    for _ in 0..TRIES {
+        let plain_s = bench.goes(there, |_, _| {})?;
+        turns(&mut bench.board, true);
+        let slow_s = bench.goes(back, |_, _| {});
+        turns(&mut bench.board, false);
+        let slow_s = slow_s?;
+        if slow_s < NEARLY * least_s {
+            return Ok(Outcome::Wrong(format!("{plain_s:.2} s have become {slow_s:.2} s")));
+        }
+        let stands = arrives(&mut bench, 0.0)?;
+        if slow_s >= LONGER * plain_s || !matches!(stands, Outcome::Held(_)) {
+            return Ok(stands);
+        }
     }
-    arrives(&mut bench, 0.0)
+    Ok(Outcome::NotTried("this computer is too busy to tell a quick way from a slow one".into()))
 }
 
 fn feed(name: &DriverName) -> Result<Outcome> {
-    turned(name, CUT, |connection, down| connection.feed(if down { 0.5 } else { 1.0 }))
+    let least_s = CUT.to_mm / (CUT.speed_mm_s * 0.5);
+    turned(name, (CUT, least_s), |connection, down| connection.feed(if down { 0.5 } else { 1.0 }))
 }
 
 fn rapid(name: &DriverName) -> Result<Outcome> {
     let quickest_mm_s = OnBench::open(name)?.board.facts().speed_mm_s[0].unwrap_or(1000.0);
     let (kind, speed_mm_s) = (MoveKind::Jog, 2.0 * quickest_mm_s);
-    turned(name, Way { to_mm: 40.0, kind, speed_mm_s, ..CUT }, |connection, down| {
+    let there = Way { to_mm: 40.0, kind, speed_mm_s, ..CUT };
+    turned(name, (there, there.to_mm / (quickest_mm_s * 0.25)), |connection, down| {
         connection.turn(Override::Rapid(if down { 25 } else { 100 }));
     })
 }
