@@ -64,9 +64,10 @@ function placed([x, y, width, height]: Place): Place {
   if (x !== 0 || y !== 0) return [x, y, width, height];
   const bar = document.querySelector(".job-start, .job.panel")?.getBoundingClientRect();
   const strip = document.querySelector(".strip")?.getBoundingClientRect();
-  const low = bar ? bar.top - room : innerHeight - 190;
-  const high = (strip?.bottom ?? 0) + room;
-  const tall = Math.min(height, Math.max(least, low - high));
+  // Places count from below the strip.
+  const top = strip?.bottom ?? 0;
+  const low = bar ? bar.top - top - room : innerHeight - 190;
+  const tall = Math.min(height, Math.max(least, low - room));
   return [Math.max(0, innerWidth - width - 24), Math.max(0, low - tall), width, tall];
 }
 
@@ -79,11 +80,11 @@ function Opened({ display, onClose }: { display: DisplaySettings; onClose: () =>
   useEffect(() => {
     const bar = document.querySelector(".job.panel");
     if (!bar) return;
-    // The panel with Start grows and shrinks with what it says.
+    // The panel with Start is moved by those beside it, which grow and shrink with what they say.
     const watch = new ResizeObserver(() => {
       if (!moved.current) setPlace(placed(display.message));
     });
-    watch.observe(bar);
+    for (const panel of bar.parentElement?.children ?? []) watch.observe(panel);
     return () => watch.disconnect();
   }, [display]);
   const keep = () => {

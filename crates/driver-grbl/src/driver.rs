@@ -4,7 +4,7 @@ use crate::at_once;
 use crate::facts::KnownFacts;
 use crate::flights::{Flights, radius_mm};
 use crate::gap::Gap;
-use crate::lines::{Modal, lines, parts, told_as};
+use crate::lines::{Modal, jogs_alone, lines, parts, told_as};
 use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
@@ -340,7 +340,7 @@ impl Grbl {
     fn take(&mut self, sent: &Sent, facts: &Facts) {
         let order = told_as(sent.order, self.planned, facts, self.shares);
         let lines = match self.tool.takes_jogs() {
-            true => ToolWait::line(&order, self.planned, facts),
+            true => jogs_alone(&order, self.planned, facts),
             false => lines(&order, self.planned, facts, self.planned_on, &mut self.modal),
         };
         let mut lines = match lines {

@@ -160,8 +160,18 @@ fn is_rapid(from: Axes, to: Axes, speed_mm_s: f64, facts: &Facts) -> bool {
     most_mm_s.is_finite() && speed_mm_s >= most_mm_s * (1.0 - SAME)
 }
 
+/// The lines of an order while the controller waits for a tool and makes jogs alone.
+pub fn jogs_alone(order: &Order, from: Axes, facts: &Facts) -> Result<Vec<String>, &'static str> {
+    match order {
+        Order::Move { to, speed_mm_s } | Order::Jog { to, speed_mm_s } => {
+            Ok(vec![jog(from, *to, *speed_mm_s, facts)?])
+        }
+        _ => Err("it waits for a tool: it makes jogs alone until the tool is in"),
+    }
+}
+
 /// A jog in the machine frame (`$J=`), which leaves the words that hold as they are.
-pub fn jog(from: Axes, to: Axes, speed_mm_s: f64, facts: &Facts) -> Result<String, &'static str> {
+fn jog(from: Axes, to: Axes, speed_mm_s: f64, facts: &Facts) -> Result<String, &'static str> {
     let words = words(from, to, facts)?;
     if words.is_empty() {
         return Ok("G90".into());

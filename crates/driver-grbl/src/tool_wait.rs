@@ -9,18 +9,13 @@
 //! What was sent before is answered behind that; so the first 0xA3 waits until nothing is unanswered, and until somebody
 //! moves the machine by hand: what a job sends meanwhile would be jogs otherwise.
 
-use crate::lines::jog;
 use crate::report::Doing;
-use kerf_machine::driver::{Axes, Facts, Order};
 
 /// Acknowledges that the controller waits for a tool.
 pub const TOOL: u8 = 0xa3;
 
 /// Ends a jog.
 pub const JOG_CANCEL: u8 = 0x85;
-
-/// Only jogs are made.
-const ONLY_JOGS: &str = "it waits for a tool: it makes jogs alone until the tool is in";
 
 /// The tool for which the controller waits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -61,18 +56,5 @@ impl ToolWait {
     /// The tool is in: returns what it is told.
     pub const fn is_in(self) -> [u8; 2] {
         [TOOL, b'~']
-    }
-
-    /// Returns the line of an order while it takes jogs alone.
-    ///
-    /// # Errors
-    /// The order is no jog, in words.
-    pub fn line(order: &Order, from: Axes, facts: &Facts) -> Result<Vec<String>, &'static str> {
-        match order {
-            Order::Move { to, speed_mm_s } | Order::Jog { to, speed_mm_s } => {
-                Ok(vec![jog(from, *to, *speed_mm_s, facts)?])
-            }
-            _ => Err(ONLY_JOGS),
-        }
     }
 }

@@ -264,7 +264,7 @@ fn a_tool_is_measured_beside_the_map_and_not_above_it() {
     tools.exits(0).says("T1     diameter        0 mm  length        -7 mm  measured\n");
     tools.says("T2     diameter        0 mm  length        -7 mm  measured  in the spindle");
     let trace = shop.read("t.jsonl");
-    let all = trace.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
-    let [x, _, z] = all.filter(|it| it["e"] == "move").map(|it| to(&it)).last().unwrap();
+    let mut all = trace.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    let [x, _, z] = all.rfind(|it| it["e"] == "move").map(|it| to(&it)).unwrap();
     assert!((x - 20.0).abs() < 0.001 && (z + 1.0 - 0.25).abs() < 0.001, "{z} at {x}");
 }

@@ -68,10 +68,7 @@ impl App {
             }
             Act::Record { line } => shop::record(&self.orders, line)?,
             Act::Watch { names } => shop::watch(&self.orders, &self.link, names)?,
-            Act::Input { number, on, lease } => {
-                let pins = self.hands.pins_moved_here()?;
-                shop::press(&self.orders, &pins, asker, (lease, number, on))?;
-            }
+            Act::Input { number, on, lease } => self.press(asker, (lease, number, on))?,
             Act::Set { key, value, .. } => self.settings.configure(who, &key, &value)?,
             Act::Close => self.close_file()?,
             Act::Run { hash, step, .. } => self.runs.run(asker, &hash, step)?,
@@ -90,11 +87,9 @@ impl App {
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
-            Act::Tool { number, change, .. } => tools::change(self, asker, number, change)?,
-            Act::ControllerSteps { axis, steps, .. } => {
-                self.hands.keep_steps(asker, axis, steps)?
+            act @ (Act::Tool { .. } | Act::ToolIn { .. } | Act::ControllerSteps { .. }) => {
+                tools::hears(self, asker, act)?;
             }
-            Act::ToolIn { .. } => self.hands.tool_is_in(asker)?,
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
             act @ (Act::Wire { .. } | Act::WireAnswer { .. }) => self.wirings.hears(asker, act)?,
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
@@ -110,6 +105,11 @@ impl App {
             Act::Unlock { password } => self.settings.unlock(who, &password)?,
         }
         Ok(Vec::new())
+    }
+
+    /// Moves a switch of a machine whose switches are moved on a page: the turn at driving, its number, whether it is on.
+    fn press(&self, asker: &Asker, pressed: (u32, u8, bool)) -> Result<(), Problem> {
+        shop::press(&self.orders, &self.hands.pins_moved_here()?, asker, pressed)
     }
 
     /// Closes the open file, with nothing of it unsaved.

@@ -10,7 +10,7 @@ use crate::session::DrivenBy;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work, facts::Fact};
 use kerf_machine::driver::{Changed, Signal, Zero, ZeroChange};
-use kerf_machine::{Driven, Machine};
+use kerf_machine::{Driven, Errand, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
@@ -373,7 +373,7 @@ impl Controller {
 /// Returns `true` for what somebody's hands move: errands, and the keypad (SK) that is typed.
 fn is_by_hand(work: &Work) -> bool {
     match work {
-        Work::Hand(..) => true,
+        Work::Hand(errand, _) => !matches!(errand, Errand::FindHome(_)),
         Work::Part(program) => program.sbp.text.trim().eq_ignore_ascii_case("SK"),
         Work::Job(..) => false,
     }

@@ -24,7 +24,7 @@ use motion::Motion;
 use read::{Way, Words, read};
 use state::State;
 use std::collections::{BTreeMap, VecDeque};
-use tool::{Change, WAITS_FOR_TOOL};
+use tool::{Change, WAITS_FOR_TOOL, cancels_jog, hears_of_tool, jog_ends, jogs, tool_is_in};
 use turned::turn;
 
 /// Time is followed in steps of this, seconds.
@@ -239,7 +239,7 @@ impl Fake {
     /// Somebody presses its button to go on.
     pub fn cycle_start(&mut self) {
         match self.state {
-            State::Tool => self.tool_is_in(),
+            State::Tool => tool_is_in(self),
             State::Hold => {
                 self.state = State::Ready;
                 self.motion.held = false;
@@ -250,6 +250,17 @@ impl Fake {
             }
             _ => {}
         }
+    }
+
+    /// A macro, a pendant or its card has it change the tool.
+    pub fn changes_tool(&mut self) {
+        (self.state, self.change) = (State::Tool, Change::default());
+        (self.spindle, self.coolant) = (false, 0);
+    }
+
+    /// Returns `true` while it waits for a tool.
+    pub fn waits_for_tool(&self) -> bool {
+        self.state == State::Tool
     }
 
     /// Somebody has put it to sleep.
@@ -310,8 +321,8 @@ impl Fake {
                 b'~' => self.cycle_start(),
                 b'!' => {}
                 0x18 => self.reset(),
-                0xa3 => self.hears_of_tool(),
-                0x85 => self.cancels_jog(),
+                0xa3 => hears_of_tool(self),
+                0x85 => cancels_jog(self),
                 0x90..=0x9d => turn(self, *byte),
                 0x80.. => {}
                 _ if self.buffer.len() < self.board.rx => self.buffer.push_back(*byte),
@@ -337,7 +348,7 @@ impl Fake {
             self.clock_s += STEP_S;
             self.motion.step(STEP_S);
             self.carry();
-            self.jog_ends();
+            jog_ends(self);
             if self.spindle().is_some() && self.motion.speed_mm_s > 0.0 {
                 self.cut.push(self.motion.position);
             }
@@ -475,7 +486,7 @@ impl Fake {
 
     fn dollar(&mut self, command: &str) {
         match command {
-            _ if command.starts_with("J=") => self.jogs(command.trim_start_matches("J=")),
+            _ if command.starts_with("J=") => jogs(self, command.trim_start_matches("J=")),
             "I" | "$" if !self.motion.is_empty() => self.tell("error:8"),
             "G" => {
                 self.tell(&self.modes());

@@ -19,63 +19,50 @@ pub(super) struct Change {
     ends_jog: bool,
 }
 
-impl Fake {
-    /// A macro, a pendant or its card has it change the tool.
-    pub fn changes_tool(&mut self) {
-        (self.state, self.change) = (State::Tool, Change::default());
-        (self.spindle, self.coolant) = (false, 0);
+/// It is told that somebody has heard that it waits (0xA3): what it has is put aside.
+pub(super) fn hears_of_tool(fake: &mut Fake) {
+    if fake.state == State::Tool && !fake.change.heard {
+        fake.change.heard = true;
+        fake.change.aside = std::mem::take(&mut fake.buffer);
     }
+}
 
-    /// Returns `true` while it waits for a tool.
-    pub fn waits_for_tool(&self) -> bool {
-        self.state == State::Tool
+/// The tool is in.
+pub(super) fn tool_is_in(fake: &mut Fake) {
+    if fake.change.heard && fake.motion.is_empty() {
+        let mut buffer = std::mem::take(&mut fake.change.aside);
+        buffer.append(&mut fake.buffer);
+        (fake.buffer, fake.state, fake.change) = (buffer, State::Ready, Change::default());
     }
+}
 
-    /// It is told that somebody has heard that it waits (0xA3): what it has is put aside.
-    pub(super) fn hears_of_tool(&mut self) {
-        if self.state == State::Tool && !self.change.heard {
-            self.change.heard = true;
-            self.change.aside = std::mem::take(&mut self.buffer);
+/// A jog, `G21G90G53X10F600`: makes it, or tells the error.
+pub(super) fn jogs(fake: &mut Fake, line: &str) {
+    let words = read(line).map_err(|number| format!("error:{number}"));
+    let answer = words.map(|words| {
+        let mut to = fake.planned;
+        for (place, told) in to.0.iter_mut().zip(words.to) {
+            *place = told.unwrap_or(*place);
         }
-    }
+        let speed = fake.speed(to, words.feed_mm_min.unwrap_or_default() / 60.0);
+        fake.motion.push(fake.planned, to, speed, (false, 0));
+        fake.planned = to;
+    });
+    fake.tell(&answer.map_or_else(|error| error, |()| "ok".into()));
+}
 
-    /// The tool is in.
-    pub(super) fn tool_is_in(&mut self) {
-        if self.change.heard && self.motion.is_empty() {
-            let mut buffer = std::mem::take(&mut self.change.aside);
-            buffer.append(&mut self.buffer);
-            (self.buffer, self.state, self.change) = (buffer, State::Ready, Change::default());
-        }
+/// Its jog is to end (0x85).
+pub(super) fn cancels_jog(fake: &mut Fake) {
+    if fake.state == State::Tool && !fake.motion.is_empty() {
+        (fake.change.ends_jog, fake.motion.held) = (true, true);
     }
+}
 
-    /// A jog, `G21G90G53X10F600`: makes it, or tells the error.
-    pub(super) fn jogs(&mut self, line: &str) {
-        let words = read(line).map_err(|number| format!("error:{number}"));
-        let answer = words.map(|words| {
-            let mut to = self.planned;
-            for (place, told) in to.0.iter_mut().zip(words.to) {
-                *place = told.unwrap_or(*place);
-            }
-            let speed = self.speed(to, words.feed_mm_min.unwrap_or_default() / 60.0);
-            self.motion.push(self.planned, to, speed, (false, 0));
-            self.planned = to;
-        });
-        self.tell(&answer.map_or_else(|error| error, |()| "ok".into()));
-    }
-
-    /// Its jog is to end (0x85).
-    pub(super) fn cancels_jog(&mut self) {
-        if self.state == State::Tool && !self.motion.is_empty() {
-            (self.change.ends_jog, self.motion.held) = (true, true);
-        }
-    }
-
-    /// A jog that was ended has come to a stand.
-    pub(super) fn jog_ends(&mut self) {
-        if self.change.ends_jog && self.motion.speed_mm_s == 0.0 {
-            self.motion.clear();
-            (self.change.ends_jog, self.motion.held) = (false, false);
-            self.planned = self.motion.position;
-        }
+/// A jog that was ended has come to a stand.
+pub(super) fn jog_ends(fake: &mut Fake) {
+    if fake.change.ends_jog && fake.motion.speed_mm_s == 0.0 {
+        fake.motion.clear();
+        (fake.change.ends_jog, fake.motion.held) = (false, false);
+        fake.planned = fake.motion.position;
     }
 }
