@@ -39,6 +39,7 @@ export const places: Readonly<Record<string, string>> = {
   Surfacing: "probing#planing",
   "Steps and squareness": "probing#true-lengths-and-right-angles",
   "Height map": "height-map",
+  "Tools by their numbers": "machine#changing-tools",
   "Wire a board": "build-a-controller",
   "Zero points of the controller": "real-controller#in-the-console",
   "Move the tool to": "console#jobs",

@@ -166,4 +166,12 @@ export const boardsSentences: Readonly<Record<string, string>> = {
     "{0} A geht mit seinen Widerständen nicht: von {1} bis {2} A",
   "{0} microsteps are none: 1, 2, 4 and so on up to 256":
     "{0} Mikroschritte gibt es nicht: 1, 2, 4 und so weiter bis 256",
+  "{0}: height control takes a reading every {1} ms, and Z answers it {2} ms later":
+    "{0}: die Höhenregelung misst alle {1} ms, und Z folgt {2} ms später",
+  "has no height control by this sensor: it reads the voltage of a torch at the pin board.height":
+    "hat keine Höhenregelung mit diesem Sensor: die Spannung eines Brenners liest sie am Pin board.height",
+  'set height.mode = "proportional"': 'height.mode = "proportional" setzen',
+  "this system has none": "dieses System hat keine",
+  "motion is sent without real-time priority ({0}): on a busy computer it may be late; a limit of rtprio 1 for this user gives it (/etc/security/limits.conf)":
+    "Bewegung wird ohne Echtzeitpriorität gesendet ({0}): auf einem ausgelasteten Rechner kann sie zu spät kommen; eine Grenze rtprio 1 für diesen Benutzer gibt sie (/etc/security/limits.conf)",
 };

@@ -106,4 +106,14 @@ export const configurationSentences: Readonly<Record<string, string>> = {
   "{0} home not found{1}": "{0}: Referenzpunkt nicht gefunden{1}",
   "there are no settings {0}; {1}": "die Einstellungen {0} gibt es nicht; {1}",
   "'{0}' is no name of a settings file": "»{0}« ist kein Name einer Datei mit Einstellungen",
+  "tool_change.sensor_input names a sensor, but tool_change.sensor_x or tool_change.sensor_y is none":
+    "tool_change.sensor_input nennt einen Sensor, aber tool_change.sensor_x oder tool_change.sensor_y fehlt",
+  "Give the place of the sensor first.": "Zuerst den Ort des Sensors angeben.",
+  "the tools hold until Kerf ends, they cannot be kept: {0}":
+    "die Werkzeuge gelten, bis Kerf endet, sie lassen sich nicht speichern: {0}",
+  "tools have numbers from 1": "Werkzeuge haben Nummern ab 1",
+  "a tool has a diameter of 0 or more and a length, in millimetres":
+    "ein Werkzeug hat einen Durchmesser von 0 oder mehr und eine Länge, in Millimetern",
+  "the name of a tool is one line of at most {0} bytes":
+    "der Name eines Werkzeugs ist eine Zeile von höchstens {0} Bytes",
 };

@@ -151,8 +151,23 @@ export const controllersSentences: Readonly<Record<string, string>> = {
   "its door was open: its own button has it go on":
     "ihre Tür war offen: ihr eigener Knopf lässt sie weitermachen",
   "its spindle comes up again": "ihre Spindel läuft wieder hoch",
-  "it waits for a tool: its own button has it go on":
-    "sie wartet auf ein Werkzeug: ihr eigener Knopf lässt sie weitermachen",
+  "it waits for a tool: it makes jogs alone until the tool is in":
+    "sie wartet auf ein Werkzeug: bis es eingesetzt ist, fährt sie nur von Hand",
+  "the controller of this machine keeps no steps of this axis":
+    "die Steuerung dieser Maschine speichert keine Schritte dieser Achse",
+  "steps of a millimetre are a number above 0": "Schritte je Millimeter sind eine Zahl über 0",
+  "there is no controller that keeps steps": "keine Steuerung speichert Schritte",
+  "the controller keeps {0} steps a millimetre of {1} now: it counts anew where {2} stands, so home it or set its location":
+    "die Steuerung speichert jetzt {0} Schritte je Millimeter von {1}: sie zählt neu, wo {2} steht, also referenzieren oder den Ort setzen",
+  "{0} keeps no steps: they are in its machine's file (steps.per_unit)":
+    "{0} speichert keine Schritte: sie stehen in der Maschinendatei (steps.per_unit)",
+  "{0} keeps no steps of this axis, or is at work":
+    "{0} speichert keine Schritte dieser Achse oder arbeitet gerade",
+  "{0} has not said that its steps are written":
+    "{0} hat das Schreiben der Schritte nicht bestätigt",
+  "{0} keeps {1} steps a millimetre, and not the {2} that were written":
+    "{0} speichert {1} Schritte je Millimeter statt der geschriebenen {2}",
+  "has no PWM channel {0}, but {1}": "hat keinen PWM-Kanal {0}, aber {1}",
   "it checks lines in place of making them: send it $C":
     "sie prüft Zeilen, statt sie auszuführen: ihr $C senden",
   "it sleeps: reset it, and home it or set its location":
