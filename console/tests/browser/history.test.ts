@@ -56,6 +56,7 @@ it("a run is on the list of jobs, in the history, in the counter, and told to an
   await script(workshop, "open", { name: "part.sbp" });
   await ready("part.sbp");
   const page = await workshop.page();
+  await page.locator(".job-name", { hasText: "part.sbp" }).waitFor();
   await page.keyboard.press("Control+o");
   await page.getByRole("button", { name: "Jobs to do…" }).click();
   await page.getByRole("button", { name: "Add the open file" }).click();

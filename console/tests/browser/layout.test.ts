@@ -4,7 +4,7 @@ import type { Page } from "playwright-core";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
 import { overlaps } from "./overlaps";
-import { phone, sizes, tablet, themes } from "./sizes";
+import { phone, sizes, themes } from "./sizes";
 import {
   act,
   arm,
@@ -127,47 +127,44 @@ async function fingerOn(page: Page, name: string): Promise<Hand> {
 
 const keypad = (page: Page) => page.getByRole("dialog", { name: "Keypad" });
 
-it.each([phone, tablet])(
-  "by touch at $width by $height: arm, jog, cut, hold, stop",
-  async (size) => {
-    const page = await workshop.page(size, true);
-    await page.evaluate(() => localStorage.setItem("kerf.face", "easy"));
-    await page.goto(workshop.address);
-    if ((await stateOf(workshop)).machine.armed) await script(workshop, "disarm");
-    await page.getByRole("button", { name: "Arm", exact: true }).tap();
-    await page.getByRole("button", { name: /^Move tool/ }).tap();
-    await keypad(page).getByRole("radio", { name: "0.1", exact: true }).tap();
-    const before = (await stateOf(workshop)).motion.at.working[0];
-    const finger = await fingerOn(page, "X plus");
-    const goes = ({ motion }: Snapshot) => motion.at.working[0] > before + 2;
-    await hold(workshop, finger, goes, "a finger moves the tool");
-    await finger.up();
-    await until(() => stands(workshop), "it stands");
-    // The locations stay in sight beside the keypad or above it.
-    const [digits, sheet] = await Promise.all([
-      page.locator("[data-axis=Z]").boundingBox(),
-      keypad(page).boundingBox(),
-    ]);
-    const apart =
-      (digits?.y ?? 0) + (digits?.height ?? 0) <= (sheet?.y ?? 0) ||
-      (digits?.x ?? 0) + (digits?.width ?? 0) <= (sheet?.x ?? 0);
-    expect(apart).toBe(true);
-    expect(await faults(page, "keypad")).toEqual([]);
-    await page.getByRole("button", { name: "Close" }).tap();
-    await page.getByRole("button", { name: /^Choose file/ }).tap();
-    await page.getByRole("option", { name: /long\.sbp/ }).tap();
-    await page.locator(".job-name", { hasText: "long.sbp" }).waitFor();
-    await page.getByRole("button", { name: "Start", exact: true }).tap();
-    await until(async () => (await stateOf(workshop)).machine.state === "running", "it runs");
-    await page.getByRole("button", { name: "Hold" }).tap();
-    await page.getByRole("button", { name: "Resume" }).tap();
-    await page.getByRole("button", { name: "STOP" }).tap();
-    await until(async () => (await stateOf(workshop)).machine.state === "stopped", "it stops");
-    expect(await faults(page, "stopped")).toEqual([]);
-    await page.getByRole("dialog").getByRole("button", { name: "Quit" }).tap();
-    await until(async () => (await stateOf(workshop)).machine.state === "idle", "it is over");
-  },
-);
+it.each(sizes)("by touch at $width by $height: arm, jog, cut, hold, stop", async (size) => {
+  const page = await workshop.page(size, true);
+  await page.evaluate(() => localStorage.setItem("kerf.face", "easy"));
+  await page.goto(workshop.address);
+  if ((await stateOf(workshop)).machine.armed) await script(workshop, "disarm");
+  await page.getByRole("button", { name: "Arm", exact: true }).tap();
+  await page.getByRole("button", { name: /^Move tool/ }).tap();
+  await keypad(page).getByRole("radio", { name: "0.1", exact: true }).tap();
+  const before = (await stateOf(workshop)).motion.at.working[0];
+  const finger = await fingerOn(page, "X plus");
+  const goes = ({ motion }: Snapshot) => motion.at.working[0] > before + 2;
+  await hold(workshop, finger, goes, "a finger moves the tool");
+  await finger.up();
+  await until(() => stands(workshop), "it stands");
+  // The locations stay in sight beside the keypad or above it.
+  const [digits, sheet] = await Promise.all([
+    page.locator("[data-axis=Z]").boundingBox(),
+    keypad(page).boundingBox(),
+  ]);
+  const apart =
+    (digits?.y ?? 0) + (digits?.height ?? 0) <= (sheet?.y ?? 0) ||
+    (digits?.x ?? 0) + (digits?.width ?? 0) <= (sheet?.x ?? 0);
+  expect(apart).toBe(true);
+  expect(await faults(page, "keypad")).toEqual([]);
+  await page.getByRole("button", { name: "Close" }).tap();
+  await page.getByRole("button", { name: /^Choose file/ }).tap();
+  await page.getByRole("option", { name: /long\.sbp/ }).tap();
+  await page.locator(".job-name", { hasText: "long.sbp" }).waitFor();
+  await page.getByRole("button", { name: "Start", exact: true }).tap();
+  await until(async () => (await stateOf(workshop)).machine.state === "running", "it runs");
+  await page.getByRole("button", { name: "Hold" }).tap();
+  await page.getByRole("button", { name: "Resume" }).tap();
+  await page.getByRole("button", { name: "STOP" }).tap();
+  await until(async () => (await stateOf(workshop)).machine.state === "stopped", "it stops");
+  expect(await faults(page, "stopped")).toEqual([]);
+  await page.getByRole("dialog").getByRole("button", { name: "Quit" }).tap();
+  await until(async () => (await stateOf(workshop)).machine.state === "idle", "it is over");
+});
 
 it("a job that asks is answered on a phone", async () => {
   const page = await workshop.page(phone, true);

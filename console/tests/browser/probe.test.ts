@@ -49,11 +49,13 @@ async function make(kind: string, entries: Record<string, string>): Promise<void
 async function probe(): Promise<string> {
   const before = (await stateOf(workshop)).job?.run ?? 0;
   await startButton().click();
+  let ended: string | null = null;
   await until(async () => {
     const { job } = await stateOf(workshop);
-    return (job?.run ?? 0) > before && job?.ended !== null;
+    if ((job?.run ?? 0) > before) ended ??= job?.ended ?? null;
+    return ended !== null;
   }, "it is over");
-  return (await stateOf(workshop)).job?.ended ?? "";
+  return ended ?? "";
 }
 
 const working = async () => (await stateOf(workshop)).motion.at.working.slice(0, 3);

@@ -141,12 +141,17 @@ it("pro_job_step_speeds: speeds that are entered hold at the next start, which s
   await start();
   const speeds: number[] = [];
   const downs: number[] = [];
-  let z = 0;
+  let last: readonly number[] = [];
   await until(async () => {
     const { motion, job } = await stateOf(workshop);
-    const at = motion.at.machine[2] ?? 0;
-    if (motion.line === 1 && motion.cutting) (at < z - 1e-3 ? downs : speeds).push(motion.speedMmS);
-    z = at;
+    const [x, y, z] = [0, 1, 2].map((axis) => motion.at.machine[axis] ?? 0) as [
+      number,
+      number,
+      number,
+    ];
+    const plunges = x === last[0] && y === last[1] && z < (last[2] ?? z) - 1e-3;
+    if (motion.line === 1 && motion.cutting) (plunges ? downs : speeds).push(motion.speedMmS);
+    last = [x, y, z];
     return speeds.length > 4 || (job?.run !== before && job?.ended === "ok");
   }, "it cuts");
   const inForce = async () =>

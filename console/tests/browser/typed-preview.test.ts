@@ -83,7 +83,9 @@ it("sbp_con_preview__typed: in Move mode a typed move is drawn while it is made"
 
 /** Types FP, and looks whether its file is the one on the screen. */
 async function runsOnTheScreen(line: string, file: string): Promise<void> {
+  const before = (await stateOf(workshop)).job?.run ?? 0;
   await command(page, line);
+  await until(async () => ((await stateOf(workshop)).job?.run ?? 0) > before, "it is begun");
   await until(async () => (await shown()) === file, `${file} is on the screen`);
   await picture().and(page.locator('[data-path="all"]')).waitFor();
   await expect.poll(() => name().textContent()).toBe(file);

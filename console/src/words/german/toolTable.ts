@@ -30,7 +30,7 @@ export const toolTable: Readonly<Record<string, string>> = {
   "Goes there and measures": "Fährt hin und misst",
   "Asks where it stands": "Fragt, wo es steht",
   "Tools are changed at": "Werkzeuge werden gewechselt bei",
-  "Change tools where the tool is now": "Werkzeuge dort wechseln, wo das Werkzeug jetzt ist",
+  "Change tools where the tool is now": "Werkzeuge am jetzigen Ort wechseln",
   "The sensor is at": "Der Taster ist bei",
   "The tool is over the sensor now": "Das Werkzeug ist jetzt über dem Taster",
   "{0} of the table": "{0} vom Tisch",
