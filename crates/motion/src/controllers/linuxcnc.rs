@@ -17,7 +17,7 @@
 //! In version 2.9 the last leg before a stand has half the acceleration, as if a corner behind it were to be rounded.
 //!
 //! The times of the seven reference programs come out within 1 % of the real ones of 2.10 at P 0.01 and 0.05. Those of 2.9
-//! come out within 0.3 % for five of them; it takes 3 % longer for a circle of 2,000 chords, and 6 % for a raster in three
+//! come out within 1 % for five of them; it takes 3 % longer for a circle of 2,000 chords, and 6 % for a raster in three
 //! dimensions, than is told.
 
 use super::Controller;
