@@ -59,7 +59,7 @@ type Place = DisplaySettings["message"];
 /** Room between it and what it must not cover, pixels. */
 const room = 8;
 
-/** Where nobody put it, it stands at the right, over the listing: neither over the locations nor over Start. */
+/** Place of the window until somebody moves it: at the right, over the listing, neither over the locations nor over Start. */
 function placed([x, y, width, height]: Place): Place {
   if (x !== 0 || y !== 0) return [x, y, width, height];
   const bar = document.querySelector(".job-start, .job.panel")?.getBoundingClientRect();

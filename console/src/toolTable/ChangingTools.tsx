@@ -13,7 +13,7 @@ import { t } from "../words/words";
 /** The inputs to which a sensor may be wired. */
 const inputs = Array.from({ length: 12 }, (_, n) => String(n + 1));
 
-/** What a setting says that is not given. */
+/** Words in place of a setting that is not given. */
 const none = "none";
 
 const m6 = [
@@ -26,7 +26,7 @@ const keeps = [
   { value: "true", words: "Kept in their holders" },
 ] as const;
 
-/** Where tools are changed and measured, each set to where the tool is. */
+/** The places where tools are changed and measured, with buttons that set each to where the tool is. */
 export function ChangingTools() {
   const hands = useHands();
   const { link, screen } = hands;

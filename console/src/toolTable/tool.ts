@@ -51,7 +51,7 @@ export function toolOf(
   return { number, change: { to: "is", name: entries.name.trim(), diameter, length: long } };
 }
 
-/** What is told of a length: its number, or that it is not known. */
+/** A length in words: its number, or that it is not known. */
 export const lengthOf = (tool: NumberedTool, unit: LengthUnit): string =>
   tool.measured || tool.length !== 0 ? lengthText(tool.length, unit) : "–";
 

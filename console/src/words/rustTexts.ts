@@ -5,11 +5,11 @@ import { join } from "node:path";
 
 const crates = join(import.meta.dirname, "../../../crates");
 
-/** What a source consists of, as far as texts go: comments, texts, characters, and any other sign. */
+/** Matches the next part of a Rust source: a comment, a text, a character, or any other sign. */
 const piece =
   /\/\/[^\n]*|r(#*)"([\s\S]*?)"\1|"((?:\\[\s\S]|[^"\\])*)"|'(?:\\[^']+|[^'\\])'|[\s\S]/g;
 
-/** What a format puts in stands as `{}`. */
+/** Returns a text as it is said, with `{}` for each value that a format puts in. */
 const plain = (text: string): string =>
   text
     .replace(/\\\n\s*/g, "")
@@ -18,7 +18,7 @@ const plain = (text: string): string =>
     .replace(/\{\{|\}\}/g, (brace) => brace.charAt(0))
     .replace(/\{[\w.:?<>]*\}/g, "{}");
 
-/** What only programmers read stands behind these. */
+/** Begins of code whose texts only programmers read. */
 const forProgrammers =
   /(?:expect|expect_err|assert|assert_eq|debug_assert|panic|unreachable|include_str|concat|env|reason\s*=)!?\s*\(?\s*$/;
 

@@ -54,7 +54,7 @@ export function translator(table: Table): Translate {
     }
     return undefined;
   };
-  /** What follows a sentence, with the sign between them: a part that the table has so, or another sentence. */
+  /** Translates the rest behind a sentence, with the sign between them: a part that the table has so, or another sentence. */
   const behind = (sign: string, text: string): string => {
     const end = sign === " (" && text.endsWith(")") ? -1 : undefined;
     const rest = text.slice(sign.length, end);

@@ -36,7 +36,7 @@ struct Took {
     board: Duration,
 }
 
-/// What the host takes, as a table.
+/// Measures the processor time of the host; returns it as a table.
 pub fn table() -> Result<String> {
     eprintln!("steps-3x300k …");
     let runs: Vec<(Took, f64, u64, u64)> = (0..3).map(|_| run()).collect::<Result<_>>()?;

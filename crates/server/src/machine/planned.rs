@@ -80,8 +80,8 @@ impl Planning {
         }
     }
 
-    /// Tells the times of a controller in place of those of the plan.
-    pub fn takes(&mut self, clocks: &Clocks) {
+    /// Puts the times of a controller in place of those of the plan.
+    pub fn retime(&mut self, clocks: &Clocks) {
         let (mut before_s, mut cut_s) = (0.0, 0.0);
         for (time, cut) in self.times.iter_mut().zip(&mut self.cuts) {
             let [end_s, cut_before_s] = [*time, *cut].map(f64::from);

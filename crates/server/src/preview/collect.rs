@@ -37,12 +37,12 @@ impl Collector {
         Self { pen, plan, findings, again, line: 0 }
     }
 
-    /// Tells all moments in the time of the controller that makes the run, and returns its seconds and counts.
-    pub fn takes(&mut self, mut own: OwnTime<'_>) -> (f64, Tally) {
+    /// Puts all moments into the time of the controller that makes the run; returns its seconds and counts.
+    pub fn retime(&mut self, mut own: OwnTime<'_>) -> (f64, Tally) {
         let (seconds, tally) = (own.total_s(), std::mem::take(&mut own.tally));
         let clocks = own.clocks();
-        self.pen.path.takes(&clocks);
-        self.plan.takes(&clocks);
+        self.pen.path.retime(&clocks);
+        self.plan.retime(&clocks);
         (seconds, tally)
     }
 

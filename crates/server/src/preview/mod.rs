@@ -152,7 +152,7 @@ pub fn make(
     let (summary, cutter_mm, samples) =
         silently(work, options(parameters), session, workspace, given_up, &mut sink)?;
     let (mut sink, own) = sink;
-    let summary = in_own_time(summary, own.map(|own| sink.takes(own)));
+    let summary = in_own_time(summary, own.map(|own| sink.retime(own)));
     let failed = failed || is_job && summary.status == Status::Failed;
     let called = workspace.take_called();
     let mut made = finish(sink, &summary, start, cutter_mm, is_job);
@@ -194,7 +194,7 @@ pub fn plan(
     let mut sink = (Collector::of(&session), own_time(driven_by.as_ref()));
     silently(work, options, session, workspace, &AtomicBool::new(false), &mut sink);
     let (mut sink, own) = sink;
-    own.map(|own| sink.takes(own));
+    own.map(|own| sink.retime(own));
     sink.plan.finish(machine.is_some())
 }
 

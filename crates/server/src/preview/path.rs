@@ -43,8 +43,8 @@ impl Path {
         self.segments.len()
     }
 
-    /// Tells the times of a controller in place of those of the plan.
-    pub fn takes(&mut self, clocks: &Clocks) {
+    /// Puts the times of a controller in place of those of the plan.
+    pub fn retime(&mut self, clocks: &Clocks) {
         for segment in &mut self.segments {
             segment.end_s = clocks.own_s(f64::from(segment.end_s)) as f32;
         }

@@ -62,7 +62,7 @@ impl Tick {
 pub struct Height {
     law: HeightLaw,
     follower: Follower,
-    /// What was handed over, in order of time.
+    /// Stretches that were handed over, in order of time.
     ticks: VecDeque<Tick>,
     /// What follows on the way to rest behind it.
     tail: Vec<Tick>,
