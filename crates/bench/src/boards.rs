@@ -8,7 +8,7 @@ use kerf_driver_klipper::board::{Board, Ended, News, Options, Start};
 use kerf_driver_klipper::fake::{Faults, Wired};
 use kerf_driver_klipper::queue::{Piece, Step};
 use kerf_driver_klipper::setup::{Motor, Pin, Setup};
-use kerf_motion::{Leg, Model, Mover, Optimal, Stepper};
+use kerf_motion::{Leg, Mark, Model, Mover, Optimal, Stepper};
 use kerf_program::{At, Axes, Dynamics, Feed, Line, MoveKind, Settings};
 use std::fmt::Write as _;
 use std::time::{Duration, Instant};
@@ -143,6 +143,23 @@ fn run() -> Result<(Took, f64, u64, u64)> {
     Ok((took, leg.span_s()[1], commands, world.wired.there.bytes))
 }
 
+fn of_motors(
+    made: impl Iterator<Item = Mark> + Clone,
+    clock: impl Fn(f64) -> f64 + Copy,
+    [from, to]: [f64; 2],
+) -> Vec<Vec<Step>> {
+    let own = |axis: usize| {
+        let own = made.clone().filter(move |step| step.axis == axis);
+        own.map(|Mark { t_s, forward, count, .. }| Step {
+            clock: clock(t_s).clamp(from, to),
+            forward,
+            count,
+        })
+        .collect()
+    };
+    (0..3).map(own).collect()
+}
+
 /// Hands the motion over piece by piece; returns the time that finding its steps took.
 fn feed(world: &mut World, leg: &Leg, start: &Start) -> Result<Duration> {
     let mut stepper = Stepper::new(Axes::splat(PER_MM), Axes::default());
@@ -162,15 +179,10 @@ fn feed(world: &mut World, leg: &Leg, start: &Start) -> Result<Duration> {
         let tail = rests.map(|rest| stepper.clone().sketch(to_s, rest.end_s, |t_s| rest.at(t_s)));
         let ends = clock(to_s).ceil();
         let rests = tail.iter().flatten().map(|step| clock(step.t_s)).fold(ends, f64::max).ceil();
-        let of = |all: &[kerf_motion::Step], [from, to]: [f64; 2]| -> Vec<Vec<Step>> {
-            let own = |axis: usize| {
-                let own = all.iter().filter(move |step| step.axis == axis);
-                own.map(|it| Step { clock: clock(it.t_s).clamp(from, to), forward: it.forward })
-            };
-            (0..3).map(|axis| own(axis).collect()).collect()
-        };
-        let steps = of(&made, [clock(from_s).ceil(), ends]);
-        let tail = tail.map(|tail| of(&tail, [ends, rests])).unwrap_or_default();
+        let steps =
+            of_motors(made.iter().copied().map(Mark::from), clock, [clock(from_s).ceil(), ends]);
+        let tail =
+            tail.map(|tail| of_motors(tail.into_iter(), clock, [ends, rests])).unwrap_or_default();
         took += since.elapsed();
         let since = Instant::now();
         let (ends, rests) = (ends as u64, rests as u64);

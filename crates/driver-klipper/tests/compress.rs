@@ -206,3 +206,31 @@ fn commands_are_nearly_as_few_as_can_be() {
         assert!(found * 100 <= few * 105, "{found} commands, {few} would do");
     }
 }
+
+#[test]
+fn steps_that_are_told_by_their_last_one_are_all_made_and_none_too_close() {
+    // Braking from 300,000 steps/s on a clock of 12 MHz: 40 ticks apart, then longer and longer.
+    let steps = steps_of(|t| t / 40.0 - 1.25e-8 * t * t / 2.0, 2e6);
+    assert!(steps.len() > 24_000, "{}", steps.len());
+    let limits = Limits { error: 24.0, least: 15, turn: 15 };
+    for each in [1, 7, 75] {
+        let (mut commands, mut compressor) = (Vec::new(), Compressor::new(limits, 100_000));
+        let mut marks: Vec<(f64, u16)> = Vec::new();
+        for some in steps.chunks(each) {
+            let (clock, forward) = some[some.len() - 1];
+            marks.push((clock, some.len() as u16));
+            compressor.push_even(clock, forward, some.len() as u16, &mut commands).unwrap();
+        }
+        compressor.finish(&mut commands).unwrap();
+        let made = unfolded(&commands);
+        assert_eq!(made.len(), steps.len(), "{each} at once");
+        assert!(made.windows(2).all(|pair| pair[1].0 >= pair[0].0 + 15));
+        let mut n = 0;
+        for (clock, count) in marks {
+            n += usize::from(count);
+            let off = (made[n - 1].0 as f64 - clock).abs();
+            assert!(off <= 24.0_f64.max(0.5 * f64::from(count)) + 0.01, "{off} ticks at step {n}");
+        }
+        assert!(commands.len() < steps.len() / 20, "{} commands", commands.len());
+    }
+}

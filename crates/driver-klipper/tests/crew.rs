@@ -109,7 +109,7 @@ impl Pair {
         let clock = |t_s: f64| self.begins + t_s * self.rate;
         let each = |k| self.handed_s + (f64::from(k) + 0.5) * PIECE_S / f64::from(many);
         let steps: Vec<Step> =
-            (0..many).map(|k| Step { clock: clock(each(k)), forward: true }).collect();
+            (0..many).map(|k| Step { clock: clock(each(k)), forward: true, count: 1 }).collect();
         let ends = clock(self.handed_s + PIECE_S) as u64;
         Piece { steps: vec![steps.clone(), steps, vec![]], ends, rests: ends, ..Piece::default() }
     }
@@ -269,7 +269,8 @@ fn a_piece_that_one_board_cannot_make_is_made_by_none() {
     pair.start(&[]);
     let mut bad = pair.piece(20);
     let clock = bad.steps[1][0].clock;
-    bad.steps[1] = vec![Step { clock, forward: true }, Step { clock, forward: true }];
+    bad.steps[1] =
+        vec![Step { clock, forward: true, count: 1 }, Step { clock, forward: true, count: 1 }];
     assert!(matches!(pair.crew.offer(&bad), Err(Refused::TooFast(_))));
     pair.run(0.5, 20);
     pair.pass_for(1.5);

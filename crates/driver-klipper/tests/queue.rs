@@ -16,7 +16,9 @@ fn queue() -> Queue {
 /// A piece of steps at an even pace from one clock to another, with a tail of some more.
 fn piece(from: u64, to: u64) -> Piece {
     let even = |from: u64| {
-        (1..=10).map(move |k| Step { clock: (from + k * 10_000) as f64, forward: true }).collect()
+        (1..=10)
+            .map(move |k| Step { clock: (from + k * 10_000) as f64, forward: true, count: 1 })
+            .collect()
     };
     Piece {
         steps: vec![even(from)],

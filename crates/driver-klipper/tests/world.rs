@@ -270,7 +270,7 @@ fn stepped(
                 if (place(middle) > half) == forward { high = middle } else { low = middle }
             }
             *made += if forward { 1 } else { -1 };
-            found.push(Step { clock: clock(high), forward });
+            found.push(Step { clock: clock(high), forward, count: 1 });
             since_s = high;
         }
         since_s = until_s;

@@ -2,18 +2,28 @@
 //!
 //! A motor has made ⌊p + ½⌋ steps where p is its axis' position in steps: it steps when p passes a
 //! half. So what it has made and what it should have made never differ by more than half a step, at
-//! any time and however long the program. The times are those at which the plan passes the halves,
-//! sought on the plan itself; nothing is added up.
+//! any time and however long the program. The times are those at which the plan passes the halves;
+//! nothing is added up.
+//!
+//! The plan is looked at nine times a millisecond. Five places make a polynomial for each axis, four are compared with
+//! it; where they differ, as about a jump of the speed, the stretch is halved. The halves are sought on the
+//! polynomials, and on the plan itself where a stretch has become too short for them.
 
+use crate::quartic::{CHECKS, NODES, Quartic};
 use kerf_program::{AXES, Axes};
 
-/// Longest stretch of time looked at in one go, seconds.
-const SLICE_S: f64 = 0.001;
-/// Number of parts of a stretch; its first and last show whether an axis turns round in it. It is
-/// taken to turn once at most.
+/// Longest stretch of time looked at in one go, seconds. An axis is taken to turn round once at most in it.
+pub(crate) const SLICE_S: f64 = 0.001;
+/// A stretch that is shorter is looked at without a polynomial, seconds.
+const SHORT_S: f64 = 1e-6;
+/// Number of parts of such a stretch; its first and last show whether an axis turns round in it.
 const NEAR: f64 = 64.0;
 /// Exactness with which the time of a step is sought, seconds: far below the clock of any board.
 const EXACT_S: f64 = 1e-9;
+/// Share of it that is left to the search on a polynomial.
+const OF_SEARCH: f64 = 0.01;
+/// Difference between plan and polynomial that is none, steps, and as a share of the place: rounding.
+const SAME: [f64; 2] = [1e-8, 1e-13];
 /// Steps by which a place differs from what was made when the axis was not moved there: less is rounding.
 const JUMP: f64 = 1.0;
 /// Halvings in search of a time.
@@ -30,13 +40,20 @@ pub struct Step {
     pub forward: bool,
 }
 
+/// A stretch of time, over which the time of a polynomial goes from −1 to 1.
+#[derive(Clone, Copy)]
+struct Stretch {
+    middle_s: f64,
+    half_s: f64,
+}
+
 /// Finds steps, stretch by stretch of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stepper {
     /// Steps for a millimetre or a degree.
-    per_unit: Axes,
+    pub(crate) per_unit: Axes,
     /// Steps made.
-    made: [i64; AXES],
+    pub(crate) made: [i64; AXES],
 }
 
 impl Stepper {
@@ -68,58 +85,95 @@ impl Stepper {
         let mut steps = Vec::new();
         let slices = ((to_s - from_s) / SLICE_S).ceil().max(1.0);
         let time = |k: f64| if k == slices { to_s } else { from_s + (to_s - from_s) * k / slices };
-        let mut k = 0.0;
-        while k < slices {
-            let since = steps.len();
-            self.slice([time(k), time(k + 1.0)], &place, &mut steps);
-            steps[since..].sort_by(|a, b| a.t_s.total_cmp(&b.t_s));
-            k += 1.0;
-        }
-        steps
-    }
-
-    /// The same where a place between two moments that are `SLICE_S` apart is taken from a straight line: some µs off where
-    /// speeds change, and much quicker. For motion that is made only when something goes wrong.
-    pub fn sketch(&mut self, from_s: f64, to_s: f64, place: impl Fn(f64) -> Axes) -> Vec<Step> {
-        let (mut steps, mut from) = (Vec::new(), place(from_s));
-        let slices = ((to_s - from_s) / SLICE_S).ceil().max(1.0);
-        let time = |k: f64| from_s + (to_s - from_s) * k / slices;
-        let mut k = 0.0;
+        let (mut k, mut from) = (0.0, place(from_s));
         while k < slices {
             let (since, to) = (steps.len(), place(time(k + 1.0)));
-            for axis in 0..AXES {
-                self.straight(
-                    axis,
-                    [time(k), time(k + 1.0)],
-                    [from.0[axis], to.0[axis]],
-                    &mut steps,
-                );
-            }
-            steps[since..].sort_by(|a: &Step, b| a.t_s.total_cmp(&b.t_s));
-            (from, k) = (to, k + 1.0);
+            self.stretch([time(k), time(k + 1.0)], [from, to], &place, &mut steps);
+            steps[since..].sort_by(|a, b| a.t_s.total_cmp(&b.t_s));
+            (k, from) = (k + 1.0, to);
         }
         steps
     }
 
-    /// Steps of an axis that goes straight from one place to another.
-    fn straight(
+    /// Steps of a stretch of time between two places.
+    fn stretch(
         &mut self,
-        axis: usize,
-        [since_s, until_s]: [f64; 2],
-        [from, to]: [f64; 2],
+        span_s: [f64; 2],
+        [from, to]: [Axes; 2],
+        place: &impl Fn(f64) -> Axes,
         steps: &mut Vec<Step>,
     ) {
-        let [from, to] = [from, to].map(|place| place * self.per_unit.0[axis]);
+        let half_s = 0.5 * (span_s[1] - span_s[0]);
+        let middle_s = span_s[0] + half_s;
+        if 2.0 * half_s < SHORT_S {
+            return self.slice(span_s, place, steps);
+        }
+        let at = |x: f64| place(middle_s + half_s * x);
+        let nodes = [from, at(NODES[1]), at(NODES[2]), at(NODES[3]), to];
+        let Some(courses) = self.courses(&nodes, &CHECKS.map(at), half_s) else {
+            self.stretch([span_s[0], middle_s], [from, nodes[2]], place, steps);
+            return self.stretch([middle_s, span_s[1]], [nodes[2], to], place, steps);
+        };
+        let stretch = Stretch { middle_s, half_s };
+        for (axis, course) in courses.iter().enumerate() {
+            let end = to.0[axis] * self.per_unit.0[axis];
+            let mut since = -1.0;
+            if let Some(turn) = course.turn() {
+                self.along((axis, course), [since, turn], course.at(turn), stretch, steps);
+                since = turn;
+            }
+            self.along((axis, course), [since, 1.0], end, stretch, steps);
+        }
+    }
+
+    /// Places of all axes as polynomials in steps; nothing where they do not meet those in between.
+    fn courses(
+        &self,
+        nodes: &[Axes; 5],
+        checks: &[Axes; 4],
+        half_s: f64,
+    ) -> Option<[Quartic; AXES]> {
+        let mut courses = [Quartic::through([0.0; 5]); AXES];
+        for (axis, course) in courses.iter_mut().enumerate() {
+            let n = self.per_unit.0[axis];
+            let nodes = nodes.map(|place| place.0[axis] * n);
+            *course = Quartic::through(nodes);
+            let way = (nodes[4] - nodes[0]).abs();
+            let same = SAME[0] + SAME[1] * nodes[0].abs() + EXACT_S * way / (2.0 * half_s);
+            let is_met =
+                |(x, place): (&f64, &Axes)| (course.at(*x) - place.0[axis] * n).abs() <= same;
+            if !CHECKS.iter().zip(checks).all(is_met) {
+                return None;
+            }
+        }
+        Some(courses)
+    }
+
+    /// Steps of an axis that goes one way along a polynomial, to an end.
+    fn along(
+        &mut self,
+        (axis, course): (usize, &Quartic),
+        [mut since, until]: [f64; 2],
+        end: f64,
+        stretch: Stretch,
+        steps: &mut Vec<Step>,
+    ) {
+        let exact = OF_SEARCH * EXACT_S / stretch.half_s;
+        // Each step is guessed from the time between those before it, and how that grows.
+        let (mut gap, mut growth, mut is_first) = (0.0, 0.0, true);
         loop {
             let made = self.made[axis] as f64;
-            let forward = to > made + 0.5;
-            if !forward && to >= made - 0.5 {
+            let forward = end > made + 0.5;
+            if !forward && end >= made - 0.5 {
                 return;
             }
             let half = if forward { made + 0.5 } else { made - 0.5 };
-            let share = ((half - from) / (to - from)).clamp(0.0, 1.0);
+            let x = course.passes(half, forward, [since, until], since + gap + growth, exact);
+            growth = if is_first { 0.0 } else { x - since - gap };
+            (gap, since, is_first) = (x - since, x, false);
             self.made[axis] += if forward { 1 } else { -1 };
-            steps.push(Step { t_s: since_s + share * (until_s - since_s), axis, forward });
+            let t_s = stretch.middle_s + stretch.half_s * x;
+            steps.push(Step { t_s, axis, forward });
         }
     }
 

@@ -75,10 +75,28 @@ fn check(end_s: f64, place: impl Fn(f64) -> Axes) -> Vec<Step> {
         }
     }
     assert!(steps.windows(2).all(|pair| pair[0].t_s <= pair[1].t_s));
+    each_is_where_its_half_is_passed(&steps, Stepper::new(PER_UNIT, place(0.0)).made(), &place);
     let last = place(end_s).zip(PER_UNIT, |p, n| (p * n).round()).0.map(|n| n as i64);
     let off = stepper.made().into_iter().zip(last).map(|(a, b)| (a - b).abs()).max();
     assert!(off <= Some(1), "{:?} {last:?}", stepper.made());
     steps
+}
+
+/// Asserts that no step is more than 2 ns of its motor's way from the half that it passes.
+#[track_caller]
+fn each_is_where_its_half_is_passed(
+    steps: &[Step],
+    mut counts: [i64; AXES],
+    place: impl Fn(f64) -> Axes,
+) {
+    for Step { t_s, axis, forward } in steps.iter().copied() {
+        let sign = if forward { 1 } else { -1 };
+        let half = counts[axis] as f64 + 0.5 * f64::from(sign);
+        counts[axis] += i64::from(sign);
+        let at = |t_s: f64| place(t_s).0[axis] * PER_UNIT.0[axis];
+        let (off, way) = ((at(t_s) - half).abs(), (at(t_s + 2e-9) - at(t_s - 2e-9)).abs());
+        assert!(off <= way + 2e-8, "axis {axis} is {off} steps from its half at {t_s}");
+    }
 }
 
 #[test]

@@ -109,7 +109,10 @@ fn pro_console_serial() {
     page.until("a cut", |page| page.shown["motion"]["cutting"] == true);
     device.presses("P");
     page.until_state("stopped");
-    device.shows("Paused", "Shape 1 of 16");
+    // A busy computer may hear the key behind the first shape.
+    let shape = page.shown["asked"]["line"].as_u64().unwrap();
+    assert!((1..=16).contains(&shape), "{shape}");
+    device.shows("Paused", &format!("Shape {shape} of 16"));
 }
 
 #[test]

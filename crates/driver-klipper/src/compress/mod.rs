@@ -79,11 +79,13 @@ pub struct TooFast {
     pub least: u32,
 }
 
-/// A step as it is planned.
+/// Steps at even times as they are planned.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Due {
+    /// Clock of the last of them.
     clock: f64,
     forward: bool,
+    count: u16,
 }
 
 /// Makes commands from the steps of one motor, in order of time.
@@ -103,7 +105,7 @@ pub struct Compressor {
 impl Compressor {
     /// A motor that stands at a clock.
     pub fn new(limits: Limits, clock: u64) -> Self {
-        let last = Due { clock: clock as f64, forward: false };
+        let last = Due { clock: clock as f64, forward: false, count: 1 };
         Self { limits, run: Run::new(clock), last, held: None, dropped: 0 }
     }
 
@@ -116,14 +118,31 @@ impl Compressor {
     ///
     /// It comes too soon behind the one before.
     pub fn push(&mut self, clock: f64, forward: bool, out: &mut Vec<Steps>) -> Result<(), TooFast> {
-        let due = Due { clock, forward };
+        self.push_even(clock, forward, 1, out)
+    }
+
+    /// Adds steps at even times, the last of them at a clock. Of several only the last one's moment is looked at.
+    ///
+    /// # Errors
+    ///
+    /// They come too soon behind the one before, or behind each other.
+    pub fn push_even(
+        &mut self,
+        clock: f64,
+        forward: bool,
+        count: u16,
+        out: &mut Vec<Steps>,
+    ) -> Result<(), TooFast> {
+        let due = Due { clock, forward, count };
         if let Some(held) = self.held {
-            if held.forward != forward && clock - held.clock < f64::from(self.limits.turn) {
+            let single = held.count == 1 && count == 1;
+            let turns = held.forward != forward && single;
+            if turns && clock - held.clock < f64::from(self.limits.turn) {
                 self.held = None;
                 self.dropped += 2;
                 return Ok(());
             }
-            self.settle(held, clock, out)?;
+            self.settle(held, (clock - held.clock) / f64::from(count), out)?;
         }
         self.held = Some(due);
         Ok(())
@@ -152,15 +171,17 @@ impl Compressor {
         self.dropped
     }
 
-    /// Puts a step into the command, or ends that and begins another.
+    /// Puts steps into the command, or ends that and begins another. The next step comes so many ticks later.
     fn settle(&mut self, due: Due, next: f64, out: &mut Vec<Steps>) -> Result<(), TooFast> {
         let turns = due.forward != self.last.forward;
         let least = if turns { self.limits.turn.max(self.limits.least) } else { self.limits.least };
-        let gap = due.clock - self.last.clock;
-        let reach = self.limits.error.min(0.5 * gap.min(next - due.clock)).max(0.5);
+        let gap = (due.clock - self.last.clock) / f64::from(due.count);
+        // One command with whole ticks between its steps has to be there for so many.
+        let whole = 0.5 * f64::from(due.count);
+        let reach = self.limits.error.min(0.5 * gap.min(next)).max(whole);
         let window = [due.clock - reach, due.clock + reach];
         self.last = due;
-        if !turns && self.run.extend(window, self.limits.least) {
+        if !turns && self.run.extend(window, due.count, self.limits.least) {
             return Ok(());
         }
         out.extend(self.run.close());
@@ -170,7 +191,7 @@ impl Compressor {
         // A step back that is a little late harms less than one that the driver takes for one ahead.
         let late = if turns { f64::from(least) + self.run.from() as f64 } else { 0.0 };
         let window = [window[0], window[1].max(late)];
-        if self.run.begin(due.forward, window, least) {
+        if self.run.begin(due.forward, window, due.count, least) {
             return Ok(());
         }
         Err(TooFast { clock: due.clock, gap, least })

@@ -2,7 +2,7 @@
 
 use super::Steps;
 
-/// Most steps of a command: bounds the memory of a motor.
+/// Most windows of a command: bounds the memory of a motor.
 const MOST_STEPS: usize = 4096;
 /// Values of `add` beside the best one that are tried where no whole interval fits that.
 const BESIDE: i64 = 3;
@@ -22,6 +22,8 @@ pub struct Run {
     from: u64,
     forward: bool,
     slots: Vec<Slot>,
+    /// Number of steps, to the newest window.
+    count: u16,
     /// Least first interval.
     least: u32,
     interval: i64,
@@ -31,7 +33,7 @@ pub struct Run {
 impl Run {
     /// An empty one that counts from a clock.
     pub const fn new(from: u64) -> Self {
-        Self { from, forward: false, slots: Vec::new(), least: 0, interval: 0, add: 0 }
+        Self { from, forward: false, slots: Vec::new(), count: 0, least: 0, interval: 0, add: 0 }
     }
 
     /// Clock from which the steps count.
@@ -40,42 +42,46 @@ impl Run {
     }
 
     /// Begins with a step; false where its window is too early.
-    pub fn begin(&mut self, forward: bool, window: [f64; 2], least: u32) -> bool {
+    pub fn begin(&mut self, forward: bool, window: [f64; 2], more: u16, least: u32) -> bool {
         (self.forward, self.least) = (forward, least);
-        self.extend(window, least)
+        self.extend(window, more, least)
     }
 
-    /// Adds a step the same way; false where no numbers pass through all windows.
-    pub fn extend(&mut self, [low, high]: [f64; 2], least: u32) -> bool {
-        if self.slots.len() >= MOST_STEPS {
+    /// Adds so many steps the same way, the last of them with a window; false where no numbers pass through all windows.
+    pub fn extend(&mut self, [low, high]: [f64; 2], more: u16, least: u32) -> bool {
+        let before = self.count;
+        let Some(count) = before.checked_add(more).filter(|_| self.slots.len() < MOST_STEPS) else {
             return false;
-        }
-        let k = (self.slots.len() + 1) as f64;
+        };
+        self.count = count;
+        let k = f64::from(count);
         let from = self.from as f64;
         let slot = Slot { low: (low - from) / k, high: (high - from) / k, middle: 0.5 * (k - 1.0) };
         self.slots.push(slot);
         let solved = (self.slots.len() > 1 && self.holds(slot, least)) || self.solve(least);
         if !solved {
             self.slots.pop();
+            self.count = before;
         }
         solved
     }
 
     /// Ends the command; nothing where it has no step.
     pub fn close(&mut self) -> Option<Steps> {
-        let count = u16::try_from(self.slots.len()).ok().filter(|count| *count > 0)?;
+        let count = Some(self.count).filter(|count| *count > 0)?;
         let add = if count > 1 { self.add as i16 } else { 0 };
         let (forward, from, interval) = (self.forward, self.from, self.interval as u32);
         let steps = Steps { forward, from, interval, count, add };
         self.from = steps.to();
         self.slots.clear();
+        self.count = 0;
         Some(steps)
     }
 
     /// The numbers found so far pass through the newest window too.
     fn holds(&self, slot: Slot, least: u32) -> bool {
         let value = self.interval as f64 + self.add as f64 * slot.middle;
-        let last = self.interval + self.add * (self.slots.len() as i64 - 1);
+        let last = self.interval + self.add * (i64::from(self.count) - 1);
         value >= slot.low && value <= slot.high && last >= i64::from(least)
     }
 
@@ -117,7 +123,7 @@ impl Run {
     /// Lowest and highest interval with an `add`.
     fn bounds(&self, add: i64, least: u32) -> [f64; 2] {
         let slope = add as f64;
-        let last = f64::from(least) - slope * (self.slots.len() as f64 - 1.0);
+        let last = f64::from(least) - slope * (f64::from(self.count) - 1.0);
         let mut low = last.max(f64::from(self.least));
         let mut high = f64::from(i32::MAX);
         for slot in &self.slots {

@@ -3,13 +3,15 @@
 use super::{Change, Refused, Release, due};
 use crate::compress::{Compressor, Steps};
 
-/// A step of a motor as it is planned.
+/// A step of a motor as it is planned, or several at even times.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// Clock, with its fraction.
+    /// Clock of the last of them, with its fraction.
     pub clock: f64,
     /// The motor's count rises.
     pub forward: bool,
+    /// Number of steps: one where each is planned.
+    pub count: u16,
 }
 
 /// A piece of motion: it begins where the one before ends.
@@ -88,12 +90,12 @@ fn compressed(
     compressor: &mut Compressor,
 ) -> Result<Vec<Steps>, Refused> {
     let (mut commands, mut since) = (Vec::new(), starts as f64);
-    for Step { clock, forward } in steps {
-        if !(since..=ends as f64).contains(clock) {
+    for step in steps {
+        if !(since..=ends as f64).contains(&step.clock) {
             return Err(Refused::Order);
         }
-        since = *clock;
-        compressor.push(*clock, *forward, &mut commands)?;
+        since = step.clock;
+        compressor.push_even(step.clock, step.forward, step.count, &mut commands)?;
     }
     compressor.finish(&mut commands)?;
     Ok(commands)

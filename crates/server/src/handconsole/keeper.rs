@@ -74,13 +74,19 @@ impl Keeper {
                 None => {}
             }
             self.go_on(&app);
-            while !self.settling
+            while !self.waits(&app)
                 && let Some((asker, grip, key)) = self.keys.pop_front()
             {
                 self.press(&app, &asker, grip, key);
             }
             self.show(&app);
         }
+    }
+
+    /// Keys wait for a request that is over in a moment; and while a folder is read or another thing is done that moves
+    /// nothing, because they are meant for the machine that stands then.
+    fn waits(&self, app: &App) -> bool {
+        self.settling || (app.hub.state() == State::Running && app.link.does_chore())
     }
 
     fn press(&mut self, app: &Arc<App>, asker: &Asker, grip: Grip, key: Key) {

@@ -63,6 +63,8 @@ pub struct Wanted {
     pub jog: Option<Held>,
     /// A stop came while nothing ran, and nobody has seen to it yet.
     rests: bool,
+    /// What was begun last moves nothing, and is over in a moment.
+    chore: bool,
     /// The tool is in for which the controller waits.
     pub tool_in: bool,
     /// Switches that are moved: by what runs, or else before the next thing begins.
@@ -331,10 +333,17 @@ impl Link {
             let (arrived, heard) = (self.arrived.clone(), stops.halts());
             let clock = self.clock.clone();
             let rests = wanted.rests || wanted.heard != heard;
-            let anew = Wanted { arrived, clock, heard, jog, leaves, rests, ..Wanted::default() };
+            let chore = since.is_none();
+            let anew =
+                Wanted { arrived, clock, heard, jog, leaves, rests, chore, ..Wanted::default() };
             *wanted = Wanted { ends: leaves, presses, ..anew };
         }
         begins
+    }
+
+    /// Returns `true` if what was begun last moves nothing, as a change of the folder.
+    pub fn does_chore(&self) -> bool {
+        self.lock().chore
     }
 
     /// The page of a jog has gone, or released the key.

@@ -7,7 +7,7 @@ use super::height::Height;
 use kerf_driver_klipper::mailbox::Set;
 use kerf_driver_klipper::queue::{Piece, Step};
 use kerf_machine::{Going, Lift};
-use kerf_motion::{Leg, Rest, Stepper};
+use kerf_motion::{Leg, Mark, Rest, Stepper};
 use kerf_program::{Axes, Axis};
 use std::collections::VecDeque;
 
@@ -182,7 +182,8 @@ impl Feeder {
                 self.stepper.follow(span_s[0], span_s[1], place)
             }
         };
-        let steps = self.of_motors(&made, t0_s, scale, [starts, ends]);
+        let steps =
+            self.of_motors(made.iter().copied().map(Mark::from), t0_s, scale, [starts, ends]);
         let (tail, at_rest) = self.tail(&rests, scale, ends);
         let sets = self.beam([from_s, to_s], scale, [starts, ends, at_rest], &rests);
         (self.handed_s, self.rests, self.starves) = (to_s, stands, false);
@@ -252,7 +253,7 @@ impl Feeder {
         for (t0_s, way) in ways.iter().chain(&alone) {
             let (made, end_s) = way.steps(&mut stepper, *t0_s, lift.as_ref());
             at_rest = at_rest.max(scale.at(t0_s + end_s).ceil() as u64);
-            let steps = self.of_motors(&made, *t0_s, scale, [ends, at_rest]);
+            let steps = self.of_motors(made.iter().copied(), *t0_s, scale, [ends, at_rest]);
             all.iter_mut().zip(steps).for_each(|(all, steps)| all.extend(steps));
         }
         (if ways.is_empty() { Vec::new() } else { all }, at_rest)
@@ -261,17 +262,18 @@ impl Feeder {
     /// Steps of axes as steps of motors, each within clocks.
     fn of_motors(
         &self,
-        made: &[kerf_motion::Step],
+        made: impl Iterator<Item = Mark> + Clone,
         t0_s: f64,
         scale: &Scale,
         [starts, ends]: [u64; 2],
     ) -> Vec<Vec<Step>> {
         let moves = |motor: usize| self.only.as_ref().is_none_or(|only| only.contains(&motor));
         let of = |(motor, axis): (usize, &Axis)| {
-            let own = made.iter().filter(|step| step.axis == axis.index() && moves(motor));
+            let own = made.clone().filter(|step| step.axis == axis.index() && moves(motor));
             own.map(|step| Step {
                 clock: scale.at(t0_s + step.t_s).clamp(starts as f64, ends as f64),
                 forward: step.forward,
+                count: step.count,
             })
             .collect()
         };
@@ -327,14 +329,9 @@ impl Way {
         }
     }
 
-    /// The steps of it, in a plan that begins at a moment and with what carries the machine beside it, and the time of the
+    /// Marks of its steps, in a plan that begins at a moment and with what carries the machine beside it, and the time of the
     /// plan at its end.
-    fn steps(
-        &self,
-        stepper: &mut Stepper,
-        t0_s: f64,
-        lift: Option<&Lift>,
-    ) -> (Vec<kerf_motion::Step>, f64) {
+    fn steps(&self, stepper: &mut Stepper, t0_s: f64, lift: Option<&Lift>) -> (Vec<Mark>, f64) {
         let [from_s, to_s] = self.span_s();
         let steps = match lift {
             None => stepper.sketch(from_s, to_s, |t_s| self.place(t_s)),
