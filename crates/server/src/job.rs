@@ -33,7 +33,7 @@ pub struct Jobs {
     pub loader: Arc<Loader>,
     pub settings: Arc<MachineSettings>,
     pub drawing: Arc<DrawingDesk>,
-    /// Key of the preview of the job that runs, and the origin that it took, X and Y from home, mm.
+    /// Hash of the job that runs, and the origin that it took, X and Y from home, mm.
     pub taken: Lock<TAKEN, Option<(String, [f64; 2])>>,
 }
 

@@ -40,8 +40,8 @@ impl Jobs {
 
     /// A job is over that took its origin where the tool was: there it lies from now on.
     pub fn keep_taken(&self) {
-        let Some((key, at)) = self.taken.lock().take() else { return };
-        if self.loader.open.lock().key == key {
+        let Some((hash, at)) = self.taken.lock().take() else { return };
+        if self.loader.open.lock().hash == hash {
             // Whoever begins something else at this very moment has no use for it.
             drop(self.choose_anew(|choice| JobChoice { origin: Some(at), ..choice }));
         }

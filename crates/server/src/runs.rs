@@ -104,10 +104,10 @@ impl Runs {
         let taken = work.takes_origin(lock(&self.left).session.memory.position);
         let opened = self.settings.opened(&asker.who, None).is_ok();
         let noticed = self.noticed(&open);
-        let Open { name, hash, key, .. } = open;
+        let Open { name, hash, .. } = open;
         let draws_only = self.hub.read(gate::draws_only);
+        let taken = taken.map(|at| (hash.clone(), at));
         let order = Order::File { work, name, hash, planned, parameters, opened, draws_only };
-        let taken = taken.map(|at| (key, at));
         let before = std::mem::replace(&mut *self.jobs.taken.lock(), taken);
         // A job that runs keeps the origin that it took when somebody presses Start again.
         self.orders.order_of(asker, order).inspect_err(|_| *self.jobs.taken.lock() = before)?;
