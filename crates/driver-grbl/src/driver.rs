@@ -4,15 +4,17 @@ use crate::at_once;
 use crate::facts::KnownFacts;
 use crate::flights::{Flights, radius_mm};
 use crate::gap::Gap;
+use crate::kept_settings::{self, KeptSettings};
 use crate::lines::{Modal, jogs_alone, lines, parts, told_as};
 use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
-use crate::tool_wait::{JOG_CANCEL, TOOL, ToolWait};
+use crate::signals;
+use crate::tool_wait::ToolWait;
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
-    Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent,
-    Shares, Signal, Ticket, Trouble, Wired, Zero, ZeroChange, decimal, is_sound,
+    Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, Order, Reply, Sent, Shares,
+    Signal, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -32,9 +34,6 @@ const NUMBERED_EVERY: Ticket = 8;
 
 /// Numbers of lines are below this: more than there are ever orders on their way.
 const NUMBERS: Ticket = 1000;
-
-/// The setting of the steps of X; those of the other axes follow.
-const STEPS: u16 = 100;
 
 /// A line longer than this is no answer.
 const LONGEST: usize = 1024;
@@ -110,6 +109,7 @@ pub struct Grbl {
     /// Time when it was told another one last.
     pub(crate) turned_s: f64,
     pub(crate) zeros: Zeros,
+    pub(crate) kept: KeptSettings,
     /// The tool for which it waits.
     pub(crate) tool: ToolWait,
     /// Outputs that are on after the last order.
@@ -117,7 +117,7 @@ pub struct Grbl {
     /// Time when it was told to stop.
     pub(crate) stopped_s: f64,
     /// Moment at which its reset was sent, seconds.
-    reset_s: Option<f64>,
+    pub(crate) reset_s: Option<f64>,
     /// The hold that was ordered.
     pub(crate) hold: Hold,
     /// The search for what was lost while the line was gone.
@@ -191,6 +191,7 @@ impl Grbl {
             shares: Shares::default(),
             turned_s: f64::NEG_INFINITY,
             zeros: Zeros::default(),
+            kept: KeptSettings::default(),
             tool: ToolWait::default(),
             planned_on: 0,
             stopped_s: 0.0,
@@ -227,7 +228,7 @@ impl Grbl {
 
     /// Changes a setting, while nothing moves.
     pub fn writes(&mut self, number: u16, value: &str) {
-        self.say(format!("${number}={value}"));
+        self.say(kept_settings::line(number, value));
     }
 
     /// Time in which nobody looked at the line is no time in which an answer did not come.
@@ -296,35 +297,6 @@ impl Grbl {
     pub(crate) fn reset(&mut self) {
         (self.phase, self.greets, self.reset_s) = (Phase::Resetting, false, None);
         self.out.push(at_once::RESET);
-    }
-
-    fn stop(&mut self, now_s: f64) {
-        self.queue.clear();
-        self.stopped_s = now_s;
-        match self.phase {
-            // It hears nothing else while it goes home.
-            Phase::Ready if self.quiet() => self.reset(),
-            // A reset would end the change of tools.
-            Phase::Ready if self.tool.takes_jogs() => {
-                (self.phase, self.doing) = (Phase::Stopping, Doing::Slowing);
-                self.out.extend([JOG_CANCEL, at_once::ASK]);
-                return;
-            }
-            Phase::Ready => {
-                self.phase = Phase::Stopping;
-                self.out.extend([at_once::HOLD, at_once::ASK]);
-                // What it does is asked anew: it may have stood a moment ago.
-                self.doing = Doing::Slowing;
-            }
-            // It may be at work for somebody who is gone.
-            Phase::Silent | Phase::Asked | Phase::Gap => {
-                self.phase = Phase::Stopping;
-                self.out.extend([at_once::HOLD, at_once::ASK]);
-                self.doing = Doing::Slowing;
-            }
-            Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
-        }
-        self.tool = ToolWait::default();
     }
 
     /// Returns its place when it told last, machine frame.
@@ -437,43 +409,7 @@ impl Driver for Grbl {
     }
 
     fn signal(&mut self, signal: Signal, now_s: f64) {
-        match signal {
-            Signal::Ask => self.out.push(at_once::ASK),
-            Signal::Hold => {
-                self.hold = Hold::Ordered;
-                self.out.push(at_once::HOLD);
-            }
-            Signal::Resume => {
-                self.hold = Hold::None;
-                self.out.push(at_once::RESUME);
-            }
-            Signal::Stop => self.stop(now_s),
-            Signal::ByHand => {
-                let rests = self.has_said_all() && self.flights.is_empty();
-                if self.phase == Phase::Ready && rests && self.tool.hears() {
-                    self.out.push(TOOL);
-                }
-            }
-            Signal::ToolIn if self.tool.is_on() => self.out.extend(self.tool.is_in()),
-            Signal::ToolOff if self.tool.is_on() => {
-                self.tool = ToolWait::default();
-                self.reset();
-            }
-            Signal::ToolIn | Signal::ToolOff => {}
-            Signal::Feed(percent) => {
-                (self.shares.feed, self.turned_s) = (percent.clamp(10, 200), now_s);
-                self.out.extend(at_once::feed(percent));
-            }
-            Signal::Override(Override::Rapid(percent)) => {
-                let (share, command) = at_once::rapid(percent);
-                (self.shares.rapid, self.turned_s) = (share, now_s);
-                self.out.push(command);
-            }
-            Signal::Override(Override::Spindle(percent)) => {
-                (self.shares.spindle, self.turned_s) = (percent.clamp(10, 200), now_s);
-                self.out.extend(at_once::spindle(percent));
-            }
-        }
+        signals::take(self, signal, now_s);
     }
 
     fn replies(&mut self, _: f64) -> Vec<Result<Reply, Garbled>> {
@@ -596,14 +532,16 @@ impl Wired for Grbl {
         steps.take_while(|steps| *steps > 0.0).collect()
     }
 
-    fn keeps_steps(&mut self, axis: usize, steps: f64) -> bool {
-        let rests = self.phase == Phase::Ready && self.flights.is_empty() && self.trouble.is_none();
-        if !rests || axis >= self.steps_per_mm().len() {
-            return false;
-        }
-        self.writes(STEPS + axis as u16, &decimal(steps, 3));
-        self.say("$$");
-        true
+    fn setting(&self, number: u16) -> Option<&str> {
+        self.settings().get(&number).map(String::as_str)
+    }
+
+    fn keeps_setting(&mut self, number: u16, value: &str) -> Result<(), String> {
+        kept_settings::keep(self, number, value)
+    }
+
+    fn takes_refusal(&mut self) -> Option<String> {
+        self.kept.takes_refusal()
     }
 
     fn knows_zeros(&self) -> bool {

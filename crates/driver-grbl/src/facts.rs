@@ -56,6 +56,8 @@ pub struct KnownFacts {
     /// Modal words that hold in it.
     modes: Vec<String>,
     settings: BTreeMap<u16, f64>,
+    /// One of them is another than before, and nobody has heeded it.
+    is_new: bool,
     /// The same as it writes them, with those that are no numbers.
     texts: BTreeMap<u16, String>,
     /// Bytes that its receive buffer holds.
@@ -80,6 +82,7 @@ impl Default for KnownFacts {
             own: OwnWords::default(),
             modes: Vec::new(),
             settings: BTreeMap::new(),
+            is_new: false,
             texts: BTreeMap::new(),
             rx: RX,
             planner: PLANNER,
@@ -153,11 +156,18 @@ impl KnownFacts {
             Some((number.parse().ok()?, value.parse().ok()?))
         };
         let read: Option<(u16, f64)> = read();
-        self.settings.extend(read);
+        if let Some((number, value)) = read {
+            self.is_new |= self.settings.insert(number, value) != Some(value);
+        }
         let text = line.strip_prefix('$').and_then(|rest| rest.split_once('='));
         let text = text.and_then(|(number, value)| Some((number.parse().ok()?, value.to_owned())));
         self.texts.extend(text);
         read.is_some()
+    }
+
+    /// Returns `true` if a setting is another than when this was asked last.
+    pub const fn takes_news(&mut self) -> bool {
+        std::mem::replace(&mut self.is_new, false)
     }
 
     /// Returns `true` if it is to be asked for its errors and alarms in words, once.

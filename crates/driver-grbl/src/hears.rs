@@ -4,14 +4,12 @@ use crate::at_once;
 use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, with};
 use crate::error_texts;
 use crate::facts::{self, INPUTS, PROBE, PROBE_INPUT};
+use crate::kept_settings::{self, BUSY};
 use crate::lines::straight;
 use crate::place::{millimetres, on_steps};
 use crate::report::{Doing, Report, axes};
 use crate::tool_wait::{JOG_CANCEL, TOOL};
 use kerf_machine::driver::{Driver, Facts, Garbled, Hold, Order, Reply, Ticket, Trouble};
-
-/// The error of a controller that moves, and tells nothing of itself meanwhile.
-const BUSY: u16 = 8;
 
 /// A place that is farther than this from the one that was ordered is another, mm: more than a step of any machine.
 const ELSEWHERE_MM: f64 = 0.05;
@@ -90,6 +88,7 @@ impl Grbl {
             self.changed = self.told.mend().or(self.changed);
             self.told.setting(&line.text);
         }
+        kept_settings::follow(self, &line.text);
         self.asks_on();
     }
 
@@ -122,6 +121,9 @@ impl Grbl {
             // it tells nothing of itself: it is asked again.
             self.busy |= number == BUSY && line.is_some_and(|line| !line.text.contains('='));
             return self.asks_on();
+        }
+        if self.kept.is_refused(line.as_ref(), number, &why) {
+            return;
         }
         let _ = self.trouble.get_or_insert(Trouble::Refused { number, why });
         match line.and_then(|line| line.ticket) {
@@ -292,6 +294,9 @@ impl Grbl {
                 self.stands_there();
                 if self.zeros.are_stale() {
                     self.asks_zeros();
+                }
+                if self.kept.is_due(now_s) {
+                    self.say(kept_settings::ASK);
                 }
             }
             _ => {}

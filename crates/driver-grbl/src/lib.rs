@@ -28,11 +28,13 @@ pub mod fake;
 mod flights;
 mod gap;
 mod hears;
+mod kept_settings;
 mod lines;
 mod own_words;
 mod place;
 mod report;
 pub mod settings;
+mod signals;
 mod tool_wait;
 mod zeros;
 

@@ -6,6 +6,7 @@ mod arcs;
 mod conformance;
 mod faults;
 mod gap;
+mod kept_settings;
 mod set_up;
 mod tool_wait;
 mod turned;

@@ -73,7 +73,11 @@ impl App {
             Act::Close => self.close_file()?,
             Act::Run { hash, step, .. } => self.runs.run(asker, &hash, step)?,
             Act::TakeUp { .. } => self.runs.take_up(asker)?,
-            Act::Command { line, .. } => self.runs.command(asker, line)?,
+            Act::Command { line, .. } => {
+                if !self.hands.keep_setting(asker, &line)? {
+                    self.runs.command(asker, line)?;
+                }
+            }
             Act::JogStart { seq, clock_ms, direction, distance, speed_share: speed, .. } => {
                 self.jog(asker, (seq, clock_ms), Order::Jog { direction, distance, speed })?;
             }

@@ -3,15 +3,23 @@
 use crate::asker::Asker;
 use crate::hands::Hands;
 use crate::locks::lock;
-use crate::machine::Order;
+use crate::machine::{Order, STEPS};
 use crate::refusal::problem;
 use kerf_machine::lines::Output;
 use kerf_machine::settings::io::IoMap;
 use kerf_machine::settings::motors::Motor;
 use kerf_machine::{Configuration, Errand, driver, wiring};
-use kerf_program::{AXES, Axis, AxisSet};
+use kerf_program::{AXES, Axis, AxisSet, decimal};
 use kerf_wire::{ByHand, Problem, Why, ZeroChange};
 use std::sync::mpsc::channel;
+
+/// Returns number and value where a line sets a setting of a controller: `$120=300`.
+fn setting_in(line: &str) -> Option<(u16, String)> {
+    let (number, value) = line.trim().strip_prefix('$')?.split_once('=')?;
+    let value = value.trim();
+    let is_value = !value.is_empty() && !value.contains(char::is_control);
+    Some((number.parse().ok().filter(|_| is_value)?, value.to_owned()))
+}
 
 impl Hands {
     /// Moves the machine to somewhere.
@@ -116,7 +124,20 @@ impl Hands {
         if !(steps.is_finite() && steps > 0.0) {
             return Err(problem(Why::Malformed, "steps of a millimetre are a number above 0"));
         }
-        self.orders.order_of(asker, Order::Steps { axis, steps })
+        let (number, value) = (STEPS + axis.index() as u16, decimal(steps, 3));
+        self.orders.order_of(asker, Order::Setting { number, value })
+    }
+
+    /// Writes a setting into the controller, where a typed line is one (`$120=300`) and the controller keeps such; tells
+    /// whether it is.
+    ///
+    /// # Errors
+    /// The machine is busy.
+    pub fn keep_setting(&self, asker: &Asker, line: &str) -> Result<bool, Problem> {
+        let keeps = self.hub.read(|now| !now.controller_steps.is_empty());
+        let Some((number, value)) = setting_in(line).filter(|_| keeps) else { return Ok(false) };
+        self.orders.order_of(asker, Order::Setting { number, value })?;
+        Ok(true)
     }
 
     /// Returns the pins of the switches that are moved on a page.

@@ -211,8 +211,9 @@ impl Loader {
         Opened { lines: text.lines().count() as u32, header, ..opened }
     }
 
-    fn preview(&self, open: Open) {
+    fn preview(self: &Arc<Self>, open: Open) {
         let session = lock(&self.left).session.clone();
+        let begun = session.clone();
         let made = match self.preview_workspace() {
             Err(error) => Err(error.to_string()),
             Ok(mut workspace) => self.work(&open).map_err(|problem| problem.text).map(|work| {
@@ -228,6 +229,12 @@ impl Loader {
         self.previewed(&open, state.clone());
         if let Ok(preview) = state {
             self.keep_thumbnail(&open, &preview);
+            let now = lock(&self.left).session.clone();
+            // The machine was set otherwise while it was made, and nobody has seen then that it is stale.
+            let is_late = preview.is_stale(&now) && !preview.is_stale(&begun);
+            if is_late && self.open.lock().key == open.key {
+                self.preview_again();
+            }
         }
     }
 

@@ -20,26 +20,68 @@ fn cutting() -> (Shop, Arc<Mutex<Fake>>, Page) {
     (shop, fake, page)
 }
 
-/// Seconds of the preview of a zigzag, on a controller whose axes gain so much speed.
-fn told_s(accel_mm_s2: f64) -> f64 {
+/// A zigzag that is open, on a controller whose axes gain so much speed.
+fn zigzag(accel_mm_s2: f64) -> (Shop, Arc<Mutex<Fake>>, Page) {
     let fake = Fake::new(&[(120, accel_mm_s2), (121, accel_mm_s2)]);
-    let controller = Some(Arc::new(Mutex::new(fake)));
+    let fake = Arc::new(Mutex::new(fake));
     let files = vec![(
         "zigzag.sbp",
         "MS,3\nSR\n&n = 0\nagain:\nM2,0.2,0.2\nM2,0.2,-0.2\n&n = &n + 1\nIF &n < 20 THEN GOTO again\nSA\n",
     )];
-    let shop = start(Wanted { files, controller, ..Wanted::default() });
+    let shop = start(Wanted { files, controller: Some(fake.clone()), ..Wanted::default() });
     let mut page = shop.driver();
     page.open_file("zigzag.sbp");
-    let key = page.shown["opened"]["preview"]["key"].as_str().unwrap().to_owned();
+    (shop, fake, page)
+}
+
+/// Seconds that its preview tells.
+fn told_s(shop: &Shop, page: &Page) -> f64 {
+    let preview = &page.shown["opened"]["preview"];
+    let key = preview["key"].as_str().unwrap_or_else(|| panic!("{preview}"));
     shop.get(&format!("/api/preview/{key}")).json()["seconds"].as_f64().unwrap()
 }
 
 #[test]
 fn the_time_of_a_file_is_that_of_the_controller_with_its_settings() {
+    let told_s = |accel_mm_s2| {
+        let (shop, _fake, page) = zigzag(accel_mm_s2);
+        told_s(&shop, &page)
+    };
     let (usual, slow) = (told_s(400.0), told_s(100.0));
+
     // Legs that never come to their speed take as long as the root of the acceleration says.
     assert!((slow / usual - 2.0).abs() < 0.02, "{slow} s and {usual} s");
+}
+
+#[test]
+fn the_time_of_a_file_follows_settings_that_are_written_while_the_controller_is_attached() {
+    let (shop, fake, mut page) = zigzag(400.0);
+    let before = told_s(&shop, &page);
+    for line in ["$120=100", "$121=100"] {
+        page.command(line);
+    }
+    assert_eq!(fake.lock().unwrap().is_set_to(121), 100.0);
+    page.until("the time is another", |page| {
+        let seconds = page.shown["opened"]["seconds"].as_f64().unwrap_or(0.0);
+        (seconds / before - 2.0).abs() < 0.02
+    });
+    // A run that is begun now is told by the same time.
+    assert_eq!(page.run(), None);
+    page.until("it runs", |page| !page.shown["job"].is_null());
+    let seconds = page.shown["job"]["seconds"].as_f64().unwrap();
+    assert!((seconds / before - 2.0).abs() < 0.02, "{seconds} s and {before} s");
+}
+
+#[test]
+fn a_setting_that_a_controller_does_not_take_is_told_and_nothing_else_happens() {
+    let (_shop, fake, mut page) = zigzag(400.0);
+    page.command("$120=fast");
+    page.until("it is told", |page| {
+        page.shown["messages"].to_string().contains("$120 is a number, and 'fast' is none")
+    });
+    page.command("$120=300");
+    assert_eq!(page.shown["machine"]["state"], "idle");
+    assert_eq!(fake.lock().unwrap().is_set_to(120), 300.0);
 }
 
 #[test]

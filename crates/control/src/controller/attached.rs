@@ -2,7 +2,7 @@
 
 use super::either::dry_run;
 use super::lacks::{lines, listed};
-use super::{Connection, Lacks, Socket, steps, zeros};
+use super::{Connection, Lacks, Socket, kept_settings, zeros};
 use crate::Session;
 use crate::answers::Operator;
 use crate::own_pace::OwnPace;
@@ -96,17 +96,14 @@ impl Controller {
             }
             told.warnings.push(locked);
         }
-        let axes = AxisSet::first(connection.facts().axes);
-        let homes = if connection.facts().homes { axes } else { AxisSet::EMPTY };
         // Outputs and switches of the simulated machine are none of this one's.
         session.machine = None;
         if !abandoned && !connection.facts().is_fresh {
             told.warnings.extend(keeps_on(&socket, &mut connection, session, workspace));
         }
-        let pace = OwnPace::of(connection.facts());
-        session.driven_by = Some(DrivenBy { name: socket.name.clone(), homes, pace });
         let connection = Rc::new(RefCell::new(connection));
         let mut controller = Self { socket, counts: true, connection };
+        session.driven_by = Some(controller.driven_by());
         controller.finds_place(first, abandoned, session, workspace, &mut told);
         Ok((controller, told))
     }
@@ -197,6 +194,7 @@ impl Controller {
     pub fn attend(&self) -> (Vec<(u8, bool)>, Option<Axes>) {
         let mut connection = self.connection.borrow_mut();
         connection.look();
+        connection.hears_facts();
         if connection.waits_for_tool() {
             connection.signal(Signal::ByHand);
         }
@@ -231,17 +229,31 @@ impl Controller {
         self.connection.borrow_mut().link.driver().steps_per_mm()
     }
 
-    /// Has the controller keep other steps of an axis, X being 0; returns those that it told then.
+    /// Returns a setting that the controller keeps, by its number, as it told it last.
+    pub fn setting(&self, number: u16) -> Option<String> {
+        self.connection.borrow_mut().link.driver().setting(number).map(str::to_owned)
+    }
+
+    /// Has the controller keep another value of a setting; returns what it told then.
     ///
     /// # Errors
-    /// As [`change_steps`](steps::change_steps).
-    pub fn keeps_steps(
+    /// As [`change_setting`](kept_settings::change_setting).
+    pub fn keeps_setting(
         &self,
-        axis: usize,
-        steps: f64,
+        number: u16,
+        value: &str,
         is_stopped: impl FnMut() -> bool,
-    ) -> Result<f64, String> {
-        steps::change_steps(&mut self.connection.borrow_mut(), axis, steps, is_stopped)
+    ) -> Result<String, String> {
+        let mut connection = self.connection.borrow_mut();
+        kept_settings::change_setting(&mut connection, number, value, is_stopped)
+    }
+
+    /// Returns what a session has to know of it, by its settings as it told them last.
+    pub fn driven_by(&self) -> DrivenBy {
+        let connection = self.connection.borrow();
+        let facts = connection.facts();
+        let homes = if facts.homes { AxisSet::first(facts.axes) } else { AxisSet::EMPTY };
+        DrivenBy { name: self.socket.name.clone(), homes, pace: OwnPace::of(facts) }
     }
 
     /// Tells why it takes no orders but to go home, in words.

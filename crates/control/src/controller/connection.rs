@@ -173,9 +173,7 @@ impl Connection {
             if let Some(trouble @ Trouble::Unfit { .. }) = self.link.driver().trouble() {
                 return Err(format!("{}: {trouble}", self.name));
             }
-            if let Some(facts) = self.link.driver().facts().cloned() {
-                self.facts = Facts { leads_s: LEAD_S, ..facts };
-                self.feeds_planner();
+            if self.hears_facts() {
                 self.owed = self.link.driver().changed();
                 self.link.restart(self.now_s());
                 return Ok(self);
@@ -189,6 +187,14 @@ impl Connection {
                 self.name
             )),
         }
+    }
+
+    /// Learns what it has told of itself so far; tells whether that is all. Its settings may be others than before.
+    pub(super) fn hears_facts(&mut self) -> bool {
+        let Some(facts) = self.link.driver().facts().cloned() else { return false };
+        self.facts = Facts { leads_s: LEAD_S, ..facts };
+        self.feeds_planner();
+        true
     }
 
     /// Moves come to its planner no faster than its line takes them.

@@ -5,6 +5,7 @@ use super::attached::{self, AttachReport, First};
 use super::lacks::Lacks;
 use super::queued;
 use crate::answers::Operator;
+use crate::session::DrivenBy;
 use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work};
@@ -156,22 +157,38 @@ impl Controller {
         }
     }
 
-    /// Has it keep other steps of an axis, X being 0; returns those that it told then.
+    /// Returns a setting that it keeps by its number, as it told it last.
+    pub fn setting(&self, number: u16) -> Option<String> {
+        match self {
+            Self::Followed(controller) => controller.setting(number),
+            Self::Queued(_) => None,
+        }
+    }
+
+    /// Has it keep another value of a setting; returns what it told then.
     ///
     /// # Errors
-    /// It keeps none, is at work, or refuses.
-    pub fn keeps_steps(
+    /// It keeps none of this number, is at work, or refuses.
+    pub fn keeps_setting(
         &self,
-        axis: usize,
-        steps: f64,
+        number: u16,
+        value: &str,
         is_stopped: impl FnMut() -> bool,
-    ) -> Result<f64, String> {
+    ) -> Result<String, String> {
         match self {
-            Self::Followed(controller) => controller.keeps_steps(axis, steps, is_stopped),
+            Self::Followed(controller) => controller.keeps_setting(number, value, is_stopped),
             Self::Queued(attached) => Err(format!(
-                "{} keeps no steps: they are in its machine's file (steps.per_unit)",
+                "{} keeps no settings by number: they are in its machine's file (steps.per_unit)",
                 attached.name()
             )),
+        }
+    }
+
+    /// Returns what a session has to know of it, where it plans for itself and may be set otherwise meanwhile.
+    pub fn driven_by(&self) -> Option<DrivenBy> {
+        match self {
+            Self::Followed(controller) => Some(controller.driven_by()),
+            Self::Queued(_) => None,
         }
     }
 

@@ -22,6 +22,7 @@ mod chords;
 mod connection;
 mod driven;
 mod either;
+mod kept_settings;
 mod lacks;
 mod lost;
 pub(crate) mod merged;
@@ -30,7 +31,6 @@ mod row;
 #[cfg(test)]
 mod sent;
 mod socket;
-mod steps;
 mod zeros;
 
 pub use attached::{AttachReport, First};

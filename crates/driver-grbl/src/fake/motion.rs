@@ -171,7 +171,9 @@ impl Motion {
         let share = if first.rapid { self.rapid } else { self.feed };
         let most = (first.speed_mm_s * share).max(self.speed_mm_s - change);
         let most = most.min(self.speed_mm_s + change);
-        let exit_sqr = self.blocks.iter().skip(1).rev().fold(0.0, |exit_sqr: f64, block| {
+        // What is behind those that the planner holds was not there yet when the segments of this moment were cut.
+        let known = self.blocks.iter().take(self.holds).skip(1);
+        let exit_sqr = known.rev().fold(0.0, |exit_sqr: f64, block| {
             (exit_sqr + 2.0 * block.accel_mm_s2 * block.length_mm).min(block.entry_mm_s.powi(2))
         });
         let brakes_sqr = exit_sqr + 2.0 * first.accel_mm_s2 * left(first, self.position);

@@ -157,9 +157,10 @@ impl Board {
         if !self.has_answered()? {
             bail!("${number}={value} is not answered");
         }
-        match self.grbl.trouble() {
-            Some(trouble) => Err(anyhow!("${number}={value}: {trouble}")),
-            None => Ok(()),
+        match (self.grbl.takes_refusal(), self.grbl.trouble()) {
+            (Some(refused), _) => Err(anyhow!(refused)),
+            (None, Some(trouble)) => Err(anyhow!("${number}={value}: {trouble}")),
+            (None, None) => Ok(()),
         }
     }
 }

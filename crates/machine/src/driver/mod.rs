@@ -417,9 +417,22 @@ pub trait Wired: Driver {
         Vec::new()
     }
 
-    /// Has it keep other steps of an axis, X being 0, while nothing moves, and tell all of them again; tells whether it does.
-    fn keeps_steps(&mut self, _axis: usize, _steps: f64) -> bool {
-        false
+    /// Returns a setting that it keeps, by its number, as it writes it.
+    fn setting(&self, _number: u16) -> Option<&str> {
+        None
+    }
+
+    /// Has it keep another value of a setting, while nothing moves, and tell all of them again.
+    ///
+    /// # Errors
+    /// It is at work, keeps no such setting, or the value is none of it.
+    fn keeps_setting(&mut self, _number: u16, _value: &str) -> Result<(), String> {
+        Err("it keeps no settings by number".into())
+    }
+
+    /// Returns its refusal of a setting that it was told to keep, in words, once.
+    fn takes_refusal(&mut self) -> Option<String> {
+        None
     }
 
     /// The line was gone and is there again. Finds out what the controller has got of what was sent, before anything else is

@@ -19,6 +19,15 @@ use kerf_wire::{Change, Machine, Message, State, Tone};
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
 
+/// The setting of the steps of X; those of the other axes follow.
+pub const STEPS: u16 = 100;
+
+/// Returns the letter of the axis whose steps a setting is.
+fn letter_of_steps(number: u16) -> Option<char> {
+    let axis = usize::from(number.checked_sub(STEPS)?);
+    Axis::ALL.get(axis).map(|axis| axis.letter())
+}
+
 /// A zero point as pages show it.
 fn shown(zero: Zero) -> kerf_wire::Zero {
     kerf_wire::Zero { name: zero.name, at: zero.at.0, holds: zero.holds }
@@ -51,6 +60,11 @@ impl Owner {
         let Some(controller) = controller else { return };
         let lost = self.hub.read(|now| now.machine.state == State::Alarm);
         let (inputs, place) = controller.attend();
+        let driven_by = controller.driven_by().filter(|_| controller.fault().is_none());
+        let is_set_anew = driven_by.is_some() && driven_by != session.driven_by;
+        if is_set_anew {
+            session.driven_by = driven_by;
+        }
         let controller_steps = controller.steps_per_mm();
         let zeros: Vec<_> = controller.zeros().into_iter().map(shown).collect();
         let (fault, locked, waits) = (controller.fault(), controller.locked(), controller.waits());
@@ -79,6 +93,11 @@ impl Owner {
             _ => {}
         }
         self.tell_waits(waits, wants_tool);
+        if is_set_anew {
+            // The open file takes another time from now on.
+            self.leave();
+            (self.done)(None);
+        }
     }
 
     /// Tells for what the controller waits at its own controls while nothing runs, and whether that is a tool.
@@ -194,28 +213,36 @@ impl Owner {
         self.attend();
     }
 
-    /// Writes the steps of a millimetre of an axis into the controller. Its own count of where it stands is another then.
-    pub(super) fn change_steps(&mut self, axis: Axis, steps: f64) {
+    /// Writes a setting into the controller. By other steps of a millimetre its own count of where it stands is another.
+    pub(super) fn change_setting(&mut self, number: u16, value: &str) {
         self.catch_up();
-        let link = self.link.clone();
-        let missing = || Err("there is no controller that keeps steps".into());
-        let written = self.reach().and_then(|()| {
-            self.workshop.controller.as_ref().map_or_else(missing, |controller| {
-                controller.keeps_steps(axis.index(), steps, || link.lock().is_to_stop())
-            })
-        });
+        let written = self.setting_written(number, value);
         self.rest(State::Idle, None);
-        let letter = axis.letter();
-        match written {
-            Err(why) => self.hub.say(Tone::Error, why),
-            Ok(kept) => self.hub.say(
+        match (written, letter_of_steps(number)) {
+            (Err(why), _) => self.hub.say(Tone::Error, why),
+            (Ok((_, kept)), Some(letter)) => self.hub.say(
                 Tone::Warning,
                 format!(
                     "the controller keeps {kept} steps a millimetre of {letter} now: it counts anew where {letter} stands, so home it or set its location"
                 ),
             ),
+            (Ok((was, kept)), None) => self.hub.say(
+                Tone::Note,
+                format!("the controller keeps ${number}={kept} now, and kept {was} before"),
+            ),
         }
         self.attend();
+    }
+
+    /// Writes it; returns its value before and since.
+    fn setting_written(&mut self, number: u16, value: &str) -> Result<(String, String), String> {
+        self.reach()?;
+        let link = self.link.clone();
+        let missing = "there is no controller that keeps settings by number";
+        let controller = self.workshop.controller.as_ref().ok_or(missing)?;
+        let was = controller.setting(number).unwrap_or_default();
+        let kept = controller.keeps_setting(number, value, || link.lock().is_to_stop())?;
+        Ok((was, kept))
     }
 
     /// Changes it; returns the command by which the working zero follows, where it does.

@@ -99,12 +99,12 @@ pub enum Order {
         /// The change.
         change: ToolChange,
     },
-    /// Write the steps of a millimetre of an axis into the controller.
-    Steps {
-        /// The axis.
-        axis: Axis,
-        /// Steps of a millimetre.
-        steps: f64,
+    /// Write a setting into the controller.
+    Setting {
+        /// Its number.
+        number: u16,
+        /// Its value.
+        value: String,
     },
     /// The tool is in for which the controller waits.
     ToolIn,
@@ -168,7 +168,7 @@ impl Order {
             | Self::Switch(..)
             | Self::Zero { .. }
             | Self::ToolIn
-            | Self::Steps { .. }
+            | Self::Setting { .. }
             | Self::Nudge(..) => true,
             Self::Switches
             | Self::HeightMap(_)

@@ -150,7 +150,7 @@ impl Owner {
                 Order::Switch(number, on) => self.switch(number, on),
                 Order::Zero { name, change } => self.change_zero(&name, change),
                 Order::Tool { number, change } => self.change_tool(number, &change),
-                Order::Steps { axis, steps } => self.change_steps(axis, steps),
+                Order::Setting { number, value } => self.change_setting(number, &value),
                 Order::ToolIn => self.tool_is_in(),
                 Order::HeightMap(text) => self.take_height_map(text.as_deref()),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
