@@ -84,6 +84,17 @@ export const toolIn: Action = {
   run: (world) => void drive(world, { do: "toolIn" }),
 };
 
+/** Runs on the controller have shown a factor of its time: it is forgotten. */
+export const forgetPace: Action = {
+  id: "machine.forgetPace",
+  title: t("Forget what runs have shown of the machine's time"),
+  section: "machine",
+  refused: (world) =>
+    whenStanding(world) ??
+    (machineOf(world)?.pace ? undefined : t("Nothing was learned of this machine's time.")),
+  run: (world) => void drive(world, { do: "forgetPace" }),
+};
+
 export const arm: Action = {
   id: "machine.arm",
   title: t("Arm the machine"),
@@ -191,6 +202,7 @@ export const machineActions: readonly Action[] = [
   findHome,
   resume,
   toolIn,
+  forgetPace,
   arm,
   disarm,
   acknowledge,

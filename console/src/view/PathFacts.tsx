@@ -1,4 +1,7 @@
+import { forgetPace } from "../actions/machine";
+import { useShown } from "../app/context";
 import { durationText, lengthText, numberText } from "../app/units";
+import { ActionButton } from "../ui/ActionButton";
 import { difference, isMetric, type Mm } from "../units/quantity";
 import type { PreviewInfo, Units } from "../wire/messages";
 import { t } from "../words/words";
@@ -27,6 +30,27 @@ export function PathFacts({ info, units }: { info: PreviewInfo; units: Units }) 
         <dt>{t("Time")}</dt>
         <dd>{durationText(info.seconds)}</dd>
       </div>
+      <Learned />
     </dl>
+  );
+}
+
+/** By which runs the time is told otherwise than the planner of the controller says; they can be forgotten. */
+function Learned() {
+  const pace = useShown((shown) => shown.snapshot?.machine.pace);
+  if (!pace) return null;
+  const factor = pace.factor.toFixed(2);
+  return (
+    <div className="path-learned">
+      <dt>{t("Learned")}</dt>
+      <dd>
+        {pace.runs === 1
+          ? t("1 run here: motion takes {0} of what is reckoned", factor)
+          : t("{1} runs here: motion takes {0} of what is reckoned", factor, pace.runs)}
+        <ActionButton action={forgetPace} size="small">
+          Forget
+        </ActionButton>
+      </dd>
+    </div>
   );
 }

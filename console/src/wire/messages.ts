@@ -202,6 +202,10 @@ export type ActToolIn = { "do": "toolIn",
 /** Number of the lease. */
 lease: number, };
 
+export type ActForgetPace = { "do": "forgetPace",
+/** Number of the lease. */
+lease: number, };
+
 export type ActControllerSteps = { "do": "controllerSteps",
 /** Number of the lease. */
 lease: number,
@@ -305,6 +309,7 @@ export type Act =
   | ActZero
   | ActTool
   | ActToolIn
+  | ActForgetPace
   | ActControllerSteps
   | ActHeightMap
   | ActWire
@@ -1029,7 +1034,9 @@ wantsTool: boolean,
 /** Its name. */
 name: string,
 /** Acts that a page may do to it beside moving it. */
-offers: Offers, };
+offers: Offers,
+/** The factor that runs on it have shown, by which the time of files is told; nothing before the first. */
+pace: Pace | null, };
 
 /** A line of the message area. */
 export type Message = {
@@ -1270,6 +1277,13 @@ feedPercent: number,
 rapidPercent: number | null,
 /** The spindle turns at so much of the speed asked for, 10 … 200; nothing where the machine does not override it. */
 spindlePercent: number | null, };
+
+/** A factor by which the motion of runs takes longer than the planner of the controller says. */
+export type Pace = {
+/** The factor. */
+factor: number,
+/** Runs that it was learned from. */
+runs: number, };
 
 /** A parameter. */
 export type Parameter = {

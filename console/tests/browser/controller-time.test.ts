@@ -3,7 +3,17 @@
 import type { Page } from "playwright-core";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { Controller } from "./controller";
-import { arm, command, commandDesk, openWorkshop, stateOf, until, type Workshop } from "./workshop";
+import {
+  act,
+  arm,
+  command,
+  commandDesk,
+  openWorkshop,
+  stateOf,
+  until,
+  violations,
+  type Workshop,
+} from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
@@ -49,4 +59,19 @@ it("follows what somebody at the controller sets, without being connected anew",
   controller.says("$120=400");
   controller.says("$121=400");
   await until(async () => (await told()) < slow * 0.9, "the time is shorter again");
+});
+
+it("learns from a finished run, tells by how many, and forgets it", async () => {
+  const facts = page.getByLabel("Extents and time");
+  expect(await facts.getByText("Learned").count()).toBe(0);
+  // Long enough to count, and its own file: two jogs of 100 mm.
+  await command(page, "JX,4");
+  await facts.getByText(/^1 run here: motion takes \d\.\d\d of what is reckoned/).waitFor();
+  expect((await stateOf(workshop)).machine.pace?.runs).toBe(1);
+  expect(await violations(page)).toEqual([]);
+  await facts.getByRole("button", { name: "Forget" }).click();
+  await facts.getByText("Learned").waitFor({ state: "detached" });
+  expect((await stateOf(workshop)).machine.pace).toBeNull();
+  await act(page, "Forget what runs have shown");
+  await page.getByText("Nothing was learned of this machine's time.").waitFor();
 });

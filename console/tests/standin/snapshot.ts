@@ -44,6 +44,7 @@ export const firstSnapshot = message<Snapshot>({
     wantsTool: false,
     name: "Simulated machine",
     offers: { inputs: true, card: true, startArms: true },
+    pace: null,
   },
   motion: {
     at: { working: place(0, 0, 0.5), base: place(12, 8, 3.5), machine: place(0, 0, 0.5) },

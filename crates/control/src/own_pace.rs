@@ -5,6 +5,7 @@
 //! ```
 
 use crate::controller::merged::together;
+use crate::learned::Learned;
 use kerf_machine::driver::Facts;
 use kerf_machine::driver::planners::{Controller, OwnPlanner};
 use kerf_motion::Move;
@@ -20,13 +21,25 @@ pub struct OwnPace {
     planner: OwnPlanner,
     /// Short straight moves that lie so near one line are sent as one, mm.
     tolerance_mm: f64,
+    /// The factor by which motion takes longer than the planner says, as runs have shown.
+    factor: f64,
 }
 
 impl OwnPace {
-    /// That of a controller; nothing where it makes the plan in its time, or does not tell how it plans.
+    /// That of a controller, by its planner alone; nothing where it makes the plan in its time, or does not tell how it plans.
     pub fn of(facts: &Facts) -> Option<Self> {
         let planner = facts.planner.clone()?;
-        Some(Self { planner, tolerance_mm: facts.arc_tolerance_mm })
+        Some(Self { planner, tolerance_mm: facts.arc_tolerance_mm, factor: 1.0 })
+    }
+
+    /// The same with a factor that was learned from runs.
+    pub fn learned(self, learned: Learned) -> Self {
+        Self { factor: learned.factor(), ..self }
+    }
+
+    /// Returns the seconds of each move, from a stand to a stand.
+    pub fn seconds(&self, moves: Vec<Move>) -> Vec<f64> {
+        sent_s(&self.planner, moves, self.tolerance_mm)
     }
 }
 
@@ -35,6 +48,8 @@ pub struct OwnTime<'a> {
     controller: &'a dyn Controller,
     /// Kerf sends the moves: short ones that lie so near one line as one, mm.
     sent_mm: Option<f64>,
+    /// The factor by which motion takes longer than the controller's planner says.
+    factor: f64,
     /// The counts, in that controller's time.
     pub tally: Tally,
     /// Both times at the ends of moves and waits.
@@ -51,6 +66,7 @@ impl<'a> OwnTime<'a> {
         Self {
             controller,
             sent_mm: None,
+            factor: 1.0,
             tally: Tally::default(),
             clocks: Clocks::default(),
             run: Vec::new(),
@@ -60,7 +76,8 @@ impl<'a> OwnTime<'a> {
 
     /// That of a controller which Kerf drives.
     pub fn of_run(pace: &'a OwnPace) -> Self {
-        Self { sent_mm: Some(pace.tolerance_mm), ..Self::of_file(&pace.planner) }
+        let (sent_mm, factor) = (Some(pace.tolerance_mm), pace.factor);
+        Self { sent_mm, factor, ..Self::of_file(&pace.planner) }
     }
 
     /// Seconds in all.
@@ -83,6 +100,7 @@ impl<'a> OwnTime<'a> {
             None => self.controller.seconds(&moves),
         };
         for ((made, end_s), seconds) in run.iter().zip(seconds) {
+            let seconds = seconds * self.factor;
             self.tally.made(made, seconds, &Frame::default());
             self.clocks.goes_on(*end_s, seconds);
         }

@@ -23,11 +23,13 @@ pub enum Fact {
     ControllerChanged,
     /// The outputs with which a controller was left on.
     ControllerOutputs,
+    /// Factors by which runs on controllers take longer than their planners say.
+    ControllerPaces,
 }
 
 impl Fact {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::SpindleStatus,
         Self::PositionLost,
         Self::ConfirmLocation,
@@ -36,6 +38,7 @@ impl Fact {
         Self::ControllerDriven,
         Self::ControllerChanged,
         Self::ControllerOutputs,
+        Self::ControllerPaces,
     ];
 
     /// The key under which the registry shows it.
@@ -49,6 +52,7 @@ impl Fact {
             Self::ControllerDriven => "ControllerDriven",
             Self::ControllerChanged => "ControllerChanged",
             Self::ControllerOutputs => "ControllerOutputs",
+            Self::ControllerPaces => "ControllerPaces",
         }
     }
 

@@ -91,7 +91,10 @@ impl App {
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
-            act @ (Act::Tool { .. } | Act::ToolIn { .. } | Act::ControllerSteps { .. }) => {
+            act @ (Act::Tool { .. }
+            | Act::ToolIn { .. }
+            | Act::ControllerSteps { .. }
+            | Act::ForgetPace { .. }) => {
                 tools::hears(self, asker, act)?;
             }
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,

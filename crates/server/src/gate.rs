@@ -153,6 +153,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Override { lease, .. }
         | Act::HeightMap { lease, .. }
         | Act::Tool { lease, .. }
+        | Act::ForgetPace { lease }
         | Act::Key { lease, .. }
         | Act::Input { lease, .. } => with_lease(*lease),
         Act::Set { lease, .. } => setting(with_lease(*lease)),

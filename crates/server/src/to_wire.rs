@@ -2,6 +2,7 @@
 
 use crate::machine::ports;
 use kerf_control::Session;
+use kerf_control::controller::Controller;
 use kerf_diag::{Diagnostic, Severity};
 use kerf_digitize::{Digitizer, Dimension, Kind};
 use kerf_journal::JournalError;
@@ -15,7 +16,7 @@ use kerf_sbp::Status;
 use kerf_trace::Summary;
 use kerf_wire::{
     AxisUnits, Digitized, DigitizedPoint, Duty, HeightMap, Io, LAMPS, Lamp, Message, Mode,
-    NamedValue, NumberedTool, Offers, Positions, RunSummary, Speeds, Tone, ToolTable, Units,
+    NamedValue, NumberedTool, Offers, Pace, Positions, RunSummary, Speeds, Tone, ToolTable, Units,
 };
 use kerf_workspace::Workspace;
 
@@ -109,6 +110,12 @@ pub fn machine_name(session: &Session) -> String {
 /// Returns what a page may do to a machine beside moving it.
 pub const fn offers(facts: &Facts) -> Offers {
     Offers { inputs: facts.inputs_by_hand, card: facts.card, start_arms: facts.harmless }
+}
+
+/// Returns the factor that runs on a controller have shown; nothing before the first.
+pub fn pace(controller: &Controller) -> Option<Pace> {
+    let learned = controller.learned().filter(|learned| learned.runs() > 0)?;
+    Some(Pace { factor: learned.factor(), runs: learned.runs() })
 }
 
 /// Returns the units in which a person reads lengths.

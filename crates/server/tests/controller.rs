@@ -73,6 +73,20 @@ fn the_time_of_a_file_follows_settings_that_are_written_while_the_controller_is_
 }
 
 #[test]
+fn a_finished_run_shows_how_much_longer_motion_takes_and_that_is_forgotten_by_a_page() {
+    let (_shop, _fake, mut page) = zigzag(400.0);
+    assert!(page.shown["machine"]["pace"].is_null());
+    assert_eq!(page.run(), None);
+    page.until("the run has shown something", |page| page.shown["machine"]["pace"]["runs"] == 1);
+    let factor = page.shown["machine"]["pace"]["factor"].as_f64().unwrap();
+    assert!((factor - 1.0).abs() < 0.051, "{factor}");
+    page.until_state("idle");
+    let forget = json!({ "do": "forgetPace", "lease": page.lease });
+    assert_eq!(page.act(forget), None);
+    page.until("it is forgotten", |page| page.shown["machine"]["pace"].is_null());
+}
+
+#[test]
 fn a_setting_that_a_controller_does_not_take_is_told_and_nothing_else_happens() {
     let (_shop, fake, mut page) = zigzag(400.0);
     page.command("$120=fast");

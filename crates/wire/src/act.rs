@@ -267,6 +267,11 @@ pub enum Act {
         /// Number of the lease.
         lease: u32,
     },
+    /// Forgets the factor that runs on the controller have shown.
+    ForgetPace {
+        /// Number of the lease.
+        lease: u32,
+    },
     /// Writes the steps of a millimetre of an axis into the controller, and reads them back.
     ControllerSteps {
         /// Number of the lease.

@@ -57,6 +57,18 @@ pub struct Machine {
     pub name: String,
     /// Acts that a page may do to it beside moving it.
     pub offers: Offers,
+    /// The factor that runs on it have shown, by which the time of files is told; nothing before the first.
+    pub pace: Option<Pace>,
+}
+
+/// A factor by which the motion of runs takes longer than the planner of the controller says.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct Pace {
+    /// The factor.
+    pub factor: f64,
+    /// Runs that it was learned from.
+    pub runs: u32,
 }
 
 /// Acts that a page may do to a machine beside moving it, as the machine itself tells.

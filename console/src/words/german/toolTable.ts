@@ -44,5 +44,14 @@ export const toolTable: Readonly<Record<string, string>> = {
   "Kept in their holders": "Bleiben in ihren Haltern",
   Continue: "Weiter",
   "Continue: the tool is in": "Weiter: das Werkzeug ist drin",
+  "Forget what runs have shown of the machine's time":
+    "Vergessen, was Läufe über die Zeit der Maschine gezeigt haben",
+  "Nothing was learned of this machine's time.":
+    "Über die Zeit dieser Maschine ist nichts gelernt.",
+  Learned: "Gelernt",
+  "1 run here: motion takes {0} of what is reckoned":
+    "1 Lauf hier: Bewegung dauert das {0}-fache des Berechneten",
+  "{1} runs here: motion takes {0} of what is reckoned":
+    "{1} Läufe hier: Bewegung dauert das {0}-fache des Berechneten",
   "The controller waits for no tool.": "Die Steuerung wartet auf kein Werkzeug.",
 };

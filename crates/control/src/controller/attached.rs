@@ -2,9 +2,11 @@
 
 use super::either::dry_run;
 use super::lacks::{lines, listed};
+use super::stopwatch::Stopwatch;
 use super::{Connection, Lacks, Socket, kept_settings, zeros};
 use crate::Session;
 use crate::answers::Operator;
+use crate::learned::Learned;
 use crate::own_pace::OwnPace;
 use crate::session::DrivenBy;
 use kerf_diag::{Code, Diagnostic, Place};
@@ -101,6 +103,7 @@ impl Controller {
         if !abandoned && !connection.facts().is_fresh {
             told.warnings.extend(keeps_on(&socket, &mut connection, session, workspace));
         }
+        connection.learned = Learned::of(&socket.port, &workspace.stored);
         let connection = Rc::new(RefCell::new(connection));
         let mut controller = Self { socket, counts: true, connection };
         session.driven_by = Some(controller.driven_by());
@@ -253,7 +256,8 @@ impl Controller {
         let connection = self.connection.borrow();
         let facts = connection.facts();
         let homes = if facts.homes { AxisSet::first(facts.axes) } else { AxisSet::EMPTY };
-        DrivenBy { name: self.socket.name.clone(), homes, pace: OwnPace::of(facts) }
+        let pace = OwnPace::of(facts).map(|pace| pace.learned(connection.learned));
+        DrivenBy { name: self.socket.name.clone(), homes, pace }
     }
 
     /// Tells why it takes no orders but to go home, in words.
@@ -275,16 +279,41 @@ impl Controller {
     pub fn begins(&self, workspace: &mut Workspace) {
         self.keeps_place(workspace);
         workspace.stored.set(DRIVEN, Some(&self.socket.port));
+        let mut connection = self.connection.borrow_mut();
+        connection.stopwatch = Stopwatch::of(OwnPace::of(connection.facts()));
     }
 
     /// The run is over; when it did not end well, everything is stopped and switched off. Keeps where it was left.
     pub fn ends(&self, well: bool, workspace: &mut Workspace, is_stopped: impl FnMut() -> bool) {
         self.connection.borrow_mut().close(well, is_stopped);
+        self.learns(well, workspace);
         self.keeps_place(workspace);
         workspace.stored.set(DRIVEN, None);
         let on = self.connection.borrow().has_on();
         let left = (on != 0).then(|| serde_json::to_string(&(&self.socket.port, on)).ok());
         workspace.stored.set(OUTPUTS, left.flatten().as_deref());
+    }
+
+    /// Learns from a run that went well how long its motion took beside what was told.
+    fn learns(&self, well: bool, workspace: &mut Workspace) {
+        let mut connection = self.connection.borrow_mut();
+        let (told_s, taken_s) = connection.stopwatch.ends();
+        let learned = connection.learned.run(told_s, taken_s);
+        if well && learned != connection.learned {
+            connection.learned = learned;
+            learned.keep(&self.socket.port, &mut workspace.stored);
+        }
+    }
+
+    /// Returns the factor that runs on it have shown.
+    pub fn learned(&self) -> Learned {
+        self.connection.borrow().learned
+    }
+
+    /// Forgets that factor.
+    pub fn forgets_pace(&self, workspace: &mut Workspace) {
+        self.connection.borrow_mut().learned = Learned::default();
+        Learned::forget(&self.socket.port, &mut workspace.stored);
     }
 
     /// Leaves the controller and puts back the settings that were changed in it.

@@ -5,6 +5,8 @@ use super::lacks::no_output;
 use super::lost::Lost;
 use super::row::Row;
 use super::socket::{Ends, Opens};
+use super::stopwatch::Stopwatch;
+use crate::learned::Learned;
 use kerf_machine::driver::planners::{Grbl, OwnPlanner};
 use kerf_machine::driver::{
     Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Override, Shares, Signal,
@@ -106,6 +108,10 @@ pub struct Connection {
     pub(super) lost: Option<Lost>,
     /// The run is over, and what it leaves on is meant to be.
     pub(super) closed: bool,
+    /// The time that the run under way takes.
+    pub(super) stopwatch: Stopwatch,
+    /// The factor that runs on it have shown.
+    pub(super) learned: Learned,
 }
 
 impl Connection {
@@ -163,6 +169,8 @@ impl Connection {
             opens: None,
             lost: None,
             closed: false,
+            stopwatch: Stopwatch::default(),
+            learned: Learned::default(),
         }
     }
 
@@ -405,12 +413,18 @@ impl Connection {
     /// Takes what the driver has heard: orders that are done, inputs, the state of the link.
     fn takes_news(&mut self) {
         self.hears_shares();
+        if self.feed != 1.0 || self.turned.0 != 100 || self.link.driver().waits().is_some() {
+            self.stopwatch.spoils();
+        }
         let told = self.link.poll(self.now_s());
         for told in told {
             match told {
                 LinkNews::Done(ticket) => {
                     self.done = ticket;
                     self.open = self.open.saturating_sub(1);
+                    if self.open == 0 {
+                        self.stopwatch.stands(self.now_s());
+                    }
                     if self.probing == Some(ticket) {
                         self.probed();
                     }
@@ -482,6 +496,11 @@ impl Connection {
     }
 
     pub(super) fn order(&mut self, order: Order) -> Option<Ticket> {
+        match order {
+            Order::Output { .. } | Order::Spindle { .. } => self.stopwatch.switches(),
+            Order::Probe { .. } | Order::Home | Order::Unlock => self.stopwatch.spoils(),
+            Order::Move { .. } | Order::Jog { .. } | Order::Arc { .. } => {}
+        }
         let ticket = self.link.order(order)?;
         self.open += 1;
         Some(ticket)
@@ -491,6 +510,7 @@ impl Connection {
     /// move, whatever the machine should have on.
     pub(super) fn stop_at_once(&mut self) {
         let until_s = self.now_s() + STOPPING_S;
+        self.stopwatch.spoils();
         self.link.stop(self.now_s());
         while !self.dead {
             let now_s = self.now_s();
@@ -531,6 +551,7 @@ impl Connection {
     /// Slows down on the path until it stands, and keeps everything.
     pub(super) fn comes_to_hold(&mut self) {
         let until_s = self.now_s() + STOPPING_S;
+        self.stopwatch.spoils();
         self.signal(Signal::Hold);
         while self.failure.is_none() && self.link.driver().hold() == Hold::Ordered {
             let now_s = self.now_s();

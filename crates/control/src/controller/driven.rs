@@ -57,6 +57,8 @@ impl Connection {
         let count =
             if watches.is_empty() { together(moves, self.facts.arc_tolerance_mm) } else { 1 };
         if count > 1 && self.contact.is_none() && self.probing.is_none() {
+            self.switch_outputs();
+            self.stopwatch.moves(&moves[..count], self.now_s());
             return self.hand_together(&moves[..count]);
         }
         let probes = self.probes(made, watches);
@@ -66,7 +68,11 @@ impl Connection {
         self.switch_outputs();
         let chords = chords(made, self.facts.arc_tolerance_mm);
         let mut speed_mm_s = speed_mm_s(made, &chords);
+        self.stopwatch.moves(&moves[..1], self.now_s());
         self.looks_often = !watches.is_empty() && probes.is_none();
+        if !watches.is_empty() {
+            self.stopwatch.spoils();
+        }
         if let Some(Watch { active, .. }) = probes {
             let order = Order::Probe { to: made.to.minus(self.offset), speed_mm_s, active };
             self.probing = self.order(order);
@@ -89,7 +95,6 @@ impl Connection {
     /// Hands moves over as one straight one.
     fn hand_together(&mut self, moves: &[Move]) {
         let [first, .., last] = moves else { return };
-        self.switch_outputs();
         let speed_mm_s = speed_mm_s(first, &[(1.0, first.to)]);
         self.looks_often = false;
         let order = self.straight(first.kind, last.to, speed_mm_s);

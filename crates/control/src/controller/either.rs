@@ -5,6 +5,7 @@ use super::attached::{self, AttachReport, First};
 use super::lacks::Lacks;
 use super::queued;
 use crate::answers::Operator;
+use crate::learned::Learned;
 use crate::session::DrivenBy;
 use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
@@ -189,6 +190,21 @@ impl Controller {
         match self {
             Self::Followed(controller) => Some(controller.driven_by()),
             Self::Queued(_) => None,
+        }
+    }
+
+    /// Returns the factor that runs on it have shown; nothing of a board, which makes the plan in its time.
+    pub fn learned(&self) -> Option<Learned> {
+        match self {
+            Self::Followed(controller) => Some(controller.learned()),
+            Self::Queued(_) => None,
+        }
+    }
+
+    /// Forgets that factor.
+    pub fn forgets_pace(&self, workspace: &mut Workspace) {
+        if let Self::Followed(controller) = self {
+            controller.forgets_pace(workspace);
         }
     }
 

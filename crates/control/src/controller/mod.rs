@@ -31,6 +31,7 @@ mod row;
 #[cfg(test)]
 mod sent;
 mod socket;
+mod stopwatch;
 mod zeros;
 
 pub use attached::{AttachReport, First};

@@ -5,7 +5,7 @@ use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
 use crate::commands::tool_table::{self, ToolsAction};
 use crate::commands::zeros::{self, ZerosAction};
-use crate::commands::{known_boards, protect, prove, step_board, wire};
+use crate::commands::{known_boards, pace, protect, prove, step_board, wire};
 use crate::data_args::DataArgs;
 use crate::exit::{Exit, Usage};
 use crate::machine_name::{DriverName, MachineName};
@@ -161,6 +161,13 @@ enum Action {
         #[command(subcommand)]
         action: Option<ZerosAction>,
     },
+    /// Tells how much longer runs on the controller that --machine names take than is reckoned, as they have shown; the time
+    /// told of files has it in it
+    Pace {
+        /// Forgets it: after the machine was changed
+        #[arg(long)]
+        forget: bool,
+    },
     /// Lists the tools by their numbers (T of G-code, &Tool of C9), with diameter, length and name; sets and forgets them
     Tools {
         #[command(subcommand)]
@@ -242,6 +249,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             return board::settings(controller(&args.which)?, action.as_ref());
         }
         Action::Zeros { action } => return zeros::run(&args.which, action.as_ref()),
+        Action::Pace { forget } => return pace::run(&args.which, *forget),
         Action::Tools { action } => return tool_table::run(&args.which, action.as_ref()),
         Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,

@@ -16,6 +16,7 @@ mod known_boards;
 mod log;
 mod machine;
 mod map;
+mod pace;
 mod parts;
 mod plot;
 mod preview;

@@ -213,6 +213,14 @@ impl Owner {
         self.attend();
     }
 
+    /// Forgets the factor that runs on the controller have shown.
+    pub(super) fn forget_pace(&mut self) {
+        let Workshop { controller, workspace, .. } = &mut self.workshop;
+        controller.iter().for_each(|controller| controller.forgets_pace(workspace));
+        self.rest(State::Idle, None);
+        self.attend();
+    }
+
     /// Writes a setting into the controller. By other steps of a millimetre its own count of where it stands is another.
     pub(super) fn change_setting(&mut self, number: u16, value: &str) {
         self.catch_up();

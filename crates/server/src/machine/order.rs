@@ -106,6 +106,8 @@ pub enum Order {
         /// Its value.
         value: String,
     },
+    /// Forget the factor that runs on the controller have shown.
+    ForgetPace,
     /// The tool is in for which the controller waits.
     ToolIn,
     /// Take this file of heights into force, or the map off.
@@ -173,6 +175,7 @@ impl Order {
             Self::Switches
             | Self::HeightMap(_)
             | Self::Tool { .. }
+            | Self::ForgetPace
             | Self::Folder { .. }
             | Self::Record(_)
             | Self::Watched

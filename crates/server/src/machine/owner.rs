@@ -151,6 +151,7 @@ impl Owner {
                 Order::Zero { name, change } => self.change_zero(&name, change),
                 Order::Tool { number, change } => self.change_tool(number, &change),
                 Order::Setting { number, value } => self.change_setting(number, &value),
+                Order::ForgetPace => self.forget_pace(),
                 Order::ToolIn => self.tool_is_in(),
                 Order::HeightMap(text) => self.take_height_map(text.as_deref()),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
@@ -379,10 +380,11 @@ impl Owner {
             (&memory.settings, &memory.frame, memory.position)
         };
         let offers = to_wire::offers(self.driven().borrow().facts());
+        let pace = self.workshop.controller.as_ref().and_then(to_wire::pace);
         self.hub.changing(|now| {
             let mode = to_wire::mode(&self.workshop.session);
             let name = to_wire::machine_name(&self.workshop.session);
-            let machine = Machine { mode, name, offers, ..becomes(&now.machine) };
+            let machine = Machine { mode, name, offers, pace, ..becomes(&now.machine) };
             let at = to_wire::positions(frame, position);
             let motion = kerf_wire::Motion { at, speed_mm_s: 0.0, cutting: false, ..now.motion };
             let speeds = kerf_wire::Speeds { rpm: now.speeds.rpm, ..to_wire::speeds(settings) };

@@ -156,17 +156,21 @@ export const controllersSentences: Readonly<Record<string, string>> = {
   "the controller of this machine keeps no steps of this axis":
     "die Steuerung dieser Maschine speichert keine Schritte dieser Achse",
   "steps of a millimetre are a number above 0": "Schritte je Millimeter sind eine Zahl über 0",
-  "there is no controller that keeps steps": "keine Steuerung speichert Schritte",
+  "there is no controller that keeps settings by number":
+    "keine Steuerung speichert Einstellungen nach Nummern",
+  "the controller keeps ${0}={1} now, and kept {2} before":
+    "die Steuerung speichert jetzt ${0}={1}, vorher {2}",
   "the controller keeps {0} steps a millimetre of {1} now: it counts anew where {2} stands, so home it or set its location":
     "die Steuerung speichert jetzt {0} Schritte je Millimeter von {1}: sie zählt neu, wo {2} steht, also referenzieren oder den Ort setzen",
-  "{0} keeps no steps: they are in its machine's file (steps.per_unit)":
-    "{0} speichert keine Schritte: sie stehen in der Maschinendatei (steps.per_unit)",
-  "{0} keeps no steps of this axis, or is at work":
-    "{0} speichert keine Schritte dieser Achse oder arbeitet gerade",
-  "{0} has not said that its steps are written":
-    "{0} hat das Schreiben der Schritte nicht bestätigt",
-  "{0} keeps {1} steps a millimetre, and not the {2} that were written":
-    "{0} speichert {1} Schritte je Millimeter statt der geschriebenen {2}",
+  "{0} keeps no settings by number: they are in its machine's file (steps.per_unit)":
+    "{0} speichert keine Einstellungen nach Nummern: sie stehen in der Maschinendatei (steps.per_unit)",
+  "it is at work, or takes no orders": "sie arbeitet gerade oder nimmt keine Befehle an",
+  "it has no setting ${0}": "sie hat keine Einstellung ${0}",
+  "$10 is kept as Kerf needs it to follow the controller":
+    "$10 bleibt, wie Kerf es braucht, um der Steuerung zu folgen",
+  "it has not said that ${0} is written": "sie hat das Schreiben von ${0} nicht bestätigt",
+  "it keeps ${0}={1}, and not the {2} that was written":
+    "sie speichert ${0}={1} statt der geschriebenen {2}",
   "has no PWM channel {0}, but {1}": "hat keinen PWM-Kanal {0}, aber {1}",
   "it checks lines in place of making them: send it $C":
     "sie prüft Zeilen, statt sie auszuführen: ihr $C senden",
