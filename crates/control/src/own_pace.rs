@@ -26,10 +26,20 @@ pub struct OwnPace {
 }
 
 impl OwnPace {
+    /// That of a planner alone, to which short straight moves are sent as one where they lie so near one line, mm.
+    pub const fn new(planner: OwnPlanner, tolerance_mm: f64) -> Self {
+        Self { planner, tolerance_mm, factor: 1.0 }
+    }
+
+    /// Returns the planner, and the distance within which moves are sent as one, mm.
+    pub const fn by_planner(&self) -> (&OwnPlanner, f64) {
+        (&self.planner, self.tolerance_mm)
+    }
+
     /// That of a controller, by its planner alone; nothing where it makes the plan in its time, or does not tell how it plans.
     pub fn of(facts: &Facts) -> Option<Self> {
         let planner = facts.planner.clone()?;
-        Some(Self { planner, tolerance_mm: facts.arc_tolerance_mm, factor: 1.0 })
+        Some(Self::new(planner, facts.arc_tolerance_mm))
     }
 
     /// The same with a factor that was learned from runs.

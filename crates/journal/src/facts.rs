@@ -25,11 +25,13 @@ pub enum Fact {
     ControllerOutputs,
     /// Factors by which runs on controllers take longer than their planners say.
     ControllerPaces,
+    /// Planners of controllers as they told them last.
+    ControllerPlanners,
 }
 
 impl Fact {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::SpindleStatus,
         Self::PositionLost,
         Self::ConfirmLocation,
@@ -39,6 +41,7 @@ impl Fact {
         Self::ControllerChanged,
         Self::ControllerOutputs,
         Self::ControllerPaces,
+        Self::ControllerPlanners,
     ];
 
     /// The key under which the registry shows it.
@@ -53,6 +56,7 @@ impl Fact {
             Self::ControllerChanged => "ControllerChanged",
             Self::ControllerOutputs => "ControllerOutputs",
             Self::ControllerPaces => "ControllerPaces",
+            Self::ControllerPlanners => "ControllerPlanners",
         }
     }
 

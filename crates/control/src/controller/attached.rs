@@ -6,6 +6,7 @@ use super::stopwatch::Stopwatch;
 use super::{Connection, Lacks, Socket, kept_settings, zeros};
 use crate::Session;
 use crate::answers::Operator;
+use crate::kept_pace::keep_pace;
 use crate::learned::Learned;
 use crate::own_pace::OwnPace;
 use crate::session::DrivenBy;
@@ -280,7 +281,9 @@ impl Controller {
         self.keeps_place(workspace);
         workspace.stored.set(DRIVEN, Some(&self.socket.port));
         let mut connection = self.connection.borrow_mut();
-        connection.stopwatch = Stopwatch::of(OwnPace::of(connection.facts()));
+        let pace = OwnPace::of(connection.facts());
+        pace.iter().for_each(|pace| keep_pace(pace, &self.socket.port, &mut workspace.stored));
+        connection.stopwatch = Stopwatch::of(pace);
     }
 
     /// The run is over; when it did not end well, everything is stopped and switched off. Keeps where it was left.

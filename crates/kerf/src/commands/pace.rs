@@ -20,16 +20,16 @@ pub fn run(which: &Which, forget: bool) -> Result<Exit> {
         Learned::forget(&port, &mut workspace.stored);
         return Ok(Exit::Good);
     }
-    out::print(&sentence(Learned::of(&port, &workspace.stored)));
+    out::print(&(sentence(Learned::of(&port, &workspace.stored)) + "\n"));
     Ok(Exit::Good)
 }
 
 /// Tells it in a sentence.
 pub fn sentence(learned: Learned) -> String {
     let runs = match learned.runs() {
-        0 => return "no run here has shown anything yet\n".into(),
+        0 => return "no run here has shown anything yet".into(),
         1 => "1 run".to_owned(),
         runs => format!("{runs} runs"),
     };
-    format!("{runs} here: motion takes {:.2} of what is reckoned\n", learned.factor())
+    format!("{runs} here: motion takes {:.2} of what is reckoned", learned.factor())
 }

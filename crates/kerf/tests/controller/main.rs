@@ -19,6 +19,7 @@ mod probing;
 mod shop;
 mod step_board;
 mod taken_up;
+mod time;
 mod tool_change;
 mod zeros;
 

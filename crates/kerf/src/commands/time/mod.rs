@@ -10,8 +10,7 @@ use crate::setup::{self, PreparedRun};
 use anyhow::{Result, bail};
 use clap::Args;
 use controller::ControllerArgs;
-use kerf_control::OwnTime;
-use kerf_control::RunContext;
+use kerf_control::{Learned, OwnPace, OwnTime, RunContext, kept_pace};
 use kerf_motion::controllers::Controller;
 use kerf_program::RampModel;
 use kerf_trace::{Sink, Summary, Tally, ToolPathTime, json};
@@ -22,7 +21,8 @@ use std::path::PathBuf;
 ///
 /// The times come from the plan that a run follows: speeds, ramps and corners as the settings say. Part files and
 /// jobs have the same model of ramps, which is told: --ramps chooses another.
-/// Other controllers plan otherwise; --controller tells what grbl or LinuxCNC would take.
+/// Other controllers plan otherwise; --controller tells what grbl or LinuxCNC would take. With --machine of a controller that
+/// was driven before, the time is that of its planner by the settings that it told last, with what its runs have shown.
 #[derive(Args)]
 #[command(after_help = "Examples:
   kerf time box.sbp --format json
@@ -50,6 +50,9 @@ struct Times<'a> {
     /// The model of ramps; another controller has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     ramps: Option<&'static str>,
+    /// What runs on the controller of the machine have shown, in a sentence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    learned: Option<String>,
     toolpaths: &'a [ToolPathTime],
 }
 
@@ -60,9 +63,34 @@ pub fn run(args: &TimeArgs) -> Result<Exit> {
     let mut job = setup::prepare(&args.file, &args.run, true)?;
     let ramps = job.session.memory.settings.model().word();
     args.controller.controller(&job.session.memory.settings.axis_dynamics())?;
+    if let Some(name) = args.run.place.machine.controller().filter(|name| !name.is_board()) {
+        let port = name.address.key();
+        if let Some(pace) = kept_pace(&port, &job.workspace.stored) {
+            let learned = Learned::of(&port, &job.workspace.stored);
+            return run_there(job, &pace, learned, args);
+        }
+        eprintln!(
+            "kerf: {name} has not been driven from this data folder: the time is that of Kerf's own plan"
+        );
+    }
     let mut sink = Diagnostics::default();
     let summary = follow(&mut job, &mut sink, args);
     tell(&Times { ramps: Some(ramps), ..times(summary.seconds, &summary.tally) }, args);
+    Ok(summary.status.into())
+}
+
+/// The run as the controller of the machine makes it, by its settings when it was driven last and what runs have shown.
+fn run_there(
+    mut job: PreparedRun,
+    pace: &OwnPace,
+    learned: Learned,
+    args: &TimeArgs,
+) -> Result<Exit> {
+    let mut sink = (Diagnostics::default(), OwnTime::of_run(pace));
+    let summary = follow(&mut job, &mut sink, args);
+    let (_, estimate) = sink;
+    let learned = (learned.runs() > 0).then(|| super::pace::sentence(learned));
+    tell(&Times { learned, ..times(estimate.total_s(), &estimate.tally) }, args);
     Ok(summary.status.into())
 }
 
@@ -125,6 +153,7 @@ fn times(total: f64, tally: &Tally) -> Times<'_> {
         wait: tally.wait_s,
         tool_change: tally.tool_change_s,
         ramps: None,
+        learned: None,
         toolpaths: &tally.toolpaths,
     }
 }
@@ -143,6 +172,9 @@ fn text(times: &Times<'_>) -> String {
     }
     if let Some(ramps) = times.ramps {
         text += &format!("{:<14}{ramps:>12}\n", "ramps");
+    }
+    if let Some(learned) = &times.learned {
+        text += &format!("{learned}\n");
     }
     if !times.toolpaths.is_empty() {
         text += "\n";

@@ -1,0 +1,40 @@
+//! The time of a file on a controller that was driven before: by its own settings, and by what its runs have shown.
+
+use crate::bench::Bench;
+use crate::shop::Shop;
+use serde_json::Value;
+
+/// A zigzag whose legs never come to their speed: its time is by the acceleration alone.
+const ZIGZAG: &str = "MS,3\nSR\n&n = 0\nagain:\nM2,0.2,0.2\nM2,0.2,-0.2\n&n = &n + 1\nIF &n < 8 THEN GOTO again\nSA\n";
+
+fn told_s(shop: &Shop, machine: &str) -> (f64, Value) {
+    let did = shop.kerf(&format!("time zigzag.sbp --machine {machine} --format json"));
+    did.exits(0);
+    let told: Value = serde_json::from_str(&did.out()).unwrap();
+    (told["total"].as_f64().unwrap(), told["learned"].clone())
+}
+
+#[test]
+fn the_time_is_that_of_the_controller_with_what_its_runs_have_shown() {
+    let shop = Shop::new(&[("zigzag.sbp", ZIGZAG)]);
+    let bench = Bench::new(&[(120, 100.0), (121, 100.0)]);
+    shop.kerf(&format!("machine save shop --machine grbl:{}", bench.port)).exits(0);
+    shop.kerf("machine pace --machine shop").exits(0).says("no run here has shown anything yet");
+    let never = shop.kerf("time zigzag.sbp --machine shop");
+    never.exits(0).complains("the time is that of Kerf's own plan");
+    assert!(bench.look(|fake| fake.lines.clone()).is_empty(), "whoever looks opens no port");
+
+    shop.kerf("run zigzag.sbp --machine shop").exits(0);
+    let (by_runs_s, learned) = told_s(&shop, "shop");
+    let says = "1 run here: motion takes ";
+    assert!(learned.as_str().unwrap().starts_with(says), "{learned}");
+    shop.kerf("machine pace --machine shop").exits(0).says(says);
+
+    shop.kerf("machine pace --forget --machine shop").exits(0);
+    shop.kerf("machine pace --machine shop").exits(0).says("no run here has shown anything yet");
+    let (by_settings_s, learned) = told_s(&shop, "shop");
+    assert!(learned.is_null());
+    // 16 legs of 7.18 mm at 100 mm/s² an axis: rounded a little, they take 0.4 s each.
+    assert!((by_settings_s / 6.8 - 1.0).abs() < 0.1, "{by_settings_s}");
+    assert!((by_runs_s / by_settings_s - 1.0).abs() < 0.06, "{by_runs_s} and {by_settings_s}");
+}
