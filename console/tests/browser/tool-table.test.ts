@@ -118,6 +118,40 @@ it("asks for the next tool by its name, measures it, and Z zero goes with its le
   expect(machine[2]).toBeCloseTo(3, 2);
 });
 
+it("moves Z zero with a length of the tool in the spindle that is corrected", async () => {
+  await act(page, "Tools by their numbers");
+  await page.getByRole("button", { name: "Change tool 2" }).click();
+  const before = (await stateOf(workshop)).motion.at;
+  const length = page.getByRole("textbox", { name: "Length" });
+  expect(Number(await length.inputValue())).toBeCloseTo(-7 / 25.4, 3);
+  await length.fill(String(-6.5 / 25.4));
+  await page.getByRole("button", { name: "Keep tool 2" }).click();
+  await until(async () => {
+    const { working } = (await stateOf(workshop)).motion.at;
+    return Math.abs((working[2] ?? 0) - ((before.working[2] ?? 0) - 0.5)) < 0.01;
+  }, "the tool stands 0.5 mm lower above the work");
+  const { motion, messages } = await stateOf(workshop);
+  expect(motion.at.machine).toEqual(before.machine);
+  expect(messages.at(-1)?.text).toMatch(/^Z zero goes up by 0\.5\d* mm with the length/);
+});
+
+it("leaves Z zero where it was set with the very tool", async () => {
+  await page.keyboard.press("Escape");
+  await act(page, "Zero Z");
+  await page.getByRole("button", { name: "Zero Z", exact: true }).last().click().catch(() => {});
+  await until(async () => (await stateOf(workshop)).machine.state === "idle", "it is zeroed");
+  await page.getByRole("button", { name: "Change tool 2" }).click();
+  await page.getByRole("textbox", { name: "Length" }).fill("-0.2");
+  await page.getByRole("button", { name: "Keep tool 2" }).click();
+  await until(
+    async () =>
+      (await stateOf(workshop)).messages.some(({ text }) => text.startsWith("Z zero stays")),
+    "that is told",
+  );
+  expect((await stateOf(workshop)).motion.at.working[2]).toBeCloseTo(0, 6);
+  await page.keyboard.press("Escape");
+});
+
 it("forgets one", async () => {
   await act(page, "Tools by their numbers");
   await page.getByRole("button", { name: "Forget tool 1" }).click();

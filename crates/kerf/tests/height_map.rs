@@ -229,6 +229,31 @@ fn a_nudge_moves_the_surface_with_the_workpiece() {
 }
 
 #[test]
+fn a_job_that_is_moved_aside_under_a_map_goes_on_where_it_was() {
+    let shop = job_shop();
+    let deepest = cuts(&shop).iter().map(|at| at[2]).fold(0.0, f64::min);
+    shop.kerf("map use rises.map").exits(0);
+    let whole = cuts(&shop);
+    // By hand the machine moves as it stands: the surface is none of that move's, and it ends beyond the grid.
+    shop.write("aside.txt", b"raise yes\nmove x 60\ncontinue\n");
+    shop.kerf("run line.rsm --stop-at 1.9 --answers aside.txt --trace t.jsonl").exits(0);
+    let trace = shop.read("t.jsonl");
+    let all: Vec<_> =
+        trace.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()).collect();
+    let stop = all.iter().position(|it| it["e"] == "stop").expect("it is stopped");
+    let moves = all[stop..].iter().filter(|it| it["e"] == "move").map(end_of_job);
+    assert!(moves.clone().any(|at| at[0] > 55.0), "it was moved aside");
+    let deep: Vec<_> = moves.clone().filter(|at| at[2] < deepest + 0.51).collect();
+    assert!(deep.len() > 10, "{} pieces are left", deep.len());
+    for [x, _, z] in deep {
+        let wanted = deepest + 0.5 * x / 40.0;
+        assert!((z - wanted).abs() < 0.001, "{z} at X {x} is not {wanted}");
+    }
+    let is_cut = |it: &&Value| it["e"] == "move" && it["kind"] == "cut";
+    assert_eq!(all.iter().rfind(is_cut).map(end_of_job), whole.last().copied());
+}
+
+#[test]
 fn a_jog_at_the_top_of_z_does_not_pass_it() {
     let shop = shop();
     shop.write("top.nc", b"G21 F600\nG0 Z20\nG0 X40\nG1 X30\nG0 Z10\n");

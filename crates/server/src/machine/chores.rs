@@ -2,6 +2,7 @@
 
 use super::arrived::Stops;
 use super::owner::Owner;
+use super::tool_length::{ZeroOfTool, zero_of_tool};
 use crate::configure::changes_through;
 use crate::gate::{self, Way};
 use crate::handconsole::Happening;
@@ -12,7 +13,7 @@ use kerf_control::AtRest;
 use kerf_journal::{CutShort, Journal, JournalError};
 use kerf_machine::Configuration;
 use kerf_machine::table::Setting;
-use kerf_program::Axis;
+use kerf_program::{Axis, rounded};
 use kerf_wire::{
     Change, CurrentRun, Folder, Interrupted, Machine, NamedValue, Recorder, State, Tone,
     ToolChange, Who,
@@ -191,8 +192,10 @@ impl Owner {
     pub(super) fn change_tool(&mut self, number: u32, change: &ToolChange) {
         self.catch_up();
         let Workshop { session, workspace, kept, .. } = &mut self.workshop;
+        let mut zero = None;
         match change {
             ToolChange::Is { name, diameter, length } => {
+                zero = zero_of_tool(session, workspace, number, *length);
                 let tool = session.gcode.tools.entry(number).or_default();
                 tool.name = (!name.is_empty()).then(|| name.as_str().into());
                 (tool.diameter_mm, tool.offset[Axis::Z]) = (*diameter, *length);
@@ -205,6 +208,20 @@ impl Owner {
         if let Some(error) = unkept {
             let why = format!("the tools hold until Kerf ends, they cannot be kept: {error}");
             self.hub.say(Tone::Error, why);
+        }
+        match zero {
+            None => {}
+            Some(ZeroOfTool::Goes(by_mm, line)) => {
+                let by = rounded(by_mm, 3);
+                let text =
+                    format!("Z zero goes up by {by} mm with the length of the tool in the spindle");
+                self.hub.say(Tone::Note, text);
+                self.command(&line, false, None, false);
+            }
+            Some(ZeroOfTool::Stays) => self.hub.say(
+                Tone::Note,
+                "Z zero stays: it was set since the change of tools, with the tool in the spindle",
+            ),
         }
     }
 

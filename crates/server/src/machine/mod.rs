@@ -19,6 +19,7 @@ mod planned;
 mod ports;
 mod reach;
 mod run_context;
+mod tool_length;
 mod typing;
 mod zeros;
 

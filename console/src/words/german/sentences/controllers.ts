@@ -164,6 +164,10 @@ export const controllersSentences: Readonly<Record<string, string>> = {
     "die Steuerung speichert jetzt {0} Schritte je Millimeter von {1}: sie zählt neu, wo {2} steht, also referenzieren oder den Ort setzen",
   "{0} keeps no settings by number: they are in its machine's file (steps.per_unit)":
     "{0} speichert keine Einstellungen nach Nummern: sie stehen in der Maschinendatei (steps.per_unit)",
+  "Z zero goes up by {0} mm with the length of the tool in the spindle":
+    "Z-Null geht mit der Länge des Werkzeugs in der Spindel um {0} mm nach oben",
+  "Z zero stays: it was set since the change of tools, with the tool in the spindle":
+    "Z-Null bleibt: sie wurde seit dem Werkzeugwechsel mit dem Werkzeug in der Spindel gesetzt",
   "it is at work, or takes no orders": "sie arbeitet gerade oder nimmt keine Befehle an",
   "it has no setting ${0}": "sie hat keine Einstellung ${0}",
   "$10 is kept as Kerf needs it to follow the controller":
