@@ -32,6 +32,13 @@ export function ToolTableSheet({ onClose }: { onClose: () => void }) {
           "T2 M6 in G-code, and &Tool = 2 with C9 in OpenSBP, ask for the tool by its number and what stands here. A length that the sensor has measured is in Z zero; others are for G43.",
         )}
       </p>
+      {!table.findsHome && table.tools.some(({ measured }) => measured) && (
+        <p className="tool-table-words" role="note">
+          {t(
+            "This machine finds no home of Z: lengths that were measured hold until its location is set anew, or it is moved while it is off. Measure the tools again then.",
+          )}
+        </p>
+      )}
       <Tools {...{ table, change, measure, edit: setEdited }} />
       <ToolForm
         key={edited ? `changes ${edited.number}` : `adds to ${table.tools.length}`}

@@ -1860,7 +1860,9 @@ tools: Array<NumberedTool>,
 /** Number of the one in the spindle; 0 for none that is known. */
 inSpindle: number,
 /** The machine has a sensor that measures tools. */
-hasSensor: boolean, };
+hasSensor: boolean,
+/** The machine finds home: a length that was measured holds for good. */
+findsHome: boolean, };
 
 /** The path of what was typed, so far. */
 export type TypedPath = {

@@ -121,7 +121,7 @@ export const firstSnapshot = message<Snapshot>({
   overrides: { feedPercent: 100, rapidPercent: null, spindlePercent: null },
   zeros: [],
   controllerSteps: [],
-  tools: { tools: [], inSpindle: 0, hasSensor: false },
+  tools: { tools: [], inSpindle: 0, hasSensor: false, findsHome: true },
   heightMap: null,
   wiring: null,
   printed: [],

@@ -3,13 +3,12 @@
 use crate::at_once;
 use crate::facts::KnownFacts;
 use crate::flights::{Flights, radius_mm};
-use crate::gap::Gap;
+use crate::gap::{self, Gap};
 use crate::kept_settings::{self, KeptSettings};
 use crate::lines::{Modal, jogs_alone, lines, parts, told_as};
 use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
-use crate::signals;
 use crate::tool_wait::ToolWait;
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
@@ -409,7 +408,7 @@ impl Driver for Grbl {
     }
 
     fn signal(&mut self, signal: Signal, now_s: f64) {
-        signals::take(self, signal, now_s);
+        self.take_signal(signal, now_s);
     }
 
     fn replies(&mut self, _: f64) -> Vec<Result<Reply, Garbled>> {
@@ -463,7 +462,7 @@ impl Wired for Grbl {
             }
         }
         if self.phase == Phase::Gap {
-            self.looks_through_gap(now_s);
+            gap::looks_through_gap(self, now_s);
             return std::mem::take(&mut self.out);
         }
         let mut used: usize = self.pending.iter().map(|line| line.text.len() + 1).sum();
@@ -537,7 +536,13 @@ impl Wired for Grbl {
     }
 
     fn keeps_setting(&mut self, number: u16, value: &str) -> Result<(), String> {
-        kept_settings::keep(self, number, value)
+        if self.phase != Phase::Ready || !self.flights.is_empty() || self.trouble.is_some() {
+            return Err("it is at work, or takes no orders".into());
+        }
+        self.kept.takes(self.told.texts(), number, value)?;
+        self.writes(number, value);
+        self.say(kept_settings::ASK);
+        Ok(())
     }
 
     fn takes_refusal(&mut self) -> Option<String> {
@@ -549,7 +554,7 @@ impl Wired for Grbl {
     }
 
     fn line_is_back(&mut self, _: f64) {
-        self.begins_gap();
+        gap::begins_gap(self);
     }
 
     fn changed(&self) -> Option<Changed> {

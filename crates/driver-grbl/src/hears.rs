@@ -4,6 +4,7 @@ use crate::at_once;
 use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, with};
 use crate::error_texts;
 use crate::facts::{self, INPUTS, PROBE, PROBE_INPUT};
+use crate::gap;
 use crate::kept_settings::{self, BUSY};
 use crate::lines::straight;
 use crate::place::{millimetres, on_steps};
@@ -73,7 +74,7 @@ impl Grbl {
 
     fn answered(&mut self, now_s: f64) {
         if self.phase == Phase::Gap {
-            return self.answers_in_gap();
+            return gap::answers_in_gap(self);
         }
         let Some(line) = self.pending.pop_front() else { return self.replies.push(Err(Garbled)) };
         self.asked_s = now_s;
@@ -88,8 +89,27 @@ impl Grbl {
             self.changed = self.told.mend().or(self.changed);
             self.told.setting(&line.text);
         }
-        kept_settings::follow(self, &line.text);
+        self.follows_settings(&line.text);
         self.asks_on();
+    }
+
+    /// Where settings are others than before a line was answered, what is known of the controller follows them.
+    fn follows_settings(&mut self, answered: &str) {
+        let Some(before) = self.facts.as_ref().filter(|_| self.phase == Phase::Ready) else {
+            return;
+        };
+        if !self.told.takes_news() {
+            return;
+        }
+        let facts = Facts { is_fresh: before.is_fresh, ..self.told.facts(before.axes) };
+        if let Some(why) = self.told.unfit(facts.axes) {
+            let _ = self.trouble.get_or_insert(Trouble::Unfit { why });
+        }
+        // Somebody else has it hide its place; what Kerf puts back itself is no answer to this question.
+        if let Some(changed) = self.told.mend().filter(|_| answered == kept_settings::ASK) {
+            self.say(kept_settings::line(changed.number, &changed.is.to_string()));
+        }
+        self.facts = Some(facts);
     }
 
     /// All that it was asked about itself is answered: a setting that hides its place is changed, then it is asked
@@ -112,7 +132,7 @@ impl Grbl {
 
     fn refused(&mut self, number: u16) {
         if self.phase == Phase::Gap {
-            return self.answers_in_gap();
+            return gap::answers_in_gap(self);
         }
         let line = self.pending.pop_front();
         let why = self.told.error(number);
@@ -122,7 +142,8 @@ impl Grbl {
             self.busy |= number == BUSY && line.is_some_and(|line| !line.text.contains('='));
             return self.asks_on();
         }
-        if self.kept.is_refused(line.as_ref(), number, &why) {
+        let asked = line.as_ref().filter(|line| line.ticket.is_none());
+        if self.kept.is_refused(asked.map(|line| &*line.text), number, &why) {
             return;
         }
         let _ = self.trouble.get_or_insert(Trouble::Refused { number, why });
@@ -194,7 +215,7 @@ impl Grbl {
         match self.phase {
             Phase::Silent | Phase::Asked => self.learns(report),
             Phase::Ready => self.follows(report, now_s),
-            Phase::Gap => self.reports_in_gap(now_s),
+            Phase::Gap => gap::reports_in_gap(self, now_s),
             Phase::Stopping if self.tool.takes_jogs() => self.ends_jog(now_s),
             Phase::Stopping if self.has_stopped(now_s) => self.reset(),
             // A hold that came while its spindle came up is forgotten by then.

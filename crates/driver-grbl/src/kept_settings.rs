@@ -3,9 +3,8 @@
 //! The controller tells nobody that a setting has changed. It is asked for all of them behind each that Kerf writes, and now
 //! and then while it stands; what follows from them, its planner too, is known anew then.
 
-use crate::driver::{Grbl, Line, Phase};
 use crate::settings::setting;
-use kerf_machine::driver::{Facts, Trouble};
+use std::collections::BTreeMap;
 
 /// Asks for all of them.
 pub const ASK: &str = "$$";
@@ -43,59 +42,39 @@ impl KeptSettings {
         is_due
     }
 
-    /// Returns `true` if a refused line is no order: a setting that it does not take, or a question that came while somebody
-    /// moved it. Neither ends anything.
-    pub fn is_refused(&mut self, line: Option<&Line>, number: u16, why: &str) -> bool {
-        let Some(line) = line.filter(|line| line.ticket.is_none()) else { return false };
-        let is_written = line.text.starts_with('$') && line.text.contains('=');
-        if is_written {
-            self.refused = Some(format!("{}: error {number}: {why}", line.text));
+    /// One of the settings that the controller has is about to be written.
+    ///
+    /// # Errors
+    /// It has no such setting, or the value is none of it.
+    pub fn takes(
+        &mut self,
+        has: &BTreeMap<u16, String>,
+        number: u16,
+        value: &str,
+    ) -> Result<(), String> {
+        self.refused = None;
+        if !has.contains_key(&number) {
+            return Err(format!("it has no setting ${number}"));
         }
-        is_written || line.text == ASK && number == BUSY
+        if number == REPORTS {
+            return Err("$10 is kept as Kerf needs it to follow the controller".into());
+        }
+        setting(number).and_then(|known| known.refuses(value)).map_or(Ok(()), Err)
+    }
+
+    /// Returns `true` if a refused line is no order: a setting that the controller does not take, or a question that came while
+    /// somebody moved it. Neither ends anything.
+    pub fn is_refused(&mut self, asked: Option<&str>, number: u16, why: &str) -> bool {
+        let Some(text) = asked else { return false };
+        let is_written = text.starts_with('$') && text.contains('=');
+        if is_written {
+            self.refused = Some(format!("{text}: error {number}: {why}"));
+        }
+        is_written || text == ASK && number == BUSY
     }
 
     /// Returns the refusal of one that was written, once.
     pub const fn takes_refusal(&mut self) -> Option<String> {
         self.refused.take()
     }
-}
-
-/// Has the controller keep another value of a setting, and tell all of them.
-///
-/// # Errors
-/// It is at work, keeps no such setting, or the value is none of it.
-pub fn keep(grbl: &mut Grbl, number: u16, value: &str) -> Result<(), String> {
-    if grbl.phase != Phase::Ready || !grbl.flights.is_empty() || grbl.trouble.is_some() {
-        return Err("it is at work, or takes no orders".into());
-    }
-    if !grbl.settings().contains_key(&number) {
-        return Err(format!("it has no setting ${number}"));
-    }
-    if number == REPORTS {
-        return Err("$10 is kept as Kerf needs it to follow the controller".into());
-    }
-    if let Some(why) = setting(number).and_then(|known| known.refuses(value)) {
-        return Err(why);
-    }
-    grbl.kept.refused = None;
-    grbl.say(line(number, value));
-    grbl.say(ASK);
-    Ok(())
-}
-
-/// A line was answered: where settings are others than before, what is known of the controller follows them.
-pub fn follow(grbl: &mut Grbl, answered: &str) {
-    let Some(before) = grbl.facts.as_ref().filter(|_| grbl.phase == Phase::Ready) else { return };
-    if !grbl.told.takes_news() {
-        return;
-    }
-    let facts = Facts { is_fresh: before.is_fresh, ..grbl.told.facts(before.axes) };
-    if let Some(why) = grbl.told.unfit(facts.axes) {
-        let _ = grbl.trouble.get_or_insert(Trouble::Unfit { why });
-    }
-    // Somebody else has it hide its place; what Kerf puts back itself is no answer to this question.
-    if let Some(changed) = grbl.told.mend().filter(|_| answered == ASK) {
-        grbl.say(line(changed.number, &changed.is.to_string()));
-    }
-    grbl.facts = Some(facts);
 }

@@ -6,66 +6,68 @@ use crate::report::Doing;
 use crate::tool_wait::{JOG_CANCEL, TOOL, ToolWait};
 use kerf_machine::driver::{Driver, Hold, Override, Signal};
 
-/// Has the controller carry out a signal.
-pub fn take(grbl: &mut Grbl, signal: Signal, now_s: f64) {
-    match signal {
-        Signal::Ask => grbl.out.push(at_once::ASK),
-        Signal::Hold => {
-            grbl.hold = Hold::Ordered;
-            grbl.out.push(at_once::HOLD);
-        }
-        Signal::Resume => {
-            grbl.hold = Hold::None;
-            grbl.out.push(at_once::RESUME);
-        }
-        Signal::Stop => stop(grbl, now_s),
-        Signal::ByHand => {
-            let rests = grbl.has_said_all() && grbl.flights.is_empty();
-            if grbl.phase == Phase::Ready && rests && grbl.tool.hears() {
-                grbl.out.push(TOOL);
+impl Grbl {
+    /// Has the controller carry out a signal.
+    pub(crate) fn take_signal(&mut self, signal: Signal, now_s: f64) {
+        match signal {
+            Signal::Ask => self.out.push(at_once::ASK),
+            Signal::Hold => {
+                self.hold = Hold::Ordered;
+                self.out.push(at_once::HOLD);
+            }
+            Signal::Resume => {
+                self.hold = Hold::None;
+                self.out.push(at_once::RESUME);
+            }
+            Signal::Stop => self.stop(now_s),
+            Signal::ByHand => {
+                let rests = self.has_said_all() && self.flights.is_empty();
+                if self.phase == Phase::Ready && rests && self.tool.hears() {
+                    self.out.push(TOOL);
+                }
+            }
+            Signal::ToolIn if self.tool.is_on() => self.out.extend(self.tool.is_in()),
+            Signal::ToolOff if self.tool.is_on() => {
+                self.tool = ToolWait::default();
+                self.reset();
+            }
+            Signal::ToolIn | Signal::ToolOff => {}
+            Signal::Feed(percent) => {
+                (self.shares.feed, self.turned_s) = (percent.clamp(10, 200), now_s);
+                self.out.extend(at_once::feed(percent));
+            }
+            Signal::Override(Override::Rapid(percent)) => {
+                let (share, command) = at_once::rapid(percent);
+                (self.shares.rapid, self.turned_s) = (share, now_s);
+                self.out.push(command);
+            }
+            Signal::Override(Override::Spindle(percent)) => {
+                (self.shares.spindle, self.turned_s) = (percent.clamp(10, 200), now_s);
+                self.out.extend(at_once::spindle(percent));
             }
         }
-        Signal::ToolIn if grbl.tool.is_on() => grbl.out.extend(grbl.tool.is_in()),
-        Signal::ToolOff if grbl.tool.is_on() => {
-            grbl.tool = ToolWait::default();
-            grbl.reset();
-        }
-        Signal::ToolIn | Signal::ToolOff => {}
-        Signal::Feed(percent) => {
-            (grbl.shares.feed, grbl.turned_s) = (percent.clamp(10, 200), now_s);
-            grbl.out.extend(at_once::feed(percent));
-        }
-        Signal::Override(Override::Rapid(percent)) => {
-            let (share, command) = at_once::rapid(percent);
-            (grbl.shares.rapid, grbl.turned_s) = (share, now_s);
-            grbl.out.push(command);
-        }
-        Signal::Override(Override::Spindle(percent)) => {
-            (grbl.shares.spindle, grbl.turned_s) = (percent.clamp(10, 200), now_s);
-            grbl.out.extend(at_once::spindle(percent));
-        }
     }
-}
 
-/// Slows it down; what was not sent is forgotten.
-fn stop(grbl: &mut Grbl, now_s: f64) {
-    grbl.queue.clear();
-    grbl.stopped_s = now_s;
-    match grbl.phase {
-        // It hears nothing else while it goes home.
-        Phase::Ready if grbl.quiet() => grbl.reset(),
-        // A reset would end the change of tools.
-        Phase::Ready if grbl.tool.takes_jogs() => {
-            (grbl.phase, grbl.doing) = (Phase::Stopping, Doing::Slowing);
-            grbl.out.extend([JOG_CANCEL, at_once::ASK]);
-            return;
+    /// Slows it down; what was not sent is forgotten.
+    fn stop(&mut self, now_s: f64) {
+        self.queue.clear();
+        self.stopped_s = now_s;
+        match self.phase {
+            // It hears nothing else while it goes home.
+            Phase::Ready if self.quiet() => self.reset(),
+            // A reset would end the change of tools.
+            Phase::Ready if self.tool.takes_jogs() => {
+                (self.phase, self.doing) = (Phase::Stopping, Doing::Slowing);
+                self.out.extend([JOG_CANCEL, at_once::ASK]);
+                return;
+            }
+            // What it does is asked anew: it may have stood a moment ago, or be at work for somebody who is gone.
+            Phase::Ready | Phase::Silent | Phase::Asked | Phase::Gap => {
+                (self.phase, self.doing) = (Phase::Stopping, Doing::Slowing);
+                self.out.extend([at_once::HOLD, at_once::ASK]);
+            }
+            Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
         }
-        // What it does is asked anew: it may have stood a moment ago, or be at work for somebody who is gone.
-        Phase::Ready | Phase::Silent | Phase::Asked | Phase::Gap => {
-            (grbl.phase, grbl.doing) = (Phase::Stopping, Doing::Slowing);
-            grbl.out.extend([at_once::HOLD, at_once::ASK]);
-        }
-        Phase::Stopping | Phase::Resetting | Phase::Stopped => {}
+        self.tool = ToolWait::default();
     }
-    grbl.tool = ToolWait::default();
 }

@@ -73,11 +73,7 @@ impl App {
             Act::Close => self.close_file()?,
             Act::Run { hash, step, .. } => self.runs.run(asker, &hash, step)?,
             Act::TakeUp { .. } => self.runs.take_up(asker)?,
-            Act::Command { line, .. } => {
-                if !self.hands.keep_setting(asker, &line)? {
-                    self.runs.command(asker, line)?;
-                }
-            }
+            Act::Command { line, .. } => self.type_line(asker, line)?,
             Act::JogStart { seq, clock_ms, direction, distance, speed_share: speed, .. } => {
                 self.jog(asker, (seq, clock_ms), Order::Jog { direction, distance, speed })?;
             }
@@ -91,10 +87,8 @@ impl App {
             Act::Bit { name, on, .. } => self.hands.switch_bit(asker, &name, on)?,
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
-            act @ (Act::Tool { .. }
-            | Act::ToolIn { .. }
-            | Act::ControllerSteps { .. }
-            | Act::ForgetPace { .. }) => {
+            Act::ForgetPace { .. } => self.orders.order_of(asker, Order::ForgetPace)?,
+            act @ (Act::Tool { .. } | Act::ToolIn { .. } | Act::ControllerSteps { .. }) => {
                 tools::hears(self, asker, act)?;
             }
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
@@ -117,6 +111,14 @@ impl App {
     /// Moves a switch of a machine whose switches are moved on a page: the turn at driving, its number, whether it is on.
     fn press(&self, asker: &Asker, pressed: (u32, u8, bool)) -> Result<(), Problem> {
         shop::press(&self.orders, &self.hands.pins_moved_here()?, asker, pressed)
+    }
+
+    /// Carries out a line that was typed: a setting of the controller (`$120=300`), else a line of OpenSBP.
+    fn type_line(&self, asker: &Asker, line: String) -> Result<(), Problem> {
+        if self.hands.keep_setting(asker, &line)? {
+            return Ok(());
+        }
+        self.runs.command(asker, line)
     }
 
     /// Closes the open file, with nothing of it unsaved.

@@ -41,6 +41,7 @@ pub fn tools(session: &Session, workspace: &Workspace) -> ToolTable {
         in_spindle: session.gcode.tool,
         has_sensor: session.memory.settings.tool_changes.sensor_input.is_some()
             || workspace.stored.get("$tool_sensor").is_some_and(|input| !input.is_empty()),
+        finds_home: session.homes(&session.machine_is).contains(Axis::Z),
     }
 }
 

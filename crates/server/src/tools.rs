@@ -16,7 +16,6 @@ const LONGEST: usize = 80;
 pub fn hears(app: &App, asker: &Asker, act: Act) -> Result<(), Problem> {
     match act {
         Act::Tool { number, change, .. } => self::change(app, asker, number, change),
-        Act::ForgetPace { .. } => app.orders.order_of(asker, Order::ForgetPace),
         Act::ControllerSteps { axis, steps, .. } => app.hands.keep_steps(asker, axis, steps),
         _ => app.hands.tool_is_in(asker),
     }

@@ -32,6 +32,8 @@ pub struct ToolTable {
     pub in_spindle: u32,
     /// The machine has a sensor that measures tools.
     pub has_sensor: bool,
+    /// The machine finds home: a length that was measured holds for good.
+    pub finds_home: bool,
 }
 
 /// A change of a tool.

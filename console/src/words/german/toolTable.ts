@@ -53,5 +53,7 @@ export const toolTable: Readonly<Record<string, string>> = {
     "1 Lauf hier: Bewegung dauert das {0}-fache des Berechneten",
   "{1} runs here: motion takes {0} of what is reckoned":
     "{1} Läufe hier: Bewegung dauert das {0}-fache des Berechneten",
+  "This machine finds no home of Z: lengths that were measured hold until its location is set anew, or it is moved while it is off. Measure the tools again then.":
+    "Diese Maschine findet keine Referenz von Z: gemessene Längen gelten, bis ihr Ort neu gesetzt oder sie ausgeschaltet bewegt wird. Dann die Werkzeuge neu messen.",
   "The controller waits for no tool.": "Die Steuerung wartet auf kein Werkzeug.",
 };
