@@ -26,6 +26,7 @@ beforeAll(async () => {
   workshop = await openWorkshop({ controller: `grbl:${port}` });
   const lines = ["G21 G90 F600", "G54", "M3 S9000", "G1 X2", "T2 M6", "G43 H2", "G0 Z0", ""];
   writeFileSync(join(workshop.parts, "two-tools.nc"), lines.join("\n"));
+  writeFileSync(join(workshop.parts, "zero.sbp"), "ZZ\n");
   page = await workshop.page();
   await arm(page);
   await act(page, "Tools by their numbers");
@@ -137,7 +138,9 @@ it("moves Z zero with a length of the tool in the spindle that is corrected", as
 
 it("leaves Z zero where it was set with the very tool", async () => {
   await page.keyboard.press("Escape");
-  await act(page, "Zero Z");
+  expect(await script(workshop, "open", { name: "zero.sbp" })).toBe(200);
+  await page.getByText("zero.sbp").first().waitFor();
+  await page.getByRole("button", { name: "Start", exact: true }).click();
   await until(async () => {
     const { machine, motion } = await stateOf(workshop);
     return machine.state === "idle" && Math.abs(motion.at.working[2] ?? 1) < 1e-6;

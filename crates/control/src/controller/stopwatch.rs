@@ -108,7 +108,7 @@ mod tests {
     fn pace() -> OwnPace {
         let planner = Grbl::new(Axes::splat(100.0), Axes::splat(500.0));
         let planner = Some(OwnPlanner::Grbl(Grbl { link: None, ..planner }));
-        OwnPace::of(&Facts { planner, ..Facts::default() }).unwrap()
+        OwnPace::of(&Facts { planner, ..Facts::default() }).expect("it has a planner")
     }
 
     /// A wave of so many short legs.
