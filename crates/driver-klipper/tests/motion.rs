@@ -1,7 +1,7 @@
 //! Motion on a board that is none: made as planned, stopped when it has to be, counted always.
 
-use crate::world::{Feed, Motion, World};
-use kerf_driver_klipper::board::{Ended, Home, News, NotNow};
+use crate::world::{Feed, GRAIN_S, Motion, World};
+use kerf_driver_klipper::board::{Ended, Home, News, NotNow, Options};
 use kerf_driver_klipper::fake::{Dice, Faults};
 
 /// Number of tries; `TRIES` in the environment is how many times as many there are.
@@ -230,6 +230,28 @@ fn a_stall_makes_the_lead_longer_and_one_too_long_stops_without_a_shutdown() {
             "{seen_s} {lead_s}"
         );
     }
+}
+
+/// A planner that stays 0.2 s ahead, on a board that lets its host be silent for 0.3 s: where the host stalls while a frame is
+/// being filled, the frame is late before the board's deadline is over.
+#[test]
+fn a_frame_that_waited_over_a_stall_ends_motion() {
+    let mut late = 0;
+    for stalls in 0..100 {
+        let options = Options { deadline_s: 0.3, ..Options::default() };
+        let mut world = World::new(60, Faults::default(), crate::world::setup(), options);
+        world.ahead_s = 0.2;
+        world.wait(|news| matches!(news, News::Ready { .. }));
+        let motion = Motion::waves(3000.0, 3.0);
+        let mut feed = world.begin(&motion, &[]);
+        world.stalls_at(1.2 + f64::from(stalls) * GRAIN_S, 0.235, &motion, &mut feed);
+        let (why, counts) = world.wait_end();
+        assert!(!world.fake.is_shutdown(), "after {stalls} ms: {:?}", world.fake.reason());
+        let positions: Vec<i64> = world.fake.steppers.values().map(|s| s.position).collect();
+        assert_eq!(counts, positions, "after {stalls} ms");
+        late += usize::from(why == Ended::Late);
+    }
+    assert!(late > 50, "{late} of 100 stalls made a step late");
 }
 
 #[test]

@@ -18,6 +18,8 @@ pub struct World {
     pub news: Vec<News>,
     /// The host is dead or stalls up to a moment.
     pub stalls_until_s: f64,
+    /// Time before its beginning at which the planner offers a piece, seconds.
+    pub ahead_s: f64,
 }
 
 pub fn motor(n: usize) -> Motor {
@@ -58,7 +60,7 @@ impl DerefMut for World {
 impl World {
     pub fn new(seed: u64, faults: Faults, setup: Setup, options: Options) -> Self {
         let (wired, host) = (Wired::new(seed, faults), Board::new(setup, options, 0.0));
-        Self { wired, host, now_s: 0.0, news: Vec::new(), stalls_until_s: 0.0 }
+        Self { wired, host, now_s: 0.0, news: Vec::new(), stalls_until_s: 0.0, ahead_s: 0.5 }
     }
 
     /// One that is ready to move.
@@ -135,14 +137,26 @@ impl World {
         Feed { start, next: 0, made: zero, planned: vec![Vec::new(); motion.places.len()] }
     }
 
+    /// Feeds a motion in which the host, planner and all, stalls once, some seconds after the call.
+    pub fn stalls_at(&mut self, after_s: f64, stall_s: f64, motion: &Motion, feed: &mut Feed) {
+        let since_s = self.now_s + after_s;
+        while self.now_s < since_s && self.feed(motion, feed) {
+            self.pass();
+        }
+        self.stalls_until_s = self.now_s + stall_s;
+        self.pass_for(stall_s);
+        while self.feed(motion, feed) {
+            self.pass();
+        }
+    }
+
     /// Offers the next piece when its time comes; false once all are offered.
     pub fn feed(&mut self, motion: &Motion, feed: &mut Feed) -> bool {
         let many = (motion.lasts_s / PIECE_S).ceil() as usize;
-        let ahead_s = 0.5;
         let Some((clock, _)) = self.host.clock(self.now_s) else { return true };
         while feed.next < many {
             let from_s = feed.next as f64 * PIECE_S;
-            let due = feed.start.clock as f64 + (from_s - ahead_s) * feed.start.ticks_per_s;
+            let due = feed.start.clock as f64 + (from_s - self.ahead_s) * feed.start.ticks_per_s;
             if due > clock as f64 {
                 return true;
             }
