@@ -17,7 +17,7 @@ beforeAll(async () => {
   board = new Board();
   port = await board.line();
   // Patient with a computer that does much else.
-  execFileSync(kerf, ["set", "--data", folder, "board.deadline_s=2"]);
+  execFileSync(kerf, ["set", "--data", folder, "board.deadline_s=2", "board.watch_s=3"]);
   workshop = await openWorkshop({ folder });
   page = await workshop.page();
 });

@@ -1,14 +1,17 @@
 //! The queue by itself: what goes out when, and what does not.
 
 use kerf_driver_klipper::compress::Limits;
-use kerf_driver_klipper::queue::{Change, Late, Lead, Piece, Queue, Refused, Release, Step};
+use kerf_driver_klipper::queue::{Change, Late, Lead, Piece, Queue, Refused, Release, Rules, Step};
 
 const FREQUENCY: f64 = 12e6;
 /// A second in ticks.
 const S: u64 = 12_000_000;
 
+/// An output with a watch of a second.
+const WATCHED: Rules = Rules { watch: S, off: 0, at_once: true };
+
 fn queue() -> Queue {
-    let mut queue = Queue::new(vec![Limits { error: 60.0, least: 60, turn: 240 }], &[(S, 0)], 100);
+    let mut queue = Queue::new(vec![Limits { error: 60.0, least: 60, turn: 240 }], &[WATCHED], 100);
     queue.start(S, &[0]);
     queue
 }

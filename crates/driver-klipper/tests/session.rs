@@ -308,3 +308,43 @@ fn voltages_and_registers_are_read() {
     world.pass_for(0.5);
     assert!(!world.news.iter().any(voltage), "no more");
 }
+
+/// A frame that is lost comes some 30 ms later. An output at rest has no moment that it could miss.
+#[test]
+fn an_output_changes_on_a_bad_line_and_the_board_goes_on() {
+    let faults = Faults { drop: 0.02, flip: 0.02, ..Faults::default() };
+    for seed in 0..20 {
+        let mut world = World::ready(seed, faults);
+        for n in 0..20 {
+            let on = n % 2 == 0;
+            world.host.set_output(0, f64::from(u8::from(on)), world.now_s).expect("a board");
+            let asked = world.fake.now;
+            world.pass_for(0.25 + 0.013 * f64::from(n));
+            assert_eq!(world.fake.reason(), None, "seed {seed}, change {n}");
+            let output = &world.fake.outputs.values().next().expect("an output");
+            assert_eq!(output.value != 0, on, "seed {seed}, change {n}");
+            let first =
+                output.made.iter().find(|(clock, value)| *clock >= asked && (*value != 0) == on);
+            let late_s = (first.expect("the change").0 - asked) as f64 / 12e6;
+            assert!(late_s < 0.2, "seed {seed}, change {n}: {late_s} s");
+        }
+    }
+}
+
+/// The bytes of a host that is kept waiting go out 30 ms after it looked at the clock.
+#[test]
+fn an_output_of_a_host_that_is_kept_waiting_changes() {
+    let mut world = World::ready(3, Faults::default());
+    for on in [1.0, 0.0, 1.0, 0.0] {
+        world.host.set_output(0, on, world.now_s).expect("a board");
+        let out = world.host.transmit(world.now_s).bytes;
+        world.stalls_until_s = world.now_s + 0.03;
+        world.pass_for(0.03);
+        let now_s = world.now_s;
+        world.there.put(&out, now_s);
+        world.pass_for(0.3);
+        assert_eq!(world.fake.reason(), None);
+        let value = world.fake.outputs.values().next().map(|output| output.value);
+        assert_eq!(value, Some(on as u32));
+    }
+}

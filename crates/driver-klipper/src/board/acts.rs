@@ -6,7 +6,7 @@ use super::motion::State;
 use super::news::{Ended, NotNow, Start};
 use super::session::Session;
 use crate::orders::{Order, OrderError};
-use crate::queue::{Change, Piece, Refused};
+use crate::queue::{Piece, Refused};
 
 /// Shortest time between the wish to move and the first step, seconds.
 pub const FIRST_S: f64 = 0.25;
@@ -82,9 +82,9 @@ impl Session {
     }
 
     pub fn set_output(&mut self, output: usize, share: f64, now_s: f64) -> Result<(), NotNow> {
-        let (now, off) = self.when_ready(now_s)?;
+        self.when_ready(now_s)?;
         let value = self.channel.output_value(output, share);
-        self.motion.queue.set(Change { output, clock: now + off, value });
+        self.motion.queue.set(output, value);
         Ok(())
     }
 

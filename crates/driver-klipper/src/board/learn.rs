@@ -4,7 +4,7 @@ use super::channel::{Channel, Told};
 use super::latch::stop_looking;
 use crate::compress::Limits;
 use crate::orders::Order;
-use crate::queue::Queue;
+use crate::queue::{Queue, Rules};
 use crate::setup::{Configured, Object, Pulsed, Switched};
 
 /// Least number of ticks between two steps of a motor that boards are asked for, whatever the setup says.
@@ -50,7 +50,7 @@ pub fn put_at_rest(channel: &mut Channel) -> Told {
 
 /// An empty queue for the motors and outputs of a board with so many places.
 pub fn queue(channel: &Channel, places: usize) -> Queue {
-    Queue::new(limits(channel), &watches(channel), places)
+    Queue::new(limits(channel), &rules(channel), places)
 }
 
 fn limits(channel: &Channel) -> Vec<Limits> {
@@ -66,12 +66,19 @@ fn limits(channel: &Channel) -> Vec<Limits> {
     limits.collect()
 }
 
-/// The watch of each output, ticks, and its value when off.
-fn watches(channel: &Channel) -> Vec<(u64, u32)> {
-    let ticks = |watch_s: &Option<f64>| channel.ticks(watch_s.unwrap_or(0.0));
-    let switched = |output: &Switched| (ticks(&output.watch_s), u32::from(output.pin.inverted));
-    let off = |output: &Pulsed| if output.pin.inverted { channel.pwm_max() } else { 0 };
-    let pulsed = |output: &Pulsed| (ticks(&output.watch_s), off(output));
+/// The board's rules for each output.
+fn rules(channel: &Channel) -> Vec<Rules> {
+    let watch = |watch_s: Option<f64>| channel.ticks(watch_s.unwrap_or(0.0));
+    let switched = |output: &Switched| Rules {
+        watch: watch(output.watch_s),
+        off: u32::from(output.pin.inverted),
+        at_once: channel.orders.has(Order::UpdateDigital),
+    };
+    let pulsed = |output: &Pulsed| Rules {
+        watch: watch(output.watch_s),
+        off: if output.pin.inverted { channel.pwm_max() } else { 0 },
+        at_once: false,
+    };
     let outputs = channel.setup.outputs.iter().map(switched);
     outputs.chain(channel.setup.pulsed.iter().map(pulsed)).collect()
 }

@@ -250,6 +250,10 @@ fn release(channel: &mut Channel, release: Release) -> Result<(), OrderError> {
             let numbers = [oid, steps.interval, steps.count.into(), add];
             channel.send_motion(Order::QueueStep, numbers, steps.at(1))
         }
+        Release::AtOnce { output, value } => {
+            let oid = channel.oid(Object::Output(output));
+            channel.send(Order::UpdateDigital, [oid, value])
+        }
         Release::Output(Change { output, clock, value }) => {
             let switched = channel.setup.outputs.len();
             if output < switched {

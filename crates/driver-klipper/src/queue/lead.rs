@@ -9,6 +9,8 @@ const SAFETY: f64 = 2.0;
 /// Share of the deadline by which the tail is decided at the least: whoever lets a host be silent for longer, as it may
 /// stall, has motion sent earlier.
 const OF_DEADLINE: f64 = 0.5;
+/// Time for which a command that is lost once may be on its way, seconds.
+const TRANSIT_S: f64 = 0.025;
 /// Longest time that follows from the deadline, seconds.
 const DEADLINE_LONGEST_S: f64 = 1.0;
 /// Share of a stall that is forgotten in a second.
@@ -79,6 +81,11 @@ impl Lead {
     /// The same, seconds.
     pub fn full_s(&self) -> f64 {
         FULL * self.wanted_s()
+    }
+
+    /// Ticks for which a command that is lost once may be on its way.
+    pub fn transit(&self) -> u64 {
+        (TRANSIT_S * self.frequency) as u64
     }
 
     /// The shortest lead that the stalls ask for, seconds.

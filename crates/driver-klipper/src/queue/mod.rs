@@ -20,7 +20,7 @@ mod piece;
 mod places;
 
 pub use lead::Lead;
-pub use outputs::Change;
+pub use outputs::{Change, Rules};
 pub use piece::{Piece, Step};
 
 use crate::compress::{Compressor, Limits, Steps, TooFast};
@@ -75,6 +75,13 @@ pub enum Release {
     },
     /// An output changes, or is told again as it is.
     Output(Change),
+    /// An output changes as soon as may be.
+    AtOnce {
+        /// Its place among all outputs.
+        output: usize,
+        /// Its value as the board takes it.
+        value: u32,
+    },
 }
 
 impl Release {
@@ -131,9 +138,8 @@ pub struct Queue {
 }
 
 impl Queue {
-    /// Motors that stand still, outputs with the time after which they have to be told again (0: never) and the value
-    /// at which they are off, and the places that the board has for commands.
-    pub fn new(limits: Vec<Limits>, outputs: &[(u64, u32)], places: usize) -> Self {
+    /// Motors that stand still, outputs with the board's rules for them, and the places that the board has for commands.
+    pub fn new(limits: Vec<Limits>, outputs: &[Rules], places: usize) -> Self {
         let compressors: Vec<_> = limits.iter().map(|limits| Compressor::new(*limits, 0)).collect();
         Self {
             told: vec![Told::default(); limits.len()],
@@ -159,7 +165,8 @@ impl Queue {
         self.begun.clone_from(&self.compressors);
         self.offered.clear();
         // What was switched a moment ago is on its way still.
-        self.sending.retain(|release| matches!(release, Release::Output(_)));
+        self.sending
+            .retain(|release| matches!(release, Release::Output(_) | Release::AtOnce { .. }));
         (self.tail, self.stopping) = (None, false);
         (self.begun_to, self.ends) = (clock, clock);
         for (told, count) in self.told.iter_mut().zip(counts) {
@@ -170,7 +177,7 @@ impl Queue {
     /// The board drops all motion. Outputs that are on are to go off.
     pub fn dropped(&mut self) {
         self.drop_motion();
-        self.sending = self.outputs.off().map(Release::Output).collect();
+        self.sending = self.outputs.off().collect();
     }
 
     /// The board drops all motion. Outputs stay as they are.
@@ -213,9 +220,9 @@ impl Queue {
         self.ends = ends;
     }
 
-    /// An output changes while nothing moves, or beside what moves.
-    pub fn set(&mut self, change: Change) {
-        self.sending.push_front(Release::Output(change));
+    /// An output changes while nothing moves, or beside what moves: as soon as may be.
+    pub fn set(&mut self, output: usize, value: u32) {
+        self.sending.push_front(Release::AtOnce { output, value });
     }
 
     /// Takes back the pieces of which nothing was sent, and returns the clock from which others may follow.
@@ -261,7 +268,7 @@ impl Queue {
             self.come_to_rest();
         }
         self.places.free(now.saturating_sub(off));
-        let mut out: Vec<_> = self.outputs.again(now, lead).map(Release::Output).collect();
+        let mut out = self.outputs.again([now, off], lead);
         if !moves {
             return Ok(out);
         }
@@ -278,7 +285,7 @@ impl Queue {
                 let before = due(&next).saturating_sub(now + off);
                 self.latest = Some(self.latest.map_or(before, |latest| latest.min(before)));
             }
-            self.tell(next, now + off, &mut out);
+            self.tell(next, [now, off], lead, &mut out);
         }
         Ok(out)
     }
@@ -333,14 +340,25 @@ impl Queue {
         to.is_none_or(|to| to == steps.from || to + off < now)
     }
 
-    fn tell(&mut self, release: Release, earliest: u64, out: &mut Vec<Release>) {
+    fn tell(
+        &mut self,
+        release: Release,
+        [now, off]: [u64; 2],
+        lead: &Lead,
+        out: &mut Vec<Release>,
+    ) {
         let Release::Steps { motor, steps } = release else {
-            if let Release::Output(change) = release {
-                let change = self.outputs.sent(change, earliest);
+            let told = match release {
+                Release::Output(change) => Release::Output(self.outputs.sent(change, now + off)),
+                Release::AtOnce { output, value } => {
+                    self.outputs.soon(output, value, [now, off], lead)
+                }
+                other => other,
+            };
+            if let Release::Output(change) = told {
                 self.places.take(change.clock);
-                out.push(Release::Output(change));
             }
-            return;
+            return out.push(told);
         };
         let Some(told) = self.told.get_mut(motor) else { return };
         if told.to != Some(steps.from) {
@@ -367,5 +385,6 @@ fn due(release: &Release) -> u64 {
         Release::Output(change) => change.clock,
         Release::Reset { clock, .. } => *clock,
         Release::Turn { .. } => u64::MAX,
+        Release::AtOnce { .. } => 0,
     }
 }

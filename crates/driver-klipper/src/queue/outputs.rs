@@ -1,6 +1,6 @@
 //! Outputs that change at a clock, and are told again before the board's watch takes their host for dead.
 
-use super::Lead;
+use super::{Lead, Release};
 
 /// Parts of the watch after which an output is told again.
 const AGAIN: u64 = 4;
@@ -16,14 +16,22 @@ pub struct Change {
     pub value: u32,
 }
 
+/// The board's rules for an output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rules {
+    /// Ticks after which the board shuts down when it was not told again; 0 for never.
+    pub watch: u64,
+    /// Value at which it is off.
+    pub off: u32,
+    /// It may be told to change now, whenever that is, while no change of it is queued in the board.
+    pub at_once: bool,
+}
+
 /// An output as the board knows it.
 #[derive(Clone, Copy, Debug)]
 struct Output {
-    /// Ticks after which the board shuts down when it was not told again; 0 for never.
-    watch: u64,
-    /// Value at which it is off.
-    off: u32,
-    /// Newest change that was sent.
+    rules: Rules,
+    /// Newest change that was sent; nothing where that was a former session's.
     last: Option<Change>,
 }
 
@@ -32,13 +40,28 @@ struct Output {
 pub struct Outputs(Vec<Output>);
 
 impl Outputs {
-    pub fn new(outputs: &[(u64, u32)]) -> Self {
-        Self(
-            outputs
-                .iter()
-                .map(|(watch, off)| Output { watch: *watch, off: *off, last: None })
-                .collect(),
-        )
+    pub fn new(outputs: &[Rules]) -> Self {
+        Self(outputs.iter().map(|rules| Output { rules: *rules, last: None }).collect())
+    }
+
+    /// Notes a change that is wanted as soon as may be, and returns it as it goes. A queue in the board that is surely empty
+    /// is passed by, so the change may come late; else it has a clock that a command which is sent twice still comes before.
+    pub fn soon(
+        &mut self,
+        output: usize,
+        value: u32,
+        [now, off]: [u64; 2],
+        lead: &Lead,
+    ) -> Release {
+        let known = self.0.get_mut(output);
+        let idle = known
+            .filter(|it| it.rules.at_once && it.last.is_some_and(|last| last.clock + off < now));
+        if let Some(idle) = idle {
+            idle.last = Some(Change { output, clock: now, value });
+            return Release::AtOnce { output, value };
+        }
+        let change = Change { output, clock: 0, value };
+        Release::Output(self.sent(change, now + off + lead.transit()))
     }
 
     /// Notes a change that goes out, at the earliest at a clock and behind the one before; returns it as it goes.
@@ -52,10 +75,10 @@ impl Outputs {
 
     /// Changes that put all outputs off that have a watch and are on, or that were told to go on later. What has none gives
     /// motors their current.
-    pub fn off(&self) -> impl Iterator<Item = Change> {
-        let off = |output: &Output| {
-            let last = output.last.filter(|last| output.watch > 0 && last.value != output.off);
-            last.map(|last| Change { clock: 0, value: output.off, ..last })
+    pub fn off(&self) -> impl Iterator<Item = Release> {
+        let off = |Output { rules, last }: &Output| {
+            let last = last.filter(|last| rules.watch > 0 && last.value != rules.off);
+            last.map(|last| Release::AtOnce { output: last.output, value: rules.off })
         };
         self.0.iter().filter_map(off)
     }
@@ -65,22 +88,24 @@ impl Outputs {
         self.0.iter_mut().for_each(|output| output.last = None);
     }
 
-    /// Changes that tell again what stands, for outputs that are on: ahead by the shortest lead, and by less than the watch,
-    /// beyond which the board takes none.
-    pub fn again(&mut self, now: u64, lead: &Lead) -> impl Iterator<Item = Change> + use<> {
-        let clock = |output: &Output| now + lead.least().min(output.watch / 2);
-        let due = |output: &&mut Output| {
-            let on = output.last.filter(|last| last.value != output.off && output.watch > 0);
-            on.is_some_and(|last| last.clock + output.watch / AGAIN <= clock(output))
+    /// Changes that tell again what stands, for outputs that are on: at once where the board takes that, so that a frame which
+    /// is lost is no matter; else ahead by the shortest lead, and by less than the watch, beyond which the board takes none.
+    pub fn again(&mut self, [now, off_by]: [u64; 2], lead: &Lead) -> Vec<Release> {
+        let again = |Output { rules: Rules { watch, off, at_once }, last }: &mut Output| {
+            let on = last.filter(|last| last.value != *off && *watch > 0)?;
+            let clock = if *at_once {
+                now.saturating_sub(off_by)
+            } else {
+                now + lead.least().min(*watch / 2)
+            };
+            (on.clock + *watch / AGAIN <= clock).then(|| {
+                let Change { output, value, .. } = on;
+                let change = Change { clock, ..on };
+                *last = Some(change);
+                if *at_once { Release::AtOnce { output, value } } else { Release::Output(change) }
+            })
         };
-        let again = |output: &mut Output| {
-            let clock = clock(output);
-            let change = output.last.map(|last| Change { clock, ..last });
-            output.last = change;
-            change
-        };
-        let told: Vec<Change> = self.0.iter_mut().filter(due).filter_map(again).collect();
-        told.into_iter()
+        self.0.iter_mut().filter_map(again).collect()
     }
 }
 
@@ -88,21 +113,26 @@ impl Outputs {
 mod tests {
     use super::*;
 
-    #[test]
-    fn an_output_is_told_again_within_its_watch_however_long_the_lead_is() {
+    /// Tells an output again for a quarter of a minute; returns the farthest ahead that it was told, ticks.
+    fn told_ahead(at_once: bool) -> u64 {
         let lead = Lead::new(1e6).of_deadline(2.0);
         let watch = 500_000;
-        let mut outputs = Outputs::new(&[(watch, 0)]);
+        let mut outputs = Outputs::new(&[Rules { watch, off: 0, at_once }]);
         let mut last = outputs.sent(Change { output: 0, clock: 0, value: 1 }, 0).clock;
-        for now in (0..3_000_000).step_by(5_000) {
-            for change in outputs.again(now, &lead) {
-                assert!(
-                    change.clock > now && change.clock - last <= watch,
-                    "{now} {last} {change:?}"
-                );
-                last = change.clock;
+        let mut farthest = 0;
+        for now in (0..15_000_000).step_by(5_000) {
+            for release in outputs.again([now, 0], &lead) {
+                let clock = if let Release::Output(change) = release { change.clock } else { now };
+                assert!(clock - last <= watch, "{now} {last} {release:?}");
+                (last, farthest) = (clock, farthest.max(clock - now));
             }
-            assert!(last + watch > now, "{now}: it was told last for {last}");
+            assert!(last + watch / 2 > now, "{now}: it was told last for {last}");
         }
+        farthest
+    }
+
+    #[test]
+    fn an_output_is_told_again_within_its_watch_however_long_the_lead_is() {
+        assert_eq!([told_ahead(false), told_ahead(true)], [250_000, 0]);
     }
 }
