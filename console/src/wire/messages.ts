@@ -220,6 +220,12 @@ lease: number,
 /** The change. */
 change: HeightMapChange, };
 
+export type ActWireLook = { "do": "wireLook",
+/** Number of the lease. */
+lease: number,
+/** A further port; none where it is empty. */
+port: string, };
+
 export type ActWire = { "do": "wire",
 /** Number of the lease. */
 lease: number,
@@ -312,6 +318,7 @@ export type Act =
   | ActForgetPace
   | ActControllerSteps
   | ActHeightMap
+  | ActWireLook
   | ActWire
   | ActWireAnswer
   | ActOverride
@@ -784,6 +791,30 @@ export type Folder = {
 name: string,
 /** Which files lists show: `*` any characters, `?` one. */
 mask: string, };
+
+/** A board with step queues that answers at a port. */
+export type FoundBoard = {
+/** Its chip, as rp2040. */
+chip: string,
+/** Version of its firmware. */
+firmware: string,
+/** It was configured since it was powered: it has to be reset before it is wired otherwise. */
+isConfigured: boolean,
+/** It is shut down. */
+isShutDown: boolean,
+/** Boards that are sold with this chip. */
+mayBe: Array<SoldBoard>, };
+
+/** A serial port, and who is at it. */
+export type FoundPort = {
+/** Its path. */
+port: string,
+/** Maker and product of the device, as it tells them. */
+device: string | null,
+/** The board that answers. */
+board: FoundBoard | null,
+/** The reason for which none does, in a sentence. */
+trouble: string | null, };
 
 /** Cut of the shapes of a group, as the operation `set` changes it. Lengths in mm, angles in degrees. */
 export type GroupState = {
@@ -1685,6 +1716,13 @@ digitized: Digitized | null,
 /** Part of the picture that pages were last told to have in sight. */
 looked: Looked | null, };
 
+/** A board that is sold, whose pins are known. */
+export type SoldBoard = {
+/** Its name in Kerf, as skr-pico. */
+name: string,
+/** Its maker's name for it. */
+title: string, };
+
 /** A sound that a program started (PLAY). */
 export type Sound = {
 /** Sounds are counted: each is heard once. */
@@ -1913,8 +1951,25 @@ device: string, };
 /** The sort of reason. */
 export type Why = "malformed" | "role" | "password" | "lease" | "disarmed" | "state" | "file" | "changed" | "replaces" | "mistake" | "late" | "server" | "full";
 
+/** A switch of a board that is being wired, as it is now. */
+export type WiredSwitch = {
+/** The letter of the axis whose home switch it is (X2 that of its second motor), or the number of an input. */
+about: string,
+/** Its pin with its signs, as the machine's file has it. */
+pin: string,
+/** It is pressed. */
+on: boolean, };
+
 /** The question of the wizard that is open, or its end. */
 export type Wiring = {
+/** A board is being wired. */
+isOpen: boolean,
+/** Ports are being looked at for boards. */
+isLooking: boolean,
+/** Ports that were looked at, while none is being wired. */
+found: Array<FoundPort>,
+/** Switches of the board as they are now, once it is configured and while a question is open. */
+switches: Array<WiredSwitch>,
 /** Number of the question: an answer to an older one is refused. */
 question: number,
 /** The step whose words a page has: `motor`, `went` and so on. Nothing while the machine is at work, and at the end. */

@@ -4,10 +4,13 @@ import { unlessReady } from "../actions/machine";
 import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
+import { Pick } from "../ui/Pick";
 import { Sheet } from "../ui/Sheet";
 import type { Wiring } from "../wire/messages";
 import { serverWords } from "../words/server";
 import { t } from "../words/words";
+import { Ports } from "./Ports";
+import { Switches } from "./Switches";
 import { steps } from "./steps";
 import "./wiring.css";
 
@@ -19,30 +22,35 @@ export function WiringSheet({ onClose }: { onClose: () => void }) {
   const { link, screen } = useHands();
   const refused = useShown((shown) => unlessReady({ shown, link, screen }));
   const wiring = useSnapshot("wiring");
-  const isOpen = wiring && wiring.ended === null;
   return (
     <Sheet title={t("Wire a board")} shape="side" onClose={onClose}>
-      {isOpen ? (
-        <Asked key={wiring.question} wiring={wiring} refused={refused} />
+      {wiring?.isOpen ? (
+        <>
+          <Asked key={wiring.question} wiring={wiring} refused={refused} />
+          <Switches switches={wiring.switches} />
+        </>
       ) : (
-        <Begin ended={wiring?.ended ?? null} refused={refused} />
+        <Begin wiring={wiring ?? null} refused={refused} />
       )}
     </Sheet>
   );
 }
 
 interface BeginProps {
-  ended: string | null;
+  wiring: Wiring | null;
   refused: string | undefined;
 }
 
-function Begin({ ended, refused }: BeginProps) {
+function Begin({ wiring, refused }: BeginProps) {
   const hands = useHands();
   const [port, setPort] = useState("/dev/ttyACM0");
   const [board, setBoard] = useState("");
   const [into, setInto] = useState("mine.toml");
   const named = board.trim() === "" ? {} : { board: board.trim() };
   const begin = () => void drive(worldOf(hands), { do: "wire", port, into, ...named });
+  const look = () => void drive(worldOf(hands), { do: "wireLook", port });
+  const { ended = null, isLooking = false, found = [] } = wiring ?? {};
+  const mayBe = found.find((it) => it.port === port)?.board?.mayBe ?? [];
   return (
     <div className="wiring-entry">
       {ended !== null && (
@@ -55,15 +63,44 @@ function Begin({ ended, refused }: BeginProps) {
           "A board with Klipper's firmware becomes the controller of this machine. Motors turn 1 mm: have their shafts free, the spindle unplugged, and a hand at the switch of the supply. STOP ends it at once.",
         )}
       </p>
-      <Field label="Port of the board" value={port} onChange={setPort} isRequired first />
+      <Ports found={found} port={port} onChoose={setPort} />
+      {isLooking && <p role="status">{t("Ports are looked at …")}</p>}
+      <Button refused={isLooking ? t("Ports are looked at …") : refused} onPress={look}>
+        Look for boards
+      </Button>
       <Field
-        label="Board that is sold"
-        value={board}
-        onChange={setBoard}
-        hint="Its pins are known: skr-pico, octopus-1.1 … kerf machine boards lists them."
+        label="Port of the board"
+        value={port}
+        onChange={setPort}
+        isRequired
+        first
+        hint="Looking opens each port for a moment: a device that begins anew when its port is opened does so."
       />
+      {mayBe.length > 0 ? (
+        <Pick
+          label="Board that is sold"
+          labelled
+          options={[
+            { value: "", words: "Another one: its pins are asked for" },
+            ...mayBe.map(({ name, title }) => ({ value: name, words: title })),
+          ]}
+          value={board}
+          onChange={setBoard}
+        />
+      ) : (
+        <Field
+          label="Board that is sold"
+          value={board}
+          onChange={setBoard}
+          hint="Its pins are known: skr-pico, octopus-1.1 … kerf machine boards lists them."
+        />
+      )}
       <Field label="File of the machine" value={into} onChange={setInto} isRequired />
-      <Button look="primary" refused={refused} onPress={begin}>
+      <Button
+        look="primary"
+        refused={isLooking ? t("Ports are looked at …") : refused}
+        onPress={begin}
+      >
         Begin
       </Button>
     </div>

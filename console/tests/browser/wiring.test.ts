@@ -17,7 +17,16 @@ beforeAll(async () => {
   board = new Board();
   port = await board.line();
   // Patient with a computer that does much else.
-  execFileSync(kerf, ["set", "--data", folder, "board.deadline_s=2", "board.watch_s=3"]);
+  execFileSync(kerf, [
+    "set",
+    "--data",
+    folder,
+    "board.deadline_s=2",
+    "board.watch_s=3",
+    "board.inputs=1 gpio12",
+  ]);
+  // A switch that opens when it is pressed, at a pin that is pulled up.
+  board.work("pin 10 1");
   workshop = await openWorkshop({ folder });
   page = await workshop.page();
 });
@@ -50,15 +59,43 @@ it("wires nothing while the machine is disarmed", async () => {
   await page.getByRole("dialog", { name: "Wire a board" }).waitFor();
   expect(await page.getByRole("button", { name: "Begin" }).isDisabled()).toBe(true);
   expect(await violations(page)).toEqual([]);
+  expect(await page.getByRole("button", { name: "Look for boards" }).isDisabled()).toBe(true);
   await page.keyboard.press("Escape");
   await arm(page);
   await act(page, "Wire a board of a printer");
 });
 
+it("lists the ports of this computer with the boards at them", async () => {
+  await page.getByLabel("Port of the board").fill(port);
+  await press("Look for boards");
+  const row = page.getByRole("radio", { name: port });
+  await row.waitFor();
+  await page
+    .locator(".wiring-port", { hasText: port })
+    .getByText("rp2040, firmware fake-1")
+    .waitFor();
+  await shot("found");
+  await page.getByLabel("Port of the board").fill("/dev/none");
+  expect(await row.isChecked()).toBe(false);
+  await row.check();
+  expect(await page.getByLabel("Port of the board").inputValue()).toBe(port);
+  const sold = page.getByRole("combobox", { name: "Board that is sold" });
+  expect(await sold.locator("option").allTextContents()).toContain("BIGTREETECH SKR Pico V1.0");
+  expect(await violations(page)).toEqual([]);
+});
+
+it("tells why nobody answers at a port", async () => {
+  await page.getByLabel("Port of the board").fill("/dev/none");
+  await press("Look for boards");
+  const row = page.locator(".wiring-port", { hasText: "/dev/none" });
+  await row.getByText("there is no serial port /dev/none").waitFor();
+  expect(await row.getByRole("radio").isDisabled()).toBe(true);
+});
+
 /** Pins of X, of the motor of Y as told, none of Z, and one output. */
 async function givesPins(y: string): Promise<void> {
   await give("Motor X", "gpio0 gpio1");
-  await give("Home switch of X", "gpio10");
+  await give("Home switch of X", "^!gpio10");
   await give("Motor Y", y);
   await give("Home switch of Y", "");
   await give("Motor Z", "");
@@ -95,11 +132,32 @@ it("turns a motor that goes the wrong way round, and measures its steps", async 
   await press("It moved right");
 });
 
-it("sees the home switch, and the output", async () => {
+/** Waits until a switch is shown as pressed or open. */
+const shows = (name: string, pin: string, state: string) =>
+  page
+    .locator(".wiring-switches li", { hasText: name })
+    .filter({ hasText: pin })
+    .filter({ hasText: state })
+    .waitFor();
+
+it("shows each switch as it is, whichever question is open", async () => {
   await question("leave its home switch alone");
+  await shows("Home switch of X", "^!gpio10", "open");
+  await shows("Input 1", "gpio12", "open");
+  board.work("pin 12 1");
+  await shows("Input 1", "gpio12", "pressed");
+  await shows("Home switch of X", "^!gpio10", "open");
+  await shot("switches");
+  expect(await violations(page)).toEqual([]);
+  board.work("pin 12 0");
+  await shows("Input 1", "gpio12", "open");
+});
+
+it("sees the home switch, and the output", async () => {
   await press("Done");
   await question("press its home switch");
-  board.work("pin 10 1");
+  board.work("pin 10 0");
+  await shows("Home switch of X", "^!gpio10", "pressed");
   await press("Done");
   await page.getByText("its home switch is seen").waitFor();
   await question("Output 1 goes on");

@@ -92,6 +92,7 @@ impl App {
                 tools::hears(self, asker, act)?;
             }
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
+            Act::WireLook { port, .. } => self.wirings.look(port.trim())?,
             act @ (Act::Wire { .. } | Act::WireAnswer { .. }) => self.wirings.hears(asker, act)?,
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
                 self.turn_overrides(feed_percent, [rapid_percent, spindle_percent])?;

@@ -158,6 +158,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Input { lease, .. } => with_lease(*lease),
         Act::Set { lease, .. } => setting(with_lease(*lease)),
         Act::Wire { lease, .. }
+        | Act::WireLook { lease, .. }
         | Act::WireAnswer { lease, .. }
         | Act::ControllerSteps { lease, .. } => setting(driving(TurnNeeded::Number(*lease))),
         Act::Protect { .. } | Act::Unlock { .. } => need(Role::Setter),
@@ -333,6 +334,7 @@ fn is_by_hand(act: &Act) -> bool {
         | Act::Lift { .. }
         | Act::Nudge { .. }
         | Act::Wire { .. }
+        | Act::WireLook { .. }
         | Act::WireAnswer { .. }
         | Act::Key { .. } => true,
         _ => false,

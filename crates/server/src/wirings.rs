@@ -10,11 +10,14 @@ use crate::machine::{LastState, Link, Stops};
 use crate::part_files::PartFiles;
 use crate::refusal::problem;
 use crate::saving::Leave;
-use kerf_control::controller::queued::wizard::{Ends, Question, Watcher, wire};
-use kerf_control::controller::queued::{Socket, address};
-use kerf_machine::boards::{KnownBoard, named};
+use kerf_control::controller::queued::wizard::{Ends, Looks, Question, Seen, Watcher, wire};
+use kerf_control::controller::queued::{Held, Introduced, Socket, address, at_ports};
+use kerf_machine::boards::{self, KnownBoard, named};
 use kerf_machine::{Configuration, file};
-use kerf_wire::{Act, Change, Mode, Problem, State, Why, Wiring};
+use kerf_transport::{ListedPort, listed_ports};
+use kerf_wire::{
+    Act, Change, FoundBoard, FoundPort, Mode, Problem, SoldBoard, State, Why, WiredSwitch, Wiring,
+};
 use std::path::Path;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex};
@@ -68,23 +71,22 @@ impl Wirings {
         board: Option<&str>,
         into: String,
     ) -> Result<(), Problem> {
-        self.may_begin(&into)?;
+        self.may_begin()?;
+        self.may_write(&into)?;
         let known = board.map(named).transpose();
         let known = known.map_err(|why| problem(Why::Malformed, why.to_string()))?;
         let port = port.trim();
         let place = address(port).map_err(|why| problem(Why::Malformed, why))?;
         let socket = Socket::of(format!("klipper:{port}"), place);
         let mut answers = lock(&self.answers);
-        if answers.is_some() {
-            return Err(problem(Why::State, "a board is being wired: end that first"));
-        }
+        self.is_free(answers.is_some())?;
         let (answer, answered) = channel();
         let pages = Pages {
             hub: self.hub.clone(),
             link: self.link.clone(),
             since: asker.stops(),
             answered,
-            shown: Wiring { question: self.last(), ..Wiring::default() },
+            shown: Wiring { question: self.last(), is_open: true, ..Wiring::default() },
         };
         pages.show();
         let (open, files) = (self.answers.clone(), self.files.clone());
@@ -107,7 +109,45 @@ impl Wirings {
         self.hub.read(|now| now.wiring.as_ref().map_or(0, |wiring| wiring.question))
     }
 
-    fn may_begin(&self, into: &str) -> Result<(), Problem> {
+    /// Looks who is at the ports of this computer, and at one more where it is named. What is found is told to all pages.
+    ///
+    /// # Errors
+    /// The machine is busy or real, or a board is being wired.
+    pub fn look(&self, further: &str) -> Result<(), Problem> {
+        self.may_begin()?;
+        let answers = lock(&self.answers);
+        self.is_free(answers.is_some())?;
+        let shown = Wiring { question: self.last(), is_looking: true, ..Wiring::default() };
+        let hub = self.hub.clone();
+        let mut ports = listed_ports();
+        if !further.is_empty() && ports.iter().all(|it| it.path != further) {
+            ports.push(ListedPort { path: further.to_owned(), device: None });
+        }
+        let show = |hub: &Hub, wiring| hub.change(vec![Change::Wiring { wiring: Some(wiring) }]);
+        show(&hub, shown.clone());
+        let looks = move || {
+            let found = at_ports(ports).into_iter().map(found).collect();
+            show(&hub, Wiring { is_looking: false, found, ..shown });
+        };
+        let begun = Builder::new().name("ports".into()).spawn(looks);
+        begun.map(drop).map_err(|why| {
+            self.hub.change(vec![Change::Wiring { wiring: None }]);
+            problem(Why::Server, format!("no thread for it: {why}"))
+        })
+    }
+
+    /// Nothing of this kind is under way.
+    fn is_free(&self, is_open: bool) -> Result<(), Problem> {
+        if is_open {
+            return Err(problem(Why::State, "a board is being wired: end that first"));
+        }
+        if self.hub.read(|now| now.wiring.as_ref().is_some_and(|it| it.is_looking)) {
+            return Err(problem(Why::State, "ports are being looked at: wait some seconds"));
+        }
+        Ok(())
+    }
+
+    fn may_begin(&self) -> Result<(), Problem> {
         let (state, mode) = self.hub.read(|now| (now.machine.state, now.machine.mode));
         if mode == Mode::Cut {
             let text =
@@ -117,6 +157,11 @@ impl Wirings {
         if state != State::Idle {
             return Err(problem(Why::State, "the machine is busy"));
         }
+        Ok(())
+    }
+
+    /// The machine's file has a name that is free.
+    fn may_write(&self, into: &str) -> Result<(), Problem> {
         if Path::new(into).extension().is_none_or(|ending| ending != "toml") {
             return Err(problem(Why::Malformed, "name the machine's file, as mine.toml"));
         }
@@ -140,6 +185,29 @@ impl Wirings {
         let answers = lock(&self.answers);
         let answers = answers.as_ref().filter(|_| is_open).ok_or_else(late)?;
         answers.send(answer).map_err(|_| late())
+    }
+}
+
+/// A port that was looked at, for pages.
+fn found((port, told): (ListedPort, Result<Introduced, String>)) -> FoundPort {
+    let ListedPort { path: port, device } = port;
+    match told {
+        Ok(told) => FoundPort { port, device, board: Some(board(&told)), trouble: None },
+        Err(why) => FoundPort { port, device, board: None, trouble: Some(why) },
+    }
+}
+
+/// A board that told who it is, with the boards of its chip that are sold.
+fn board(Introduced { dictionary, held }: &Introduced) -> FoundBoard {
+    let chip = dictionary.text("MCU").unwrap_or("unknown").to_owned();
+    let sold = boards::all().unwrap_or_default().into_iter().filter(|it| it.may_have(&chip));
+    let may_be = sold.map(|KnownBoard { name, title, .. }| SoldBoard { name, title }).collect();
+    FoundBoard {
+        may_be,
+        chip,
+        firmware: dictionary.version().to_owned(),
+        is_configured: matches!(held, Held::Some(_)),
+        is_shut_down: *held == Held::ShutDown,
     }
 }
 
@@ -177,7 +245,7 @@ struct Ended {
 
 impl Ended {
     fn tell(mut self) {
-        self.pages.shown.step = None;
+        (self.pages.shown.step, self.pages.shown.is_open) = (None, false);
         self.pages.shown.ended = Some(self.words);
         self.pages.show();
     }
@@ -198,26 +266,35 @@ impl Pages {
         self.hub.change(vec![Change::Wiring { wiring: Some(self.shown.clone()) }]);
     }
 
-    /// Waits for an answer; without one where a stop comes before.
-    fn waits(&self) -> Option<String> {
+    /// Waits for an answer, and shows switches as they are meanwhile; without an answer where a stop comes before, or the board
+    /// is lost.
+    fn waits(&mut self, looks: &mut Looks<'_>) -> Option<String> {
         loop {
             match self.answered.recv_timeout(GLANCE) {
                 Ok(answer) => return Some(answer),
                 Err(RecvTimeoutError::Timeout) if !self.is_stopped() => {}
                 Err(_) => return None,
             }
+            let seen = looks()?.into_iter();
+            let switches: Vec<_> =
+                seen.map(|Seen { about, pin, on }| WiredSwitch { about, pin, on }).collect();
+            if switches != self.shown.switches {
+                self.shown.switches = switches;
+                self.show();
+            }
         }
     }
 }
 
 impl Watcher for Pages {
-    fn ask(&mut self, question: &Question) -> Option<String> {
+    fn ask(&mut self, question: &Question, looks: &mut Looks<'_>) -> Option<String> {
         self.shown.question += 1;
         self.shown.step = Some(question.step.name().to_owned());
         (self.shown.about, self.shown.value) = (question.about.clone(), question.value.clone());
         self.show();
-        let answer = self.waits();
+        let answer = self.waits(looks);
         (self.shown.step, self.shown.told) = (None, Vec::new());
+        self.shown.switches.clear();
         self.show();
         answer
     }

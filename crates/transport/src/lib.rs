@@ -38,6 +38,6 @@ pub use child::Child;
 pub use error::LineError;
 pub use faulty::{Damage, Fault, Faulty};
 pub use line::Line;
-pub use port::{Port, ports, serial_number};
+pub use port::{ListedPort, Port, listed_ports, ports, serial_number};
 pub use tcp::Tcp;
 pub use websocket::WebSocket;

@@ -4,7 +4,11 @@ use crate::LineError;
 use crate::line::STUCK;
 use serialport::{ClearBuffer, SerialPort};
 use std::io::{ErrorKind, Read, Write};
+use std::path::Path;
 use std::time::Duration;
+
+/// The folder in which Linux keeps a link to each port by the serial number of its device.
+const BY_ID: &str = "/dev/serial/by-id";
 
 /// Bytes handed to the system at a time, so that it never has to wait for room in the middle.
 const MOUTHFUL: usize = 64;
@@ -15,6 +19,40 @@ pub fn ports() -> Vec<String> {
     let mut names: Vec<String> = found.into_iter().map(|port| port.port_name).collect();
     names.sort();
     names
+}
+
+/// A serial port of this computer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ListedPort {
+    /// The path that stays with its device where the system has one (`/dev/serial/by-id/…`), else its name.
+    pub path: String,
+    /// Maker and product, as the device tells them.
+    pub device: Option<String>,
+}
+
+/// Returns the serial ports that there are, with the devices at them.
+pub fn listed_ports() -> Vec<ListedPort> {
+    let found = serialport::available_ports().unwrap_or_default();
+    let listed = found.into_iter().map(|port| {
+        let path = lasting(Path::new(BY_ID), &port.port_name).unwrap_or(port.port_name);
+        let serialport::SerialPortType::UsbPort(usb) = port.port_type else {
+            return ListedPort { path, device: None };
+        };
+        let words: Vec<String> = [usb.manufacturer, usb.product].into_iter().flatten().collect();
+        ListedPort { path, device: Some(words.join(" ")).filter(|words| !words.is_empty()) }
+    });
+    let mut listed: Vec<ListedPort> = listed.collect();
+    listed.sort_by(|a, b| a.path.cmp(&b.path));
+    listed
+}
+
+/// The link in a folder that leads to a device.
+fn lasting(folder: &Path, device: &str) -> Option<String> {
+    let links = std::fs::read_dir(folder).ok()?.flatten();
+    let device = std::fs::canonicalize(device).ok()?;
+    let leads = |link: &Path| std::fs::canonicalize(link).is_ok_and(|to| to == device);
+    let link = links.map(|link| link.path()).find(|link| leads(link))?;
+    Some(link.display().to_string())
 }
 
 /// Returns the serial number that a device at a port tells of itself, with its maker and its kind; nothing where it tells
@@ -99,5 +137,22 @@ pub(crate) fn is_nothing(kind: ErrorKind) -> bool {
 impl std::fmt::Debug for Port {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Port").field("path", &self.path).finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn a_port_has_the_name_that_stays_with_its_device() {
+        let plug = crate::pretend::Plug::new().unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(lasting(folder.path(), plug.path()), None);
+        let link = folder.path().join("usb-Klipper_rp2040_E66-if00");
+        std::os::unix::fs::symlink(plug.path(), &link).unwrap();
+        assert_eq!(lasting(folder.path(), plug.path()), Some(link.display().to_string()));
     }
 }

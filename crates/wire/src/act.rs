@@ -288,6 +288,14 @@ pub enum Act {
         /// The change.
         change: HeightMapChange,
     },
+    /// Looks at all serial ports of this computer for boards with step queues, and at one more. Each is opened for a moment.
+    /// Not while a real machine is driven.
+    WireLook {
+        /// Number of the lease.
+        lease: u32,
+        /// A further port; none where it is empty.
+        port: String,
+    },
     /// Begins to wire a board with step queues that hangs on a port of this computer; questions follow, and each motor
     /// turns a little. Not while a real machine is driven.
     Wire {

@@ -80,7 +80,7 @@ pub use snapshot::{Snapshot, StartUp};
 pub use tool::{NumberedTool, ToolChange, ToolTable};
 pub use typescript::typescript;
 pub use vectors::fold_vectors;
-pub use wiring::Wiring;
+pub use wiring::{FoundBoard, FoundPort, SoldBoard, WiredSwitch, Wiring};
 
 /// Inputs, and outputs, of a machine.
 pub const LAMPS: usize = 12;

@@ -8,6 +8,19 @@ export const wiring: Readonly<Record<string, string>> = {
   "Board that is sold": "Platine aus dem Handel",
   "Its pins are known: skr-pico, octopus-1.1 … kerf machine boards lists them.":
     "Ihre Anschlüsse sind bekannt: skr-pico, octopus-1.1 … kerf machine boards nennt sie.",
+  "Another one: its pins are asked for": "Eine andere: nach ihren Anschlüssen wird gefragt",
+  "Ports of this computer": "Anschlüsse dieses Rechners",
+  "Look for boards": "Platinen suchen",
+  "Ports are looked at …": "Anschlüsse werden geprüft …",
+  "Looking opens each port for a moment: a device that begins anew when its port is opened does so.":
+    "Die Suche öffnet jeden Anschluss für einen Moment: ein Gerät, das dabei neu beginnt, tut es.",
+  "{0}, firmware {1}": "{0}, Firmware {1}",
+  "shut down: reset it": "abgeschaltet: zurücksetzen",
+  "wired since it was powered: reset it for other pins":
+    "seit dem Einschalten verdrahtet: für andere Anschlüsse zurücksetzen",
+  "Switches now": "Schalter jetzt",
+  "Home switch of {0}": "Referenzschalter von {0}",
+  pressed: "gedrückt",
   "File of the machine": "Datei der Maschine",
   Begin: "Beginnen",
   Question: "Frage",

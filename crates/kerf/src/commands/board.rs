@@ -7,12 +7,13 @@ use crate::machine_name::{DriverName, MachineName};
 use crate::out;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Subcommand;
+use kerf_control::controller::queued::{Introduced, at_ports};
 use kerf_control::controller::{Connection, Place};
 use kerf_driver_grbl::Grbl;
 use kerf_driver_grbl::settings::setting;
 use kerf_machine::Machine;
 use kerf_machine::driver::Wired;
-use kerf_transport::{Address, Line, ports};
+use kerf_transport::{Address, Line, ListedPort, ports};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
@@ -21,6 +22,9 @@ use std::time::{Duration, Instant};
 
 /// Whoever has not told who it is after this is no controller.
 const FOUND: Duration = Duration::from_millis(2900);
+
+/// A board with step queues, for which a serial port is opened once more, has told it after so much more.
+const STEP_BOARD: Duration = Duration::from_millis(4500);
 
 /// One look at a line.
 const NAP: Duration = Duration::from_millis(5);
@@ -202,7 +206,12 @@ fn found(addresses: Vec<Address>) -> Vec<Found> {
     for (place, address) in addresses.into_iter().enumerate() {
         let tells = tells.clone();
         spawn(move || {
-            let Ok(board) = Board::open(&address, FOUND) else { return };
+            let Ok(board) = Board::open(&address, FOUND) else {
+                if let Some((at, name)) = step_board(&address) {
+                    drop(tells.send((place, at, name)));
+                }
+                return;
+            };
             let axes: String =
                 "XYZABC".chars().take(board.grbl.facts().map_or(0, |it| it.axes)).collect();
             // Nobody listens any more where the time is over.
@@ -213,6 +222,17 @@ fn found(addresses: Vec<Address>) -> Vec<Found> {
     }
     drop(tells);
     gathered(&told)
+}
+
+/// Looks for a board with step queues at a serial port: its name, and its chip and firmware.
+fn step_board(address: &Address) -> Option<Found> {
+    let Address::Serial { path, .. } = address else { return None };
+    let port = ListedPort { path: path.clone(), device: None };
+    let (port, told) = at_ports(vec![port]).pop()?;
+    let Introduced { dictionary, .. } = told.ok()?;
+    let chip = dictionary.text("MCU").unwrap_or("unknown");
+    let name = format!("{}, a board with step queues, {chip}", dictionary.version());
+    Some((format!("klipper:{}", port.path), name))
 }
 
 /// Looks for LinuxCNC under these names, on a thread of its own.
@@ -232,7 +252,7 @@ fn linuxcnc(words: &str) -> Option<Found> {
 }
 
 fn gathered(told: &Receiver<(usize, String, String)>) -> Vec<Found> {
-    let until = Instant::now() + FOUND;
+    let until = Instant::now() + FOUND + STEP_BOARD;
     let mut found = BTreeMap::new();
     while let Ok((place, at, name)) =
         told.recv_timeout(until.saturating_duration_since(Instant::now()))

@@ -110,7 +110,8 @@ enum Action {
     },
     /// Prints where the axes are, and which are homed
     Pos,
-    /// Looks for controllers at all serial ports and in the network, in three seconds, and shows their firmware
+    /// Looks for controllers and boards with step queues at all serial ports, and for controllers in the network, in some
+    /// seconds, and shows their firmware
     Connect {
         /// Where else to look: a port, tcp:HOST[:PORT] or ws:HOST[:PORT]; or the boards with step queues to show,
         /// klipper:PORT

@@ -7,7 +7,7 @@ use crate::exit::{Exit, Usage};
 use crate::machine_name::DriverName;
 use crate::out;
 use anyhow::{Result, anyhow, bail};
-use kerf_control::controller::queued::wizard::{self, Ends, Question, Step, Watcher};
+use kerf_control::controller::queued::wizard::{self, Ends, Looks, Question, Step, Watcher};
 use kerf_machine::boards::KnownBoard;
 use kerf_machine::contradictions::contradictions;
 use kerf_machine::{Configuration, file};
@@ -51,7 +51,7 @@ const PINS: &str = "Pins by the board's names (kerf machine connect lists them).
 struct Shell;
 
 impl Watcher for Shell {
-    fn ask(&mut self, question: &Question) -> Option<String> {
+    fn ask(&mut self, question: &Question, _: &mut Looks<'_>) -> Option<String> {
         if question.step == Step::Motor && question.about == "X" {
             out::print(PINS);
         }

@@ -1,12 +1,13 @@
 //! `kerf run --machine klipper:PORT`: runs on a board with step queues that is none, on a pseudo terminal.
 
 use crate::shop::{Did, Shop};
-use kerf_driver_klipper::fake::{Board, Chip};
+use kerf_driver_klipper::fake::{Board, Chip, Pace};
 use kerf_transport::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
+use std::ops::Deref;
 use std::process::Stdio;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread::{JoinHandle, sleep, spawn};
 use std::time::{Duration, Instant};
 
@@ -20,6 +21,12 @@ const SQUARE: &str =
 
 /// One that lasts longer than the board is silent for.
 const LONG: &str = "TR,12000\nSO,1,1\nMS,50,10\nMX,200\nMY,100\nMX,0\nMY,0\nSO,1,0\n";
+
+/// The longest turn of a board that waits for its processor, seconds: the host sends a second ahead at least.
+const TURN_S: f64 = 0.5;
+
+/// One of these tests runs at a time: a host that shares its processor with others is late for a board in real time.
+static TURN: Mutex<()> = Mutex::new(());
 
 /// A board on a port; unplugged when it is dropped.
 struct Bench {
@@ -71,12 +78,12 @@ impl Drop for Bench {
 }
 
 fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
-    let (since, mut bytes) = (Instant::now(), [0; 256]);
+    let (since, mut pace, mut bytes) = (Instant::now(), Pace::of_turn(TURN_S), [0; 256]);
     while *plugged.lock().unwrap() {
         let count = plug.read(&mut bytes, Duration::from_millis(1)).unwrap();
         let out = {
             let mut board = board.lock().unwrap();
-            let clock = board.clock_at(since.elapsed().as_secs_f64());
+            let clock = board.clock_at(pace.at(since.elapsed().as_secs_f64()));
             board.run_to(clock);
             board.feed(&bytes[..count]);
             board.take()
@@ -85,8 +92,24 @@ fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
     }
 }
 
-fn shop() -> Shop {
-    Shop::new(&[("square.sbp", SQUARE), ("long.sbp", LONG), ("board.toml", MACHINE)])
+/// A shop whose turn it is.
+struct Alone {
+    shop: Shop,
+    _turn: MutexGuard<'static, ()>,
+}
+
+impl Deref for Alone {
+    type Target = Shop;
+
+    fn deref(&self) -> &Shop {
+        &self.shop
+    }
+}
+
+fn shop() -> Alone {
+    let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+    let files = [("square.sbp", SQUARE), ("long.sbp", LONG), ("board.toml", MACHINE)];
+    Alone { shop: Shop::new(&files), _turn: turn }
 }
 
 #[test]
@@ -150,6 +173,10 @@ fn who_a_board_is_is_told_and_nothing_of_it_changes() {
     let (shop, bench) = (shop(), Bench::new());
     let connect = || shop.kerf(&format!("machine connect klipper:{}", bench.port));
     connect().exits(0).says("fake-1").says("none since it was powered").says("gpio0…gpio");
+    shop.kerf(&format!("machine connect {}", bench.port))
+        .exits(0)
+        .says(&format!("klipper:{}", bench.port))
+        .says("fake-1, a board with step queues, rp2040");
     assert!(bench.look(|board| board.steppers.is_empty()), "nothing was configured");
     bench.run(&shop, "run square.sbp").exits(0);
     connect().exits(0).says("another one needs a reset");

@@ -65,6 +65,7 @@ fn every() -> Vec<Act> {
         Act::ForgetPace { lease },
         Act::ControllerSteps { lease, axis: 'X', steps: 0.0 },
         Act::HeightMap { lease, change: HeightMapChange::File { name: "none.map".into() } },
+        Act::WireLook { lease, port: "none".into() },
         Act::Wire { lease, port: "none".into(), board: None, into: "none".into() },
         Act::WireAnswer { lease, question: 0, answer: "q".into() },
         Act::Lift { lease, question: 0 },

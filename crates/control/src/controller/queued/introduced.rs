@@ -1,11 +1,16 @@
-//! A board that is asked who it is, and is not configured.
+//! Boards that are asked who they are, and are not configured.
 
 use super::attached::Socket;
+use super::others::address;
 use kerf_driver_klipper::board::{Introduced, Introduction};
+use kerf_transport::ListedPort;
+use std::thread::spawn;
 use std::time::{Duration, Instant};
 
 /// A board that has not told who it is by then is none.
 const GREETING: Duration = Duration::from_secs(12);
+/// The same for boards that are looked for at all ports: one that is there answers within a second.
+const LOOK: Duration = Duration::from_secs(4);
 /// One look at a line.
 const NAP: Duration = Duration::from_millis(5);
 
@@ -14,10 +19,29 @@ const NAP: Duration = Duration::from_millis(5);
 /// # Errors
 /// Nobody answers, or something that is no board; in words.
 pub fn introduced(socket: &Socket) -> Result<Introduced, String> {
+    within(socket, GREETING)
+}
+
+/// Looks who answers at serial ports, all of them side by side, in some seconds. Ports that nobody else has open are opened; a
+/// device that begins anew when that happens does so.
+pub fn at_ports(ports: Vec<ListedPort>) -> Vec<(ListedPort, Result<Introduced, String>)> {
+    let looks = ports.into_iter().map(|port| {
+        spawn(move || {
+            let told = address(&port.path).and_then(|place| {
+                within(&Socket::of(format!("klipper:{}", port.path), place), LOOK)
+            });
+            (port, told)
+        })
+    });
+    let looks: Vec<_> = looks.collect();
+    looks.into_iter().filter_map(|look| look.join().ok()).collect()
+}
+
+fn within(socket: &Socket, patience: Duration) -> Result<Introduced, String> {
     let mut line = (socket.opens)()?;
     let (since, mut board) = (Instant::now(), Introduction::new(0.0));
     let mut bytes = [0; 1024];
-    while since.elapsed() < GREETING {
+    while since.elapsed() < patience {
         let out = board.transmit(since.elapsed().as_secs_f64());
         if !out.bytes.is_empty() {
             line.write(&out.bytes).map_err(|why| why.to_string())?;

@@ -34,7 +34,8 @@ pub mod wizard;
 
 pub use attached::{Attached, Socket};
 pub use berth::Berth;
-pub use introduced::introduced;
+pub use introduced::{at_ports, introduced};
+pub use kerf_driver_klipper::board::{Held, Introduced};
 pub use machine::Queued;
 pub use others::{address, read as others};
 pub use thread::OpensLine;

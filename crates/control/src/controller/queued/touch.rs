@@ -109,10 +109,15 @@ impl Queued {
 
     /// The state of a switch; nothing where the board does not tell it.
     pub fn is_on(&mut self, switch: usize) -> Option<bool> {
-        self.asked = vec![(switch, None)];
-        self.berth.request(Request::Switch(switch));
-        self.wait_until(|it| it.asked.iter().all(|(_, told)| told.is_some()));
-        std::mem::take(&mut self.asked).first().and_then(|(_, told)| *told)
+        self.are_on(&[switch]).and_then(|told| told.first().copied())
+    }
+
+    /// The states of switches, in their order; nothing where the board does not tell them.
+    pub fn are_on(&mut self, switches: &[usize]) -> Option<Vec<bool>> {
+        self.asked = switches.iter().map(|switch| (*switch, None)).collect();
+        switches.iter().for_each(|switch| self.berth.request(Request::Switch(*switch)));
+        self.wait_until(|it| it.fault.is_some() || it.asked.iter().all(|(_, told)| told.is_some()));
+        std::mem::take(&mut self.asked).into_iter().map(|(_, told)| told).collect()
     }
 
     /// A switch told its state.

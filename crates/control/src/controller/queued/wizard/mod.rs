@@ -9,9 +9,11 @@
 //! It knows nobody who answers: a shell and a page are both a [`Watcher`]. It takes its time, so it has a thread of its own.
 
 mod question;
+mod switches;
 mod trials;
 
 pub use question::{LOOK_MM, Question, Step};
+pub use switches::Seen;
 
 use super::attached::Socket;
 use super::introduced::introduced;
@@ -26,10 +28,14 @@ use std::fmt::Display;
 use std::thread::sleep;
 use std::time::Duration;
 
+/// Looks at the switches of the board; nothing where it is lost.
+pub type Looks<'a> = dyn FnMut() -> Option<Vec<Seen>> + 'a;
+
 /// Whoever sits before the machine.
 pub trait Watcher {
-    /// Asks, and waits for the answer: `y`, `n`, a pin, a number, nothing for what stands. Without one it is over.
-    fn ask(&mut self, question: &Question) -> Option<String>;
+    /// Asks, and waits for the answer: `y`, `n`, a pin, a number, nothing for what stands. Without one it is over. Meanwhile
+    /// it may show switches as they are.
+    fn ask(&mut self, question: &Question, looks: &mut Looks<'_>) -> Option<String>;
 
     /// Tells a sentence.
     fn tell(&mut self, words: &str);
@@ -156,7 +162,13 @@ struct Wizard<'a, 'w> {
 impl Wizard<'_, '_> {
     /// Asks, and returns the answer.
     fn ask(&mut self, question: Question) -> Told<String> {
-        let answer = self.watcher.ask(&question).ok_or(Ends::Stopped)?;
+        let board = &mut self.board;
+        let mut looks = || board.as_mut().map_or_else(|| Some(Vec::new()), switches::seen);
+        let answer = self.watcher.ask(&question, &mut looks);
+        if let Some(fault) = self.board.as_ref().and_then(|board| board.fault()) {
+            return Err(Ends::Failed(fault.message.clone()));
+        }
+        let answer = answer.ok_or(Ends::Stopped)?;
         let answer = answer.trim();
         if answer == "q" { Err(Ends::Stopped) } else { Ok(answer.to_owned()) }
     }
