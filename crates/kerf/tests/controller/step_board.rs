@@ -5,9 +5,8 @@ use kerf_driver_klipper::fake::{Board, Chip, Pace};
 use kerf_transport::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
-use std::ops::Deref;
 use std::process::Stdio;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread::{JoinHandle, sleep, spawn};
 use std::time::{Duration, Instant};
 
@@ -24,9 +23,6 @@ const LONG: &str = "TR,12000\nSO,1,1\nMS,50,10\nMX,200\nMY,100\nMX,0\nMY,0\nSO,1
 
 /// The longest turn of a board that waits for its processor, seconds: the host sends a second ahead at least.
 const TURN_S: f64 = 0.5;
-
-/// One of these tests runs at a time: a host that shares its processor with others is late for a board in real time.
-static TURN: Mutex<()> = Mutex::new(());
 
 /// A board on a port; unplugged when it is dropped.
 struct Bench {
@@ -92,24 +88,8 @@ fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
     }
 }
 
-/// A shop whose turn it is.
-struct Alone {
-    shop: Shop,
-    _turn: MutexGuard<'static, ()>,
-}
-
-impl Deref for Alone {
-    type Target = Shop;
-
-    fn deref(&self) -> &Shop {
-        &self.shop
-    }
-}
-
-fn shop() -> Alone {
-    let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
-    let files = [("square.sbp", SQUARE), ("long.sbp", LONG), ("board.toml", MACHINE)];
-    Alone { shop: Shop::new(&files), _turn: turn }
+fn shop() -> Shop {
+    Shop::new(&[("square.sbp", SQUARE), ("long.sbp", LONG), ("board.toml", MACHINE)])
 }
 
 #[test]
