@@ -71,6 +71,8 @@ pub enum Wire {
     Own(String),
     /// An address on the wire that all drivers share.
     Shared(u8),
+    /// There is none: jumpers set the driver.
+    None,
 }
 
 impl Default for Wire {
@@ -128,7 +130,7 @@ impl KnownBoard {
             let pins = match (&motor.wire, &self.uart) {
                 (Wire::Own(pin), _) => pin.clone(),
                 (Wire::Shared(address), Some([rx, tx])) => format!("{rx} {tx} {address}"),
-                (Wire::Shared(_), None) => continue,
+                (Wire::Shared(_), None) | (Wire::None, _) => continue,
             };
             drivers.kinds[n] = format!("{kind} {pins}");
             drivers.ohms[n] = motor.ohms.unwrap_or_default();
@@ -145,7 +147,7 @@ impl KnownBoard {
         let motors = self.motors.iter().flat_map(|motor| {
             let own = match &motor.wire {
                 Wire::Own(pin) => Some(pin),
-                Wire::Shared(_) => None,
+                Wire::Shared(_) | Wire::None => None,
             };
             [&motor.step, &motor.dir, &motor.enable].into_iter().chain(own)
         });
@@ -184,7 +186,7 @@ mod tests {
         }
     }
 
-    /// Tells pins of a chip: `gpio0` to `gpio29`, `P0.0` to `P4.31`, `PA0` to `PI15`.
+    /// Tells pins of a chip: `gpio0` to `gpio29`, `P0.0` to `P4.31`, `PA0` to `PI15`, `PA0` to `PL7` without a port I.
     fn form(chip: &str) -> fn(&str) -> bool {
         fn below(text: Option<&str>, most: u8) -> bool {
             text.is_some_and(|it| it.parse::<u8>().is_ok_and(|n| n < most && n.to_string() == it))
@@ -198,6 +200,11 @@ mod tests {
             it if it.starts_with("stm32") => |pin| {
                 let port = pin.strip_prefix('P').unwrap_or_default();
                 port.starts_with(|it| ('A'..='I').contains(&it)) && below(port.get(1..), 16)
+            },
+            "atmega2560" => |pin| {
+                let port = pin.strip_prefix('P').unwrap_or_default();
+                port.starts_with(|it| ('A'..='L').contains(&it) && it != 'I')
+                    && below(port.get(1..), 8)
             },
             other => panic!("{other} is a chip of no known form"),
         }
@@ -218,7 +225,7 @@ mod tests {
         for board in all().unwrap() {
             let shared = board.motors.iter().filter_map(|motor| match motor.wire {
                 Wire::Shared(address) => Some(address),
-                Wire::Own(_) => None,
+                Wire::Own(_) | Wire::None => None,
             });
             let mut seen: Vec<u8> = shared.collect();
             assert_eq!(board.uart.is_some(), !seen.is_empty(), "{}", board.name);
@@ -243,6 +250,9 @@ mod tests {
         named("spider-1.1").unwrap().fill(&mut machine);
         assert_eq!(machine.board.homes[..3], ["^PB14", "^PB13", "^PA0"], "minus ends");
         assert_eq!(machine.board.inputs, "");
+        named("ramps-1.4").unwrap().fill(&mut machine);
+        assert_eq!(machine.board.motors[..3], ["PF0 PF1", "PF6 PF7", "PL3 PL1"]);
+        assert_eq!(machine.board.homes[..3], ["^PE5", "^PJ1", "^PD3"]);
         named("kraken").unwrap().fill(&mut machine);
         assert_eq!(machine.drivers.kinds[0], "tmc5160 PD6");
         assert_eq!((&*machine.drivers.spi, machine.drivers.ohms[0]), ("PC7 PC8 PC6", 0.022));

@@ -90,7 +90,10 @@ fn motor(text: &str) -> Option<MotorPlug> {
     let mut words = text.split(' ').map(str::to_owned);
     let [name, step, dir, enable] = [words.next()?, words.next()?, words.next()?, words.next()?];
     let wire = words.next()?;
-    let wire = wire.parse().map_or(Wire::Own(wire), Wire::Shared);
+    let wire = match &*wire {
+        "-" => Wire::None,
+        _ => wire.parse().map_or(Wire::Own(wire), Wire::Shared),
+    };
     let driver = words.next();
     let ohms = words.next().map(|ohms| ohms.parse()).transpose().ok()?;
     Some(MotorPlug { name, step, dir, enable, wire, driver, ohms })
