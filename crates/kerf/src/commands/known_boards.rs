@@ -32,6 +32,7 @@ fn pins(board: &KnownBoard) -> String {
         let wire = match &motor.wire {
             Wire::Own(pin) => format!("driver {pin}"),
             Wire::Shared(address) => format!("driver address {address}"),
+            Wire::None => "driver set by jumpers".to_owned(),
         };
         let soldered = motor.driver.as_deref().map(|it| format!(", {it}")).unwrap_or_default();
         let _ = writeln!(
