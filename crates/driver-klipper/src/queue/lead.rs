@@ -9,6 +9,8 @@ const SAFETY: f64 = 2.0;
 /// Share of the deadline by which the tail is decided at the least: whoever lets a host be silent for longer, as it may
 /// stall, has motion sent earlier.
 const OF_DEADLINE: f64 = 0.5;
+/// Share of the shortest lead that a command may be on its way.
+const OF_SHORTEST: f64 = 0.25;
 /// Time for which a command that is lost once may be on its way, seconds.
 const TRANSIT_S: f64 = 0.025;
 /// Longest time that follows from the deadline, seconds.
@@ -83,9 +85,9 @@ impl Lead {
         FULL * self.wanted_s()
     }
 
-    /// Ticks for which a command that is lost once may be on its way.
+    /// Ticks for which a command that is lost once, or whose host is kept waiting, may be on its way.
     pub fn transit(&self) -> u64 {
-        (TRANSIT_S * self.frequency) as u64
+        (TRANSIT_S.max(OF_SHORTEST * self.shortest_s) * self.frequency) as u64
     }
 
     /// The shortest lead that the stalls ask for, seconds.
