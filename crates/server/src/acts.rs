@@ -77,9 +77,7 @@ impl App {
             Act::JogStart { seq, clock_ms, direction, distance, speed_share: speed, .. } => {
                 self.jog(asker, (seq, clock_ms), Order::Jog { direction, distance, speed })?;
             }
-            Act::JogRenew { seq, clock_ms, .. } => {
-                self.hands.renew(who, self.hands.grip(who, seq, clock_ms)?)?;
-            }
+            Act::JogRenew { seq, clock_ms, .. } => self.hands.renew_at(who, (seq, clock_ms))?,
             Act::Key { seq, key, clock_ms, .. } => self.press_key(asker, (seq, clock_ms), key)?,
             Act::Lift { question, .. } => self.hands.lift(asker, question)?,
             Act::Nudge { axis, distance, .. } => self.hands.nudge(asker, axis, distance)?,
@@ -92,8 +90,9 @@ impl App {
                 tools::hears(self, asker, act)?;
             }
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
-            Act::WireLook { port, .. } => self.wirings.look(port.trim())?,
-            act @ (Act::Wire { .. } | Act::WireAnswer { .. }) => self.wirings.hears(asker, act)?,
+            act @ (Act::Wire { .. } | Act::WireLook { .. } | Act::WireAnswer { .. }) => {
+                self.wirings.hears(asker, act)?;
+            }
             Act::Override { feed_percent, rapid_percent, spindle_percent, .. } => {
                 self.turn_overrides(feed_percent, [rapid_percent, spindle_percent])?;
             }

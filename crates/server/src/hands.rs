@@ -145,6 +145,18 @@ impl Hands {
         Ok(self.pages.grip(who.client, seq, clock_ms, self.clock.now())?)
     }
 
+    /// A jog goes on that a page holds, which stamps its sign with the clock of the server, ms.
+    ///
+    /// # Errors
+    /// The jog is over, or the sign is too old.
+    pub fn renew_at(&self, who: &Who, (seq, ms): (u64, f64)) -> Result<(), Problem> {
+        self.renew(who, self.grip(who, seq, ms)?)
+    }
+
+    /// A jog goes on that somebody holds.
+    ///
+    /// # Errors
+    /// It is over.
     pub fn renew(&self, who: &Who, grip: Grip) -> Result<(), Problem> {
         self.pages.jog_holds(who.client, grip);
         let now = self.clock.now();

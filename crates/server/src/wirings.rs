@@ -55,6 +55,7 @@ impl Wirings {
     pub fn hears(&self, asker: &Asker, act: Act) -> Result<(), Problem> {
         match act {
             Act::Wire { port, board, into, .. } => self.begin(asker, &port, board.as_deref(), into),
+            Act::WireLook { port, .. } => self.look(port.trim()),
             Act::WireAnswer { question, answer, .. } => self.answer(question, answer),
             _ => Ok(()),
         }
@@ -113,7 +114,7 @@ impl Wirings {
     ///
     /// # Errors
     /// The machine is busy or real, or a board is being wired.
-    pub fn look(&self, further: &str) -> Result<(), Problem> {
+    fn look(&self, further: &str) -> Result<(), Problem> {
         self.may_begin()?;
         let answers = lock(&self.answers);
         self.is_free(answers.is_some())?;

@@ -8,7 +8,6 @@ export const controllersSentences: Readonly<Record<string, string>> = {
   "name the command that loads it: kerf set options.firmware='avrdude … -P {0} …'":
     "den Befehl nennen, der sie lädt: kerf set options.firmware='avrdude … -P {0} …'",
   "{0}: ${1} is {2} while Kerf drives it, {3} again afterwards":
-    // biome-ignore lint/suspicious/noTemplateCurlyInString: the setting of grbl is called so
     "{0}: ${1} ist {2}, solange Kerf sie steuert, danach wieder {3}",
   "{0}: left on by the last command: output {1}": "{0}: vom letzten Befehl noch an: Ausgang {1}",
   "{0} stands at {1} and not at {2} of the machine, as the controller tells; zero points are where they were":

@@ -166,7 +166,8 @@ export const servingSentences: Readonly<Record<string, string>> = {
   "{0} needs you: {1}": "{0} braucht jemanden: {1}",
   "{0} is done": "{0} ist fertig",
   "a board is being wired: end that first": "Eine Platine wird verdrahtet: zuerst das beenden.",
-  "ports are being looked at: wait some seconds": "Anschlüsse werden geprüft: einige Sekunden warten.",
+  "ports are being looked at: wait some seconds":
+    "Anschlüsse werden geprüft: einige Sekunden warten.",
   "no thread for it: {0}": "Dafür ist im Rechner kein Platz: {0}",
   "a real machine is driven: start Kerf without one (kerf serve) to wire a board":
     "Eine echte Maschine wird gesteuert: Kerf ohne sie starten (kerf serve), um eine Platine zu verdrahten.",
