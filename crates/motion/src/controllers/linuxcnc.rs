@@ -15,11 +15,11 @@
 //!   ahead on the machine; that is enough where one braking distance is shorter, and taken so here.
 //!
 //! In version 2.9 the last leg before a stand has half the acceleration, as if a corner behind it were to be rounded; and the arc
-//! at a corner is as large as the greatest speed of the axes would need it, not the feed, so that more of a path of short chords
-//! is arcs.
+//! at a corner takes at least as much of its legs as two overlapping ramps of half the acceleration would, so that a path of
+//! short chords is arcs altogether. Both are told by its source; times of 2.10 fit arcs that are no larger than the speed needs.
 //!
-//! The times of the seven reference programs come out within 1 % of the real ones of 2.10 at P 0.01 and 0.05. Those of 2.9
-//! come out within 1 % for six of them; it takes 2 % longer for a raster in three dimensions than is told.
+//! The times of the seven reference programs come out within 1 % of the real ones, those of 2.10 at P 0.01 and 0.05 and those of
+//! 2.9 at P 0.01.
 
 use super::Controller;
 use super::block::{Way, feed_mm_s, path_mm, trapezoid_s, within_axes};
@@ -70,8 +70,6 @@ struct Leg {
     moves: [usize; 2],
     mm: f64,
     top_mm_s: f64,
-    /// The fastest that the axes go along it, whatever its feed.
-    axes_mm_s: f64,
     accel: f64,
     start: Option<Way>,
     end: Option<Way>,
@@ -159,8 +157,7 @@ impl LinuxCnc {
         } else {
             within_axes(&self.accel_mm_s2, &along)
         };
-        let axes_mm_s = within_axes(&self.speed_mm_s, &along);
-        let mut top_mm_s = feed_mm_s(a).min(axes_mm_s);
+        let mut top_mm_s = feed_mm_s(a).min(within_axes(&self.speed_mm_s, &along));
         if let Some(arc) = made.arc() {
             let radius = arc.length() / arc.sweep_rad.abs();
             top_mm_s = top_mm_s.min((ACROSS * accel * radius).sqrt());
@@ -169,7 +166,6 @@ impl LinuxCnc {
             moves: [first, moves.len()],
             mm,
             top_mm_s,
-            axes_mm_s,
             accel: if curved { ALONG * accel } else { accel },
             start: space(along),
             end: space(way(1.0)),
@@ -221,22 +217,29 @@ impl LinuxCnc {
 
     fn blend(&self, turn: f64, [a, b]: [&Leg; 2], accel: f64) -> Blend {
         let (room_mm, top_mm_s) = (0.5 * a.mm.min(b.mm), a.top_mm_s.min(b.top_mm_s));
-        let wanted_mm_s = match self.release {
-            Release::V2_9 => a.axes_mm_s.min(b.axes_mm_s),
-            Release::V2_10 => top_mm_s,
-        };
         let half = 0.5 * (std::f64::consts::PI - turn);
         let across = ACROSS * accel;
         let by_tolerance = self.blend_mm * half.sin() / (1.0 - half.sin());
         // No larger than the legs have room for, and than the speed needs.
-        let radius = by_tolerance.min(room_mm * half.tan()).min(wanted_mm_s * wanted_mm_s / across);
-        Blend {
-            off_mm: radius / half.tan(),
-            mm: radius * turn,
-            mm_s: (across * radius).sqrt().min(top_mm_s),
-            accel: ALONG * accel,
-        }
+        let largest = by_tolerance.min(room_mm * half.tan());
+        let mm_s = (across * largest).sqrt().min(top_mm_s);
+        let needed = mm_s * mm_s / across;
+        let radius = match self.release {
+            Release::V2_9 => {
+                needed.max(largest.min(overlap_mm(largest / half.tan(), mm_s, accel) / turn))
+            }
+            Release::V2_10 => needed,
+        };
+        Blend { off_mm: radius / half.tan(), mm: radius * turn, mm_s, accel: ALONG * accel }
     }
+}
+
+/// Way at a speed while two ramps overlap, each with half an acceleration, on a part of a leg: at most to the speed that such a
+/// ramp reaches on it.
+fn overlap_mm(part_mm: f64, speed_mm_s: f64, accel: f64) -> f64 {
+    let ramp = 0.5 * accel;
+    let reached = (2.0 * ramp * part_mm).sqrt();
+    reached.min(speed_mm_s) / ramp * speed_mm_s
 }
 
 fn norm(way: &Way) -> f64 {
