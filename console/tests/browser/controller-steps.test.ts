@@ -1,25 +1,21 @@
 /** Steps a millimetre are written from the page into a pretended controller, and read back. */
 
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { Controller } from "./controller";
-import { act, arm, openWorkshop, stateOf, until, violations, type Workshop } from "./workshop";
+import { beforeAll, expect, it } from "vitest";
+import type { Controller } from "./controller";
+import { driveController } from "./driven";
+import { act, arm, stateOf, until, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
 let page: Page;
 
 beforeAll(async () => {
-  controller = new Controller();
-  const port = await controller.line();
-  workshop = await openWorkshop({ controller: `grbl:${port}` });
-  page = await workshop.page();
+  const shop = await driveController();
+  ({ controller, workshop, page } = shop);
   await act(page, "Steps per millimetre");
   await page.getByText("The controller keeps 250 steps a millimetre of X.").waitFor();
-});
-afterAll(async () => {
-  await workshop?.close();
-  controller?.unplug();
+  return shop.close;
 });
 
 const steps = async () => (await stateOf(workshop)).controllerSteps;

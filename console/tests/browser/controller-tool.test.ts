@@ -3,14 +3,14 @@
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { Controller } from "./controller";
+import { beforeAll, expect, it } from "vitest";
+import type { Controller } from "./controller";
+import { driveController } from "./driven";
 import {
   act,
   arm,
   hold,
   keysOf,
-  openWorkshop,
   script,
   stands,
   stateOf,
@@ -24,16 +24,10 @@ let workshop: Workshop;
 let page: Page;
 
 beforeAll(async () => {
-  controller = new Controller();
-  const port = await controller.line();
-  workshop = await openWorkshop({ controller: `grbl:${port}` });
-  writeFileSync(join(workshop.parts, "line.sbp"), "MX,1\nMX,2\n");
-  page = await workshop.page();
+  const shop = await driveController({ "line.sbp": "MX,1\nMX,2\n" });
+  ({ controller, workshop, page } = shop);
   await arm(page);
-});
-afterAll(async () => {
-  await workshop?.close();
-  controller?.unplug();
+  return shop.close;
 });
 
 const waits = async () => (await controller.look()).waitsForTool;

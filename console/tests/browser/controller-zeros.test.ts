@@ -1,30 +1,17 @@
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { Controller } from "./controller";
-import {
-  act,
-  arm,
-  openWorkshop,
-  stands,
-  stateOf,
-  until,
-  violations,
-  type Workshop,
-} from "./workshop";
+import { beforeAll, expect, it } from "vitest";
+import type { Controller } from "./controller";
+import { driveController } from "./driven";
+import { act, arm, stands, stateOf, until, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
 let page: Page;
 
 beforeAll(async () => {
-  controller = new Controller();
-  const port = await controller.line();
-  workshop = await openWorkshop({ controller: `grbl:${port}` });
-  page = await workshop.page();
-});
-afterAll(async () => {
-  await workshop?.close();
-  controller?.unplug();
+  const shop = await driveController();
+  ({ controller, workshop, page } = shop);
+  return shop.close;
 });
 
 const working = async () => (await stateOf(workshop)).motion.at.working.slice(0, 3);

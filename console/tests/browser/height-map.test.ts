@@ -1,37 +1,22 @@
 /** A tilted plate is probed on the page of a pretended controller, and a program cuts along it. */
 
-import { writeFileSync } from "node:fs";
-import { join } from "node:path";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { Controller } from "./controller";
-import {
-  act,
-  arm,
-  moment,
-  openWorkshop,
-  script,
-  stateOf,
-  until,
-  violations,
-  type Workshop,
-} from "./workshop";
+import { beforeAll, expect, it } from "vitest";
+import type { Controller } from "./controller";
+import { driveController } from "./driven";
+import { act, arm, moment, script, stateOf, until, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
 let page: Page;
 
 beforeAll(async () => {
-  controller = new Controller();
-  const port = await controller.line();
-  workshop = await openWorkshop({ controller: `grbl:${port}` });
-  writeFileSync(join(workshop.parts, "plate.nc"), "G21 F600\nG0 X0 Y0\nG1 Z-0.5\nX20 Y10\nG0 Z3\n");
-  page = await workshop.page();
+  const shop = await driveController({
+    "plate.nc": "G21 F600\nG0 X0 Y0\nG1 Z-0.5\nX20 Y10\nG0 Z3\n",
+  });
+  ({ controller, workshop, page } = shop);
   await arm(page);
-});
-afterAll(async () => {
-  await workshop?.close();
-  controller?.unplug();
+  return shop.close;
 });
 
 const shot = async (name: string) => {

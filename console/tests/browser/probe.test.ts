@@ -1,35 +1,22 @@
 /** The probe on a pretended controller: a bore and a corner at known places, and what is told without a contact. */
 
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { Controller } from "./controller";
-import {
-  act,
-  arm,
-  openWorkshop,
-  script,
-  stateOf,
-  until,
-  violations,
-  type Workshop,
-} from "./workshop";
+import { beforeAll, expect, it } from "vitest";
+import type { Controller } from "./controller";
+import { driveController } from "./driven";
+import { act, arm, script, stateOf, until, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
 let page: Page;
 
 beforeAll(async () => {
-  controller = new Controller();
-  const port = await controller.line();
-  workshop = await openWorkshop({ controller: `grbl:${port}` });
-  page = await workshop.page();
+  const shop = await driveController();
+  ({ controller, workshop, page } = shop);
   await arm(page);
   await act(page, "Probe: find a place");
   await page.getByRole("dialog", { name: "Probe" }).waitFor();
-});
-afterAll(async () => {
-  await workshop?.close();
-  controller?.unplug();
+  return shop.close;
 });
 
 const startButton = () => page.getByRole("button", { name: "Start probing" });

@@ -1,40 +1,23 @@
 /** Tools by their numbers on the page of a pretended controller: kept, asked for, measured at the sensor, forgotten. */
 
-import { writeFileSync } from "node:fs";
-import { join } from "node:path";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
-import { Controller } from "./controller";
-import {
-  act,
-  arm,
-  openWorkshop,
-  script,
-  stateOf,
-  until,
-  violations,
-  type Workshop,
-} from "./workshop";
+import { beforeAll, expect, it } from "vitest";
+import type { Controller } from "./controller";
+import { driveController } from "./driven";
+import { act, arm, script, stateOf, until, violations, type Workshop } from "./workshop";
 
 let controller: Controller;
 let workshop: Workshop;
 let page: Page;
 
 beforeAll(async () => {
-  controller = new Controller();
-  const port = await controller.line();
-  workshop = await openWorkshop({ controller: `grbl:${port}` });
   const lines = ["G21 G90 F600", "G54", "M3 S9000", "G1 X2", "T2 M6", "G43 H2", "G0 Z0", ""];
-  writeFileSync(join(workshop.parts, "two-tools.nc"), lines.join("\n"));
-  writeFileSync(join(workshop.parts, "zero.sbp"), "ZZ\n");
-  page = await workshop.page();
+  const shop = await driveController({ "two-tools.nc": lines.join("\n"), "zero.sbp": "ZZ\n" });
+  ({ controller, workshop, page } = shop);
   await arm(page);
   await act(page, "Tools by their numbers");
   await page.getByRole("dialog", { name: "Tools by their numbers" }).waitFor();
-});
-afterAll(async () => {
-  await workshop?.close();
-  controller?.unplug();
+  return shop.close;
 });
 
 const shot = async (name: string) => {
