@@ -78,6 +78,18 @@ const openZeros: Action = {
   refused: ({ shown }) =>
     shown.snapshot?.zeros.length ? undefined : t("The machine keeps no zero points."),
 };
+/** Settings that a controller keeps by number, seen, changed, kept and compared. */
+const openControllerSettings: Action = {
+  ...sheetAction(
+    { kind: "controllerSettings" },
+    t("Settings of the controller: see, change, back up, compare"),
+    [],
+  ),
+  refused: ({ shown }) =>
+    shown.snapshot?.controllerSettings.length
+      ? undefined
+      : t("The machine keeps no settings by number."),
+};
 /** Tools by their numbers, where they are changed and measured. */
 export const openToolTable = sheetAction(
   { kind: "toolTable" },
@@ -160,6 +172,7 @@ export const goActions: readonly Action[] = [
   openInputs,
   openPorts,
   openZeros,
+  openControllerSettings,
   openToolTable,
   openProbe,
   openHeightMap,

@@ -1,4 +1,5 @@
 import { CommandSheet } from "../command/CommandSheet";
+import { ControllerSettingsSheet } from "../controllerSettings/ControllerSettingsSheet";
 import { HeightMapSheet } from "../heightmap/HeightMapSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
 import { FilePicker } from "../operator/FilePicker";
@@ -71,6 +72,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <WiringSheet onClose={close} />;
     case "zeros":
       return <ZerosSheet onClose={close} />;
+    case "controllerSettings":
+      return <ControllerSettingsSheet onClose={close} />;
     case "toolTable":
       return <ToolTableSheet onClose={close} />;
     case "ports":

@@ -23,6 +23,7 @@ export type Sheet =
   | { readonly kind: "ports" }
   | { readonly kind: "tools" }
   | { readonly kind: "zeros" }
+  | { readonly kind: "controllerSettings" }
   | { readonly kind: "toolTable" }
   | { readonly kind: "probe" }
   | { readonly kind: "heightMap" }

@@ -42,6 +42,7 @@ export const places: Readonly<Record<string, string>> = {
   "Tools by their numbers": "machine#changing-tools",
   "Wire a board": "build-a-controller",
   "Zero points of the controller": "real-controller#in-the-console",
+  "Settings of the controller": "real-controller#in-the-console",
   "Move the tool to": "console#jobs",
   Nudge: "running#stopping",
   "Virtual tools": "outside#virtual-tools",

@@ -468,6 +468,8 @@ export type ChangeZeros = { "change": "zeros", zeros: Array<Zero>, };
 
 export type ChangeControllerSteps = { "change": "controllerSteps", controllerSteps: Array<number>, };
 
+export type ChangeControllerSettings = { "change": "controllerSettings", controllerSettings: Array<ControllerSetting>, };
+
 export type ChangeTools = { "change": "tools", tools: ToolTable, };
 
 export type ChangeTogether = { "change": "together", together: Array<ServedMachine>, };
@@ -524,6 +526,7 @@ export type Change =
   | ChangeOverrides
   | ChangeZeros
   | ChangeControllerSteps
+  | ChangeControllerSettings
   | ChangeTools
   | ChangeTogether
   | ChangeHeightMap
@@ -583,6 +586,21 @@ kind: string,
 detail: string,
 /** Description of its effect. */
 doc: string, };
+
+/** A setting that the controller of the machine keeps by number, as it told it last. */
+export type ControllerSetting = {
+/** Its number. */
+number: number,
+/** Its value, as the controller writes it. */
+value: string,
+/** Its name; empty where nobody knows it. */
+name: string,
+/** The unit of its value; empty where it has none. */
+unit: string,
+/** Least value, where there is one. */
+least: number | null,
+/** Greatest value, where there is one. */
+most: number | null, };
 
 /** The run that is under way, or the last one. */
 export type CurrentRun = {
@@ -1683,6 +1701,8 @@ overrides: Overrides,
 zeros: Array<Zero>,
 /** Steps of a millimetre that the controller keeps, of each axis; none of a machine whose settings have them. */
 controllerSteps: Array<number>,
+/** Settings that the controller keeps by number, in their order; none of a machine without such. */
+controllerSettings: Array<ControllerSetting>,
 /** The tools by their numbers. */
 tools: ToolTable,
 /** The height map that programs follow; nothing where surfaces are flat. */

@@ -7,8 +7,7 @@ export const notForPages: Readonly<Record<string, RegExp>> = {
     /^(?:http\/(?:routes|assets|rest|language|preview|registry)|who_may_what|thumbnails|preview\/thumbnail|bench|locks|lib|handconsole\/happening)\.rs/,
   // Answers from a script, and the questions of `kerf machine wire`, for which the page has forms.
   control: /^(?:asking|controller\/sent|controller\/queued\/wizard\/question)\.rs/,
-  // The list of names for the settings of grbl is the shell's.
-  "driver-grbl": /^(?:fake|settings)/,
+  "driver-grbl": /^fake/,
   "driver-linuxcnc": /^fake/,
   // Words of the protocol.
   "driver-klipper": /^(?:fake|orders|dictionary|setup)/,

@@ -120,6 +120,7 @@ export const firstSnapshot = message<Snapshot>({
   asked: null,
   overrides: { feedPercent: 100, rapidPercent: null, spindlePercent: null },
   zeros: [],
+  controllerSettings: [],
   controllerSteps: [],
   tools: { tools: [], inSpindle: 0, hasSensor: false, findsHome: true },
   heightMap: null,

@@ -13,7 +13,7 @@ use crate::tool_wait::ToolWait;
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
     Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, Order, Reply, Sent, Shares,
-    Signal, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
+    Signal, Ticket, ToldSetting, Trouble, Wired, Zero, ZeroChange, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -533,6 +533,16 @@ impl Wired for Grbl {
 
     fn setting(&self, number: u16) -> Option<&str> {
         self.settings().get(&number).map(String::as_str)
+    }
+
+    fn told_settings(&self) -> Vec<ToldSetting> {
+        let changed = self.changed();
+        let told = |(number, value): (&u16, &String)| {
+            let was = changed.as_ref().filter(|changed| changed.number == *number);
+            let value = was.map_or_else(|| value.trim().to_owned(), |it| it.was.to_string());
+            kept_settings::told(*number, value, self.own_setting(*number))
+        };
+        self.settings().iter().map(told).collect()
     }
 
     fn keeps_setting(&mut self, number: u16, value: &str) -> Result<(), String> {

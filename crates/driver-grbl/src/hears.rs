@@ -318,6 +318,9 @@ impl Grbl {
                 }
                 if self.kept.is_due(now_s) {
                     self.say(kept_settings::ASK);
+                    if self.kept.asks_words() {
+                        self.asks_settings();
+                    }
                 }
             }
             _ => {}

@@ -3,7 +3,9 @@
 //! The controller tells nobody that a setting has changed. It is asked for all of them behind each that Kerf writes, and now
 //! and then while it stands; what follows from them, its planner too, is known anew then.
 
+use crate::own_words::OwnSetting;
 use crate::settings::setting;
+use kerf_machine::driver::ToldSetting;
 use std::collections::BTreeMap;
 
 /// Asks for all of them.
@@ -23,11 +25,27 @@ pub fn line(number: u16, value: &str) -> String {
     format!("${number}={value}")
 }
 
+/// Returns a setting as a controller told it last, in its own words where it has told such.
+pub fn told(number: u16, value: String, own: Option<&OwnSetting>) -> ToldSetting {
+    let (name, unit, bounds) = match (own, setting(number)) {
+        (Some(own), _) => (own.name.clone(), own.unit.clone(), own.bounds),
+        (None, Some(known)) => {
+            let (least, most) = known.bounds;
+            let bounds = (Some(least), Some(most).filter(|most| most.is_finite()));
+            (known.name.to_owned(), known.unit.to_owned(), bounds)
+        }
+        (None, None) => Default::default(),
+    };
+    ToldSetting { number, value, name, unit, bounds }
+}
+
 /// What is known of settings that were asked for or written.
 #[derive(Clone, Debug, Default)]
 pub struct KeptSettings {
     /// Time when it was asked for them last; nothing before it has stood since it was attached.
     asked_s: Option<f64>,
+    /// It was asked to describe them in its own words.
+    asked_words: bool,
     /// The refusal of one that was written, in words.
     refused: Option<String>,
 }
@@ -40,6 +58,11 @@ impl KeptSettings {
             self.asked_s = Some(now_s);
         }
         is_due
+    }
+
+    /// Returns `true` the first time: it is to be asked to describe its settings, where it can.
+    pub const fn asks_words(&mut self) -> bool {
+        !std::mem::replace(&mut self.asked_words, true)
     }
 
     /// One of the settings that the controller has is about to be written.

@@ -2,10 +2,10 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, HeightMap,
-    Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
-    Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp, ToolTable, Units, Who,
-    Wiring, Zero,
+    Asked, Client, ControllerSetting, CurrentRun, Digitized, DrawingState, Folder, HandConsole,
+    HeightMap, Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened,
+    Overrides, Pause, Recorder, Reply, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp,
+    ToolTable, Units, Who, Wiring, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -68,6 +68,11 @@ pub enum Change {
     #[serde(rename_all = "camelCase")]
     ControllerSteps {
         controller_steps: Vec<f64>,
+    },
+    /// Settings that the controller keeps by number.
+    #[serde(rename_all = "camelCase")]
+    ControllerSettings {
+        controller_settings: Vec<ControllerSetting>,
     },
     Tools {
         tools: ToolTable,

@@ -67,8 +67,8 @@ pub use language::{
     ParameterKind, SystemValue, Values,
 };
 pub use machine::{
-    AxisUnits, Duty, Io, Lamp, Machine, Mode, Motion, Offers, Pace, PortBit, Ports, Positions,
-    Speeds, State, Units, Zero, ZeroChange,
+    AxisUnits, ControllerSetting, Duty, Io, Lamp, Machine, Mode, Motion, Offers, Pace, PortBit,
+    Ports, Positions, Speeds, State, Units, Zero, ZeroChange,
 };
 pub use operation::{OperationEntry, OperationPart, OperationValue, OperationVariant};
 pub use people::{Client, Lease, Role, Who};

@@ -83,6 +83,24 @@ pub struct Offers {
     pub start_arms: bool,
 }
 
+/// A setting that the controller of the machine keeps by number, as it told it last.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
+#[serde(rename_all = "camelCase")]
+pub struct ControllerSetting {
+    /// Its number.
+    pub number: u16,
+    /// Its value, as the controller writes it.
+    pub value: String,
+    /// Its name; empty where nobody knows it.
+    pub name: String,
+    /// The unit of its value; empty where it has none.
+    pub unit: String,
+    /// Least value, where there is one.
+    pub least: Option<f64>,
+    /// Greatest value, where there is one.
+    pub most: Option<f64>,
+}
+
 /// A zero point that the controller of the machine keeps.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, TS, JsonSchema)]
 #[serde(rename_all = "camelCase")]

@@ -2,9 +2,10 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole, HeightMap,
-    Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue, Opened, Overrides, Pause,
-    Recorder, ServedMachine, Setup, Sound, Speeds, ToolTable, Units, VERSION, Wiring, Zero,
+    Asked, Change, Client, ControllerSetting, CurrentRun, Digitized, DrawingState, Folder,
+    HandConsole, HeightMap, Interrupted, Io, Lease, Looked, Machine, Message, Motion, NamedValue,
+    Opened, Overrides, Pause, Recorder, ServedMachine, Setup, Sound, Speeds, ToolTable, Units,
+    VERSION, Wiring, Zero,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -78,6 +79,8 @@ pub struct Snapshot {
     pub zeros: Vec<Zero>,
     /// Steps of a millimetre that the controller keeps, of each axis; none of a machine whose settings have them.
     pub controller_steps: Vec<f64>,
+    /// Settings that the controller keeps by number, in their order; none of a machine without such.
+    pub controller_settings: Vec<ControllerSetting>,
     /// The tools by their numbers.
     pub tools: ToolTable,
     /// The height map that programs follow; nothing where surfaces are flat.
@@ -138,6 +141,7 @@ impl Default for Snapshot {
             overrides: Overrides::default(),
             zeros: Vec::new(),
             controller_steps: Vec::new(),
+            controller_settings: Vec::new(),
             tools: ToolTable::default(),
             height_map: None,
             wiring: None,
@@ -180,6 +184,9 @@ impl Snapshot {
             Change::Sound { sound } => self.sound = sound,
             Change::Overrides { overrides } => self.overrides = overrides,
             Change::Zeros { zeros } => self.zeros = zeros,
+            Change::ControllerSettings { controller_settings } => {
+                self.controller_settings = controller_settings;
+            }
             Change::ControllerSteps { controller_steps } => {
                 self.controller_steps = controller_steps;
             }

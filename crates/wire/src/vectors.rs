@@ -2,10 +2,10 @@
 
 use crate::preview::TypedPath;
 use crate::{
-    AXES, Asked, Change, Client, CurrentRun, Digitized, DrawingState, Folder, HandConsole,
-    HeightMap, Interrupted, Io, Lease, Look, Looked, Machine, Message, Motion, NamedValue, Opened,
-    Overrides, Pause, Recorder, Role, ServedMachine, Setup, Snapshot, Sound, Speeds, StartUp,
-    ToolTable, Units, Zero,
+    AXES, Asked, Change, Client, ControllerSetting, CurrentRun, Digitized, DrawingState, Folder,
+    HandConsole, HeightMap, Interrupted, Io, Lease, Look, Looked, Machine, Message, Motion,
+    NamedValue, Opened, Overrides, Pause, Recorder, Role, ServedMachine, Setup, Snapshot, Sound,
+    Speeds, StartUp, ToolTable, Units, Zero,
 };
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -68,6 +68,9 @@ fn of_the_machine() -> Vec<Change> {
         Change::Io { io: Io::default() },
         Change::Zeros { zeros: vec![Zero { name: "G54".into(), at: [1.0; AXES], holds: true }] },
         Change::ControllerSteps { controller_steps: vec![250.0, 80.0] },
+        Change::ControllerSettings {
+            controller_settings: vec![ControllerSetting { number: 110, ..Default::default() }],
+        },
         Change::Tools { tools: ToolTable { in_spindle: 2, ..ToolTable::default() } },
         Change::HeightMap { height_map: Some(HeightMap::of(&[0.0, 1.0], &[0.0, 2.0], &[0.5; 4])) },
         Change::HeightMap { height_map: None },

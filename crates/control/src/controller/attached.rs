@@ -12,7 +12,7 @@ use crate::own_pace::OwnPace;
 use crate::session::DrivenBy;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work, facts::Fact};
-use kerf_machine::driver::{Changed, Signal, Zero, ZeroChange};
+use kerf_machine::driver::{Changed, Signal, ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Errand, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_workspace::{Firmware, Workspace};
@@ -231,6 +231,11 @@ impl Controller {
     /// Returns the steps of a millimetre that the controller keeps, of each axis; none where it keeps none.
     pub fn steps_per_mm(&self) -> Vec<f64> {
         self.connection.borrow_mut().link.driver().steps_per_mm()
+    }
+
+    /// Returns all settings that the controller keeps by number, as it told them last.
+    pub fn settings(&self) -> Vec<ToldSetting> {
+        self.connection.borrow_mut().link.driver().told_settings()
     }
 
     /// Returns a setting that the controller keeps, by its number, as it told it last.

@@ -10,7 +10,7 @@ use crate::session::DrivenBy;
 use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work};
-use kerf_machine::driver::{Zero, ZeroChange};
+use kerf_machine::driver::{ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Machine};
 use kerf_program::Axes;
 use kerf_workspace::{Firmware, Workspace};
@@ -154,6 +154,14 @@ impl Controller {
     pub fn steps_per_mm(&self) -> Vec<f64> {
         match self {
             Self::Followed(controller) => controller.steps_per_mm(),
+            Self::Queued(_) => Vec::new(),
+        }
+    }
+
+    /// Returns all settings that it keeps by number, as it told them last; none of a board, whose machine's file has them.
+    pub fn settings(&self) -> Vec<ToldSetting> {
+        match self {
+            Self::Followed(controller) => controller.settings(),
             Self::Queued(_) => Vec::new(),
         }
     }

@@ -12,7 +12,7 @@ use kerf_control::controller::{Connection, Place};
 use kerf_driver_grbl::Grbl;
 use kerf_driver_grbl::settings::setting;
 use kerf_machine::Machine;
-use kerf_machine::driver::Wired;
+use kerf_machine::driver::{ToldSetting, Wired};
 use kerf_transport::{Address, Line, ListedPort, ports};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -128,11 +128,7 @@ impl Board {
 
     /// Returns its settings; what was changed to speak to it is as it was.
     pub fn settings(&self) -> Settings {
-        let mut settings = self.grbl.settings().clone();
-        if let Some(changed) = self.grbl.changed() {
-            settings.insert(changed.number, changed.was.to_string());
-        }
-        settings
+        self.grbl.told_settings().into_iter().map(|told| (told.number, told.value)).collect()
     }
 
     /// Asks for its settings in its own words, where it has them.
@@ -316,15 +312,10 @@ fn does(board: &mut Board, action: Option<&SettingsAction>) -> Result<Exit> {
 
 /// A line a setting, with its name, unit and bounds: as the board tells them, else as they are known.
 fn listed(board: &Board) -> String {
-    let line = |(number, value): (&u16, &String)| {
-        let (name, unit, bounds) = match (board.grbl.own_setting(*number), setting(*number)) {
-            (Some(own), _) => (&*own.name, &*own.unit, own.bounds),
-            (None, Some(known)) => {
-                let (least, most) = known.bounds;
-                (known.name, known.unit, (Some(least), Some(most).filter(|v| v.is_finite())))
-            }
-            (None, None) => return format!("${number}={value}\n"),
-        };
+    let line = |ToldSetting { number, value, name, unit, bounds }: ToldSetting| {
+        if name.is_empty() {
+            return format!("${number}={value}\n");
+        }
         let bounds = match bounds {
             (None, None) => String::new(),
             (Some(least), None) => format!(" [{least} or more]"),
@@ -334,7 +325,7 @@ fn listed(board: &Board) -> String {
         let value = format!("${number}={value} {unit}");
         format!("{:<24} {name}{bounds}\n", value.trim_end())
     };
-    board.settings().iter().map(line).collect()
+    board.grbl.told_settings().into_iter().map(line).collect()
 }
 
 fn backup(board: &str, settings: &Settings) -> String {

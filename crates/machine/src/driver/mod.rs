@@ -16,10 +16,12 @@
 pub mod conformance;
 mod link;
 mod offsets;
+mod told_setting;
 mod zero;
 
 pub use link::{Link, LinkNews, LinkState, Troubles};
 pub use offsets::Offsets;
+pub use told_setting::ToldSetting;
 pub use zero::{Zero, ZeroChange};
 
 /// Planners of controllers that plan for themselves.
@@ -420,6 +422,11 @@ pub trait Wired: Driver {
     /// Returns a setting that it keeps, by its number, as it writes it.
     fn setting(&self, _number: u16) -> Option<&str> {
         None
+    }
+
+    /// Returns all settings that it keeps by number, in their order; what was changed to drive it is as it was.
+    fn told_settings(&self) -> Vec<ToldSetting> {
+        Vec::new()
     }
 
     /// Has it keep another value of a setting, while nothing moves, and tell all of them again.

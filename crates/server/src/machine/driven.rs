@@ -10,11 +10,11 @@ use kerf_control::answers::Answers;
 use kerf_control::controller::{AttachReport, Controller, working_reads};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
-use kerf_machine::driver::{Zero, ZeroChange};
+use kerf_machine::driver::{ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
 use kerf_program::{Axes, Axis};
 use kerf_trace::Summary;
-use kerf_wire::{Change, Machine, Message, State, Tone};
+use kerf_wire::{Change, ControllerSetting, Machine, Message, State, Tone};
 
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
@@ -29,6 +29,11 @@ fn letter_of_steps(number: u16) -> Option<char> {
 }
 
 /// A zero point as pages show it.
+fn set(told: ToldSetting) -> ControllerSetting {
+    let ToldSetting { number, value, name, unit, bounds: (least, most) } = told;
+    ControllerSetting { number, value, name, unit, least, most }
+}
+
 fn shown(zero: Zero) -> kerf_wire::Zero {
     kerf_wire::Zero { name: zero.name, at: zero.at.0, holds: zero.holds }
 }
@@ -66,6 +71,7 @@ impl Owner {
             session.driven_by = driven_by;
         }
         let controller_steps = controller.steps_per_mm();
+        let controller_settings: Vec<_> = controller.settings().into_iter().map(set).collect();
         let zeros: Vec<_> = controller.zeros().into_iter().map(shown).collect();
         let (fault, locked, waits) = (controller.fault(), controller.locked(), controller.waits());
         let wants_tool = controller.driven().borrow_mut().waits_for_tool();
@@ -84,7 +90,9 @@ impl Owner {
             let zeros = (now.zeros != zeros).then_some(Change::Zeros { zeros });
             let other = now.controller_steps != controller_steps;
             let steps = other.then_some(Change::ControllerSteps { controller_steps });
-            zeros.into_iter().chain(steps).collect()
+            let other = now.controller_settings != controller_settings;
+            let settings = other.then_some(Change::ControllerSettings { controller_settings });
+            zeros.into_iter().chain(steps).chain(settings).collect()
         });
         match fault {
             Some(why) if !lost => self.rest(State::Alarm, Some(why)),

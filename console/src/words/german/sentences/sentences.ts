@@ -3,6 +3,7 @@
 import { colours } from "../operations";
 import { boardsSentences } from "./boards";
 import { configurationSentences } from "./configuration";
+import { controllerNames } from "./controllerNames";
 import { controllersSentences } from "./controllers";
 import { drawingSentences } from "./drawing";
 import { filesSentences } from "./files";
@@ -21,6 +22,7 @@ export const sentences: Readonly<Record<string, string>> = {
   ...filesSentences,
   ...servingSentences,
   ...runningSentences,
+  ...controllerNames,
   ...controllersSentences,
   ...boardsSentences,
   ...configurationSentences,
