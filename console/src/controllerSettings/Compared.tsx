@@ -15,7 +15,7 @@ interface ComparedProps {
   onClose: () => void;
 }
 
-/** What a file says otherwise than the controller, and the way to have the controller as in the file. */
+/** Differences between a file and the controller, and the button that writes the values of the file. */
 export function Compared({ settings, file, onClose }: ComparedProps) {
   const hands = useHands();
   const { link, screen } = hands;

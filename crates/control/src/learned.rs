@@ -112,7 +112,7 @@ impl Learned {
 mod tests {
     use super::*;
 
-    /// What was learned from runs, told and taken.
+    /// The factor behind runs of which the time told and the time taken are given.
     fn after(runs: &[(f64, f64)]) -> Learned {
         runs.iter().fold(Learned::default(), |learned, (told, taken)| learned.run(*told, *taken))
     }

@@ -93,7 +93,7 @@ impl Grbl {
         self.asks_on();
     }
 
-    /// Where settings are others than before a line was answered, what is known of the controller follows them.
+    /// Learns anew what follows from its settings, where the answer to a line has told others than before.
     fn follows_settings(&mut self, answered: &str) {
         let Some(before) = self.facts.as_ref().filter(|_| self.phase == Phase::Ready) else {
             return;

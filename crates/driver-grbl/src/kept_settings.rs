@@ -39,7 +39,7 @@ pub fn told(number: u16, value: String, own: Option<&OwnSetting>) -> ToldSetting
     ToldSetting { number, value, name, unit, bounds }
 }
 
-/// What is known of settings that were asked for or written.
+/// State of settings that were asked for or written.
 #[derive(Clone, Debug, Default)]
 pub struct KeptSettings {
     /// Time when it was asked for them last; nothing before it has stood since it was attached.

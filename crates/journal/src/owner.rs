@@ -11,8 +11,8 @@ use std::time::Duration;
 /// Name of the file that is locked by the process that owns the machine.
 const OWNER_FILE: &str = "owner.lock";
 
-/// Whoever only looks whether somebody has the machine holds the lock for an instant, and so may a program that is just being
-/// started: the lock is tried so often, with this pause.
+/// The lock is tried so often, with this pause: somebody who only looks at it holds it for an instant, and so may a program that is
+/// just being started.
 const TRIES: u32 = 40;
 const PAUSE: Duration = Duration::from_millis(5);
 

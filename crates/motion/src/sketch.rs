@@ -11,7 +11,7 @@ const MARKS: i64 = 4;
 pub struct Mark {
     /// Time of the last of them, seconds.
     pub t_s: f64,
-    /// Which axis of the motion turns it.
+    /// The axis of the motion that turns it.
     pub axis: usize,
     /// Its count rises.
     pub forward: bool,

@@ -34,7 +34,7 @@ const HALVINGS: u32 = 40;
 pub struct Step {
     /// Time at which it is made, seconds.
     pub t_s: f64,
-    /// Which axis of the motion turns it.
+    /// The axis of the motion that turns it.
     pub axis: usize,
     /// Its count rises.
     pub forward: bool,

@@ -3,7 +3,7 @@
 use super::Steps;
 
 /// Most windows of a command: bounds the memory of a motor.
-const MOST_STEPS: usize = 4096;
+const MOST_WINDOWS: usize = 4096;
 /// Values of `add` beside the best one that are tried where no whole interval fits that.
 const BESIDE: i64 = 3;
 
@@ -50,7 +50,8 @@ impl Run {
     /// Adds so many steps the same way, the last of them with a window; false where no numbers pass through all windows.
     pub fn extend(&mut self, [low, high]: [f64; 2], more: u16, least: u32) -> bool {
         let before = self.count;
-        let Some(count) = before.checked_add(more).filter(|_| self.slots.len() < MOST_STEPS) else {
+        let Some(count) = before.checked_add(more).filter(|_| self.slots.len() < MOST_WINDOWS)
+        else {
             return false;
         };
         self.count = count;

@@ -8,7 +8,7 @@ use crate::asker::Asker;
 use crate::people::Grip;
 use crate::to_wire;
 use kerf_handconsole::{Console, ConsoleRequest, Key};
-use kerf_wire::{Change, HandConsole, Problem, State, Why};
+use kerf_wire::{Change, HandConsole, Problem, Snapshot, State, Why};
 use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender};
 use std::sync::{Arc, Weak};
@@ -83,10 +83,13 @@ impl Keeper {
         }
     }
 
-    /// Keys wait for a request that is over in a moment; and while a folder is read or another thing is done that moves
-    /// nothing, because they are meant for the machine that stands then.
+    /// Keys wait for a request that is over in a moment; and while a folder is read or another chore is done, because they are
+    /// meant for the machine that stands then. Beside a run, a typed line's too, they do not: a key that was kept would start
+    /// something when nobody expects it.
     fn waits(&self, app: &App) -> bool {
-        self.settling || (app.hub.state() == State::Running && app.link.does_chore())
+        let no_run = |now: &Snapshot| now.job.as_ref().is_none_or(|job| job.ended.is_some());
+        let is_busy = |now: &Snapshot| now.machine.state == State::Running && no_run(now);
+        self.settling || (app.hub.read(is_busy) && app.link.does_chore())
     }
 
     fn press(&mut self, app: &Arc<App>, asker: &Asker, grip: Grip, key: Key) {

@@ -63,7 +63,7 @@ pub struct Wanted {
     pub jog: Option<Held>,
     /// A stop came while nothing ran, and nobody has seen to it yet.
     rests: bool,
-    /// What was begun last moves nothing, and is over in a moment.
+    /// A chore was begun last: it moves nothing, and is over in a moment.
     chore: bool,
     /// The tool is in for which the controller waits.
     pub tool_in: bool,

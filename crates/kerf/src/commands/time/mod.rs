@@ -50,7 +50,7 @@ struct Times<'a> {
     /// The model of ramps; another controller has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     ramps: Option<&'static str>,
-    /// What runs on the controller of the machine have shown, in a sentence.
+    /// The factor that runs on the controller of the machine have shown, in a sentence.
     #[serde(skip_serializing_if = "Option::is_none")]
     learned: Option<String>,
     toolpaths: &'a [ToolPathTime],
