@@ -49,6 +49,7 @@ pub(crate) struct Drive<'a> {
     braked: bool,
     fault: Option<Fault>,
     looked: Option<Instant>,
+    begun: Instant,
 }
 
 impl<'a> Drive<'a> {
@@ -60,7 +61,8 @@ impl<'a> Drive<'a> {
             machine.borrow_mut().turn(turned);
         }
         let (kept, braked, fault, looked) = (VecDeque::new(), false, None, None);
-        Self { machine, requests, kept, reached_s: now_s, braked, fault, looked }
+        let begun = Instant::now();
+        Self { machine, requests, kept, reached_s: now_s, braked, fault, looked, begun }
     }
 
     /// Lets machine time go on from one moment to another, unless an input, a fault or the operator comes before; returns
@@ -318,6 +320,11 @@ impl<'a> Drive<'a> {
     /// Returns `true` if it takes the time of the world.
     pub fn in_real_time(&self) -> bool {
         self.machine.borrow().in_real_time()
+    }
+
+    /// Returns the seconds of the world since the run began, where the machine takes them.
+    pub fn taken_s(&self) -> Option<f64> {
+        self.in_real_time().then(|| self.begun.elapsed().as_secs_f64())
     }
 }
 

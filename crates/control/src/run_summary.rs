@@ -14,11 +14,13 @@ use std::collections::BTreeMap;
 pub(crate) fn summary(
     interpreter: &impl kerf_program::Interpreter,
     world: &mut World<'_>,
+    taken_s: Option<f64>,
     over: RunEnd,
 ) -> Summary {
     Summary {
         status: over.status,
         seconds: world.now(),
+        taken_s,
         lines: interpreter.lines(),
         tally: std::mem::take(&mut world.tally),
         unit: interpreter.settings().linear_unit,
@@ -37,6 +39,7 @@ pub(crate) fn end_event(
     EndEvent {
         status: summary.status,
         t: summary.seconds,
+        took: summary.taken_s,
         lines: summary.lines,
         moves: summary.tally.moves,
         arcs: summary.tally.arcs,

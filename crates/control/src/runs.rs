@@ -222,8 +222,8 @@ impl Session {
         runner.stops.station.reentry = stands;
         let over = runner.run();
         runner.stops.station.stay_where_it_stands();
-        let Station { interpreter, mut world, last_move, .. } = runner.stops.station;
-        let summary = summary(&interpreter, &mut world, over);
+        let Station { interpreter, mut world, drive, last_move, .. } = runner.stops.station;
+        let summary = summary(&interpreter, &mut world, drive.taken_s(), over);
         world.tell(&Event::End(end_event(&summary, &world.model, world.hands.astray(), None)));
         self.memory.position = world.model.position();
         self.machine = Some(world.into_simulation());
@@ -277,8 +277,8 @@ impl Session {
             }
             _ => runner.run(),
         };
-        let Station { interpreter, mut world, .. } = runner.stops.station;
-        let summary = summary(&interpreter, &mut world, over);
+        let Station { interpreter, mut world, drive, .. } = runner.stops.station;
+        let summary = summary(&interpreter, &mut world, drive.taken_s(), over);
         world.tell(&Event::End(end_event(&summary, &world.model, world.hands.astray(), None)));
         (self.memory.position, self.memory.frame) = (world.model.position(), *world.model.frame());
         self.machine = Some(world.into_simulation());
@@ -415,9 +415,9 @@ fn conclude(
     variables: bool,
 ) -> (Summary, kerf_part::Session, Simulation) {
     runner.stops.station.stay_where_it_stands();
-    let Station { interpreter, mut world, .. } = runner.stops.station;
+    let Station { interpreter, mut world, drive, .. } = runner.stops.station;
     let closes = interpreter.inner.closes();
-    let summary = Summary { closes, ..summary(&interpreter, &mut world, over) };
+    let summary = Summary { closes, ..summary(&interpreter, &mut world, drive.taken_s(), over) };
     let variables = variables.then(|| variables_told(&interpreter.inner));
     let end = end_event(&summary, &world.model, world.hands.astray(), variables);
     world.tell(&Event::End(end));

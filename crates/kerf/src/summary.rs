@@ -35,7 +35,8 @@ fn told(summary: &Summary) -> String {
         kerf_sbp::Status::Stopped => "STOPPED",
         kerf_sbp::Status::Limit => "STOPPED BY A LIMIT",
     };
-    let mut text = format!("{status} after {}\n", out::duration(summary.seconds));
+    let seconds = summary.taken_s.unwrap_or(summary.seconds);
+    let mut text = format!("{status} after {}\n", out::duration(seconds));
     text += &format!(
         "  {}, {}, {}\n  cut {}, jogged {}\n",
         out::count(summary.lines, "line"),

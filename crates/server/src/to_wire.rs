@@ -78,7 +78,7 @@ pub fn summary(summary: &Summary) -> RunSummary {
     let tally = &summary.tally;
     let bounds = (!tally.bounds.is_empty()).then_some([tally.bounds.min, tally.bounds.max]);
     RunSummary {
-        seconds: summary.seconds,
+        seconds: summary.taken_s.unwrap_or(summary.seconds),
         lines: summary.lines,
         moves: tally.moves,
         arcs: tally.arcs,

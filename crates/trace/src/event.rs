@@ -449,6 +449,9 @@ pub struct EndEvent {
     pub status: Status,
     /// Machine time.
     pub t: f64,
+    /// Seconds that a real machine took, with holds and questions.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub took: Option<f64>,
     /// Lines executed.
     pub lines: u64,
     /// Straight moves made.

@@ -10,8 +10,10 @@ use kerf_program::settings::LinearUnit;
 pub struct Summary {
     /// Outcome of the run.
     pub status: Status,
-    /// Machine time, seconds.
+    /// Machine time of Kerf's own plan, seconds.
     pub seconds: f64,
+    /// Seconds that a real machine took, with holds and questions; nothing for a simulated one, which takes its own.
+    pub taken_s: Option<f64>,
     /// Lines executed.
     pub lines: u64,
     /// Lengths, bounds, times.
@@ -28,6 +30,6 @@ impl Summary {
     /// The summary of a run that was not begun because of an error.
     pub fn not_begun(unit: LinearUnit, error: Option<Box<Diagnostic>>) -> Self {
         let (status, tally) = (Status::Failed, Tally::default());
-        Self { status, seconds: 0.0, lines: 0, tally, unit, error, closes: false }
+        Self { status, seconds: 0.0, taken_s: None, lines: 0, tally, unit, error, closes: false }
     }
 }

@@ -51,6 +51,7 @@ fn summary(status: Status, came: &Value) -> Summary {
     Summary {
         status,
         seconds: real("seconds"),
+        taken_s: None,
         lines: count("lines"),
         tally,
         unit: if came["millimetres"] == true { LinearUnit::Mm } else { LinearUnit::Inch },

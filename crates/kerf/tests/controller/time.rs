@@ -24,7 +24,8 @@ fn the_time_is_that_of_the_controller_with_what_its_runs_have_shown() {
     never.exits(0).complains("the time is that of Kerf's own plan");
     assert!(bench.look(|fake| fake.lines.clone()).is_empty(), "whoever looks opens no port");
 
-    shop.kerf("run zigzag.sbp --machine shop").exits(0);
+    let ran = shop.kerf("run zigzag.sbp --machine shop");
+    ran.exits(0);
     let (by_runs_s, learned) = told_s(&shop, "shop");
     let says = "1 run here: motion takes ";
     assert!(learned.as_str().unwrap().starts_with(says), "{learned}");
@@ -37,4 +38,13 @@ fn the_time_is_that_of_the_controller_with_what_its_runs_have_shown() {
     // 16 legs of 7.18 mm at 100 mm/s² an axis: rounded a little, they take 0.4 s each.
     assert!((by_settings_s / 6.8 - 1.0).abs() < 0.1, "{by_settings_s}");
     assert!((by_runs_s / by_settings_s - 1.0).abs() < 0.06, "{by_runs_s} and {by_settings_s}");
+    // Kerf's own plan takes less: what a run tells at its end is what the controller took.
+    let took_s = told_after_s(&ran.out());
+    assert!(took_s > 0.9 * by_settings_s, "{took_s} and {by_settings_s}");
+}
+
+/// The seconds of "ran to its end after 6.9 s".
+fn told_after_s(told: &str) -> f64 {
+    let words = told.strip_prefix("ran to its end after ").expect(told);
+    words.split_once(" s\n").expect(told).0.parse().expect(told)
 }
