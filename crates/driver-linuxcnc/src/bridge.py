@@ -18,6 +18,7 @@ counts up from 0 (`hi`). One that is garbled or missing stops the machine: nobod
 When Kerf is silent for 1.5 s what moves is held, after 12 s stopped; when its line ends, at once.
 """
 
+import contextlib
 import os
 import select
 import shutil
@@ -111,13 +112,27 @@ class Net:
             raise Ended from error
 
 
+@contextlib.contextmanager
+def quiet():
+    """Drops what the module of LinuxCNC itself writes to standard error: where no engine runs, Kerf says so."""
+    kept, nowhere = os.dup(2), os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, 2)
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+        os.close(nowhere)
+
+
 class Machine:
     """LinuxCNC: its state, and what it is told."""
 
     def __init__(self):
-        self.told, self.state = linuxcnc.command(), linuxcnc.stat()
-        self.errors = linuxcnc.error_channel()
-        self.state.poll()
+        with quiet():
+            self.told, self.state = linuxcnc.command(), linuxcnc.stat()
+            self.errors = linuxcnc.error_channel()
+            self.state.poll()
         self.ini = linuxcnc.ini(self.state.ini_filename)
         mask = self.state.axis_mask
         self.axes = next((n for n in range(6) if not mask >> n & 1), 6)
