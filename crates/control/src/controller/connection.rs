@@ -3,14 +3,15 @@
 use super::driven::LEAD_S;
 use super::lacks::no_output;
 use super::lost::Lost;
+use super::ordered_outputs::OrderedOutputs;
 use super::row::Row;
 use super::socket::{Ends, Opens};
 use super::stopwatch::Stopwatch;
+use super::turned::Turned;
 use crate::learned::Learned;
 use kerf_machine::driver::planners::{Grbl, OwnPlanner};
 use kerf_machine::driver::{
-    Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Override, Shares, Signal,
-    Ticket, Trouble, Wired,
+    Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Signal, Ticket, Trouble, Wired,
 };
 use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
@@ -72,20 +73,9 @@ pub struct Connection {
     pub(super) done: Ticket,
     /// Orders given and not done.
     pub(super) open: usize,
-    /// Outputs as they should be, and as they were ordered.
-    pub(super) wanted: u32,
-    pub(super) ordered: u32,
-    /// Outputs that were left on, and were not ordered since.
-    pub(super) left: u32,
+    pub(super) outputs: OrderedOutputs,
     pub(super) rpm: Option<f64>,
-    /// Share of the ordered speed at which it makes moves.
-    pub(super) feed: f32,
-    /// Shares of rapid moves and of the spindle that the operator has turned, percent.
-    pub(super) turned: (u8, u8),
-    /// Shares that somebody at the controller has turned, and the run was not told of.
-    pub(super) by_hand: Option<Shares>,
-    /// The run was told of a share of feeds that holds already.
-    pub(super) feed_holds: bool,
+    pub(super) turned: Turned,
     pub(super) inputs: VecDeque<(u8, bool)>,
     /// Inputs that are active.
     pub(super) active: BTreeSet<u8>,
@@ -148,14 +138,9 @@ impl Connection {
             row: Row::default(),
             done: 0,
             open: 0,
-            wanted: 0,
-            ordered: 0,
-            left: 0,
+            outputs: OrderedOutputs::default(),
             rpm: None,
-            feed: 1.0,
-            turned: (100, 100),
-            by_hand: None,
-            feed_holds: false,
+            turned: Turned::default(),
             inputs: VecDeque::new(),
             active: BTreeSet::new(),
             probing: None,
@@ -303,13 +288,13 @@ impl Connection {
     }
 
     /// Outputs were left on, as far as anybody knows: whatever each is switched to is ordered.
-    pub const fn was_left_on(&mut self, outputs: u32) {
-        (self.wanted, self.ordered, self.left) = (outputs, outputs, outputs);
+    pub fn was_left_on(&mut self, outputs: u32) {
+        self.outputs = OrderedOutputs::left_on(outputs);
     }
 
     /// Returns the outputs that are on, as they were ordered.
     pub const fn has_on(&self) -> u32 {
-        self.ordered
+        self.outputs.on()
     }
 
     /// Closes its port.
@@ -320,7 +305,8 @@ impl Connection {
     /// Closes its port: whoever opens it anew has another connection.
     pub fn let_go(&mut self) {
         self.closes_line();
-        (self.open, self.ordered, self.dead) = (0, 0, true);
+        self.outputs.went_off();
+        (self.open, self.dead) = (0, true);
     }
 
     /// Inputs that changed and were not told, in order: by number, and whether active.
@@ -412,8 +398,10 @@ impl Connection {
 
     /// Takes what the driver has heard: orders that are done, inputs, the state of the link.
     fn takes_news(&mut self) {
-        self.hears_shares();
-        if self.feed != 1.0 || self.turned.0 != 100 || self.link.driver().waits().is_some() {
+        if let Some(holds) = self.link.driver().shares() {
+            self.turned.hear(holds);
+        }
+        if self.turned.changes_time() || self.link.driver().waits().is_some() {
             self.stopwatch.spoils();
         }
         let told = self.link.poll(self.now_s());
@@ -529,16 +517,15 @@ impl Connection {
             }
         }
         self.link.restart(self.now_s());
-        (self.done, self.open, self.ordered, self.left) = (0, 0, 0, 0);
+        self.outputs.went_off();
+        (self.done, self.open) = (0, 0);
         (self.probing, self.contact, self.looks_often) = (None, None, false);
         // Its reset has set the override back.
-        if self.feed != 1.0 {
-            self.feed(self.feed);
+        if self.turned.feed() != 1.0 {
+            self.signal(Signal::Feed(self.turned.feed_percent()));
         }
-        if self.turned != (100, 100) {
-            let (rapid, spindle) = self.turned;
-            self.turn(Override::Rapid(rapid));
-            self.turn(Override::Spindle(spindle));
+        for turned in self.turned.to_restore() {
+            self.signal(Signal::Override(turned));
         }
     }
 
@@ -594,7 +581,7 @@ impl Connection {
             self.finish(is_stopped);
         }
         if !well || self.failure.is_some() {
-            self.wanted = 0;
+            self.outputs.want_none();
             self.stop_at_once();
         }
         self.closed = true;
@@ -604,7 +591,7 @@ impl Connection {
 impl Drop for Connection {
     fn drop(&mut self) {
         // Whoever forgot to close it has left in the middle.
-        if self.open > 0 || self.ordered & !self.left != 0 && !self.closed {
+        if self.open > 0 || self.outputs.has_own_on() && !self.closed {
             self.stop_at_once();
         }
         self.put_back();

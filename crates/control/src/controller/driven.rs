@@ -29,11 +29,6 @@ const POLLED_MM_S: f64 = 1.5;
 /// Most orders on their way to the controller that are not done.
 const AHEAD: usize = 512;
 
-/// A share in percent, as a driver is told it.
-fn percent(share: f32) -> u8 {
-    (share * 100.0).round().clamp(1.0, 250.0) as u8
-}
-
 /// Returns `true` if a run goes on without waiting for the machine.
 fn leads(going: &Going<'_>, until_s: f64) -> bool {
     let plan = going.plan;
@@ -77,7 +72,7 @@ impl Connection {
             let order = Order::Probe { to: made.to.minus(self.offset), speed_mm_s, active };
             self.probing = self.order(order);
         } else if self.looks_often {
-            speed_mm_s = speed_mm_s.min(POLLED_MM_S / f64::from(self.feed.max(1.0)));
+            speed_mm_s = speed_mm_s.min(POLLED_MM_S / f64::from(self.turned.feed().max(1.0)));
         }
         let round = arc(made, self.facts.arc_tolerance_mm);
         if let Some(arc) = round.filter(|_| self.facts.arcs && watches.is_empty()) {
@@ -154,11 +149,8 @@ impl Connection {
 
     /// An output is to be on or off from here on.
     fn want(&mut self, line: u8, on: bool) {
-        let bit = self.facts.outputs & (1 << (line - 1));
-        self.wanted = if on { self.wanted | bit } else { self.wanted & !bit };
-        if self.left & bit != 0 {
-            self.left &= !bit;
-            self.ordered = self.ordered & !bit | bit & !self.wanted;
+        if self.facts.outputs & 1 << (line - 1) != 0 {
+            self.outputs.want(line, on);
         }
         self.switch_outputs();
     }
@@ -170,12 +162,7 @@ impl Connection {
     }
 
     fn switch_outputs(&mut self) {
-        for line in 1..=u32::BITS as u8 {
-            let bit = 1 << (line - 1);
-            if (self.wanted ^ self.ordered) & bit == 0 {
-                continue;
-            }
-            let on = self.wanted & bit != 0;
+        for (line, on) in self.outputs.take_orders() {
             if line == 1 && on {
                 // A spindle without a speed does not turn.
                 let rpm = self.rpm.unwrap_or(self.facts.spindle_rpm);
@@ -183,7 +170,6 @@ impl Connection {
             }
             self.order(Order::Output { line, on });
         }
-        self.ordered = self.wanted;
     }
 
     /// Makes the end of the piece of plan before, which is told already; not where somebody holds it at its own controls.
@@ -191,45 +177,6 @@ impl Connection {
         while self.done < self.row.before && self.is_busy() && self.waits().is_none() {
             self.tend(NAP);
         }
-    }
-
-    /// The operator turns the feed. What somebody at the controller has turned it to holds already.
-    pub(super) fn turns_feed(&mut self, share: f32) {
-        let holds = std::mem::take(&mut self.feed_holds) && percent(self.feed) == percent(share);
-        if self.facts.overrides && !holds {
-            self.feed = share;
-            self.signal(Signal::Feed(percent(share)));
-        }
-    }
-
-    /// The operator turns something else.
-    pub(super) fn turns(&mut self, turned: Override) {
-        if !self.facts.overrides_more {
-            return;
-        }
-        match turned {
-            Override::Rapid(percent) => self.turned.0 = percent,
-            Override::Spindle(percent) => self.turned.1 = percent,
-        }
-        self.signal(Signal::Override(turned));
-    }
-
-    /// Learns which shares hold in the controller; others than those that were ordered are news.
-    pub(super) fn hears_shares(&mut self) {
-        let Some(holds) = self.link.driver().shares() else { return };
-        let (rapid, spindle) = self.turned;
-        if holds != (Shares { feed: percent(self.feed), rapid, spindle }) {
-            self.feed = f32::from(holds.feed) / 100.0;
-            self.turned = (holds.rapid, holds.spindle);
-            self.by_hand = Some(holds);
-        }
-    }
-
-    /// Returns such news, once.
-    pub(super) fn takes_shares(&mut self) -> Option<Shares> {
-        let news = self.by_hand.take();
-        self.feed_holds |= news.is_some();
-        news
     }
 
     /// The moment that is reached of a move, as far as it is known.
@@ -392,15 +339,20 @@ impl Machine for Connection {
     }
 
     fn feed(&mut self, share: f32) {
-        self.turns_feed(share);
+        if self.facts.overrides && self.turned.turn_feed(share) {
+            self.signal(Signal::Feed(self.turned.feed_percent()));
+        }
     }
 
     fn turn(&mut self, turned: Override) {
-        self.turns(turned);
+        if self.facts.overrides_more {
+            self.turned.turn(turned);
+            self.signal(Signal::Override(turned));
+        }
     }
 
     fn turned_by_hand(&mut self) -> Option<Shares> {
-        self.takes_shares()
+        self.turned.take_news()
     }
 
     fn give_up(&mut self) {

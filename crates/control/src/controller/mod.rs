@@ -26,12 +26,14 @@ mod kept_settings;
 mod lacks;
 mod lost;
 pub(crate) mod merged;
+mod ordered_outputs;
 pub mod queued;
 mod row;
 #[cfg(test)]
 mod sent;
 mod socket;
 mod stopwatch;
+mod turned;
 mod zeros;
 
 pub use attached::{AttachReport, First};
