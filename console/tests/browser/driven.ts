@@ -14,9 +14,12 @@ export interface Driven {
   close: () => Promise<void>;
 }
 
-/** Opens one with part files, by their names. */
-export async function driveController(files: Record<string, string> = {}): Promise<Driven> {
-  const controller = new Controller();
+/** Opens one with part files, by their names, on a controller with settings such as `120=400`. */
+export async function driveController(
+  files: Record<string, string> = {},
+  ...settings: string[]
+): Promise<Driven> {
+  const controller = new Controller(...settings);
   const workshop = await openWorkshop({ controller: `grbl:${await controller.line()}` });
   for (const [name, text] of Object.entries(files)) {
     writeFileSync(join(workshop.parts, name), text);

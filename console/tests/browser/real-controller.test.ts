@@ -1,15 +1,13 @@
-import { writeFileSync } from "node:fs";
-import { join } from "node:path";
 import type { Page } from "playwright-core";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { beforeAll, expect, it } from "vitest";
 import type { Snapshot } from "../../src/wire/messages";
-import { Controller } from "./controller";
+import type { Controller } from "./controller";
+import { driveController } from "./driven";
 import {
   act,
   arm,
   hold,
   keysOf,
-  openWorkshop,
   stands,
   stateOf,
   until,
@@ -21,19 +19,12 @@ let controller: Controller;
 let workshop: Workshop;
 let page: Page;
 
+const square = ["SO,1,1", "MS,2", "MX,2", "MY,2", "MX,0", "MY,0", "SO,1,0", ""].join("\n");
+
 beforeAll(async () => {
-  controller = new Controller("22=1");
-  const port = await controller.line();
-  workshop = await openWorkshop({ controller: `grbl:${port}` });
-  writeFileSync(
-    join(workshop.parts, "square.sbp"),
-    ["SO,1,1", "MS,2", "MX,2", "MY,2", "MX,0", "MY,0", "SO,1,0", ""].join("\n"),
-  );
-  page = await workshop.page();
-});
-afterAll(async () => {
-  await workshop?.close();
-  controller?.unplug();
+  const driven = await driveController({ "square.sbp": square }, "22=1");
+  ({ controller, workshop, page } = driven);
+  return driven.close;
 });
 
 const working = async () => (await stateOf(workshop)).motion.at.machine;

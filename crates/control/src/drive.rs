@@ -50,6 +50,7 @@ pub(crate) struct Drive<'a> {
     fault: Option<Fault>,
     looked: Option<Instant>,
     begun: Instant,
+    in_real_time: bool,
 }
 
 impl<'a> Drive<'a> {
@@ -61,8 +62,9 @@ impl<'a> Drive<'a> {
             machine.borrow_mut().turn(turned);
         }
         let (kept, braked, fault, looked) = (VecDeque::new(), false, None, None);
-        let begun = Instant::now();
-        Self { machine, requests, kept, reached_s: now_s, braked, fault, looked, begun }
+        let (begun, in_real_time) = (Instant::now(), machine.borrow().in_real_time());
+        let reached_s = now_s;
+        Self { machine, requests, kept, reached_s, braked, fault, looked, begun, in_real_time }
     }
 
     /// Lets machine time go on from one moment to another, unless an input, a fault or the operator comes before; returns
@@ -122,21 +124,21 @@ impl<'a> Drive<'a> {
             if let Some(turned) = self.requests.turned(now_s) {
                 self.machine.borrow_mut().turn(turned);
             }
-            let News { reached_s, input } = {
-                let mut machine = self.machine.borrow_mut();
-                match &doing.going {
-                    Some(going) => machine.advance(going, now_s, until_s),
-                    None => machine.stand(now_s, until_s),
-                }
+            let mut machine = self.machine.borrow_mut();
+            let News { reached_s, input } = match &doing.going {
+                Some(going) => machine.advance(going, now_s, until_s),
+                None => machine.stand(now_s, until_s),
             };
+            let (text, fails) = (machine.tells(), machine.fault().is_some());
+            drop(machine);
             // A machine that is followed may tell a moment before the one that it told last.
             let before_s = std::mem::replace(&mut now_s, reached_s.min(until_s));
             self.reached_s = now_s;
             sink.under_way(doing, before_s, now_s);
-            if let Some(text) = self.machine.borrow_mut().tells() {
+            if let Some(text) = text {
                 sink.event(&Event::Message { text: text.into(), t: now_s });
             }
-            if self.notes_fault() {
+            if self.fault.is_some() || fails && self.notes_fault() {
                 return Err(Fails);
             }
             if let Some(input) = input {
@@ -318,13 +320,13 @@ impl<'a> Drive<'a> {
     }
 
     /// Returns `true` if it takes the time of the world.
-    pub fn in_real_time(&self) -> bool {
-        self.machine.borrow().in_real_time()
+    pub const fn in_real_time(&self) -> bool {
+        self.in_real_time
     }
 
     /// Returns the seconds of the world since the run began, where the machine takes them.
     pub fn taken_s(&self) -> Option<f64> {
-        self.in_real_time().then(|| self.begun.elapsed().as_secs_f64())
+        self.in_real_time.then(|| self.begun.elapsed().as_secs_f64())
     }
 }
 

@@ -109,9 +109,11 @@ impl<I: Interpreter> Station<'_, I> {
         self.world.tally.made(&made, end_s - begin_s, &frame);
         self.world.tally.carried(&made, &lift, &frame);
         self.world.tell_log();
-        let (file, place) = (self.world.file(span.made.at), self.world.placed());
         self.world.workspace.tape.comes_to(end_s);
-        self.world.workspace.tape.made(&file, span.made.at.line, place);
+        if self.world.workspace.tape.is_written() {
+            let (file, place) = (self.world.file(span.made.at), self.world.placed());
+            self.world.workspace.tape.made(&file, span.made.at.line, place);
+        }
     }
 
     fn move_event(&self, made: &Move, t0: f64, t1: f64) -> Event {

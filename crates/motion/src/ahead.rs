@@ -32,12 +32,7 @@ impl Ahead {
     }
 }
 
-/// Takes the first items out of a list. The few that stay are what is copied, and where none is taken
-/// nothing.
+/// Takes the first items out of a list, which keeps its room for those to come.
 fn first<T>(all: &mut Vec<T>, count: usize) -> Vec<T> {
-    if count == 0 {
-        return Vec::new();
-    }
-    let rest = all.split_off(count);
-    std::mem::replace(all, rest)
+    all.drain(..count).collect()
 }

@@ -7,6 +7,11 @@ use crate::reached::Reached;
 use crate::{Hurry, Placed};
 
 impl Tape {
+    /// Returns `true` if what is made goes on record.
+    pub const fn is_written(&self) -> bool {
+        self.writing.is_some()
+    }
+
     /// A move was made; the machine is there.
     pub fn made(&mut self, file: &str, line: u32, place: Placed) {
         if self.writing.is_none() {
