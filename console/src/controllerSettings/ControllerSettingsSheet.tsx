@@ -1,17 +1,16 @@
-import { Fragment, useState } from "react";
+import { useState } from "react";
 import { FileTrigger } from "react-aria-components";
-import { drive } from "../actions/ask";
-import { unlessReady } from "../actions/machine";
-import { useHands, useShown, useSnapshot, worldOf } from "../app/context";
+import { useHands, useSnapshot } from "../app/context";
 import { downloadText } from "../link/download";
 import { Button } from "../ui/Button";
 import { Field } from "../ui/Field";
 import { Sheet } from "../ui/Sheet";
 import type { ControllerSetting } from "../wire/messages";
-import { serverWords } from "../words/server";
 import { t } from "../words/words";
 import { Compared } from "./Compared";
 import { fileOf, found, valuesOf } from "./file";
+import { type Chosen, SettingRows } from "./SettingRows";
+import { explained, named } from "./said";
 import "./controller-settings.css";
 
 const none: readonly ControllerSetting[] = [];
@@ -20,7 +19,7 @@ const none: readonly ControllerSetting[] = [];
 export function ControllerSettingsSheet({ onClose }: { onClose: () => void }) {
   const settings = useSnapshot("controllerSettings") ?? none;
   const [search, setSearch] = useState("");
-  const [edited, setEdited] = useState<number>();
+  const [chosen, choose] = useState<Chosen>();
   const [file, setFile] = useState<ReadonlyMap<number, string>>();
   return (
     <Sheet title={t("Settings of the controller")} shape="side" onClose={onClose}>
@@ -31,14 +30,20 @@ export function ControllerSettingsSheet({ onClose }: { onClose: () => void }) {
       </p>
       <Kept settings={settings} read={setFile} />
       {file && <Compared {...{ settings, file }} onClose={() => setFile(undefined)} />}
-      <Field label="Find" placeholder="number, name or unit" value={search} onChange={setSearch} />
-      <Settings settings={found(settings, search, named)} {...{ edited, edit: setEdited }} />
+      <Field
+        label="Find"
+        placeholder="number, name, unit or what it does"
+        value={search}
+        onChange={setSearch}
+      />
+      <SettingRows
+        settings={found(settings, search, (it) => [named(it), ...explained(it)].join(" "))}
+        explains={search.trim() !== ""}
+        {...{ chosen, choose }}
+      />
     </Sheet>
   );
 }
-
-/** The name of a setting in the language of the page, where it is one of those that Kerf knows. */
-const named = ({ name }: ControllerSetting): string => serverWords(name);
 
 interface KeptProps {
   settings: readonly ControllerSetting[];
@@ -66,105 +71,5 @@ function Kept({ settings, read }: KeptProps) {
         <Button>Compare with a file…</Button>
       </FileTrigger>
     </div>
-  );
-}
-
-interface ChangingProps {
-  setting: ControllerSetting;
-  onClose: () => void;
-}
-
-/** Another value for a setting. */
-function Changing({ setting, onClose }: ChangingProps) {
-  const hands = useHands();
-  const { link, screen } = hands;
-  const refused = useShown((shown) => unlessReady({ shown, link, screen }));
-  const [value, setValue] = useState(setting.value);
-  const write = async () => {
-    const line = `$${setting.number}=${value.trim()}`;
-    if (await drive(worldOf(hands), { do: "command", line })) onClose();
-  };
-  return (
-    <section
-      className="controller-settings-change"
-      aria-label={t("Change {0}", `$${setting.number}`)}
-    >
-      <Field
-        label={`$${setting.number} ${named(setting)}`}
-        unit={setting.unit}
-        hint={boundsOf(setting)}
-        value={value}
-        onChange={setValue}
-        autoFocus
-      />
-      <div className="controller-settings-kept">
-        <Button
-          look="primary"
-          refused={value.trim() === "" ? t("Give a value.") : refused}
-          onPress={() => void write()}
-        >
-          Write
-        </Button>
-        <Button onPress={onClose}>Cancel</Button>
-      </div>
-    </section>
-  );
-}
-
-/** The values that a setting may have, in words. */
-function boundsOf({ least, most }: ControllerSetting): string | undefined {
-  if (least === null && most === null) return undefined;
-  if (most === null) return t("{0} or more", least ?? 0);
-  if (least === null) return t("{0} or less", most);
-  return t("{0} to {1}", least, most);
-}
-
-interface SettingsProps {
-  settings: readonly ControllerSetting[];
-  /** The number of the one that is being changed. */
-  edited: number | undefined;
-  edit: (number: number | undefined) => void;
-}
-
-function Settings({ settings, edited, edit }: SettingsProps) {
-  if (settings.length === 0) return <p role="status">{t("Nothing is found.")}</p>;
-  return (
-    <table className="controller-settings list-table">
-      <thead>
-        <tr>
-          <th>{t("Setting")}</th>
-          <th>{t("Value")}</th>
-          <td />
-        </tr>
-      </thead>
-      <tbody>
-        {settings.map((setting) => (
-          <Fragment key={setting.number}>
-            <tr>
-              <th scope="row">
-                <b>{`$${setting.number}`}</b> {named(setting)}
-              </th>
-              <td>{`${setting.value} ${setting.unit}`.trim()}</td>
-              <td>
-                <Button
-                  size="small"
-                  aria-label={t("Change {0}", `$${setting.number}`)}
-                  onPress={() => edit(setting.number)}
-                >
-                  Change
-                </Button>
-              </td>
-            </tr>
-            {edited === setting.number && (
-              <tr>
-                <td colSpan={3}>
-                  <Changing setting={setting} onClose={() => edit(undefined)} />
-                </td>
-              </tr>
-            )}
-          </Fragment>
-        ))}
-      </tbody>
-    </table>
   );
 }

@@ -9,6 +9,8 @@ const setting = (number: number, value: string, name = ""): ControllerSetting =>
   unit: "mm/min",
   least: 0,
   most: null,
+  does: "",
+  own: "",
 });
 const settings = [setting(11, "0.010"), setting(110, "5000.000", "X greatest speed")];
 

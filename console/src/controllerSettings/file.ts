@@ -41,13 +41,13 @@ function isSame(a: string, b: string): boolean {
   return a.trim() === b.trim() || (a !== "" && b !== "" && x === y);
 }
 
-/** The settings in whose number, name or unit all words of a search stand. */
+/** The settings in whose number, words or unit all words of a search stand. */
 export function found(
   settings: readonly ControllerSetting[],
   search: string,
-  named: (setting: ControllerSetting) => string,
+  worded: (setting: ControllerSetting) => string,
 ): readonly ControllerSetting[] {
   const words = search.toLowerCase().split(/\s+/).filter(Boolean);
-  const has = (it: ControllerSetting) => `$${it.number} ${named(it)} ${it.unit}`.toLowerCase();
+  const has = (it: ControllerSetting) => `$${it.number} ${worded(it)} ${it.unit}`.toLowerCase();
   return settings.filter((it) => words.every((word) => has(it).includes(word)));
 }

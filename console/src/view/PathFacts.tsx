@@ -45,8 +45,8 @@ function Learned() {
       <dt>{t("Learned")}</dt>
       <dd>
         {pace.runs === 1
-          ? t("1 run here: motion takes {0} of what is reckoned", factor)
-          : t("{1} runs here: motion takes {0} of what is reckoned", factor, pace.runs)}
+          ? t("1 run here: motion takes {0} times as long as estimated", factor)
+          : t("{1} runs here: motion takes {0} times as long as estimated", factor, pace.runs)}
         <ActionButton action={forgetPace} size="small">
           Forget
         </ActionButton>

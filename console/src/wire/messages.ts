@@ -600,7 +600,11 @@ unit: string,
 /** Least value, where there is one. */
 least: number | null,
 /** Greatest value, where there is one. */
-most: number | null, };
+most: number | null,
+/** What it does, in a sentence; empty where nobody knows. */
+does: string,
+/** The same as the controller itself tells it; empty where it does not. */
+own: string, };
 
 /** The run that is under way, or the last one. */
 export type CurrentRun = {

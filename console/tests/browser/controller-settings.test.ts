@@ -39,6 +39,23 @@ it("lists what the controller keeps, with names and units, and finds by a word",
   expect(await violations(page)).toEqual([]);
 });
 
+it("tells what a setting does below it, and finds by that", async () => {
+  const does = sheet().getByText(/^Decides how fast corners are taken/);
+  expect(await does.count()).toBe(0);
+  const name = row(11).getByRole("button", { name: "$11 junction deviation" });
+  await name.click();
+  await does.waitFor();
+  expect(await name.getAttribute("aria-expanded")).toBe("true");
+  if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/explained.png` });
+  await name.click();
+  await does.waitFor({ state: "detached" });
+  await sheet().getByLabel("Find").fill("corners");
+  await does.waitFor();
+  expect(await sheet().getByRole("row").count()).toBe(3);
+  expect(await violations(page)).toEqual([]);
+  await sheet().getByLabel("Find").fill("");
+});
+
 it("writes none while the machine is disarmed, and writes one that is read back", async () => {
   await row(120).getByRole("button", { name: "Change $120" }).click();
   const write = sheet().getByRole("button", { name: "Write", exact: true });

@@ -66,7 +66,7 @@ it("learns from a finished run, tells by how many, and forgets it", async () => 
   expect(await facts.getByText("Learned").count()).toBe(0);
   // Long enough to count, and its own file: two jogs of 100 mm.
   await command(page, "JX,4");
-  await facts.getByText(/^1 run here: motion takes \d\.\d\d of what is reckoned/).waitFor();
+  await facts.getByText(/^1 run here: motion takes \d\.\d\d times as long as estimated/).waitFor();
   expect((await stateOf(workshop)).machine.pace?.runs).toBe(1);
   expect(await violations(page)).toEqual([]);
   await facts.getByRole("button", { name: "Forget" }).click();

@@ -46,10 +46,10 @@ class Pretended {
   }
 }
 
-/** One of the grbl family on a pseudo terminal: `pins P` closes its probe, `bore X Y RADIUS` lays a thing around it. */
+/** One of the grbl family on a pseudo terminal, with settings (`22=1`), of grblHAL by the word `hal`: `pins P` closes its probe, `bore X Y RADIUS` lays a thing around it. */
 export class Controller extends Pretended {
-  constructor(...settings: string[]) {
-    super("grbl", settings);
+  constructor(...words: string[]) {
+    super("grbl", words);
   }
 
   /** A value of its settings. */

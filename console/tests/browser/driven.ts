@@ -14,12 +14,12 @@ export interface Driven {
   close: () => Promise<void>;
 }
 
-/** Opens one with part files, by their names, on a controller with settings such as `120=400`. */
+/** Opens one with part files, by their names; words say what the controller is like. */
 export async function driveController(
   files: Record<string, string> = {},
-  ...settings: string[]
+  ...words: string[]
 ): Promise<Driven> {
-  const controller = new Controller(...settings);
+  const controller = new Controller(...words);
   const workshop = await openWorkshop({ controller: `grbl:${await controller.line()}` });
   for (const [name, text] of Object.entries(files)) {
     writeFileSync(join(workshop.parts, name), text);

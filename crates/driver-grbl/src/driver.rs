@@ -6,7 +6,6 @@ use crate::flights::{Flights, radius_mm};
 use crate::gap::{self, Gap};
 use crate::kept_settings::{self, KeptSettings};
 use crate::lines::{Modal, jogs_alone, lines, parts, told_as};
-use crate::own_words::OwnSetting;
 use crate::place::Place;
 use crate::report::Doing;
 use crate::tool_wait::ToolWait;
@@ -35,7 +34,7 @@ const NUMBERED_EVERY: Ticket = 8;
 const NUMBERS: Ticket = 1000;
 
 /// A line longer than this is no answer.
-const LONGEST: usize = 1024;
+const LONGEST: usize = 4096;
 
 /// Phase of the driver: what is learnt before anything moves, and whether the controller is stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -212,17 +211,13 @@ impl Grbl {
         self.told.texts()
     }
 
-    /// Asks for its settings in its own words, where it has them; tells whether it does.
+    /// Asks for the next part of its settings in its own words, where it has such: lists of them first, then what each does.
+    /// Tells whether there was more to be asked.
     pub fn asks_settings(&mut self) -> bool {
-        if self.told.own.has {
-            ["$EG", "$ES"].into_iter().for_each(|line| self.say(line));
-        }
-        self.told.own.has
-    }
-
-    /// Returns a setting as the board describes it, when it was asked.
-    pub fn own_setting(&self, number: u16) -> Option<&OwnSetting> {
-        self.told.own.of(number)
+        let lines = self.kept.asks_words(&self.told);
+        let asks = !lines.is_empty();
+        lines.into_iter().for_each(|line| self.say(line));
+        asks
     }
 
     /// Changes a setting, while nothing moves.
@@ -264,6 +259,7 @@ impl Grbl {
         self.phase = Phase::Asked;
         self.asked_s = now_s;
         (self.told, self.mended, self.busy) = (KnownFacts::default(), false, false);
+        self.kept = KeptSettings::default();
         (self.queue, self.pending) = (VecDeque::new(), VecDeque::new());
         // An empty line first: whatever stands half received is answered and gone.
         ["", "$I", "$$", "$G", "$#"].into_iter().for_each(|line| self.say(line));
@@ -540,7 +536,7 @@ impl Wired for Grbl {
         let told = |(number, value): (&u16, &String)| {
             let was = changed.as_ref().filter(|changed| changed.number == *number);
             let value = was.map_or_else(|| value.trim().to_owned(), |it| it.was.to_string());
-            kept_settings::told(*number, value, self.own_setting(*number))
+            kept_settings::told(*number, value, &self.told)
         };
         self.settings().iter().map(told).collect()
     }

@@ -124,6 +124,7 @@ impl KnownFacts {
             "NEWOPT" => {
                 let has = |option| value.split(',').any(|word| word == option);
                 (self.lacks_probe, self.own.has) = (has("NOPROBE"), has("ENUMS"));
+                self.own.describes = has("SED");
             }
             "GC" => self.modes = value.split_whitespace().map(String::from).collect(),
             _ => self.own.bracket(name, value),
@@ -190,7 +191,7 @@ impl KnownFacts {
     /// Returns `true` if its reports name the line that it makes.
     pub fn tells_lines(&self) -> bool {
         let by_option = self.options.as_ref().is_some_and(|letters| letters.contains('N'));
-        by_option && (self.firmware != Firmware::Hal || self.bit(10, 2))
+        by_option && (!self.is_hal() || self.bit(10, 2))
     }
 
     /// Its modes are asked for anew.
@@ -217,6 +218,11 @@ impl KnownFacts {
     /// Returns all settings as it writes them.
     pub const fn texts(&self) -> &BTreeMap<u16, String> {
         &self.texts
+    }
+
+    /// Returns `true` if it is grblHAL.
+    pub fn is_hal(&self) -> bool {
+        self.firmware == Firmware::Hal
     }
 
     /// Returns a setting.
@@ -301,7 +307,7 @@ impl KnownFacts {
 
     fn forces_zero(&self) -> bool {
         let by_option = self.options.as_ref().is_some_and(|letters| letters.contains('Z'));
-        if self.firmware == Firmware::Hal { self.bit(22, 3) } else { by_option }
+        if self.is_hal() { self.bit(22, 3) } else { by_option }
     }
 
     /// The inputs of which its reports tell: the probe, and the limits of its axes.

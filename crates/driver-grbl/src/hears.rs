@@ -318,9 +318,11 @@ impl Grbl {
                 }
                 if self.kept.is_due(now_s) {
                     self.say(kept_settings::ASK);
-                    if self.kept.asks_words() {
+                    if !self.kept.has_asked_words() {
                         self.asks_settings();
                     }
+                } else if self.kept.has_asked_words() {
+                    self.asks_settings();
                 }
             }
             _ => {}

@@ -3,10 +3,20 @@
 //! The controller tells nobody that a setting has changed. It is asked for all of them behind each that Kerf writes, and now
 //! and then while it stands; what follows from them, its planner too, is known anew then.
 
-use crate::own_words::OwnSetting;
+use crate::explained::explained;
+use crate::facts::KnownFacts;
 use crate::settings::setting;
 use kerf_machine::driver::ToldSetting;
 use std::collections::BTreeMap;
+
+/// Asks for groups and settings in its own words.
+const LISTS: [&str; 2] = ["$EG", "$ES"];
+
+/// Asks for the description of one.
+const DESCRIBE: &str = "$SED=";
+
+/// So many are asked for at once: the line is free again in a tenth of a second.
+const DESCRIBED_AT_ONCE: usize = 8;
 
 /// Asks for all of them.
 pub const ASK: &str = "$$";
@@ -26,8 +36,8 @@ pub fn line(number: u16, value: &str) -> String {
 }
 
 /// Returns a setting as a controller told it last, in its own words where it has told such.
-pub fn told(number: u16, value: String, own: Option<&OwnSetting>) -> ToldSetting {
-    let (name, unit, bounds) = match (own, setting(number)) {
+pub fn told(number: u16, value: String, facts: &KnownFacts) -> ToldSetting {
+    let (name, unit, bounds) = match (facts.own.of(number), setting(number)) {
         (Some(own), _) => (own.name.clone(), own.unit.clone(), own.bounds),
         (None, Some(known)) => {
             let (least, most) = known.bounds;
@@ -36,7 +46,9 @@ pub fn told(number: u16, value: String, own: Option<&OwnSetting>) -> ToldSetting
         }
         (None, None) => Default::default(),
     };
-    ToldSetting { number, value, name, unit, bounds }
+    let does = explained(number, facts.is_hal());
+    let own = facts.own.description(number).to_owned();
+    ToldSetting { number, value, name, unit, bounds, does, own }
 }
 
 /// State of settings that were asked for or written.
@@ -44,8 +56,8 @@ pub fn told(number: u16, value: String, own: Option<&OwnSetting>) -> ToldSetting
 pub struct KeptSettings {
     /// Time when it was asked for them last; nothing before it has stood since it was attached.
     asked_s: Option<f64>,
-    /// It was asked to describe them in its own words.
-    asked_words: bool,
+    /// It was asked to list them in its own words, and to describe those below this number.
+    described_below: Option<u16>,
     /// The refusal of one that was written, in words.
     refused: Option<String>,
 }
@@ -60,9 +72,28 @@ impl KeptSettings {
         is_due
     }
 
-    /// Returns `true` the first time: it is to be asked to describe its settings, where it can.
-    pub const fn asks_words(&mut self) -> bool {
-        !std::mem::replace(&mut self.asked_words, true)
+    /// Returns `true` once it was asked to list its settings in its own words.
+    pub const fn has_asked_words(&self) -> bool {
+        self.described_below.is_some()
+    }
+
+    /// Returns the next lines that ask for its own words: lists first, then descriptions, some at a time; none where it has no
+    /// more of them.
+    pub fn asks_words(&mut self, facts: &KnownFacts) -> Vec<String> {
+        if !facts.own.has {
+            return Vec::new();
+        }
+        let Some(below) = self.described_below else {
+            self.described_below = Some(0);
+            return LISTS.map(str::to_owned).into();
+        };
+        if !facts.own.describes {
+            return Vec::new();
+        }
+        let left = facts.texts().range(below..).take(DESCRIBED_AT_ONCE).map(|(number, _)| *number);
+        let next: Vec<u16> = left.collect();
+        self.described_below = next.last().map(|last| last.saturating_add(1)).or(Some(below));
+        next.into_iter().map(|number| format!("{DESCRIBE}{number}")).collect()
     }
 
     /// One of the settings that the controller has is about to be written.
@@ -85,10 +116,13 @@ impl KeptSettings {
         setting(number).and_then(|known| known.refuses(value)).map_or(Ok(()), Err)
     }
 
-    /// Returns `true` if a refused line is no order: a setting that the controller does not take, or a question that came while
-    /// somebody moved it. Neither ends anything.
+    /// Returns `true` if a refused line is no order: a setting that the controller does not take, a question for its own words,
+    /// or one that came while somebody moved it. None of them ends anything.
     pub fn is_refused(&mut self, asked: Option<&str>, number: u16, why: &str) -> bool {
         let Some(text) = asked else { return false };
+        if LISTS.contains(&text) || text.starts_with(DESCRIBE) {
+            return true;
+        }
         let is_written = text.starts_with('$') && text.contains('=');
         if is_written {
             self.refused = Some(format!("{text}: error {number}: {why}"));

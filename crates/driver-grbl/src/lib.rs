@@ -23,6 +23,7 @@
 mod at_once;
 mod driver;
 mod error_texts;
+mod explained;
 mod facts;
 pub mod fake;
 mod flights;
@@ -39,4 +40,3 @@ mod tool_wait;
 mod zeros;
 
 pub use driver::Grbl;
-pub use own_words::OwnSetting;

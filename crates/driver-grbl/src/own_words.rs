@@ -1,4 +1,5 @@
-//! Errors, alarms and settings in the words of the board, where it has lists of them (`$EE`, `$EA`, `$ES`, `$EG`).
+//! Errors, alarms and settings in the words of the board, where it has lists of them (`$EE`, `$EA`, `$ES`, `$EG`,
+//! `$SED`).
 
 use std::collections::BTreeMap;
 
@@ -27,6 +28,9 @@ pub struct OwnWords {
     /// Names of groups of settings.
     groups: BTreeMap<u16, String>,
     settings: BTreeMap<u16, OwnSetting>,
+    /// It describes a setting when it is asked (`$SED`).
+    pub describes: bool,
+    descriptions: BTreeMap<u16, String>,
 }
 
 impl OwnWords {
@@ -37,6 +41,7 @@ impl OwnWords {
             "ALARMCODE" => self.alarms.extend(worded(value)),
             "SETTINGGROUP" => self.groups.extend(group(value)),
             "SETTING" => self.settings.extend(self.setting(value)),
+            "SETTINGDESCR" => self.descriptions.extend(described(value)),
             _ => {}
         }
     }
@@ -44,6 +49,11 @@ impl OwnWords {
     /// Returns a setting as the board describes it.
     pub fn of(&self, number: u16) -> Option<&OwnSetting> {
         self.settings.get(&number)
+    }
+
+    /// Returns what a setting does, as the board describes it; empty where it does not.
+    pub fn description(&self, number: u16) -> &str {
+        self.descriptions.get(&number).map_or("", String::as_str)
     }
 
     /// Reads `110|43|X-axis maximum rate|mm/min|6|#####0.000|0|5000|…`.
@@ -65,6 +75,13 @@ fn worded(line: &str) -> Option<(u16, String)> {
     (!text.is_empty()).then_some((number.parse().ok()?, text.to_owned()))
 }
 
+/// Reads `110|Maximum rate.\n\nNOTE: …`, a description in which the ends of lines are written as `\n`.
+fn described(line: &str) -> Option<(u16, String)> {
+    let (number, text) = line.split_once('|')?;
+    let lines = text.split("\\n").map(str::trim).filter(|line| !line.is_empty());
+    Some((number.parse().ok()?, lines.collect::<Vec<_>>().join("\n")))
+}
+
 /// Reads `43|0|X-axis`, a group of settings.
 fn group(line: &str) -> Option<(u16, String)> {
     let (number, rest) = line.split_once('|')?;
@@ -83,10 +100,14 @@ mod tests {
         own.bracket("SETTING", "13|1|Inches||0||||0|0");
         own.bracket("ERRORCODE", "0||");
         own.bracket("ERRORCODE", "20||No such word.");
+        own.bracket("SETTINGDESCR", "110|How fast.\\n\\nNOTE: not the others.");
+        own.bracket("SETTINGDESCR", "13|");
         let bounds = (Some(1.0), Some(5000.0));
         let fastest = OwnSetting { name: "X-axis: Fastest".into(), unit: "mm/min".into(), bounds };
         assert_eq!(own.of(110), Some(&fastest));
         assert_eq!(own.of(13).map(|it| &*it.name), Some("Inches"));
+        assert_eq!(own.description(110), "How fast.\nNOTE: not the others.");
+        assert_eq!((own.description(13), own.description(999)), ("", ""));
         assert_eq!(own.errors.into_iter().collect::<Vec<_>>(), [(20, "No such word".into())]);
     }
 }

@@ -1,7 +1,7 @@
 //! Settings that change while the controller is attached count from then on.
 
 use crate::wire::Wire;
-use kerf_driver_grbl::fake::Fake;
+use kerf_driver_grbl::fake::{Board, Fake};
 use kerf_machine::driver::planners::{Grbl, OwnPlanner};
 use kerf_machine::driver::{Driver, Link, Signal, Wired};
 
@@ -85,4 +85,45 @@ fn what_is_no_value_of_a_setting_is_refused_and_ends_nothing() {
     assert!(told.starts_with("$120=150: error 8"), "{told}");
     assert_eq!(plans_with(&mut link).0, 400.0);
     assert_eq!(link.driver().grbl.trouble(), None);
+}
+
+#[test]
+fn a_board_that_describes_its_settings_is_asked_for_a_few_at_a_time_while_it_stands() {
+    let mut link = Link::new(Wire::new(Fake::of(Board::hal(0), &[(341, 1.0)])));
+    let described = |link: &mut Link<Wire>| {
+        let lines = link.driver().fake.lines.iter();
+        lines.filter(|line| line.starts_with("$SED=")).cloned().collect::<Vec<_>>()
+    };
+    stands(&mut link, 0.0, 9.0);
+    assert!(
+        described(&mut link).is_empty(),
+        "a program that is started at once is not kept waiting"
+    );
+    let mut now_s = 9.0;
+    while described(&mut link).is_empty() {
+        now_s += 0.05;
+        link.driver().signal(Signal::Ask, now_s);
+        link.poll(now_s);
+    }
+    assert!(described(&mut link).len() <= 8, "{:?}", described(&mut link));
+    stands(&mut link, now_s, 5.0);
+    let told = link.driver().grbl.told_settings();
+    let numbers: Vec<_> = told.iter().map(|it| format!("$SED={}", it.number)).collect();
+    assert_eq!(described(&mut link), numbers, "each once");
+    let of = |number| told.iter().find(|it| it.number == number).unwrap();
+    assert_eq!(of(110).own, "How quick X may be.\nNOTE: rapid moves are.");
+    assert!(of(341).does.contains("M6") && of(341).own.is_empty());
+}
+
+#[test]
+fn a_setting_that_a_board_does_not_describe_ends_nothing() {
+    // It says that it describes them, and knows no such line.
+    let mut board = Board::grbl();
+    board.tells.push("[NEWOPT:ENUMS,SED]".into());
+    let mut link = Link::new(Wire::new(Fake::of(board, &[])));
+    stands(&mut link, 0.0, 15.0);
+    assert!(link.driver().fake.lines.iter().any(|line| line == "$SED=0"));
+    let grbl = &mut link.driver().grbl;
+    assert_eq!(grbl.takes_refusal(), None);
+    assert_eq!(grbl.trouble(), None);
 }

@@ -6,7 +6,7 @@
 //! kerf run box.sbp --machine grbl:/dev/pts/4
 //! ```
 //!
-//! Settings are arguments: `20=1 22=1`. Lines on standard input work it: `limit` hits a limit switch,
+//! Settings are arguments: `20=1 22=1`; `hal` makes it one of grblHAL. Lines on standard input work it: `limit` hits a limit switch,
 //! `pins PD` closes switches, `block X Y Z X Y Z`, `bore X Y RADIUS` and `plate Z RISE RISE` are things that its
 //! probe feels until `nothing`, `pendant G55` sends it a line, `tool` has it change the tool by itself, `setting 100` and
 //! `where` tell a setting and where it stands, an end of the input unplugs it.
@@ -24,7 +24,7 @@ fn main() {
 
 #[cfg(unix)]
 mod unix {
-    use kerf_driver_grbl::fake::{Fake, Solid};
+    use kerf_driver_grbl::fake::{Board, Fake, Solid};
     use kerf_transport::pretend::Plug;
     use std::io::stdin;
     use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -39,7 +39,9 @@ mod unix {
         std::thread::spawn(move || {
             stdin().lines().map_while(Result::ok).try_for_each(|l| said.send(l))
         });
-        play(plug, Fake::new(&settings), &says);
+        let is_hal = std::env::args().any(|word| word == "hal");
+        let board = if is_hal { Board::hal(0) } else { Board::grbl() };
+        play(plug, Fake::of(board, &settings), &says);
     }
 
     fn setting(word: &str) -> Option<(u16, f64)> {

@@ -3,8 +3,9 @@
 use crate::asker::Asker;
 use crate::hands::Hands;
 use crate::locks::lock;
-use crate::machine::{Order, STEPS};
+use crate::machine::Order;
 use crate::refusal::problem;
+use kerf_control::controller::{STEPS, settings_in};
 use kerf_machine::lines::Output;
 use kerf_machine::settings::io::IoMap;
 use kerf_machine::settings::motors::Motor;
@@ -12,14 +13,6 @@ use kerf_machine::{Configuration, Errand, driver, wiring};
 use kerf_program::{AXES, Axis, AxisSet, decimal};
 use kerf_wire::{ByHand, Problem, Why, ZeroChange};
 use std::sync::mpsc::channel;
-
-/// Returns number and value where a line sets a setting of a controller: `$120=300`.
-fn setting_in(line: &str) -> Option<(u16, String)> {
-    let (number, value) = line.trim().strip_prefix('$')?.split_once('=')?;
-    let value = value.trim();
-    let is_value = !value.is_empty() && !value.contains(char::is_control);
-    Some((number.parse().ok().filter(|_| is_value)?, value.to_owned()))
-}
 
 impl Hands {
     /// Moves the machine to somewhere.
@@ -128,14 +121,23 @@ impl Hands {
         self.orders.order_of(asker, Order::Setting { number, value })
     }
 
-    /// Writes a setting into the controller, where a typed line is one (`$120=300`) and the controller keeps such; tells
-    /// whether it is.
+    /// Writes a setting into the controller, where typed lines are one (`$120=300`); tells whether they are.
     ///
     /// # Errors
-    /// The machine is busy.
-    pub fn keep_setting(&self, asker: &Asker, line: &str) -> Result<bool, Problem> {
-        let keeps = self.hub.read(|now| !now.controller_steps.is_empty());
-        let Some((number, value)) = setting_in(line).filter(|_| keeps) else { return Ok(false) };
+    /// They are several, or lines of a program stand beside it; the machine keeps no settings by number, or is busy.
+    pub fn keep_setting(&self, asker: &Asker, lines: &str) -> Result<bool, Problem> {
+        let mut set = settings_in(lines).map_err(|why| problem(Why::Malformed, why))?;
+        let Some((number, value)) = set.pop() else { return Ok(false) };
+        if !set.is_empty() {
+            let text = "settings of the controller are written one at a time";
+            return Err(problem(Why::Malformed, text));
+        }
+        if self.hub.read(|now| now.controller_settings.is_empty()) {
+            let text = format!(
+                "${number} is a setting of a controller of grbl's family, and this machine has none by number"
+            );
+            return Err(problem(Why::State, text));
+        }
         self.orders.order_of(asker, Order::Setting { number, value })?;
         Ok(true)
     }

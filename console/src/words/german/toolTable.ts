@@ -49,10 +49,10 @@ export const toolTable: Readonly<Record<string, string>> = {
   "Nothing was learned of this machine's time.":
     "Über die Zeit dieser Maschine ist nichts gelernt.",
   Learned: "Gelernt",
-  "1 run here: motion takes {0} of what is reckoned":
-    "1 Lauf hier: Bewegung dauert das {0}-fache des Berechneten",
-  "{1} runs here: motion takes {0} of what is reckoned":
-    "{1} Läufe hier: Bewegung dauert das {0}-fache des Berechneten",
+  "1 run here: motion takes {0} times as long as estimated":
+    "1 Lauf hier: Bewegung dauert {0}-mal so lange wie geschätzt",
+  "{1} runs here: motion takes {0} times as long as estimated":
+    "{1} Läufe hier: Bewegung dauert {0}-mal so lange wie geschätzt",
   "This machine finds no home of Z: lengths that were measured hold until its location is set anew, or it is moved while it is off. Measure the tools again then.":
     "Diese Maschine findet keine Referenz von Z: gemessene Längen gelten, bis ihr Ort neu gesetzt oder sie ausgeschaltet bewegt wird. Dann die Werkzeuge neu messen.",
   "The controller waits for no tool.": "Die Steuerung wartet auf kein Werkzeug.",

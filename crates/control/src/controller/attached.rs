@@ -3,7 +3,7 @@
 use super::either::dry_run;
 use super::lacks::{lines, listed};
 use super::stopwatch::Stopwatch;
-use super::{Connection, Lacks, Socket, kept_settings, zeros};
+use super::{Connection, Lacks, Socket, WrittenSetting, kept_settings, zeros};
 use crate::Session;
 use crate::answers::Operator;
 use crate::kept_pace::keep_pace;
@@ -238,12 +238,7 @@ impl Controller {
         self.connection.borrow_mut().link.driver().told_settings()
     }
 
-    /// Returns a setting that the controller keeps, by its number, as it told it last.
-    pub fn setting(&self, number: u16) -> Option<String> {
-        self.connection.borrow_mut().link.driver().setting(number).map(str::to_owned)
-    }
-
-    /// Has the controller keep another value of a setting; returns what it told then.
+    /// Has the controller keep another value of a setting; the time that is told of files follows.
     ///
     /// # Errors
     /// As [`change_setting`](kept_settings::change_setting).
@@ -251,10 +246,22 @@ impl Controller {
         &self,
         number: u16,
         value: &str,
+        workspace: &mut Workspace,
         is_stopped: impl FnMut() -> bool,
-    ) -> Result<String, String> {
+    ) -> Result<WrittenSetting, String> {
         let mut connection = self.connection.borrow_mut();
-        kept_settings::change_setting(&mut connection, number, value, is_stopped)
+        let was = connection.link.driver().setting(number).unwrap_or_default().to_owned();
+        let kept = kept_settings::change_setting(&mut connection, number, value, is_stopped)?;
+        drop(connection);
+        self.keeps_pace(workspace);
+        Ok(WrittenSetting { number, was, kept })
+    }
+
+    /// Keeps how it makes moves, for whoever tells the time of a file without opening it; returns that.
+    fn keeps_pace(&self, workspace: &mut Workspace) -> Option<OwnPace> {
+        let pace = OwnPace::of(self.connection.borrow().facts());
+        pace.iter().for_each(|pace| keep_pace(pace, &self.socket.port, &mut workspace.stored));
+        pace
     }
 
     /// Returns what a session has to know of it, by its settings as it told them last.
@@ -285,10 +292,8 @@ impl Controller {
     pub fn begins(&self, workspace: &mut Workspace) {
         self.keeps_place(workspace);
         workspace.stored.set(DRIVEN, Some(&self.socket.port));
-        let mut connection = self.connection.borrow_mut();
-        let pace = OwnPace::of(connection.facts());
-        pace.iter().for_each(|pace| keep_pace(pace, &self.socket.port, &mut workspace.stored));
-        connection.stopwatch = Stopwatch::of(pace);
+        let pace = self.keeps_pace(workspace);
+        self.connection.borrow_mut().stopwatch = Stopwatch::of(pace);
     }
 
     /// The run is over; when it did not end well, everything is stopped and switched off. Keeps where it was left.

@@ -2,6 +2,7 @@
 
 use super::Socket;
 use super::attached::{self, AttachReport, First};
+use super::kept_settings::WrittenSetting;
 use super::lacks::Lacks;
 use super::queued;
 use crate::answers::Operator;
@@ -166,15 +167,7 @@ impl Controller {
         }
     }
 
-    /// Returns a setting that it keeps by its number, as it told it last.
-    pub fn setting(&self, number: u16) -> Option<String> {
-        match self {
-            Self::Followed(controller) => controller.setting(number),
-            Self::Queued(_) => None,
-        }
-    }
-
-    /// Has it keep another value of a setting; returns what it told then.
+    /// Has it keep another value of a setting; the time that is told of files follows.
     ///
     /// # Errors
     /// It keeps none of this number, is at work, or refuses.
@@ -182,10 +175,13 @@ impl Controller {
         &self,
         number: u16,
         value: &str,
+        workspace: &mut Workspace,
         is_stopped: impl FnMut() -> bool,
-    ) -> Result<String, String> {
+    ) -> Result<WrittenSetting, String> {
         match self {
-            Self::Followed(controller) => controller.keeps_setting(number, value, is_stopped),
+            Self::Followed(controller) => {
+                controller.keeps_setting(number, value, workspace, is_stopped)
+            }
             Self::Queued(attached) => Err(format!(
                 "{} keeps no settings by number: they are in its machine's file (steps.per_unit)",
                 attached.name()

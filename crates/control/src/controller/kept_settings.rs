@@ -2,6 +2,10 @@
 
 use super::Connection;
 use super::connection::NAP;
+use kerf_program::Axis;
+
+/// The setting of the steps of X; those of the other axes follow.
+pub const STEPS: u16 = 100;
 
 /// A controller writes a setting and tells all of them within this, seconds.
 const WRITTEN_S: f64 = 4.0;
@@ -9,6 +13,57 @@ const WRITTEN_S: f64 = 4.0;
 /// Controllers keep three decimals: what was read back is the same within this, and this share.
 const SAME: f64 = 0.000_6;
 const SAME_SHARE: f64 = 1e-4;
+
+/// A setting that was written into a controller.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WrittenSetting {
+    /// Its number.
+    pub number: u16,
+    /// Its value before, as the controller told it.
+    pub was: String,
+    /// The one that it told since.
+    pub kept: String,
+}
+
+impl WrittenSetting {
+    /// Returns the letter of the axis whose steps it is: by others the controller's own count of where it stands is another.
+    pub fn letter_of_steps(&self) -> Option<char> {
+        let axis = usize::from(self.number.checked_sub(STEPS)?);
+        Axis::ALL.get(axis).map(|axis| axis.letter())
+    }
+
+    /// Tells of it in a sentence.
+    pub fn sentence(&self) -> String {
+        let Self { number, was, kept } = self;
+        match self.letter_of_steps() {
+            Some(letter) => format!(
+                "the controller keeps {kept} steps a millimetre of {letter} now: it counts anew where {letter} stands, so home it or set its location"
+            ),
+            None => format!("the controller keeps ${number}={kept} now, and kept {was} before"),
+        }
+    }
+}
+
+/// Returns the settings of a controller that typed lines set, `$120=300`; none where no line is such a one.
+///
+/// # Errors
+/// One stands among lines of a program.
+pub fn settings_in(lines: &str) -> Result<Vec<(u16, String)>, String> {
+    let lines: Vec<&str> = lines.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let set: Vec<_> = lines.iter().filter_map(|line| setting_in(line)).collect();
+    match set.first() {
+        Some((number, _)) if set.len() < lines.len() => Err(format!(
+            "${number} is a setting of the controller: write it by itself, beside no other lines"
+        )),
+        _ => Ok(set),
+    }
+}
+
+fn setting_in(line: &str) -> Option<(u16, String)> {
+    let (number, value) = line.strip_prefix('$')?.split_once('=')?;
+    let value = value.trim();
+    Some((number.trim().parse().ok().filter(|_| !value.is_empty())?, value.to_owned()))
+}
 
 /// Has the controller keep another value of a setting; returns what it told then.
 ///
@@ -55,5 +110,28 @@ fn same(kept: &str, value: &str) -> bool {
     match (number(kept), number(value)) {
         (Some(kept), Some(value)) => (kept - value).abs() < SAME.max(value.abs() * SAME_SHARE),
         _ => kept == value.trim(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_of_a_controller_stand_by_themselves() {
+        let check = |lines: &str, expected: Result<&[(u16, &str)], &str>| {
+            let expected =
+                expected.map(|all| all.iter().map(|(n, v)| (*n, (*v).to_owned())).collect());
+            let found: Result<Vec<_>, String> = settings_in(lines);
+            match expected {
+                Ok(expected) => assert_eq!(found, Ok(expected), "{lines}"),
+                Err(why) => assert!(found.unwrap_err().contains(why), "{lines}"),
+            }
+        };
+        check("$120=300", Ok(&[(120, "300")]));
+        check(" $120 = 300 \n\n$74=my shop\n", Ok(&[(120, "300"), (74, "my shop")]));
+        check("MX,1\n$uValue=3\n", Ok(&[]));
+        check("$120=", Ok(&[]));
+        check("$120=300\nMX,1", Err("write it by itself"));
     }
 }

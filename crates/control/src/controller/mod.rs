@@ -39,6 +39,7 @@ mod zeros;
 pub use attached::{AttachReport, First};
 pub use connection::Connection;
 pub use either::{Controller, Place};
+pub use kept_settings::{STEPS, WrittenSetting, settings_in};
 pub use lacks::{Lacks, lines, output_name, output_of_name, wired};
 pub use socket::{Ends, Opens, Socket};
 pub use zeros::{change_zero, working_reads, zeros_of};

@@ -70,3 +70,9 @@ pub const fn listed(command: &str) -> &'static [&'static str] {
         _ => &["[SETTING:110|43|Quickest way|mm/min|6|####0.0|1|9000|0|0]"],
     }
 }
+
+/// The description of a setting, of a board that has such.
+pub fn described(number: &str) -> String {
+    let text = if number == "110" { r"How quick X may be.\n\nNOTE: rapid moves are." } else { "" };
+    format!("[SETTINGDESCR:{number}|{text}]")
+}

@@ -511,6 +511,10 @@ impl Fake {
                 board::listed(command).iter().for_each(|line| self.tell(line));
                 self.tell("ok");
             }
+            _ if command.starts_with("SED=") && self.board.hal => {
+                self.tell(&board::described(command.trim_start_matches("SED=")));
+                self.tell("ok");
+            }
             "H" if self.setting(22) as u32 & 1 == 0 => self.tell("error:5"),
             "H" => self.begins_homing(),
             _ if self.state == State::Sleep => {}

@@ -131,10 +131,14 @@ impl Board {
         self.grbl.told_settings().into_iter().map(|told| (told.number, told.value)).collect()
     }
 
-    /// Asks for its settings in its own words, where it has them.
-    fn describes(&mut self) -> Result<()> {
-        if self.grbl.asks_settings() && !self.has_answered()? {
-            bail!("{} does not answer $ES", self.name());
+    /// Asks for its settings in its own words, where it has them, and for what each does where that is told.
+    fn describes(&mut self, explains: bool) -> Result<()> {
+        let mut asks = self.grbl.asks_settings();
+        while asks {
+            if !self.has_answered()? {
+                bail!("{} does not answer $ES or $SED", self.name());
+            }
+            asks = explains && self.grbl.asks_settings();
         }
         Ok(())
     }
@@ -259,7 +263,11 @@ fn gathered(told: &Receiver<(usize, String, String)>) -> Vec<Found> {
 }
 
 /// Prints the settings of a board, or does something with them.
-pub fn settings(name: &DriverName, action: Option<&SettingsAction>) -> Result<Exit> {
+pub fn settings(
+    name: &DriverName,
+    action: Option<&SettingsAction>,
+    explains: bool,
+) -> Result<Exit> {
     if name.is_linuxcnc() {
         bail!("LinuxCNC has its settings in its INI file: they are seen and changed there");
     }
@@ -267,18 +275,18 @@ pub fn settings(name: &DriverName, action: Option<&SettingsAction>) -> Result<Ex
         return restore(name, file);
     }
     let mut board = Board::open(&name.address, Duration::from_secs(8))?;
-    let done = does(&mut board, action);
+    let done = does(&mut board, action, explains);
     let left = board.leave();
     let exit = done?;
     left?;
     Ok(exit)
 }
 
-fn does(board: &mut Board, action: Option<&SettingsAction>) -> Result<Exit> {
+fn does(board: &mut Board, action: Option<&SettingsAction>, explains: bool) -> Result<Exit> {
     match action {
         None => {
-            board.describes()?;
-            out::print(&listed(board));
+            board.describes(explains)?;
+            out::print(&listed(board, explains));
         }
         Some(SettingsAction::Set { number, value }) => {
             if let Some(why) = setting(*number).and_then(|it| it.refuses(value)) {
@@ -310,11 +318,14 @@ fn does(board: &mut Board, action: Option<&SettingsAction>) -> Result<Exit> {
     Ok(Exit::Good)
 }
 
-/// A line a setting, with its name, unit and bounds: as the board tells them, else as they are known.
-fn listed(board: &Board) -> String {
-    let line = |ToldSetting { number, value, name, unit, bounds }: ToldSetting| {
+/// A line a setting, with its name, unit and bounds: as the board tells them, else as they are known. Below it stands what it
+/// does where that is wanted.
+fn listed(board: &Board, explains: bool) -> String {
+    let line = |told: ToldSetting| {
+        let below = if explains { explanation(&told) } else { String::new() };
+        let ToldSetting { number, value, name, unit, bounds, .. } = told;
         if name.is_empty() {
-            return format!("${number}={value}\n");
+            return format!("${number}={value}\n{below}");
         }
         let bounds = match bounds {
             (None, None) => String::new(),
@@ -323,9 +334,19 @@ fn listed(board: &Board) -> String {
             (Some(least), Some(most)) => format!(" [{least} to {most}]"),
         };
         let value = format!("${number}={value} {unit}");
-        format!("{:<24} {name}{bounds}\n", value.trim_end())
+        format!("{:<24} {name}{bounds}\n{below}", value.trim_end())
     };
     board.grbl.told_settings().into_iter().map(line).collect()
+}
+
+/// What a setting does, and below that how the board itself puts it.
+fn explanation(told: &ToldSetting) -> String {
+    let own = told.own.lines().enumerate().map(|(n, line)| match n {
+        0 => format!("    board: {line}\n"),
+        _ => format!("           {line}\n"),
+    });
+    let does = Some(told.does).filter(|does| !does.is_empty());
+    does.map(|does| format!("    {does}\n")).into_iter().chain(own).collect()
 }
 
 fn backup(board: &str, settings: &Settings) -> String {

@@ -152,7 +152,11 @@ enum Action {
     },
     /// Lists the settings ($$) of the controller that --machine names, with names, units and bounds; changes them, keeps
     /// them in a file, compares them
+    #[command(args_conflicts_with_subcommands = true)]
     Settings {
+        /// Tells below each what it does
+        #[arg(long)]
+        explain: bool,
         #[command(subcommand)]
         action: Option<SettingsAction>,
     },
@@ -162,7 +166,7 @@ enum Action {
         #[command(subcommand)]
         action: Option<ZerosAction>,
     },
-    /// Tells how much longer runs on the controller that --machine names take than is reckoned, as they have shown; the time
+    /// Tells how much longer runs on the controller that --machine names take than estimated, as they have shown; the time
     /// told of files has it in it
     Pace {
         /// Forgets it: after the machine was changed
@@ -246,8 +250,8 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             }
             return prove::prove(name, report, *home);
         }
-        Action::Settings { action } => {
-            return board::settings(controller(&args.which)?, action.as_ref());
+        Action::Settings { explain, action } => {
+            return board::settings(controller(&args.which)?, action.as_ref(), *explain);
         }
         Action::Zeros { action } => return zeros::run(&args.which, action.as_ref()),
         Action::Pace { forget } => return pace::run(&args.which, *forget),

@@ -31,5 +31,5 @@ pub fn sentence(learned: Learned) -> String {
         1 => "1 run".to_owned(),
         runs => format!("{runs} runs"),
     };
-    format!("{runs} here: motion takes {:.2} of what is reckoned", learned.factor())
+    format!("{runs} here: motion takes {:.2} times as long as estimated", learned.factor())
 }

@@ -1,5 +1,6 @@
 //! `kerf send`: commands to be carried out at once, or a job file to another computer.
 
+use super::controller_settings;
 use super::protect;
 use super::run::{MachineArgs, on_machine};
 use crate::accepted_options::AcceptedOptions;
@@ -17,6 +18,7 @@ use crate::summary::told_by_server;
 use crate::transfer::Sender;
 use anyhow::{Context, Result, anyhow, bail};
 use clap::Args;
+use kerf_control::controller::settings_in;
 use kerf_formats::ending;
 use kerf_transport::Port;
 use kerf_workspace::Workspace;
@@ -32,13 +34,16 @@ const FILE: &str = "temp_code.sbp";
 /// takes it, `kerf send FILE http://…` over the network into the part folder of `kerf serve`. The transfer waits while
 /// the machine there moves. Ctrl-C stops it, and nothing of the file is kept.
 ///
+/// A line `$120=500` writes a setting into the controller that --machine names, one of grbl's family, and is read back; such
+/// lines stand by themselves.
+///
 /// Settings made by the lines stay. Several lines are a program and may contain jumps and conditions. A single line has
 /// to be a command or an assignment. The lines are kept in temp_code.sbp in the part folder: the present folder, unless
 /// --parts names another.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  kerf send 'MX,1' 'MY,2'\n  kerf send 'VC,.375'\n  kerf send UV \
-    --quiet\n  kerf send door.rsm com2\n  kerf send door.rsm com        at the port of options.send_port\n  \
+    --quiet\n  kerf send '$120=500' --machine grbl:/dev/ttyUSB0\n  kerf send door.rsm com2\n  kerf send door.rsm com        at the port of options.send_port\n  \
     kerf send door.rsm http://192.168.1.20:8710"
 )]
 pub struct SendArgs {
@@ -150,6 +155,10 @@ fn remotely(url: &str, lines: &str, args: &SendArgs) -> Result<Exit> {
     if let Some(password) = protect::of_option(args.machine.password.as_deref()) {
         server.unlock(&password)?;
     }
+    let set = settings_in(lines).map_err(Usage)?;
+    if !set.is_empty() {
+        return controller_settings::written_by_server(&server, &set, args.machine.quiet());
+    }
     Ok(told_by_server(&server.send(lines, false)?, args.machine.quiet()))
 }
 
@@ -194,9 +203,13 @@ pub fn run(args: &SendArgs) -> Result<Exit> {
     } else {
         args.lines.join("\n") + "\n"
     };
+    let set = settings_in(&text).map_err(Usage)?;
     let program = kerf_sbp::read_typed(FILE.into(), &text);
-    if !program.has_errors() {
+    if !program.has_errors() || !set.is_empty() {
         workspace.put(FILE, text.as_bytes()).with_context(|| format!("cannot write {FILE}"))?;
+    }
+    if !set.is_empty() {
+        return controller_settings::written(&set, workspace, &args.machine, &args.run);
     }
     typed(program, workspace, &args.machine, &args.run)
 }

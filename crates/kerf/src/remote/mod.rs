@@ -75,6 +75,26 @@ impl Remote {
         self.driving(BESIDE, arm, sends)
     }
 
+    /// Has the server write a setting into the controller that it drives; returns what it tells of that.
+    ///
+    /// # Errors
+    /// Its machine keeps none by number, or its controller refuses this one.
+    pub fn keeps_setting(&self, number: u16, value: &str) -> Result<String> {
+        self.driving(BESIDE, false, |lease, _| {
+            self.act("command", json!({ "lease": lease, "line": format!("${number}={value}") }))?;
+            loop {
+                let now = self.state()?;
+                let told = now["messages"].as_array().and_then(|all| all.last());
+                let text = told.map_or("", |it| it["text"].as_str().unwrap_or_default()).to_owned();
+                match told.map(|it| it["tone"] == "error") {
+                    _ if now["machine"]["state"] != "idle" => sleep(LOOK),
+                    Some(true) => bail!(text),
+                    _ => return Ok(text),
+                }
+            }
+        })
+    }
+
     /// Moves the machine as whoever drives it, after arming it where that is wanted, and waits for the end.
     pub fn go(&self, way: &ByHand, arm: bool) -> Result<Ended> {
         self.driving(DRIVEN, arm, |lease, before| {

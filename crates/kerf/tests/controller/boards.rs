@@ -1,7 +1,8 @@
 //! Boards: found, their settings kept and compared, the list that every machine has to hold.
 
 use crate::bench::Bench;
-use crate::shop::Shop;
+use crate::shop::console::Console;
+use crate::shop::{Shop, until};
 use kerf_driver_grbl::fake::{Board, Fake};
 use kerf_machine::conformance::CASES;
 use kerf_machine::driver::Axes;
@@ -51,6 +52,91 @@ fn settings_are_named_as_the_board_names_them() {
     let listed = shop.kerf(&format!("machine settings --machine grbl:{}", bench.port));
     listed.exits(0).says("$110=6000.000 mm/min     X: Quickest way [1 to 9000]");
     listed.says("$111=6000.000 mm/min     Y greatest speed [0 or more]");
+    assert!(!listed.out().contains("Highest speed"), "{}", listed.out());
+}
+
+#[test]
+fn settings_are_explained_in_a_sentence_and_in_the_words_of_the_board() {
+    let explains = |fake: Fake| {
+        let (shop, bench) = (Shop::new(&[]), Bench::of(fake));
+        let told = shop.kerf(&format!("machine settings --explain --machine grbl:{}", bench.port));
+        (told.exits(0).out().to_owned(), bench)
+    };
+    let (hal, bench) = explains(Fake::of(Board::hal(0), &[(341, 1.0)]));
+    let x = "$110=6000.000 mm/min     X: Quickest way [1 to 9000]\n    \
+             Highest speed of the axis, which rapid moves have.\n    board: How quick X may be.\n           \
+             NOTE: rapid moves are.\n$111=";
+    assert!(hal.contains(x), "{hal}");
+    assert!(hal.contains("$341=1.000\n    Says what M6 does: "), "{hal}");
+    let asked = bench.look(|fake| fake.lines.iter().filter(|it| it.starts_with("$SED=")).count());
+    assert_eq!(asked, hal.lines().filter(|line| line.starts_with('$')).count(), "each once");
+    let (grbl, _) = explains(Fake::default());
+    assert!(
+        grbl.contains("$110=6000.000 mm/min     X greatest speed [0 or more]\n    Highest speed")
+    );
+    assert!(!grbl.contains("board:"), "{grbl}");
+}
+
+#[test]
+fn a_setting_is_written_by_a_line_that_is_sent() {
+    let (shop, bench) = (Shop::new(&[]), Bench::new(&[]));
+    let sends = |words: &str| shop.kerf(&format!("send {words} --machine grbl:{}", bench.port));
+    let kept = "the controller keeps $120=321.000 now, and kept 400.000 before\n";
+    let did = sends("$120=321");
+    did.exits(0);
+    assert_eq!(did.out(), kept);
+    assert_eq!(bench.look(|fake| fake.is_set_to(120)), 321.0);
+    sends("$100=200 $121=300 --quiet").exits(0);
+    assert_eq!(bench.look(|fake| (fake.is_set_to(100), fake.is_set_to(121))), (200.0, 300.0));
+    sends("--again").exits(0).says("200.000 steps a millimetre of X now: it counts anew");
+    sends("$777=1").exits(1).complains("it has no setting $777");
+    sends("$120=fast $121=9").exits(1).complains("$120 is a number, and 'fast' is none");
+    assert_eq!(bench.look(|fake| fake.is_set_to(121)), 300.0, "those behind it are not written");
+    sends("$120=1 MX,1")
+        .exits(2)
+        .complains("$120 is a setting of the controller: write it by itself");
+    assert_eq!(bench.look(|fake| fake.is_set_to(120)), 321.0);
+    assert_eq!(bench.look(|fake| fake.is_set_to(10)), 1.0, "it is left as it was");
+}
+
+#[test]
+fn a_setting_is_written_by_a_line_that_is_sent_to_a_server() {
+    let (shop, bench) = (Shop::new(&[]), Bench::new(&[]));
+    let console = Console::begin(&shop, &["--machine", &format!("grbl:{}", bench.port)]);
+    let sends = |words: &str| shop.kerf(&format!("send {words} --server {}", console.url));
+    sends("$120=321").exits(1).complains("arm it first");
+    console.carry_out("VS,1");
+    until("it stands", || console.ask("GET /api/state", "")["machine"]["state"] == "idle");
+    let kept = sends("$120=321 $121=320");
+    let told = ["$120=321.000 now, and kept 400.000", "$121=320.000 now, and kept 400.000"];
+    told.iter().fold(kept.exits(0), |did, words| did.says(words));
+    assert_eq!(bench.look(|fake| (fake.is_set_to(120), fake.is_set_to(121))), (321.0, 320.0));
+    sends("$120=fast").exits(1).complains("$120 is a number, and 'fast' is none");
+    sends("$120=9 MX,1").exits(2).complains("write it by itself");
+    assert_eq!(bench.look(|fake| fake.is_set_to(120)), 321.0);
+}
+
+#[test]
+fn a_server_whose_machine_keeps_none_by_number_refuses_a_setting() {
+    let shop = Shop::new(&[]);
+    let console = Console::begin(&shop, &[]);
+    console.carry_out("VS,1");
+    let sent = shop.kerf(&format!("send $120=300 --server {}", console.url));
+    sent.exits(1).complains("$120 is a setting of a controller of grbl's family, and this machine");
+}
+
+#[test]
+fn a_setting_is_refused_where_the_machine_keeps_none_by_number() {
+    let shop = Shop::new(&[]);
+    let refused = |machine: &str, why: &str| {
+        let sent = shop.kerf(&format!("send $120=300 {machine}"));
+        sent.exits(2)
+            .complains("$120 is a setting of a controller of grbl's family")
+            .complains(why);
+    };
+    refused("", "name one with --machine grbl:PORT; the simulated machine has none");
+    refused("--machine linuxcnc:local", "in its INI file");
+    refused("--machine klipper:/dev/ttyACM0", "in the machine's file");
 }
 
 /// The outcomes of a report, by the case, and how many of them hold.

@@ -15,6 +15,19 @@ fn told_s(shop: &Shop, machine: &str) -> (f64, Value) {
 }
 
 #[test]
+fn the_time_follows_a_setting_that_was_sent() {
+    let shop = Shop::new(&[("zigzag.sbp", ZIGZAG)]);
+    let bench = Bench::new(&[(120, 400.0), (121, 400.0)]);
+    let machine = format!("grbl:{}", bench.port);
+    let sends = |accel: u32| {
+        shop.kerf(&format!("send $120={accel} $121={accel} --machine {machine}")).exits(0);
+        told_s(&shop, &machine).0
+    };
+    let (quick_s, slow_s) = (sends(500), sends(125));
+    assert!((slow_s / quick_s - 2.0).abs() < 0.02, "{quick_s} and {slow_s}");
+}
+
+#[test]
 fn the_time_is_that_of_the_controller_with_what_its_runs_have_shown() {
     let shop = Shop::new(&[("zigzag.sbp", ZIGZAG)]);
     let bench = Bench::new(&[(120, 100.0), (121, 100.0)]);
@@ -28,7 +41,11 @@ fn the_time_is_that_of_the_controller_with_what_its_runs_have_shown() {
     ran.exits(0);
     let (by_runs_s, learned) = told_s(&shop, "shop");
     let says = "1 run here: motion takes ";
-    assert!(learned.as_str().unwrap().starts_with(says), "{learned}");
+    let learned = learned.as_str().unwrap();
+    assert!(
+        learned.starts_with(says) && learned.ends_with(" times as long as estimated"),
+        "{learned}"
+    );
     shop.kerf("machine pace --machine shop").exits(0).says(says);
 
     shop.kerf("machine pace --forget --machine shop").exits(0);

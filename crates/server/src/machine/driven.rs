@@ -7,33 +7,25 @@ use crate::setup::Workshop;
 use crate::to_wire;
 use kerf_control::AtRest;
 use kerf_control::answers::Answers;
-use kerf_control::controller::{AttachReport, Controller, working_reads};
+use kerf_control::controller::{AttachReport, Controller, WrittenSetting, working_reads};
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::{ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
-use kerf_program::{Axes, Axis};
+use kerf_program::Axes;
 use kerf_trace::Summary;
 use kerf_wire::{Change, ControllerSetting, Machine, Message, State, Tone};
 
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
 
-/// The setting of the steps of X; those of the other axes follow.
-pub const STEPS: u16 = 100;
-
-/// Returns the letter of the axis whose steps a setting is.
-fn letter_of_steps(number: u16) -> Option<char> {
-    let axis = usize::from(number.checked_sub(STEPS)?);
-    Axis::ALL.get(axis).map(|axis| axis.letter())
+/// A setting as pages show it.
+fn set(told: ToldSetting) -> ControllerSetting {
+    let ToldSetting { number, value, name, unit, bounds: (least, most), does, own } = told;
+    ControllerSetting { number, value, name, unit, least, most, does: does.to_owned(), own }
 }
 
 /// A zero point as pages show it.
-fn set(told: ToldSetting) -> ControllerSetting {
-    let ToldSetting { number, value, name, unit, bounds: (least, most) } = told;
-    ControllerSetting { number, value, name, unit, least, most }
-}
-
 fn shown(zero: Zero) -> kerf_wire::Zero {
     kerf_wire::Zero { name: zero.name, at: zero.at.0, holds: zero.holds }
 }
@@ -232,33 +224,27 @@ impl Owner {
     /// Writes a setting into the controller. By other steps of a millimetre its own count of where it stands is another.
     pub(super) fn change_setting(&mut self, number: u16, value: &str) {
         self.catch_up();
-        let written = self.setting_written(number, value);
+        let (tone, text) = match self.setting_written(number, value) {
+            Err(why) => (Tone::Error, why),
+            Ok(written) => {
+                let counts_anew = written.letter_of_steps().is_some();
+                (if counts_anew { Tone::Warning } else { Tone::Note }, written.sentence())
+            }
+        };
+        // Whoever waits until the machine stands hears of it then.
+        self.hub.say(tone, text);
         self.rest(State::Idle, None);
-        match (written, letter_of_steps(number)) {
-            (Err(why), _) => self.hub.say(Tone::Error, why),
-            (Ok((_, kept)), Some(letter)) => self.hub.say(
-                Tone::Warning,
-                format!(
-                    "the controller keeps {kept} steps a millimetre of {letter} now: it counts anew where {letter} stands, so home it or set its location"
-                ),
-            ),
-            (Ok((was, kept)), None) => self.hub.say(
-                Tone::Note,
-                format!("the controller keeps ${number}={kept} now, and kept {was} before"),
-            ),
-        }
         self.attend();
     }
 
-    /// Writes it; returns its value before and since.
-    fn setting_written(&mut self, number: u16, value: &str) -> Result<(String, String), String> {
+    /// Writes it.
+    fn setting_written(&mut self, number: u16, value: &str) -> Result<WrittenSetting, String> {
         self.reach()?;
         let link = self.link.clone();
         let missing = "there is no controller that keeps settings by number";
-        let controller = self.workshop.controller.as_ref().ok_or(missing)?;
-        let was = controller.setting(number).unwrap_or_default();
-        let kept = controller.keeps_setting(number, value, || link.lock().is_to_stop())?;
-        Ok((was, kept))
+        let Workshop { controller, workspace, .. } = &mut self.workshop;
+        let controller = controller.as_ref().ok_or(missing)?;
+        controller.keeps_setting(number, value, workspace, || link.lock().is_to_stop())
     }
 
     /// Changes it; returns the command by which the working zero follows, where it does.

@@ -24,7 +24,6 @@ mod typing;
 mod zeros;
 
 pub use arrived::Stops;
-pub use driven::STEPS;
 pub use last_state::LastState;
 pub use link::Link;
 pub use order::Order;

@@ -157,6 +157,12 @@ export const controllersSentences: Readonly<Record<string, string>> = {
   "steps of a millimetre are a number above 0": "Schritte je Millimeter sind eine Zahl über 0",
   "there is no controller that keeps settings by number":
     "keine Steuerung speichert Einstellungen nach Nummern",
+  "settings of the controller are written one at a time":
+    "Einstellungen der Steuerung werden einzeln geschrieben",
+  "${0} is a setting of a controller of grbl's family, and this machine has none by number":
+    "${0} ist eine Einstellung einer Steuerung der grbl-Familie, und diese Maschine hat keine nach Nummern",
+  "${0} is a setting of the controller: write it by itself, beside no other lines":
+    "${0} ist eine Einstellung der Steuerung: sie wird allein geschrieben, neben keinen anderen Zeilen",
   "the controller keeps ${0}={1} now, and kept {2} before":
     "die Steuerung speichert jetzt ${0}={1}, vorher {2}",
   "the controller keeps {0} steps a millimetre of {1} now: it counts anew where {2} stands, so home it or set its location":

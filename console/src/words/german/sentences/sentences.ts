@@ -14,6 +14,7 @@ import { journalSentences } from "./journal";
 import { operatingSentences } from "./operating";
 import { runningSentences } from "./running";
 import { servingSentences } from "./serving";
+import { settingsExplained } from "./settingsExplained";
 
 export const sentences: Readonly<Record<string, string>> = {
   ...colours,
@@ -23,6 +24,7 @@ export const sentences: Readonly<Record<string, string>> = {
   ...servingSentences,
   ...runningSentences,
   ...controllerNames,
+  ...settingsExplained,
   ...controllersSentences,
   ...boardsSentences,
   ...configurationSentences,

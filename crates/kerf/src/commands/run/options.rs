@@ -17,7 +17,7 @@ pub(super) const STANDARD_OUTPUT: &str = "-";
 #[derive(Args, Clone)]
 pub struct MachineArgs {
     #[command(flatten)]
-    pub(super) first: First,
+    pub first: First,
     /// How machine time passes
     #[arg(long, value_enum, default_value = "fast")]
     pub(super) pace: PaceName,
