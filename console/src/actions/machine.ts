@@ -84,6 +84,18 @@ export const toolIn: Action = {
   run: (world) => void drive(world, { do: "toolIn" }),
 };
 
+/** The controller touches the tool off for which it waits; Z zero follows. */
+export const touchOff: Action = {
+  id: "machine.touchOff",
+  title: t("Touch off: the controller measures the tool at the plate below it"),
+  section: "machine",
+  refused: (world) =>
+    machineOf(world)?.touchesOff
+      ? unlessReady(world)
+      : t("The controller waits for no tool that it touches off."),
+  run: (world) => void drive(world, { do: "touchOff" }),
+};
+
 /** Runs on the controller have shown a factor of its time: it is forgotten. */
 export const forgetPace: Action = {
   id: "machine.forgetPace",
@@ -201,6 +213,7 @@ export const machineActions: readonly Action[] = [
   hold,
   findHome,
   resume,
+  touchOff,
   toolIn,
   forgetPace,
   arm,

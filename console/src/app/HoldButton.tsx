@@ -1,4 +1,4 @@
-import { hold, resume, toolIn } from "../actions/machine";
+import { hold, resume, toolIn, touchOff } from "../actions/machine";
 import { ActionButton } from "../ui/ActionButton";
 import { useShown } from "./context";
 
@@ -6,11 +6,19 @@ import { useShown } from "./context";
 export function HoldButton() {
   const state = useShown((shown) => shown.snapshot?.machine.state);
   const wantsTool = useShown((shown) => shown.snapshot?.machine.wantsTool);
+  const touchesOff = useShown((shown) => shown.snapshot?.machine.touchesOff);
   if (wantsTool && (state === "idle" || state === "running"))
     return (
-      <ActionButton action={toolIn} look="go" className="hold-button">
-        Continue
-      </ActionButton>
+      <>
+        {touchesOff && (
+          <ActionButton action={touchOff} className="hold-button">
+            Touch off
+          </ActionButton>
+        )}
+        <ActionButton action={toolIn} look="go" className="hold-button">
+          Continue
+        </ActionButton>
+      </>
     );
   return state === "held" ? (
     <ActionButton action={resume} look="go" className="hold-button" />

@@ -198,6 +198,10 @@ number: number,
 /** The change. */
 change: ToolChange, };
 
+export type ActTouchOff = { "do": "touchOff",
+/** Number of the lease. */
+lease: number, };
+
 export type ActToolIn = { "do": "toolIn",
 /** Number of the lease. */
 lease: number, };
@@ -314,6 +318,7 @@ export type Act =
   | ActStep
   | ActZero
   | ActTool
+  | ActTouchOff
   | ActToolIn
   | ActForgetPace
   | ActControllerSteps
@@ -1084,6 +1089,8 @@ armed: boolean,
 why: string | null,
 /** Its controller has begun a change of tools and waits for the tool. */
 wantsTool: boolean,
+/** It touches that tool off by itself when it is asked to. */
+touchesOff: boolean,
 /** Its name. */
 name: string,
 /** Acts that a page may do to it beside moving it. */

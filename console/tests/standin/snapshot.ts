@@ -42,6 +42,7 @@ export const firstSnapshot = message<Snapshot>({
     armed: false,
     why: null,
     wantsTool: false,
+    touchesOff: false,
     name: "Simulated machine",
     offers: { inputs: true, card: true, startArms: true },
     pace: null,

@@ -8,11 +8,11 @@ use crate::kept_settings::{self, KeptSettings};
 use crate::lines::{Modal, jogs_alone, lines, parts, told_as};
 use crate::place::Place;
 use crate::report::Doing;
-use crate::tool_wait::ToolWait;
+use crate::tool_wait::{MODE, ToolWait};
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
     Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, Order, Reply, Sent, Shares,
-    Signal, Ticket, ToldSetting, Trouble, Wired, Zero, ZeroChange, is_sound,
+    Signal, Ticket, ToldSetting, TouchOff, Trouble, Wired, Zero, ZeroChange, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -491,7 +491,8 @@ impl Wired for Grbl {
     fn waits(&self) -> Option<&'static str> {
         let ours = matches!(self.hold, Hold::Ordered | Hold::Stands);
         let is_held = matches!(self.doing, Doing::Slowing | Doing::Held);
-        self.doing.waits().filter(|_| !(ours && is_held))
+        let waits = self.doing.waits().filter(|_| !(ours && is_held));
+        self.tool.waits(self.told.of(MODE)).or(waits)
     }
 
     fn hold(&self) -> Hold {
@@ -500,6 +501,10 @@ impl Wired for Grbl {
 
     fn waits_for_tool(&self) -> bool {
         self.tool.is_on()
+    }
+
+    fn touch_off(&self) -> Option<TouchOff> {
+        self.tool.touch_off(self.told.of(MODE))
     }
 
     fn shares(&self) -> Option<Shares> {

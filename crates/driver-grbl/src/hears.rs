@@ -9,7 +9,7 @@ use crate::kept_settings::{self, BUSY};
 use crate::lines::straight;
 use crate::place::{millimetres, on_steps};
 use crate::report::{Doing, Report, axes};
-use crate::tool_wait::{JOG_CANCEL, TOOL};
+use crate::tool_wait::{JOG_CANCEL, REFERENCE, TOOL, TOUCH};
 use kerf_machine::driver::{Driver, Facts, Garbled, Hold, Order, Reply, Ticket, Trouble};
 
 /// A place that is farther than this from the one that was ordered is another, mm: more than a step of any machine.
@@ -89,6 +89,12 @@ impl Grbl {
             self.changed = self.told.mend().or(self.changed);
             self.told.setting(&line.text);
         }
+        if line.text == TOUCH && self.tool.ends_touch(self.zeros.has_reference()) {
+            if !self.zeros.has_reference() {
+                self.say(REFERENCE);
+            }
+            self.asks_zeros();
+        }
         self.follows_settings(&line.text);
         self.asks_on();
     }
@@ -143,6 +149,9 @@ impl Grbl {
             return self.asks_on();
         }
         let asked = line.as_ref().filter(|line| line.ticket.is_none());
+        if asked.is_some_and(|line| line.text == TOUCH) {
+            return self.tool.refuses_touch(format!("error {number}: {why}"));
+        }
         if self.kept.is_refused(asked.map(|line| &*line.text), number, &why) {
             return;
         }
@@ -170,6 +179,7 @@ impl Grbl {
         });
         match place {
             None => self.replies.push(Err(Garbled)),
+            Some((_, changed)) if self.tool.is_touching() => self.tool.hears_touch(changed == "1"),
             Some((place, "1")) if self.flights.probing().is_some() => {
                 self.contact = Some(on_steps(millimetres(place, &self.told), &self.told));
             }
@@ -310,6 +320,10 @@ impl Grbl {
                 let why = report.doing.unfit().unwrap_or_default();
                 self.trouble = Some(Trouble::Unfit { why });
                 self.fail();
+            }
+            // It has touched a tool off where it stands now, or somebody has moved it.
+            Doing::Tool if self.has_said_all() && self.flights.is_empty() => {
+                (self.planned, self.arrived) = (self.position(), true);
             }
             Doing::Idle if self.has_said_all() && self.flights.is_empty() => {
                 self.stands_there();

@@ -3,7 +3,7 @@
 use crate::at_once;
 use crate::driver::{Grbl, Phase};
 use crate::report::Doing;
-use crate::tool_wait::{JOG_CANCEL, TOOL, ToolWait};
+use crate::tool_wait::{JOG_CANCEL, MODE, TOOL, TOUCH, ToolWait};
 use kerf_machine::driver::{Driver, Hold, Override, Signal};
 
 impl Grbl {
@@ -27,6 +27,15 @@ impl Grbl {
                 }
             }
             Signal::ToolIn if self.tool.is_on() => self.out.extend(self.tool.is_in()),
+            Signal::TouchOff => {
+                let rests = self.has_said_all() && self.flights.is_empty();
+                let may =
+                    self.tool.takes_jogs() && self.tool.touch_off(self.told.of(MODE)).is_some();
+                if self.phase == Phase::Ready && rests && may {
+                    self.tool.begins_touch();
+                    self.say(TOUCH);
+                }
+            }
             Signal::ToolOff if self.tool.is_on() => {
                 self.tool = ToolWait::default();
                 self.reset();
@@ -56,7 +65,7 @@ impl Grbl {
             // It hears nothing else while it goes home.
             Phase::Ready if self.quiet() => self.reset(),
             // A reset would end the change of tools.
-            Phase::Ready if self.tool.takes_jogs() => {
+            Phase::Ready if self.tool.takes_jogs() && !self.tool.is_touching() => {
                 (self.phase, self.doing) = (Phase::Stopping, Doing::Slowing);
                 self.out.extend([JOG_CANCEL, at_once::ASK]);
                 return;

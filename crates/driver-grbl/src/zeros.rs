@@ -19,11 +19,19 @@ pub struct Zeros {
     in_force: Option<Axes>,
     /// They are to be asked for once more.
     stale: bool,
+    /// A tool was touched off by which the lengths of others are told.
+    has_reference: bool,
 }
 
 impl Zeros {
     /// Learns from `[G54:1.000,2.000,3.000]`; tells whether it was one of them.
     pub fn bracket(&mut self, name: &str, value: &str, told: &KnownFacts) -> bool {
+        if name == "TLR" {
+            self.has_reference = true;
+            return true;
+        }
+        // The first of a list, at whose end the reference is told where there is one.
+        self.has_reference &= name != Zero::SYSTEMS[0];
         let is_shift = [Zero::SHIFT, Zero::TOOL].contains(&name);
         let is_one = is_shift || Zero::SYSTEMS.contains(&name);
         let Some((mut at, count)) = axes(value).filter(|_| is_one) else { return is_one };
@@ -54,6 +62,11 @@ impl Zeros {
     /// Learns of the zero in force: where it is another than before, or the first, somebody may have changed one.
     pub fn hear(&mut self, in_force: Axes) {
         self.stale |= self.in_force.replace(in_force) != Some(in_force);
+    }
+
+    /// Returns `true` if it has told of a tool that is the reference of the others.
+    pub const fn has_reference(&self) -> bool {
+        self.has_reference
     }
 
     /// Returns them as they were told last.

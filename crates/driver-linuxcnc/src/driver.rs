@@ -257,7 +257,7 @@ impl Driver for LinuxCnc {
 
     fn signal(&mut self, signal: Signal, now_s: f64) {
         match signal {
-            Signal::Ask | Signal::ByHand | Signal::ToolIn | Signal::ToolOff => {}
+            Signal::Ask | Signal::ByHand | Signal::ToolIn | Signal::TouchOff | Signal::ToolOff => {}
             Signal::Hold => {
                 self.hold = Hold::Ordered;
                 self.acts("hold");

@@ -284,6 +284,11 @@ pub trait Machine {
         false
     }
 
+    /// Returns `true` if it touches that tool off by itself when it is asked to.
+    fn touches_off(&mut self) -> bool {
+        false
+    }
+
     /// The tool is in for which it waits: it goes on.
     fn tool_is_in(&mut self) {}
 

@@ -86,9 +86,10 @@ impl App {
             Act::Step { motor, forward, .. } => self.hands.step_motor(asker, &motor, forward)?,
             Act::Zero { name, change, .. } => self.hands.zero(asker, name, change)?,
             Act::ForgetPace { .. } => self.orders.order_of(asker, Order::ForgetPace)?,
-            act @ (Act::Tool { .. } | Act::ToolIn { .. } | Act::ControllerSteps { .. }) => {
-                tools::hears(self, asker, act)?;
-            }
+            act @ (Act::Tool { .. }
+            | Act::ToolIn { .. }
+            | Act::TouchOff { .. }
+            | Act::ControllerSteps { .. }) => tools::hears(self, asker, act)?,
             Act::HeightMap { change, .. } => height_map::change(self, asker, change)?,
             act @ (Act::Wire { .. } | Act::WireLook { .. } | Act::WireAnswer { .. }) => {
                 self.wirings.hears(asker, act)?;

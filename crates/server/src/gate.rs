@@ -142,6 +142,7 @@ fn needs_of_act(now: &Snapshot, act: &Act) -> Result<Need, Problem> {
         | Act::Bit { lease, .. }
         | Act::Step { lease, .. }
         | Act::Zero { lease, .. }
+        | Act::TouchOff { lease }
         | Act::ToolIn { lease } => driving(TurnNeeded::Number(*lease)),
         Act::Command { lease, line } => needs_of_typed(now, *lease, line),
         // A question may wait for that very switch.

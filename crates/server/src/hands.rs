@@ -107,6 +107,18 @@ impl Hands {
         self.orders.want_of(asker, Way::GoOn, |wanted| wanted.tool_in = true)
     }
 
+    /// Has the controller touch off the tool for which it waits.
+    ///
+    /// # Errors
+    /// It waits for none that it touches off by itself, or a job runs, whose Z zero would not follow.
+    pub fn touch_off(&self, asker: &Asker) -> Result<(), Problem> {
+        if !self.hub.read(|now| now.machine.touches_off) {
+            let text = "the controller touches no tool off now: it waits for none, or a job runs";
+            return Err(problem(Why::State, text));
+        }
+        self.orders.order_of(asker, Order::TouchOff)
+    }
+
     /// The number of the question that lets the tool be moved while it is open, where it is of one of these kinds.
     fn question_for_hands(&self, kinds: &str) -> Option<u32> {
         self.hub.read(|now| {

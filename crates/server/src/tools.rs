@@ -17,6 +17,7 @@ pub fn hears(app: &App, asker: &Asker, act: Act) -> Result<(), Problem> {
     match act {
         Act::Tool { number, change, .. } => self::change(app, asker, number, change),
         Act::ControllerSteps { axis, steps, .. } => app.hands.keep_steps(asker, axis, steps),
+        Act::TouchOff { .. } => app.hands.touch_off(asker),
         _ => app.hands.tool_is_in(asker),
     }
 }

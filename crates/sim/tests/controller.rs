@@ -171,6 +171,7 @@ impl Driver for Controller {
             | Signal::Override(_)
             | Signal::ByHand
             | Signal::ToolIn
+            | Signal::TouchOff
             | Signal::ToolOff => {}
         }
     }

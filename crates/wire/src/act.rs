@@ -262,6 +262,11 @@ pub enum Act {
         /// The change.
         change: ToolChange,
     },
+    /// Has the controller touch off the tool for which it waits; Z zero follows the length. Not while a job runs.
+    TouchOff {
+        /// Number of the lease.
+        lease: u32,
+    },
     /// The tool is in for which the controller waits: it goes on.
     ToolIn {
         /// Number of the lease.

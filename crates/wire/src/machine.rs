@@ -53,6 +53,8 @@ pub struct Machine {
     pub why: Option<String>,
     /// Its controller has begun a change of tools and waits for the tool.
     pub wants_tool: bool,
+    /// It touches that tool off by itself when it is asked to.
+    pub touches_off: bool,
     /// Its name.
     pub name: String,
     /// Acts that a page may do to it beside moving it.

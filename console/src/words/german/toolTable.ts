@@ -56,4 +56,9 @@ export const toolTable: Readonly<Record<string, string>> = {
   "This machine finds no home of Z: lengths that were measured hold until its location is set anew, or it is moved while it is off. Measure the tools again then.":
     "Diese Maschine findet keine Referenz von Z: gemessene Längen gelten, bis ihr Ort neu gesetzt oder sie ausgeschaltet bewegt wird. Dann die Werkzeuge neu messen.",
   "The controller waits for no tool.": "Die Steuerung wartet auf kein Werkzeug.",
+  "The controller waits for no tool that it touches off.":
+    "Die Steuerung wartet auf kein Werkzeug, das sie vermisst.",
+  "Touch off": "Vermessen",
+  "Touch off: the controller measures the tool at the plate below it":
+    "Vermessen: die Steuerung vermisst das Werkzeug an der Platte darunter",
 };

@@ -3,7 +3,9 @@
 use super::either::dry_run;
 use super::lacks::{lines, listed};
 use super::stopwatch::Stopwatch;
-use super::{Connection, Lacks, Socket, WrittenSetting, kept_settings, zeros};
+use super::{
+    Connection, Lacks, Socket, TouchedOff, WrittenSetting, kept_settings, touch_off, zeros,
+};
 use crate::Session;
 use crate::answers::Operator;
 use crate::kept_pace::keep_pace;
@@ -283,6 +285,14 @@ impl Controller {
         self.connection.borrow_mut().waits_for_tool()
     }
 
+    /// Has it touch off the tool for which it waits.
+    ///
+    /// # Errors
+    /// As [`touch_off`](touch_off::touch_off).
+    pub fn touches_off(&self, is_stopped: impl FnMut() -> bool) -> Result<TouchedOff, String> {
+        touch_off::touch_off(&mut self.connection.borrow_mut(), is_stopped)
+    }
+
     /// Returns the reason for which it does nothing more, in words.
     pub fn fault(&self) -> Option<String> {
         self.connection.borrow().fault().map(|fault| fault.message.clone())
@@ -396,7 +406,7 @@ impl Controller {
         workspace: &mut Workspace,
         operator: &mut dyn Operator,
     ) -> Vec<Diagnostic> {
-        if let (true, Some(why)) = (!is_by_hand(work) && self.waits_for_tool(), self.waits()) {
+        if let (true, Some(why)) = (!is_made_in_wait(work) && self.waits_for_tool(), self.waits()) {
             let why = format!("{}: {why}", self.name());
             return vec![Diagnostic::new(Code::Controller, Place::line(work.name(), 0), why)];
         }
@@ -424,11 +434,15 @@ impl Controller {
     }
 }
 
-/// Returns `true` for what somebody's hands move: errands, and the keypad (SK) that is typed.
-fn is_by_hand(work: &Work) -> bool {
+/// Returns `true` for what is made while the controller waits for a tool: what somebody's hands move (errands, and the keypad
+/// that is typed, SK), and what moves nothing, as a zero of Kerf that is set.
+fn is_made_in_wait(work: &Work) -> bool {
     match work {
         Work::Hand(errand, _) => !matches!(errand, Errand::FindHome(_)),
-        Work::Part(program) => program.sbp.text.trim().eq_ignore_ascii_case("SK"),
+        Work::Part(program) => {
+            let is_keypad = program.sbp.text.trim().eq_ignore_ascii_case("SK");
+            is_keypad || program.sbp.names_places_at_most()
+        }
         Work::Job(..) => false,
     }
 }

@@ -372,6 +372,10 @@ impl Machine for Connection {
         self.lost.is_none() && self.link.driver().waits_for_tool()
     }
 
+    fn touches_off(&mut self) -> bool {
+        self.lost.is_none() && self.link.driver().touch_off().is_some()
+    }
+
     fn tool_is_in(&mut self) {
         self.signal(Signal::ToolIn);
     }

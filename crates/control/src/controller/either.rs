@@ -5,6 +5,7 @@ use super::attached::{self, AttachReport, First};
 use super::kept_settings::WrittenSetting;
 use super::lacks::Lacks;
 use super::queued;
+use super::touch_off::TouchedOff;
 use crate::answers::Operator;
 use crate::learned::Learned;
 use crate::session::DrivenBy;
@@ -186,6 +187,17 @@ impl Controller {
                 "{} keeps no settings by number: they are in its machine's file (steps.per_unit)",
                 attached.name()
             )),
+        }
+    }
+
+    /// Has it touch off the tool for which it waits.
+    ///
+    /// # Errors
+    /// It does no such thing, the tool has touched nothing, or it was stopped.
+    pub fn touches_off(&self, is_stopped: impl FnMut() -> bool) -> Result<TouchedOff, String> {
+        match self {
+            Self::Followed(controller) => controller.touches_off(is_stopped),
+            Self::Queued(attached) => Err(format!("{} waits for no tool", attached.name())),
         }
     }
 

@@ -117,21 +117,20 @@ fn same(kept: &str, value: &str) -> bool {
 mod tests {
     use super::*;
 
+    const AMONG_OTHERS: &str =
+        "$120 is a setting of the controller: write it by itself, beside no other lines";
+
     #[test]
     fn settings_of_a_controller_stand_by_themselves() {
         let check = |lines: &str, expected: Result<&[(u16, &str)], &str>| {
-            let expected =
-                expected.map(|all| all.iter().map(|(n, v)| (*n, (*v).to_owned())).collect());
-            let found: Result<Vec<_>, String> = settings_in(lines);
-            match expected {
-                Ok(expected) => assert_eq!(found, Ok(expected), "{lines}"),
-                Err(why) => assert!(found.unwrap_err().contains(why), "{lines}"),
-            }
+            let own =
+                |all: &[(u16, &str)]| all.iter().map(|(n, v)| (*n, (*v).to_owned())).collect();
+            assert_eq!(settings_in(lines), expected.map(own).map_err(str::to_owned), "{lines}");
         };
         check("$120=300", Ok(&[(120, "300")]));
         check(" $120 = 300 \n\n$74=my shop\n", Ok(&[(120, "300"), (74, "my shop")]));
         check("MX,1\n$uValue=3\n", Ok(&[]));
         check("$120=", Ok(&[]));
-        check("$120=300\nMX,1", Err("write it by itself"));
+        check("$120=300\nMX,1", Err(AMONG_OTHERS));
     }
 }

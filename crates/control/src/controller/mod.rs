@@ -33,6 +33,7 @@ mod row;
 mod sent;
 mod socket;
 mod stopwatch;
+mod touch_off;
 mod turned;
 mod zeros;
 
@@ -42,4 +43,5 @@ pub use either::{Controller, Place};
 pub use kept_settings::{STEPS, WrittenSetting, settings_in};
 pub use lacks::{Lacks, lines, output_name, output_of_name, wired};
 pub use socket::{Ends, Opens, Socket};
+pub use touch_off::TouchedOff;
 pub use zeros::{change_zero, working_reads, zeros_of};

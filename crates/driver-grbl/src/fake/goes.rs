@@ -1,6 +1,7 @@
 //! The moves of the fake: from the words of a line into its planner, and those that end at a contact of its probe.
 
 use super::read::{Way, Words};
+use super::tool::is_touched;
 use super::{Fake, arc};
 use kerf_machine::driver::Axes;
 
@@ -101,9 +102,12 @@ impl Fake {
             self.planned = self.motion.position;
             let (place, changed) =
                 (self.latched.unwrap_or_default(), u8::from(self.latched.is_some()));
-            self.latched = None;
+            let latched = self.latched.take();
             self.tell(&format!("[PRB:{}:{changed}]", self.places(place)));
-            self.tell("ok");
+            match self.change.touches {
+                true => is_touched(self, latched),
+                false => self.tell("ok"),
+            }
         }
     }
 }

@@ -24,7 +24,10 @@ use motion::Motion;
 use read::{Way, Words, read};
 use state::State;
 use std::collections::{BTreeMap, VecDeque};
-use tool::{Change, WAITS_FOR_TOOL, cancels_jog, hears_of_tool, jog_ends, jogs, tool_is_in};
+use tool::{
+    Change, WAITS_FOR_TOOL, cancels_jog, hears_of_tool, jog_ends, jogs, tool_is_in, touches_off,
+    zero_is_set,
+};
 use turned::turn;
 
 /// Time is followed in steps of this, seconds.
@@ -91,6 +94,9 @@ pub struct Fake {
     resumed_s: f64,
     /// The change of tools that is under way.
     change: Change,
+    /// Height at which a tool was touched off last, and that of the tool by which others are measured, mm.
+    touched_mm: Option<f64>,
+    reference_mm: Option<f64>,
     /// It takes no setting.
     pub keeps_settings: bool,
     /// Outputs of `M64` that are on.
@@ -183,6 +189,8 @@ impl Fake {
             says: None,
             resumed_s: 0.0,
             change: Change::default(),
+            touched_mm: None,
+            reference_mm: None,
             keeps_settings: false,
             aux: 0,
             pins: String::new(),
@@ -314,7 +322,7 @@ impl Fake {
             match byte {
                 b'?' if self.state != State::Homing => self.report(),
                 b'?' => {}
-                b'!' if self.state == State::Ready => {
+                b'!' if self.state == State::Ready || self.change.touches => {
                     self.state = State::Hold;
                     self.motion.held = true;
                 }
@@ -477,6 +485,7 @@ impl Fake {
             _ if self.offsets.keeps(line, self.motion.position) => {
                 // Its next report tells of it.
                 self.until_offset = 1;
+                zero_is_set(self);
                 self.tell("ok");
             }
             Ok(words) => self.waiting = Some(words),
@@ -495,6 +504,14 @@ impl Fake {
             "#" => {
                 let lines = self.offsets.told(|at| self.places(at));
                 lines.iter().for_each(|line| self.tell(line));
+                if let Some(mm) = self.reference_mm {
+                    self.tell(&format!("[TLR:{mm:.3}]"));
+                }
+                self.tell("ok");
+            }
+            "TPW" => touches_off(self),
+            "TLR" if self.board.hal => {
+                self.reference_mm = self.touched_mm;
                 self.tell("ok");
             }
             "$" => {

@@ -80,7 +80,7 @@ impl Fake {
             State::Sleep => "Sleep",
             State::Check => "Check",
             State::Homing => "Home",
-            State::Tool if self.motion.is_empty() => "Tool",
+            State::Tool if self.motion.is_empty() || self.change.touches => "Tool",
             State::Tool => "Jog",
             State::Ready if self.motion.is_empty() => "Idle",
             State::Ready => "Run",

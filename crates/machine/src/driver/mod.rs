@@ -17,11 +17,13 @@ pub mod conformance;
 mod link;
 mod offsets;
 mod told_setting;
+mod touch_off;
 mod zero;
 
 pub use link::{Link, LinkNews, LinkState, Troubles};
 pub use offsets::Offsets;
 pub use told_setting::ToldSetting;
+pub use touch_off::TouchOff;
 pub use zero::{Zero, ZeroChange};
 
 /// Planners of controllers that plan for themselves.
@@ -141,6 +143,8 @@ pub enum Signal {
     ByHand,
     /// The tool is in for which you [wait](Wired::waits_for_tool).
     ToolIn,
+    /// Touch it off by yourself, as far as you [do such](Wired::touch_off).
+    TouchOff,
     /// Nobody puts it in: give the change of tools up.
     ToolOff,
     /// Slow down, forget every order that is not done, switch outputs off.
@@ -387,6 +391,12 @@ pub trait Wired: Driver {
     /// Returns `true` if it has begun a change of tools and waits: it makes moves by hand, and goes on by [`Signal::ToolIn`].
     fn waits_for_tool(&self) -> bool {
         false
+    }
+
+    /// Returns the state of the touch-off that it makes by itself of the tool for which it waits, by [`Signal::TouchOff`];
+    /// nothing where it makes none.
+    fn touch_off(&self) -> Option<TouchOff> {
+        None
     }
 
     /// Returns the state of a hold that was ordered.

@@ -5,6 +5,7 @@
 
 use crate::syntax::Program;
 use crate::syntax::tree::{Node, Span, Statement};
+use crate::table::CommandSpec;
 use kerf_diag::{Code, Diagnostic};
 use std::sync::Arc;
 
@@ -53,10 +54,20 @@ impl Program {
 
     /// Returns `true` if no line of it can move or switch anything: values, speeds, modes, variables.
     pub fn moves_nothing(&self) -> bool {
+        self.has_only(CommandSpec::moves_nothing)
+    }
+
+    /// Returns `true` if it moves and switches nothing, but may call the place where the tool stands by other numbers.
+    pub fn names_places_at_most(&self) -> bool {
+        self.has_only(|spec| spec.moves_nothing() || spec.names_place())
+    }
+
+    /// Returns `true` if every line of it is empty, an assignment, or a command that is one of those.
+    fn has_only(&self, is_one: impl Fn(&CommandSpec) -> bool) -> bool {
         self.lines.iter().all(|line| match line.node {
             Node::Blank | Node::Comment => true,
             Node::Statement(index) => match self.statements.get(index as usize) {
-                Some(Statement::Command { spec, .. }) => spec.moves_nothing(),
+                Some(Statement::Command { spec, .. }) => is_one(spec),
                 Some(Statement::Assign { .. }) => true,
                 _ => false,
             },
@@ -104,6 +115,17 @@ mod tests {
         }
         for typed in ["MX,1", "VA,0", "&VC=1", "SR", "SO,1,1", "FP,a.sbp", "US,mine", "C9"] {
             assert!(!sets(typed), "{typed}");
+        }
+    }
+
+    #[test]
+    fn lines_that_name_the_place_at_most_are_known() {
+        let names = |typed: &str| read_typed("typed".into(), typed).names_places_at_most();
+        for typed in ["ZZ", "ZX\nVA,,,3", "VS,2", ""] {
+            assert!(names(typed), "{typed}");
+        }
+        for typed in ["MZ,1", "ZZ\nMZ,1", "SO,1,1", "SK"] {
+            assert!(!names(typed), "{typed}");
         }
     }
 

@@ -12,12 +12,15 @@ use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::{ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Errand};
-use kerf_program::Axes;
+use kerf_program::{AXES, Axes};
 use kerf_trace::Summary;
 use kerf_wire::{Change, ControllerSetting, Machine, Message, State, Tone};
 
 /// A controller that stands farther from where the machine is believed to be was moved by somebody, mm.
 const MOVED_MM: f64 = 0.01;
+
+/// The axis of the tool.
+const Z: usize = 2;
 
 /// A setting as pages show it.
 fn set(told: ToldSetting) -> ControllerSetting {
@@ -67,6 +70,7 @@ impl Owner {
         let zeros: Vec<_> = controller.zeros().into_iter().map(shown).collect();
         let (fault, locked, waits) = (controller.fault(), controller.locked(), controller.waits());
         let wants_tool = controller.driven().borrow_mut().waits_for_tool();
+        let touches_off = controller.driven().borrow_mut().touches_off();
         let memory = &mut session.memory;
         // What is only drawn is elsewhere than the machine.
         let drawn = &mut memory.before_preview;
@@ -92,7 +96,7 @@ impl Owner {
             _ if changed => self.settle(Machine::clone),
             _ => {}
         }
-        self.tell_waits(waits, wants_tool);
+        self.tell_waits(waits, wants_tool, touches_off);
         if is_set_anew {
             // The open file takes another time from now on.
             self.leave();
@@ -100,11 +104,12 @@ impl Owner {
         }
     }
 
-    /// Tells for what the controller waits at its own controls while nothing runs, and whether that is a tool.
-    fn tell_waits(&mut self, waits: Option<&'static str>, wants_tool: bool) {
+    /// Tells for what the controller waits at its own controls while nothing runs, whether that is a tool, and whether it touches
+    /// it off.
+    fn tell_waits(&mut self, waits: Option<&'static str>, wants_tool: bool, touches_off: bool) {
         let before = std::mem::replace(&mut self.waits, waits);
         self.hub.changing(|now| {
-            let mut machine = Machine { wants_tool, ..now.machine.clone() };
+            let mut machine = Machine { wants_tool, touches_off, ..now.machine.clone() };
             machine.why = machine.why.filter(|told| Some(&**told) != before);
             machine.why = machine.why.or(waits.map(str::to_owned));
             let other = machine != now.machine;
@@ -116,6 +121,41 @@ impl Owner {
     pub(super) fn tool_is_in(&mut self) {
         self.driven().borrow_mut().tool_is_in();
         self.rest(State::Idle, None);
+    }
+
+    /// Has the controller touch off the tool for which it waits; Z zero follows the length.
+    pub(super) fn touch_off(&mut self) {
+        self.catch_up();
+        let link = self.link.clone();
+        let controller = &self.workshop.controller;
+        let missing = || Err("there is no controller that waits for a tool".to_owned());
+        let touched = controller
+            .as_ref()
+            .map_or_else(missing, |controller| controller.touches_off(|| link.lock().is_to_stop()));
+        match touched {
+            Err(why) => {
+                self.hub.say(Tone::Error, why);
+                self.rest(State::Idle, None);
+            }
+            Ok(touched) => {
+                self.attend();
+                self.moves_zero(touched.higher_mm);
+                self.hub.say(Tone::Note, touched.sentence());
+            }
+        }
+        self.attend();
+    }
+
+    /// The working zero of Z is higher by so much, mm.
+    fn moves_zero(&mut self, higher_mm: f64) {
+        if higher_mm == 0.0 {
+            return self.rest(State::Idle, None);
+        }
+        let reads_mm = self.hub.read(|now| now.motion.at.working[Z]) - higher_mm;
+        let units = to_wire::units(&self.workshop.session.memory.settings).axes;
+        let mut reads = [None; AXES];
+        reads[Z] = Some(reads_mm);
+        self.command(&zeros::values(reads, &units), false, None, false);
     }
 
     /// The controller takes no orders from now on, for a reason, or takes them again: it is disarmed and tells why.

@@ -110,6 +110,8 @@ pub enum Order {
     ForgetPace,
     /// The tool is in for which the controller waits.
     ToolIn,
+    /// Have the controller touch that tool off.
+    TouchOff,
     /// Take this file of heights into force, or the map off.
     HeightMap(Option<String>),
     /// Shift the workpiece.
@@ -170,6 +172,7 @@ impl Order {
             | Self::Switch(..)
             | Self::Zero { .. }
             | Self::ToolIn
+            | Self::TouchOff
             | Self::Setting { .. }
             | Self::Nudge(..) => true,
             Self::Switches

@@ -153,6 +153,7 @@ impl Owner {
                 Order::Setting { number, value } => self.change_setting(number, &value),
                 Order::ForgetPace => self.forget_pace(),
                 Order::ToolIn => self.tool_is_in(),
+                Order::TouchOff => self.touch_off(),
                 Order::HeightMap(text) => self.take_height_map(text.as_deref()),
                 Order::Nudge(axis, distance) => self.nudge(axis, distance),
                 Order::Folder { path, mask } => self.enter(&path, mask.as_deref()),

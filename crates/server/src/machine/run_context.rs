@@ -84,8 +84,11 @@ impl Shared {
     fn waits(&self, why: Option<&'static str>, wants_tool: bool) {
         self.hub.changing(|now| {
             let other = now.machine.why.as_deref() != why || now.machine.wants_tool != wants_tool;
-            let machine =
-                || Machine { why: why.map(String::from), wants_tool, ..now.machine.clone() };
+            let machine = || {
+                let why = why.map(String::from);
+                // The Z zero of what runs would not follow.
+                Machine { why, wants_tool, touches_off: false, ..now.machine.clone() }
+            };
             other.then(|| Change::Machine { machine: machine() }).into_iter().collect()
         });
     }

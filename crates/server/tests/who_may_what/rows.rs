@@ -62,6 +62,7 @@ fn every() -> Vec<Act> {
         Act::Zero { lease, name: "none".into(), change: ZeroChange::Holds },
         Act::Tool { lease, number: 0, change: ToolChange::Gone },
         Act::ToolIn { lease },
+        Act::TouchOff { lease },
         Act::ForgetPace { lease },
         Act::ControllerSteps { lease, axis: 'X', steps: 0.0 },
         Act::HeightMap { lease, change: HeightMapChange::File { name: "none.map".into() } },

@@ -9,6 +9,32 @@ export const operatingSentences: Readonly<Record<string, string>> = {
   "the machine is busy": "Die Maschine ist beschäftigt.",
   "stopped before it began: start it again": "Vor dem Beginn angehalten: noch einmal starten.",
   "take note of the alarm first": "Zuerst den Alarm zur Kenntnis nehmen.",
+  "it waits for a tool: put it in and touch it off, then press Continue":
+    "sie wartet auf ein Werkzeug: einsetzen und vermessen, dann Weiter drücken",
+  "it touches the tool off": "sie vermisst das Werkzeug",
+  "the tool is touched off: take the plate away, then press Continue":
+    "das Werkzeug ist vermessen: die Platte wegnehmen, dann Weiter drücken",
+  "the tool has touched nothing: bring it nearer to the plate, and look at the probe's lead":
+    "das Werkzeug hat nichts berührt: näher an die Platte bringen und die Leitung des Tasters ansehen",
+  "press Continue first: the controller takes the tool to where it is touched off":
+    "zuerst Weiter drücken: die Steuerung bringt das Werkzeug dorthin, wo es vermessen wird",
+  "error {0}: {1}": "Fehler {0}: {1}",
+  "the tool is touched off, the first one: set Z zero with it, the next ones are measured against it":
+    "das Werkzeug ist vermessen, das erste: mit ihm Z null setzen, die nächsten werden an ihm gemessen",
+  "the tool is touched off: Z zero is {0} mm higher":
+    "das Werkzeug ist vermessen: Z null liegt {0} mm höher",
+  "the tool is touched off: Z zero is {0} mm lower":
+    "das Werkzeug ist vermessen: Z null liegt {0} mm tiefer",
+  "it is at work, or was moved a moment ago: try again":
+    "sie arbeitet, oder wurde gerade bewegt: noch einmal versuchen",
+  "it waits for no tool that it touches off": "sie wartet auf kein Werkzeug, das sie vermisst",
+  "stopped while it touched the tool off: it has given the change of tools up":
+    "angehalten, während sie das Werkzeug vermaß: sie hat den Werkzeugwechsel aufgegeben",
+  "{0} waits for no tool": "{0} wartet auf kein Werkzeug",
+  "there is no controller that waits for a tool":
+    "es gibt keine Steuerung, die auf ein Werkzeug wartet",
+  "the controller touches no tool off now: it waits for none, or a job runs":
+    "die Steuerung vermisst jetzt kein Werkzeug: sie wartet auf keines, oder ein Auftrag läuft",
   "it waits for a tool: put it in, then press Continue, or its own button":
     "Sie wartet auf ein Werkzeug: einsetzen, dann Weiter drücken, oder ihren eigenen Knopf.",
   "the controller waits for no tool": "Die Steuerung wartet auf kein Werkzeug.",

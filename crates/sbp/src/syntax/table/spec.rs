@@ -274,6 +274,12 @@ impl CommandSpec {
         Self { letters, name, group, params, stack, doc, act }
     }
 
+    /// Returns `true` if all it does is to call the place where the tool stands by another number.
+    pub const fn names_place(&self) -> bool {
+        use super::act::Value;
+        matches!(self.act, Act::Zero(_) | Act::Value(Value::Locations(_)))
+    }
+
     /// Returns `true` if it can neither move nor switch anything, nor call a place by another number.
     pub fn moves_nothing(&self) -> bool {
         use super::act::{Mode, Move, Record, Utility, Value};
