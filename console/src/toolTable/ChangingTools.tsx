@@ -74,6 +74,16 @@ export function ChangingTools() {
             : screen.tell(t("Move the tool over the sensor first, and press the button above."))
         }
       />
+      <Pick
+        label="Input of a loose plate"
+        labelled
+        options={[
+          { value: none, words: t("No plate") },
+          ...inputs.map((input) => ({ value: input, words: input })),
+        ]}
+        value={read("tool_change.plate_input")}
+        onChange={(value) => void set("tool_change.plate_input", value)}
+      />
       <p>{t("Lengths of tools")}</p>
       <Choice
         label="Lengths of tools"

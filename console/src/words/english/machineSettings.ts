@@ -10,6 +10,7 @@ export const settingNames: Readonly<Record<string, string>> = {
   "tool_change.place_x": "Place X",
   "tool_change.place_y": "Place Y",
   "tool_change.sensor_input": "Input of the sensor",
+  "tool_change.plate_input": "Input of a loose plate",
   "tool_change.sensor_x": "Sensor X",
   "tool_change.sensor_y": "Sensor Y",
   "tool_change.sensor_reach": "Way down to the sensor",

@@ -503,6 +503,10 @@ const toolChanges: Readonly<Record<string, SettingText>> = {
     "Eingang des Werkzeugtasters",
     "Eingang des Tasters oder der festen Platte, an der Werkzeuge beim Wechsel gemessen werden; none ohne.",
   ),
+  "tool_change.plate_input": said(
+    "Eingang einer losen Platte",
+    "Eingang einer losen Platte: der Bediener legt sie vor und nach einem Wechsel unter das Werkzeug; none ohne.",
+  ),
   "tool_change.sensor_x": said(
     "Werkzeugtaster X",
     "X des Tasters, der Werkzeuge misst, vom Tisch aus.",

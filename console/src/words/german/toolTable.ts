@@ -37,6 +37,8 @@ export const toolTable: Readonly<Record<string, string>> = {
   "no place of their own yet.": "noch keinem eigenen Ort.",
   "Input of the sensor": "Eingang des Tasters",
   "No sensor": "Kein Taster",
+  "Input of a loose plate": "Eingang einer losen Platte",
+  "No plate": "Keine Platte",
   "Move the tool over the sensor first, and press the button above.":
     "Zuerst das Werkzeug über den Taster fahren und den Knopf darüber drücken.",
   "Lengths of tools": "Längen der Werkzeuge",

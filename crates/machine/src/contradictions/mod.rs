@@ -33,6 +33,7 @@ const CHECKS: &[Check] = &[
     tools::start_sequences,
     tools::laser,
     tools::sensor,
+    tools::plate,
 ];
 
 /// Everything that contradicts itself in a configuration.

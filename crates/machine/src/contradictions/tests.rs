@@ -214,5 +214,8 @@ fn sbp_val_vd_remote__a_key_is_nothing_else() {
 fn a_sensor_for_tools_has_a_place() {
     refused("tool_change.sensor_input = 1", "tool_change.sensor_x or tool_change.sensor_y is none");
     refused("tool_change.sensor_x = 1\ntool_change.sensor_input = 1", "names a sensor");
-    accepted("tool_change.sensor_x = 1\ntool_change.sensor_y = 2\ntool_change.sensor_input = 1");
+    let placed = "tool_change.sensor_x = 1\ntool_change.sensor_y = 2\ntool_change.sensor_input = 1";
+    accepted(placed);
+    refused(&format!("{placed}\ntool_change.plate_input = 2"), "names a loose plate, and");
+    accepted("tool_change.plate_input = 1");
 }

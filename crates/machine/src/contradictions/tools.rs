@@ -33,6 +33,18 @@ pub(super) fn sensor(c: &Configuration, found: &mut Found) {
     }
 }
 
+/// A tool is measured at one thing.
+pub(super) fn plate(c: &Configuration, found: &mut Found) {
+    let changes = &c.program.tool_changes;
+    if changes.sensor_input.is_some() && changes.plate_input.is_some() {
+        found.push(Contradiction::new(
+            &["tool_change.plate_input", "tool_change.sensor_input"],
+            "tool_change.plate_input names a loose plate, and tool_change.sensor_input a sensor",
+            "Tools are measured at one of them: set the other to none.",
+        ));
+    }
+}
+
 /// Bit 1 of input port A is the W home switch, Too-Close of a plasma, or the external start.
 pub(super) fn shared_input(c: &Configuration, found: &mut Found) {
     let homes_w = c.homing.of(W).fitted;

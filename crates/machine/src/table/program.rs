@@ -134,6 +134,14 @@ const TOOL_CHANGES: &[Setting] = &[
     ),
     row!(
         c,
+        "tool_change.plate_input",
+        c.program.tool_changes.plate_input,
+        None,
+        Range(1.0, 12.0),
+        "Input of a loose plate: the operator lays it below the tool before and behind a change; none without one."
+    ),
+    row!(
+        c,
         "tool_change.sensor_x",
         c.program.tool_changes.sensor_x_mm,
         Mm,

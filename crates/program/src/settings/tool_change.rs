@@ -12,7 +12,9 @@ pub struct ToolChanges {
     pub place_y_mm: Option<f64>,
     /// Input of the sensor, or of the fixed plate, that measures tools.
     pub sensor_input: Option<u8>,
-    /// Its X.
+    /// Input of a loose plate that the operator lays below a tool to measure it, where there is no sensor.
+    pub plate_input: Option<u8>,
+    /// X of the sensor.
     pub sensor_x_mm: Option<f64>,
     /// Its Y.
     pub sensor_y_mm: Option<f64>,

@@ -56,6 +56,8 @@ fn tell(c: &mut Context<'_>) {
         ("TOOL_PLACE_X", place(changes.place_x_mm)),
         ("TOOL_PLACE_Y", place(changes.place_y_mm)),
         ("TOOL_SENSOR", number(changes.sensor_input.map(f64::from))),
+        // In a file that is scaled a touch is no height.
+        ("TOOL_PLATE", number(changes.plate_input.filter(|_| !scaled).map(f64::from))),
         ("TOOL_SENSOR_X", length(changes.sensor_x_mm)),
         ("TOOL_SENSOR_Y", length(changes.sensor_y_mm)),
         ("TOOL_SENSOR_REACH", length(changes.sensor_reach_mm)),

@@ -106,6 +106,10 @@ export const configurationSentences: Readonly<Record<string, string>> = {
   "{0} home not found{1}": "{0}: Referenzpunkt nicht gefunden{1}",
   "there are no settings {0}; {1}": "die Einstellungen {0} gibt es nicht; {1}",
   "'{0}' is no name of a settings file": "»{0}« ist kein Name einer Datei mit Einstellungen",
+  "tool_change.plate_input names a loose plate, and tool_change.sensor_input a sensor":
+    "tool_change.plate_input nennt eine lose Platte, und tool_change.sensor_input einen Sensor",
+  "Tools are measured at one of them: set the other to none.":
+    "Werkzeuge werden an einem davon gemessen: das andere auf none setzen.",
   "tool_change.sensor_input names a sensor, but tool_change.sensor_x or tool_change.sensor_y is none":
     "tool_change.sensor_input nennt einen Sensor, aber tool_change.sensor_x oder tool_change.sensor_y fehlt",
   "Give the place of the sensor first.": "Zuerst den Ort des Sensors angeben.",
