@@ -50,11 +50,7 @@ impl App {
             Act::TakeLease { force } => self.driving.take_lease(who, force)?,
             Act::GiveLease { .. } => self.give_lease(who),
             Act::Arm { .. } => self.driving.arm()?,
-            Act::Open { name, parameters } => {
-                self.loader.nothing_unsaved()?;
-                self.look_beside(&name)?;
-                self.loader.open_with(&name, parameters)?;
-            }
+            Act::Open { name, parameters } => self.open_file(&name, parameters)?,
             Act::Parameters { parameters } => self.loader.run_with(parameters)?,
             Act::Choose { choice } => self.jobs.choose(choice)?,
             Act::KeepOrigin => self.jobs.keep_origin()?,
@@ -120,6 +116,13 @@ impl App {
             return Ok(());
         }
         self.runs.command(asker, line)
+    }
+
+    /// Opens a file, with nothing of the one before unsaved.
+    fn open_file(&self, name: &str, parameters: kerf_wire::FileParameters) -> Result<(), Problem> {
+        self.loader.nothing_unsaved()?;
+        self.look_beside(name)?;
+        self.loader.open_with(name, parameters)
     }
 
     /// Closes the open file, with nothing of it unsaved.

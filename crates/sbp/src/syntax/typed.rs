@@ -4,8 +4,8 @@
 //! other lines only, so a line alone may not have them. Several lines together are a program (SI).
 
 use crate::syntax::Program;
+use crate::syntax::table::CommandSpec;
 use crate::syntax::tree::{Node, Span, Statement};
-use crate::table::CommandSpec;
 use kerf_diag::{Code, Diagnostic};
 use std::sync::Arc;
 

@@ -166,10 +166,15 @@ impl Owner {
                 Order::Keep(tells) => self.keep(&tells),
                 Order::Refused(told) => self.log_refused(&told),
             }
-            self.tell_workspace();
-            let made = self.workshop.workspace.take_made();
-            (self.done)(made.map(|path| self.parts.name_of(&path)));
+            self.order_is_done();
         }
+    }
+
+    /// Tells what an order has left in the workspace.
+    fn order_is_done(&mut self) {
+        self.tell_workspace();
+        let made = self.workshop.workspace.take_made();
+        (self.done)(made.map(|path| self.parts.name_of(&path)));
     }
 
     /// Waits for the next order, so long at most. What is stopped meanwhile is off at once: a stop wakes this thread,
