@@ -52,6 +52,18 @@ export const steps: Record<string, Step> = {
   ),
   enable: entry(() => t("Pins that give the motors their current; - for none")),
   outputs: entry(() => t("Outputs by number, with their pins: 1 gpio20, 2 gpio21")),
+  inputs: entry(() => t("Inputs by number, with their pins: 1 ^gpio22; - for none")),
+  torch: {
+    ask: () => t("Is there a torch whose height is controlled?"),
+    choices: [
+      { answer: "n", words: "No" },
+      { answer: "y", words: "Yes" },
+    ],
+  },
+  torchVoltage: entry(() => t("Pin that measures the voltage of its arc, divided; - for none")),
+  torchSwitches: entry(() =>
+    t("Pins of the two switches of its head, too high and too low; - for none"),
+  ),
   current: {
     ask: (motor) => t("Current of motor {0} while it turns, amperes", motor),
     choices: [],

@@ -17,14 +17,7 @@ beforeAll(async () => {
   board = new Board();
   port = await board.line();
   // Patient with a computer that does much else.
-  execFileSync(kerf, [
-    "set",
-    "--data",
-    folder,
-    "board.deadline_s=2",
-    "board.watch_s=3",
-    "board.inputs=1 gpio12",
-  ]);
+  execFileSync(kerf, ["set", "--data", folder, "board.deadline_s=2", "board.watch_s=3"]);
   // A switch that opens when it is pressed, at a pin that is pulled up.
   board.work("pin 10 1");
   workshop = await openWorkshop({ folder });
@@ -93,7 +86,7 @@ it("tells why nobody answers at a port", async () => {
 });
 
 /** Pins of X, of the motor of Y as told, none of Z, and one output. */
-async function givesPins(y: string): Promise<void> {
+async function givesPins(y: string, torch = false): Promise<void> {
   await give("Motor X", "gpio0 gpio1");
   await give("Home switch of X", "^!gpio10");
   await give("Motor Y", y);
@@ -104,6 +97,14 @@ async function givesPins(y: string): Promise<void> {
   await press("No");
   await give("current", "");
   await give("Outputs by number", "1 gpio20");
+  await give("Inputs by number", "1 gpio12");
+  await question("a torch");
+  await press(torch ? "Yes" : "No");
+  if (!torch) return;
+  await give("the voltage of its arc", "-");
+  await give("two switches of its head", "gpio13");
+  await page.getByText("Name two pins, too high and too low").waitFor();
+  await give("two switches of its head", "gpio13 gpio14");
 }
 
 it("asks for the pins, and takes them once the board does", async () => {
@@ -112,7 +113,7 @@ it("asks for the pins, and takes them once the board does", async () => {
   await givesPins("gpio0 gpio3");
   await page.getByText("pin `gpio0` is used twice").waitFor();
   await shot("twice");
-  await givesPins("-");
+  await givesPins("-", true);
   await question("X goes 1 mm");
   await shot("goes");
   expect(await violations(page)).toEqual([]);
@@ -144,6 +145,8 @@ it("shows each switch as it is, whichever question is open", async () => {
   await question("leave its home switch alone");
   await shows("Home switch of X", "^!gpio10", "open");
   await shows("Input 1", "gpio12", "open");
+  await shows("Input 17", "gpio13", "open");
+  await shows("Input 20", "gpio14", "open");
   board.work("pin 12 1");
   await shows("Input 1", "gpio12", "pressed");
   await shows("Home switch of X", "^!gpio10", "open");
@@ -180,6 +183,7 @@ it("tries the speed, and writes the file of the machine", async () => {
   await shot("written");
   const file = readFileSync(join(folder, "mine.toml"), "utf8");
   expect(file).toContain('x = "gpio0 !gpio1"');
+  expect(file).toContain('inputs = "1 gpio12, 17 gpio13, 20 gpio14"');
   expect(await board.counts()).toEqual([0]);
 });
 

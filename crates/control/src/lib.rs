@@ -75,6 +75,7 @@ mod whole_run;
 mod world;
 mod world_clock;
 
+use kerf_machine::driver::Facts;
 use kerf_sim::{Opened, Simulated};
 
 pub use at_rest::AtRest;
@@ -94,4 +95,9 @@ pub use world_clock::WorldClock;
 /// The simulated machine of a run that takes no time.
 pub fn simulated() -> Opened {
     Simulated::opened(())
+}
+
+/// The same for a dry run of what another machine is to make: what that one carries beside the plan, this one leaves to it.
+pub(crate) fn simulated_for(facts: &Facts) -> Opened {
+    Simulated::new(()).leaving_torch(facts.follows_torch).open()
 }

@@ -194,7 +194,8 @@ impl Session {
         };
         if before.door != Door::Only {
             self.tell_not_homed(machine, &options, sink);
-            if !driven.machine.borrow().facts().follows_sheet {
+            let law = sequence.follows_sheet();
+            if law.is_none_or(|law| !driven.machine.borrow().facts().follows(&law)) {
                 heights::tell_no_sheet(&name, &sequence, &options, sink);
             }
         }

@@ -89,10 +89,12 @@ impl<'a> World<'a> {
         operator: &'a mut dyn Operator,
         opened: Opened,
     ) -> Self {
-        let Simulation { model, physics } = simulation;
+        let Simulation { mut model, physics } = simulation;
         let Opened { machine: driven, hands } = opened;
         hands.put(physics);
         let settings = model.settings().clone();
+        model.leaves_torch(driven.borrow().facts().follows_torch);
+        driven.borrow_mut().use_settings(&settings);
         Self {
             model,
             driven,

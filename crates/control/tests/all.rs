@@ -27,6 +27,7 @@ mod queued_homing;
 mod queued_laser;
 mod queued_outputs;
 mod queued_stops;
+mod queued_switches;
 mod queued_watched;
 mod references;
 mod registry;

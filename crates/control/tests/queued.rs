@@ -40,6 +40,9 @@ pub fn machine_of(file: &str) -> Configuration {
 /// A switch that closes below a count of a motor of another board: board and pin, board and motor, count.
 pub type Far = ((usize, u32), (usize, u8), i64);
 
+/// Pins with their levels.
+pub type Levels = Vec<(u32, bool)>;
+
 /// A host, and boards that are none with their lines.
 pub struct World {
     /// The boards, the first one first.
@@ -51,6 +54,8 @@ pub struct World {
     pub far: Vec<Far>,
     /// Share of the full voltage at all pins that measure one, by the places of the motors.
     pub voltage: Option<fn(&Fake) -> f64>,
+    /// Levels of pins, by the places of the motors.
+    pub levels: Option<fn(&Fake) -> Levels>,
     heard: Vec<Answer>,
 }
 
@@ -76,7 +81,8 @@ impl World {
         let crew = Crew::new(&wiring.setup, names, options, 0.0).expect("a setup");
         let wired = (seed..).take(names.len()).map(|seed| Wired::new(seed, faults)).collect();
         let (mailbox, far, heard) = (Mailbox::new(crew), Vec::new(), Vec::new());
-        Self { wired, mailbox, now_s: 0.0, stalls_until_s: 0.0, far, voltage: None, heard }
+        let (voltage, levels) = (None, None);
+        Self { wired, mailbox, now_s: 0.0, stalls_until_s: 0.0, far, voltage, levels, heard }
     }
 
     /// Lets a grain of time go by.
@@ -100,6 +106,12 @@ impl World {
             let reading = (voltage(fake).clamp(0.0, 1.0) * 4095.0).round() as u32;
             let pins: Vec<u32> = fake.analogs.values().map(|analog| analog.pin).collect();
             fake.voltages.extend(pins.into_iter().map(|pin| (pin, reading)));
+        }
+        if let Some(levels) = self.levels {
+            let fake = &mut self.wired[0].fake;
+            let now = fake.now;
+            let levels = levels(fake).into_iter().map(|(pin, is_on)| (pin, vec![(now, is_on)]));
+            fake.driven.extend(levels);
         }
         if !sleeps {
             self.heard.extend(self.mailbox.answers());

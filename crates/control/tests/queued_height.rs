@@ -29,13 +29,13 @@ const FILE: &str = "[steps]\nper_unit = [100, 100, 200, 100, 100, 100]\n[board]\
 const SCALE_MM: f64 = 0.038;
 /// The reading that is wanted, and its gap.
 const WANTED: f64 = 150.0;
-const GAP_MM: f64 = WANTED * SCALE_MM;
+pub const GAP_MM: f64 = WANTED * SCALE_MM;
 /// The height at which the cut begins, Z of the machine frame: right over the sheet at X 0.
-const Z_MM: f64 = -10.0;
+pub const Z_MM: f64 = -10.0;
 /// Speed of the cut.
 const CUT_MM_S: f64 = 50.0;
 
-fn law() -> HeightLaw {
+pub fn law() -> HeightLaw {
     let set_points = [WANTED; 2];
     HeightLaw {
         gauge: Gauge::Proportional {
@@ -54,12 +54,12 @@ fn law() -> HeightLaw {
 }
 
 /// Waves of 3 mm from crest to trough, 300 mm long.
-fn sheet_mm(x_mm: f64) -> f64 {
+pub fn sheet_mm(x_mm: f64) -> f64 {
     Z_MM - GAP_MM + 1.5 * (x_mm / 300.0 * std::f64::consts::TAU).sin()
 }
 
 /// Places of X and Z: it begins to count at the beginning of the cut.
-fn place(fake: &Fake) -> [f64; 2] {
+pub fn place(fake: &Fake) -> [f64; 2] {
     let steps = |oid: u8| fake.steppers[&oid].position as f64;
     [steps(0) / 100.0, Z_MM + steps(2) / 200.0]
 }
@@ -69,7 +69,7 @@ fn voltage(fake: &Fake) -> f64 {
     (z - sheet_mm(x)) / SCALE_MM / 255.0
 }
 
-fn line(from: Axes, to: Axes) -> Plan {
+pub fn line(from: Axes, to: Axes) -> Plan {
     let dynamics = Dynamics {
         speed_mm_s: Axes::splat(200.0),
         accel_mm_s2: Axes::splat(500.0),
@@ -93,7 +93,11 @@ fn shop(seed: u64, faults: Faults, voltage: fn(&Fake) -> f64) -> Shop {
 }
 
 /// Makes a plan as a run does; tells the way beside it, and the inputs that changed.
-fn make(shop: &mut Shop, plan: &Plan, mut each: impl FnMut(&Fake)) -> (Carried, Vec<(u8, bool)>) {
+pub fn make(
+    shop: &mut Shop,
+    plan: &Plan,
+    mut each: impl FnMut(&Fake),
+) -> (Carried, Vec<(u8, bool)>) {
     let (t0_s, until, mut inputs) = (10.0, plan.moves().len(), Vec::new());
     shop.queued.begin_plan();
     let going = Going { plan, index: 0, t0_s, until, part: 1.0, watches: &[] };
@@ -139,25 +143,31 @@ fn a_torch_follows_a_sheet_in_waves() {
     }
 }
 
-/// SIM with a torch on a board.
-fn plasma_table() -> Configuration {
+/// SIM on a board, with more lines of its pins.
+pub fn table(pins: &str) -> Configuration {
     let mut machine = machine_of(&format!(
-        "{}\n[board]\nx = \"gpio0 gpio1\"\ny = \"gpio2 gpio3\"\nz = \"gpio4 gpio5\"\nheight = \"ADC\"\n\
+        "{}\n[board]\nx = \"gpio0 gpio1\"\ny = \"gpio2 gpio3\"\nz = \"gpio4 gpio5\"\n{pins}\n\
          outputs = \"1 gpio20, 14 gpio21\"\nboth_edges = true\npulse_us = 0.1",
         profile("sim").unwrap().text
     ));
-    (machine.height.on, machine.height.mode) = (true, HeightMode::Proportional);
-    (machine.height.k, machine.height.activation_percent) = (9.5, 50.0);
+    (machine.height.on, machine.height.activation_percent) = (true, 50.0);
+    machine
+}
+
+/// The same with a torch whose voltage is measured.
+fn plasma_table() -> Configuration {
+    let mut machine = table("height = \"ADC\"");
+    (machine.height.mode, machine.height.k) = (HeightMode::Proportional, 9.5);
     machine
 }
 
 /// Places of X and Z on SIM, which stands at its home.
-fn on_sim(fake: &Fake) -> [f64; 2] {
+pub fn on_sim(fake: &Fake) -> [f64; 2] {
     [0, 2].map(|oid: u8| fake.steppers[&oid].position as f64 / 250.0)
 }
 
 /// The sheet of a job lies 20 mm below home, less the gap.
-fn sim_sheet_mm(x_mm: f64) -> f64 {
+pub fn sim_sheet_mm(x_mm: f64) -> f64 {
     sheet_mm(x_mm) - 10.0
 }
 
@@ -172,9 +182,9 @@ fn breaks(fake: &Fake) -> f64 {
 }
 
 /// What a job tells.
-struct Watched {
-    world: Rc<RefCell<World>>,
-    events: Vec<Event>,
+pub struct Watched {
+    pub world: Rc<RefCell<World>>,
+    pub events: Vec<Event>,
 }
 
 impl Sink for Watched {
@@ -184,10 +194,18 @@ impl Sink for Watched {
 }
 
 fn cuts(voltage: fn(&Fake) -> f64, answers: &str) -> (Watched, Rc<RefCell<Queued>>) {
-    let machine = plasma_table();
+    cuts_on(plasma_table(), |world| world.voltage = Some(voltage), answers)
+}
+
+/// A job of one line of 300 mm on a machine.
+pub fn cuts_on(
+    machine: Configuration,
+    feels: impl Fn(&mut World),
+    answers: &str,
+) -> (Watched, Rc<RefCell<Queued>>) {
     let shop = Shop::of(&machine, 3, Faults::default(), |_| {});
     let world = shop.world.clone();
-    world.borrow_mut().voltage = Some(voltage);
+    feels(&mut world.borrow_mut());
     let line = JobShape::through(
         1,
         Polyarc::lines([Point2::new(0.0, 0.0), Point2::new(300.0, 0.0)], false),

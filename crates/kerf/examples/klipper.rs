@@ -6,8 +6,9 @@
 //! kerf run box.sbp --machine klipper:/dev/pts/4 --machine board.toml
 //! ```
 //!
-//! It may name the longest turn in seconds that the board catches up with on a busy computer; for longer ones its clock stops,
-//! so that it is late for nothing. A host whose `board.deadline_s` is 2 sends a second ahead, so 0.5 does there.
+//! It has real-time priority where the system gives that. It may name the longest turn in seconds that the board catches up
+//! with on a busy computer; for longer ones its clock stops, so that it is late for nothing. A host whose `board.deadline_s`
+//! is 2 sends a second ahead, so 0.5 does there.
 //!
 //! Lines on standard input work it: `where` tells the counts of its motors and the outputs that are on, `pin N 1` drives a
 //! pin, `shut WHY` shuts it down, an end of the input unplugs it.
@@ -25,6 +26,7 @@ fn main() {
 
 #[cfg(unix)]
 mod unix {
+    use kerf_control::controller::queued::raise_priority;
     use kerf_driver_klipper::fake::{Board, Pace};
     use kerf_transport::pretend::Plug;
     use std::io::stdin;
@@ -44,6 +46,8 @@ mod unix {
     }
 
     fn play(mut plug: Plug, mut board: Board, says: &Receiver<String>) {
+        // A real board does not wait for the computer that it hangs on. Where there is no such priority, its clock waits too.
+        drop(raise_priority());
         let turn_s = std::env::args().nth(1).and_then(|turn_s| turn_s.parse().ok());
         let (since, mut pace) = (Instant::now(), turn_s.map_or_else(Pace::default, Pace::of_turn));
         let mut bytes = [0; 256];

@@ -1,7 +1,7 @@
 //! Z that follows the sheet: the controller's side of automatic height control, tick by tick
 //! (Profiler reference, "Automatic Height Control"; readings, Height control).
 
-use kerf_motion::Move;
+use kerf_motion::{Move, Path};
 use kerf_program::{Axis, Gauge, HeightLaw, MoveKind};
 
 /// Time from one look to the next, seconds.
@@ -17,10 +17,21 @@ pub fn acts_in(law: &HeightLaw, made: &Move) -> bool {
     made.kind == wanted && made.from[Axis::Z] == made.to[Axis::Z]
 }
 
+/// Tells whether a move goes along X or Y.
+pub fn in_plane(made: &Move) -> bool {
+    let moves = |axis: Axis| made.from[axis] != made.to[axis];
+    matches!(made.path, Path::Arc { .. }) || moves(Axis::X) || moves(Axis::Y)
+}
+
 /// Tells whether readings are awaited during a move on which Z is the plan's own: the way down to the sheet.
 pub fn listens_in(law: &HeightLaw, made: &Move) -> bool {
-    let reads = matches!(law.gauge, Gauge::Proportional { .. }) && law.raised_mm.is_none();
-    reads && made.kind == MoveKind::Cut && made.to[Axis::Z] < made.from[Axis::Z]
+    matches!(law.gauge, Gauge::Proportional { .. }) && goes_down(law, made)
+}
+
+/// Tells whether a move is the way down to the sheet.
+pub fn goes_down(law: &HeightLaw, made: &Move) -> bool {
+    let cuts = law.raised_mm.is_none() && made.kind == MoveKind::Cut;
+    cuts && made.to[Axis::Z] < made.from[Axis::Z]
 }
 
 /// Tells whether a reading says that the head is above the band it is to keep.
@@ -110,9 +121,14 @@ impl Follower {
         }
     }
 
+    /// Z is to go to where it is carried by a distance, mm.
+    pub const fn aim_at(&mut self, offset_mm: f64) {
+        self.target_mm = offset_mm;
+    }
+
     /// Z stays where it is, as soon as it can stand.
     pub const fn stay(&mut self) {
-        self.target_mm = self.offset_mm;
+        self.aim_at(self.offset_mm);
     }
 
     /// It stands.

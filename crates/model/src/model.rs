@@ -16,15 +16,18 @@ use crate::log::{Log, What};
 use crate::motors::Motors;
 use crate::outputs::Outputs;
 use crate::trigger;
+use kerf_machine::height_follower::in_plane;
 use kerf_machine::homing::soft_bounds;
 use kerf_machine::{Carried, Configuration, Lift, Reading};
 use kerf_motion::{Move, Plan, Span};
 use kerf_program::settings::Mode;
-use kerf_program::{AXES, Axes, Axis, AxisSet, Frame, Independent, OutputReason, Settings};
+use kerf_program::{
+    AXES, Axes, Axis, AxisSet, Frame, Independent, OutputReason, Settings, TORCH_INPUT,
+};
 use shine::Shine;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use torch::{TORCH_INPUT, Torch, in_xy};
+use torch::Torch;
 
 /// Beliefs about a machine: places, frames, limits, inputs, outputs. See the [crate] for what it learns.
 #[derive(Clone, Debug)]
@@ -38,6 +41,8 @@ pub struct Model {
     outputs: Outputs,
     spins: [Spin; AXES],
     torch: Torch,
+    /// The machine itself carries Z by the torch.
+    made_torch: bool,
     heater: Heater,
     motors: Motors,
     /// Motors have power.
@@ -84,6 +89,7 @@ impl Model {
             outputs: Outputs::default(),
             spins: [Spin::default(); AXES],
             torch: Torch::default(),
+            made_torch: false,
             heater: Heater::default(),
             motors,
             powered: true,
@@ -170,6 +176,11 @@ impl Model {
     pub fn trusting(mut self, axes: AxisSet) -> Self {
         axes.iter().for_each(|axis| self.unverified.remove(axis));
         self
+    }
+
+    /// Whether the machine itself carries Z by the torch (VH): it tells how far, and here nothing is reckoned of it.
+    pub const fn leaves_torch(&mut self, made: bool) {
+        self.made_torch = made;
     }
 
     /// From here on these settings hold.
@@ -335,9 +346,11 @@ impl Model {
         let mut carries = |t_s: f64, mm: f64| {
             self.log.add(t_s, What::Carried { z_mm: to[Axis::Z] + mm });
         };
-        carried.lift.turns().for_each(|(t_s, mm)| carries(t_s, mm));
         let [before_mm, after_mm] = carried.lift.ends();
-        if after_mm != before_mm {
+        // A torch carries the tool, and no heights of a job.
+        let heights = !self.settings.torch_on();
+        carried.lift.turns().filter(|_| heights).for_each(|(t_s, mm)| carries(t_s, mm));
+        if heights && after_mm != before_mm {
             carries(end_s, after_mm);
         }
         self.carried_mm = after_mm;
@@ -406,7 +419,8 @@ impl Model {
 
     /// A move begins that Z may ride on, or the machine comes to rest.
     fn ride(&mut self, made: Option<&Move>) {
-        let rides = made.filter(|made| self.settings.torch_on() && !self.draws() && in_xy(made));
+        let here = self.settings.torch_on() && !self.draws() && !self.made_torch;
+        let rides = made.filter(|made| here && in_plane(made));
         self.torch.ride(rides.map_or(0.0, |made| self.settings.height.rate * made.speed_mm_s));
         self.steer_torch(self.clock_s);
     }

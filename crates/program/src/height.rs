@@ -10,6 +10,9 @@ const AT_FLOOR_MM: f64 = 1e-6;
 /// The largest reading.
 const MOST: f64 = 255.0;
 
+/// The input of a torch: Z goes down while it is on, up while it is off (command reference, VH).
+pub const TORCH_INPUT: u8 = 1;
+
 /// Sensing of the height.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Gauge {

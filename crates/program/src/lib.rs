@@ -43,7 +43,7 @@ pub use command::{
 pub use dynamics::Dynamics;
 pub use frame::Frame;
 pub use go_to::GoTo;
-pub use height::{Gauge, HeightLaw};
+pub use height::{Gauge, HeightLaw, TORCH_INPUT};
 pub use height_map::{HEAD as HEIGHT_MAP_HEAD, HeightMap, MARGIN_MM};
 pub use host::{
     Answer, Button, ConversionRequest, CutChoice, FileConversion, FileMode, FileRequest, Folder,

@@ -59,11 +59,22 @@ impl<C: Clock + 'static> Simulated<C> {
         Self { clock, facts, physics: Rc::default() }
     }
 
+    /// The same, which leaves the motion of Z by a torch (VH) to the machine that it stands for.
+    #[must_use]
+    pub const fn leaving_torch(mut self, leaves: bool) -> Self {
+        self.facts.follows_torch = leaves;
+        self
+    }
+
     /// The same, opened for runs.
     pub fn opened(clock: C) -> Opened {
-        let simulated = Self::new(clock);
-        let hands = simulated.hands();
-        Opened { machine: Rc::new(RefCell::new(simulated)), hands }
+        Self::new(clock).open()
+    }
+
+    /// Opens it for runs.
+    pub fn open(self) -> Opened {
+        let hands = self.hands();
+        Opened { machine: Rc::new(RefCell::new(self)), hands }
     }
 }
 

@@ -42,6 +42,13 @@ export const wiring: Readonly<Record<string, string>> = {
     "Anschlüsse, die den Motoren ihren Strom geben; - für keine",
   "Outputs by number, with their pins: 1 gpio20, 2 gpio21":
     "Ausgänge nach Nummer, mit ihren Anschlüssen: 1 gpio20, 2 gpio21",
+  "Inputs by number, with their pins: 1 ^gpio22; - for none":
+    "Eingänge nach Nummer, mit ihren Anschlüssen: 1 ^gpio22; - für keine",
+  "Is there a torch whose height is controlled?": "Gibt es einen Brenner mit Höhenregelung?",
+  "Pin that measures the voltage of its arc, divided; - for none":
+    "Anschluss, der die geteilte Spannung des Lichtbogens misst; - für keinen",
+  "Pins of the two switches of its head, too high and too low; - for none":
+    "Anschlüsse der zwei Schalter des Kopfes, zu hoch und zu tief; - für keine",
   "Current of motor {0} while it turns, amperes": "Strom von Motor {0}, während er dreht, Ampere",
   "What is printed on the motor, or less.": "Was auf dem Motor steht, oder weniger.",
   "Has an axis two motors, or is there a rotary axis?":

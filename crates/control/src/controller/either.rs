@@ -15,6 +15,7 @@ use kerf_journal::{RunOptions, Work};
 use kerf_machine::driver::{ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Machine};
 use kerf_program::Axes;
+use kerf_sequence::Sequence;
 use kerf_workspace::{Firmware, Workspace};
 
 /// The place where a controller hangs.
@@ -313,10 +314,14 @@ pub(super) fn dry_run(
     {
         lacks.burns(machine.plasma.use_sequence);
     }
+    if let Work::Job(job, machine) = &again {
+        let sequence = Sequence::new(job.clone(), machine.clone(), Axes::default());
+        sequence.follows_sheet().iter().for_each(|law| lacks.follows(law));
+    }
+    let machine = crate::simulated_for(lacks.facts());
     let mut options = RunOptions { started: None, ..options.clone() };
     options.program.preview = true;
-    let context =
-        RunContext { sink: &mut lacks, operator, requests: &mut (), machine: crate::simulated() };
+    let context = RunContext { sink: &mut lacks, operator, requests: &mut (), machine };
     drop(session.clone().run(again, options, workspace, context));
     lacks.found()
 }

@@ -4,7 +4,7 @@ use kerf_diag::{Code, Diagnostic, Place, Severity};
 use kerf_machine::Actuator;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Output;
-use kerf_program::{Axes, Axis, OutputReason, SpindleTurn};
+use kerf_program::{Axes, Axis, Gauge, HeightLaw, OutputReason, SpindleTurn};
 use kerf_trace::{Event, ExecutedMove, Sink, event::MoveEvent};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -46,6 +46,11 @@ impl Lacks {
         Self { name, facts, offset, file, line: 0, seen, found }
     }
 
+    /// What the controller has.
+    pub const fn facts(&self) -> &Facts {
+        &self.facts
+    }
+
     /// Returns what it lacks, and what it does slower.
     pub fn found(self) -> Vec<Diagnostic> {
         self.found
@@ -57,6 +62,19 @@ impl Lacks {
         let burns = if plasma { has(&self.facts, torch) } else { self.facts.follows_speed };
         if !burns {
             let what = "has no output for a torch or a beam: it drives machines with a spindle";
+            self.tell(Severity::Error, what);
+        }
+    }
+
+    /// The job follows a sheet by a law.
+    pub fn follows(&mut self, law: &HeightLaw) {
+        if !self.facts.follows(law) {
+            let what = match law.gauge {
+                Gauge::Proportional { .. } => "has no height control by readings",
+                Gauge::Simple { .. } => {
+                    "has no height control by two switches, inputs 17 (zhigh) and 20 (zlow)"
+                }
+            };
             self.tell(Severity::Error, what);
         }
     }
@@ -192,15 +210,15 @@ impl Sink for Lacks {
                 }
             }
             Event::Independent { speed, frequency, .. } if *speed != 0.0 || *frequency != 0.0 => {
-                self.tell(Severity::Error, "has no axis that moves by itself");
+                self.tell(
+                    Severity::Error,
+                    "has no axis that moves by itself (MI), and no torch that moves Z (VH)",
+                );
             }
             Event::Pwm { channel, percent, .. } if *percent > 0.0 && self.facts.pwm != 0 => {
                 if !lines(self.facts.pwm).any(|own| own == *channel) {
                     self.tell(Severity::Error, &no_channel(&self.facts, *channel));
                 }
-            }
-            Event::Height { .. } if !self.facts.follows_sheet => {
-                self.tell(Severity::Error, "has no height control");
             }
             other => {
                 let beam = matches!(

@@ -1,6 +1,7 @@
 //! `kerf run --machine klipper:PORT`: runs on a board with step queues that is none, on a pseudo terminal.
 
 use crate::shop::{Did, Shop};
+use kerf_control::controller::queued::raise_priority;
 use kerf_driver_klipper::fake::{Board, Chip, Pace};
 use kerf_transport::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
@@ -74,6 +75,8 @@ impl Drop for Bench {
 }
 
 fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
+    // A real board does not wait for the computer that it hangs on. Where there is no such priority, its clock waits too.
+    drop(raise_priority());
     let (since, mut pace, mut bytes) = (Instant::now(), Pace::of_turn(TURN_S), [0; 256]);
     while *plugged.lock().unwrap() {
         let count = plug.read(&mut bytes, Duration::from_millis(1)).unwrap();
@@ -218,7 +221,7 @@ fn two_boards_are_one_machine() {
 
 /// Answers of somebody who wires X and two motors of Y, a switch and an output.
 const ANSWERS: &str =
-    "gpio0 gpio1\n^gpio10\ngpio2 gpio3\n-\n-\n-\ny\n-\ngpio4 gpio5\n-\n-\n\n1 gpio20\n";
+    "gpio0 gpio1\n^gpio10\ngpio2 gpio3\n-\n-\n-\ny\n-\ngpio4 gpio5\n-\n-\n\n1 gpio20\n\nn\n";
 
 #[test]
 fn a_board_is_wired_question_by_question() {
@@ -267,7 +270,7 @@ fn a_board_that_is_sold_is_wired_by_its_name() {
     let (shop, bench) = (shop(), Bench::new());
     let wire =
         |name: &str| format!("machine wire klipper:{} --board {name} --into mine.toml", bench.port);
-    let pins = "\n\n0.8\n\n\n0.8\n\n\n0.5\n\n\n\nq\n";
+    let pins = "\n\n0.8\n\n\n0.8\n\n\n0.5\n\n\n\n\ny\n\n^gpio25 ^gpio29\nq\n";
     bench.look(|board| board.chips = [0, 2, 1].map(|address| Chip::tmc2209(9, address)).to_vec());
     shop.kerf_with(&wire("skr-pico"), pins.as_bytes())
         .exits(3)
@@ -276,6 +279,8 @@ fn a_board_that_is_sold_is_wired_by_its_name() {
         .says("home switch of Z [^gpio25]")
         .says("outputs by number (1 gpio20, 2 gpio21) [1 gpio17, 2 gpio18")
         .says("current of Z while it turns, amperes [0]")
+        .says("inputs by number (1 ^gpio22) [1 ^gpio22]")
+        .says("switches too high and too low, two pins, - for none []")
         .says("X goes 1 mm");
     let pins =
         bench.look(|board| board.steppers.values().map(|it| it.step_pin).collect::<Vec<_>>());
@@ -320,7 +325,7 @@ fn wiring_stops_at_each_question_and_writes_nothing() {
     for answers in ["", "q\n", "gpio0 gpio1\nq\n"] {
         shop.kerf_with(&wire, answers.as_bytes()).exits(3).complains("nothing is written");
     }
-    let twice = "gpio0 gpio1\n-\ngpio0 gpio3\n-\n-\n-\n\n-\n-\nq\n";
+    let twice = "gpio0 gpio1\n-\ngpio0 gpio3\n-\n-\n-\n\n-\n-\n-\nn\nq\n";
     shop.kerf_with(&wire, twice.as_bytes()).exits(3).says("pin `gpio0` is used twice");
     assert!(!shop.names().contains(&"mine.toml".to_owned()));
     assert!(bench.look(|board| board.steppers.is_empty()), "nothing was configured");

@@ -29,6 +29,7 @@ pub use zero::{Zero, ZeroChange};
 /// Planners of controllers that plan for themselves.
 pub use kerf_motion::controllers as planners;
 pub use kerf_program::{AXES, Axes, Axis, decimal, rounded};
+use kerf_program::{Gauge, HeightLaw};
 use std::borrow::Cow;
 
 /// The number of an order; they count up from 1.
@@ -263,7 +264,11 @@ pub struct Facts {
     /// The output of its spindle can be a laser's, whose power follows the speed.
     pub follows_speed: bool,
     /// Z follows a sheet by the voltage of a torch (height control).
-    pub follows_sheet: bool,
+    pub follows_voltage: bool,
+    /// Z follows a sheet by two switches of its head (height control).
+    pub follows_switches: bool,
+    /// Z goes down and up by the input of a torch (VH), and the machine tells how far.
+    pub follows_torch: bool,
     /// It changes the speed of its rapid moves, and that of its spindle, by itself ([`Override`]).
     pub overrides_more: bool,
     /// It stops on its path and goes on from there, with its outputs as they are (feed hold).
@@ -289,6 +294,16 @@ pub struct Facts {
     pub card: bool,
     /// Nothing real hangs on it: nobody is hurt by what it does.
     pub harmless: bool,
+}
+
+impl Facts {
+    /// Tells whether Z follows a sheet by a law.
+    pub const fn follows(&self, law: &HeightLaw) -> bool {
+        match law.gauge {
+            Gauge::Simple { .. } => self.follows_switches,
+            Gauge::Proportional { .. } => self.follows_voltage,
+        }
+    }
 }
 
 /// A hold that was ordered ([`Signal::Hold`]).

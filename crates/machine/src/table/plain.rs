@@ -84,6 +84,11 @@ impl Single for String {
     fn read(value: &Value) -> Result<Self, String> {
         match value {
             Value::Text(text) => Ok(text.clone()),
+            // Pins with commas between, typed without quotes.
+            Value::List(texts) => {
+                let texts: Result<Vec<String>, String> = texts.iter().map(Self::read).collect();
+                texts.map(|texts| texts.join(", "))
+            }
             _ => Err("a text".into()),
         }
     }

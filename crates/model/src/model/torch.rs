@@ -3,11 +3,7 @@
 
 use crate::independent::Spin;
 use crate::log::{Log, What};
-use kerf_motion::{Move, Path};
 use kerf_program::{Axis, Independent};
-
-/// The input of the torch's voltage control.
-pub(super) const TORCH_INPUT: u8 = 1;
 
 /// Motion of Z by the torch, beside the plan.
 #[derive(Clone, Debug, Default)]
@@ -45,10 +41,4 @@ impl Torch {
     pub fn end(&mut self, t_s: f64) -> f64 {
         self.spin.end(t_s)
     }
-}
-
-/// Returns `true` if a move goes along X or Y.
-pub(super) fn in_xy(made: &Move) -> bool {
-    let moves = |axis: Axis| made.from[axis] != made.to[axis];
-    matches!(made.path, Path::Arc { .. }) || moves(Axis::X) || moves(Axis::Y)
 }

@@ -168,9 +168,13 @@ export const boardsSentences: Readonly<Record<string, string>> = {
     "{0} Mikroschritte gibt es nicht: 1, 2, 4 und so weiter bis 256",
   "{0}: height control takes a reading every {1} ms, and Z answers it {2} ms later":
     "{0}: die Höhenregelung misst alle {1} ms, und Z folgt {2} ms später",
-  "has no height control by this sensor: it reads the voltage of a torch at the pin board.height":
-    "hat keine Höhenregelung mit diesem Sensor: die Spannung eines Brenners liest sie am Pin board.height",
-  'set height.mode = "proportional"': 'height.mode = "proportional" setzen',
+  "{0}: height control has Z answer its switches {1} ms later":
+    "{0}: die Höhenregelung folgt ihren Schaltern {1} ms später",
+  "has no height control by this sensor: it reads the voltage of a torch at the pin board.height, or two switches at the pins of inputs 17 and 20 (board.inputs)":
+    "hat keine Höhenregelung mit diesem Sensor: sie liest die Spannung eines Brenners am Pin board.height, oder zwei Schalter an den Pins der Eingänge 17 und 20 (board.inputs)",
+  "name the pins, and set height.mode by them": "die Pins nennen und height.mode danach setzen",
+  "Name two pins, too high and too low: ^gpio10 ^gpio11":
+    "Zwei Pins nennen, zu hoch und zu tief: ^gpio10 ^gpio11",
   "this system has none": "dieses System hat keine",
   "motion is sent without real-time priority ({0}): on a busy computer it may be late; a limit of rtprio 1 for this user gives it (/etc/security/limits.conf)":
     "Bewegung wird ohne Echtzeitpriorität gesendet ({0}): auf einem ausgelasteten Rechner kann sie zu spät kommen; eine Grenze rtprio 1 für diesen Benutzer gibt sie (/etc/security/limits.conf)",

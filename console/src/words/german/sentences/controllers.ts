@@ -51,8 +51,11 @@ export const controllersSentences: Readonly<Record<string, string>> = {
   "has no output {0}, but {1}": "hat keinen Ausgang {0}, aber {1}",
   "has no output {0} ({1}): it is left out": "hat keinen Ausgang {0} ({1}): er wird ausgelassen",
   "{0}: it is left out": "{0}: es wird ausgelassen",
-  "has no axis that moves by itself": "hat keine Achse, die sich allein bewegt",
-  "has no height control": "hat keine Höhenregelung",
+  "has no axis that moves by itself (MI), and no torch that moves Z (VH)":
+    "hat keine Achse, die sich allein bewegt (MI), und keinen Brenner, der Z bewegt (VH)",
+  "has no height control by readings": "hat keine Höhenregelung nach Messwerten",
+  "has no height control by two switches, inputs 17 (zhigh) and 20 (zlow)":
+    "hat keine Höhenregelung nach zwei Schaltern, Eingängen 17 (zhigh) und 20 (zlow)",
   "output that switches within a move (VC)": "Ausgang, der in einer Bewegung schaltet (VC)",
   "PWM output": "PWM-Ausgang",
   "intensity output": "Ausgang für die Leistung",

@@ -36,6 +36,7 @@ impl Machine for Queued {
 
     fn use_settings(&mut self, settings: &Arc<Settings>) {
         self.wiring.inputs.iter_mut().for_each(|input| input.follow(&settings.io));
+        self.follow_torch(settings);
     }
 
     fn begin(&mut self) {
@@ -87,6 +88,8 @@ impl Machine for Queued {
         self.elsewhere = None;
         let height = self.feeder.height.as_ref().zip(going.made());
         self.probe.listens = height.is_some_and(|(height, made)| height.listens_in(made));
+        let watches = self.own_watches(going);
+        let going = &Going { watches: &watches, ..*going };
         if !self.watches(going) {
             self.tend(NAP);
             return News { reached_s: from_s, input: self.inputs.pop_front() };

@@ -174,7 +174,9 @@ impl Feeder {
         let ends = (scale.at(to_s).ceil() as u64).max(starts);
         let t0_s = front.t0_s;
         let span_s = [from_s - t0_s, to_s - t0_s];
-        let lift = self.height.as_mut().map(|height| height.carry(&front.leg, t0_s, span_s));
+        // While axes are homed nothing carries Z.
+        let carries = self.height.as_mut().filter(|_| self.only.is_none());
+        let lift = carries.map(|height| height.carry(&front.leg, t0_s, span_s));
         let made = match &lift {
             None => front.leg.steps(&mut self.stepper, span_s),
             Some(lift) => {
@@ -247,7 +249,8 @@ impl Feeder {
         let mut all = vec![Vec::new(); self.motors.len()];
         let mut at_rest = ends;
         let begin_s = ways.first().map(|(t0_s, way)| t0_s + way.span_s()[0]);
-        let lift = self.height.as_mut().zip(begin_s).map(|(height, from_s)| height.coast(from_s));
+        let carries = self.height.as_mut().filter(|_| self.only.is_none());
+        let lift = carries.zip(begin_s).map(|(height, from_s)| height.coast(from_s));
         // Where Z takes longer to come to rest than the path, it does so at the end of it.
         let alone = lift.as_ref().and_then(|lift| Way::alone(lift, ways.last()?));
         for (t0_s, way) in ways.iter().chain(&alone) {

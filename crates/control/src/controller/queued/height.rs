@@ -1,8 +1,9 @@
-//! Z that follows the sheet, on a board that measures the voltage of a torch.
+//! Z that follows the sheet, on a board that measures the voltage of a torch or looks at the switches of its head.
 //!
 //! Motion is handed to the board some tenths of a second before it is made, so a reading tells of a place that Z has left
 //! long since. It is compared with the place that Z had when it was taken: where the sheet is follows from it however long
-//! ago that was, and Z does not swing. What a sheet rises in the meantime is what Z is behind.
+//! ago that was, and Z does not swing. What a sheet rises in the meantime is what Z is behind. A switch that lets go tells a
+//! place in the same way: Z goes back to where it was then.
 //!
 //! ```text
 //!  reading ─► error at its moment ─► height of the sheet ─► Follower: speed, acceleration ─► steps of the next piece
@@ -11,14 +12,15 @@
 //! ```
 
 use super::feeder::Scale;
+use super::steering::Steering;
 use kerf_driver_klipper::board::Measured;
 use kerf_machine::height_follower::{
-    Follower, SILENCE_S, TICK_S, acts_in, is_above_band, listens_in,
+    Follower, SILENCE_S, TICK_S, goes_down, is_above_band, listens_in,
 };
 use kerf_machine::lines::Input;
 use kerf_machine::{Carried, Lift, Reading};
 use kerf_motion::{Leg, Move};
-use kerf_program::{Axis, Gauge, HeightLaw};
+use kerf_program::{Axis, HeightLaw};
 use std::collections::VecDeque;
 
 /// Time between two measurements, seconds.
@@ -29,6 +31,8 @@ const MISSING: f64 = 0.5;
 const FULL: f64 = 255.0;
 /// Readings after which it is known how far Z is behind them.
 const SOME: usize = 30;
+/// Ticks after which it is known how far Z is behind switches.
+const SOME_TICKS: usize = 300;
 /// Time for which what was handed over is remembered behind a move that was told, seconds.
 const REMEMBERED_S: f64 = 1.0;
 /// Time that a reading may need from the board, beside that between two of them, seconds.
@@ -61,6 +65,7 @@ impl Tick {
 #[derive(Clone, Debug)]
 pub struct Height {
     law: HeightLaw,
+    steering: Steering,
     follower: Follower,
     /// Stretches that were handed over, in order of time.
     ticks: VecDeque<Tick>,
@@ -69,32 +74,48 @@ pub struct Height {
     readings: Vec<Reading>,
     /// The moment of the last reading, seconds of machine time.
     read_s: f64,
-    /// States that were told: above its band, silent, at zero.
-    told: [bool; 3],
+    /// States that were told: above its band, silent, in conflict, at zero.
+    told: [bool; 4],
     /// Longest time from a reading to the motion that follows it, seconds.
     behind_s: f64,
 }
 
 impl Height {
     /// Z follows from a place on; `reading` is the last one that came.
-    pub fn new(law: HeightLaw, reading: Option<f64>) -> Self {
+    pub fn new(law: HeightLaw, steering: Steering, reading: Option<f64>) -> Self {
         let is_high = |reading| is_missing(&law, reading) || is_above_band(&law, reading);
-        let high = reading.is_none_or(is_high);
+        let high = steering == Steering::Readings && reading.is_none_or(is_high);
         Self {
             law,
+            steering,
             follower: Follower::default(),
             ticks: VecDeque::new(),
             tail: Vec::new(),
             readings: Vec::new(),
             read_s: f64::NEG_INFINITY,
-            told: [high, false, false],
+            told: [high, false, false, false],
             behind_s: 0.0,
         }
     }
 
-    /// The head is above its band, as far as is known.
-    pub const fn is_high(&self) -> bool {
-        self.told[0]
+    /// Z follows by the law of a torch from now on, and stays where it is carried; or a torch leads it no more.
+    pub fn follow_torch(height: &mut Option<Self>, torch: Option<(HeightLaw, Steering)>) {
+        let before = height.as_mut().filter(|it| matches!(it.steering, Steering::Torch { .. }));
+        match (torch, before) {
+            (Some(torch), Some(before)) => (before.law, before.steering) = torch,
+            (Some((law, steering)), None) => *height = Some(Self::new(law, steering, None)),
+            (None, Some(_)) => *height = None,
+            (None, None) => {}
+        }
+    }
+
+    /// The head is above its band, as far as readings tell; nothing where there are none.
+    pub fn is_high(&self) -> Option<bool> {
+        self.reads().then_some(self.told[0])
+    }
+
+    fn reads(&self) -> bool {
+        self.steering == Steering::Readings
     }
 
     /// A move goes down to the sheet, and readings end it.
@@ -102,9 +123,23 @@ impl Height {
         listens_in(&self.law, made)
     }
 
-    /// Longest time from a reading to the motion that follows it, seconds.
+    /// A move goes down to the sheet, and a switch of the head ends it.
+    pub fn stops_in(&self, made: &Move) -> bool {
+        matches!(self.steering, Steering::Switches(_)) && goes_down(&self.law, made)
+    }
+
+    /// Longest time from a reading, or a look at the switches, to the motion that follows it, seconds.
     pub const fn behind_s(&self) -> f64 {
         self.behind_s
+    }
+
+    /// It has followed for long enough to tell how far Z is behind.
+    fn is_known(&self) -> bool {
+        if self.reads() {
+            self.readings.len() > SOME
+        } else {
+            self.behind_s > 0.0 && self.ticks.len() > SOME_TICKS
+        }
     }
 
     /// The place to which Z was carried is that of the plan from now on.
@@ -145,16 +180,18 @@ impl Height {
         if let Some((made, state)) = under_way {
             z_mm = state.position[Axis::Z];
             let [vx, vy, _] = state.velocity.first3();
-            let acts = acts_in(&self.law, made)
+            let acts = self.steering.acts_in(&self.law, made)
                 && state.path_speed_mm_s >= self.law.activation * made.speed_mm_s;
             wanted = acts.then(|| self.law.set_point(vx, vy));
             listens = acts || listens_in(&self.law, made);
         }
         let time_s = to_s - at_s;
-        let speed_mm_s = match wanted {
-            Some(_) => self.follower.towards(&self.law, time_s).clamp(-most_mm_s, most_mm_s),
-            None => 0.0,
-        };
+        let made = under_way.map(|(made, _)| made).filter(|_| wanted.is_some());
+        let speed_mm_s = made.map_or(0.0, |made| {
+            let steered_mm_s = self.steering.speed_mm_s(made);
+            steered_mm_s.unwrap_or_else(|| self.follower.towards(&self.law, time_s))
+        });
+        let speed_mm_s = speed_mm_s.clamp(-most_mm_s, most_mm_s);
         self.follower.go(z_mm, &self.law, speed_mm_s, time_s);
         let offset_mm = [before_mm, self.follower.offset_mm];
         Tick { span_s: [t0_s + at_s, t0_s + to_s], offset_mm, z_mm, wanted, listens }
@@ -222,23 +259,40 @@ impl Height {
         self.readings.push(Reading { t_s, z_mm, error_mm, value: value.round() as u8 });
     }
 
-    /// Changes that follow from the readings up to a moment; `value` is the newest.
+    /// Learns the states of inputs by number, as they are at a moment of machine time; nothing where none passes.
+    pub fn feel(&mut self, reads: impl Fn(u8) -> bool, now_s: Option<f64>) {
+        let changed = self.steering.learn(&self.law, reads);
+        let (Some(now_s), Some(leads_mm)) = (now_s, self.steering.leads_mm()) else { return };
+        let acts = self.tick_at(now_s).is_some_and(|tick| tick.wanted.is_some());
+        self.read_s = now_s;
+        if acts && leads_mm != 0.0 {
+            self.follower.aim_at(self.offset_at(now_s) + leads_mm);
+        } else if changed {
+            self.follower.aim_at(self.offset_at(now_s));
+        }
+    }
+
+    /// Changes that follow from switches, or from the readings up to a moment; `value` is the newest.
     fn changes(&mut self, value: f64, now_s: f64) -> Vec<(f64, Input, bool)> {
-        let missing = is_missing(&self.law, value);
+        let missing = self.reads() && is_missing(&self.law, value);
         let limit_s = SILENCE_S + EVERY_S + WAY_S;
         let awaits =
             [now_s - limit_s, now_s].map(|t_s| self.tick_at(t_s).is_some_and(|it| it.listens));
-        let silent = awaits == [true, true] && now_s - self.read_s > limit_s;
+        let silent = self.reads() && awaits == [true, true] && now_s - self.read_s > limit_s;
         if silent {
             self.follower.stay();
         }
         let z_mm = self.tick_at(now_s).map(|tick| tick.z_mm + tick.offset_at(now_s));
         let carried = self.offset_at(now_s) > 0.0;
         let at_zero = carried && z_mm.is_some_and(|z_mm| z_mm >= self.law.ceiling_mm - 1e-9);
+        // Where a switch tells that the head is too high, its input does.
         let high = missing || is_above_band(&self.law, value);
-        let is_so = [high, silent, at_zero];
+        let acts = self.tick_at(now_s).is_some_and(|tick| tick.wanted.is_some());
+        let conflict = acts && self.steering.is_in_conflict();
+        let is_so = [high, silent, conflict, at_zero];
         let before = std::mem::replace(&mut self.told, is_so);
-        let inputs = [Input::ZHigh, Input::HeightSilent, Input::HeightAtZero];
+        let inputs =
+            [Input::ZHigh, Input::HeightSilent, Input::HeightConflict, Input::HeightAtZero];
         let states = inputs.into_iter().zip(is_so).zip(before);
         let changed = states.filter(|((_, now), before)| now != before);
         // What a reading tells was so when it was taken.
@@ -268,11 +322,6 @@ impl Height {
 /// A reading is the voltage of a torch that is out.
 fn is_missing(law: &HeightLaw, value: f64) -> bool {
     law.gap_mm(value) <= MISSING * law.gap_mm(1.0).min(law.gap_mm(FULL - 1.0))
-}
-
-/// A law goes by readings, and not by two switches.
-pub const fn reads(law: &HeightLaw) -> bool {
-    matches!(law.gauge, Gauge::Proportional { .. })
 }
 
 /// The pin that measures the height, and what it told.
@@ -326,11 +375,15 @@ impl Sensor {
 
     /// A sentence about how far Z is behind its readings, once and after some of them.
     pub fn tells(&mut self, name: &str, height: Option<&Height>) -> Option<String> {
-        let height = height.filter(|it| !self.told && it.readings.len() > SOME)?;
+        let height = height.filter(|it| !self.told && it.is_known())?;
         self.told = true;
         let [every_ms, behind_ms] = [EVERY_S, height.behind_s()].map(|time_s| time_s * 1e3);
-        Some(format!(
-            "{name}: height control takes a reading every {every_ms:.0} ms, and Z answers it {behind_ms:.0} ms later"
-        ))
+        Some(if height.reads() {
+            format!(
+                "{name}: height control takes a reading every {every_ms:.0} ms, and Z answers it {behind_ms:.0} ms later"
+            )
+        } else {
+            format!("{name}: height control has Z answer its switches {behind_ms:.0} ms later")
+        })
     }
 }

@@ -3,9 +3,10 @@
 use super::berth::Berth;
 use super::facts::{self, HANDING_S, LONGEST_S, SAFETY, SPARE};
 use super::feeder::{Feeder, Scale};
-use super::height::{EVERY_S, Height, Sensor, reads};
+use super::height::{EVERY_S, Height, Sensor};
 use super::homing::{Came, Homing};
 use super::outputs::Outputs;
+use super::steering::{self, Steering};
 use super::touch::Probe;
 use super::wiring::Wiring;
 use crate::controller::connection::NAP;
@@ -15,7 +16,8 @@ use kerf_driver_klipper::tmc::Trouble;
 use kerf_machine::driver::Facts;
 use kerf_machine::lines::Input;
 use kerf_machine::{Fault, Going, Machine as _};
-use kerf_program::{At, Axes, Axis, AxisSet, HeightLaw};
+use kerf_program::settings::IoModes;
+use kerf_program::{At, Axes, Axis, AxisSet, HeightLaw, Settings};
 use std::collections::VecDeque;
 use std::time::Duration;
 
@@ -61,6 +63,8 @@ pub struct Queued {
     pub(super) inputs: VecDeque<(u8, bool)>,
     /// States of the inputs, a bit each.
     pub(super) pressed: u8,
+    /// Modes of the inputs.
+    pub(super) io: IoModes,
     /// Counts of the motors as they were told last, and what they are where its axis stands at 0.
     pub(super) counts: Vec<i64>,
     pub(super) zeros: Vec<i64>,
@@ -126,6 +130,7 @@ impl Queued {
             changes: Vec::new(),
             inputs: VecDeque::new(),
             pressed: 0,
+            io: IoModes::default(),
             zeros: vec![0; counts.len()],
             counts,
             elsewhere: None,
@@ -304,9 +309,23 @@ impl Queued {
                 Answer::News(told) => self.told(told),
             }
         }
-        if let (State::Moving(scale, _), Some((now, _))) = (self.state, self.progress.clock) {
-            self.sensor.look(scale.moment(now), self.feeder.height.as_mut());
+        let now_s = match (self.state, self.progress.clock) {
+            (State::Moving(scale, _), Some((now, _))) => Some(scale.moment(now)),
+            _ => None,
+        };
+        let is_on = |number| self.wiring.is_on(self.pressed, &self.io, number);
+        self.feeder.height.iter_mut().for_each(|height| height.feel(is_on, now_s));
+        if let Some(now_s) = now_s {
+            self.sensor.look(now_s, self.feeder.height.as_mut());
         }
+    }
+
+    /// Z goes down and up by the input of a torch from here on, as settings have it (VH), or does not.
+    pub(super) fn follow_torch(&mut self, settings: &Settings) {
+        self.io = settings.io;
+        let is_on = |number| self.wiring.is_on(self.pressed, &self.io, number);
+        let torch = steering::of_torch(settings, is_on).filter(|_| self.facts.follows_torch);
+        Height::follow_torch(&mut self.feeder.height, torch);
     }
 
     /// The pin of the height is measured from now on, or no more.
@@ -322,20 +341,25 @@ impl Queued {
     pub(super) fn follow_sheet(&mut self, law: Option<HeightLaw>) -> Vec<(u8, bool)> {
         self.feeder.height = None;
         let Some(law) = law else { return Vec::new() };
-        if self.wiring.height.is_none() || !reads(&law) {
-            let why = "has no height control by this sensor: it reads the voltage of a torch at the pin board.height";
-            self.fail(why.into(), "set height.mode = \"proportional\"", false);
+        if !self.facts.follows(&law) {
+            let why = "has no height control by this sensor: it reads the voltage of a torch at the pin board.height, or two \
+                       switches at the pins of inputs 17 and 20 (board.inputs)";
+            self.fail(why.into(), "name the pins, and set height.mode by them", false);
             return Vec::new();
         }
-        self.measures(true);
-        self.tend(Duration::ZERO);
-        if self.feeder.rests {
-            self.wait_until(|it| it.sensor.reading().is_some());
+        let is_on = |number| self.wiring.is_on(self.pressed, &self.io, number);
+        let steering = Steering::of(&law, is_on);
+        if steering == Steering::Readings {
+            self.measures(true);
+            self.tend(Duration::ZERO);
+            if self.feeder.rests {
+                self.wait_until(|it| it.sensor.reading().is_some());
+            }
         }
-        let height = Height::new(law, self.sensor.reading());
-        let contacts = vec![(Input::ZHigh.number(), height.is_high())];
+        let height = Height::new(law, steering, self.sensor.reading());
+        let contacts = height.is_high().map(|is_high| (Input::ZHigh.number(), is_high));
         self.feeder.height = Some(height);
-        contacts
+        contacts.into_iter().collect()
     }
 
     fn told(&mut self, told: Told) {
@@ -562,6 +586,7 @@ impl Queued {
         self.berth.request(Request::LetRest);
         self.wait_until(|it| it.state == State::Rest);
         self.measures(false);
+        (self.sensor, self.feeder.height) = (Sensor::default(), None);
         self.check_drivers();
     }
 

@@ -7,6 +7,7 @@ use super::machine::{Queued, SAME_S, State};
 use crate::controller::connection::NAP;
 use kerf_driver_klipper::board::{Ended, Watched};
 use kerf_driver_klipper::mailbox::Request;
+use kerf_machine::lines::Input;
 use kerf_machine::{Going, Machine, News, Watch};
 use kerf_motion::{Mover, planner};
 use kerf_program::{At, Axes, Axis, Feed, Line, MoveKind};
@@ -189,6 +190,15 @@ impl Queued {
         let place = self.counted();
         self.is_at(place);
         self.elsewhere = Some(place);
+    }
+
+    /// Inputs at which the machine is to stand at once: those of a plan, and on the way down to a sheet the switch that says
+    /// that the head is too high.
+    pub(super) fn own_watches(&self, going: &Going<'_>) -> Vec<Watch> {
+        let height = self.feeder.height.as_ref().zip(going.made());
+        let stops = height.is_some_and(|(height, made)| height.stops_in(made));
+        let lets_go = stops.then(|| Watch { input: Input::ZHigh.number(), active: false });
+        going.watches.iter().copied().chain(lets_go).collect()
     }
 
     /// Has the board watch the inputs of a plan, and those at which motion ends. Returns `false` while motion that began without them is waited for.

@@ -9,7 +9,7 @@ use kerf_machine::Configuration;
 use kerf_machine::lines::Input;
 use kerf_machine::planning::hand_settings;
 use kerf_machine::settings::motors::{Direction, Motor as Name};
-use kerf_model::Duty;
+use kerf_model::{Duty, contact};
 use kerf_program::settings::IoModes;
 use kerf_program::{Axis, AxisSet, Settings};
 
@@ -135,6 +135,12 @@ impl Wiring {
     /// Axes that have a motor.
     pub fn axes(&self) -> AxisSet {
         self.motors.iter().fold(AxisSet::EMPTY, |axes, motor| axes.with(motor.axis))
+    }
+
+    /// An input is on, with the states of the row and the modes that hold; one that is not wired is off.
+    pub fn is_on(&self, pressed: u8, io: &IoModes, number: u8) -> bool {
+        let bit = self.inputs.iter().position(|it| it.number == number);
+        bit.is_some_and(|bit| contact(number, pressed & (1 << bit) != 0, io))
     }
 
     fn motor(&mut self, machine: &Configuration, name: Name) -> Result<(), String> {

@@ -10,6 +10,7 @@
 
 mod question;
 mod switches;
+mod torch;
 mod trials;
 
 pub use question::{LOOK_MM, Question, Step};
@@ -194,6 +195,8 @@ impl Wizard<'_, '_> {
             }
             self.setting(Step::Enable, "", "board.enable")?;
             self.setting(Step::Outputs, "", "board.outputs")?;
+            self.setting(Step::Inputs, "", "board.inputs")?;
+            self.torch()?;
             match self.opens() {
                 Ok(()) => return Ok(()),
                 Err(why) => self.tell(&why),
@@ -410,7 +413,8 @@ fn get(machine: &Configuration, key: &str) -> String {
 
 fn put(machine: &mut Configuration, key: &str, value: &str) -> Result<(), String> {
     let setting = table::setting(key).ok_or_else(|| format!("there is no setting {key}"))?;
-    setting.set(machine, &Value::typed(value)).map_err(|why| why.to_string())
+    // Pins with commas between are one text.
+    setting.set(machine, &Value::Text(value.to_owned())).map_err(|why| why.to_string())
 }
 
 #[cfg(test)]

@@ -43,6 +43,14 @@ steps! {
     Enable = "enable";
     /// Outputs by number, with their pins.
     Outputs = "outputs";
+    /// Inputs by number, with their pins.
+    Inputs = "inputs";
+    /// A torch is there whose height is controlled.
+    Torch = "torch";
+    /// Pin that measures the voltage of its arc.
+    TorchVoltage = "torchVoltage";
+    /// Pins of the two switches of its head: too high, too low.
+    TorchSwitches = "torchSwitches";
     /// A motor is about to turn a little.
     Goes = "goes";
     /// It turned: the right way, the other way, or so far.
@@ -119,6 +127,14 @@ impl fmt::Display for Question {
             Step::Further => write!(f, "Second motors of X and Y, or a rotary axis? y, n [n]: "),
             Step::Enable => write!(f, "current of the motors [{value}]: "),
             Step::Outputs => write!(f, "outputs by number (1 gpio20, 2 gpio21) [{value}]: "),
+            Step::Inputs => write!(f, "inputs by number (1 ^gpio22) [{value}]: "),
+            Step::Torch => write!(f, "A torch whose height is controlled? y, n [n]: "),
+            Step::TorchVoltage => {
+                write!(f, "pin of the voltage of its arc, - for none [{value}]: ")
+            }
+            Step::TorchSwitches => {
+                write!(f, "switches too high and too low, two pins, - for none [{value}]: ")
+            }
             Step::Goes => write!(f, "{about} goes {LOOK_MM} {unit} towards plus: Enter "),
             Step::Went => write!(f, "Did it? y, n for the other way, or how far in mm [y]: "),
             Step::BothGo => write!(f, "{about} goes {LOOK_MM} {unit} with both motors: Enter "),
