@@ -61,6 +61,8 @@ pub struct Board {
     pub records: bool,
     /// A switch that closes at a count of a stepper: pin, stepper, count.
     pub stops_at: Vec<(u32, u8, i64)>,
+    /// Steps that are neither made nor counted: stepper, and how many it has made before.
+    pub loses: Vec<(u8, usize)>,
     /// Bytes that came with a command that shuts down are lost, as with the build for Linux.
     pub loses_at_shutdown: bool,
     /// Commands that ran, by name.

@@ -113,8 +113,14 @@ impl Board {
         let now = self.now;
         let stepper = self.steppers.get_mut(&oid).unwrap();
         stepper.level = !stepper.level;
-        stepper.position += if stepper.dir { 1 } else { -1 };
-        stepper.made.push((now, stepper.dir));
+        let lost = self.loses.iter().position(|it| *it == (oid, stepper.made.len()));
+        match lost {
+            Some(lost) => _ = self.loses.remove(lost),
+            None => {
+                stepper.position += if stepper.dir { 1 } else { -1 };
+                stepper.made.push((now, stepper.dir));
+            }
+        }
         let (pin, level) = (stepper.step_pin, stepper.level);
         if stepper.both {
             self.edge(pin, level);

@@ -1,6 +1,7 @@
 //! `kerf machine`: the configuration of a machine.
 
 use super::which::Which;
+use crate::args::Format;
 use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
 use crate::commands::tool_table::{self, ToolsAction};
@@ -146,6 +147,9 @@ enum Action {
         /// The report
         #[arg(long, value_name = "FILE", default_value = "prove.md")]
         report: PathBuf,
+        /// How the outcome is printed
+        #[arg(long, default_value = "text", value_name = "FORMAT")]
+        format: Format,
         /// Has it go home first: its axes move to their switches
         #[arg(long)]
         home: bool,
@@ -243,12 +247,12 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         }
         Action::Boards { name } => known_boards::print(name.as_deref())?,
         Action::Import { file } => return step_board::import(file),
-        Action::Prove { report, home } => {
+        Action::Prove { report, format, home } => {
             let name = controller(&args.which)?;
             if name.is_board() {
-                return step_board::prove(name, &args.which.machine()?, report);
+                return step_board::prove(name, &args.which.machine()?, report, *format);
             }
-            return prove::prove(name, report, *home);
+            return prove::prove(name, report, *format, *home);
         }
         Action::Settings { explain, action } => {
             return board::settings(controller(&args.which)?, action.as_ref(), *explain);

@@ -1,6 +1,7 @@
 //! Boards with step queues on the bench: who they are, and a proof that they make what is planned, with numbers.
 
-use crate::commands::prove::{OnBench, Report};
+use crate::args::Format;
+use crate::commands::prove::{Figure, OnBench, Report};
 use crate::controller;
 use crate::exit::Exit;
 use crate::machine_name::DriverName;
@@ -10,6 +11,7 @@ use kerf_control::controller::Place;
 use kerf_control::controller::queued::{Queued, Socket, Way, introduced, others};
 use kerf_driver_klipper::board::{Held, Introduced};
 use kerf_driver_klipper::dictionary::Dictionary;
+use kerf_driver_klipper::mailbox::Progress;
 use kerf_machine::printer_cfg;
 use kerf_machine::{Configuration, Machine};
 use kerf_program::{Axes, Axis};
@@ -102,7 +104,12 @@ fn ranges(names: &[&str]) -> String {
 }
 
 /// Runs the list and the measurements, and writes the report.
-pub fn prove(name: &DriverName, machine: &Configuration, report: &Path) -> Result<Exit> {
+pub fn prove(
+    name: &DriverName,
+    machine: &Configuration,
+    report: &Path,
+    format: Format,
+) -> Result<Exit> {
     let socket = socket(name)?;
     let open = || -> Result<OnBench<Queued>> {
         let mut queued = socket.open(machine, false).map_err(|why| anyhow!(why))?;
@@ -110,59 +117,77 @@ pub fn prove(name: &DriverName, machine: &Configuration, report: &Path) -> Resul
         Ok(OnBench::new(queued))
     };
     let mut bench = open()?;
-    let mut told = Report::of(name, bench.board.facts());
+    let mut told = Report::of(name, bench.board.facts(), format);
     let measured = measured(&mut bench.board, machine);
     drop(bench);
     told.takes_list(open, |bench| {
         bench.board.close(false, || false);
         bench.lacks
     });
-    told.fails |= measured.is_err();
-    let figures = measured.unwrap_or_else(|why| format!("not measured: {why}\n"));
-    out::print(&figures);
-    told.text += &format!("\n{figures}");
-    told.write(report)?;
-    Ok(if told.fails { Exit::Failed } else { Exit::Good })
+    told.figures(measured);
+    told.write(report)
 }
 
-/// Moves X and stops it, and tells what came of it, a line each.
-fn measured(queued: &mut Queued, machine: &Configuration) -> Result<String, String> {
-    let [before, _] = queued.counts();
-    for _ in 0..TIMES {
-        way(WAY_MM).moves(queued, machine, || false)?;
-        way(0.0).moves(queued, machine, || false)?;
-    }
-    queued.close(true, || false);
-    let [made, planned] = queued.counts();
-    if made != planned {
-        return Err(format!("the board made {made:?} steps, {planned:?} were planned"));
-    }
-    let steps_mm = machine.program.resolution.steps_per_unit[Axis::X];
-    let each = (2.0 * TIMES as f64 * WAY_MM * steps_mm).round();
-    let mut told =
-        format!("- steps of X: {each:.0} planned and made, counts {before:?} and {made:?}\n");
-    let progress = queued.progress();
+/// Moves X and stops it; the figures of it.
+fn measured(queued: &mut Queued, machine: &Configuration) -> Vec<Figure> {
     let ms = |time_s: f64| time_s * 1e3;
+    let mut progress = queued.progress();
+    let mut figures = vec![figure("steps of X", steps_made(queued, machine, &mut progress))];
     let [stall_s, lead_s] = progress.lead_s;
-    let _ = writeln!(told, "- lead: {:.0} ms, longest stall {:.1} ms", ms(lead_s), ms(stall_s));
-    if let Some(latest_s) = progress.latest_s {
-        let _ = writeln!(told, "- latest step: sent {:.0} ms before it was due", ms(latest_s));
+    let lead = format!("{:.0} ms, longest stall {:.1} ms", ms(lead_s), ms(stall_s));
+    figures.push(figure("lead", Ok(lead)));
+    let latest = progress
+        .latest_s
+        .ok_or("no step was sent")
+        .map(|latest_s| format!("sent {:.0} ms before it was due", ms(latest_s)));
+    figures.push(figure("latest step", latest.map_err(str::to_owned)));
+    let trip = progress.trip_s.ok_or("the board told no time");
+    let trip = trip.map(|[trip_s, off_s]| format!("{:.2} ms ± {:.2} ms", ms(trip_s), ms(off_s)));
+    figures.push(figure("round trip", trip.map_err(str::to_owned)));
+    figures.push(figure("stop without a ramp", stops(queued, machine)));
+    figures
+}
+
+fn figure(name: &'static str, saw: Result<String, String>) -> Figure {
+    let ok = saw.is_ok();
+    Figure { name, ok, saw: saw.unwrap_or_else(|why| format!("WRONG: {why}")) }
+}
+
+/// Moves X there and back. After each way the counts of all motors have to be those that were planned: a step that is lost on
+/// the way there and another on the way back would not show at the end. The progress is that behind the last good way.
+fn steps_made(
+    queued: &mut Queued,
+    machine: &Configuration,
+    progress: &mut Progress,
+) -> Result<String, String> {
+    let mut steps = 0;
+    for n in 1..=TIMES {
+        for to_mm in [WAY_MM, 0.0] {
+            let [before, _] = queued.counts();
+            let on_way = |why| format!("on way {n} of {TIMES} to {to_mm} mm: {why}");
+            way(to_mm).moves(queued, machine, || false).map_err(on_way)?;
+            let [made, planned] = queued.counts();
+            if made != planned {
+                let why = format!("the motors came to {made:?}, planned was {planned:?}");
+                return Err(on_way(why));
+            }
+            *progress = queued.progress();
+            let moved = made.iter().zip(&before).map(|(made, before)| made.abs_diff(*before));
+            steps += moved.max().unwrap_or_default();
+        }
     }
-    if let Some([trip_s, deviation_s]) = progress.trip_s {
-        let _ = writeln!(told, "- round trip: {:.2} ms ± {:.2} ms", ms(trip_s), ms(deviation_s));
-    }
-    let mut stops_s = Vec::new();
+    Ok(format!("{steps} planned and made, looked at after each of {} ways", 2 * TIMES))
+}
+
+/// Stops X on its way several times; the longest time until the board told where.
+fn stops(queued: &mut Queued, machine: &Configuration) -> Result<String, String> {
+    let mut longest_s = 0.0_f64;
     for _ in 0..STOPS {
-        stops_s.push(stop_s(queued, machine)?);
+        longest_s = longest_s.max(stop_s(queued, machine)?);
         way(0.0).moves(queued, machine, || false)?;
     }
-    let longest_s = stops_s.into_iter().fold(0.0, f64::max);
-    let _ = writeln!(
-        told,
-        "- stop without a ramp, longest of {STOPS}: {:.1} ms until the board told its counts",
-        ms(longest_s)
-    );
-    Ok(told)
+    let longest_ms = longest_s * 1e3;
+    Ok(format!("{longest_ms:.1} ms until the board told its counts, longest of {STOPS}"))
 }
 
 /// The way of X to a place.

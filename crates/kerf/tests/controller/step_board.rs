@@ -6,6 +6,7 @@ use kerf_driver_klipper::fake::{Board, Chip, Pace};
 use kerf_transport::pretend::Plug;
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
+use std::collections::VecDeque;
 use std::process::Stdio;
 use std::sync::{Arc, Mutex};
 use std::thread::{JoinHandle, sleep, spawn};
@@ -30,6 +31,8 @@ struct Bench {
     board: Arc<Mutex<Board>>,
     port: String,
     plugged: Arc<Mutex<bool>>,
+    /// Its answers come so much later, seconds.
+    late_s: Arc<Mutex<f64>>,
     player: Option<JoinHandle<()>>,
 }
 
@@ -40,9 +43,10 @@ impl Bench {
         board.records = false;
         let (board, plugged) = (Arc::new(Mutex::new(board)), Arc::new(Mutex::new(true)));
         let port = plug.path().to_owned();
-        let (played, until) = (board.clone(), plugged.clone());
-        let player = Some(spawn(move || play(plug, &played, &until)));
-        Self { board, port, plugged, player }
+        let late_s = Arc::new(Mutex::new(0.0));
+        let (played, until, late) = (board.clone(), plugged.clone(), late_s.clone());
+        let player = Some(spawn(move || play(plug, &played, &until, &late)));
+        Self { board, port, plugged, late_s, player }
     }
 
     fn look<T>(&self, at: impl FnOnce(&mut Board) -> T) -> T {
@@ -74,10 +78,11 @@ impl Drop for Bench {
     }
 }
 
-fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
+fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>, late_s: &Mutex<f64>) {
     // A real board does not wait for the computer that it hangs on. Where there is no such priority, its clock waits too.
     drop(raise_priority());
     let (since, mut pace, mut bytes) = (Instant::now(), Pace::of_turn(TURN_S), [0; 256]);
+    let mut answers = VecDeque::new();
     while *plugged.lock().unwrap() {
         let count = plug.read(&mut bytes, Duration::from_millis(1)).unwrap();
         let out = {
@@ -87,7 +92,11 @@ fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>) {
             board.feed(&bytes[..count]);
             board.take()
         };
-        plug.write(&out).unwrap();
+        let now_s = since.elapsed().as_secs_f64();
+        answers.push_back((now_s + *late_s.lock().unwrap(), out));
+        while let Some((_, out)) = answers.pop_front_if(|(at_s, _)| *at_s <= now_s) {
+            plug.write(&out).unwrap();
+        }
     }
 }
 
@@ -191,11 +200,43 @@ fn a_board_is_proved_with_its_steps_its_lead_and_its_stops() {
         .says("steps of X: 20000 planned and made")
         .says("latest step: sent")
         .says("round trip:")
-        .says("stop without a ramp, longest of 5");
+        .says("ms until the board told its counts, longest of 5");
     let report = shop.read("prove.md");
     assert!(report.contains("| a plan is made whole") && report.contains("- lead:"), "{report}");
     let off = || bench.look(|board| board.outputs.values().all(|it| it.value == 0));
     crate::shop::until("outputs are off", off);
+}
+
+#[test]
+fn a_board_that_loses_a_step_and_answers_late_is_told() {
+    let (shop, bench) = (shop(), Bench::new());
+    // One on the second way there, one on the way back: at the end the counts would be right.
+    bench.look(|board| board.loses = vec![(0, 4_321), (0, 6_543)]);
+    *bench.late_s.lock().unwrap() = 0.01;
+    let port = &bench.port;
+    let prove = format!(
+        "machine prove --format json --report prove.md --machine klipper:{port} --machine board.toml"
+    );
+    let did = shop.kerf(&prove);
+    let told: serde_json::Value = serde_json::from_str(did.out().trim()).unwrap();
+    did.exits(1);
+    let check = |name: &str| {
+        let checks = told["checks"].as_array().unwrap();
+        checks.iter().find(|check| check["name"] == name).unwrap().clone()
+    };
+    let saw = |name: &str| check(name)["saw"].as_str().unwrap().to_owned();
+    let wrong =
+        ["steps of X", "stop without a ramp"].map(|name| check(name)["ok"].as_bool().unwrap());
+    assert_eq!((&told["failed"], wrong), (&2.into(), [false; 2]), "{told}");
+    assert!(saw("steps of X").contains("motor 0 made 1999 steps, 2000 were planned"), "{told}");
+    let first =
+        |name: &str| saw(name).split(' ').find_map(|word| word.parse::<f64>().ok()).unwrap();
+    assert!(first("round trip") > 10.0 && first("latest step") > 0.0, "{told}");
+    assert!(first("lead") > 0.0, "{told}");
+    assert!(told["passed"].as_u64().unwrap() > 7, "{told}");
+    assert!(
+        shop.read("prove.md").contains("- steps of X: WRONG: on way 2 of 5 to 20 mm: klipper:")
+    );
 }
 
 #[test]
