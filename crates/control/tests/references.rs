@@ -118,6 +118,12 @@ fn check(file: &Path) {
         (made_s / planned_s - 1.0) * 100.0,
         world.fake.most_places
     );
+    let [commands, deadlines] =
+        ["queue_step", "trsync_set_timeout"].map(|name| world.fake.ran[name]);
+    eprintln!(
+        "  {commands} commands of steps, {deadlines} deadlines, {} frames",
+        world.there.frames
+    );
     assert!((made_s / planned_s - 1.0).abs() < 1e-3, "{made_s} {planned_s}");
     assert!(worst_us <= allowed_us() + 0.1, "{worst_us}");
 }

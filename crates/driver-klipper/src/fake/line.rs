@@ -32,6 +32,7 @@ pub struct Line {
     /// Mistakes made.
     pub mistakes: u64,
     pub bytes: u64,
+    pub frames: u64,
 }
 
 impl Line {
@@ -44,6 +45,7 @@ impl Line {
             last_s: 0.0,
             mistakes: 0,
             bytes: 0,
+            frames: 0,
         }
     }
 
@@ -55,6 +57,7 @@ impl Line {
             let length = usize::from(rest[0]);
             let length = if (5..=64).contains(&length) { length.min(rest.len()) } else { 1 };
             let (piece, after) = rest.split_at(length);
+            self.frames += u64::from(length > 1);
             self.piece(piece.to_vec(), now_s);
             rest = after;
         }
