@@ -94,7 +94,8 @@ fn play(mut plug: Plug, board: &Mutex<Board>, plugged: &Mutex<bool>, late_s: &Mu
         };
         let now_s = since.elapsed().as_secs_f64();
         answers.push_back((now_s + *late_s.lock().unwrap(), out));
-        while let Some((_, out)) = answers.pop_front_if(|(at_s, _)| *at_s <= now_s) {
+        let due = answers.iter().take_while(|(at_s, _)| *at_s <= now_s).count();
+        for (_, out) in answers.drain(..due) {
             plug.write(&out).unwrap();
         }
     }
