@@ -150,7 +150,7 @@ impl<I: Interpreter> Station<'_, I> {
                 None
             }
             Driven::Stalled => Some("a motor has stalled".to_owned()),
-            Driven::LinkLost => Some("not connected".to_owned()),
+            Driven::LinkLost => Some(self.why_lost()),
             Driven::EmergencyStop => {
                 self.world.stop_turning();
                 self.world.tell_log();
@@ -199,7 +199,13 @@ impl<I: Interpreter> Station<'_, I> {
         let (low, high) = self.world.model.room(axis);
         let homed = self.world.homed.contains(axis);
         let (lowest, highest) = bounds_by_hand(&self.world.machine_is, axis, homed);
-        (low.max(lowest), high.min(highest))
+        let (least, most) = self.drive.reach(axis).unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+        (low.max(lowest).max(least), high.min(highest).min(most))
+    }
+
+    /// Returns why the machine makes nothing more: what it tells itself, or that nothing is heard of it.
+    fn why_lost(&self) -> String {
+        self.drive.fault().map_or_else(|| "not connected".to_owned(), |fault| fault.message.clone())
     }
 
     /// Returns the end of a run whose motion by hand was stopped for good.
@@ -208,7 +214,7 @@ impl<I: Interpreter> Station<'_, I> {
             Driven::Limit(n) => format!("stopped by limit input {n}"),
             Driven::StopInput(n) => format!("stopped by stop input {n}"),
             Driven::EmergencyStop => "emergency stop".to_owned(),
-            Driven::LinkLost => "not connected".to_owned(),
+            Driven::LinkLost => self.why_lost(),
             Driven::Stalled => "a motor has stalled".to_owned(),
             _ => return RunEnd::of(Status::Stopped),
         };

@@ -11,8 +11,8 @@ use kerf_machine::driver::Override;
 use kerf_machine::{Driven, Fault, Going, News};
 use kerf_model::contact;
 use kerf_motion::Move;
-use kerf_program::Axes;
 use kerf_program::settings::IoModes;
+use kerf_program::{Axes, Axis};
 use kerf_trace::{Doing, Event, Sink};
 use std::collections::VecDeque;
 use std::time::{Duration, Instant};
@@ -312,6 +312,11 @@ impl<'a> Drive<'a> {
     /// Returns in words why the machine cannot make a move; asked before anything of its stack moves.
     pub fn refuses(&self, mv: &Move) -> Option<String> {
         self.machine.borrow().refuses(mv)
+    }
+
+    /// Returns the lowest and the highest place that an axis reaches, machine frame, where the machine tells.
+    pub fn reach(&self, axis: Axis) -> Option<(f64, f64)> {
+        self.machine.borrow().reach(axis)
     }
 
     /// Returns the fault for which the machine does nothing more.

@@ -161,6 +161,11 @@ pub trait Machine {
     /// Returns in words why it cannot make a move; asked before anything of its stack moves.
     fn refuses(&self, mv: &Move) -> Option<String>;
 
+    /// Returns the lowest and the highest place that an axis reaches, machine frame, where it tells.
+    fn reach(&self, _axis: Axis) -> Option<(f64, f64)> {
+        None
+    }
+
     /// A run begins, or goes on after it waited for a person.
     fn begin(&mut self);
 

@@ -9,7 +9,7 @@ use super::row::{Chord, Handed, Row};
 use kerf_machine::driver::{Facts, Hold, Order, Override, Shares, Signal};
 use kerf_machine::{Actuator, Fault, Going, Machine, News, Watch};
 use kerf_motion::{Move, Path};
-use kerf_program::{Axes, MoveKind, OutputReason};
+use kerf_program::{Axes, Axis, MoveKind, OutputReason};
 use std::time::{Duration, Instant};
 
 /// The last moves of a piece of plan that does not end at a stand are not waited for, as long as this,
@@ -208,6 +208,11 @@ impl Machine for Connection {
     fn refuses(&self, mv: &Move) -> Option<String> {
         let why = out_of_reach(&self.facts, mv.from, mv.to, self.offset)?;
         Some(format!("{} {why}", self.name))
+    }
+
+    fn reach(&self, axis: Axis) -> Option<(f64, f64)> {
+        let (low, high) = self.facts.travel_mm[axis.index()]?;
+        Some((low + self.offset[axis], high + self.offset[axis]))
     }
 
     fn in_real_time(&self) -> bool {

@@ -21,6 +21,7 @@ mod step_board;
 mod taken_up;
 mod time;
 mod tool_change;
+mod travel;
 mod zeros;
 
 use bench::Bench;

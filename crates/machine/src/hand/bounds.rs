@@ -144,7 +144,7 @@ impl Hand {
     }
 
     /// Returns the range of an axis, machine frame: the soft bounds, the table limits while they are checked,
-    /// Z no lower than Z bottom.
+    /// Z no lower than Z bottom, and no farther than the machine reaches.
     fn allowed(&self, axis: Axis) -> (f64, f64) {
         let by_hand = |homed| bounds_by_hand(&self.machine, axis, homed);
         let (mut low, mut high) = match self.errand {
@@ -157,6 +157,9 @@ impl Hand {
         if let Some((lowest, highest)) = table_bounds(&self.machine, axis) {
             let zero = self.frame.base_zero[axis];
             (low, high) = (low.max(lowest + zero), high.min(highest + zero));
+        }
+        if let Some((least, most)) = self.reach[axis.index()] {
+            (low, high) = (low.max(least), high.min(most));
         }
         (low, high)
     }

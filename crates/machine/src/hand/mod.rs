@@ -19,8 +19,8 @@ use kerf_diag::{Code, Diagnostic};
 use kerf_geom::Arc2;
 use kerf_program::settings::LinearUnit;
 use kerf_program::{
-    Arc as Turn, At, Axes, Axis, Command, Feed, Frame, Halted, Host, Interpreter, Line, MoveKind,
-    Settings, Sourced, Status, Step, StoppedBy, Watch,
+    AXES, Arc as Turn, At, Axes, Axis, Command, Feed, Frame, Halted, Host, Interpreter, Line,
+    MoveKind, Settings, Sourced, Status, Step, StoppedBy, Watch,
 };
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -33,6 +33,8 @@ pub struct Hand {
     settings: Arc<Settings>,
     frame: Frame,
     position: Axes,
+    /// The range of each axis that the machine tells itself, machine frame.
+    reach: [Option<(f64, f64)>; AXES],
     /// Ways still to go.
     legs: VecDeque<Leg>,
     /// Legs of the rest of the way, while the machine is stopped.
@@ -65,6 +67,7 @@ impl Hand {
             machine,
             frame,
             position,
+            reach: [None; AXES],
             legs: VecDeque::new(),
             rest: None,
             given: false,
@@ -77,6 +80,14 @@ impl Hand {
         };
         hand.legs = hand.ways();
         hand
+    }
+
+    /// The same on a machine that tells itself how far its axes reach, machine frame.
+    #[must_use]
+    pub fn reaching(mut self, reach: [Option<(f64, f64)>; AXES]) -> Self {
+        (self.reach, self.note) = (reach, None);
+        self.legs = self.ways();
+        self
     }
 
     /// The same, told in another unit.
