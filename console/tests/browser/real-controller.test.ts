@@ -22,7 +22,8 @@ let page: Page;
 const square = ["SO,1,1", "MS,2", "MX,2", "MY,2", "MX,0", "MY,0", "SO,1,0", ""].join("\n");
 
 beforeAll(async () => {
-  const driven = await driveController({ "square.sbp": square }, "22=1");
+  const waits = "'Close the clamp\nPAUSE UNTIL 1,1\nSR\nMX,1\nSA\n";
+  const driven = await driveController({ "square.sbp": square, "until.sbp": waits }, "22=1");
   ({ controller, workshop, page } = driven);
   return driven.close;
 });
@@ -140,6 +141,21 @@ it("stops in the middle where the controller stands, with the spindle off", asyn
   await quit.click();
   await page.locator(".state", { hasText: "Ready" }).waitFor();
   await agree();
+});
+
+it("goes on when an input of the controller comes for which a program waits", async () => {
+  const [before = 0] = await agree();
+  await page.keyboard.press("Control+o");
+  await page.getByRole("option", { name: "until.sbp" }).click();
+  await page.keyboard.press("Enter");
+  await page.getByRole("button", { name: "Start" }).click();
+  await page.locator(".question-text", { hasText: "Close the clamp" }).waitFor();
+  controller.work("pins P");
+  // Nobody presses anything in the question.
+  await page.getByText("finished").waitFor();
+  const [there = 0] = await agree();
+  expect(there - before).toBeCloseTo(25.4, 2);
+  controller.work("pins");
 });
 
 it("tells an alarm when the controller is gone", async () => {

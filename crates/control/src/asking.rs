@@ -5,7 +5,7 @@ use crate::hand_words::KEY;
 use crate::world::World;
 use kerf_journal::{Kind, Press};
 use kerf_machine::settings::pendant::Pendant;
-use kerf_model::{Duty, duty};
+use kerf_model::{Duty, contact, duty};
 use kerf_program::{Answer, At, Button, Question, QuestionKind};
 use kerf_trace::event::{AskEvent, Event};
 
@@ -76,8 +76,8 @@ impl World<'_> {
         }
     }
 
-    /// Hears what the operator says. He may move switches of the simulated machine before; the one that the
-    /// question waits for answers it, and so do the keys of a pendant.
+    /// Hears what the operator says. He may move switches of the simulated machine before, and those of a real one change; the one
+    /// that the question waits for answers it, and so do the keys of a pendant.
     fn hear_answer(&mut self, question: &Question, at: At) -> Result<Option<String>, Unanswered> {
         let file = self.file(at);
         loop {
@@ -92,7 +92,7 @@ impl World<'_> {
             }
             let Some(press) = given.as_deref().and_then(Press::read) else { return Ok(given) };
             let Press { number: input, on } = press;
-            self.tracked().press(input, on);
+            self.hear_switch(input, on);
             self.tell_log();
             self.heed_switch();
             let ok = Button::OK.word();
@@ -105,6 +105,16 @@ impl World<'_> {
                 return Ok(Some(said.into()));
             }
         }
+    }
+
+    /// A switch is moved while somebody is asked: the contact of one that hands move, or the state that a real machine tells.
+    fn hear_switch(&mut self, input: u8, on: bool) {
+        if self.driven.borrow().facts().inputs_by_hand {
+            return self.tracked().press(input, on);
+        }
+        let (on, now_s) = (contact(input, on, &self.model.settings().io), self.now());
+        self.tracked().learn(input, on, now_s);
+        self.tracked().advance(now_s);
     }
 
     /// An input that the program waits for answered for the operator.

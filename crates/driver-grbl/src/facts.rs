@@ -26,8 +26,10 @@ pub const PROBE: char = 'P';
 /// itself while it is open.
 pub const INPUTS: [(char, u8); 5] = [(PROBE, PROBE_INPUT), ('X', 5), ('Y', 6), ('Z', 7), ('A', 8)];
 
-/// Line of the first auxiliary output (`M64P0`).
+/// Line of the first auxiliary output (`M64P0`), and the last one that can be one: numbers behind it are named lines, such as the
+/// router of a job, which is the spindle.
 const FIRST_AUX: u32 = 4;
+const LAST_AUX: u32 = 12;
 
 /// Firmware of the family.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -279,7 +281,7 @@ impl KnownFacts {
     fn outputs(&self) -> u32 {
         let spindle = u32::from(self.has_spindle());
         let has_mist = self.options.as_ref().is_none_or(|letters| letters.contains('M'));
-        let aux = (1_u32 << self.aux.min(u32::BITS - FIRST_AUX)) - 1;
+        let aux = (1_u32 << self.aux.min(LAST_AUX + 1 - FIRST_AUX)) - 1;
         spindle | 0b10 | u32::from(has_mist) << 2 | aux << (FIRST_AUX - 1)
     }
 

@@ -156,6 +156,11 @@ fn a_board_has_the_outputs_that_it_tells() {
     assert_eq!(outputs(Board::grbl_with("VM"), &[]), 0b111);
     assert_eq!(outputs(Board::hal(0), &[]), 0b111);
     assert_eq!(outputs(Board::hal(2), &[]), 0b1_1111);
+    assert_eq!(
+        outputs(Board::hal(20), &[]),
+        0b1111_1111_1111,
+        "no line that has a name is one of them"
+    );
     assert_eq!(outputs(Board::fluid(), &[]), 0b111);
     assert_eq!(outputs(Board::fluid(), &[(30, 0.0)]), 0b110, "a spindle that never turns");
     assert_eq!(outputs(Board::hal(0), &[(32, 1.0)]), 0b110, "a beam");

@@ -4,7 +4,7 @@ use crate::stop::Stop;
 use anyhow::Result;
 use kerf_control::answers::{Answers, Operator, meaning, words};
 use kerf_control::{OperatorRequest, Requests, Script, WorldClock};
-use kerf_journal::Hurry;
+use kerf_journal::{Hurry, Press};
 use kerf_machine::Driven;
 use kerf_machine::driver::Override;
 use kerf_program::{Question, QuestionKind};
@@ -25,6 +25,8 @@ pub struct Person {
     keyboard: Option<Keyboard>,
     /// The program that shows files (UN), and the folder they lie in.
     editor: Option<(String, PathBuf)>,
+    /// The controller whose inputs are looked at while he is asked.
+    machine: Option<Driven>,
 }
 
 impl Person {
@@ -32,7 +34,7 @@ impl Person {
     pub fn new(script: Answers, present: bool, terminal: &Terminal) -> Self {
         let stop = terminal.stop.clone();
         let keyboard = present.then(|| Keyboard::new(stop.clone()));
-        Self { script, stop, keyboard, editor: None }
+        Self { script, stop, keyboard, editor: None, machine: None }
     }
 
     /// The same, with a program that shows files below a folder.
@@ -40,6 +42,11 @@ impl Person {
     pub fn with_editor(mut self, editor: Option<(String, PathBuf)>) -> Self {
         self.editor = editor;
         self
+    }
+
+    /// The machine that is driven is a controller: an input that changes is heard while a question is open.
+    pub fn follows(&mut self, machine: &Driven) {
+        self.machine = Some(machine.clone());
     }
 
     /// Shows the file of FE until the person closes it.
@@ -80,8 +87,8 @@ impl Keyboard {
         Self { wants, lines, stop, waits: Cell::new(false) }
     }
 
-    /// The next line; nothing when Kerf is asked to stop or the terminal has gone.
-    fn line(&self) -> Option<String> {
+    /// The next line, or the input of a controller that changes before; nothing when Kerf is asked to stop or the terminal has gone.
+    fn line(&self, machine: Option<&Driven>) -> Option<Typed> {
         if !self.waits.replace(true) {
             // Whoever has gone tells so where the line is waited for.
             let _ = self.wants.send(());
@@ -90,9 +97,13 @@ impl Keyboard {
             match self.lines.recv_timeout(NAP) {
                 Ok(line) => {
                     self.waits.set(false);
-                    return Some(line);
+                    return Some(Typed::Line(line));
                 }
                 Err(RecvTimeoutError::Timeout) if !self.stop.is_wanted() && !self.stop.leaves() => {
+                    if let Some(press) = machine.and_then(changed_input) {
+                        eprintln!();
+                        return Some(Typed::Before(press));
+                    }
                 }
                 Err(_) => {
                     eprintln!();
@@ -102,14 +113,17 @@ impl Keyboard {
         }
     }
 
-    fn ask(&self, question: &Question, line: u32) -> Option<String> {
+    fn ask(&self, question: &Question, line: u32, machine: Option<&Driven>) -> Option<String> {
         let default = words(&question.default_answer());
         let buttons: Vec<_> = question.buttons.iter().map(|b| b.word()).collect();
         loop {
             let text = shown(question, line);
             eprint!("? {text} [{}] ({default}): ", buttons.join("/"));
             io::stderr().flush().ok()?;
-            let line = self.line()?;
+            let line = match self.line(machine)? {
+                Typed::Line(line) => line,
+                Typed::Before(press) => return Some(press.to_string()),
+            };
             let line = line.trim_end_matches('\r');
             if line.is_empty() {
                 return Some(default);
@@ -125,6 +139,21 @@ impl Keyboard {
             eprintln!("  answer one of {}{or}", buttons.join(", "));
         }
     }
+}
+
+/// What comes while a line is waited for.
+enum Typed {
+    Line(String),
+    /// An input of the controller changes before.
+    Before(Press),
+}
+
+/// Looks at a controller while a person is asked, and takes an input of it that has changed.
+fn changed_input(machine: &Driven) -> Option<Press> {
+    let mut machine = machine.try_borrow_mut().ok()?;
+    machine.look();
+    let (number, on) = machine.changed_input()?;
+    Some(Press { number, on })
 }
 
 /// The text of a question. Of a file that is stepped through the line is shown with its number, and
@@ -157,7 +186,7 @@ impl Operator for Person {
         let scripted = self.script.answer(question, line);
         scripted
             .or_else(|| self.shows(question))
-            .or_else(|| self.keyboard.as_ref()?.ask(question, line))
+            .or_else(|| self.keyboard.as_ref()?.ask(question, line, self.machine.as_ref()))
     }
 
     fn script_line(&self) -> Option<usize> {

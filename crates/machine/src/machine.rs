@@ -228,6 +228,12 @@ pub trait Machine {
     /// Looks at it in passing, without waiting. An input that changes is told by the next call that tells news.
     fn look(&mut self);
 
+    /// Takes an input that has changed, by its number and whether it is active, where no time passes: somebody is asked. Those of
+    /// a simulated machine are moved by hands, who tell it themselves.
+    fn changed_input(&mut self) -> Option<(u8, bool)> {
+        None
+    }
+
     /// Takes a sentence for the operator, where it has one.
     fn tells(&mut self) -> Option<String> {
         None

@@ -296,6 +296,10 @@ impl Machine for Connection {
         News { reached_s, input: self.inputs.pop_front() }
     }
 
+    fn changed_input(&mut self) -> Option<(u8, bool)> {
+        self.inputs.pop_front()
+    }
+
     fn look(&mut self) {
         self.tend(Duration::ZERO);
     }

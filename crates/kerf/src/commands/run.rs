@@ -405,6 +405,7 @@ fn attended<'a>(
     let machine = controller.map_or_else(|| terminal.simulated(), |it| it.driven().into());
     if controller.is_some() {
         terminal.follows(&machine.machine);
+        person_at_it.follows(&machine.machine);
     }
     let context = RunContext {
         sink: &mut told,

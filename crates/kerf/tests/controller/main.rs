@@ -257,8 +257,17 @@ fn a_job_is_where_it_belongs_whatever_a_grbl_tells_and_its_settings_are_put_back
 
 #[test]
 fn a_job_runs_on_a_grbl() {
+    runs_a_job(&Bench::new(&[]));
+}
+
+#[test]
+fn the_router_of_a_job_is_the_spindle_of_a_board_with_many_outputs_too() {
+    runs_a_job(&Bench::of(Fake::of(Board::hal(20), &[])));
+}
+
+fn runs_a_job(bench: &Bench) {
     let drawing = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/figures/line.rsg");
-    let (shop, bench) = (Shop::new(&[]), Bench::new(&[]));
+    let shop = Shop::new(&[]);
     shop.kerf(&format!("toolpath {drawing} -o line.rsm")).exits(0);
     let did = bench.run(&shop, "run line.rsm --start fresh");
     did.exits(0).complains("has no output 13 (tool1): it is left out").says("ran to its end");

@@ -150,6 +150,10 @@ impl Machine for Queued {
         self.told_drivers.take().or(behind).or_else(|| self.lead_changed())
     }
 
+    fn changed_input(&mut self) -> Option<(u8, bool)> {
+        self.inputs.pop_front()
+    }
+
     fn look(&mut self) {
         self.tend(Duration::ZERO);
     }
