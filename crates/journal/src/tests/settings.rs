@@ -32,7 +32,7 @@ fn full() -> Settings {
     (full.tabs.count, full.tabs.start_mm) = (Some(4), Some(10.0));
     let changes = &mut full.tool_changes;
     (changes.place_x_mm, changes.place_y_mm) = (Some(10.0), Some(20.0));
-    changes.sensor_input = Some(1);
+    (changes.sensor_input, changes.plate_input) = (Some(1), Some(2));
     (changes.sensor_x_mm, changes.sensor_y_mm) = (Some(30.0), Some(40.0));
     (changes.sensor_reach_mm, changes.sensor_speed_mm_s) = (Some(50.0), Some(2.0));
     full
