@@ -13,7 +13,7 @@ export interface Chosen {
 
 interface SettingRowsProps {
   settings: readonly ControllerSetting[];
-  /** What each does stands below it. */
+  /** Each is explained below its row. */
   explains: boolean;
   chosen: Chosen | undefined;
   choose: (chosen: Chosen | undefined) => void;
@@ -87,7 +87,7 @@ function SettingRow({ setting, explains, chosen, choose }: SettingRowProps) {
   );
 }
 
-/** What a setting does; by the controller itself where it says so. */
+/** Explains a setting, with the controller's own words where it has some. */
 function Explained({ setting }: { setting: ControllerSetting }) {
   const said = explained(setting);
   if (said.length === 0) return <p>{t("What it does is not known.")}</p>;

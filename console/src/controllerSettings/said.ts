@@ -6,6 +6,6 @@ import { serverWords } from "../words/server";
 /** The name of a setting; that of the controller itself stays as it tells it. */
 export const named = ({ name }: ControllerSetting): string => serverWords(name);
 
-/** What a setting does: a sentence, and what the controller itself says of it. Nothing where nobody knows. */
+/** Explains a setting: a sentence, then the controller's own words. Empty where nobody knows. */
 export const explained = ({ does, own }: ControllerSetting): string[] =>
   [does && serverWords(does), own].filter(Boolean);

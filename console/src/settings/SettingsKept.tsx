@@ -3,6 +3,7 @@ import { FileTrigger } from "react-aria-components";
 import { useHands, useSnapshot } from "../app/context";
 import { useFetched } from "../app/useFetched";
 import { downloadText } from "../link/download";
+import { getJson } from "../link/http";
 import { Button } from "../ui/Button";
 import { Panel } from "../ui/Panel";
 import type { SettingArea, SettingChange } from "../wire/messages";
@@ -19,7 +20,9 @@ export function SettingsKept({ areas }: { areas: readonly SettingArea[] }) {
   const [loaded, setLoaded] = useState<Loaded | null>(null);
   const read = async (file: File | undefined) => {
     if (!file) return;
-    const found = readFile(await file.text(), areas);
+    // As they are now: those on the page may be a moment behind a change.
+    const [text, now] = await Promise.all([file.text(), getJson<SettingArea[]>("/api/settings")]);
+    const found = readFile(text, now);
     if (found.wanted.length > 0 || found.unknown.length > 0) setLoaded(found);
     else screen.tell(t("{0}: every setting is as in this file already.", file.name));
   };

@@ -606,7 +606,7 @@ unit: string,
 least: number | null,
 /** Greatest value, where there is one. */
 most: number | null,
-/** What it does, in a sentence; empty where nobody knows. */
+/** A sentence that explains it; empty where nobody knows. */
 does: string,
 /** The same as the controller itself tells it; empty where it does not. */
 own: string, };

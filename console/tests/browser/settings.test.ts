@@ -74,6 +74,19 @@ it("settings are saved as a file, loaded again, and each change can be taken bac
   await changes.getByText("by this machine").first().waitFor();
   await page.getByRole("button", { name: "Take back: Cutter, diameter, 6.35" }).click();
   await expect.poll(() => setting("cutter.diameter_mm")).toBe("6.35");
+  // The page is behind a change: the file is compared with the settings as they are.
+  await changes.getByText("12.7 → 6.35").first().waitFor();
+  await page.route("**/api/settings", async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    await route.continue().catch(() => undefined);
+  });
+  await load(text.replace("cutter.diameter_mm = 6.35", "cutter.diameter_mm = 12.7"));
+  await sheet.getByRole("button", { name: "Change 1 setting" }).click();
+  await expect.poll(() => setting("cutter.diameter_mm")).toBe("12.7");
+  await load(text);
+  await sheet.getByRole("button", { name: "Change 1 setting" }).click();
+  await expect.poll(() => setting("cutter.diameter_mm")).toBe("6.35");
+  await page.unroute("**/api/settings");
 });
 
 it("a new machine is set up step by step", async () => {

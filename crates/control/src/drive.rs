@@ -329,7 +329,7 @@ impl<'a> Drive<'a> {
         self.in_real_time
     }
 
-    /// Returns the seconds of the world since the run began. One that does everything once more as it did takes its own time.
+    /// Returns the seconds of the world since the run began, on a real machine. A simulated one takes its own time.
     pub fn taken_s(&self) -> Option<f64> {
         (!self.repeats()).then(|| self.begun.elapsed().as_secs_f64())
     }

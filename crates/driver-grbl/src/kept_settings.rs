@@ -30,6 +30,9 @@ const OFTEN_S: f64 = 10.0;
 /// The setting that says what reports tell. Kerf cannot follow a controller that does not tell its place.
 const REPORTS: u16 = 10;
 
+/// Characters that a controller obeys at once, wherever they stand.
+const REAL_TIME: [char; 3] = ['?', '!', '~'];
+
 /// Returns the line that changes one.
 pub fn line(number: u16, value: &str) -> String {
     format!("${number}={value}")
@@ -112,6 +115,9 @@ impl KeptSettings {
         }
         if number == REPORTS {
             return Err("$10 is kept as Kerf needs it to follow the controller".into());
+        }
+        if value.contains(|c: char| c.is_control() || REAL_TIME.contains(&c)) {
+            return Err("a value holds no control character, and no ?, ! or ~: the controller obeys them wherever they come".into());
         }
         setting(number).and_then(|known| known.refuses(value)).map_or(Ok(()), Err)
     }

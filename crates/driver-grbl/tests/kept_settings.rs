@@ -127,3 +127,14 @@ fn a_setting_that_a_board_does_not_describe_ends_nothing() {
     assert_eq!(grbl.takes_refusal(), None);
     assert_eq!(grbl.trouble(), None);
 }
+
+#[test]
+fn characters_that_a_controller_obeys_at_once_are_in_no_value() {
+    let mut link = attached();
+    for value in ["1!", "~1", "1?", "1\u{18}", "1\n$X"] {
+        let why = link.driver().grbl.keeps_setting(120, value).unwrap_err();
+        assert!(why.contains("the controller obeys them"), "{value:?}: {why}");
+    }
+    stands(&mut link, 0.0, 1.0);
+    assert_eq!(link.driver().grbl.setting(120), Some("400.000"));
+}

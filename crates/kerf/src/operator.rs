@@ -141,7 +141,7 @@ impl Keyboard {
     }
 }
 
-/// What comes while a line is waited for.
+/// Event that ends the wait for a line.
 enum Typed {
     Line(String),
     /// An input of the controller changes before.

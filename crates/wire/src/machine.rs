@@ -101,7 +101,7 @@ pub struct ControllerSetting {
     pub least: Option<f64>,
     /// Greatest value, where there is one.
     pub most: Option<f64>,
-    /// What it does, in a sentence; empty where nobody knows.
+    /// A sentence that explains it; empty where nobody knows.
     pub does: String,
     /// The same as the controller itself tells it; empty where it does not.
     pub own: String,

@@ -46,7 +46,7 @@ impl Lacks {
         Self { name, facts, offset, file, line: 0, seen, found }
     }
 
-    /// What the controller has.
+    /// Returns the controller's facts.
     pub const fn facts(&self) -> &Facts {
         &self.facts
     }

@@ -339,7 +339,7 @@ fn listed(board: &Board, explains: bool) -> String {
     board.grbl.told_settings().into_iter().map(line).collect()
 }
 
-/// What a setting does, and below that how the board itself puts it.
+/// Explains a setting, and adds the board's own words below.
 fn explanation(told: &ToldSetting) -> String {
     let own = told.own.lines().enumerate().map(|(n, line)| match n {
         0 => format!("    board: {line}\n"),

@@ -147,7 +147,7 @@ enum Action {
         /// The report
         #[arg(long, value_name = "FILE", default_value = "prove.md")]
         report: PathBuf,
-        /// How the outcome is printed
+        /// Form in which the outcome is printed
         #[arg(long, default_value = "text", value_name = "FORMAT")]
         format: Format,
         /// Has it go home first: its axes move to their switches

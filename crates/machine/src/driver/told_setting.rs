@@ -13,7 +13,7 @@ pub struct ToldSetting {
     pub unit: String,
     /// Least and greatest value, where there are such.
     pub bounds: (Option<f64>, Option<f64>),
-    /// What it does, in a sentence; empty where nobody knows.
+    /// A sentence that explains it; empty where nobody knows.
     pub does: &'static str,
     /// The same as the controller itself tells it; empty where it does not.
     pub own: String,

@@ -178,6 +178,8 @@ export const controllersSentences: Readonly<Record<string, string>> = {
     "Z-Null bleibt: sie wurde seit dem Werkzeugwechsel mit dem Werkzeug in der Spindel gesetzt",
   "it is at work, or takes no orders": "sie arbeitet gerade oder nimmt keine Befehle an",
   "it has no setting ${0}": "sie hat keine Einstellung ${0}",
+  "a value holds no control character, and no ?, ! or ~: the controller obeys them wherever they come":
+    "ein Wert enthält kein Steuerzeichen und kein ?, ! oder ~: die Steuerung befolgt sie, wo immer sie stehen",
   "$10 is kept as Kerf needs it to follow the controller":
     "$10 bleibt, wie Kerf es braucht, um der Steuerung zu folgen",
   "it has not said that ${0} is written": "sie hat das Schreiben von ${0} nicht bestätigt",

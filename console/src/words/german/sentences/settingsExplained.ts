@@ -1,4 +1,4 @@
-/** What the settings of controllers of the grbl family do, which they keep by number. */
+/** Explanations of the settings that controllers of the grbl family keep by number. */
 
 export const settingsExplained: Readonly<Record<string, string>> = {
   "Length of a step pulse: motor drivers miss a shorter one than they need.":
