@@ -10,7 +10,8 @@ use crate::hand_words::Aside;
 use crate::hand_words::Jog;
 use crate::hand_words::KEY;
 use crate::nudge::Nudge;
-use kerf_machine::PauseOrder;
+use kerf_journal::Press;
+use kerf_machine::{Driven, PauseOrder};
 use kerf_program::{Answer, Button, GoTo, Question, QuestionKind};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -40,6 +41,14 @@ pub trait Operator {
     fn gives_up(&self) -> bool {
         false
     }
+}
+
+/// Looks at a machine while somebody is asked, and takes an input of a real one that has changed.
+pub fn changed_input(machine: &Driven) -> Option<Press> {
+    let mut machine = machine.try_borrow_mut().ok()?;
+    machine.look();
+    let (number, on) = machine.changed_input()?;
+    Some(Press { number, on })
 }
 
 /// Answers written down beforehand.

@@ -2,7 +2,7 @@
 
 use crate::stop::Stop;
 use anyhow::Result;
-use kerf_control::answers::{Answers, Operator, meaning, words};
+use kerf_control::answers::{Answers, Operator, changed_input, meaning, words};
 use kerf_control::{OperatorRequest, Requests, Script, WorldClock};
 use kerf_journal::{Hurry, Press};
 use kerf_machine::Driven;
@@ -146,14 +146,6 @@ enum Typed {
     Line(String),
     /// An input of the controller changes before.
     Before(Press),
-}
-
-/// Looks at a controller while a person is asked, and takes an input of it that has changed.
-fn changed_input(machine: &Driven) -> Option<Press> {
-    let mut machine = machine.try_borrow_mut().ok()?;
-    machine.look();
-    let (number, on) = machine.changed_input()?;
-    Some(Press { number, on })
 }
 
 /// The text of a question. Of a file that is stepped through the line is shown with its number, and

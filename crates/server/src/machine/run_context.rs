@@ -9,7 +9,7 @@ use crate::hub::Hub;
 use crate::to_wire;
 use kerf_control::answers::{self, Operator};
 use kerf_control::{Jog, LIFT, OperatorRequest, Requests, WorldClock};
-use kerf_journal::{Hurry, Press};
+use kerf_journal::Hurry;
 use kerf_machine::driver::{Override, Shares};
 use kerf_machine::{Driven, Machine as DrivenMachine};
 use kerf_program::{Question, QuestionKind};
@@ -302,19 +302,13 @@ impl Pages {
             wanted = self.shared.link.wait(wanted, LOOK);
             drop(wanted);
             self.shared.look(&self.machine);
-            if let Some(press) = changed_input(&self.machine) {
+            if let Some(press) = answers::changed_input(&self.machine) {
                 self.pressed = true;
                 return Some(press.to_string());
             }
             wanted = self.shared.link.lock();
         }
     }
-}
-
-/// Takes an input of a real machine that has changed while somebody is asked.
-fn changed_input(machine: &Driven) -> Option<Press> {
-    let (number, on) = machine.try_borrow_mut().ok()?.changed_input()?;
-    Some(Press { number, on })
 }
 
 impl Operator for Pages {
