@@ -38,13 +38,13 @@ impl<I: Interpreter> Station<'_, I> {
         while let Some(mut plan) = planner.finish() {
             self.world.tracked().follows(&plan, t0_s);
             let mut index = 0;
-            while index < plan.moves().len() {
+            while let Some(span) = plan.span(index) {
                 let until = plan.moves().len();
                 // No share of it is one of a move of the program, which is taken up at its own.
                 let going = Going { plan: &plan, index, t0_s, until, part: 0.0, watches: &[] };
                 let until = self.driven_until(&watched, going, turned.map(|(turn, _)| turn));
                 let Some((t_s, turn)) = until else {
-                    self.make_one(&plan, index, t0_s, true);
+                    self.make_one(&plan, &span, t0_s, true);
                     index += 1;
                     continue;
                 };

@@ -33,14 +33,13 @@ pub(crate) fn follow_plan<I: Interpreter>(
     }
     let mut left: Option<LeftPlan> = None;
     let mut index = 0;
-    while index < plan.moves().len() {
+    while let Some(span) = plan.span(index) {
         if left.is_none() && station.is_taken_up() {
             station.stand_back(&plan.moves()[index..]);
             return None;
         }
         station.carry_out_marks();
-        let (begin_s, end_s) = plan.span_s(index);
-        let [_, end_s] = station.moments(t0_s, [begin_s, end_s]);
+        let [_, end_s] = station.moments(t0_s, [span.t0_s, span.t1_s]);
         match &left {
             Some(LeftPlan { stop, why, .. }) => {
                 let (until, part) = (plan.moves().len(), stop.part(index));
@@ -82,9 +81,9 @@ pub(crate) fn follow_plan<I: Interpreter>(
                 }
             }
         }
-        station.make_one(&plan, index, t0_s, false);
+        station.make_one(&plan, &span, t0_s, false);
         if left.as_ref().is_none_or(|left| index < left.stop.whole()) {
-            station.stack.made_one(&plan.moves()[index]);
+            station.stack.made_one(span.made);
         }
         index += 1;
     }

@@ -67,6 +67,15 @@ impl Running {
         }
     }
 
+    /// Adds a move. The planner gets it at once where none waits before it.
+    fn push(&mut self, made: Move) {
+        if self.waiting.is_empty() {
+            self.planner.push(made);
+        } else {
+            self.waiting.push_back(made);
+        }
+    }
+
     /// The planner gets moves that wait, so many at most.
     fn hand(&mut self, most: usize, share: f32) {
         for made in (0..most).map_while(|_| self.waiting.pop_front()) {
@@ -96,9 +105,11 @@ impl Stack {
     /// Adds a move, with the number of its command when something may interrupt.
     pub fn push(&mut self, made: Move, number: Option<u64>) {
         self.read += 1;
-        self.numbers.extend(number);
+        if let Some(number) = number {
+            self.numbers.push_back(number);
+        }
         match &mut self.running {
-            Some(running) => running.waiting.push_back(made),
+            Some(running) => running.push(made),
             None => self.waiting.push_back(made),
         }
     }

@@ -14,7 +14,7 @@ use kerf_journal::Placed;
 use kerf_machine::Lift;
 use kerf_machine::lines::Input;
 use kerf_model::Watched;
-use kerf_motion::{Move, Mover, Path, Plan};
+use kerf_motion::{Move, Mover, Path, Plan, Span};
 use kerf_program::{At, Axes, Axis, Halted, Interpreter, Sourced, Status};
 use kerf_trace::ExecutedMove;
 use kerf_trace::event::{ArcEvent, Centre, Event, MoveEvent};
@@ -92,22 +92,23 @@ impl<I: Interpreter> Station<'_, I> {
         at.file as usize >= self.world.typed_files
     }
 
-    pub(crate) fn make_one(&mut self, plan: &Plan, index: usize, t0_s: f64, beside: bool) {
-        let Some(span) = plan.span(index) else { return };
+    /// Takes a move of a plan that began at `t0_s` as made: what it brought about is believed, told and counted. A move
+    /// beside the program is none of its own.
+    pub(crate) fn make_one(&mut self, plan: &Plan, span: &Span<'_>, t0_s: f64, beside: bool) {
         self.last_move = span.made.at;
         self.trail.moves(span.made.at);
         let [begin_s, end_s] = self.moments(t0_s, [span.t0_s, span.t1_s]);
         let alone = self.world.model.alone();
-        let lift = self.world.tracked().move_made(t0_s, plan, &span);
+        let lift = self.world.tracked().move_made(t0_s, plan, span);
         let made = carried(span.made, &lift);
         if self.world.tells_motion() {
             let event = self.move_event(&made, begin_s, end_s);
             self.world.tell(&event);
         }
-        self.world.tell_made(&ExecutedMove { plan, span: &span, t0_s, alone, lift: &lift, beside });
-        let frame = *self.world.model.frame();
-        self.world.tally.made(&made, end_s - begin_s, &frame);
-        self.world.tally.carried(&made, &lift, &frame);
+        self.world.tell_made(&ExecutedMove { plan, span, t0_s, alone, lift: &lift, beside });
+        let World { tally, model, .. } = &mut self.world;
+        tally.made(&made, end_s - begin_s, model.frame());
+        tally.carried(&made, &lift, model.frame());
         self.world.tell_log();
         self.world.workspace.tape.comes_to(end_s);
         if self.world.workspace.tape.is_written() {

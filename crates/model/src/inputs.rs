@@ -206,7 +206,12 @@ impl Inputs {
     }
 
     /// The next change that has an effect, not later than a time; of a pin, what its input reads from then on.
+    #[inline]
     pub fn step(&mut self, until_s: f64, modes: &IoModes) -> Option<Change> {
+        if self.is_due(until_s) { self.step_due(until_s, modes) } else { None }
+    }
+
+    fn step_due(&mut self, until_s: f64, modes: &IoModes) -> Option<Change> {
         while let Some(change) = self.next_until(until_s) {
             let Some(i) = index(change.input) else { continue };
             let before = self.closed(i, modes);
@@ -271,7 +276,8 @@ impl Inputs {
     }
 
     /// Returns `true` if a change up to a time has not happened yet.
-    pub(crate) fn is_due(&self, until_s: f64) -> bool {
+    #[inline]
+    pub fn is_due(&self, until_s: f64) -> bool {
         self.next().is_some_and(|change| change.at_s <= until_s)
     }
 

@@ -427,6 +427,9 @@ impl Model {
 
     /// Turns Z down or up by the state of the input.
     fn steer_torch(&mut self, t_s: f64) {
+        if self.torch.rests() {
+            return;
+        }
         let on = self.input(TORCH_INPUT);
         self.torch.steer(t_s, on, &mut self.log);
     }

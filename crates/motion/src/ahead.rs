@@ -32,7 +32,10 @@ impl Ahead {
     }
 }
 
-/// Takes the first items out of a list, which keeps its room for those to come.
-fn first<T>(all: &mut Vec<T>, count: usize) -> Vec<T> {
-    all.drain(..count).collect()
+/// Takes the first items out of a list, in the room where they lie; the list gets as much for those to come.
+fn first<T: Copy>(all: &mut Vec<T>, count: usize) -> Vec<T> {
+    let mut left = Vec::with_capacity(all.capacity());
+    left.extend_from_slice(&all[count..]);
+    all.truncate(count);
+    std::mem::replace(all, left)
 }

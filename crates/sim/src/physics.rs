@@ -168,7 +168,12 @@ impl Physics {
 
     /// Tells the next change up to a moment: the contact, of a pin its level. What changed behind the end of the plan is
     /// not told again by the next one.
+    #[inline]
     pub(crate) fn tell(&mut self, until_s: f64) -> Option<Change> {
+        if self.ahead.is_due(until_s) { self.tell_due(until_s) } else { None }
+    }
+
+    fn tell_due(&mut self, until_s: f64) -> Option<Change> {
         loop {
             let next = self.ahead.next().filter(|change| change.at_s <= until_s)?;
             let (felt, known) = (self.ahead.is_foreseen_first(), self.ahead.is_known(&next));

@@ -19,6 +19,11 @@ impl Torch {
         self.mm_s = mm_s;
     }
 
+    /// Returns `true` if Z does not move, and steering does not make it.
+    pub fn rests(&self) -> bool {
+        self.mm_s <= 0.0 && !self.spin.moves()
+    }
+
     /// Turns Z down while the input is on, or up.
     pub fn steer(&mut self, t_s: f64, on: bool, log: &mut Log) {
         let motion = match self.mm_s {
