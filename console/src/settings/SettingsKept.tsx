@@ -13,20 +13,24 @@ import { fullName } from "./names";
 import { useSet } from "./SettingValue";
 import { fileOf, type Loaded, readFile } from "./settingsFile";
 
+/** Fetches the settings as they are now: those on the page may not have come yet, or be a moment behind a change. */
+const settingsNow = () => getJson<SettingArea[]>("/api/settings");
+
 /** Saves all settings as a file and loads them again; tells what was changed, and takes it back. */
-export function SettingsKept({ areas }: { areas: readonly SettingArea[] }) {
+export function SettingsKept() {
   const machine = useSnapshot("machine")?.name ?? "";
   const { screen } = useHands();
   const [loaded, setLoaded] = useState<Loaded | null>(null);
+  const refused = (error: Error) => screen.tell(error.message);
   const read = async (file: File | undefined) => {
     if (!file) return;
-    // As they are now: those on the page may be a moment behind a change.
-    const [text, now] = await Promise.all([file.text(), getJson<SettingArea[]>("/api/settings")]);
-    const found = readFile(text, now);
+    const [text, areas] = await Promise.all([file.text(), settingsNow()]);
+    const found = readFile(text, areas);
     if (found.wanted.length > 0 || found.unknown.length > 0) setLoaded(found);
     else screen.tell(t("{0}: every setting is as in this file already.", file.name));
   };
-  const save = () => downloadText("machine-settings.txt", fileOf(areas, machine));
+  const save = async () =>
+    downloadText("machine-settings.txt", fileOf(await settingsNow(), machine));
   return (
     <Panel title="Backup">
       <p className="settings-words">
@@ -35,10 +39,10 @@ export function SettingsKept({ areas }: { areas: readonly SettingArea[] }) {
         )}
       </p>
       <div className="settings-kept">
-        <Button onPress={save}>Save settings</Button>
+        <Button onPress={() => void save().catch(refused)}>Save settings</Button>
         <FileTrigger
           acceptedFileTypes={[".txt"]}
-          onSelect={(files) => void read(files?.[0] ?? undefined)}
+          onSelect={(files) => void read(files?.[0] ?? undefined).catch(refused)}
         >
           <Button>Load settings…</Button>
         </FileTrigger>

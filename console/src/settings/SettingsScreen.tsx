@@ -28,7 +28,7 @@ export function SettingsScreen() {
       <div className="settings-columns">
         <div className="settings-column">
           <ThisBrowser />
-          <SettingsKept areas={areas} />
+          <SettingsKept />
           {owner && <Devices />}
           <Password />
           <About />

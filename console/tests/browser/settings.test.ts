@@ -86,6 +86,12 @@ it("settings are saved as a file, loaded again, and each change can be taken bac
   await load(text);
   await sheet.getByRole("button", { name: "Change 1 setting" }).click();
   await expect.poll(() => setting("cutter.diameter_mm")).toBe("6.35");
+  // Nor does a file that is saved hang on what has come to the page so far.
+  await page.reload();
+  const early = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save settings" }).click();
+  await (await early).saveAs(kept);
+  expect(readFileSync(kept, "utf8")).toContain("cutter.diameter_mm = 6.35");
   await page.unroute("**/api/settings");
 });
 
