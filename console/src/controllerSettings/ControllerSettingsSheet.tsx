@@ -61,7 +61,10 @@ function Kept({ settings, read }: KeptProps) {
   };
   return (
     <div className="controller-settings-kept">
-      <Button onPress={() => downloadText("controller-settings.txt", fileOf(machine, settings))}>
+      <Button
+        refused={settings.length === 0 ? t("The controller has not told its settings.") : undefined}
+        onPress={() => downloadText("controller-settings.txt", fileOf(machine, settings))}
+      >
         Back up
       </Button>
       <FileTrigger

@@ -10,6 +10,8 @@ export const controllerSettings: Readonly<Record<string, string>> = {
   "{0} has no settings of a controller ($110=5000).":
     "{0} hat keine Einstellungen einer Steuerung ($110=5000).",
   "Back up": "Sichern",
+  "The controller has not told its settings.":
+    "Die Steuerung hat ihre Einstellungen nicht genannt.",
   "Compare with a file…": "Mit einer Datei vergleichen…",
   "Change {0}": "{0} ändern",
   "Give a value.": "Einen Wert angeben.",
