@@ -58,6 +58,9 @@ impl AxisUnit {
 /// is one, so that 3 in is read back as 3 and not as 2.9999999999999996, and as 76.2 in mm.
 pub fn to_user(internal: f64, scale: f64) -> f64 {
     let quotient = internal / scale;
+    if internal == 0.0 {
+        return quotient;
+    }
     let decimal = (quotient * 1e9).round() / 1e9;
     if (decimal * scale - internal).abs() <= 2.0 * f64::EPSILON * internal.abs() {
         decimal
