@@ -90,6 +90,12 @@ const openControllerSettings: Action = {
       ? undefined
       : t("The machine keeps no settings by number."),
 };
+/** What was sent to the controller and what it answered. */
+const openControllerLines = sheetAction(
+  { kind: "controllerLines" },
+  t("Console of the controller: what is sent and answered"),
+  [],
+);
 /** Tools by their numbers, where they are changed and measured. */
 export const openToolTable = sheetAction(
   { kind: "toolTable" },
@@ -173,6 +179,7 @@ export const goActions: readonly Action[] = [
   openPorts,
   openZeros,
   openControllerSettings,
+  openControllerLines,
   openToolTable,
   openProbe,
   openHeightMap,

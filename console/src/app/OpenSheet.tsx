@@ -1,4 +1,5 @@
 import { CommandSheet } from "../command/CommandSheet";
+import { ControllerLinesSheet } from "../controllerLines/ControllerLinesSheet";
 import { ControllerSettingsSheet } from "../controllerSettings/ControllerSettingsSheet";
 import { HeightMapSheet } from "../heightmap/HeightMapSheet";
 import { KeypadWaits } from "../keypad/KeypadWaits";
@@ -74,6 +75,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <ZerosSheet onClose={close} />;
     case "controllerSettings":
       return <ControllerSettingsSheet onClose={close} />;
+    case "controllerLines":
+      return <ControllerLinesSheet onClose={close} />;
     case "toolTable":
       return <ToolTableSheet onClose={close} />;
     case "ports":

@@ -24,6 +24,7 @@ export type Sheet =
   | { readonly kind: "tools" }
   | { readonly kind: "zeros" }
   | { readonly kind: "controllerSettings" }
+  | { readonly kind: "controllerLines" }
   | { readonly kind: "toolTable" }
   | { readonly kind: "probe" }
   | { readonly kind: "heightMap" }

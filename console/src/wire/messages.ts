@@ -592,6 +592,32 @@ detail: string,
 /** Description of its effect. */
 doc: string, };
 
+/** A line that was sent or came. */
+export type ControllerLine = {
+/** Its number; they count up. */
+number: number,
+/** Its time, seconds since 1970 with their thousandths. */
+at: UnixSeconds,
+/** It was sent; else it came. */
+sent: boolean,
+/** Its kind. */
+kind: LineKind,
+/** The line itself; of a byte that is obeyed at once its code. */
+text: string,
+/** Words beside it, as those of an error's number; mostly none. */
+words: string, };
+
+/** A portion of what passed. */
+export type ControllerLines = {
+/** The lines, the oldest first. */
+lines: Array<ControllerLine>,
+/** The number from which to ask on. */
+next: number,
+/** There are more behind them already. */
+more: boolean,
+/** Lines that are not kept any more, of all that there were. */
+gone: number, };
+
 /** A setting that the controller of the machine keeps by number, as it told it last. */
 export type ControllerSetting = {
 /** Its number. */
@@ -1066,6 +1092,9 @@ device: string, };
 
 /** Severity of a finding. */
 export type Level = "error" | "warning" | "note";
+
+/** Kind of a line between Kerf and a controller. */
+export type LineKind = "line" | "atOnce" | "ask" | "report" | "ok" | "error" | "alarm" | "message" | "welcome" | "link";
 
 /** Part of the picture that pages are to have in sight. */
 export type Look = "digitized" | "data" | "machine" | "out";

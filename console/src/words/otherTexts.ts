@@ -27,6 +27,8 @@ export const texts: readonly string[] = [
   "keypad hold paused pause msgbox",
   "Kerf {}, machine {}\nState: {}, {}\nFile: {}\nLast job: {}\n",
   "\nProblem log:\n",
+  "\nSent to the controller and answered, without reports and ok:\n",
+  "# time (UTC), > sent or < came, the line, # what it means\n",
   "{}={}; Path=/; HttpOnly; SameSite=Strict; Max-Age=31536000",
   "camera=(), microphone=(), geolocation=()",
   "default-src 'none'; frame-ancestors 'none'",

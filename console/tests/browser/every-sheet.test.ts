@@ -46,6 +46,7 @@ const sheets: Readonly<Record<string, string>> = {
   tuning: "Steps per millimetre and squareness, from what was measured",
   wiring: "Wire a board of a printer",
   zeros: "Zero points of the controller: G54 to G59.3",
+  controllerLines: "Console of the controller: what is sent and answered",
   controllerSettings: "Settings of the controller: see, change, back up, compare",
   toolTable: "Tools by their numbers: lengths, changing and measuring them",
   samples: "Sample answers of the open file",

@@ -8,11 +8,13 @@ use crate::kept_settings::{self, KeptSettings};
 use crate::lines::{Modal, jogs_alone, lines, parts, told_as};
 use crate::place::Place;
 use crate::report::Doing;
+use crate::said;
 use crate::tool_wait::{MODE, ToolWait};
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
-    Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, Order, Reply, Sent, Shares,
-    Signal, Ticket, ToldSetting, TouchOff, Trouble, Wired, Zero, ZeroChange, is_sound,
+    Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, LineKind, Order, Reply, Said,
+    Sent, Shares, Signal, Ticket, ToldSetting, TouchOff, Trouble, Wired, Zero, ZeroChange,
+    is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -556,12 +558,29 @@ impl Wired for Grbl {
         Ok(())
     }
 
+    fn asks(&mut self, question: &str) -> Result<(), String> {
+        if self.phase != Phase::Ready || !self.flights.is_empty() || self.trouble.is_some() {
+            return Err("it is at work, or takes no orders".into());
+        }
+        self.kept.takes_question(question)?;
+        self.say(question);
+        Ok(())
+    }
+
     fn takes_refusal(&mut self) -> Option<String> {
         self.kept.takes_refusal()
     }
 
     fn knows_zeros(&self) -> bool {
         self.has_said_all()
+    }
+
+    fn at_once(&self, byte: u8) -> Option<Said> {
+        said::at_once(byte)
+    }
+
+    fn said(&self, line: &str, is_sent: bool) -> Said {
+        if is_sent { Said::plain(LineKind::Line) } else { said::came(line, &self.told) }
     }
 
     fn line_is_back(&mut self, _: f64) {

@@ -18,6 +18,11 @@ const DESCRIBE: &str = "$SED=";
 /// So many are asked for at once: the line is free again in a tenth of a second.
 const DESCRIBED_AT_ONCE: usize = 8;
 
+/// Questions that leave the machine as it is, in capitals (grbl commands, "View …"; grblHAL has more). A number behind the `$`
+/// asks for one setting.
+const QUESTIONS: [&str; 14] =
+    ["$", "$$", "$+", "$#", "$G", "$I", "$I+", "$N", "$EA", "$EE", "$EG", "$ES", "$PINS", "$HELP"];
+
 /// Asks for all of them.
 pub const ASK: &str = "$$";
 
@@ -52,6 +57,13 @@ pub fn told(number: u16, value: String, facts: &KnownFacts) -> ToldSetting {
     let does = explained(number, facts.is_hal());
     let own = facts.own.description(number).to_owned();
     ToldSetting { number, value, name, unit, bounds, does, own }
+}
+
+/// Returns `true` for a line that asks and changes nothing.
+fn is_question(line: &str) -> bool {
+    let number = line.strip_prefix('$').filter(|rest| !rest.is_empty());
+    let of_setting = number.is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()));
+    of_setting || QUESTIONS.contains(&&*line.to_ascii_uppercase())
 }
 
 /// State of settings that were asked for or written.
@@ -122,6 +134,21 @@ impl KeptSettings {
         setting(number).and_then(|known| known.refuses(value)).map_or(Ok(()), Err)
     }
 
+    /// A question is about to be asked that somebody has typed.
+    ///
+    /// # Errors
+    /// The machine would move by it, or be set otherwise.
+    pub fn takes_question(&mut self, question: &str) -> Result<(), String> {
+        self.refused = None;
+        if is_question(question) {
+            return Ok(());
+        }
+        let known = QUESTIONS.join("  ");
+        Err(format!(
+            "{question} is no question that leaves the machine as it is: {known}  or a setting, $120 or $120=500"
+        ))
+    }
+
     /// Returns `true` if a refused line is no order: a setting that the controller does not take, a question for its own words,
     /// or one that came while somebody moved it. None of them ends anything.
     pub fn is_refused(&mut self, asked: Option<&str>, number: u16, why: &str) -> bool {
@@ -129,11 +156,14 @@ impl KeptSettings {
         if LISTS.contains(&text) || text.starts_with(DESCRIBE) {
             return true;
         }
-        let is_written = text.starts_with('$') && text.contains('=');
-        if is_written {
+        if text == ASK && number == BUSY {
+            return true;
+        }
+        let is_own = is_question(text) || text.starts_with('$') && text.contains('=');
+        if is_own {
             self.refused = Some(format!("{text}: error {number}: {why}"));
         }
-        is_written || text == ASK && number == BUSY
+        is_own
     }
 
     /// Returns the refusal of one that was written, once.

@@ -34,6 +34,7 @@ mod lines;
 mod own_words;
 mod place;
 mod report;
+mod said;
 pub mod settings;
 mod signals;
 mod tool_wait;

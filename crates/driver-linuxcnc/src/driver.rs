@@ -3,11 +3,12 @@
 use crate::check;
 use crate::lines::lines;
 use crate::piece::{Kind, Piece, Pieces};
+use crate::said;
 use crate::status::{Doing, Status};
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
-    Axes, ControllerState, Driver, Facts, Garbled, Hold, Order, Override, Reply, Sent, Shares,
-    Signal, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
+    Axes, ControllerState, Driver, Facts, Garbled, Hold, Order, Override, Reply, Said, Sent,
+    Shares, Signal, Ticket, Trouble, Wired, Zero, ZeroChange, is_sound,
 };
 use std::collections::VecDeque;
 
@@ -360,6 +361,10 @@ impl Wired for LinuxCnc {
 
     fn knows_zeros(&self) -> bool {
         self.zeros.greeting == self.greeting && self.zeros.next >= self.acts
+    }
+
+    fn said(&self, line: &str, is_sent: bool) -> Said {
+        if is_sent { said::sent(line) } else { said::came(line) }
     }
 
     fn line_is_back(&mut self, _: f64) {

@@ -22,6 +22,7 @@ pub mod fake;
 mod hears;
 mod lines;
 mod piece;
+mod said;
 mod status;
 mod zeros;
 

@@ -1,10 +1,10 @@
 //! The controller that `--machine` names: its port opened, and what is wrong with a run on it.
 
-use crate::exit::Exit;
+use crate::exit::{Exit, Usage};
 use crate::machine_name::DriverName;
 use crate::report::Diagnostics;
 use crate::stop::Stop;
-use anyhow::{Result, anyhow};
+use anyhow::{Context, Result, anyhow, bail};
 use kerf_control::Session;
 use kerf_control::answers::Answers;
 use kerf_control::controller::{Controller, Place, Socket, queued};
@@ -15,6 +15,7 @@ use kerf_machine::driver::Wired;
 use kerf_trace::Sink;
 use kerf_transport::Address;
 use kerf_workspace::Workspace;
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Returns the place where a controller hangs.
@@ -41,7 +42,7 @@ fn followed(name: &DriverName) -> Socket {
             if is_linuxcnc { Box::new(LinuxCnc::new()) } else { Box::new(Grbl::new()) };
         Ok((driver, line))
     });
-    Socket { name: words, port, opens }
+    Socket { name: words, port, opens, log: Arc::default() }
 }
 
 /// Steps that come before anything else.
@@ -86,17 +87,44 @@ impl First {
     }
 }
 
+/// How a controller is begun with.
+#[derive(Clone, Copy, Debug)]
+pub struct Beginning<'a> {
+    /// Steps that come before anything else.
+    pub first: First,
+    /// Nothing is told that nobody has to act on.
+    pub quiet: bool,
+    /// The file into which goes what is sent to it and what it answers.
+    pub log: Option<&'a Path>,
+}
+
+/// The place where a controller hangs, whose lines go into a file where that is wanted.
+fn logged_socket(name: &DriverName, log: Option<&Path>) -> Result<Place> {
+    let place = socket(name);
+    match (&place, log) {
+        (Place::Followed(socket), Some(file)) => {
+            let written = socket.log.writes_to(file);
+            written.with_context(|| format!("cannot write {}", file.display()))?;
+        }
+        (Place::Queued(_), Some(_)) => bail!(Usage(format!(
+            "--controller-log is for controllers that speak in lines, and {name} is told each step"
+        ))),
+        (_, None) => {}
+    }
+    Ok(place)
+}
+
 /// A controller that is ready for a run, with the session standing where it stands.
 pub fn ready(
     name: &DriverName,
-    first: First,
-    quiet: bool,
+    beginning: Beginning<'_>,
     session: &mut Session,
     workspace: &mut Workspace,
 ) -> Result<Controller> {
+    let Beginning { first, quiet, log } = beginning;
     let stop = Stop::listen()?;
-    let steps = first.steps();
-    let attached = Controller::attach(socket(name), steps, session, workspace, || stop.is_wanted());
+    let (place, steps) = (logged_socket(name, log)?, first.steps());
+    let attached = Controller::attach(place, steps, session, workspace, || stop.is_wanted());
     let (controller, told) = attached.map_err(|why| anyhow!(why))?;
     let notes = told.notes.iter().filter(|_| !quiet);
     notes.chain(&told.warnings).for_each(|line| eprintln!("kerf: {line}"));

@@ -31,7 +31,7 @@ const PROGRAM: &[&str] = &["set", "dialect", "max_lines", "allow_errors", "seed"
 /// Folders where files of a program lie.
 const FOLDERS: &[&str] = &["parts", "custom", "allow_path"];
 /// What a run shows and writes.
-const SHOWN: &[&str] = &["pace", "picture", "trace", "readings", "vcd"];
+const SHOWN: &[&str] = &["pace", "picture", "trace", "readings", "vcd", "controller_log"];
 
 /// Options without a use, a row for each command that has some.
 const UNUSED: &[(&str, &[&[&str]])] = &[

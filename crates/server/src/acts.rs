@@ -110,9 +110,10 @@ impl App {
         shop::press(&self.orders, &self.hands.pins_moved_here()?, asker, pressed)
     }
 
-    /// Carries out a line that was typed: a setting of the controller (`$120=300`), else a line of OpenSBP.
+    /// Carries out a line that was typed: a setting of the controller (`$120=300`), a question for it (`$I`), else a line of
+    /// OpenSBP.
     fn type_line(&self, asker: &Asker, line: String) -> Result<(), Problem> {
-        if self.hands.keep_setting(asker, &line)? {
+        if self.hands.keep_setting(asker, &line)? || self.hands.ask_controller(asker, &line)? {
             return Ok(());
         }
         self.runs.command(asker, line)

@@ -36,6 +36,7 @@ use crate::setup::{Builders, Options};
 use crate::texts::Texts;
 use crate::thumbnails::Thumbnails;
 use crate::wirings::Wirings;
+use kerf_control::controller::LineLog;
 use kerf_wire::Tone;
 use std::io;
 use std::sync::atomic::AtomicU32;
@@ -46,6 +47,8 @@ use std::sync::{Arc, Mutex, OnceLock};
 pub struct App {
     /// Options with which the server was started.
     pub options: Options,
+    /// What was sent to the controller and what it answered; nothing where none speaks in lines.
+    pub log: Option<Arc<LineLog>>,
     /// State that pages show.
     pub hub: Arc<Hub>,
     /// Requests for the running machine.
@@ -102,6 +105,7 @@ pub struct Parts {
     pub left: Arc<Mutex<LastState>>,
     pub builders: Builders,
     pub changes: Arc<SettingChanges>,
+    pub log: Option<Arc<LineLog>>,
 }
 
 impl App {
@@ -110,7 +114,7 @@ impl App {
     /// # Errors
     /// The part folder or the list of devices cannot be read.
     pub fn new(options: Options, parts: Parts) -> io::Result<Self> {
-        let Parts { hub, link, orders, left, builders, changes } = parts;
+        let Parts { hub, link, orders, left, builders, changes, log } = parts;
         let clock = link.clock().clone();
         let (devices, told) = Devices::read(&options.data, clock.clone())?;
         told.into_iter().for_each(|told| hub.say(Tone::Warning, told));
@@ -142,6 +146,7 @@ impl App {
             bodies: Bodies::default(),
             works: Works::default(),
             options,
+            log,
             hub,
             link,
             left,

@@ -63,7 +63,7 @@ pub fn bench() -> Bench {
     let hub = Arc::new(Hub::new(Snapshot::default()));
     let (link, left) = (Arc::<Link>::default(), Arc::default());
     let changes = Arc::new(SettingChanges::new(folder.path()));
-    let parts = Parts { hub, link, orders: sender, left, builders, changes };
+    let parts = Parts { hub, link, orders: sender, left, builders, changes, log: None };
     driven(Arc::new(App::new(options(&folder), parts).unwrap()), orders, folder)
 }
 

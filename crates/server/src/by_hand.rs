@@ -5,7 +5,7 @@ use crate::hands::Hands;
 use crate::locks::lock;
 use crate::machine::Order;
 use crate::refusal::problem;
-use kerf_control::controller::{STEPS, settings_in};
+use kerf_control::controller::{STEPS, question_in, settings_in};
 use kerf_machine::lines::Output;
 use kerf_machine::settings::io::IoMap;
 use kerf_machine::settings::motors::Motor;
@@ -139,6 +139,17 @@ impl Hands {
             return Err(problem(Why::State, text));
         }
         self.orders.order_of(asker, Order::Setting { number, value })?;
+        Ok(true)
+    }
+
+    /// Asks the controller, where a typed line is a question in its own language (`$I`); tells whether it is.
+    ///
+    /// # Errors
+    /// The machine is busy.
+    pub fn ask_controller(&self, asker: &Asker, lines: &str) -> Result<bool, Problem> {
+        let is_asked = self.hub.read(|now| !now.controller_settings.is_empty());
+        let Some(question) = question_in(lines).filter(|_| is_asked) else { return Ok(false) };
+        self.orders.order_of(asker, Order::Question(question.to_owned()))?;
         Ok(true)
     }
 

@@ -1,6 +1,7 @@
 //! Tells somebody who helps what they have to know.
 
 use crate::app::App;
+use crate::line_log;
 use crate::locks::lock;
 use crate::problems::FILE;
 use crate::to_wire;
@@ -10,7 +11,7 @@ use std::io;
 /// Lines of the problem log that a request for help shows.
 const SHOWN: usize = 100;
 
-/// Returns what somebody who helps has to know: versions and places, and the last of the problem log.
+/// Returns what somebody who helps has to know: versions and places, the last of the problem log, and of what was sent to the controller.
 ///
 /// # Errors
 /// The files of the machine cannot be looked at.
@@ -32,5 +33,10 @@ pub fn problems(app: &App) -> io::Result<String> {
     let lines: Vec<&str> = log.lines().collect();
     text += "\nProblem log:\n";
     text.extend(lines[lines.len().saturating_sub(SHOWN)..].iter().map(|l| format!("{l}\n")));
+    let sent = line_log::for_help(app);
+    if !sent.is_empty() {
+        text += "\nSent to the controller and answered, without reports and ok:\n";
+        text += &sent;
+    }
     Ok(text)
 }

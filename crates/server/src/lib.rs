@@ -51,6 +51,7 @@ mod job_by_hand;
 mod job_findings;
 mod kind;
 mod lanes;
+mod line_log;
 mod loader;
 mod locks;
 mod machine;
@@ -96,6 +97,7 @@ pub use webhook::Webhook;
 use app::{App, Parts};
 use files::PartFolder;
 use hub::Hub;
+use kerf_control::controller::Controller;
 use kerf_wire::{Change, Problem, Request, Snapshot, Who, Why};
 use machine::{LastState, Link, Order, Owner, Screen};
 use pool::{KERF, Lane};
@@ -334,12 +336,14 @@ fn machine_and_app(
         };
         owner.tell_found();
         owner.begin();
-        drop(ready.send(Ok(())));
+        let log = owner.workshop.controller.as_ref().and_then(Controller::log).cloned();
+        drop(ready.send(Ok(log)));
         owner.work(&waiting);
     };
     let machine = thread::Builder::new().name("machine".into()).spawn(move || run(waiting))?;
-    started.recv().map_err(io::Error::other)??;
-    let made = Arc::new(App::new(options, Parts { hub, link, orders, left, builders, changes })?);
+    let log = started.recv().map_err(io::Error::other)??;
+    let parts = Parts { hub, link, orders, left, builders, changes, log };
+    let made = Arc::new(App::new(options, parts)?);
     drop(app.set(Arc::downgrade(&made)));
     Ok((made, machine))
 }

@@ -21,6 +21,7 @@
 mod act;
 mod by_hand;
 mod change;
+mod controller_line;
 mod digitized;
 mod drawing;
 mod file;
@@ -47,6 +48,7 @@ mod wiring;
 pub use act::{Act, Request};
 pub use by_hand::ByHand;
 pub use change::{Change, ToPage};
+pub use controller_line::{ControllerLine, ControllerLines, LineKind};
 pub use digitized::{Digitized, DigitizedPoint, Look, Looked};
 pub use drawing::{
     ArrayState, Block, CutHeight, CutPass, CutShape, DrawingState, GroupState, Op, ShapeList,

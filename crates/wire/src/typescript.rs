@@ -2,9 +2,9 @@
 
 use crate::preview::{PreviewInfo, Timing};
 use crate::{
-    Checked, CommandEntry, Completion, FileAbout, FileInfo, FileVersion, Hint, Hover, JobView,
-    Lamp, OperationEntry, PortBit, Request, RunRecord, SettingArea, SettingChange, ShapeList,
-    TextDraft, ToDo, ToPage, ToolPaths, Values,
+    Checked, CommandEntry, Completion, ControllerLines, FileAbout, FileInfo, FileVersion, Hint,
+    Hover, JobView, Lamp, OperationEntry, PortBit, Request, RunRecord, SettingArea, SettingChange,
+    ShapeList, TextDraft, ToDo, ToPage, ToolPaths, Values,
 };
 use std::collections::BTreeMap;
 use ts_rs::{Config, TS, TypeVisitor};
@@ -102,6 +102,7 @@ pub fn typescript() -> String {
     declared.visit::<FileAbout>();
     declared.visit::<FileVersion>();
     declared.visit::<RunRecord>();
+    declared.visit::<ControllerLines>();
     declared.visit::<ToDo>();
     declared.visit::<TextDraft>();
     declared.visit::<SettingChange>();

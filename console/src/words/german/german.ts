@@ -1,6 +1,7 @@
 /** The texts of the console in German, by their English ones. Numbers and commands stay as they are. */
 
 import { actions } from "./actions";
+import { controllerLines } from "./controllerLines";
 import { controllerSettings } from "./controllerSettings";
 import { digitizing } from "./digitizing";
 import { drawing } from "./drawing";
@@ -23,6 +24,7 @@ export const german: Readonly<Record<string, string>> = {
   ...settings,
   ...shared,
   ...tools,
+  ...controllerLines,
   ...controllerSettings,
   ...toolTable,
   ...wiring,

@@ -4,7 +4,7 @@ use super::either::dry_run;
 use super::lacks::{lines, listed};
 use super::stopwatch::Stopwatch;
 use super::{
-    Connection, Lacks, Socket, TouchedOff, WrittenSetting, kept_settings, touch_off, zeros,
+    Connection, Lacks, LineLog, Socket, TouchedOff, WrittenSetting, kept_settings, touch_off, zeros,
 };
 use crate::Session;
 use crate::answers::Operator;
@@ -17,9 +17,11 @@ use kerf_journal::{RunOptions, Work, facts::Fact};
 use kerf_machine::driver::{Changed, Signal, ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Errand, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
+use kerf_transport::Line;
 use kerf_workspace::{Firmware, Workspace};
 use std::cell::RefCell;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// Steps that come before anything else.
 #[derive(Clone, Copy, Debug, Default)]
@@ -82,8 +84,8 @@ impl Controller {
     ) -> Result<(Self, AttachReport), String> {
         let abandoned = workspace.stored.get(DRIVEN) == Some(&*socket.port);
         let (driver, line) = (socket.opens)()?;
-        let open = if abandoned { Connection::open_stopped } else { Connection::open };
-        let mut connection = open(&socket.name, driver, line)?;
+        let (ends, log) = ((driver, line as Box<dyn Line>), socket.log.clone());
+        let mut connection = Connection::open_logged(&socket.name, ends, log, abandoned)?;
         connection.opens_again(socket.opens.clone());
         let mut told = AttachReport::default();
         let axes: String = "XYZABC".chars().take(connection.facts().axes).collect();
@@ -259,6 +261,14 @@ impl Controller {
         Ok(WrittenSetting { number, was, kept })
     }
 
+    /// Asks the controller a question in its own language.
+    ///
+    /// # Errors
+    /// As [`ask`](kept_settings::ask).
+    pub fn asks(&self, question: &str, is_stopped: impl FnMut() -> bool) -> Result<(), String> {
+        kept_settings::ask(&mut self.connection.borrow_mut(), question, is_stopped)
+    }
+
     /// Keeps how it makes moves, for whoever tells the time of a file without opening it; returns that.
     fn keeps_pace(&self, workspace: &mut Workspace) -> Option<OwnPace> {
         let pace = OwnPace::of(self.connection.borrow().facts());
@@ -273,6 +283,11 @@ impl Controller {
         let homes = if facts.homes { AxisSet::first(facts.axes) } else { AxisSet::EMPTY };
         let pace = OwnPace::of(facts).map(|pace| pace.learned(connection.learned));
         DrivenBy { name: self.socket.name.clone(), homes, pace }
+    }
+
+    /// Returns the record of what was sent to the controller and what it answered.
+    pub fn log(&self) -> &Arc<LineLog> {
+        &self.socket.log
     }
 
     /// Tells why it takes no orders but to go home, in words.

@@ -2,6 +2,7 @@
 
 use super::driven::LEAD_S;
 use super::lacks::no_output;
+use super::line_log::LineLog;
 use super::lost::Lost;
 use super::ordered_outputs::OrderedOutputs;
 use super::row::Row;
@@ -17,6 +18,7 @@ use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
 use kerf_transport::{Line, LineError};
 use std::collections::{BTreeSet, VecDeque};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Time that one look at the line takes when nothing comes.
@@ -64,6 +66,8 @@ pub struct Connection {
     pub(super) name: String,
     pub(super) link: Link<Box<dyn Wired>>,
     pub(super) line: Box<dyn Line>,
+    /// What passes on the line.
+    pub(super) log: Arc<LineLog>,
     pub(super) since: Instant,
     pub(super) facts: Facts,
     /// A place of the machine less that of the controller.
@@ -110,25 +114,30 @@ impl Connection {
     /// # Errors
     /// Nobody answers, or something that is no such controller, or one that cannot be driven as it is set.
     pub fn open(name: &str, driver: Box<dyn Wired>, line: Box<dyn Line>) -> Result<Self, String> {
-        Self::new(name, driver, line).greeted()
+        Self::new(name, driver, line, Arc::default()).greeted()
     }
 
-    /// The same, after it has stopped what may go on from a run that has no end.
+    /// The same, with the record of what passes; what may go on from a run that has no end is stopped first.
     ///
     /// # Errors
     /// As [`Connection::open`].
-    pub fn open_stopped(
+    pub fn open_logged(
         name: &str,
-        driver: Box<dyn Wired>,
-        line: Box<dyn Line>,
+        (driver, line): (Box<dyn Wired>, Box<dyn Line>),
+        log: Arc<LineLog>,
+        is_abandoned: bool,
     ) -> Result<Self, String> {
-        let mut connection = Self::new(name, driver, line);
-        connection.link.stop(0.0);
+        let mut connection = Self::new(name, driver, line, log);
+        if is_abandoned {
+            connection.link.stop(0.0);
+        }
         connection.greeted()
     }
 
-    fn new(name: &str, driver: Box<dyn Wired>, line: Box<dyn Line>) -> Self {
+    fn new(name: &str, driver: Box<dyn Wired>, line: Box<dyn Line>, log: Arc<LineLog>) -> Self {
+        log.link(&format!("{name}: the line is open"));
         Self {
+            log,
             name: name.to_owned(),
             link: Link::new(driver),
             line,
@@ -325,7 +334,10 @@ impl Connection {
         let (place, owed) = (self.place(), self.owed);
         self.line = Box::new(Closed);
         let done = does();
-        match opens().and_then(|(driver, line)| Self::open(&self.name, driver, line)) {
+        let again = opens().and_then(|(driver, line)| {
+            Self::open_logged(&self.name, (driver, line), self.log.clone(), false)
+        });
+        match again {
             Ok(connection) => {
                 let opens = self.opens.take();
                 *self = connection;
@@ -362,10 +374,12 @@ impl Connection {
         let out = self.link.driver().speak(now_s);
         let mut bytes = [0; 1024];
         let sent = if out.is_empty() { Ok(()) } else { self.line.write(&out) };
+        self.log.passes(&out, true, &**self.link.driver());
         match sent.and_then(|()| self.line.read(&mut bytes, wait)) {
             Ok(count) => {
                 let now_s = self.now_s();
                 self.link.driver().hear(&bytes[..count], now_s);
+                self.log.passes(&bytes[..count], false, &**self.link.driver());
             }
             Err(why) => self.line_is_lost(why.to_string()),
         }
@@ -595,5 +609,8 @@ impl Drop for Connection {
             self.stop_at_once();
         }
         self.put_back();
+        if !self.dead {
+            self.log.link("the line is closed");
+        }
     }
 }

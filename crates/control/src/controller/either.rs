@@ -4,6 +4,7 @@ use super::Socket;
 use super::attached::{self, AttachReport, First};
 use super::kept_settings::WrittenSetting;
 use super::lacks::Lacks;
+use super::line_log::LineLog;
 use super::queued;
 use super::touch_off::TouchedOff;
 use crate::answers::Operator;
@@ -17,6 +18,7 @@ use kerf_machine::{Driven, Machine};
 use kerf_program::Axes;
 use kerf_sequence::Sequence;
 use kerf_workspace::{Firmware, Workspace};
+use std::sync::Arc;
 
 /// The place where a controller hangs.
 #[derive(Clone, Debug)]
@@ -188,6 +190,27 @@ impl Controller {
                 "{} keeps no settings by number: they are in its machine's file (steps.per_unit)",
                 attached.name()
             )),
+        }
+    }
+
+    /// Returns the record of what was sent and answered; nothing of a board, whose frames are no lines.
+    pub fn log(&self) -> Option<&Arc<LineLog>> {
+        match self {
+            Self::Followed(controller) => Some(controller.log()),
+            Self::Queued(_) => None,
+        }
+    }
+
+    /// Asks it a question in its own language (`$I`); the answer is in the record of its lines.
+    ///
+    /// # Errors
+    /// It is at work, this is no question that leaves the machine as it is, or it knows no answer.
+    pub fn asks(&self, question: &str, is_stopped: impl FnMut() -> bool) -> Result<(), String> {
+        match self {
+            Self::Followed(controller) => controller.asks(question, is_stopped),
+            Self::Queued(attached) => {
+                Err(format!("{} is asked nothing in lines of text", attached.name()))
+            }
         }
     }
 

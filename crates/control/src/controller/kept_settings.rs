@@ -2,6 +2,7 @@
 
 use super::Connection;
 use super::connection::NAP;
+use kerf_machine::driver::Wired;
 use kerf_program::Axis;
 
 /// The setting of the steps of X; those of the other axes follow.
@@ -65,6 +66,53 @@ fn setting_in(line: &str) -> Option<(u16, String)> {
     Some((number.trim().parse().ok().filter(|_| !value.is_empty())?, value.to_owned()))
 }
 
+/// Returns the question in the controller's own language that a typed line is: `$I`.
+pub fn question_in(lines: &str) -> Option<&str> {
+    let line = lines.trim();
+    let is_one = line.starts_with('$') && !line.contains(['=', '\n', ' ']);
+    is_one.then_some(line)
+}
+
+/// Asks the controller a question, and waits until it is answered: the answer is among the lines that came.
+///
+/// # Errors
+/// It is at work, this is no question, or it knows no answer.
+pub fn ask(
+    connection: &mut Connection,
+    question: &str,
+    is_stopped: impl FnMut() -> bool,
+) -> Result<(), String> {
+    let refused = |name: &str, why: String| format!("{name}: {why}");
+    let asks = |driver: &mut dyn Wired| driver.asks(question);
+    answered(connection, asks, || format!("it has not answered {question}"), is_stopped)?;
+    match connection.link.driver().takes_refusal() {
+        Some(why) => Err(refused(&connection.name, why)),
+        None => Ok(()),
+    }
+}
+
+/// Says something to a controller that rests, and waits until it is answered.
+fn answered(
+    connection: &mut Connection,
+    says: impl FnOnce(&mut dyn Wired) -> Result<(), String>,
+    silent: impl Fn() -> String,
+    mut is_stopped: impl FnMut() -> bool,
+) -> Result<(), String> {
+    let refused = |name: &str, why: String| format!("{name}: {why}");
+    if connection.open > 0 || connection.failure.is_some() {
+        return Err(refused(&connection.name, "it is at work, or takes no orders".into()));
+    }
+    says(&mut **connection.link.driver()).map_err(|why| refused(&connection.name, why))?;
+    let until_s = connection.now_s() + WRITTEN_S;
+    while !connection.link.driver().knows_zeros() && connection.failure.is_none() {
+        if connection.now_s() > until_s || is_stopped() {
+            return Err(refused(&connection.name, silent()));
+        }
+        connection.tend(NAP);
+    }
+    connection.failure.as_ref().map_or(Ok(()), |fault| Err(fault.message.clone()))
+}
+
 /// Has the controller keep another value of a setting; returns what it told then.
 ///
 /// # Errors
@@ -73,25 +121,12 @@ pub fn change_setting(
     connection: &mut Connection,
     number: u16,
     value: &str,
-    mut is_stopped: impl FnMut() -> bool,
+    is_stopped: impl FnMut() -> bool,
 ) -> Result<String, String> {
     let refused = |name: &str, why: String| format!("{name}: {why}");
-    if connection.open > 0 || connection.failure.is_some() {
-        return Err(refused(&connection.name, "it is at work, or takes no orders".into()));
-    }
-    let keeps = connection.link.driver().keeps_setting(number, value);
-    keeps.map_err(|why| refused(&connection.name, why))?;
-    let until_s = connection.now_s() + WRITTEN_S;
-    while !connection.link.driver().knows_zeros() && connection.failure.is_none() {
-        if connection.now_s() > until_s || is_stopped() {
-            let why = format!("it has not said that ${number} is written");
-            return Err(refused(&connection.name, why));
-        }
-        connection.tend(NAP);
-    }
-    if let Some(fault) = &connection.failure {
-        return Err(fault.message.clone());
-    }
+    let keeps = |driver: &mut dyn Wired| driver.keeps_setting(number, value);
+    let silent = || format!("it has not said that ${number} is written");
+    answered(connection, keeps, silent, is_stopped)?;
     if let Some(why) = connection.link.driver().takes_refusal() {
         return Err(refused(&connection.name, why));
     }

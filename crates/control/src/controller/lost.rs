@@ -48,6 +48,7 @@ impl Connection {
     pub(super) fn line_is_lost(&mut self, why: String) {
         let now_s = self.now_s();
         self.stopwatch.spoils();
+        self.log.link(&format!("the line is lost: {why}"));
         self.lost = Some(Lost { since_s: now_s, tried_s: now_s, why, opening: None });
         // Whoever holds a port keeps it from coming back under its name.
         self.closes_line();
@@ -79,6 +80,7 @@ impl Connection {
             }
         };
         (self.line, self.lost) = (line, None);
+        self.log.link("the line is open again");
         let now_s = self.now_s();
         self.link.driver().line_is_back(now_s);
         true
@@ -86,6 +88,7 @@ impl Connection {
 
     fn is_lost_for_good(&mut self) {
         let why = self.lost.take().map_or_else(String::new, |lost| lost.why);
+        self.log.link(&format!("the line is given up: {why}"));
         self.dead = true;
         self.fail(why, "look at its cable and its power", None, true);
     }

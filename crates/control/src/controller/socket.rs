@@ -1,5 +1,6 @@
 //! The place where a controller hangs, and what opens its line.
 
+use super::line_log::LineLog;
 use kerf_machine::driver::Wired;
 use kerf_transport::Line;
 use std::fmt;
@@ -20,6 +21,8 @@ pub struct Socket {
     pub port: String,
     /// Opens the port.
     pub opens: Opens,
+    /// What was sent to it and what it answered, whichever connection did so.
+    pub log: Arc<LineLog>,
 }
 
 impl fmt::Debug for Socket {

@@ -2,7 +2,7 @@
 
 use super::which::Which;
 use crate::args::PlaceArgs;
-use crate::controller::{self, First};
+use crate::controller::{self, Beginning, First};
 use crate::data_args::data_folder;
 use crate::exit::{Exit, Usage};
 use crate::operator::{Clock, Person, Terminal};
@@ -160,7 +160,8 @@ impl Shop {
         let machine = Arc::new(machine);
         session.machine_is = machine.clone();
         let name = which.machine.controller();
-        let ready = |name| controller::ready(name, first, false, &mut session, &mut workspace);
+        let beginning = Beginning { first, quiet: false, log: None };
+        let ready = |name| controller::ready(name, beginning, &mut session, &mut workspace);
         let controller = name.map(ready).transpose()?;
         Ok(Self { session, workspace, machine, controller, place, real })
     }

@@ -39,7 +39,7 @@ pub fn written(
     }
     let (mut session, _) = setup::session(&run.place, false, &mut workspace)?;
     let quiet = args.quiet();
-    let ready = controller::ready(name, args.first, quiet, &mut session, &mut workspace)?;
+    let ready = controller::ready(name, args.beginning(), &mut session, &mut workspace)?;
     let stop = Stop::listen()?;
     let mut done = Ok(());
     for (number, value) in wanted {

@@ -89,6 +89,7 @@ const TAKES_UP: AcceptedOptions = AcceptedOptions {
         "machine",
         "home",
         "unlock",
+        "controller_log",
         "password",
         "answers",
         "quiet",
@@ -231,7 +232,7 @@ fn controller_of(
     workspace: &mut Workspace,
 ) -> Result<Option<Controller>> {
     let Some(name) = run.place.machine.controller() else { return Ok(None) };
-    let ready = controller::ready(name, args.first, args.quiet(), session, workspace)?;
+    let ready = controller::ready(name, args.beginning(), session, workspace)?;
     if let Some(why) = ready.doubts_place() {
         ready.detach(workspace);
         bail!(
@@ -259,8 +260,7 @@ pub fn on_machine(job: PreparedRun, args: &MachineArgs, run: &RunArgs, talk: Tal
     options.opened |= protect::given(&session.machine_is, args.password.as_deref())?;
     let (mut controller, name) = (None, run.place.machine.controller());
     if let Some(name) = name {
-        let ready =
-            controller::ready(name, args.first, args.quiet(), &mut session, &mut workspace)?;
+        let ready = controller::ready(name, args.beginning(), &mut session, &mut workspace)?;
         if let Some(exit) = lacks(&ready, &work, &session, &options, &workspace, run)? {
             ready.detach(&mut workspace);
             return Ok(exit);

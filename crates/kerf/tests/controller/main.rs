@@ -10,6 +10,7 @@ mod held;
 mod inputs_and_outputs;
 #[cfg(target_os = "linux")]
 mod linuxcnc;
+mod logged;
 mod merged;
 mod named;
 mod network;

@@ -16,12 +16,14 @@
 pub mod conformance;
 mod link;
 mod offsets;
+mod said;
 mod told_setting;
 mod touch_off;
 mod zero;
 
 pub use link::{Link, LinkNews, LinkState, Troubles};
 pub use offsets::Offsets;
+pub use said::{LineKind, Said};
 pub use told_setting::ToldSetting;
 pub use touch_off::TouchOff;
 pub use zero::{Zero, ZeroChange};
@@ -462,9 +464,27 @@ pub trait Wired: Driver {
         Err("it keeps no settings by number".into())
     }
 
+    /// Has it answer a question in its own language, while nothing moves: the answer is among the lines that come.
+    ///
+    /// # Errors
+    /// It is at work, or this is no question that leaves the machine as it is.
+    fn asks(&mut self, _question: &str) -> Result<(), String> {
+        Err("it is asked no questions in lines of its own".into())
+    }
+
     /// Returns its refusal of a setting that it was told to keep, in words, once.
     fn takes_refusal(&mut self) -> Option<String> {
         None
+    }
+
+    /// Returns the name of a byte that the controller obeys at once, wherever it stands; nothing for a byte of a line.
+    fn at_once(&self, _byte: u8) -> Option<Said> {
+        None
+    }
+
+    /// Tells what a line is that was sent to the controller, or came from it.
+    fn said(&self, _line: &str, is_sent: bool) -> Said {
+        Said::plain(if is_sent { LineKind::Line } else { LineKind::Message })
     }
 
     /// The line was gone and is there again. Finds out what the controller has got of what was sent, before anything else is

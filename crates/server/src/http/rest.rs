@@ -7,19 +7,21 @@ use crate::asker::Asker;
 use crate::awaited::Awaited;
 use crate::help_wanted;
 use crate::lanes::Lanes;
+use crate::line_log;
 use crate::people::script;
 use crate::pool::Lane;
 use crate::refusal::problem;
 use crate::stop::{Halt, heard};
 use axum::body::to_bytes;
 use axum::extract::rejection::JsonRejection;
-use axum::extract::{FromRequest, Path, Request, State};
+use axum::extract::{FromRequest, Path, Query, Request, State};
 use axum::response::{IntoResponse, Response};
 use axum::{Extension, Json};
 use kerf_wire::{
-    Act, JobView, OperationEntry, Problem, Reply, Role, RunRecord, ShapeList, Snapshot, ToDo,
-    ToolPaths, Who, Why,
+    Act, ControllerLines, JobView, OperationEntry, Problem, Reply, Role, RunRecord, ShapeList,
+    Snapshot, ToDo, ToolPaths, Who, Why,
 };
+use serde::Deserialize;
 use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
@@ -150,6 +152,30 @@ pub fn demand(caller: &Caller, role: Role) -> Result<(), Problem> {
 pub async fn problems(State(app): State<Arc<App>>) -> Result<String, Refused> {
     let failed = |error: std::io::Error| problem(Why::Server, error.to_string());
     soon(move || help_wanted::problems(&app).map_err(failed)).await
+}
+
+/// The lines that are wanted of the record of a controller.
+#[derive(Debug, Deserialize)]
+pub struct WantedLines {
+    /// The number of the first.
+    #[serde(default)]
+    since: u64,
+    /// Reports, the questions for them and `ok`s as well: any value.
+    routine: Option<String>,
+}
+
+/// Returns what was sent to the controller and what it answered, from a line on, a portion at a time.
+pub async fn lines(
+    State(app): State<Arc<App>>,
+    Query(wanted): Query<WantedLines>,
+) -> Result<Json<ControllerLines>, Refused> {
+    let WantedLines { since, routine } = wanted;
+    Ok(Json(soon(move || line_log::since(&app, since, routine.is_some())).await?))
+}
+
+/// Returns all of that as text.
+pub async fn lines_as_text(State(app): State<Arc<App>>) -> Result<String, Refused> {
+    soon(move || line_log::text(&app)).await
 }
 
 /// The shapes of the drawing.

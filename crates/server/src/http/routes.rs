@@ -14,9 +14,9 @@ use axum::response::IntoResponse;
 use axum::routing::{MethodRouter, any, delete, get, post};
 use kerf_wire::preview::{PreviewInfo, Timing};
 use kerf_wire::{
-    Act, Checked, CommandEntry, Completion, FileInfo, Hover, JobView, Lamp, NamedValue,
-    OperationEntry, PortBit, Reply, RunRecord, SettingArea, ShapeList, Snapshot, TextDraft, ToDo,
-    ToolPaths, Values,
+    Act, Checked, CommandEntry, Completion, ControllerLines, FileInfo, Hover, JobView, Lamp,
+    NamedValue, OperationEntry, PortBit, Reply, RunRecord, SettingArea, ShapeList, Snapshot,
+    TextDraft, ToDo, ToolPaths, Values,
 };
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, SchemaGenerator};
@@ -70,6 +70,8 @@ fn served() -> Vec<(&'static str, MethodRouter<Arc<App>>)> {
         ("/api/commands", get(language::commands)),
         ("/api/values", get(language::values)),
         ("/api/problems", get(rest::problems)),
+        ("/api/lines", get(rest::lines)),
+        ("/api/lines/text", get(rest::lines_as_text)),
         ("/api/settings", get(language::settings)),
         ("/api/inputs", get(language::inputs)),
         ("/api/ports", get(language::ports)),
@@ -268,6 +270,13 @@ fn kept() -> Vec<Route> {
         looks("/api/values", "What the machine remembers", Some(schema::<Values>)),
         looks("/api/media/{name}", "A sound of the part folder or the folder of sounds", None),
         looks("/api/problems", "What somebody who helps has to know, as text", None),
+        looks(
+            "/api/lines",
+            "What was sent to the controller and what it answered: ?since=NUMBER, the `next` of the answer before; with ?routine=1 \
+             its reports and every ok as well",
+            Some(schema::<ControllerLines>),
+        ),
+        looks("/api/lines/text", "All of that which is kept, as text", None),
         looks(
             "/api/settings",
             "The configuration of the machine, to be changed with the act set; with ?changes its last changes",

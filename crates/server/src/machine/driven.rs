@@ -277,6 +277,22 @@ impl Owner {
         self.attend();
     }
 
+    /// Asks the controller a question in its own language; pages see the answer among its lines.
+    pub(super) fn ask_controller(&mut self, question: &str) {
+        self.catch_up();
+        let asked = self.reach().and_then(|()| {
+            let link = self.link.clone();
+            let missing = "there is no controller that is asked in lines of text";
+            let controller = self.workshop.controller.as_ref().ok_or(missing)?;
+            controller.asks(question, || link.lock().is_to_stop())
+        });
+        if let Err(why) = asked {
+            self.hub.say(Tone::Error, why);
+        }
+        self.rest(State::Idle, None);
+        self.attend();
+    }
+
     /// Writes it.
     fn setting_written(&mut self, number: u16, value: &str) -> Result<WrittenSetting, String> {
         self.reach()?;

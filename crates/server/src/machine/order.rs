@@ -106,6 +106,8 @@ pub enum Order {
         /// Its value.
         value: String,
     },
+    /// Ask the controller a question in its own language.
+    Question(String),
     /// Forget the factor that runs on the controller have shown.
     ForgetPace,
     /// The tool is in for which the controller waits.
@@ -179,6 +181,7 @@ impl Order {
             | Self::HeightMap(_)
             | Self::Tool { .. }
             | Self::ForgetPace
+            | Self::Question(_)
             | Self::Folder { .. }
             | Self::Record(_)
             | Self::Watched

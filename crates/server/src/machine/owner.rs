@@ -151,6 +151,7 @@ impl Owner {
                 Order::Zero { name, change } => self.change_zero(&name, change),
                 Order::Tool { number, change } => self.change_tool(number, &change),
                 Order::Setting { number, value } => self.change_setting(number, &value),
+                Order::Question(line) => self.ask_controller(&line),
                 Order::ForgetPace => self.forget_pace(),
                 Order::ToolIn => self.tool_is_in(),
                 Order::TouchOff => self.touch_off(),

@@ -38,7 +38,7 @@ pub fn attached(mut workshop: Workshop, fake: Arc<Mutex<Fake>>) -> Workshop {
         Ok(ends)
     };
     let (name, port) = ("grbl:pretended".into(), "pretended".into());
-    let place = Place::Followed(Socket { name, port, opens: Arc::new(opens) });
+    let place = Place::Followed(Socket { name, port, opens: Arc::new(opens), log: Arc::default() });
     let Workshop { session, workspace, .. } = &mut workshop;
     let attached = Controller::attach(place, First::default(), session, workspace, || false);
     let (controller, told) = attached.unwrap();

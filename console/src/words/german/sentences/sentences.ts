@@ -3,6 +3,7 @@
 import { colours } from "../operations";
 import { boardsSentences } from "./boards";
 import { configurationSentences } from "./configuration";
+import { controllerLineSentences } from "./controllerLines";
 import { controllerNames } from "./controllerNames";
 import { controllersSentences } from "./controllers";
 import { drawingSentences } from "./drawing";
@@ -26,6 +27,7 @@ export const sentences: Readonly<Record<string, string>> = {
   ...controllerNames,
   ...settingsExplained,
   ...controllersSentences,
+  ...controllerLineSentences,
   ...boardsSentences,
   ...configurationSentences,
   ...journalSentences,

@@ -1,7 +1,7 @@
 //! The options of everything that moves a machine.
 
 use crate::args::RunArgs;
-use crate::controller::First;
+use crate::controller::{Beginning, First};
 use crate::data_args::DataArgs;
 use crate::exit::Usage;
 use crate::outputs::{ForceArgs, Outputs};
@@ -34,6 +34,10 @@ pub struct MachineArgs {
     pub(super) readings: Option<PathBuf>,
     #[command(flatten)]
     pub(super) vcd: VcdArgs,
+    /// Writes what is sent to the controller and what it answers into a file, a line each, with its time and what
+    /// numbers of errors and alarms mean
+    #[arg(long, value_name = "FILE")]
+    pub(super) controller_log: Option<PathBuf>,
     /// The password of the settings, where they are protected [default: KERF_PASSWORD]: what the program
     /// sets stays
     #[arg(long, value_name = "WORD")]
@@ -67,13 +71,19 @@ impl MachineArgs {
     }
 
     /// Every option that names a file to be written.
-    fn written(&self) -> [(&'static str, Option<&Path>); 4] {
+    fn written(&self) -> [(&'static str, Option<&Path>); 5] {
         [
+            ("--controller-log", self.controller_log.as_deref()),
             ("--trace", self.trace.as_deref().filter(|_| !self.traces_out())),
             ("--picture", self.picture.as_deref()),
             ("--readings", self.readings.as_deref()),
             ("--vcd", self.vcd.path()),
         ]
+    }
+
+    /// How the controller is begun with.
+    pub fn beginning(&self) -> Beginning<'_> {
+        Beginning { first: self.first, quiet: self.quiet(), log: self.controller_log.as_deref() }
     }
 
     /// No summary is wanted.
@@ -111,7 +121,8 @@ impl MachineArgs {
 
     /// Refuses options of a controller where none is named.
     pub fn check(&self, run: &RunArgs) -> Result<()> {
-        match self.first.option() {
+        let log = self.controller_log.as_ref().map(|_| "--controller-log");
+        match self.first.option().or(log) {
             Some(option) if run.place.machine.controller().is_none() => bail!(Usage(format!(
                 "{option} is for a controller: name it with --machine grbl:PORT"
             ))),
