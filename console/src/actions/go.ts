@@ -96,6 +96,12 @@ const openControllerLines = sheetAction(
   t("Console of the controller: what is sent and answered"),
   [],
 );
+/** The spindle turns in steps of speed and time before it cuts. */
+const openWarmUp = sheetAction(
+  { kind: "warmUp" },
+  t("Spindle warm-up: steps of speed and time"),
+  [],
+);
 /** Tools by their numbers, where they are changed and measured. */
 export const openToolTable = sheetAction(
   { kind: "toolTable" },
@@ -180,6 +186,7 @@ export const goActions: readonly Action[] = [
   openZeros,
   openControllerSettings,
   openControllerLines,
+  openWarmUp,
   openToolTable,
   openProbe,
   openHeightMap,

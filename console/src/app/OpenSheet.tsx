@@ -29,6 +29,7 @@ import { ValuesSheet } from "../tools/ValuesSheet";
 import { VersionsSheet } from "../tools/VersionsSheet";
 import { ToolTableSheet } from "../toolTable/ToolTableSheet";
 import { TuningSheet } from "../tuning/TuningSheet";
+import { WarmUpSheet } from "../warmUp/WarmUpSheet";
 import { WiringSheet } from "../wiring/WiringSheet";
 import { ZerosSheet } from "../zeros/ZerosSheet";
 import { useHands } from "./context";
@@ -77,6 +78,8 @@ export function OpenSheet({ sheet }: { sheet: Sheet }) {
       return <ControllerSettingsSheet onClose={close} />;
     case "controllerLines":
       return <ControllerLinesSheet onClose={close} />;
+    case "warmUp":
+      return <WarmUpSheet onClose={close} />;
     case "toolTable":
       return <ToolTableSheet onClose={close} />;
     case "ports":

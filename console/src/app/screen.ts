@@ -25,6 +25,7 @@ export type Sheet =
   | { readonly kind: "zeros" }
   | { readonly kind: "controllerSettings" }
   | { readonly kind: "controllerLines" }
+  | { readonly kind: "warmUp" }
   | { readonly kind: "toolTable" }
   | { readonly kind: "probe" }
   | { readonly kind: "heightMap" }

@@ -419,6 +419,10 @@ relative: boolean,
 /** X and Y first, then the others; else all together. */
 flat: boolean, };
 
+export type ByHandWarmUp = { "to": "warmUp",
+/** Percent of its greatest speed and minutes, as `25:2, 50:2`; those of the settings for nothing. */
+steps: string | null, };
+
 export type ByHandCutMove = { "to": "cutMove",
 /** That place. */
 at: [Mm, Mm],
@@ -432,6 +436,7 @@ export type ByHand =
   | ByHandOrigin
   | ByHandFinish
   | ByHandPlace
+  | ByHandWarmUp
   | ByHandCutMove;
 
 /** A file that a run is in. */

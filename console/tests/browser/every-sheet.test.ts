@@ -47,6 +47,7 @@ const sheets: Readonly<Record<string, string>> = {
   wiring: "Wire a board of a printer",
   zeros: "Zero points of the controller: G54 to G59.3",
   controllerLines: "Console of the controller: what is sent and answered",
+  warmUp: "Spindle warm-up: steps of speed and time",
   controllerSettings: "Settings of the controller: see, change, back up, compare",
   toolTable: "Tools by their numbers: lengths, changing and measuring them",
   samples: "Sample answers of the open file",

@@ -251,6 +251,7 @@ impl Session {
         let hand =
             Hand::new(errand.clone(), machine.clone(), self.memory.position, self.memory.frame);
         let hand = hand.reaching(Axis::ALL.map(|axis| driven.machine.borrow().reach(axis)));
+        let hand = hand.turning(driven.machine.borrow().facts());
         let before = options.before;
         let hand = before.unit.into_iter().fold(hand, Hand::told_in);
         let units = hand.settings().linear_unit.symbol();

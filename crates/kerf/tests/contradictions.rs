@@ -208,6 +208,7 @@ fn pro_options_persist() {
         ("options.send_port", "1", "1"),
         ("options.send_baud", "38400", "38400"),
         ("options.firmware", "flash", "\"flash\""),
+        ("options.warm_up", "30:1", "\"30:1\""),
         ("options.controller", "grbl:/dev/ttyS9", "\"grbl:/dev/ttyS9\""),
         ("options.filter_mm", "0.02", "0.02"),
         ("options.join_mm", "0.7", "0.7"),
@@ -227,7 +228,7 @@ fn pro_options_persist() {
     let listed = shop.kerf("machine list options").out();
     let named = listed.lines().filter(|line| line.starts_with("options.")).count();
     assert_eq!(
-        named, 13,
+        named, 14,
         "the speed of the console is always the same, the password has a test: {listed}"
     );
 }

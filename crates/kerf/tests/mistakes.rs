@@ -67,6 +67,7 @@ const MISTAKES: &[(&str, &str)] = &[
     ("io map --card nonsense", "nonsense"),
     ("help nonsense", "nonsense"),
     ("machine home --machine sim q", "q"),
+    ("machine warm-up 25", "25"),
     // Values.
     ("set delays.end_s=soon", "soon"),
     ("io set tool2 2", "2"),

@@ -6,6 +6,7 @@ use crate::locks::lock;
 use crate::machine::Order;
 use crate::refusal::problem;
 use kerf_control::controller::{STEPS, question_in, settings_in};
+use kerf_machine::hand::warm_steps;
 use kerf_machine::lines::Output;
 use kerf_machine::settings::io::IoMap;
 use kerf_machine::settings::motors::Motor;
@@ -182,6 +183,11 @@ fn errand(machine: &Configuration, way: ByHand, homes: AxisSet) -> Result<Errand
         }
         ByHand::Origin => Errand::Origin,
         ByHand::Finish => Errand::Finish,
+        ByHand::WarmUp { steps } => {
+            let steps = steps.unwrap_or_else(|| machine.options.warm_up.clone());
+            let steps = warm_steps(&steps).map_err(|why| problem(Why::Malformed, why))?;
+            Errand::WarmUp(steps.into())
+        }
         ByHand::Place { place, relative, flat } => {
             finite(place)?;
             Errand::To { place, relative, flat }

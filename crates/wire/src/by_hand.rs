@@ -34,6 +34,11 @@ pub enum ByHand {
         /// X and Y first, then the others; else all together.
         flat: bool,
     },
+    /// The spindle warms up where the machine stands.
+    WarmUp {
+        /// Percent of its greatest speed and minutes, as `25:2, 50:2`; those of the settings for nothing.
+        steps: Option<String>,
+    },
     /// In X and Y at Z top, to a place from the job origin.
     CutMove {
         /// That place.

@@ -12,6 +12,7 @@ import { settings } from "./settings";
 import { shared } from "./shared";
 import { tools } from "./tools";
 import { toolTable } from "./toolTable";
+import { warmUp } from "./warmUp";
 import { wiring } from "./wiring";
 
 export const german: Readonly<Record<string, string>> = {
@@ -27,5 +28,6 @@ export const german: Readonly<Record<string, string>> = {
   ...controllerLines,
   ...controllerSettings,
   ...toolTable,
+  ...warmUp,
   ...wiring,
 };

@@ -385,6 +385,10 @@ const work: Readonly<Record<string, SettingText>> = {
     "Firmware laden",
     "Befehl, der Firmware in eine echte Steuerung lädt (UI); {port} steht für ihren Anschluss.",
   ),
+  "options.warm_up": said(
+    "Aufwärmen der Spindel",
+    "Schritte, in denen die Spindel warm läuft: Prozent ihrer größten Drehzahl und Minuten, 25:2, 50:2.",
+  ),
   "options.filter_mm": said(
     "Punkte ausdünnen",
     "Punkte von Wegen, die näher beieinander liegen, fallen weg; 0 keine.",

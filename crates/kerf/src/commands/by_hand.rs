@@ -18,6 +18,7 @@ use kerf_control::controller::Controller;
 use kerf_control::{AtRest, OperatorRequest, RunContext, Script, Session};
 use kerf_journal::{RunOptions, Work};
 use kerf_machine::hand::cut_move;
+use kerf_machine::hand::warm_steps;
 use kerf_machine::{Configuration, Errand, Held, Value, file, table};
 use kerf_program::{AXES, Axis, AxisSet, MoveKind, Status, rounded};
 use kerf_trace::{Event, Sink};
@@ -301,6 +302,21 @@ pub fn home(which: &Which, letters: Option<&str>, unlock: bool, there: ServerArg
     let mut shop = Shop::open(which, false)?;
     let axes = axes_with_switch(&shop.machine, letters)?;
     shop.errand(Errand::FindHome(axes), Vec::new())
+}
+
+/// Warms the spindle up.
+pub fn warm_up(which: &Which, steps: &Option<String>, there: ServerArgs) -> Result<Exit> {
+    let steps = steps.clone();
+    if let Some(server) = server(which)? {
+        return Ok(went(&server.go(&ByHand::WarmUp { steps }, there.arm)?));
+    }
+    let mut shop = Shop::open(which, true)?;
+    let steps = steps.unwrap_or_else(|| shop.machine.options.warm_up.clone());
+    let read = warm_steps(&steps).map_err(Usage);
+    if read.is_err() {
+        shop.leave();
+    }
+    shop.errand(Errand::WarmUp(read?.into()), Vec::new())
 }
 
 /// Has a controller go home with all axes that it homes, and tells where they stand.

@@ -95,6 +95,13 @@ enum Action {
         #[command(flatten)]
         there: ServerArgs,
     },
+    /// Warms the spindle up where the machine stands, in steps of speed and time; Ctrl-C ends it with the spindle off
+    WarmUp {
+        /// Percent of the spindle's greatest speed and minutes: 25:2,50:2 [default: options.warm_up]
+        steps: Option<String>,
+        #[command(flatten)]
+        there: ServerArgs,
+    },
     /// Moves the machine by hand: to home, to the job origin, to a place, as a key that is held
     Move(MoveArgs),
     /// Records the height at which Z is as top, surface or bottom
@@ -235,6 +242,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
         Action::Home { axes, unlock, there } => {
             return by_hand::home(&args.which, axes.as_deref(), *unlock, *there);
         }
+        Action::WarmUp { steps, there } => return by_hand::warm_up(&args.which, steps, *there),
         Action::Move(moves) => return by_hand::moves(&args.which, moves),
         Action::Zset { height, to, by } => return by_hand::zset(&args.which, *height, *to, *by),
         Action::Pos => return by_hand::pos(&args.which),

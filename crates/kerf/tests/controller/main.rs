@@ -23,6 +23,7 @@ mod taken_up;
 mod time;
 mod tool_change;
 mod travel;
+mod warm_up;
 mod zeros;
 
 use bench::Bench;

@@ -23,6 +23,7 @@ const CHECKS: &[Check] = &[
     ranges::heights,
     ranges::homes,
     ranges::ports,
+    ranges::warm_up,
     speeds::cutting,
     speeds::height,
     speeds::homing,

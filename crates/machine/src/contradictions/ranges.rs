@@ -2,6 +2,7 @@
 
 use super::Contradiction;
 use crate::Configuration;
+use crate::hand::warm_steps;
 use kerf_program::Axis;
 
 type Found = Vec<Contradiction>;
@@ -77,5 +78,13 @@ pub(super) fn ports(c: &Configuration, found: &mut Found) {
             let hint = "Each of the three has a port of its own.";
             found.push(Contradiction::new(&[key, other], message, hint));
         }
+    }
+}
+
+/// The steps of a warm-up are such steps.
+pub(super) fn warm_up(c: &Configuration, found: &mut Found) {
+    if let Err(why) = warm_steps(&c.options.warm_up) {
+        let hint = "The usual steps are 25:2, 50:2, 75:2, 100:2.";
+        found.push(Contradiction::new(&["options.warm_up"], why, hint));
     }
 }

@@ -171,6 +171,12 @@ fn pro_options_con_port() {
 }
 
 #[test]
+fn a_warm_up_has_steps_of_percent_and_minutes() {
+    refused("options.warm_up = \"25\"", "'25' is no step of a warm-up");
+    accepted("options.warm_up = \"30:0.5\"");
+}
+
+#[test]
 fn limits_are_in_order() {
     refused("limits.low = [9e9]", "1:limits.low is above limits.high for axis X");
 }

@@ -43,7 +43,7 @@ impl Hand {
         let here = self.position;
         let job = &self.machine.job;
         match self.errand {
-            Errand::FindHome(_) | Errand::Along(_) => VecDeque::new(),
+            Errand::FindHome(_) | Errand::Along(_) | Errand::WarmUp(_) => VecDeque::new(),
             Errand::Home(axes) => {
                 let mut up = here;
                 if axes.contains(Axis::Z) {

@@ -1,5 +1,6 @@
 //! Errands: the moves that a person orders by hand.
 
+use super::WarmStep;
 use crate::settings::Configuration;
 use kerf_geom::{Point2, Polyarc, Segment};
 use kerf_program::job::{Job, JobShape};
@@ -33,6 +34,8 @@ pub enum Errand {
     CutMoveTo([f64; 2]),
     /// Along lines and arcs, one after the other. A stop ends it for good where the tool stands then.
     Along(Arc<[Stretch]>),
+    /// Spindle on in these steps while the machine stands. Whatever stops it ends it for good, with the spindle off.
+    WarmUp(Arc<[WarmStep]>),
     /// For as long as a key is held.
     Held(Held),
     /// For as long as a key of the keypad of part files is held.
@@ -50,6 +53,7 @@ impl Errand {
             Self::To { .. } => "move to",
             Self::CutMoveTo(_) => "cut move to",
             Self::Along(_) => "move along",
+            Self::WarmUp(_) => "warm-up",
             Self::Held(_) => "key",
             Self::Keypad(_) => "keypad",
         }

@@ -7,9 +7,12 @@
 mod bounds;
 mod errand;
 mod halting;
+mod warm_up;
 
 pub use errand::{Errand, FAR, Held, Keypad, Stretch, cut_move, keypad_settings};
+pub use warm_up::{WarmStep, warm_steps};
 
+use crate::driver::Facts;
 use crate::lines::Input;
 use crate::planning::{CHORDS, hand_settings, rapid_mm_s};
 use crate::settings::Configuration;
@@ -37,6 +40,9 @@ pub struct Hand {
     reach: [Option<(f64, f64)>; AXES],
     /// Ways still to go.
     legs: VecDeque<Leg>,
+    /// What a warm-up does, and whether its spindle may turn.
+    warms: VecDeque<Command>,
+    turns: bool,
     /// Legs of the rest of the way, while the machine is stopped.
     rest: Option<VecDeque<Leg>>,
     given: bool,
@@ -69,6 +75,8 @@ impl Hand {
             position,
             reach: [None; AXES],
             legs: VecDeque::new(),
+            warms: VecDeque::new(),
+            turns: false,
             rest: None,
             given: false,
             begun: false,
@@ -90,6 +98,25 @@ impl Hand {
         self
     }
 
+    /// The same on a machine with this spindle: a warm-up takes its speeds from it.
+    #[must_use]
+    pub fn turning(mut self, facts: &Facts) -> Self {
+        let Errand::WarmUp(steps) = &self.errand else { return self };
+        if !facts.no_spindle.is_empty() {
+            self.why = format!("it has no spindle: {}", facts.no_spindle).into();
+            self.over = Some((Status::Failed, Some(self.stopped_for(Code::NotEnabled))));
+            return self;
+        }
+        let told_rpm = if facts.spindle_rpm > 0.0 {
+            facts.spindle_rpm
+        } else {
+            self.machine.board.spindle_rpm
+        };
+        let greatest_rpm = if self.machine.program.spindle_device { told_rpm } else { 0.0 };
+        self.warms = warm_up::commands(steps, greatest_rpm);
+        self
+    }
+
     /// The same, told in another unit.
     #[must_use]
     pub fn told_in(mut self, unit: LinearUnit) -> Self {
@@ -104,7 +131,7 @@ impl Hand {
 
     /// A stop ends it for good.
     const fn ends_at_stop(&self) -> bool {
-        self.is_held() || matches!(self.errand, Errand::Along(_))
+        self.is_held() || matches!(self.errand, Errand::Along(_) | Errand::WarmUp(_))
     }
 
     fn stop_settings(&self) -> StopSettings {
@@ -172,10 +199,16 @@ impl Hand {
             self.legs.pop_front();
             return Step::Ran;
         }
+        if let Some(command) = self.warms.pop_front() {
+            self.turns |= matches!(command, Command::Output { .. });
+            self.give(command, out);
+            return Step::Ran;
+        }
         match self.legs.front().copied() {
             Some(leg) if leg.arc.is_none() && self.is_at(&leg.to) => drop(self.legs.pop_front()),
             Some(leg) => self.go(leg, out),
             None if self.rest.is_some() => return self.ask(host, out),
+            None if std::mem::take(&mut self.turns) => self.give(warm_up::OFF, out),
             None => {
                 if let Some(text) = self.note.take() {
                     self.give(Command::Message { text }, out);
@@ -190,6 +223,10 @@ impl Hand {
 impl Interpreter for Hand {
     fn step(&mut self, host: &mut dyn Host, out: &mut Vec<Sourced>) -> Step {
         match &self.over {
+            Some(_) if std::mem::take(&mut self.turns) => {
+                self.give(warm_up::OFF, out);
+                Step::Ran
+            }
             Some((status, why)) => Step::Done(*status, why.clone()),
             None if !self.begun => self.begin(out),
             None => self.carry_on(host, out),
@@ -227,6 +264,7 @@ impl Interpreter for Hand {
         self.why = why.into();
         if self.ends_at_stop() {
             (self.position, self.legs, self.given) = (halted.stands, VecDeque::new(), false);
+            self.warms.clear();
             match event {
                 Event::Stop => self.over = Some((Status::Ended, None)),
                 _ if self.is_held() => self.note = Some(self.why.clone()),

@@ -26,6 +26,8 @@ pub struct Options {
     pub controller: String,
     /// Command that loads firmware into a controller; `{port}` in it is its port. Empty for none.
     pub firmware: String,
+    /// Steps in which the spindle warms up, percent of its greatest speed and minutes: `25:2, 50:2`.
+    pub warm_up: String,
     /// Salted hash of the password that changing settings needs; none without protection.
     pub password: Option<String>,
     /// Vertices of paths nearer to each other than this are left out, mm; 0 none.
@@ -49,6 +51,7 @@ impl Default for Options {
             send_baud: 19_200,
             controller: String::new(),
             firmware: String::new(),
+            warm_up: "25:2, 50:2, 75:2, 100:2".into(),
             password: None,
             filter_mm: 0.0,
             join_mm: 0.1,

@@ -274,6 +274,14 @@ const OPTIONS: &[Setting] = &[
     ),
     row!(
         c,
+        "options.warm_up",
+        c.options.warm_up,
+        None,
+        Any,
+        "Steps in which the spindle warms up: percent of its greatest speed and minutes, 25:2, 50:2."
+    ),
+    row!(
+        c,
         "options.password",
         c.options.password,
         None,

@@ -16,6 +16,7 @@ import { operatingSentences } from "./operating";
 import { runningSentences } from "./running";
 import { servingSentences } from "./serving";
 import { settingsExplained } from "./settingsExplained";
+import { warmUpSentences } from "./warmUp";
 
 export const sentences: Readonly<Record<string, string>> = {
   ...colours,
@@ -28,6 +29,7 @@ export const sentences: Readonly<Record<string, string>> = {
   ...settingsExplained,
   ...controllersSentences,
   ...controllerLineSentences,
+  ...warmUpSentences,
   ...boardsSentences,
   ...configurationSentences,
   ...journalSentences,
