@@ -15,6 +15,7 @@ mod merged;
 mod named;
 mod network;
 mod overrides;
+mod paused;
 mod probing;
 #[path = "../shop/mod.rs"]
 mod shop;
