@@ -1,4 +1,5 @@
-import { type KeyboardEvent, useState } from "react";
+import { useState } from "react";
+import type { TextFieldProps } from "react-aria-components";
 import { drive } from "../actions/ask";
 import { useHands, worldOf } from "../app/context";
 import { downloadText } from "../link/download";
@@ -106,8 +107,10 @@ function Typed() {
     if (text.trim() === "") return;
     if (await drive(worldOf(hands), { do: "command", line: text.trim() })) setText("");
   };
-  const press = (event: KeyboardEvent) => {
+  const press: TextFieldProps["onKeyDown"] = (event) => {
     if (event.key === "Enter") void send();
+    // Escape closes the sheet.
+    else event.continuePropagation();
   };
   return (
     <div className="controller-lines-typed">
