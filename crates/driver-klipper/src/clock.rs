@@ -33,6 +33,8 @@ const PACES_S: [f64; 2] = [0.05, 0.4919];
 const FAR_S: f64 = 0.002;
 /// Answers in a row that are not believed before the line is drawn anew.
 const STRAYS: u32 = 3;
+/// Questions in a row without an answer of use after which the time in the board will not be known: 10 s.
+const VAIN: u32 = 200;
 
 /// A question for the clock and its answer.
 #[derive(Clone, Copy, Debug)]
@@ -61,6 +63,8 @@ pub struct Clock {
     newest: u64,
     exchanges: VecDeque<Exchange>,
     strays: u32,
+    /// Questions since the last answer that was of use.
+    unheard: u32,
     /// Enough was heard once: a line that is drawn anew keeps its slope until it is long enough again.
     known: bool,
     /// Ticks a second as measured.
@@ -84,6 +88,7 @@ impl Clock {
             newest: uptime,
             exchanges,
             strays: 0,
+            unheard: 0,
             known: false,
             rate,
             anchor,
@@ -97,6 +102,7 @@ impl Clock {
     pub fn asks(&mut self, now_s: f64) -> bool {
         let due = now_s >= self.ask_s;
         if due {
+            self.unheard = self.unheard.saturating_add(1);
             self.asked_s = now_s;
             self.ask_s = now_s + PACES_S[usize::from(self.exchanges.len() >= FEW)];
         }
@@ -128,6 +134,11 @@ impl Clock {
         self.known
     }
 
+    /// It was asked for so often without an answer of use that it will not be known.
+    pub const fn is_vain(&self) -> bool {
+        !self.known && self.unheard > VAIN
+    }
+
     /// Returns a clock of 32 bits without end: the one nearest to the newest that was told.
     pub fn unwrapped(&self, clock: u32) -> u64 {
         let later = clock.wrapping_sub(self.newest as u32) as i32;
@@ -136,6 +147,7 @@ impl Clock {
 
     /// Reads an answer to a question that went out once.
     pub fn heard(&mut self, sent_s: f64, received_s: f64, clock: u32) {
+        self.unheard = 0;
         let clock = self.unwrapped(clock);
         self.newest = self.newest.max(clock);
         let exchange = Exchange { sent_s, received_s, clock };

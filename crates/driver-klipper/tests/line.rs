@@ -58,7 +58,9 @@ impl Wires {
             }
             for heard in self.turn(link) {
                 let Heard::Message(message) = heard else { continue };
-                if let Some(dictionary) = identify.heard(&message).expect("a dictionary") {
+                if let Some(dictionary) =
+                    identify.heard(&message, self.now_s).expect("a dictionary")
+                {
                     return dictionary;
                 }
             }
@@ -108,6 +110,29 @@ fn a_board_is_joined_and_tells_its_own_words() {
         assert!(dictionary.number("pin", "PA8").is_err());
         assert!(dictionary.command(&STEP).is_ok());
         assert!(dictionary.command(&Wanted { name: "queue_step", fields: &["oid"] }).is_err());
+    }
+}
+
+/// Time in which a board behind a line with such a round trip is joined, and tells its words.
+fn identified_s(trip_s: f64, faults: Faults) -> [f64; 2] {
+    let mut wires = Wires::new(4, faults);
+    (wires.there.delay_s, wires.back.delay_s) = (0.5 * trip_s, 0.5 * trip_s);
+    let mut link = wires.join();
+    let joined_s = wires.now_s;
+    assert_eq!(wires.identify(&mut link).version(), "fake-1");
+    [joined_s, wires.now_s - joined_s]
+}
+
+#[test]
+fn the_words_of_a_board_behind_a_long_line_come_in_a_window() {
+    // Piece after piece it is more than 40 round trips.
+    let most_trips = 20.0;
+    for trip_s in [0.04, 0.1, 0.3, 1.0] {
+        let [_, took_s] = identified_s(trip_s, Faults::default());
+        println!("round trip {trip_s} s: {took_s:.2} s");
+        assert!(took_s < most_trips * trip_s, "{trip_s}: {took_s}");
+        let [_, spoilt_s] = identified_s(trip_s, Faults::all(0.01));
+        println!("round trip {trip_s} s, 1 % of frames spoiled: {spoilt_s:.2} s");
     }
 }
 

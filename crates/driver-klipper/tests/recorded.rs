@@ -51,7 +51,7 @@ fn dictionary() -> Option<Dictionary> {
     let mut identify = Identify::new(0.0);
     for told in record("01-connect.txt")?.into_iter().filter(|told| !told.host) {
         for frame in Reader::default().read(&told.bytes) {
-            if let Some(found) = identify.heard(&frame.content).expect("pieces") {
+            if let Some(found) = identify.heard(&frame.content, 0.0).expect("pieces") {
                 return Some(found);
             }
         }

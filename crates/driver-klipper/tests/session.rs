@@ -109,6 +109,24 @@ fn a_board_whose_clock_stood_still_makes_its_last_steps() {
 }
 
 #[test]
+fn a_board_behind_a_line_of_a_tenth_of_a_second_is_found_and_moved() {
+    let options = Options { deadline_s: 0.8, ..Options::default() };
+    let mut world = World::new(6, Faults::default(), setup(), options);
+    world.delay(0.05);
+    world.wait(ready);
+    println!("ready after {:.2} s", world.now_s);
+    let motion = Motion::straight(500.0, 2.0);
+    assert_eq!(world.make(&motion, &[]), (Ended::Rested, vec![500, 0, 0]));
+}
+
+#[test]
+fn a_board_whose_clock_is_never_told_is_given_up() {
+    let mut world = World::new(6, Faults::default(), setup(), Options::default());
+    world.fake.mute = Some("clock");
+    assert_eq!(world.wait_fault(), Fault::Unanswered("get_clock"));
+}
+
+#[test]
 fn a_board_that_was_configured_otherwise_is_refused() {
     let mut world = World::ready(3, Faults::default());
     let other = Setup { motors: vec![motor(5)], ..Setup::default() };

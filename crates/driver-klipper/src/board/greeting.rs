@@ -37,7 +37,7 @@ impl Greeting {
                 let (link, identify) = pair.as_mut();
                 for heard in link.receive(bytes, now_s) {
                     let Heard::Message(message) = heard else { continue };
-                    if let Some(dictionary) = identify.heard(&message)? {
+                    if let Some(dictionary) = identify.heard(&message, now_s)? {
                         return Ok(Some((link.clone(), dictionary)));
                     }
                 }
@@ -53,7 +53,7 @@ impl Greeting {
             Self::Joining(join) => Ok(Outgoing { bytes: join.transmit(now_s), replaces: false }),
             Self::Identifying(pair) => {
                 let (link, identify) = pair.as_mut();
-                if identify.is_vain() {
+                if identify.is_vain(now_s) {
                     return Err(Fault::Unanswered("identify"));
                 }
                 let asked = identify.ask(now_s).is_none_or(|question| link.send(question, None));
@@ -61,6 +61,11 @@ impl Greeting {
                 if silent { Err(Fault::Silent) } else { Ok(link.transmit(now_s)) }
             }
         }
+    }
+
+    /// A board has answered: whatever comes then comes from it.
+    pub const fn has_answered(&self) -> bool {
+        matches!(self, Self::Identifying(_))
     }
 
     pub fn due_s(&self) -> f64 {

@@ -87,6 +87,14 @@ impl Introduction {
         })
     }
 
+    /// A board has answered. From then on silence ends it, however long the board takes to tell who it is.
+    pub const fn has_answered(&self) -> bool {
+        match &self.phase {
+            Phase::Greeting(greeting) => greeting.has_answered(),
+            _ => true,
+        }
+    }
+
     /// Takes the end: who the board is, or the reason for which that is unknown.
     pub fn take(&mut self) -> Option<Result<Introduced, Fault>> {
         match &mut self.phase {

@@ -213,6 +213,9 @@ impl Session {
     /// Tells that the board is ready, once its clock and its counts are known.
     fn learn(&mut self, now_s: f64, news: &mut VecDeque<News>) -> Told {
         let channel = &mut self.channel;
+        if channel.clock.as_ref().is_some_and(Clock::is_vain) {
+            return Err(Fault::Unanswered("get_clock"));
+        }
         let counting = channel.questions.has(|about| matches!(about, About::Position(_)));
         self.drivers.go_on(channel, now_s)?;
         news.extend(self.drivers.troubles().into_iter().map(News::Driver));

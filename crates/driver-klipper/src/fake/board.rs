@@ -63,6 +63,8 @@ pub struct Board {
     pub stops_at: Vec<(u32, u8, i64)>,
     /// Steps that are neither made nor counted: stepper, and how many it has made before.
     pub loses: Vec<(u8, usize)>,
+    /// The answer of this name is never given.
+    pub mute: Option<&'static str>,
     /// Bytes that came with a command that shuts down are lost, as with the build for Linux.
     pub loses_at_shutdown: bool,
     /// Commands that ran, by name.
@@ -211,6 +213,9 @@ impl Board {
     }
 
     pub fn say(&mut self, name: &str, numbers: &[(&str, i64)]) {
+        if self.mute == Some(name) {
+            return;
+        }
         let content = self.words.response(name, numbers, None);
         self.say_content(&content);
     }

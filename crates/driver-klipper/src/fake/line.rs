@@ -25,7 +25,8 @@ impl Faults {
 pub struct Line {
     dice: Dice,
     pub faults: Faults,
-    delay_s: f64,
+    /// Time that a piece needs, seconds.
+    pub delay_s: f64,
     /// Moment of arrival, bytes.
     pieces: VecDeque<(f64, Vec<u8>)>,
     last_s: f64,

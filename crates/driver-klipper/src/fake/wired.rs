@@ -36,6 +36,11 @@ impl Wired {
         }
     }
 
+    /// A piece needs so long there, and so long back, from now on.
+    pub fn delay(&mut self, delay_s: f64) {
+        (self.there.delay_s, self.back.delay_s) = (delay_s, delay_s);
+    }
+
     /// What the line does from now on.
     pub fn spoil(&mut self, faults: Faults) {
         (self.there.faults, self.back.faults) = (faults, faults);

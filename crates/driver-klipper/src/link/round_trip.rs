@@ -49,12 +49,19 @@ impl RoundTrip {
         self.smooth_s
     }
 
-    /// Something was acknowledged: the timer runs anew, as patient as the round trip asks for.
+    /// Something was acknowledged: the timer runs anew, as patient as the round trip asks for. While each frame went out twice
+    /// no round trip is known, and a patience that losses have lengthened is kept.
     pub fn progressed(&mut self, since_s: f64) {
-        let patience_s =
-            self.smooth_s.map_or(0.0, |[trip_s, deviation_s]| trip_s + DEVIATIONS * deviation_s);
-        self.patience_s = patience_s.clamp(SHORTEST_S, LONGEST_S);
+        if let Some(patience_s) = self.asked_for_s() {
+            self.patience_s = patience_s;
+        }
         self.start(since_s);
+    }
+
+    /// The patience that the round trip asks for, seconds.
+    fn asked_for_s(&self) -> Option<f64> {
+        let [smooth_s, deviation_s] = self.smooth_s?;
+        Some((smooth_s + DEVIATIONS * deviation_s).clamp(SHORTEST_S, LONGEST_S))
     }
 
     /// The timer runs from a moment: the last byte has left.
@@ -77,7 +84,7 @@ impl RoundTrip {
     /// naks, which ask for nothing.
     pub fn resent(&mut self, free_s: f64) {
         let trip_s =
-            self.smooth_s.map_or(SHORTEST_S, |[smooth_s, deviation_s]| smooth_s + deviation_s);
+            self.smooth_s.map_or(self.patience_s, |[smooth_s, deviation_s]| smooth_s + deviation_s);
         self.copies_until_s = free_s + 2.0 * trip_s;
     }
 

@@ -17,7 +17,6 @@ use kerf_machine::{Configuration, Machine};
 use kerf_program::{Axes, Axis};
 use std::fmt::Write;
 use std::path::Path;
-use std::time::Instant;
 
 /// X goes there and back so far and so often, mm, at a speed in mm/s.
 const WAY_MM: f64 = 20.0;
@@ -198,9 +197,9 @@ const fn way(to_mm: f64) -> Way {
 /// Stops X on its way at once; returns the time until the board told where, seconds.
 fn stop_s(queued: &mut Queued, machine: &Configuration) -> Result<f64, String> {
     way(WAY_MM).goes(queued, machine, |since_s| since_s > 0.6)?;
-    let begin = Instant::now();
+    let begin_s = queued.progress().at_s;
     queued.halt();
-    let stood_s = begin.elapsed().as_secs_f64();
+    let stood_s = queued.progress().at_s - begin_s;
     if let Some(fault) = queued.fault() {
         return Err(fault.message.clone());
     }

@@ -127,7 +127,7 @@ impl Machine for Queued {
         if until_s > from_s {
             self.tend(NAP);
         }
-        let reached_s = (from_s + self.progress.at_s - since_s).min(until_s);
+        let reached_s = (from_s + (self.progress.at_s - since_s)).min(until_s);
         self.stood = Some((reached_s, self.progress.at_s));
         News { reached_s, input: self.inputs.pop_front() }
     }

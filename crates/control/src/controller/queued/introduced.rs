@@ -7,10 +7,10 @@ use kerf_transport::ListedPort;
 use std::thread::spawn;
 use std::time::{Duration, Instant};
 
-/// A board that has not told who it is by then is none.
-const GREETING: Duration = Duration::from_secs(12);
+/// A board that has not answered by then is none, seconds. How long it takes to tell who it is does not count.
+const GREETING_S: f64 = 12.0;
 /// The same for boards that are looked for at all ports: one that is there answers within a second.
-const LOOK: Duration = Duration::from_secs(4);
+const LOOK_S: f64 = 4.0;
 /// One look at a line.
 const NAP: Duration = Duration::from_millis(5);
 
@@ -19,7 +19,7 @@ const NAP: Duration = Duration::from_millis(5);
 /// # Errors
 /// Nobody answers, or something that is no board; in words.
 pub fn introduced(socket: &Socket) -> Result<Introduced, String> {
-    within(socket, GREETING)
+    within(socket, GREETING_S)
 }
 
 /// Looks who answers at serial ports, all of them side by side, in some seconds. Ports that nobody else has open are opened; a
@@ -28,7 +28,7 @@ pub fn at_ports(ports: Vec<ListedPort>) -> Vec<(ListedPort, Result<Introduced, S
     let looks = ports.into_iter().map(|port| {
         spawn(move || {
             let told = address(&port.path).and_then(|place| {
-                within(&Socket::of(format!("klipper:{}", port.path), place), LOOK)
+                within(&Socket::of(format!("klipper:{}", port.path), place), LOOK_S)
             });
             (port, told)
         })
@@ -37,11 +37,11 @@ pub fn at_ports(ports: Vec<ListedPort>) -> Vec<(ListedPort, Result<Introduced, S
     looks.into_iter().filter_map(|look| look.join().ok()).collect()
 }
 
-fn within(socket: &Socket, patience: Duration) -> Result<Introduced, String> {
+fn within(socket: &Socket, patience_s: f64) -> Result<Introduced, String> {
     let mut line = (socket.opens)()?;
     let (since, mut board) = (Instant::now(), Introduction::new(0.0));
     let mut bytes = [0; 1024];
-    while since.elapsed() < patience {
+    while board.has_answered() || since.elapsed().as_secs_f64() < patience_s {
         let out = board.transmit(since.elapsed().as_secs_f64());
         if !out.bytes.is_empty() {
             line.write(&out.bytes).map_err(|why| why.to_string())?;

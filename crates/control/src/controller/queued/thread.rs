@@ -27,8 +27,6 @@ type Lines = Vec<Option<Box<dyn Line>>>;
 
 /// The longest time for which lines are waited for, so that a request is taken.
 const GLANCE: Duration = Duration::from_millis(1);
-/// A board that has not told who it is by then is none.
-const GREETING: Duration = Duration::from_secs(12);
 /// The last words of a host have this time to come to the board.
 const PARTING: Duration = Duration::from_millis(500);
 /// They need at least so long: an output changes a moment after it was told.
@@ -96,9 +94,9 @@ impl Threaded {
     }
 
     fn greeted(self) -> Result<Greeted, String> {
-        let until = Instant::now() + GREETING;
         loop {
-            match self.answers.recv_timeout(until.saturating_duration_since(Instant::now())) {
+            // A board that is silent is given up by whoever speaks with it.
+            match self.answers.recv() {
                 Ok(Answer::News(News::Ready { version, counts })) => {
                     return Ok(Greeted { berth: self, version, counts, priority: None });
                 }

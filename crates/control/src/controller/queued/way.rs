@@ -4,10 +4,9 @@ use super::machine::Queued;
 use kerf_machine::{Configuration, Going, Machine};
 use kerf_motion::{Mover, Plan, planner};
 use kerf_program::{At, Axis, Feed, Line, MoveKind};
-use std::time::{Duration, Instant};
 
-/// A way takes no longer than this.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// A way takes no longer than this, seconds.
+const PATIENCE_S: f64 = 60.0;
 
 /// A way of an axis to a place.
 #[derive(Clone, Copy, Debug)]
@@ -64,8 +63,7 @@ impl Way {
     ) -> Result<(), String> {
         let Some(plan) = self.plan(queued, machine) else { return Ok(()) };
         let (t0_s, end_s) = (queued.progress().at_s, plan.duration_s());
-        let (moves, begin) = (plan.moves().len(), Instant::now());
-        let mut index = 0;
+        let (moves, mut index) = (plan.moves().len(), 0);
         queued.begin_plan();
         while index < moves {
             let going = Going { plan: &plan, index, t0_s, until: moves, part: 1.0, watches: &[] };
@@ -73,10 +71,11 @@ impl Way {
             if let Some(fault) = queued.fault() {
                 return Err(fault.message.clone());
             }
-            if begin.elapsed() > PATIENCE {
+            let since_s = queued.progress().at_s - t0_s;
+            if since_s > PATIENCE_S {
                 return Err(format!("{} does not come to its place", self.axis.letter()));
             }
-            if ends(begin.elapsed().as_secs_f64()) {
+            if ends(since_s) {
                 return Ok(());
             }
             index += usize::from(news.reached_s >= t0_s + plan.span_s(index).1);
