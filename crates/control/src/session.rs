@@ -63,6 +63,14 @@ impl Session {
         self.memory.before_preview.is_some()
     }
 
+    /// Returns the height to which a tool that stands lower is lifted behind a stop, machine frame; nothing where it stands
+    /// as high, or there is no Safe-Z.
+    pub fn lift_mm(&self) -> Option<f64> {
+        let kerf_sbp::Session { settings, frame, position, .. } = &self.memory;
+        let up_mm = frame.working_zero[Axis::Z] + settings.cutter.safe_z_mm?;
+        (position[Axis::Z] < up_mm).then_some(up_mm)
+    }
+
     /// Axes that can be homed: those that a controller homes by itself, else those whose home switch is fitted.
     pub fn homes(&self, machine: &Configuration) -> AxisSet {
         if let Some(controller) = &self.driven_by {

@@ -1,6 +1,7 @@
 //! The driver.
 
 use crate::at_once;
+use crate::card::{BUSY, Card, Opening};
 use crate::facts::KnownFacts;
 use crate::flights::{Flights, radius_mm};
 use crate::gap::{self, Gap};
@@ -12,9 +13,9 @@ use crate::said;
 use crate::tool_wait::{MODE, ToolWait};
 use crate::zeros::Zeros;
 use kerf_machine::driver::{
-    Axes, Changed, ControllerState, Driver, Facts, Garbled, Hold, LineKind, Order, Reply, Said,
-    Sent, Shares, Signal, Ticket, ToldSetting, TouchOff, Trouble, Wired, Zero, ZeroChange,
-    is_sound,
+    Axes, CardJob, CardNews, CardTask, Changed, ControllerState, Driver, Facts, Garbled, Hold,
+    LineKind, Order, Reply, Said, Sent, Shares, Signal, Ticket, ToldSetting, TouchOff, Trouble,
+    Wired, Zero, ZeroChange, is_sound,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -110,6 +111,8 @@ pub struct Grbl {
     pub(crate) turned_s: f64,
     pub(crate) zeros: Zeros,
     pub(crate) kept: KeptSettings,
+    /// Its card, and the file that it runs from it.
+    pub(crate) card: Card,
     /// The tool for which it waits.
     pub(crate) tool: ToolWait,
     /// Outputs that are on after the last order.
@@ -150,6 +153,9 @@ const ASLEEP_S: f64 = 0.5;
 
 /// While its place is not known it is asked so often where it is, seconds.
 const LOOK_S: f64 = 0.1;
+
+/// Said of one that runs a file by itself before it has told who it is.
+const RUNS: &str = "it runs a file from its own card, and Kerf leaves it alone: kerf machine card follow tells of it";
 
 /// A controller that stands answers a line within this, seconds: writing a setting takes longest.
 pub(crate) const ANSWER_S: f64 = 2.0;
@@ -192,6 +198,7 @@ impl Grbl {
             turned_s: f64::NEG_INFINITY,
             zeros: Zeros::default(),
             kept: KeptSettings::default(),
+            card: Card::default(),
             tool: ToolWait::default(),
             planned_on: 0,
             stopped_s: 0.0,
@@ -242,7 +249,8 @@ impl Grbl {
     /// Asks again what it has not told.
     fn ask_again(&mut self, now_s: f64) {
         let has_said_all = self.phase == Phase::Asked && !self.busy && self.told.is_known();
-        if !has_said_all && now_s - self.asked_s > GREETING_S {
+        // A file that it runs by itself hears no lines.
+        if !has_said_all && !self.card.runs() && now_s - self.asked_s > GREETING_S {
             self.ask_all(now_s);
         }
         // One that sleeps or is held answers this alone; one that tells places of the workpiece tells its zero seldom.
@@ -293,6 +301,7 @@ impl Grbl {
 
     pub(crate) fn reset(&mut self) {
         (self.phase, self.greets, self.reset_s) = (Phase::Resetting, false, None);
+        self.card.was_reset();
         self.out.push(at_once::RESET);
     }
 
@@ -392,6 +401,7 @@ impl Driver for Grbl {
             || self.phase != Phase::Ready
             || self.quiet()
             || self.flights.probing().is_some()
+            || self.card.runs()
         {
             return;
         }
@@ -418,7 +428,7 @@ impl Driver for Grbl {
     }
 
     fn quiet(&self) -> bool {
-        self.flights.goes_home()
+        self.flights.goes_home() || self.card.is_asked()
     }
 }
 
@@ -430,6 +440,7 @@ impl Wired for Grbl {
         }
         for byte in bytes {
             match byte {
+                _ if self.card.hears_byte(*byte, now_s) => {}
                 b'\r' => {}
                 b'\n' => {
                     let line =
@@ -444,6 +455,10 @@ impl Wired for Grbl {
 
     fn speak(&mut self, now_s: f64) -> Vec<u8> {
         self.wakes(now_s);
+        if self.card.speaks(&mut self.out, now_s) {
+            self.hearing.clear();
+            return std::mem::take(&mut self.out);
+        }
         let asks = matches!(self.phase, Phase::Silent | Phase::Asked);
         if asks && self.facts.is_none() {
             self.ask_again(now_s);
@@ -467,7 +482,10 @@ impl Wired for Grbl {
         while let Some(line) = self.queue.front() {
             used += line.text.len() + 1;
             // What it is asked about itself is answered line by line.
-            if used >= self.told.rx || (self.phase == Phase::Asked && !self.pending.is_empty()) {
+            if self.card.runs()
+                || used >= self.told.rx
+                || (self.phase == Phase::Asked && !self.pending.is_empty())
+            {
                 break;
             }
             self.out.extend_from_slice(line.text.as_bytes());
@@ -494,7 +512,9 @@ impl Wired for Grbl {
         let ours = matches!(self.hold, Hold::Ordered | Hold::Stands);
         let is_held = matches!(self.doing, Doing::Slowing | Doing::Held);
         let waits = self.doing.waits().filter(|_| !(ours && is_held));
-        self.tool.waits(self.told.of(MODE)).or(waits)
+        let asked = matches!(self.phase, Phase::Silent | Phase::Asked);
+        let runs = (asked && self.card.runs()).then_some(RUNS);
+        self.tool.waits(self.told.of(MODE)).or(waits).or(runs)
     }
 
     fn hold(&self) -> Hold {
@@ -583,8 +603,41 @@ impl Wired for Grbl {
         if is_sent { Said::plain(LineKind::Line) } else { said::came(line, &self.told) }
     }
 
+    fn has_card(&self) -> Result<(), &'static str> {
+        self.told.card().map(drop)
+    }
+
+    fn does_on_card(&mut self, task: CardTask) -> Result<(), String> {
+        let words = self.told.card()?;
+        let rests = self.flights.is_empty() && self.has_said_all();
+        if self.phase != Phase::Ready || !rests || self.trouble.is_some() {
+            return Err(BUSY.into());
+        }
+        match self.card.begins(task, words)? {
+            Opening::Line(line) => self.say(line),
+            Opening::Bytes(bytes) => self.out.extend(bytes),
+        }
+        Ok(())
+    }
+
+    fn card_news(&mut self) -> Option<CardNews> {
+        self.card.takes_news()
+    }
+
+    fn leaves_card(&mut self) {
+        let end = self.card.gives_up();
+        self.out.extend(end);
+    }
+
+    fn card_job(&self) -> Option<CardJob> {
+        self.card.job()
+    }
+
     fn line_is_back(&mut self, _: f64) {
-        gap::begins_gap(self);
+        // A file that it runs by itself goes on: nothing of Kerf's was under way.
+        if !self.card.runs() {
+            gap::begins_gap(self);
+        }
     }
 
     fn changed(&self) -> Option<Changed> {

@@ -40,6 +40,15 @@ enum Firmware {
     Fluid,
 }
 
+/// The words by which a firmware works its card.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Words {
+    /// grblHAL; and whether it takes files on its line.
+    Hal { takes: bool },
+    /// `FluidNC`.
+    Fluid,
+}
+
 /// Facts that are known so far.
 #[derive(Clone, Debug)]
 pub struct KnownFacts {
@@ -51,6 +60,9 @@ pub struct KnownFacts {
     letters: Option<String>,
     /// Auxiliary outputs (`M64`).
     aux: u32,
+    /// It says that it has a card, and that it takes files on its line.
+    card: bool,
+    takes_files: bool,
     /// It says that it has no probe.
     lacks_probe: bool,
     /// Its settings, alarms and errors in its own words.
@@ -80,6 +92,8 @@ impl Default for KnownFacts {
             options: None,
             letters: None,
             aux: 0,
+            card: false,
+            takes_files: false,
             lacks_probe: false,
             own: OwnWords::default(),
             modes: Vec::new(),
@@ -127,6 +141,7 @@ impl KnownFacts {
                 let has = |option| value.split(',').any(|word| word == option);
                 (self.lacks_probe, self.own.has) = (has("NOPROBE"), has("ENUMS"));
                 self.own.describes = has("SED");
+                (self.card, self.takes_files) = (has("SD"), has("YM"));
             }
             "GC" => self.modes = value.split_whitespace().map(String::from).collect(),
             _ => self.own.bracket(name, value),
@@ -194,6 +209,21 @@ impl KnownFacts {
     pub fn tells_lines(&self) -> bool {
         let by_option = self.options.as_ref().is_some_and(|letters| letters.contains('N'));
         by_option && (!self.is_hal() || self.bit(10, 2))
+    }
+
+    /// The words by which it works its card.
+    ///
+    /// # Errors
+    /// It has none, for a reason.
+    pub fn card(&self) -> Result<Words, &'static str> {
+        let says = || self.options.as_ref().is_some_and(|letters| letters.contains('S'));
+        match self.firmware {
+            Firmware::Hal if self.card => Ok(Words::Hal { takes: self.takes_files }),
+            Firmware::Hal => Err("its firmware has no card ($I tells no SD): build it with one"),
+            Firmware::Fluid if says() => Ok(Words::Fluid),
+            Firmware::Fluid => Err("its firmware has no card ($I tells no S)"),
+            Firmware::Grbl => Err("grbl 1.1 has no card: grblHAL and FluidNC have one"),
+        }
     }
 
     /// Its modes are asked for anew.

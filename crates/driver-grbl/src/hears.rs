@@ -1,12 +1,12 @@
 //! The receiving side of the driver: lines of the controller and what follows from them.
 
 use crate::at_once;
-use crate::driver::{ANSWER_S, Grbl, Line, Phase, STALE_S, with};
+use crate::driver::{ANSWER_S, Grbl, Line, MODES, Phase, STALE_S, with};
 use crate::error_texts;
 use crate::facts::{self, INPUTS, PROBE, PROBE_INPUT};
 use crate::gap;
 use crate::kept_settings::{self, BUSY};
-use crate::lines::straight;
+use crate::lines::{Modal, straight};
 use crate::place::{millimetres, on_steps};
 use crate::report::{Doing, Report, axes};
 use crate::tool_wait::{JOG_CANCEL, REFERENCE, TOOL, TOUCH};
@@ -35,6 +35,7 @@ impl Grbl {
             }
         } else if let Some(told) = line.strip_prefix("[PRB:") {
             self.touched(told);
+        } else if self.card.hears_line(line, &self.told) {
         } else if line.starts_with('[') && line.ends_with(']') {
             self.bracket(line);
         } else if line.starts_with("Grbl") {
@@ -95,6 +96,7 @@ impl Grbl {
             }
             self.asks_zeros();
         }
+        self.card.answered(&line.text, now_s);
         self.follows_settings(&line.text);
         self.asks_on();
     }
@@ -152,7 +154,11 @@ impl Grbl {
         if asked.is_some_and(|line| line.text == TOUCH) {
             return self.tool.refuses_touch(format!("error {number}: {why}"));
         }
-        if self.kept.is_refused(asked.map(|line| &*line.text), number, &why) {
+        let text = asked.map(|line| &*line.text);
+        if self.card.is_refused(text, (number, &why), &self.told) {
+            return;
+        }
+        if self.kept.is_refused(text, number, &why) {
             return;
         }
         let _ = self.trouble.get_or_insert(Trouble::Refused { number, why });
@@ -222,8 +228,14 @@ impl Grbl {
         }
         self.tell_inputs(&report.pins);
         self.hears_of_tool(report.doing, now_s);
+        if self.card.follows(report, now_s) {
+            self.ends_card_file();
+        }
+        let runs = self.card.runs();
         match self.phase {
+            Phase::Silent | Phase::Asked if runs => {}
             Phase::Silent | Phase::Asked => self.learns(report),
+            Phase::Ready if runs => self.is_alarmed(report.doing),
             Phase::Ready => self.follows(report, now_s),
             Phase::Gap => gap::reports_in_gap(self, now_s),
             Phase::Stopping if self.tool.takes_jogs() => self.ends_jog(now_s),
@@ -312,10 +324,9 @@ impl Grbl {
         self.flights.passes(self.position(), now_s);
         self.finish(now_s);
         self.misses_answer(now_s);
+        self.is_alarmed(report.doing);
         match report.doing {
             _ if self.trouble.is_some() => {}
-            // The line that told of the alarm did not come through.
-            Doing::Alarm(number) => self.alarm(number.unwrap_or(0)),
             Doing::Check | Doing::Sleep => {
                 let why = report.doing.unfit().unwrap_or_default();
                 self.trouble = Some(Trouble::Unfit { why });
@@ -340,6 +351,22 @@ impl Grbl {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// A file of its card is over: its modes may be others than Kerf's.
+    fn ends_card_file(&mut self) {
+        (self.planned, self.arrived, self.modal) = (self.position(), true, Modal::default());
+        if self.phase == Phase::Ready && self.trouble.is_none() {
+            self.say(MODES);
+            self.asks_zeros();
+        }
+    }
+
+    /// It has an alarm, and the line that told of it did not come through.
+    fn is_alarmed(&mut self, doing: Doing) {
+        if let (Doing::Alarm(number), None) = (doing, &self.trouble) {
+            self.alarm(number.unwrap_or(0));
         }
     }
 

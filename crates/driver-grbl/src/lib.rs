@@ -21,6 +21,7 @@
 //! [`fake`] is a controller that is none, for tests.
 
 mod at_once;
+mod card;
 mod driver;
 mod error_texts;
 mod explained;
@@ -38,6 +39,7 @@ mod said;
 pub mod settings;
 mod signals;
 mod tool_wait;
+mod upload;
 mod zeros;
 
 pub use driver::Grbl;

@@ -99,6 +99,8 @@ pub struct Report {
     pub free: Option<usize>,
     /// The number of the line that it makes.
     pub line: Option<u32>,
+    /// A file that it runs from its card: how much of it was read, percent, and its name.
+    pub card: Option<(f64, String)>,
     /// Shares at which it makes what it is told.
     pub shares: Option<Shares>,
     /// The letters of the pins that are active.
@@ -128,6 +130,7 @@ impl Report {
                 "WCO" => report.offset = Some(axes(value)?.0),
                 "Bf" => report.free = Some(value.split(',').next()?.parse().ok()?),
                 "Ov" => report.shares = Some(shares(value)?),
+                "SD" => report.card = on_card(value),
                 "Ln" => report.line = Some(value.parse().ok()?),
                 "Pn" => value.clone_into(&mut report.pins),
                 _ => {}
@@ -140,6 +143,12 @@ impl Report {
 fn placed(frame: Frame, value: &str) -> Option<(Option<(Frame, Axes)>, usize)> {
     let (place, count) = axes(value)?;
     Some((Some((frame, place)), count))
+}
+
+/// A file that runs: `12.5,box.nc`. A number alone tells whether a card is there.
+fn on_card(value: &str) -> Option<(f64, String)> {
+    let (percent, name) = value.split_once(',')?;
+    Some((percent.parse().ok()?, name.to_owned()))
 }
 
 /// Shares of feeds, rapid moves and the spindle, percent: `100,50,120`.

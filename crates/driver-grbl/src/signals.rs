@@ -59,6 +59,8 @@ impl Grbl {
 
     /// Slows it down; what was not sent is forgotten.
     fn stop(&mut self, now_s: f64) {
+        let end = self.card.gives_up();
+        self.out.extend(end);
         self.queue.clear();
         self.stopped_s = now_s;
         match self.phase {

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod arcs;
+mod card;
 mod conformance;
 mod faults;
 mod gap;

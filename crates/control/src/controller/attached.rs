@@ -4,7 +4,8 @@ use super::either::dry_run;
 use super::lacks::{lines, listed};
 use super::stopwatch::Stopwatch;
 use super::{
-    Connection, Lacks, LineLog, Socket, TouchedOff, WrittenSetting, kept_settings, touch_off, zeros,
+    CardEnd, CardState, CardWish, Connection, Lacks, LineLog, Socket, TouchedOff, WrittenSetting,
+    card, kept_settings, touch_off, zeros,
 };
 use crate::Session;
 use crate::answers::Operator;
@@ -14,7 +15,9 @@ use crate::own_pace::OwnPace;
 use crate::session::DrivenBy;
 use kerf_diag::{Code, Diagnostic, Place};
 use kerf_journal::{RunOptions, Work, facts::Fact};
-use kerf_machine::driver::{Changed, Signal, ToldSetting, Zero, ZeroChange};
+use kerf_machine::driver::{
+    CardAnswer, CardJob, CardTask, Changed, Signal, ToldSetting, Zero, ZeroChange,
+};
 use kerf_machine::{Driven, Errand, Machine};
 use kerf_program::{Axes, AxisSet, HostError};
 use kerf_transport::Line;
@@ -288,6 +291,44 @@ impl Controller {
     /// Returns the record of what was sent to the controller and what it answered.
     pub fn log(&self) -> &Arc<LineLog> {
         &self.socket.log
+    }
+
+    /// Tells whether it has a card with files that it runs by itself.
+    ///
+    /// # Errors
+    /// It has none, for a reason.
+    pub fn has_card(&self) -> Result<(), &'static str> {
+        self.connection.borrow_mut().link.driver().has_card()
+    }
+
+    /// Does something on its card.
+    ///
+    /// # Errors
+    /// As [`do_on_card`](card::do_on_card).
+    pub fn does_on_card(
+        &self,
+        task: CardTask,
+        tells: &mut dyn FnMut(usize, usize),
+        is_stopped: &mut dyn FnMut() -> bool,
+    ) -> Result<CardAnswer, String> {
+        card::do_on_card(&mut self.connection.borrow_mut(), task, tells, is_stopped)
+    }
+
+    /// Returns the file that it runs from its card, whoever has begun it.
+    pub fn card_job(&self) -> Option<CardJob> {
+        self.connection.borrow_mut().link.driver().card_job()
+    }
+
+    /// Follows that file to its end.
+    ///
+    /// # Errors
+    /// As [`follow_card`](card::follow_card).
+    pub fn follows_card(
+        &self,
+        tells: &mut dyn FnMut(&CardState),
+        wishes: &mut dyn FnMut() -> Option<CardWish>,
+    ) -> Result<CardEnd, String> {
+        card::follow_card(&mut self.connection.borrow_mut(), tells, wishes)
     }
 
     /// Tells why it takes no orders but to go home, in words.

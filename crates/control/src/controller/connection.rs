@@ -12,7 +12,8 @@ use super::turned::Turned;
 use crate::learned::Learned;
 use kerf_machine::driver::planners::{Grbl, OwnPlanner};
 use kerf_machine::driver::{
-    Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Signal, Ticket, Trouble, Wired,
+    CardJob, Changed, Driver, Facts, Hold, Link, LinkNews, LinkState, Order, Signal, Ticket,
+    Trouble, Wired,
 };
 use kerf_machine::{Fault, Machine};
 use kerf_program::{At, Axes};
@@ -117,6 +118,30 @@ impl Connection {
         Self::new(name, driver, line, Arc::default()).greeted()
     }
 
+    /// The same; of a controller that runs a file from its card, and tells nothing of itself before that is over, it is
+    /// enough that it runs.
+    ///
+    /// # Errors
+    /// As [`Connection::open`].
+    pub fn open_beside_card(
+        name: &str,
+        driver: Box<dyn Wired>,
+        line: Box<dyn Line>,
+        log: Arc<LineLog>,
+    ) -> Result<Self, String> {
+        let mut connection = Self::new(name, driver, line, log);
+        while connection.now_s() < GREETING_S && !connection.dead {
+            connection.carry(NAP);
+            if connection.link.driver().card_job().is_some() {
+                return Ok(connection);
+            }
+            if connection.link.driver().facts().is_some() {
+                break;
+            }
+        }
+        connection.greeted()
+    }
+
     /// The same, with the record of what passes; what may go on from a run that has no end is stopped first.
     ///
     /// # Errors
@@ -205,6 +230,11 @@ impl Connection {
         if let Some(OwnPlanner::Grbl(Grbl { link: Some(link), .. })) = &mut self.facts.planner {
             link.baud = f64::from(baud);
         }
+    }
+
+    /// Returns the file that it runs from its card, whoever has begun it.
+    pub fn card_job(&mut self) -> Option<CardJob> {
+        self.link.driver().card_job()
     }
 
     /// Returns the setting of the controller that was changed to drive it.

@@ -1,19 +1,19 @@
 //! A controller of either kind: one that plans for itself and is followed, or a board that is told each step.
 
-use super::Socket;
 use super::attached::{self, AttachReport, First};
 use super::kept_settings::WrittenSetting;
 use super::lacks::Lacks;
 use super::line_log::LineLog;
 use super::queued;
 use super::touch_off::TouchedOff;
+use super::{CardEnd, CardState, CardWish, Socket};
 use crate::answers::Operator;
 use crate::learned::Learned;
 use crate::session::DrivenBy;
 use crate::{RunContext, Session};
 use kerf_diag::Diagnostic;
 use kerf_journal::{RunOptions, Work};
-use kerf_machine::driver::{ToldSetting, Zero, ZeroChange};
+use kerf_machine::driver::{CardAnswer, CardJob, CardTask, ToldSetting, Zero, ZeroChange};
 use kerf_machine::{Driven, Machine};
 use kerf_program::Axes;
 use kerf_sequence::Sequence;
@@ -222,6 +222,58 @@ impl Controller {
         match self {
             Self::Followed(controller) => controller.touches_off(is_stopped),
             Self::Queued(attached) => Err(format!("{} waits for no tool", attached.name())),
+        }
+    }
+
+    /// Tells whether it has a card with files that it runs by itself.
+    ///
+    /// # Errors
+    /// It has none, for a reason.
+    pub fn has_card(&self) -> Result<(), &'static str> {
+        match self {
+            Self::Followed(controller) => controller.has_card(),
+            Self::Queued(_) => Err("a board with step queues has no card of its own"),
+        }
+    }
+
+    /// Does something on its card; tells how many bytes of how many are there.
+    ///
+    /// # Errors
+    /// It has none, is at work, refuses, says nothing, or it was stopped meanwhile.
+    pub fn does_on_card(
+        &self,
+        task: CardTask,
+        tells: &mut dyn FnMut(usize, usize),
+        is_stopped: &mut dyn FnMut() -> bool,
+    ) -> Result<CardAnswer, String> {
+        match self {
+            Self::Followed(controller) => controller.does_on_card(task, tells, is_stopped),
+            Self::Queued(_) => {
+                self.has_card().map(|()| CardAnswer::default()).map_err(str::to_owned)
+            }
+        }
+    }
+
+    /// Returns the file that it runs from its card, whoever has begun it.
+    pub fn card_job(&self) -> Option<CardJob> {
+        match self {
+            Self::Followed(controller) => controller.card_job(),
+            Self::Queued(_) => None,
+        }
+    }
+
+    /// Follows that file to its end.
+    ///
+    /// # Errors
+    /// The line is lost for good: the file goes on.
+    pub fn follows_card(
+        &self,
+        tells: &mut dyn FnMut(&CardState),
+        wishes: &mut dyn FnMut() -> Option<CardWish>,
+    ) -> Result<CardEnd, String> {
+        match self {
+            Self::Followed(controller) => controller.follows_card(tells, wishes),
+            Self::Queued(_) => Ok(CardEnd::Ended),
         }
     }
 

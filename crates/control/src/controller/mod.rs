@@ -18,6 +18,7 @@
 //! - Times of the trace are those of the plan. The controller takes its own.
 
 mod attached;
+mod card;
 mod chords;
 mod connection;
 mod driven;
@@ -40,6 +41,7 @@ mod turned;
 mod zeros;
 
 pub use attached::{AttachReport, First};
+pub use card::{CardEnd, CardState, CardWish, follow_card};
 pub use connection::Connection;
 pub use either::{Controller, Place};
 pub use kept_settings::{STEPS, WrittenSetting, question_in, settings_in};

@@ -1,5 +1,7 @@
 //! Boards that the fake pretends to be.
 
+use super::card::Card;
+
 /// What a board tells of itself, and how much it holds.
 #[derive(Clone, Debug)]
 pub struct Board {
@@ -17,6 +19,8 @@ pub struct Board {
     pub numbers: bool,
     /// It knows the bits of `$10` and `$22` of grblHAL.
     pub hal: bool,
+    /// Its card, where it has one.
+    pub card: Option<Card>,
 }
 
 impl Board {
@@ -24,7 +28,16 @@ impl Board {
     pub fn grbl() -> Self {
         let tells = vec!["[VER:1.1h.20190825:]".into(), "[OPT:V,15,128]".into()];
         let greeting = "Grbl 1.1h ['$' for help]";
-        Self { greeting, tells, rx: 128, planner: 15, aux: 0, numbers: false, hal: false }
+        Self {
+            greeting,
+            tells,
+            rx: 128,
+            planner: 15,
+            aux: 0,
+            numbers: false,
+            hal: false,
+            card: None,
+        }
     }
 
     /// grbl 1.1h with other letters of options.
@@ -49,7 +62,20 @@ impl Board {
             tells.push(format!("[AUX IO:2,{aux},0,0]"));
         }
         let greeting = "GrblHAL 1.1f ['$' or '$HELP' for help]";
-        Self { greeting, tells, rx: 1024, planner: 100, aux, numbers: true, hal: true }
+        Self { greeting, tells, rx: 1024, planner: 100, aux, numbers: true, hal: true, card: None }
+    }
+
+    /// The same with a card, on which these files are.
+    pub fn hal_with_card(files: &[(&str, &str)]) -> Self {
+        let mut board = Self::hal(0);
+        let files = files.iter().map(|(name, text)| ((*name).into(), text.as_bytes().to_vec()));
+        let mut card = Card::default();
+        card.files.extend(files);
+        board.card = Some(card);
+        for line in board.tells.iter_mut().filter(|line| line.starts_with("[NEWOPT:")) {
+            *line = line.replace(']', ",SD,YM,FS]");
+        }
+        board
     }
 
     /// `FluidNC`, which tells no sizes.
@@ -57,7 +83,16 @@ impl Board {
         let tells = ["[VER:4.0 FluidNC v4.0.0 (posix-) :]", "[OPT:MPHS]", "[MSG:Machine: Table]"];
         let greeting = "Grbl 4.0 [FluidNC v4.0.0 (posix) '$' for help]";
         let tells = tells.map(String::from).into();
-        Self { greeting, tells, rx: 255, planner: 16, aux: 0, numbers: false, hal: false }
+        Self {
+            greeting,
+            tells,
+            rx: 255,
+            planner: 16,
+            aux: 0,
+            numbers: false,
+            hal: false,
+            card: None,
+        }
     }
 }
 

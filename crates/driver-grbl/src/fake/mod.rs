@@ -7,6 +7,7 @@
 
 mod arc;
 mod board;
+mod card;
 mod goes;
 mod motion;
 mod read;
@@ -17,6 +18,7 @@ mod tool;
 mod turned;
 
 pub use board::Board;
+pub use card::Card;
 pub use solid::Solid;
 
 use kerf_machine::driver::{Axes, Offsets};
@@ -85,6 +87,7 @@ pub struct Fake {
     /// The place at which the probe has changed.
     latched: Option<Axes>,
     relative: bool,
+    inches: bool,
     /// The word of motion that holds; nothing since it was reset.
     way: Option<Way>,
     /// Chords of an arc that have found no room yet, the next one last, and the number of its line.
@@ -184,6 +187,7 @@ impl Fake {
             probing: None,
             latched: None,
             relative: false,
+            inches: false,
             way: None,
             chords: (Vec::new(), 0),
             says: None,
@@ -302,7 +306,20 @@ impl Fake {
         }
     }
 
+    /// Tells a line. What answers a line of a file on its card is not told, but for an error, which ends the file.
     fn tell(&mut self, line: &str) {
+        let own = self.board.card.as_mut().filter(|card| card.runs());
+        if let Some(card) = own {
+            let at = card.line();
+            match line.strip_prefix("error:") {
+                _ if line == "ok" => return,
+                Some(_) => {
+                    card.ends();
+                    self.tell(&format!("{line} in SD file at line {at}"));
+                }
+                None => {}
+            }
+        }
         self.out.extend_from_slice(line.as_bytes());
         self.out.extend_from_slice(b"\r\n");
     }
@@ -320,6 +337,7 @@ impl Fake {
     fn take(&mut self, bytes: &[u8]) {
         for byte in bytes {
             match byte {
+                _ if self.hears_card(*byte) => {}
                 b'?' if self.state != State::Homing => self.report(),
                 b'?' => {}
                 b'!' if self.state == State::Ready || self.change.touches => {
@@ -338,6 +356,33 @@ impl Fake {
             }
         }
         self.read_on();
+    }
+
+    /// Returns its card; one that has none gets one that it does not tell.
+    pub fn card(&mut self) -> &mut Card {
+        self.board.card.get_or_insert_with(Card::default)
+    }
+
+    /// Somebody begins a file of its card at its own panel; tells whether it is there.
+    pub fn runs_from_card(&mut self, name: &str) -> bool {
+        self.board.card.as_mut().is_some_and(|card| card.begins(name))
+    }
+
+    fn works_card(&mut self, command: &str) -> bool {
+        let stands = self.state == State::Ready && self.motion.is_empty();
+        let told = self.board.card.as_mut().and_then(|card| card.command(command, stands));
+        told.iter().flatten().for_each(|line| self.tell(line));
+        if let (true, Some(name)) = (stands, command.strip_prefix("F=")) {
+            self.runs_from_card(name.trim_start_matches('/'));
+        }
+        told.is_some()
+    }
+
+    fn hears_card(&mut self, byte: u8) -> bool {
+        let now_s = self.clock_s;
+        let told = self.board.card.as_mut().and_then(|card| card.hears(byte, now_s));
+        self.out.extend(told.iter().flatten());
+        told.is_some()
     }
 
     /// Returns what it sends up to a time.
@@ -370,6 +415,8 @@ impl Fake {
                 self.state = State::Ready;
                 self.motion.held = false;
             }
+            let now_s = self.clock_s;
+            self.out.extend(self.board.card.as_mut().and_then(|card| card.waits(now_s)));
             self.read_on();
         }
     }
@@ -394,6 +441,7 @@ impl Fake {
     /// Somebody presses its reset, or its power fails: it begins anew, and counts from where it stands as zero.
     pub fn begins_anew(&mut self) {
         self.halt();
+        self.board.card.iter_mut().for_each(Card::ends);
         self.feed_mm_min = 0.0;
         self.motion.put(Axes::default());
         (self.planned, self.motion.held, self.state) = (Axes::default(), false, State::Ready);
@@ -422,13 +470,14 @@ impl Fake {
         self.buffer.clear();
         (self.waiting, self.probing, self.latched) = (None, None, None);
         self.chords.0.clear();
-        (self.relative, self.way) = (false, None);
+        (self.relative, self.inches, self.way) = (false, false, None);
         (self.spindle, self.coolant) = (false, 0);
     }
 
     fn reset(&mut self) {
         [0x90, 0x95, 0x99].into_iter().for_each(|back| turn(self, back));
         self.offsets.chosen = 0;
+        self.board.card.iter_mut().for_each(Card::ends);
         self.feed_mm_min = 0.0;
         let too_early = self.motion.speed_mm_s > 0.0 || self.state == State::Homing;
         self.halt();
@@ -468,6 +517,19 @@ impl Fake {
                 }
                 self.make(&words);
             }
+            if self.board.card.as_ref().is_some_and(Card::runs) {
+                // What comes on its line is dropped.
+                self.buffer.clear();
+                match self.board.card.as_mut().and_then(Card::next_line) {
+                    Some(line) => self.line(&line),
+                    None if self.motion.is_empty() => {
+                        self.board.card.iter_mut().for_each(Card::ends);
+                        self.tell("[MSG:Pgm End]");
+                    }
+                    None => return,
+                }
+                continue;
+            }
             let Some(end) = self.buffer.iter().position(|byte| *byte == b'\n') else { return };
             let bytes: Vec<u8> = self.buffer.drain(..=end).collect();
             self.line(String::from_utf8_lossy(&bytes).trim());
@@ -488,13 +550,20 @@ impl Fake {
                 zero_is_set(self);
                 self.tell("ok");
             }
-            Ok(words) => self.waiting = Some(words),
+            Ok(mut words) => {
+                self.inches = words.inches.unwrap_or(self.inches);
+                if self.inches {
+                    words.in_inches();
+                }
+                self.waiting = Some(words);
+            }
             Err(number) => self.tell(&format!("error:{number}")),
         }
     }
 
     fn dollar(&mut self, command: &str) {
         match command {
+            _ if self.works_card(command) => {}
             _ if command.starts_with("J=") => jogs(self, command.trim_start_matches("J=")),
             "I" | "$" if !self.motion.is_empty() => self.tell("error:8"),
             "G" => {

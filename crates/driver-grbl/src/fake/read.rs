@@ -21,6 +21,8 @@ pub enum Way {
 pub struct Words {
     /// Its places are ways.
     pub relative: Option<bool>,
+    /// Its lengths are inches, from then on.
+    pub inches: Option<bool>,
     /// It moves until its probe is in this state.
     pub probes: Option<bool>,
     pub to: [Option<f64>; 3],
@@ -43,6 +45,15 @@ pub struct Words {
     pub changes_tool: bool,
     /// Everything before it is made first.
     pub waits: bool,
+}
+
+impl Words {
+    /// Takes its lengths for inches.
+    pub fn in_inches(&mut self) {
+        const MM: f64 = 25.4;
+        self.to.iter_mut().flatten().chain(&mut self.feed_mm_min).for_each(|mm| *mm *= MM);
+        self.centre.iter_mut().for_each(|mm| *mm *= MM);
+    }
 }
 
 /// Reads a line; the number of the error where it is none that is understood.
@@ -75,7 +86,9 @@ fn take(words: &mut Words, letter: char, value: f64) -> Result<(), u16> {
         ('I', _) => words.centre[0] = value,
         ('J', _) => words.centre[1] = value,
         ('N', _) => words.number = value as u32,
-        ('G', 17 | 21 | 94) => {}
+        ('G', 20 | 21) => words.inches = Some(value == 20.0),
+        ('G', 4 | 17 | 40 | 49 | 54 | 64 | 80 | 94) => {}
+        ('M', 0 | 2 | 30) => {}
         ('M', 3) => (words.spindle, words.waits) = (Some(true), true),
         ('M', 5) => (words.spindle, words.waits) = (Some(false), true),
         ('M', 6) => (words.changes_tool, words.waits) = (true, true),

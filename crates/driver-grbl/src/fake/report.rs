@@ -21,6 +21,9 @@ impl Fake {
             let room = self.board.rx.saturating_sub(self.buffer.len());
             line += &format!("|Bf:{},{room}", self.motion.free());
         }
+        if let Some(field) = self.board.card.as_ref().and_then(|card| card.field()) {
+            line += &field;
+        }
         if self.board.numbers && self.motion.line() > 0 && (!self.board.hal || mask & 4 == 4) {
             line += &format!("|Ln:{}", self.motion.line());
         }

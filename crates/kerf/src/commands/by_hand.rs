@@ -209,6 +209,28 @@ impl Shop {
         }
     }
 
+    /// Lifts the tool straight up to Safe-Z, where a stop has left it lower.
+    pub fn lifts(&mut self) -> Result<()> {
+        // The stop that ended it is over.
+        Stop::listen()?.hear();
+        let Some(up_mm) = self.session.lift_mm() else { return Ok(()) };
+        let mut place = [None; AXES];
+        place[Axis::Z.index()] = Some(up_mm);
+        self.errand(Errand::To { place, relative: false, flat: false }, Vec::new())?;
+        Ok(())
+    }
+
+    /// The controller was moved by what it ran by itself: the machine is believed to stand where it stands now.
+    pub fn stands_where_it_stands(&mut self) -> Result<()> {
+        let Some(controller) = &self.controller else { return Ok(()) };
+        if let (_, Some(place)) = controller.attend() {
+            self.session.memory.position = place;
+        }
+        self.session.keep_place(&mut self.workspace)?;
+        controller.ends(true, &mut self.workspace, || false);
+        Ok(())
+    }
+
     /// The controller is left as it was found.
     pub fn leave(&mut self) {
         if let Some(controller) = &self.controller {

@@ -4,6 +4,7 @@ use super::which::Which;
 use crate::args::Format;
 use crate::commands::board::{self, SettingsAction};
 use crate::commands::by_hand::{self, MoveArgs, ServerArgs, SpecialHeight};
+use crate::commands::controller_card::{self, CardAction};
 use crate::commands::tool_table::{self, ToolsAction};
 use crate::commands::zeros::{self, ZerosAction};
 use crate::commands::{known_boards, pace, protect, prove, step_board, wire};
@@ -177,6 +178,12 @@ enum Action {
         #[command(subcommand)]
         action: Option<ZerosAction>,
     },
+    /// Lists the files on the card (SD) of the controller that --machine names, which it runs by itself; uploads, runs, follows,
+    /// shows and deletes them
+    Card {
+        #[command(subcommand)]
+        action: Option<CardAction>,
+    },
     /// Tells how much longer runs on the controller that --machine names take than estimated, as they have shown; the time
     /// told of files has it in it
     Pace {
@@ -229,15 +236,7 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             let text = named_machine::text(name.as_ref(), &args.which.folder())?;
             replace(&machine_file::of_data_to_change(&args.which.folder())?, &text)?;
         }
-        Action::Save { name } => {
-            let file = machine_file::to_save(name, &args.which.folder())?;
-            let mut machine = args.which.machine()?;
-            // What drives it belongs to it: its name alone is enough from then on.
-            if let Some(controller) = args.which.machine.controller() {
-                machine.options.controller.clone_from(&controller.words);
-            }
-            replace(&file, &file::write(&machine))?;
-        }
+        Action::Save { name } => save(&args.which, name)?,
         Action::Axes => out::print(&axes(&args.which.machine()?)),
         Action::Home { axes, unlock, there } => {
             return by_hand::home(&args.which, axes.as_deref(), *unlock, *there);
@@ -266,12 +265,29 @@ pub fn run(args: &MachineArgs) -> Result<Exit> {
             return board::settings(controller(&args.which)?, action.as_ref(), *explain);
         }
         Action::Zeros { action } => return zeros::run(&args.which, action.as_ref()),
+        Action::Card { action } => return card(&args.which, action.as_ref()),
         Action::Pace { forget } => return pace::run(&args.which, *forget),
         Action::Tools { action } => return tool_table::run(&args.which, action.as_ref()),
         Action::Origin { place } => return by_hand::origin(&args.which, place.as_deref()),
         Action::Password { off } => protect::change(&args.which.to_change()?, *off)?,
     }
     Ok(Exit::Good)
+}
+
+/// Saves the machine under a name.
+fn save(which: &Which, name: &str) -> Result<()> {
+    let file = machine_file::to_save(name, &which.folder())?;
+    let mut machine = which.machine()?;
+    // What drives it belongs to it: its name alone is enough from then on.
+    if let Some(controller) = which.machine.controller() {
+        machine.options.controller.clone_from(&controller.words);
+    }
+    replace(&file, &file::write(&machine))
+}
+
+/// Lists the files on the card of the controller that is named, or does something there.
+fn card(which: &Which, action: Option<&CardAction>) -> Result<Exit> {
+    controller_card::run(which, controller(which)?, action)
 }
 
 /// Looks for controllers, or opens the boards with step queues that are named.

@@ -4,6 +4,7 @@ mod board;
 mod by_hand;
 mod card;
 mod check;
+mod controller_card;
 mod controller_settings;
 mod convert;
 mod draw;

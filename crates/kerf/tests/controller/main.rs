@@ -5,6 +5,7 @@
 
 mod bench;
 mod boards;
+mod card;
 mod gone;
 mod held;
 mod inputs_and_outputs;

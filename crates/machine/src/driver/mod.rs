@@ -13,6 +13,7 @@
 //! What every driver has to hold is in [`conformance`]: each driver is run against it with its fake, and again with
 //! its hardware.
 
+mod card;
 pub mod conformance;
 mod link;
 mod offsets;
@@ -21,6 +22,7 @@ mod told_setting;
 mod touch_off;
 mod zero;
 
+pub use card::{CardAnswer, CardFile, CardJob, CardNews, CardTask};
 pub use link::{Link, LinkNews, LinkState, Troubles};
 pub use offsets::Offsets;
 pub use said::{LineKind, Said};
@@ -485,6 +487,35 @@ pub trait Wired: Driver {
     /// Tells what a line is that was sent to the controller, or came from it.
     fn said(&self, _line: &str, is_sent: bool) -> Said {
         Said::plain(if is_sent { LineKind::Line } else { LineKind::Message })
+    }
+
+    /// Tells whether it has a card with files that it runs by itself.
+    ///
+    /// # Errors
+    /// It has none, for a reason.
+    fn has_card(&self) -> Result<(), &'static str> {
+        Err("it has no card")
+    }
+
+    /// Begins something on its card, while nothing moves.
+    ///
+    /// # Errors
+    /// It has none, cannot do this, is at work, or the name is none that it takes.
+    fn does_on_card(&mut self, _task: CardTask) -> Result<(), String> {
+        self.has_card().map_err(str::to_owned)
+    }
+
+    /// Returns what became of that since this was asked last.
+    fn card_news(&mut self) -> Option<CardNews> {
+        None
+    }
+
+    /// Gives up what is done on its card; a file that runs goes on.
+    fn leaves_card(&mut self) {}
+
+    /// Returns the file that it runs from its card, whoever has begun it.
+    fn card_job(&self) -> Option<CardJob> {
+        None
     }
 
     /// The line was gone and is there again. Finds out what the controller has got of what was sent, before anything else is

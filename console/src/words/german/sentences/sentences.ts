@@ -2,6 +2,7 @@
 
 import { colours } from "../operations";
 import { boardsSentences } from "./boards";
+import { cardSentences } from "./card";
 import { configurationSentences } from "./configuration";
 import { controllerLineSentences } from "./controllerLines";
 import { controllerNames } from "./controllerNames";
@@ -28,6 +29,7 @@ export const sentences: Readonly<Record<string, string>> = {
   ...controllerNames,
   ...settingsExplained,
   ...controllersSentences,
+  ...cardSentences,
   ...controllerLineSentences,
   ...warmUpSentences,
   ...boardsSentences,

@@ -1,0 +1,44 @@
+/** Sentences of the card of a controller. */
+
+export const cardSentences: Readonly<Record<string, string>> = {
+  "it runs a file from its own card: STOP ends it":
+    "sie führt eine Datei von ihrer eigenen Karte aus: STOP beendet sie",
+  "it runs a file from its own card, and Kerf leaves it alone: kerf machine card follow tells of it":
+    "sie führt eine Datei von ihrer eigenen Karte aus, und Kerf lässt sie in Ruhe: kerf machine card follow nennt, wie weit sie ist",
+  "the controller runs {0} from its own card":
+    "die Steuerung führt {0} von ihrer eigenen Karte aus",
+  "wait for its end, or press STOP": "das Ende abwarten, oder STOP drücken",
+  "{0} ran from the controller's card, and was stopped":
+    "{0} lief von der Karte der Steuerung und wurde gestoppt",
+  "it says nothing of its card": "sie sagt nichts von ihrer Karte",
+  "it was stopped": "es wurde gestoppt",
+  "{0}; {1} runs on from its card": "{0}; {1} läuft von ihrer Karte weiter",
+  "{0} does not say that it has stopped: press its emergency stop and look at it":
+    "{0} sagt nicht, dass sie steht: ihren Not-Halt drücken und nachsehen",
+  "a board with step queues has no card of its own":
+    "eine Platine mit Schritt-Warteschlangen hat keine eigene Karte",
+  "the controller was reset": "die Steuerung wurde zurückgesetzt",
+  "'{0}' is no name for its card: 1 to {1} characters":
+    "'{0}' ist kein Name für ihre Karte: 1 bis {1} Zeichen",
+  "'{0}' is no name for its card: it takes no {1} in one":
+    "'{0}' ist kein Name für ihre Karte: sie nimmt kein {1} darin",
+  "its firmware takes no files on this line: build it with YMODEM, or put the file on the card in this computer":
+    "ihre Firmware nimmt auf dieser Leitung keine Dateien: sie mit YMODEM bauen, oder die Datei in diesem Rechner auf die Karte schreiben",
+  "{0} is empty": "{0} ist leer",
+  "line {0} of the file was refused: {1}": "Zeile {0} der Datei wurde abgelehnt: {1}",
+  "there is no card in it, or none that it can read":
+    "es steckt keine Karte darin, oder keine, die sie lesen kann",
+  "its firmware has no card ($I tells no SD): build it with one":
+    "ihre Firmware hat keine Karte ($I nennt kein SD): sie mit einer bauen",
+  "its firmware has no card ($I tells no S)": "ihre Firmware hat keine Karte ($I nennt kein S)",
+  "grbl 1.1 has no card: grblHAL and FluidNC have one":
+    "grbl 1.1 hat keine Karte: grblHAL und FluidNC haben eine",
+  "the controller has given it up: its card may be full, missing or locked":
+    "die Steuerung hat es aufgegeben: ihre Karte ist vielleicht voll, fehlt oder ist gesperrt",
+  "the controller does not answer": "die Steuerung antwortet nicht",
+  "too much was spoiled on its way: look at the cable":
+    "zu viel ging auf dem Weg verloren: das Kabel prüfen",
+  "{0} is no part file: .nc .tap .ngc .gcode .sbp and .rsm go on a card":
+    "{0} ist keine Teiledatei: .nc .tap .ngc .gcode .sbp und .rsm gehen auf eine Karte",
+  "{0} cannot be said in G-code": "{0} lässt sich nicht in G-Code sagen",
+};
